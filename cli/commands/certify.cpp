@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo certify: a subject against the corpus. Without a subject, the main job: the built-in
+// expanders, the checked-in corpus, a report.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/corpus_folder.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subjects.hpp"
+#include "cli/verdict_text.hpp"
+#include "cli/version.hpp"
+#include "expanders/registry.hpp"
+#include "oracle/report/html.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct CertifyOptions {
+  std::string subject;
+  std::vector<std::string> dialects;
+  std::string corpus;
+  std::string report;
+  std::string profile;
+  std::vector<std::string> readings;
+  std::vector<std::string> only;
+  std::string case_id;
+  std::string shard = "1/1";
+  int jobs = 0;
+  bool fail_fast = false;
+  LimitOptions limits;
+  std::vector<std::string> argv;
+};
+
+void parse_shard(const std::string& text, oracle::CampaignOptions& campaign) {
+  unsigned shard = 0;
+  unsigned shards = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%u/%u%c", &shard, &shards, &rest) != 2 || shard < 1 ||
+      shard > shards) {
+    throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
+  }
+  campaign.shard = shard;
+  campaign.shards = shards;
+}
+
+oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
+  oracle::CampaignOptions campaign;
+  for (const std::string& dialect : options.dialects) load_profile({dialect, "", {}});
+  campaign.dialects = options.dialects;
+  campaign.only = options.only;
+  campaign.case_id = options.case_id;
+  campaign.readings = options.readings;
+  // Every reading must exist and admit its value in one of the dialects.
+  if (!options.readings.empty()) load_profile({"gsk988ta", "", options.readings});
+  if (!options.profile.empty()) {
+    campaign.profile = load_profile({"", options.profile, {}});
+  }
+  campaign.tolerance = length_option(options.limits.tolerance, "--tolerance");
+  campaign.chord = length_option(options.limits.chord, "--chord");
+  campaign.jobs = options.jobs > 0 ? options.jobs
+                                   : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+  campaign.fail_fast = options.fail_fast;
+  campaign.limits = options.limits.limits();
+  parse_shard(options.shard, campaign);
+  return campaign;
+}
+
+// A line that is rewritten in place on a terminal; nothing in a pipe.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string subject)
+      : subject_(std::move(subject)), on_(::isatty(STDERR_FILENO) == 1) {}
+  ~ProgressLine() {
+    if (on_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(std::size_t done, std::size_t all, std::size_t no_go) {
+    using Clock = std::chrono::steady_clock;
+    const auto now = Clock::now();
+    if (!on_ || (done < all && now - shown_ < std::chrono::milliseconds(100))) return;
+    shown_ = now;
+    const std::chrono::duration<double> spent = now - start_;
+    const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
+    fmt::print(stderr, "\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left", subject_, done,
+               all, no_go, left);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string subject_;
+  bool on_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point shown_{};
+};
+
+oracle::ResultsHeader results_header(const CertifyOptions& options, const std::string& subject,
+                                     const oracle::Corpus& corpus,
+                                     const oracle::CampaignOptions& campaign,
+                                     const oracle::SubjectInfo& info) {
+  oracle::ResultsHeader header;
+  header.version = kVersion;
+  header.corpus_version = corpus.version();
+  header.corpus_sha256 = corpus.sha256();
+  header.subject_spec = subject;
+  header.subject = info;
+  if (campaign.profile) header.profile = reference::profile_json(*campaign.profile);
+  if (campaign.tolerance) header.tolerance = campaign.tolerance->text();
+  if (campaign.chord) header.chord = campaign.chord->text();
+  header.shard = options.shard;
+  header.argv = options.argv;
+  return header;
+}
+
+int certify_one(const CertifyOptions& options, const std::string& subject,
+                const std::string& report) {
+  const oracle::CampaignOptions campaign = campaign_options(options);
+  const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
+  const oracle::Corpus corpus(corpus_folder(options.corpus));
+  const oracle::SubjectInfo info = maker()->info();
+  std::filesystem::create_directories(report);
+  const std::string results_path = report + "/results.jsonl";
+  oracle::ResultsWriter results(results_path,
+                                results_header(options, subject, corpus, campaign, info));
+  oracle::CampaignSummary summary;
+  {
+    ProgressLine progress(subject);
+    summary = oracle::run_campaign(
+        corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
+        [&](std::size_t done, std::size_t all, std::size_t no_go) { progress.show(done, all, no_go); });
+  }
+  results.close(summary.footer);
+  if (summary.cases == 0) {
+    throw UsageError(fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names "
+                                 "the cases.",
+                                 corpus.folder()));
+  }
+  const oracle::report::ReportResult written = oracle::report::write_html_report(results_path, report);
+  Output output;
+  output.text() = summary_text(summary, subject);
+  output.text() += fmt::format("results: {}\nreport:  {}/index.html\n", results_path, report);
+  output.flush();
+  if (!written.error.empty()) throw UsageError(written.error);
+  return summary.exit_code();
+}
+
+int certify(const CertifyOptions& options) {
+  const std::string report = options.report.empty() ? "report" : options.report;
+  if (!options.subject.empty()) return certify_one(options, options.subject, report);
+  // The main job: every built-in expander, each with its own report.
+  int exit_code = kGo;
+  for (std::string_view name : expanders::names()) {
+    const int one = certify_one(options, fmt::format("builtin:{}", name),
+                                fmt::format("{}/{}", report, name));
+    if (one == kNoGo || exit_code == kGo) exit_code = one;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void add_certify(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CertifyOptions>();
+  CLI::App* command = app.add_subcommand("certify", "Judge a subject with the corpus");
+  command->add_option("--subject", options->subject,
+                      "builtin:NAME[+FAULT], pipe:COMMAND or oneshot:COMMAND");
+  command->add_option("--dialect", options->dialects, "only this dialect; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
+  command->add_option("--report", options->report, "folder for results and report (report)");
+  command->add_option("--profile", options->profile, "the machine's profile");
+  command->add_option("--reading", options->readings, "one reading as key=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--only", options->only, "only ids that match the glob; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--case", options->case_id, "only this case");
+  command->add_option("--shard", options->shard, "part i of n: i/n");
+  command->add_option("--jobs", options->jobs, "subjects that run at the same time")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
+  add_limit_options(*command, options->limits);
+  options->argv = arguments();
+  command->callback([options, &exit_code] { exit_code = certify(*options); });
+}
+
+}  // namespace gonogo::cli

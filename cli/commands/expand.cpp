@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo expand: the motions of a program, as records, a table, plain codes or a drawing.
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/diagnostics.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/formats.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct ExpandOptions {
+  std::string program;
+  std::string format = "jsonl";
+  ProfileOptions profile;
+};
+
+void warn_about_empty_program(const ProgramFile& file) {
+  if (file.size() == 0) {
+    throw UsageError(fmt::format("{} is empty. Name a file with an NC program.", file.name()));
+  }
+}
+
+int expand(const ExpandOptions& options) {
+  const reference::Profile profile = load_profile(options.profile);
+  ProgramFile file(options.program);
+  warn_about_empty_program(file);
+  grammar::LineSource lines(file.bytes());
+  reference::Expander expander(profile, lines, reference::OpenPaths::shown);
+  Output output;
+  std::unique_ptr<RecordFormat> format = make_record_format(options.format, profile, file.name());
+  int exit_code = kGo;
+  while (const reference::Item* item = expander.next()) {
+    if (auto* record = std::get_if<reference::Record>(item)) {
+      format->record(*record, output.text());
+      output.flush_if_large();
+    } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
+      format->alarm(*alarms, output.text());
+      output.flush();
+      report_alarms(*alarms, file.name(), expander.failed_line());
+      report_further_syntax_errors(lines, file.name(), alarms->syntax.has_value());
+      exit_code = kNoGo;
+    } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
+      format->not_covered(*outside, output.text());
+      output.flush();
+      report_not_covered(*outside, file.name(), expander.failed_line());
+      exit_code = kUndecided;
+    }
+  }
+  format->finish(output.text());
+  output.flush();
+  return exit_code;
+}
+
+}  // namespace
+
+void add_expand(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExpandOptions>();
+  CLI::App* command = app.add_subcommand("expand", "Write the motions of a program");
+  command->add_option("program", options->program, "NC program, or - for standard input")
+      ->required();
+  add_profile_options(*command, options->profile);
+  command->add_option("--format", options->format, "jsonl, table, ngc or svg")
+      ->check(CLI::IsMember({"jsonl", "table", "ngc", "svg"}));
+  command->callback([options, &exit_code] { exit_code = expand(*options); });
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo explain: each motion with the clause that it comes from, in words.
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/diagnostics.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/formats.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct ExplainOptions {
+  std::string program;
+  ProfileOptions profile;
+  std::uint64_t block = 0;
+};
+
+// Lines of the program as the expander reads them, remembered for the text of the block.
+class RememberedLines : public grammar::ByteSource {
+ public:
+  explicit RememberedLines(std::string text) : text_(std::move(text)), bytes_(text_) {}
+  std::size_t read(char* data, std::size_t capacity) override { return bytes_.read(data, capacity); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  grammar::MemorySource bytes_;
+};
+
+std::string line_of(std::string_view program, std::uint64_t number) {
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  grammar::Line line;
+  while (lines.next(line)) {
+    if (line.number == number) return std::string(line.text.substr(0, 200));
+  }
+  return {};
+}
+
+class Explanation {
+ public:
+  Explanation(const reference::Profile& profile, std::string_view program)
+      : program_(program), table_(make_record_format("table", profile, "")) {}
+
+  void record(const reference::Record& record, std::string& out) {
+    if (record.block != block_ && record.block != 0) {
+      block_ = record.block;
+      clause_ = reference::kNoClause;
+      out += fmt::format("\nline {}: {}\n", block_, line_of(program_, block_));
+    }
+    if (record.clause != clause_ && record.clause != reference::kNoClause) {
+      clause_ = record.clause;
+      const reference::Clause& clause = reference::clause(clause_);
+      out += fmt::format("  {} ({}): {}\n", clause.id, reference::name(clause.level), clause.text);
+      for (const reference::Reading& reading : reference::readings()) {
+        if (reading.clause != clause_) continue;
+        out += fmt::format("    reading {}: {}\n", reading.name, reading.text);
+      }
+    }
+    std::string row;
+    table_->record(record, row);
+    const std::size_t last = row.rfind('\n', row.size() - 2);
+    out += "  " + row.substr(last == std::string::npos ? 0 : last + 1);
+  }
+
+ private:
+  std::string_view program_;
+  std::unique_ptr<RecordFormat> table_;
+  std::uint64_t block_ = 0;
+  reference::ClauseId clause_ = reference::kNoClause;
+};
+
+int explain(const ExplainOptions& options) {
+  const reference::Profile profile = load_profile(options.profile);
+  RememberedLines program(read_file(options.program));
+  if (program.text().empty()) throw UsageError(options.program + " is empty.");
+  grammar::LineSource lines(program);
+  reference::Expander expander(profile, lines, reference::OpenPaths::shown);
+  Explanation explanation(profile, program.text());
+  Output output;
+  int exit_code = kGo;
+  while (const reference::Item* item = expander.next()) {
+    if (auto* record = std::get_if<reference::Record>(item)) {
+      if (options.block != 0 && record->block != options.block) continue;
+      explanation.record(*record, output.text());
+      output.flush_if_large();
+    } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
+      output.flush();
+      report_alarms(*alarms, options.program, expander.failed_line());
+      exit_code = kNoGo;
+    } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
+      output.flush();
+      report_not_covered(*outside, options.program, expander.failed_line());
+      exit_code = kUndecided;
+    }
+  }
+  output.flush();
+  return exit_code;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command =
+      app.add_subcommand("explain", "Show each motion of a program with the clause it comes from");
+  command->add_option("program", options->program, "NC program, or - for standard input")
+      ->required();
+  add_profile_options(*command, options->profile);
+  command->add_option("--block", options->block, "only this line of the program");
+  command->callback([options, &exit_code] { exit_code = explain(*options); });
+}
+
+}  // namespace gonogo::cli

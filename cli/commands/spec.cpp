@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo spec: the clauses and readings of a dialect, and what lies outside.
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "oracle/features.hpp"
+#include "reference/reading.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct SpecOptions {
+  std::string dialect;
+  bool features = false;
+};
+
+void append_features(std::string& out) {
+  for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
+    out += fmt::format("{:<12} {:<10} {}\n", feature.dialect, feature.name, feature.text);
+  }
+}
+
+void append_clauses(std::string& out) {
+  std::string_view source;
+  for (const reference::Clause& clause : reference::clauses()) {
+    if (clause.source != source) {
+      source = clause.source;
+      out += fmt::format("\n{}\n", source);
+    }
+    out += fmt::format("  {:<12} {:<8} {}\n{:25}carried by {}\n", clause.id,
+                       reference::name(clause.level), clause.text, "", clause.carrier);
+  }
+}
+
+void append_readings(std::string_view dialect, std::string& out) {
+  out += "\nReadings (default first)\n";
+  for (const reference::Reading& reading : reference::readings()) {
+    if (reading.dialect != dialect) continue;
+    std::string choices(reading.fallback);
+    for (std::string_view alternative : reading.alternatives) {
+      if (alternative != reading.fallback) choices += fmt::format(" | {}", alternative);
+    }
+    if (reading.is_length) choices += " | a length in mm";
+    if (reading.fallback != "any" && !reading.is_length) choices += " | any";
+    out += fmt::format("  {} = {}\n{:8}{} ({})\n", reading.name, choices, "", reading.text,
+                       reference::clause_name(reading.clause));
+  }
+}
+
+void append_outside(std::string_view dialect, std::string& out) {
+  out += "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
+  for (const reference::OutsideCode& code : reference::outside_codes(dialect)) {
+    out += fmt::format("  {:<6} {}\n", code.code, code.title);
+  }
+  out += "  M98, M99 (subprograms), variables (#), expressions ([ ]) and control statements\n";
+  out += "\nPassed over: codes without effect on the path\n ";
+  for (std::string_view code : reference::codes_without_effect(dialect)) {
+    out += fmt::format(" {}", code);
+  }
+  out += '\n';
+}
+
+int spec(const SpecOptions& options) {
+  Output output;
+  if (options.features) {
+    append_features(output.text());
+    output.flush();
+    return kGo;
+  }
+  const std::string dialect = options.dialect.empty() ? "gsk988ta" : options.dialect;
+  load_profile({dialect, "", {}});  // an unknown dialect is wrong use
+  output.text() += fmt::format("Dialect {}\n", dialect);
+  append_clauses(output.text());
+  append_readings(dialect, output.text());
+  append_outside(dialect, output.text());
+  output.flush();
+  return kGo;
+}
+
+}  // namespace
+
+void add_spec(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SpecOptions>();
+  CLI::App* command = app.add_subcommand("spec", "Print the clauses and readings of a dialect");
+  command->add_option("--dialect", options->dialect, "dialect: gsk988ta");
+  command->add_flag("--features", options->features,
+                    "the words by which a subject declares what it has");
+  command->callback([options, &exit_code] { exit_code = spec(*options); });
+}
+
+}  // namespace gonogo::cli

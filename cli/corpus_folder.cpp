@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/corpus_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/program_file.hpp"
+
+namespace gonogo::cli {
+
+std::string corpus_folder(const std::string& given) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!given.empty()) {
+    if (fs::is_directory(given, ignored)) return given;
+    throw UsageError(fmt::format("There is no folder {}. Name the folder of a corpus.", given));
+  }
+  if (const char* variable = std::getenv("GONOGO_CORPUS")) return corpus_folder(variable);
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path()) {
+    for (const fs::path& folder : {at / "corpus", at / "share/gonogo/corpus"}) {
+      if (fs::exists(folder / "manifest.json", ignored)) return folder.string();
+    }
+  }
+  throw UsageError("The corpus was not found beside the program. Name its folder with --corpus.");
+}
+
+}  // namespace gonogo::cli

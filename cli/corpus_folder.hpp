@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace gonogo::cli {
+
+// The folder given, or where the checked-in corpus lies: GONOGO_CORPUS, beside the checkout that the
+// program was built in, or where it was installed. Throws UsageError when there is none.
+std::string corpus_folder(const std::string& given);
+
+}  // namespace gonogo::cli

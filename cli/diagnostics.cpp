@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "grammar/parser.hpp"
+
+namespace gonogo::cli {
+
+void report_alarms(const reference::AlarmReport& report, std::string_view file,
+                   std::string_view line) {
+  for (const reference::Alarm& alarm : report.alarms) {
+    const std::string message = fmt::format("alarm: {} [{}, {}]", alarm.message,
+                                            reference::name(alarm.alarm),
+                                            reference::clause_name(alarm.clause));
+    fmt::print(stderr, "{}", grammar::render(message, alarm.where, file, report.block, line));
+  }
+}
+
+void report_not_covered(const reference::NotCovered& outside, std::string_view file,
+                        std::string_view line) {
+  const std::string message = fmt::format("not covered: {}", outside.message);
+  fmt::print(stderr, "{}", grammar::render(message, outside.where, file, outside.block, line));
+}
+
+void report_further_syntax_errors(grammar::LineSource& lines, std::string_view file,
+                                  bool first_was_syntax) {
+  if (!first_was_syntax) return;
+  grammar::Line line;
+  grammar::Block block;
+  int count = 0;
+  while (count < kFurtherSyntaxErrors && lines.next(line)) {
+    auto error = line.too_long
+                     ? std::optional(grammar::line_too_long())
+                     : grammar::parse_block(grammar::Dialect::gsk988ta, line.text, block);
+    if (!error) continue;
+    fmt::print(stderr, "{}", grammar::render(*error, file, line.number, line.text));
+    ++count;
+  }
+  if (count == kFurtherSyntaxErrors) {
+    fmt::print(stderr, "{}: further errors are not shown.\n", file);
+  }
+}
+
+}  // namespace gonogo::cli

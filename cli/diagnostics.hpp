@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is wrong with an NC program, on standard error: file, line, column, the line itself with a
+// caret, and the clause.
+#pragma once
+
+#include <string_view>
+
+#include "grammar/line_source.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::cli {
+
+inline constexpr int kFurtherSyntaxErrors = 20;
+
+void report_alarms(const reference::AlarmReport& report, std::string_view file,
+                   std::string_view line);
+void report_not_covered(const reference::NotCovered& outside, std::string_view file,
+                        std::string_view line);
+// Reads on in check-only mode: the next syntax errors, at most kFurtherSyntaxErrors.
+void report_further_syntax_errors(grammar::LineSource& lines, std::string_view file,
+                                  bool first_was_syntax);
+
+}  // namespace gonogo::cli

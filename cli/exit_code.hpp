@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace gonogo::cli {
+
+// What the program tells its caller (design section 6 and 8).
+enum ExitCode : int {
+  kGo = 0,         // or: done
+  kNoGo = 1,       // a NO-GO; expand: the program alarms
+  kWrongUse = 2,   // the command line, a file, a profile
+  kUndecided = 3,  // incomplete, not covered, an oracle error
+};
+
+}  // namespace gonogo::cli

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/formats.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "cli/svg_format.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using reference::Axis;
+using reference::kAllAxes;
+using reference::Record;
+using reference::RecordKind;
+
+// Decimals shown to people and to machines that read plain codes.
+constexpr int kShownDecimals = 6;
+
+std::string shown(const reference::Number& value) {
+  std::string text = value.is_rational() ? value.text() : std::string();
+  if (text.empty() || text.find('/') != std::string::npos) {
+    text = value.decimal_text(kShownDecimals);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+class JsonLines : public RecordFormat {
+ public:
+  void record(const Record& record, std::string& out) override {
+    append_json(record, out);
+    out += '\n';
+  }
+  void alarm(const reference::AlarmReport& report, std::string& out) override {
+    append_alarm_json(report, out);
+    out += '\n';
+  }
+  void not_covered(const reference::NotCovered& outside, std::string& out) override {
+    out += fmt::format("{{\"k\":\"not-covered\",\"b\":{},\"code\":\"{}\"}}\n", outside.block,
+                       outside.code);
+  }
+};
+
+std::string end_point(const Record& record) {
+  std::string text;
+  for (Axis axis : kAllAxes) {
+    if (!record.axes.has(axis)) continue;
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ",
+                        static_cast<char>(letter(axis) - 'a' + 'A'), shown(record.to[axis]));
+  }
+  return text;
+}
+
+class Table : public RecordFormat {
+ public:
+  void record(const Record& record, std::string& out) override {
+    if (!headed_) {
+      out += fmt::format("{:>6}  {:<6} {:<36} {:<30} {:<12} {}\n", "line", "motion",
+                         "to (mm, X as radius)", "centre, turns", "feed", "clause");
+      headed_ = true;
+    }
+    std::string line = record.block != 0 ? std::to_string(record.block) : std::string("-");
+    std::string what = end_point(record);
+    std::string detail;
+    if (record.kind == RecordKind::arc) {
+      const reference::PlaneAxes axes = reference::axes_of(record.plane);
+      detail = fmt::format("{}{} {}{} {:+d}", static_cast<char>(letter(axes.p) - 'a' + 'A'),
+                           shown(record.centre[0]), static_cast<char>(letter(axes.q) - 'a' + 'A'),
+                           shown(record.centre[1]), record.rot);
+    }
+    if (record.kind == RecordKind::dwell) what = fmt::format("{} s", shown(record.seconds));
+    if (record.kind == RecordKind::m) what = fmt::format("M{}", record.m);
+    std::string feed;
+    if (record.kind == RecordKind::feed || record.kind == RecordKind::arc) {
+      feed = shown(record.feed);
+      if (record.feed_mode == reference::FeedMode::per_revolution) feed += "/rev";
+    }
+    out += fmt::format("{:>6}  {:<6} {:<36} {:<30} {:<12} {}\n", line, name(record.kind), what,
+                       detail, feed, reference::clause_name(record.clause));
+  }
+  void alarm(const reference::AlarmReport& report, std::string& out) override {
+    const reference::Alarm& first = report.alarms.front();
+    out += fmt::format("{:>6}  alarm  {} ({})\n", report.block, reference::name(first.alarm),
+                       reference::clause_name(first.clause));
+  }
+  void not_covered(const reference::NotCovered& outside, std::string& out) override {
+    out += fmt::format("{:>6}  not covered: {}\n", outside.block, outside.code);
+  }
+
+ private:
+  bool headed_ = false;
+};
+
+// Plain codes that any control reads: absolute, millimetres, X as a radius.
+class PlainCodes : public RecordFormat {
+ public:
+  void record(const Record& record, std::string& out) override {
+    if (!headed_) {
+      out += "G21 G90\n";
+      headed_ = true;
+    }
+    switch (record.kind) {
+      case RecordKind::rapid: out += fmt::format("G00 {}\n", end_point(record)); break;
+      case RecordKind::feed:
+        out += fmt::format("{}G01 {} F{}\n", feed_mode(record), end_point(record),
+                           shown(record.feed));
+        break;
+      case RecordKind::arc: arc(record, out); break;
+      case RecordKind::dwell: out += fmt::format("G04 P{}\n", shown(record.seconds)); break;
+      case RecordKind::m:
+        ended_ = ended_ || record.m == 2 || record.m == 30;
+        out += fmt::format("M{}\n", record.m);
+        break;
+      default: break;
+    }
+    for (Axis axis : kAllAxes) {
+      if (record.axes.has(axis)) at_[axis] = record.to[axis];
+    }
+  }
+  void alarm(const reference::AlarmReport& report, std::string& out) override {
+    out += fmt::format("(alarm in line {}: {})\n", report.block,
+                       reference::name(report.alarms.front().alarm));
+  }
+  void not_covered(const reference::NotCovered& outside, std::string& out) override {
+    out += fmt::format("(line {}: {} is not covered)\n", outside.block, outside.code);
+  }
+  void finish(std::string& out) override {
+    if (!ended_) out += "M30\n";
+  }
+  explicit PlainCodes(const reference::Position& start) : at_(start) {}
+
+ private:
+  std::string feed_mode(const Record& record) {
+    if (feed_mode_ == record.feed_mode) return "";
+    feed_mode_ = record.feed_mode;
+    return record.feed_mode == reference::FeedMode::per_revolution ? "G95\n" : "G94\n";
+  }
+  void arc(const Record& record, std::string& out) {
+    const reference::PlaneAxes axes = reference::axes_of(record.plane);
+    out += feed_mode(record);
+    if (plane_ != record.plane) out += fmt::format("G{}\n", plane_code(record.plane));
+    plane_ = record.plane;
+    out += fmt::format("{} {} {}{} {}{} F{}\n", record.rot < 0 ? "G02" : "G03", end_point(record),
+                       "IJK"[index(axes.p)], shown(record.centre[0] - at_[axes.p]),
+                       "IJK"[index(axes.q)], shown(record.centre[1] - at_[axes.q]),
+                       shown(record.feed));
+  }
+
+  reference::Position at_;
+  std::optional<reference::Plane> plane_;
+  std::optional<reference::FeedMode> feed_mode_;
+  bool headed_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+void append_alarm_json(const reference::AlarmReport& report, std::string& out) {
+  const reference::Alarm& first = report.alarms.front();
+  out += fmt::format("{{\"k\":\"alarm\",\"class\":\"{}\",\"b\":{}", reference::name(first.alarm),
+                     report.block);
+  if (first.word != 0) out += fmt::format(",\"word\":\"{}\"", first.word);
+  out += fmt::format(",\"clause\":\"{}\"}}", reference::clause_name(first.clause));
+}
+
+std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
+                                                 const reference::Profile& profile,
+                                                 std::string_view program_name) {
+  if (name == "table") return std::make_unique<Table>();
+  if (name == "ngc") return std::make_unique<PlainCodes>(profile.initial.at);
+  if (name == "svg") return make_svg_format(profile, program_name);
+  return std::make_unique<JsonLines>();
+}
+
+}  // namespace gonogo::cli

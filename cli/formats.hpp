@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How `gonogo expand` writes a trace.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "reference/outcome.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::cli {
+
+// Appends text for each item as it comes.
+class RecordFormat {
+ public:
+  virtual ~RecordFormat() = default;
+  virtual void record(const reference::Record& record, std::string& out) = 0;
+  virtual void alarm(const reference::AlarmReport& report, std::string& out) = 0;
+  virtual void not_covered(const reference::NotCovered& outside, std::string& out) = 0;
+  virtual void finish(std::string& out) { static_cast<void>(out); }
+};
+
+// "jsonl": the records of design section 4. "table": for people. "ngc": plain G00 to G03 in the
+// order of the motions, radius programming, absolute. "svg": a drawing sheet.
+std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
+                                                 const reference::Profile& profile,
+                                                 std::string_view program_name);
+
+// One alarm as the record that closes a trace.
+void append_alarm_json(const reference::AlarmReport& report, std::string& out);
+
+}  // namespace gonogo::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/options.hpp"
+
+namespace gonogo::cli {
+
+void add_profile_options(CLI::App& command, ProfileOptions& options) {
+  command.add_option("--dialect", options.dialect, "dialect of the program: gsk988ta");
+  command.add_option("--profile", options.file, "machine profile (TOML, or JSON by its ending)");
+  command.add_option("--reading", options.readings, "one reading as key=value; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_limit_options(CLI::App& command, LimitOptions& options) {
+  command.add_option("--timeout", options.timeout, "limit of one run, milliseconds")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--memory", options.memory, "memory limit of a subject, MB")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
+  command.add_option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+}
+
+oracle::Limits LimitOptions::limits() const {
+  oracle::Limits limits;
+  if (timeout > 0) limits.run = std::chrono::milliseconds(timeout);
+  if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
+  return limits;
+}
+
+std::optional<reference::Number> length_option(const std::string& text, const char* option) {
+  if (text.empty()) return std::nullopt;
+  auto value = reference::Number::parse(text);
+  if (!value || !value->is_rational() || value->sign() < 0) {
+    throw UsageError(std::string(option) + " takes a length in mm as a decimal, not \"" + text +
+                     "\".");
+  }
+  return value;
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Options that mean the same wherever they make sense.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/program_file.hpp"
+#include "oracle/subject.hpp"
+
+namespace gonogo::cli {
+
+// --dialect, --profile, --reading
+void add_profile_options(CLI::App& command, ProfileOptions& options);
+
+// --timeout, --memory, --tolerance, --chord
+struct LimitOptions {
+  long timeout = 0;  // ms; 0: the default
+  long memory = 0;   // MB; 0: the default
+  std::string tolerance;
+  std::string chord;
+  oracle::Limits limits() const;
+};
+void add_limit_options(CLI::App& command, LimitOptions& options);
+
+// A length given as a decimal; throws UsageError.
+std::optional<reference::Number> length_option(const std::string& text, const char* option);
+
+}  // namespace gonogo::cli

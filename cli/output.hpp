@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Standard output in large writes, with a full disk or a closed pipe noticed.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace gonogo::cli {
+
+// Standard output cannot be written. A closed pipe is not worth a message; a full disk is.
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(const std::string& message, bool quiet)
+      : std::runtime_error(message), quiet_(quiet) {}
+  bool quiet() const { return quiet_; }
+
+ private:
+  bool quiet_;
+};
+
+class Output {
+ public:
+  explicit Output(int descriptor = 1) : descriptor_(descriptor) {}
+  // The text that waits to be written: append to it, then call flush_if_large.
+  std::string& text() { return text_; }
+  void flush_if_large() {
+    if (text_.size() >= kChunk) flush();
+  }
+  // Throws OutputError.
+  void flush();
+
+ private:
+  static constexpr std::size_t kChunk = std::size_t{1} << 16;
+  int descriptor_;
+  std::string text_;
+};
+
+}  // namespace gonogo::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/program_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace gonogo::cli {
+
+ProgramFile::ProgramFile(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
+  descriptor_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw UsageError(fmt::format("{} cannot be opened: {}. Name an NC program, or - for standard "
+                                 "input.",
+                                 path, std::strerror(errno)));
+  }
+  struct stat status {};
+  if (::fstat(descriptor_, &status) == 0) {
+    if (S_ISDIR(status.st_mode)) {
+      throw UsageError(fmt::format("{} is a folder. Name an NC program.", path));
+    }
+    if (S_ISREG(status.st_mode)) size_ = status.st_size;
+  }
+  bytes_ = std::make_unique<grammar::DescriptorSource>(descriptor_);
+}
+
+ProgramFile::~ProgramFile() {
+  if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
+}
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  ProgramFile file(path);
+  std::string text;
+  std::array<char, 1 << 16> chunk;
+  while (std::size_t count = file.bytes().read(chunk.data(), chunk.size())) {
+    text.append(chunk.data(), count);
+    if (text.size() > limit) throw UsageError(fmt::format("{} is larger than {} bytes.", path, limit));
+  }
+  return text;
+}
+
+namespace {
+
+reference::Profile checked(reference::ProfileResult result, const std::string& file) {
+  if (auto* error = std::get_if<reference::ProfileError>(&result)) {
+    throw UsageError(file.empty() ? error->message : fmt::format("{}: {}", file, error->message));
+  }
+  return std::get<reference::Profile>(std::move(result));
+}
+
+}  // namespace
+
+reference::Profile load_profile(const ProfileOptions& options) {
+  reference::Profile profile;
+  if (!options.file.empty()) {
+    const std::string text = read_file(options.file, std::size_t{1} << 20);
+    const bool json = options.file.ends_with(".json");
+    profile = checked(json ? reference::profile_from_json(text) : reference::profile_from_toml(text),
+                      options.file);
+    if (!options.dialect.empty() && options.dialect != profile.dialect) {
+      throw UsageError(fmt::format("{} is a profile of dialect {}, but --dialect says {}.",
+                                   options.file, profile.dialect, options.dialect));
+    }
+  } else {
+    profile = checked(reference::default_profile(options.dialect), "");
+  }
+  for (const std::string& choice : options.readings) {
+    const std::size_t equals = choice.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(fmt::format("--reading {} is not of the form key=value.", choice));
+    }
+    auto error = reference::set_reading(profile, choice.substr(0, equals), choice.substr(equals + 1));
+    if (error) throw UsageError(error->message);
+  }
+  return profile;
+}
+
+}  // namespace gonogo::cli

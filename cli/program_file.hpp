@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files named on the command line.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "grammar/line_source.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::cli {
+
+// Wrong use of the program: exit 2, with what to do instead.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// An NC program as a stream; "-" is standard input.
+class ProgramFile {
+ public:
+  explicit ProgramFile(const std::string& path);
+  ~ProgramFile();
+  ProgramFile(const ProgramFile&) = delete;
+  ProgramFile& operator=(const ProgramFile&) = delete;
+
+  // The name for diagnostics.
+  const std::string& name() const { return name_; }
+  // The size of a regular file; -1 for a pipe.
+  long long size() const { return size_; }
+  grammar::ByteSource& bytes() { return *bytes_; }
+
+ private:
+  std::string name_;
+  int descriptor_ = -1;
+  long long size_ = -1;
+  std::unique_ptr<grammar::ByteSource> bytes_;
+};
+
+// The whole file, at most `limit` bytes.
+std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
+
+// What the options --dialect, --profile and --reading say together.
+struct ProfileOptions {
+  std::string dialect;
+  std::string file;
+  std::vector<std::string> readings;  // "k=v"
+};
+reference::Profile load_profile(const ProfileOptions& options);
+
+}  // namespace gonogo::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/subjects.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/program_file.hpp"
+#include "expanders/registry.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+oracle::SubjectMaker builtin_maker(const std::string& rest) {
+  const std::size_t plus = rest.find('+');
+  const std::string name = rest.substr(0, plus);
+  const std::string fault = plus == std::string::npos ? std::string() : rest.substr(plus + 1);
+  if (expanders::find(name, "") == nullptr) {
+    std::string known;
+    for (std::string_view builtin : expanders::names()) {
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", builtin);
+    }
+    throw UsageError(fmt::format("There is no built-in expander \"{}\". Write one of: {}.", name,
+                                 known));
+  }
+  const gonogo_subject_v1* subject = expanders::find(name, fault);
+  if (subject == nullptr) {
+    throw UsageError(fmt::format("The expander {} has no planted fault \"{}\". `gonogo faults "
+                                 "--list` names them.",
+                                 name, fault));
+  }
+  return [subject] { return oracle::make_interface_subject(*subject); };
+}
+
+}  // namespace
+
+oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits& limits) {
+  const auto spec = oracle::parse_subject_spec(text);
+  if (spec && spec->kind == "builtin") return builtin_maker(spec->rest);
+  if (spec && spec->kind == "pipe") {
+    return [rest = spec->rest, limits] { return oracle::make_pipe_subject(rest, limits); };
+  }
+  if (spec && spec->kind == "oneshot") {
+    return [rest = spec->rest, limits] { return oracle::make_oneshot_subject(rest, limits); };
+  }
+  throw UsageError(fmt::format("\"{}\" names no subject. Write builtin:NAME, pipe:COMMAND or "
+                               "oneshot:COMMAND.",
+                               text));
+}
+
+}  // namespace gonogo::cli

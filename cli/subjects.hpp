@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Subjects as the command line names them: "<kind>:<rest>".
+#pragma once
+
+#include <string>
+
+#include "oracle/campaign/campaign.hpp"
+
+namespace gonogo::cli {
+
+// How to make the subject, again and again (one a job). Throws UsageError for what is no subject.
+oracle::SubjectMaker subject_maker(const std::string& spec, const oracle::Limits& limits);
+
+}  // namespace gonogo::cli

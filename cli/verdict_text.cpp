@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/verdict_text.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::cli {
+
+using oracle::Decision;
+using oracle::Verdict;
+
+namespace {
+
+std::string_view word(Decision decision) {
+  switch (decision) {
+    case Decision::go: return "GO";
+    case Decision::no_go: return "NO-GO";
+    case Decision::undecided: return "UNDECIDED";
+  }
+  return "";
+}
+
+// The evidence of a verdict, each line after the indent.
+std::string evidence(const Verdict& verdict, std::string_view indent) {
+  std::string text;
+  auto put = [&](std::string_view what, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{}{:<11}{}\n", indent, what, value);
+  };
+  put("", verdict.message);
+  if (verdict.clause != reference::kNoClause) {
+    const reference::Clause& clause = reference::clause(verdict.clause);
+    put("clause", fmt::format("{}: {}", clause.id, clause.text));
+  }
+  if (verdict.block != 0) put("line", std::to_string(verdict.block));
+  if (verdict.record) put("record", std::to_string(*verdict.record));
+  put("want", verdict.want);
+  put("got", verdict.got);
+  if (!verdict.deviation_exact.empty()) {
+    const bool same = verdict.deviation_exact == verdict.deviation_mm;
+    put("deviation", same ? verdict.deviation_mm + " mm"
+                          : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
+  }
+  put("witness", verdict.witness);
+  if (!verdict.reading.empty()) put("would be GO", fmt::format("under --reading {}", verdict.reading));
+  return text;
+}
+
+}  // namespace
+
+std::string verdict_text(const Verdict& verdict) {
+  return fmt::format("{}: {}\n{}", word(decision(verdict.kind)), name(verdict.kind),
+                     evidence(verdict, "  "));
+}
+
+std::string summary_text(const oracle::CampaignSummary& summary, const std::string& subject) {
+  constexpr std::size_t kShown = 10;
+  std::string text;
+  std::size_t shown = 0;
+  for (const oracle::CaseResult& failure : summary.failures) {
+    if (shown++ == kShown) {
+      text += fmt::format("... and more; all are in the results and the report.\n\n");
+      break;
+    }
+    text += fmt::format("{} {}\n{}\n", failure.id, name(failure.verdict.kind),
+                        evidence(failure.verdict, "  "));
+  }
+  text += fmt::format("{}: {} cases\n", subject, summary.cases);
+  for (std::string_view verdict : oracle::verdict_names()) {
+    auto total = summary.footer.totals.find(std::string(verdict));
+    if (total != summary.footer.totals.end()) {
+      text += fmt::format("  {:<20} {:>6}\n", verdict, total->second);
+    }
+  }
+  for (const std::string& assignment : summary.footer.assignments) {
+    text += fmt::format("  follows {}\n", assignment);
+  }
+  if (summary.left_out > 0) {
+    text += fmt::format("  {} cases contradict the profile and were left out\n", summary.left_out);
+  }
+  if (!summary.complete) text += "  The run is incomplete.\n";
+  if (summary.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
+  const int exit_code = summary.exit_code();
+  text += exit_code == 0 ? "GO\n" : exit_code == 1 ? "NO-GO\n" : "UNDECIDED\n";
+  return text;
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,42 @@
+# Language, warnings, sanitizers and the folder-to-target helper.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# Dev: optimised enough to be quick, with every check on. Release keeps assertions too
+# (no NDEBUG): CGAL's own checks are part of the oracle's answer.
+set(CMAKE_CXX_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORCE)
+set(CMAKE_C_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORCE)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
+set(CMAKE_C_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+
+find_program(GONOGO_CCACHE ccache)
+if(GONOGO_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${GONOGO_CCACHE})
+endif()
+
+add_library(gonogo_build_settings INTERFACE)
+target_compile_options(gonogo_build_settings INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion
+  $<$<BOOL:${GONOGO_WERROR}>:-Werror>
+  # One value of an expression on every machine: no fused multiply-add.
+  -ffp-contract=off)
+if(GONOGO_SANITIZE)
+  target_compile_options(gonogo_build_settings INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(gonogo_build_settings INTERFACE -fsanitize=address,undefined)
+endif()
+if(GONOGO_FUZZ)
+  target_compile_options(gonogo_build_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# gonogo_folder(NAME SOURCES...): the static library of one folder of the house.
+function(gonogo_folder name)
+  add_library(gonogo_${name} STATIC ${ARGN})
+  add_library(gonogo::${name} ALIAS gonogo_${name})
+  target_link_libraries(gonogo_${name} PUBLIC gonogo_build_settings)
+  target_include_directories(gonogo_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+endfunction()

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace gonogo::expanders::gsk {
+
+/// What the controller can stop a program for.
+enum class AlarmKind {
+  kUndefinedCode,
+  kSyntax,
+  kDuplicateWord,
+  kValueOutOfRange,
+  kValueSign,
+  kConflictingWords,
+  kMissingWord,
+  kNotAnInteger,
+  kArcEndPoint,
+  kArcRadius,
+  kFeedMissing,
+  kAxisNotInPlane,
+  kTaperLimit,
+  kToolTooLarge,
+  kStepTooLarge,
+  kDirectionConflict
+};
+
+/// The controller's own number and the class that the gauge knows the alarm by.
+struct AlarmText {
+  std::string_view native;
+  std::string_view klass;
+};
+
+AlarmText text_of(AlarmKind kind);
+
+/// An alarm and the address of the word at fault; 0: none.
+struct Alarm {
+  AlarmKind kind = AlarmKind::kSyntax;
+  char word = 0;
+};
+
+}  // namespace gonogo::expanders::gsk

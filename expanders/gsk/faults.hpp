@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "expanders/faults.hpp"
+
+namespace gonogo::expanders::gsk {
+
+/// The planted faults; what each does stands in faults.cpp, in the same order.
+enum class Fault {
+  kNone,
+  // G94
+  kTaperSign,
+  kTaperDiameter,
+  kTaperLeaksPastMotion,
+  kTaperLeaksPastNonModal,
+  kTaperLost,
+  kEndPointLost,
+  kApproachTakesEnd,
+  kEndsAtB,
+  kRapidRetract,
+  kFeedReturn,
+  kTaperUnchecked,
+  kTaperEqualityRefused,
+  kTaperZeroTravelRefused,
+  kDwellClearsTaper,
+  kOffPlaneUnchecked,
+  kG80KeepsG94,
+  // G110, G111
+  kToolEqualityAccepted,
+  kStepEqualityAccepted,
+  kLastLayerDropped,
+  kLastLayerOvershoots,
+  kExtraLayer,
+  kEndlessLayers,
+  kClearanceTwice,
+  kClearanceUnclamped,
+  kClearanceSigned,
+  kRPlaneIgnored,
+  kDepthFromInitialPlane,
+  kStepDownForgotten,
+  kMissingStepDownAccepted,
+  kClosingCircleMissing,
+  kGouge,
+  kIsland,
+  kSenseInG18,
+  kG111AsG110,
+  kPocketLeaksPastMotion,
+  kInitialPlaneDrifts,
+  kDirectionUnchecked,
+  kRoundedCentre,
+  kEndsAtRPlane,
+  kNoRetract,
+  // all
+  kLateAlarm,
+  kAlarmNextBlock,
+  kRangeInMillimetres,
+  kCycleFeedStuck,
+  kInchFeed,
+  kIncrementAsRadius,
+  kDwellHalved,
+  kBlankLinesNotCounted,
+  kPairsCountedTwice,
+  kLongArcShort,
+  kCentreSwappedInG18,
+  kHomeDirect,
+  kFeedSurvivesReset
+};
+
+/// One description for each fault but kNone.
+std::span<const FaultDescription> fault_descriptions();
+/// The fault of fault_descriptions()[index].
+constexpr Fault fault_at(std::size_t index) {
+  return static_cast<Fault>(index + 1);
+}
+inline constexpr std::size_t kFaults = static_cast<std::size_t>(Fault::kFeedSurvivesReset);
+
+}  // namespace gonogo::expanders::gsk

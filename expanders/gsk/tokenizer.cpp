@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/gsk/tokenizer.hpp"
+
+#include <cstring>
+
+namespace gonogo::expanders::gsk {
+
+bool LineReader::next(std::string_view& line) {
+  if (rest_.empty()) return false;
+  std::size_t length = 0;
+  while (length < rest_.size() && rest_[length] != '\n' && rest_[length] != '\r') ++length;
+  line = rest_.substr(0, length);
+  std::size_t used = length;
+  if (used < rest_.size()) {
+    const bool pair = rest_[used] == '\r' && used + 1 < rest_.size() && rest_[used + 1] == '\n';
+    used += pair ? 2 : 1;
+    if (pair && counting_ == Counting::kPairTwice) ++number_;
+  }
+  rest_.remove_prefix(used);
+  if (!(line.empty() && counting_ == Counting::kWithoutBlank)) ++number_;
+  return true;
+}
+
+// Passes over blanks and comments; false when a comment does not end on the line.
+bool Tokenizer::skip_blanks() {
+  while (cursor_ != end_) {
+    if (*cursor_ == ' ' || *cursor_ == '\t') {
+      ++cursor_;
+    } else if (*cursor_ == '(') {
+      const void* close = std::memchr(cursor_, ')', static_cast<std::size_t>(end_ - cursor_));
+      if (close == nullptr) return false;
+      cursor_ = static_cast<const char*>(close) + 1;
+    } else {
+      break;
+    }
+  }
+  return true;
+}
+
+Token Tokenizer::next(Word& word) {
+  if (!skip_blanks()) return Token::kSyntax;
+  if (cursor_ == end_ || *cursor_ == ';') return Token::kEnd;
+  const char c = *cursor_++;
+  if (c == '/') return Token::kSkip;
+  if (c == '%') return Token::kTapeMark;
+  if (c >= 'A' && c <= 'Z') {
+    word.address = c;
+  } else if (c >= 'a' && c <= 'z') {
+    word.address = static_cast<char>(c - 'a' + 'A');
+  } else {
+    return Token::kSyntax;
+  }
+  while (cursor_ != end_ && (*cursor_ == ' ' || *cursor_ == '\t')) ++cursor_;
+  return read_decimal(cursor_, end_, word.number) ? Token::kWord : Token::kSyntax;
+}
+
+}  // namespace gonogo::expanders::gsk

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "expanders/gsk/fixed.hpp"
+
+namespace gonogo::expanders::gsk {
+
+/// Longer lines are refused.
+inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
+
+/// How lines are numbered: all of them, or as two planted faults do.
+enum class Counting { kAll, kWithoutBlank, kPairTwice };
+
+/// Cuts a program into lines; LF, CR LF and CR each end one.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view program, Counting counting = Counting::kAll)
+      : rest_(program), counting_(counting) {}
+
+  /// False at the end of the program.
+  bool next(std::string_view& line);
+  /// Of the line that was read last, from 1; 0 before the first.
+  std::uint64_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  Counting counting_;
+  std::uint64_t number_ = 0;
+};
+
+struct Word {
+  char address = 0;  ///< 'A' to 'Z'
+  Decimal number;
+};
+
+enum class Token { kWord, kSkip, kTapeMark, kEnd, kSyntax };
+
+/// Cuts a line into words: blanks and (comments) separate nothing, `;` ends the block. Every byte
+/// value may occur; outside of comments those that start no token are kSyntax.
+class Tokenizer {
+ public:
+  explicit Tokenizer(std::string_view line)
+      : cursor_(line.data()), end_(line.data() + line.size()) {}
+
+  Token next(Word& word);
+
+ private:
+  bool skip_blanks();
+
+  const char* cursor_;
+  const char* end_;
+};
+
+}  // namespace gonogo::expanders::gsk

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
+
+#include "expanders/gsk/machine.hpp"
+
+namespace gonogo::expanders::gsk {
+namespace {
+
+constexpr AddressSet kLengths{"XYZUVWRIJKLQDEP"};
+constexpr AddressSet kSigned{"XYZUVWRP"};
+constexpr AddressSet kUnsigned{"ILQDEJK"};
+// Words whose size matters to the path; of the others any number of digits will do.
+constexpr AddressSet kMeasured{"XYZUVWCHRIJKLQDEPF"};
+
+// Absolute and incremental address of each axis, in the order of gonogo_axis.
+constexpr char kAbsolute[] = {'X', 'Y', 'Z', 0, 'C'};
+constexpr char kIncremental[] = {'U', 'V', 'W', 0, 'H'};
+
+// The least input increment: ISB 0.001 mm or 0.0001 in, ISC a tenth of it.
+Fixed increment(const Machine& machine) {
+  const Fixed coarse = machine.state.inch ? kOne / 10'000 : kOne / 1'000;
+  return machine.configuration.fine ? coarse / 10 : coarse;
+}
+
+Fixed written(const Machine& machine, const Decimal& number) {
+  if (machine.configuration.decimals != Decimals::kNearest) return number.value;
+  const Fixed unit = increment(machine);
+  return static_cast<Fixed>(scaled(number.value, 1, unit)) * unit;
+}
+
+// In mm, divided by `share`, which is 1 or 2.
+Wide to_millimetres(const Machine& machine, const Decimal& number, Fixed share) {
+  const Fixed value = written(machine, number);
+  if (machine.state.inch) return scaled(value, 254, 10 * share);
+  return share == 1 ? value : (value + sign_of(value) * (value % 2 != 0)) / share;
+}
+
+template <typename Visit>
+Flow for_each(AddressSet addresses, Visit visit) {
+  for (std::uint32_t bits = addresses.bits(); bits != 0; bits &= bits - 1) {
+    const Flow flow = visit(static_cast<char>('A' + std::countr_zero(bits)));
+    if (flow != Flow::kContinue) return flow;
+  }
+  return Flow::kContinue;
+}
+
+Flow check_decimals(Machine& machine, const Block& block) {
+  const Fixed unit = increment(machine);
+  return for_each(block.words(), [&](char address) {
+    const Decimal& number = block.number(address);
+    const bool too_fine = number.finer || number.value % unit != 0;
+    return kLengths.has(address) && too_fine ? machine.raise(AlarmKind::kValueOutOfRange, address)
+                                             : Flow::kContinue;
+  });
+}
+
+}  // namespace
+
+Fixed length_of(const Machine& machine, const Block& block, char address) {
+  return static_cast<Fixed>(to_millimetres(machine, block.number(address), 1));
+}
+
+bool take(const Machine& machine, const Block& block, char address, Retained& store) {
+  if (!block.has(address)) return false;
+  store = {true, false, length_of(machine, block, address)};
+  return true;
+}
+
+AxisWord axis_word(const Machine& machine, const Block& block, std::size_t axis, bool as_diameter) {
+  AxisWord word;
+  word.incremental = !block.has(kAbsolute[axis]);
+  word.address = word.incremental ? kIncremental[axis] : kAbsolute[axis];
+  word.present = block.has(word.address);
+  if (!word.present) return word;
+  const Decimal& number = block.number(word.address);
+  if (axis == GONOGO_C) {
+    word.value = number.value;
+    return word;
+  }
+  bool halved = axis == GONOGO_X && as_diameter && machine.configuration.x_diameter;
+  if (machine.has(Fault::kIncrementAsRadius) && word.incremental) halved = false;
+  word.value = static_cast<Fixed>(to_millimetres(machine, number, halved ? 2 : 1));
+  return word;
+}
+
+Flow commanded_point(Machine& machine, const Block& block, Point& to, Axes& axes) {
+  to = machine.state.position;
+  axes = 0;
+  if (!block.has_any(kAxisAddresses)) return Flow::kContinue;
+  for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z, GONOGO_C}) {
+    const AxisWord word = axis_word(machine, block, axis);
+    if (!word.present) continue;
+    to[axis] = target_of(word, to[axis]);
+    if (!fits(to[axis])) return machine.raise(AlarmKind::kValueOutOfRange, word.address);
+    axes |= axis_bit(axis);
+  }
+  return Flow::kContinue;
+}
+
+Flow check_words(Machine& machine, const Block& block) {
+  const Flow sizes = for_each(block.words(), [&](char address) {
+    if (!kMeasured.has(address)) return Flow::kContinue;
+    const Decimal& number = block.number(address);
+    const bool fit = !number.overflow && fits(to_millimetres(machine, number, 1));
+    return fit ? Flow::kContinue : machine.raise(AlarmKind::kValueOutOfRange, address);
+  });
+  if (sizes != Flow::kContinue) return sizes;
+  for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z, GONOGO_C}) {
+    if (block.has(kAbsolute[axis]) && block.has(kIncremental[axis])) {
+      return machine.raise(AlarmKind::kConflictingWords, kIncremental[axis]);
+    }
+  }
+  if (machine.configuration.decimals == Decimals::kAlarm) return check_decimals(machine, block);
+  return Flow::kContinue;
+}
+
+Flow check_ranges(Machine& machine, const Block& block) {
+  const bool inch = machine.state.inch && !machine.has(Fault::kRangeInMillimetres);
+  // ISB 999999.999 mm or 99999.9999 in; ISC has one whole digit less and one decimal more.
+  const Fixed coarse = inch ? 99'999'999'900'000 : 999'999'999'000'000;
+  const Fixed highest = machine.configuration.fine ? coarse / 10 : coarse;
+  return for_each(block.words(), [&](char address) {
+    if (!kSigned.has(address) && !kUnsigned.has(address)) return Flow::kContinue;
+    const Fixed value = block.number(address).value;
+    const Fixed lowest = kSigned.has(address) ? -highest : 0;
+    return value < lowest || value > highest ? machine.raise(AlarmKind::kValueOutOfRange, address)
+                                             : Flow::kContinue;
+  });
+}
+
+}  // namespace gonogo::expanders::gsk

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "expanders/faults.hpp"
+#include "gonogo/subject.h"
+
+namespace gonogo::expanders {
+
+/// The names of the built-in expanders.
+std::span<const std::string_view> names();
+
+/// The built-in expander `name` ("gsk") with the planted fault `fault`; empty: fault-free.
+/// Null when either is unknown. The subject lives as long as the process.
+const gonogo_subject_v1* find(std::string_view name, std::string_view fault = {});
+
+/// The planted faults of the expander `name`; empty when there is no such expander.
+std::span<const FaultDescription> faults(std::string_view name);
+
+}  // namespace gonogo::expanders

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/ast.hpp"
+
+namespace gonogo::grammar {
+
+void Block::clear() {
+  skip = false;
+  tape_mark = false;
+  sequence_number.reset();
+  program_number.reset();
+  words.clear();
+  comments.clear();
+  outside.reset();
+}
+
+}  // namespace gonogo::grammar

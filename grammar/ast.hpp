@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The syntax tree of one block of NC text. Standard library only: nothing here knows a machine, a
+// motion or Spirit.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gonogo::grammar {
+
+// The dialects that the grammar reads.
+enum class Dialect { gsk988ta };
+
+// Bytes [begin, end) of the line, counted from 0. A column for people is begin + 1.
+struct Span {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  friend bool operator==(const Span&, const Span&) = default;
+};
+
+// A decimal number exactly as written: (-1)^negative * magnitude / 10^scale. The sign of zero and
+// the number of decimals written are kept, because ranges and readings ask for them.
+struct Decimal {
+  bool negative = false;
+  std::uint32_t scale = 0;      // decimals written after the point
+  std::uint64_t magnitude = 0;  // the digits, when there are at most 18; else 0
+  std::string long_digits;      // the digits without leading zeros, when there are more than 18
+  friend bool operator==(const Decimal&, const Decimal&) = default;
+};
+
+// An address letter and its number.
+struct Word {
+  char address = 0;
+  Decimal value;
+  Span where;
+  friend bool operator==(const Word& a, const Word& b) {
+    return a.address == b.address && a.value == b.value;
+  }
+};
+
+// The bytes of a comment, whatever their encoding, without its delimiters.
+struct Comment {
+  std::string text;
+  bool to_end_of_line = false;  // began with ';' rather than '('
+  Span where;
+  friend bool operator==(const Comment& a, const Comment& b) {
+    return a.text == b.text && a.to_end_of_line == b.to_end_of_line;
+  }
+};
+
+// Something that the maker's language has and the gauge does not read: a variable, an expression, a
+// jump. The block is well formed as far as can be told; its meaning is not covered.
+struct OutsideConstruct {
+  std::string name;  // stable: "variable", "expression", "control-statement", "file-name"
+  Span where;
+  friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {
+    return a.name == b.name;
+  }
+};
+
+// One line of a program. Words stand in the order written; N and O are not among them.
+struct Block {
+  bool skip = false;                       // begins with '/'
+  bool tape_mark = false;                  // the line is '%'
+  std::optional<Decimal> sequence_number;  // N
+  std::optional<Decimal> program_number;   // O
+  std::vector<Word> words;
+  std::vector<Comment> comments;
+  std::optional<OutsideConstruct> outside;
+
+  // Makes the block empty and keeps its memory, so that a stream of blocks allocates nothing.
+  void clear();
+  friend bool operator==(const Block&, const Block&) = default;
+};
+
+// What is wrong with a line. Codes are for programs, `message()` is for people.
+enum class SyntaxCode {
+  unexpected_character,   // none of what may stand here
+  number_expected,        // an address without a number
+  unclosed_comment,       // '(' without ')'
+  misplaced_number_word,  // N or O that is not at the head of the block
+  line_too_long,          // above 1 MiB
+};
+
+struct SyntaxError {
+  SyntaxCode code = SyntaxCode::unexpected_character;
+  Span where;
+  std::string expected;  // what could have stood here, a noun phrase: "a number after X"
+  friend bool operator==(const SyntaxError&, const SyntaxError&) = default;
+};
+
+}  // namespace gonogo::grammar

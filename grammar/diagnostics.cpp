@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grammar/diagnostics.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include "grammar/byte_set.hpp"
+#include "grammar/line_source.hpp"
+#include "grammar/lookalike.hpp"
+#include "grammar/parser.hpp"
+#include "grammar/utf8.hpp"
+
+namespace gonogo::grammar {
+namespace {
+
+// What each rule of the grammars means when it is not met. '@' stands for the address before it.
+struct Expectation {
+  std::string_view key;
+  SyntaxCode code;
+  std::string_view phrase;
+};
+
+constexpr Expectation kExpectations[] = {
+    {"number", SyntaxCode::number_expected, "a number after @"},
+    {"whole-number", SyntaxCode::number_expected, "a whole number without a sign after @"},
+    {"closed-comment", SyntaxCode::unclosed_comment, "')'"},
+    {"closed-brackets", SyntaxCode::unexpected_character, "']'"},
+    {"block-end", SyntaxCode::unexpected_character,
+     "an address, a comment or the end of the block"},
+    {"tape-mark-end", SyntaxCode::unexpected_character, "the end of the line after '%'"},
+};
+
+// A code, its stable name and its sentence; '@' stands for what was expected.
+struct Meaning {
+  SyntaxCode code;
+  std::string_view name;
+  std::string_view sentence;
+};
+
+constexpr Meaning kMeanings[] = {
+    {SyntaxCode::unexpected_character, "unexpected-character",
+     "This cannot stand here; expected is @."},
+    {SyntaxCode::number_expected, "number-expected", "A number is missing here; expected is @."},
+    {SyntaxCode::unclosed_comment, "unclosed-comment",
+     "The comment that begins here is not closed in its line; expected is @."},
+    {SyntaxCode::misplaced_number_word, "misplaced-number-word",
+     "A sequence or program number stands only at the head of a block; expected is @."},
+    {SyntaxCode::line_too_long, "line-too-long",
+     "The line is longer than 1,048,576 bytes; expected is @."},
+};
+
+const Expectation& expectation_of(std::string_view key) {
+  for (const Expectation& entry : kExpectations) {
+    if (entry.key == key) return entry;
+  }
+  std::abort();
+}
+
+const Meaning& meaning_of(SyntaxCode code) {
+  for (const Meaning& entry : kMeanings) {
+    if (entry.code == code) return entry;
+  }
+  std::abort();
+}
+
+std::string insert(std::string_view pattern, std::string_view what) {
+  std::string out(pattern);
+  const std::size_t place = out.find('@');
+  if (place != std::string::npos) out.replace(place, 1, what);
+  return out;
+}
+
+Span span(std::size_t begin, std::size_t end) {
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+}
+
+// The place of the fault within a number: behind the sign and the point that it begins with.
+std::size_t behind_number_start(std::string_view line, std::size_t offset) {
+  if (offset < line.size() && kSign.contains(line[offset])) ++offset;
+  if (offset < line.size() && line[offset] == '.') ++offset;
+  return offset;
+}
+
+// The address that stands before `offset`.
+std::string_view address_before(std::string_view line, std::size_t offset) {
+  while (offset > 0 && !kCapital.contains(line[offset - 1])) --offset;
+  return offset == 0 ? std::string_view{} : line.substr(offset - 1, 1);
+}
+
+// A character that has no place in any block, outside comments.
+SyntaxError foreign_character(std::string_view line, std::size_t offset, std::string phrase) {
+  const Character character = decode_character(line, offset);
+  std::string hint = meant_instead(line, offset);
+  return {SyntaxCode::unexpected_character, span(offset, offset + character.length),
+          hint.empty() ? std::move(phrase) : std::move(hint)};
+}
+
+}  // namespace
+
+SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset) {
+  const Expectation& expectation = expectation_of(key);
+  if (expectation.code == SyntaxCode::unclosed_comment) {
+    return {expectation.code, span(offset - 1, line.size()), std::string(expectation.phrase)};
+  }
+  if (key == "number") offset = behind_number_start(line, offset);
+  std::string phrase = insert(expectation.phrase, address_before(line, offset));
+  if (offset == line.size()) return {expectation.code, span(offset, offset), std::move(phrase)};
+  if (!kProgram.contains(line[offset])) return foreign_character(line, offset, std::move(phrase));
+  if (key == "block-end" && (line[offset] == 'N' || line[offset] == 'O')) {
+    return {SyntaxCode::misplaced_number_word, span(offset, offset + 1),
+            "an address other than N and O"};
+  }
+  return {expectation.code, span(offset, offset + 1), std::move(phrase)};
+}
+
+SyntaxError line_too_long() {
+  return {SyntaxCode::line_too_long, span(kMaximumLine, kMaximumLine), "the end of the line"};
+}
+
+std::string_view name(SyntaxCode code) {
+  return meaning_of(code).name;
+}
+
+std::string message(const SyntaxError& error) {
+  return insert(meaning_of(error.code).sentence, error.expected);
+}
+
+}  // namespace gonogo::grammar

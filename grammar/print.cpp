@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdlib>
+#include <string>
+
+#include "grammar/parser.hpp"
+
+namespace gonogo::grammar {
+namespace {
+
+struct StandIn {
+  std::string_view name;
+  std::string_view text;
+};
+
+// The text of an outside construct is not in the tree; any text of the same name stands for it.
+constexpr StandIn kStandIns[] = {{"variable", "X#1"},
+                                 {"expression", "X[1]"},
+                                 {"control-statement", "GOTO 1"},
+                                 {"file-name", "P[T1]"}};
+
+std::string_view stand_in(std::string_view name) {
+  for (const StandIn& entry : kStandIns) {
+    if (entry.name == name) return entry.text;
+  }
+  std::abort();  // a name that no grammar gives
+}
+
+// Separates what follows from what is there.
+void blank(std::string& out) {
+  if (!out.empty() && out != "/") out.push_back(' ');
+}
+
+}  // namespace
+
+void print(const Decimal& value, std::string& out) {
+  if (value.negative) out.push_back('-');
+  const std::string digits =
+      value.long_digits.empty() ? std::to_string(value.magnitude) : value.long_digits;
+  if (value.scale == 0) {
+    out += digits;
+  } else if (digits.size() > value.scale) {
+    const std::size_t whole = digits.size() - value.scale;
+    out.append(digits, 0, whole).append(1, '.').append(digits, whole);
+  } else {
+    out.append("0.").append(value.scale - digits.size(), '0').append(digits);
+  }
+}
+
+std::string print(const Block& block) {
+  if (block.tape_mark) return "%";
+  std::string out;
+  if (block.skip) out.push_back('/');
+  if (block.sequence_number) {
+    out.push_back('N');
+    print(*block.sequence_number, out);
+  }
+  if (block.program_number) {
+    out.push_back('O');
+    print(*block.program_number, out);
+  }
+  for (const Word& word : block.words) {
+    blank(out);
+    out.push_back(word.address);
+    print(word.value, out);
+  }
+  for (const Comment& comment : block.comments) {
+    if (comment.to_end_of_line) continue;
+    blank(out);
+    out.append("(").append(comment.text).append(")");
+  }
+  if (block.outside) {
+    blank(out);
+    out += stand_in(block.outside->name);
+  }
+  for (const Comment& comment : block.comments) {
+    if (comment.to_end_of_line) out.append(";").append(comment.text);
+  }
+  return out;
+}
+
+}  // namespace gonogo::grammar

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Conformance vectors: files by dialect and cycle, read one file at a time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/outcome.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::oracle {
+
+// One admissible class of an expected alarm.
+struct ExpectedAlarm {
+  reference::AlarmClass alarm = reference::AlarmClass::syntax;
+  std::uint64_t block = 0;
+  char word = 0;
+};
+
+// What is expected when the named readings have the named values (none: always).
+struct Expectation {
+  std::vector<std::pair<std::string, std::string>> when;  // reading -> value
+  std::vector<reference::Record> records;                 // the shown path; `end` last, or none
+  std::vector<ExpectedAlarm> alarms;                      // any of them; empty: no alarm
+  bool not_covered = false;
+};
+
+struct Case {
+  std::string id;       // "gsk.g94.000001"; immutable, never used again
+  std::string comment;  // what it is about
+  std::string program;  // bytes
+  std::vector<Expectation> expect;
+  std::vector<std::string> tags_tway;
+  std::vector<std::string> tags_sign;
+  std::string provenance;
+  // Of its file and group.
+  std::string dialect;
+  std::string cycle;
+  std::string group;
+  std::vector<std::string> features;
+  std::vector<std::string> clauses;
+  reference::Profile profile;
+};
+
+// A corpus that cannot be read: file, place and what is wrong, a sentence.
+class CorpusError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A folder of vector files (*.json below <folder>/vectors), in the order of their names.
+class Corpus {
+ public:
+  // Lists the files and reads the manifest; throws CorpusError.
+  explicit Corpus(std::string folder);
+  const std::string& folder() const { return folder_; }
+  const std::string& version() const { return version_; }
+  // SHA-256 over the names and bytes of all vector files, hex.
+  const std::string& sha256() const { return sha256_; }
+  // Every case, sorted by id within a file, one file in memory at a time. Returning false stops.
+  void for_each(const std::function<bool(const Case&)>& visit) const;
+  std::vector<std::string> files() const { return files_; }
+
+ private:
+  std::string folder_;
+  std::string version_;
+  std::string sha256_;
+  std::vector<std::string> files_;
+};
+
+// One vector file.
+std::vector<Case> read_vector_file(const std::string& path);
+// Writes cases of one dialect and cycle as a vector file, canonical: same cases, same bytes.
+std::string vector_file_text(std::string_view corpus_version, const std::vector<Case>& cases);
+
+// What the reference says of a case's program under its profile: fills `expect`.
+Expectation expectation_of(const reference::Profile& profile, std::string_view program);
+
+}  // namespace gonogo::oracle

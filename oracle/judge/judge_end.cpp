@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ProgramJudge's part for the subject's end: complete, too early, with an alarm, or not at all.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/program_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::AlarmReport;
+using reference::NotCovered;
+using reference::PocketLevel;
+
+namespace {
+
+VerdictKind kind_of(RunEnd::Kind kind) {
+  switch (kind) {
+    case RunEnd::Kind::skip:
+    case RunEnd::Kind::refused: return VerdictKind::skip;
+    case RunEnd::Kind::crash:
+    case RunEnd::Kind::error: return VerdictKind::crash;
+    case RunEnd::Kind::timeout: return VerdictKind::timeout;
+    case RunEnd::Kind::out_of_memory: return VerdictKind::out_of_memory;
+    default: return VerdictKind::protocol;
+  }
+}
+
+Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = report.block;
+  verdict.clause = report.alarms.front().clause;
+  verdict.word = report.alarms.front().word;
+  verdict.want = alarms_text(report);
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+}  // namespace
+
+Verdict ProgramJudge::finish(const RunEnd& end) {
+  try {
+    if (!verdict_) flush_pending();
+    if (!verdict_) {
+      switch (end.kind) {
+        case RunEnd::Kind::ok: judge_ok_end(); break;
+        case RunEnd::Kind::alarm: judge_alarm_end(end.alarm); break;
+        default: judge_other_end(end); break;
+      }
+    }
+  } catch (const exact::Undecided& undecided) {
+    decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+  }
+  if (verdict_) return *verdict_;
+  Verdict verdict;
+  verdict.kind = exact_     ? VerdictKind::pass_exact
+                 : rounded_ ? VerdictKind::pass_rounded
+                            : VerdictKind::pass_tolerance;
+  return verdict;
+}
+
+void ProgramJudge::judge_other_end(const RunEnd& end) {
+  Verdict verdict;
+  verdict.kind = kind_of(end.kind);
+  verdict.message = end.message;
+  decide(std::move(verdict));
+}
+
+// The trace stops although the reference goes on with `step`.
+void ProgramJudge::ends_early(const ReferenceStep& step, const std::string& got) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.got = got;
+  if (auto* motion = std::get_if<Motion>(&step)) {
+    verdict.clause = motion->record.clause;
+    verdict.block = motion->record.block;
+    verdict.want = record_text(motion->record);
+    verdict.witness = point_text(position_, {Axis::x, Axis::y, Axis::z});
+  } else if (auto* record = std::get_if<Record>(&step)) {
+    verdict.clause = record->clause;
+    verdict.block = record->block;
+    verdict.want = record_text(*record);
+  }
+  verdict.record = records_;
+  verdict.message = "The trace ends before this motion.";
+  decide(std::move(verdict));
+}
+
+void ProgramJudge::compare_end(const Record& end) {
+  settle_m_functions(true);
+  if (verdict_ || !end_record_) return;
+  for (Axis axis : reference::kAllAxes) {
+    if (!end_record_->axes.has(axis)) continue;
+    if (agree(end_record_->to[axis], end.to[axis], terms_.tolerance)) continue;
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.record = records_ - 1;
+    verdict.want = record_text(end);
+    verdict.got = record_text(*end_record_);
+    const Number deviation = abs(end_record_->to[axis] - end.to[axis]);
+    verdict.deviation_exact = exact_text(deviation);
+    verdict.deviation_mm = millimetres_text(deviation);
+    verdict.message = fmt::format("The end position differs on axis {}.", letter(axis));
+    decide(std::move(verdict));
+    return;
+  }
+}
+
+void ProgramJudge::judge_ok_end() {
+  while (!verdict_) {
+    const ReferenceStep& step = reference_.current();
+    if (auto* report = std::get_if<AlarmReport>(&step)) {
+      Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_missing, *report,
+                                      fmt::format("The alarm is missing: {}",
+                                                  report->alarms.front().message));
+      if (after_alarm_) {
+        verdict.record = after_alarm_->number;
+        verdict.got = record_text(after_alarm_->record);
+      }
+      decide(std::move(verdict));
+    } else if (auto* outside = std::get_if<NotCovered>(&step)) {
+      decide_gap(outside->message);
+    } else if (auto* level = std::get_if<PocketLevel>(&step)) {
+      finish_level(*level);
+    } else if (auto* record = std::get_if<Record>(&step)) {
+      if (record->kind == RecordKind::m) {
+        take_m_functions();
+      } else if (record->kind == RecordKind::end) {
+        compare_end(*record);
+        return;
+      } else {
+        ends_early(step, "end");
+      }
+    } else {
+      ends_early(step, "end");
+    }
+  }
+}
+
+void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& report) {
+  auto verdict = [&](VerdictKind kind, std::string message) {
+    Verdict result = alarm_verdict(kind, report, std::move(message));
+    result.got = alarm_text(alarm);
+    decide(std::move(result));
+  };
+  if (terms_.compare_blocks && alarm.block != report.block) {
+    if (alarm.block < report.block) {
+      verdict(VerdictKind::fail_alarm_spurious, "The alarm comes in a block before the right one.");
+    } else {
+      verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
+    }
+    return;
+  }
+  if (alarm.alarm_class.empty()) {
+    verdict(VerdictKind::unmapped_alarm,
+            fmt::format("The subject's alarm \"{}\" has no class; its alarm map must give one.",
+                        alarm.native));
+    return;
+  }
+  const bool admissible = std::ranges::any_of(report.alarms, [&](const reference::Alarm& want) {
+    return reference::name(want.alarm) == alarm.alarm_class;
+  });
+  if (!admissible) {
+    verdict(VerdictKind::fail_alarm_class,
+            fmt::format("The alarm is of another class. {}", report.alarms.front().message));
+  }
+}
+
+void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
+  // A controller that checks at load may alarm with no motion at all.
+  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
+  std::optional<ReferenceStep> unfinished;
+  while (!verdict_) {
+    const ReferenceStep& step = reference_.current();
+    if (auto* report = std::get_if<AlarmReport>(&step)) {
+      if (after_alarm_) {
+        Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, *report,
+                                     "Motion was put out in or after the block that alarms.");
+        late.record = after_alarm_->number;
+        late.got = record_text(after_alarm_->record);
+        decide(std::move(late));
+      } else {
+        compare_alarm(alarm, *report);
+        if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
+      }
+      return;
+    }
+    if (auto* outside = std::get_if<NotCovered>(&step)) {
+      decide_gap(outside->message);
+      return;
+    }
+    auto* level = std::get_if<PocketLevel>(&step);
+    if (level != nullptr && !level_motions_.empty() && !at_load) {
+      finish_level(*level);
+      continue;
+    }
+    auto* record = std::get_if<Record>(&step);
+    if (record != nullptr && record->kind == RecordKind::end) {
+      Verdict verdict;
+      verdict.kind = VerdictKind::fail_alarm_spurious;
+      verdict.block = alarm.block;
+      verdict.word = alarm.word;
+      verdict.got = alarm_text(alarm);
+      verdict.message = "The subject alarms, and the program has no fault.";
+      decide(std::move(verdict));
+      return;
+    }
+    const bool m_function = record != nullptr && record->kind == RecordKind::m;
+    if (!m_function && !at_load && !unfinished) unfinished = step;
+    // Past motion that is missing, only the alarm of the program is of interest.
+    reference_.advance();
+  }
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/judge_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace gonogo::oracle {
+
+using reference::Reading;
+using reference::ReadingChoice;
+using reference::ReadingKey;
+
+namespace {
+
+bool is_open(const ReadingChoice& choice, const Reading& reading) {
+  return choice.is(reading.key, "any") && !reading.by_properties;
+}
+
+// The readings that a run of the reference asks for.
+std::vector<ReadingKey> touched_by(reference::Profile profile, std::string_view program) {
+  ProgramInput input(program);
+  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
+  while (expander.next() != nullptr) {
+  }
+  return expander.readings().touched();
+}
+
+}  // namespace
+
+Assignments assignments_of(const reference::Profile& profile, std::string_view program) {
+  Assignments result;
+  result.choices.push_back(profile.readings);
+  const bool any = std::ranges::any_of(reference::readings(), [&](const Reading& reading) {
+    return is_open(profile.readings, reading);
+  });
+  if (!any) return result;
+  // Each assignment is run until it touches an open reading; that one is then split.
+  std::set<ReadingKey> open;
+  for (std::size_t i = 0; i < result.choices.size();) {
+    reference::Profile assigned = profile;
+    assigned.readings = result.choices[i];
+    const std::vector<ReadingKey> touched = touched_by(assigned, program);
+    auto split = std::ranges::find_if(touched, [&](ReadingKey key) {
+      return is_open(assigned.readings, reference::reading(key));
+    });
+    if (split == touched.end()) {
+      ++i;
+      continue;
+    }
+    open.insert(*split);
+    const Reading& reading = reference::reading(*split);
+    for (std::string_view alternative : reading.alternatives) {
+      ReadingChoice choice = assigned.readings;
+      choice.set(*split, alternative);
+      if (alternative == reading.alternatives.front()) {
+        result.choices[i] = choice;
+      } else {
+        result.choices.push_back(choice);
+      }
+    }
+    if (result.choices.size() > kMaximumAssignments) {
+      result.too_many = true;
+      break;
+    }
+  }
+  result.open.assign(open.begin(), open.end());
+  return result;
+}
+
+JudgeSession::JudgeSession(const reference::Profile& profile, std::string_view program,
+                           const JudgeTerms& terms) {
+  Assignments assignments = assignments_of(profile, program);
+  too_many_ = assignments.too_many;
+  open_ = std::move(assignments.open);
+  choices_ = std::move(assignments.choices);
+  for (const ReadingChoice& choice : choices_) {
+    reference::Profile assigned = profile;
+    assigned.readings = choice;
+    judges_.push_back(std::make_unique<ProgramJudge>(std::move(assigned), program, terms));
+  }
+}
+
+bool JudgeSession::record(const Record& record) {
+  bool undecided = false;
+  for (const auto& judge : judges_) undecided = judge->record(record) || undecided;
+  return undecided;
+}
+
+std::vector<ReadingKey> JudgeSession::touched() const { return judges_.front()->touched(); }
+
+SessionVerdict JudgeSession::finish(const RunEnd& end) {
+  SessionVerdict result;
+  result.open = open_;
+  if (too_many_) {
+    result.verdict.kind = VerdictKind::oracle_gap;
+    result.verdict.message = fmt::format(
+        "The program touches open readings with more than {} assignments.", kMaximumAssignments);
+    return result;
+  }
+  std::size_t farthest = 0;
+  bool have_verdict = false;
+  for (std::size_t i = 0; i < judges_.size(); ++i) {
+    Verdict verdict = judges_[i]->finish(end);
+    const bool go = decision(verdict.kind) == Decision::go;
+    const bool first_go = go && result.explaining.empty();
+    // The best pass; else the departure that comes last; a gap under one assignment is a gap.
+    const bool better = go ? first_go || verdict.kind < result.verdict.kind
+                           : result.explaining.empty() &&
+                                 (!have_verdict || judges_[i]->progress() > farthest);
+    if (better) {
+      farthest = judges_[i]->progress();
+      result.verdict = std::move(verdict);
+      have_verdict = true;
+    } else if (result.explaining.empty() && verdict.kind == VerdictKind::oracle_gap) {
+      result.verdict = std::move(verdict);
+    }
+    if (go) result.explaining.push_back(choices_[i]);
+  }
+  return result;
+}
+
+SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view program,
+                             const JudgeTerms& terms, std::span<const Record> records,
+                             const RunEnd& end) {
+  JudgeSession session(profile, program, terms);
+  for (const Record& record : records) {
+    if (!session.record(record)) break;
+  }
+  return session.finish(end);
+}
+
+std::string explaining_reading(const reference::Profile& profile, std::string_view program,
+                               const JudgeTerms& terms, std::span<const Record> records,
+                               const RunEnd& end) {
+  for (ReadingKey key : touched_by(profile, program)) {
+    const Reading& reading = reference::reading(key);
+    for (std::string_view alternative : reading.alternatives) {
+      if (profile.readings.is(key, alternative) || profile.readings.is(key, "any")) continue;
+      reference::Profile other = profile;
+      other.readings.set(key, alternative);
+      const SessionVerdict verdict = judge_outcome(other, program, terms, records, end);
+      if (decision(verdict.verdict.kind) == Decision::go) {
+        return fmt::format("{}={}", reading.name, alternative);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace gonogo::oracle

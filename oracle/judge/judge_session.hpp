@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One program against one subject under every admissible assignment of readings.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "oracle/judge/program_judge.hpp"
+
+namespace gonogo::oracle {
+
+inline constexpr std::size_t kMaximumAssignments = 64;
+
+// What the judge says under every assignment.
+struct SessionVerdict {
+  Verdict verdict;                                  // GO if any assignment is
+  std::vector<reference::ReadingChoice> explaining; // assignments under which it is GO
+  std::vector<reference::ReadingKey> open;          // the open readings that the program touches
+};
+
+class JudgeSession {
+ public:
+  // `profile` may say "any"; `program` and `terms` must outlive the session.
+  JudgeSession(const reference::Profile& profile, std::string_view program,
+               const JudgeTerms& terms);
+  // The subject's next record. False when nothing it can still send changes the answer.
+  bool record(const Record& record);
+  SessionVerdict finish(const RunEnd& end);
+  // Readings that mattered under the first assignment.
+  std::vector<reference::ReadingKey> touched() const;
+
+ private:
+  std::vector<reference::ReadingChoice> choices_;
+  std::vector<std::unique_ptr<ProgramJudge>> judges_;
+  std::vector<reference::ReadingKey> open_;
+  bool too_many_ = false;
+};
+
+// The assignments of the open readings ("any", not judged by properties) that the program touches.
+struct Assignments {
+  std::vector<reference::ReadingChoice> choices;  // at least one
+  std::vector<reference::ReadingKey> open;
+  bool too_many = false;
+};
+Assignments assignments_of(const reference::Profile& profile, std::string_view program);
+
+// Judges a recorded outcome.
+SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view program,
+                             const JudgeTerms& terms, std::span<const Record> records,
+                             const RunEnd& end);
+
+// For a NO-GO: "k=v" of the first other reading under which the outcome is GO; else "".
+std::string explaining_reading(const reference::Profile& profile, std::string_view program,
+                               const JudgeTerms& terms, std::span<const Record> records,
+                               const RunEnd& end);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of one program under one assignment of readings: the subject's records come in, the
+// reference is pulled along, the first departure decides.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/reference_stream.hpp"
+#include "oracle/region/level.hpp"
+#include "oracle/verdict.hpp"
+
+namespace gonogo::oracle {
+
+// A program in memory as lines.
+struct ProgramInput {
+  explicit ProgramInput(std::string_view program) : bytes(program), lines(bytes) {}
+  grammar::MemorySource bytes;
+  grammar::LineSource lines;
+};
+
+// How many records a subject may send: 10 times those of the reference and 1,000. The reference's
+// are counted only as far as needed.
+class RecordBudget {
+ public:
+  RecordBudget(const reference::Profile& profile, std::string_view program)
+      : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
+  bool allows(std::size_t records);
+
+ private:
+  ProgramInput input_;
+  reference::Expander expander_;
+  std::size_t counted_ = 0;
+  bool complete_ = false;
+};
+
+class ProgramJudge {
+ public:
+  // `profile` says every reading that counts; `program` and `terms` must outlive the judge.
+  ProgramJudge(reference::Profile profile, std::string_view program, const JudgeTerms& terms);
+  // The subject's next record. False when nothing it can still send changes the answer.
+  bool record(const Record& record);
+  // The subject's end; the verdict.
+  Verdict finish(const RunEnd& end);
+
+  // The readings that mattered so far.
+  std::vector<reference::ReadingKey> touched() const { return reference_.readings().touched(); }
+  // How far the comparison came, in items of the reference.
+  std::size_t progress() const { return reference_.items(); }
+
+ private:
+  void take_record(const Record& record);
+  void take_motion(const Record& record);
+  void flush_pending();
+  void process(const Motion& motion);
+  // One step of the reference against one motion; true when the motion is used up.
+  bool process_step(const Motion& motion);
+  bool match_motion(const Motion& motion, const Motion& want);
+  void take_dwell(const Record& record);
+  void take_m_functions();
+  void settle_m_functions(bool at_end);
+  void note_match(const Motion& motion, const Motion& want);
+
+  // Pocket levels, in level_judge.cpp. True when the motion belongs to the level.
+  bool collect(const Motion& motion, const reference::PocketLevel& level);
+  void finish_level(const reference::PocketLevel& level);
+  void depart_from_level(VerdictKind kind, const Motion& motion,
+                         const reference::PocketLevel& level, std::string message);
+
+  // The end of the subject, in judge_end.cpp.
+  void judge_ok_end();
+  void judge_alarm_end(const SubjectAlarm& alarm);
+  void judge_other_end(const RunEnd& end);
+  void compare_alarm(const SubjectAlarm& alarm, const reference::AlarmReport& report);
+  void compare_end(const Record& end);
+  void ends_early(const ReferenceStep& step, const std::string& got);
+
+  void decide(Verdict verdict);
+  void decide_gap(std::string message);
+  void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);
+  bool fits_later(const Motion& motion);
+
+  reference::Profile profile_;
+  const JudgeTerms& terms_;
+  ProgramInput input_;
+  ReferenceStream reference_;
+  RecordBudget budget_;
+
+  Position position_;               // where the subject stands
+  Position anchor_;                 // where its last motion that was kept ended
+  std::optional<Motion> pending_;   // joined so far
+  std::size_t records_ = 0;
+  std::optional<Motion> want_;      // the reference's current motion, which match_ looks at
+  std::optional<CurveMatch> match_;
+
+  Position plunge_;                                  // where the tool came down
+  std::vector<region::LevelMotion> level_motions_;
+  std::vector<Record> level_records_;                // the same, for the evidence
+  std::optional<reference::PocketLevel> last_level_; // judged GO, with its motions and plunge
+  std::vector<region::LevelMotion> last_motions_;
+  Position last_plunge_;
+
+  std::deque<Record> want_m_;
+  std::deque<Record> got_m_;
+
+  std::optional<Verdict> verdict_;
+  std::optional<Motion> after_alarm_;  // motion in or after the block that should have alarmed
+  std::optional<Record> end_record_;   // the subject's `end`
+  bool moved_ = false;                 // the subject has put out a motion
+  bool exact_ = true;                  // every end and centre is exact so far
+  bool rounded_ = true;                // ... or correctly rounded
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The reference's side of a comparison: motions with their starts, dropped and joined as the judge
+// wants them, and everything that lies between.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <variant>
+
+#include "oracle/judge/motion.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::oracle {
+
+struct JudgeTerms;
+
+// What the subject has to do next. M functions come as they are met.
+using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::AlarmReport,
+                                   reference::NotCovered>;
+
+class ReferenceStream {
+ public:
+  ReferenceStream(const reference::Profile& profile, grammar::LineSource& lines,
+                  const JudgeTerms& terms);
+
+  // The current step: a motion, a dwell, an M function, a level, or the end (an `end` record, an
+  // alarm, not covered), which stays.
+  const ReferenceStep& current();
+  // Goes on to the next one.
+  void advance();
+  bool at_end();
+
+  // After a level the reference stands where the subject left it.
+  void stand_at(const Position& position) { position_ = position; }
+  const Position& position() const { return position_; }
+  // Whether an arc too small to see was dropped since the last motion. Only then may an arc of the
+  // subject that closes within the tolerance mean nothing at all.
+  bool dropped_arc() const { return dropped_arc_; }
+  // Items that the reference has put out so far.
+  std::size_t items() const { return items_; }
+  const reference::ReadingsInUse& readings() const { return expander_.readings(); }
+
+ private:
+  void pull();
+  bool take(const reference::Item& item);
+
+  const JudgeTerms& terms_;
+  reference::Expander expander_;
+  Position position_;      // where the motions put out so far end
+  std::optional<Motion> pending_;
+  Position pending_end_;   // where the pending motion ends
+  std::deque<ReferenceStep> ready_;
+  std::size_t items_ = 0;
+  bool dropped_arc_ = false;
+};
+
+}  // namespace gonogo::oracle

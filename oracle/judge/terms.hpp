@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "oracle/subject.hpp"
+
+namespace gonogo::oracle {
+
+// On what terms a subject is judged: what it declared, and what the certifier granted.
+struct JudgeTerms {
+  Number tolerance = Number::millionths(1000);  // tau, mm an axis
+  Number chord;                                 // mm; chords of arcs allowed when above 0
+  std::optional<Number> resolution;             // declared; for correctly rounded values
+  std::optional<Number> feed_resolution;
+  bool binary64 = false;                        // numbers come as doubles
+  bool compare_blocks = true;                   // feature `blocks`
+  bool compare_m = false;                       // feature `m`
+};
+
+// tau is the smaller of the declared resolution and the profile's, unless the certifier says
+// otherwise.
+JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
+                      const std::optional<Number>& tolerance, const std::optional<Number>& chord);
+
+}  // namespace gonogo::oracle

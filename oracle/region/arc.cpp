@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/arc.hpp"
+
+#include <cstdlib>
+
+namespace gonogo::oracle::region {
+
+Sweep make_sweep(const PlanePoint& a, const PlanePoint& b) {
+  const int side = cross(a, b).sign();
+  return {a, b, side < 0 || (side == 0 && dot(a, b).sign() > 0)};
+}
+
+bool contains(const Sweep& sweep, const PlanePoint& direction) {
+  if (!sweep.wide) {
+    return cross(sweep.a, direction).sign() >= 0 && cross(direction, sweep.b).sign() >= 0;
+  }
+  // Outside is the open turn from b to a, less than 180 degrees.
+  return !(cross(sweep.b, direction).sign() > 0 && cross(direction, sweep.a).sign() > 0);
+}
+
+namespace {
+
+void add_enclosures(Arc& arc) {
+  const IntervalVector a = enclose(arc.sweep.a);
+  const IntervalVector b = enclose(arc.sweep.b);
+  arc.c = enclose(arc.centre);
+  arc.ua = unit(a);
+  arc.ub = unit(b);
+  arc.ra = norm(a);
+  arc.rb = arc.round ? arc.ra : norm(b);
+}
+
+}  // namespace
+
+Arc make_arc(const LevelMotion& motion, const PlanePoint& middle) {
+  Arc arc;
+  arc.record = motion.record;
+  arc.centre = motion.centre - middle;
+  const PlanePoint from = motion.from - motion.centre;
+  const PlanePoint to = motion.to - motion.centre;
+  arc.sweep = motion.rot > 0 ? make_sweep(from, to) : make_sweep(to, from);
+  arc.turns = std::abs(motion.rot) - 1;
+  arc.a2 = norm_squared(arc.sweep.a);
+  arc.b2 = norm_squared(arc.sweep.b);
+  arc.round = arc.a2 == arc.b2;
+  arc.full = arc.round && (arc.turns > 0 || arc.sweep.a == arc.sweep.b);
+  add_enclosures(arc);
+  return arc;
+}
+
+std::optional<Arc> joined(const Arc& first, const Arc& second, bool counterclockwise) {
+  if (!first.round || !second.round || first.a2 != second.a2 || !(first.centre == second.centre)) {
+    return std::nullopt;
+  }
+  const Arc& early = counterclockwise ? first : second;
+  const Arc& late = counterclockwise ? second : first;
+  if (!(early.sweep.b == late.sweep.a)) return std::nullopt;
+  Arc arc = first;
+  // Together a whole turn when the late one comes by the start of the early one.
+  arc.full = first.full || second.full || contains(late.sweep, early.sweep.a);
+  arc.sweep = make_sweep(early.sweep.a, late.sweep.b);
+  add_enclosures(arc);
+  return arc;
+}
+
+Stretch whole(const Arc& arc) {
+  return {arc.ua, arc.ub, arc.ra, arc.rb, arc.turns, arc.sweep.wide};
+}
+
+IntervalVector middle_direction(const IntervalVector& ua, const IntervalVector& ub, bool wide) {
+  // With m in the middle of a sweep f: ub - ua = 2 sin(f/2) (m turned left), ua + ub = 2 cos(f/2)
+  // m. The first serves while f is far from 0 and 360 degrees, the second while it is far from 180.
+  if (dot(ua, ub).middle() <= 0) {
+    const IntervalVector chord = ub - ua;
+    return unit(IntervalVector{chord.y, -chord.x});
+  }
+  const IntervalVector sum = unit(ua + ub);
+  return wide ? -sum : sum;
+}
+
+std::array<Stretch, 2> halves(const Stretch& stretch) {
+  IntervalVector m = middle_direction(stretch.ua, stretch.ub, stretch.wide);
+  const bool odd = stretch.turns % 2 != 0;
+  if (odd) m = -m;  // half of an odd number of turns: 180 degrees on
+  const Interval radius = (stretch.ra + stretch.rb) * Interval{0.5, 0.5};
+  const int turns = stretch.turns / 2;
+  return {Stretch{stretch.ua, m, stretch.ra, radius, turns, odd},
+          Stretch{m, stretch.ub, radius, stretch.rb, turns, odd}};
+}
+
+Interval projection(const IntervalVector& ua, const IntervalVector& ub, const IntervalVector& d) {
+  const Interval at_a = dot(ua, d);
+  const Interval at_b = dot(ub, d);
+  Interval range = hull(at_a, at_b);
+  const Interval left_of_a = cross(ua, d);
+  const Interval right_of_b = cross(d, ub);
+  // d itself, or its opposite, may lie in the sweep: the extreme is its length.
+  if (!(left_of_a.hi < 0 || right_of_b.hi < 0)) range.hi = std::max(range.hi, norm(d).hi);
+  if (!(left_of_a.lo > 0 || right_of_b.lo > 0)) range.lo = std::min(range.lo, -norm(d).hi);
+  return range;
+}
+
+}  // namespace gonogo::oracle::region

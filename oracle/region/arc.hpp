@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One arc of a level, read counterclockwise about the middle of the pocket: exact, with enclosures
+// beside it. Directions are vectors; no angle is ever computed.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "oracle/region/interval.hpp"
+#include "oracle/region/level.hpp"
+
+namespace gonogo::oracle::region {
+
+inline PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) {
+  return {a.p + b.p, a.q + b.q};
+}
+inline PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
+  return {a.p - b.p, a.q - b.q};
+}
+inline bool operator==(const PlanePoint& a, const PlanePoint& b) {
+  return a.p == b.p && a.q == b.q;
+}
+inline Number dot(const PlanePoint& a, const PlanePoint& b) {
+  return a.p * b.p + a.q * b.q;
+}
+inline Number cross(const PlanePoint& a, const PlanePoint& b) {
+  return a.p * b.q - a.q * b.p;
+}
+inline Number norm_squared(const PlanePoint& a) {
+  return dot(a, a);
+}
+
+// The counterclockwise turn from the direction a to the direction b, in (0, 360] degrees.
+struct Sweep {
+  PlanePoint a;
+  PlanePoint b;
+  bool wide = false;  // more than 180 degrees
+};
+
+Sweep make_sweep(const PlanePoint& a, const PlanePoint& b);
+// Whether the direction lies in the closed sweep.
+bool contains(const Sweep& sweep, const PlanePoint& direction);
+
+struct Arc {
+  PlanePoint centre;
+  Sweep sweep;  // its a and b are the ends, seen from the centre; their lengths are the radii
+  Number a2;    // the squared radii at the ends
+  Number b2;
+  int turns = 0;       // whole turns besides the sweep
+  bool round = false;  // both radii equal
+  bool full = false;   // a whole circle (round only)
+  std::size_t record = 0;
+
+  IntervalVector c;
+  IntervalVector ua;  // unit directions of the ends
+  IntervalVector ub;
+  Interval ra;  // radii
+  Interval rb;
+
+  PlanePoint end_a() const { return centre + sweep.a; }
+  PlanePoint end_b() const { return centre + sweep.b; }
+};
+
+// REQUIRES: motion.is_arc, neither end on the centre. `middle` becomes the origin.
+Arc make_arc(const LevelMotion& motion, const PlanePoint& middle);
+// One arc for two round ones on the same circle, the second beginning where the first ends.
+std::optional<Arc> joined(const Arc& first, const Arc& second, bool counterclockwise);
+
+// A part of an arc whose radius runs linearly with the angle; halved without computing an angle.
+struct Stretch {
+  IntervalVector ua;
+  IntervalVector ub;
+  Interval ra;
+  Interval rb;
+  int turns = 0;
+  bool wide = false;
+};
+
+Stretch whole(const Arc& arc);
+std::array<Stretch, 2> halves(const Stretch& stretch);
+// The direction in the middle of a sweep.
+IntervalVector middle_direction(const IntervalVector& ua, const IntervalVector& ub, bool wide);
+
+// <u, d> for the unit vectors u from ua counterclockwise to ub. REQUIRES: at most 90 degrees.
+Interval projection(const IntervalVector& ua, const IntervalVector& ub, const IntervalVector& d);
+
+}  // namespace gonogo::oracle::region

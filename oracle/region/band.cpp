@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/band.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace gonogo::oracle::region {
+namespace {
+
+const Number kZero;
+
+struct Fit {
+  IntervalVector o;  // centre, a point
+  Interval radius;
+  double away = 0;  // every point of the arc has a point of the stretch so near
+};
+
+// The circle through three points, as near as doubles get.
+Fit circle_through(const IntervalVector& a, const IntervalVector& m, const IntervalVector& b) {
+  const double x1 = (m.x - a.x).middle();
+  const double y1 = (m.y - a.y).middle();
+  const double x2 = (b.x - a.x).middle();
+  const double y2 = (b.y - a.y).middle();
+  const double below = 2 * (x1 * y2 - y1 * x2);
+  const double n1 = x1 * x1 + y1 * y1;
+  const double n2 = x2 * x2 + y2 * y2;
+  const double ox = a.x.middle() + (y2 * n1 - y1 * n2) / below;
+  const double oy = a.y.middle() + (x1 * n2 - x2 * n1) / below;
+  Fit circle{exactly(ox, oy), {}, 0};
+  const double radius = norm(a - circle.o).middle();
+  circle.radius = {radius, radius};
+  return circle;
+}
+
+// A circle's arc beside a stretch of at most 90 degrees. Seen from the arc's centre c, which is a
+// fraction e of the circle's radius R from its centre, the circle lies at the radius
+// q = d cos f + R S, S = sqrt(1 - e^2 sin^2 f). The stretch's radius is linear, and the two agree
+// at the ends and the middle, so they differ by at most max|q'''| h^3 / (9 sqrt 3), h being half
+// the sweep. From S S'' + S'^2 = -e^2 cos 2f: |S'| <= e^2 / 2m, |S''| <= (e^2 + S'^2) / m,
+// |S'''| <= (2 e^2 + 3 |S' S''|) / m, with m = sqrt(1 - e^2).
+std::optional<Fit> fit(const Arc& arc, const Stretch& stretch) {
+  if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo >= 0)) {
+    return std::nullopt;
+  }
+  const auto parts = halves(stretch);
+  const IntervalVector nodes[] = {arc.c + stretch.ra * stretch.ua,
+                                  arc.c + parts[0].rb * parts[0].ub,
+                                  arc.c + stretch.rb * stretch.ub};
+  Fit circle = circle_through(nodes[0], nodes[1], nodes[2]);
+  const Interval d = norm(circle.o - arc.c);
+  const Interval e2 = square(d / circle.radius);
+  if (!(e2.hi < 0.9)) return std::nullopt;
+  const Interval two{2, 2};
+  const Interval three{3, 3};
+  const Interval m = square_root(Interval{1, 1} - e2);
+  const Interval s1 = e2 / (two * m);
+  const Interval s2 = (e2 + square(s1)) / m;
+  const Interval s3 = (two * e2 + three * s1 * s2) / m;
+  const Interval third = d + circle.radius * s3;
+  // An angle up to 90 degrees is at most 1.1108 times its chord.
+  const Interval h = norm(stretch.ub - stretch.ua) * Interval{0.5555, 0.5555};
+  Interval miss{};
+  for (const IntervalVector& node : nodes) {
+    miss.hi = std::max(miss.hi, absolute(norm(node - circle.o) - circle.radius).hi);
+  }
+  // 0.0642 > 1 / (9 sqrt 3). What the nodes miss the circle by counts along slanting rays, and
+  // through the interpolation: far less than tenfold divided by m.
+  const Interval away =
+      third * h * square(h) * Interval{0.0642, 0.0642} + miss * Interval{10, 10} / m;
+  circle.away = away.hi;
+  return circle;
+}
+
+class BandMaker {
+ public:
+  BandMaker(Bands& out, const Number& reach, double width)
+      : out_(out), reach_(enclose(reach)), width_(width) {}
+
+  void add_point(const PlanePoint& point) {
+    Band band;
+    band.c = enclose(point);
+    band.outer = reach_;
+    band.centre = &point;
+    band.radius2 = &kZero;
+    add(band);
+  }
+
+  void add_round(const Arc& arc) {
+    Band band;
+    band.shape = arc.full ? Band::Shape::ring : Band::Shape::sector;
+    band.wide = arc.sweep.wide;
+    band.c = arc.c;
+    band.inner = arc.ra - reach_;
+    band.outer = arc.ra + reach_;
+    band.ua = arc.ua;
+    band.ub = arc.ub;
+    band.centre = &arc.centre;
+    band.radius2 = &arc.a2;
+    band.sweep = arc.full ? nullptr : &arc.sweep;
+    add(band);
+  }
+
+  // False when the bands are too many.
+  bool add_spiral(const Arc& arc) {
+    std::vector<Stretch> open{whole(arc)};
+    while (!open.empty()) {
+      if (out_.bands.size() > kMaximumBands) return false;
+      const Stretch stretch = open.back();
+      open.pop_back();
+      if (absolute(stretch.rb - stretch.ra).hi <= width_) {
+        add_part(arc, stretch);
+        continue;
+      }
+      if (add_fitted(arc, stretch)) continue;
+      const auto parts = halves(stretch);
+      add_joint(arc.c + parts[0].rb * parts[0].ub);
+      open.insert(open.end(), parts.begin(), parts.end());
+    }
+    return true;
+  }
+
+ private:
+  // The points as far as the reach allows from every radius of the stretch, along the ray.
+  void add_part(const Arc& arc, const Stretch& stretch) {
+    const Interval radius = hull(stretch.ra, stretch.rb);
+    Band band;
+    band.shape = stretch.turns > 0 ? Band::Shape::ring : Band::Shape::sector;
+    band.wide = stretch.wide;
+    band.c = arc.c;
+    band.centre = &arc.centre;
+    band.inner = Interval{radius.hi, radius.hi} - Interval{reach_.lo, reach_.lo};
+    band.outer = Interval{radius.lo, radius.lo} + Interval{reach_.lo, reach_.lo};
+    band.ua = stretch.ua;
+    band.ub = stretch.ub;
+    add(band);
+  }
+
+  // The points as far as the reach allows from a circle's arc beside the stretch, through its ends
+  // and middle. False when the arc is not within `width` of the stretch.
+  bool add_fitted(const Arc& arc, const Stretch& stretch) {
+    const auto circle = fit(arc, stretch);
+    if (!circle || !(circle->away <= width_)) return false;
+    const IntervalVector a = arc.c + stretch.ra * stretch.ua - circle->o;
+    const IntervalVector b = arc.c + stretch.rb * stretch.ub - circle->o;
+    const Interval side = cross(a, b);
+    if (side.lo <= 0 && side.hi >= 0) return false;
+    const Interval reach = Interval{reach_.lo, reach_.lo} - Interval{circle->away, circle->away};
+    Band band;
+    band.shape = Band::Shape::sector;
+    band.wide = side.hi < 0;
+    band.c = circle->o;
+    band.inner = circle->radius - reach;
+    band.outer = circle->radius + reach;
+    band.ua = unit(a);
+    band.ub = unit(b);
+    add(band);
+    return true;
+  }
+
+  void add_joint(const IntervalVector& point) {
+    Band band;
+    band.c = point;
+    band.outer = reach_;
+    add(band);
+  }
+
+  void add(Band& band) {
+    band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
+    band.outer2 = square(band.outer);
+    out_.bands.push_back(band);
+  }
+
+  Bands& out_;
+  Interval reach_;
+  double width_;
+};
+
+}  // namespace
+
+std::optional<Bands> make_bands(const Path& path, const Number& reach, double width) {
+  std::optional<Bands> result(std::in_place);
+  std::vector<PlanePoint>& points = result->points;
+  points = path.points;
+  points.reserve(points.size() + 2 * path.arcs.size());
+  for (const Arc& arc : path.arcs) {
+    if (arc.full) continue;
+    for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
+      // Neighbours share their joint.
+      const std::size_t known = points.size();
+      if (known > 0 && points[known - 1] == end) continue;
+      if (known > 1 && points[known - 2] == end) continue;
+      points.push_back(end);
+    }
+  }
+  BandMaker maker(*result, reach, width);
+  for (const PlanePoint& point : points) maker.add_point(point);
+  for (const Arc& arc : path.arcs) {
+    if (arc.round) {
+      maker.add_round(arc);
+    } else if (!maker.add_spiral(arc)) {
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+double rough_distance(const Band& band, double x, double y) {
+  const double dx = x - band.c.x.middle();
+  const double dy = y - band.c.y.middle();
+  const double d = std::sqrt(dx * dx + dy * dy);
+  const double outside =
+      band.has_hole() ? std::max(d - band.outer.lo, band.inner.hi - d) : d - band.outer.lo;
+  if (band.shape != Band::Shape::sector) return outside;
+  const double ax = band.ua.x.middle();
+  const double ay = band.ua.y.middle();
+  const double bx = band.ub.x.middle();
+  const double by = band.ub.y.middle();
+  const double left_of_a = ax * dy - ay * dx;
+  const double right_of_b = dx * by - dy * bx;
+  const bool in = band.wide ? left_of_a > 0 || right_of_b > 0 : left_of_a > 0 && right_of_b > 0;
+  if (in) return outside;
+  // To the nearer of the two straight edges.
+  const auto edge = [&](double ux, double uy) {
+    const double low = band.has_hole() ? band.inner.hi : 0.0;
+    const double along = std::clamp(dx * ux + dy * uy, low, std::max(low, band.outer.lo));
+    return std::hypot(dx - along * ux, dy - along * uy);
+  };
+  return std::max(1e-300, std::min(edge(ax, ay), edge(bx, by)));
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact Boolean operations on sets bounded by circles and lines. Only the .cpp knows CGAL.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "oracle/region/level.hpp"
+
+namespace gonogo::oracle::region {
+
+// A ring, a disc (inner = 0) or a sector of either. All numbers rational, 0 <= inner < outer.
+struct CircleShape {
+  PlanePoint centre;
+  Number inner;
+  Number outer;
+  // Sector: unit directions, counterclockwise from the first, less than 180 degrees apart.
+  std::optional<std::array<PlanePoint, 2>> sweep;
+};
+
+// The upright square that a local question is asked for.
+struct Window {
+  PlanePoint centre;
+  Number half;
+};
+
+// What is left of the disc about the origin (in the window) when all shapes are taken away.
+struct Remainder {
+  bool empty = true;
+  std::vector<std::array<double, 2>> samples;  // points that may lie in it
+};
+
+class CircleSetsError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws CircleSetsError when CGAL gives up.
+Remainder uncovered_remainder(const Number& radius, const std::optional<Window>& window,
+                              const std::vector<CircleShape>& shapes);
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "oracle/region/border.hpp"
+#include "oracle/region/shapes.hpp"
+
+namespace gonogo::oracle::region {
+namespace {
+
+// Exact checks of spots that seem uncovered before the search for a witness is given up.
+constexpr int kMaximumAttempts = 24;
+// Shapes in one exact decision; CGAL needs about a millisecond for each.
+constexpr std::size_t kMaximumShapes = 2'000;
+// Half the side of the window of a local exact decision, mm.
+constexpr double kWindow = 1e-5;
+// Into how many parts of the tolerance a spiral's radius is cut, the coarse and the fine attempt.
+constexpr double kCuts[] = {8, 128};
+
+Coverage undecided(std::string why) {
+  Coverage result;
+  result.kind = Coverage::Kind::undecided;
+  result.by_filter = false;
+  result.why = std::move(why);
+  return result;
+}
+
+class Decision {
+ public:
+  Decision(const Path& path, const Disc& disc, const Bands& bands)
+      : path_(path),
+        disc_(disc),
+        bands_(bands.bands),
+        radius_(enclose(disc.radius).lo),
+        reach_(enclose(disc.reach).middle()),
+        grid_(bands_, enclose(disc.radius).hi, reach_) {}
+
+  Coverage by_filter();
+  Coverage by_circle_sets();
+
+ private:
+  double clearance(double x, double y) const;
+  std::array<double, 2> climb(double x, double y) const;
+  std::optional<Coverage> refute(double x, double y) const;
+  Coverage settle(const std::vector<Spot>& open);
+  Coverage settle(const std::vector<std::uint32_t>& near, const std::optional<Window>& window);
+
+  const Path& path_;
+  const Disc& disc_;
+  std::span<const Band> bands_;
+  double radius_;
+  double reach_;
+  Grid grid_;
+};
+
+// About how far the point is from the nearest band near it; negative: covered, or outside the disc.
+double Decision::clearance(double x, double y) const {
+  if (x * x + y * y > radius_ * radius_) return -1;
+  double least = 2 * reach_;
+  for (const std::uint32_t band : grid_.near(x, y)) {
+    least = std::min(least, rough_distance(bands_[band], x, y));
+  }
+  return least;
+}
+
+// To a place about as deep in the hole as there is nearby: the finding that says most.
+std::array<double, 2> Decision::climb(double x, double y) const {
+  constexpr int kMaximumMoves = 400;
+  double best = clearance(x, y);
+  int moves = 0;
+  for (double stride = reach_; stride > 1e-10 && moves < kMaximumMoves; stride /= 2) {
+    for (bool better = true; better && moves < kMaximumMoves;) {
+      better = false;
+      for (int k = 0; k < 9; ++k) {
+        const double nx = x + stride * (k / 3 - 1);
+        const double ny = y + stride * (k % 3 - 1);
+        const double there = clearance(nx, ny);
+        if (there <= best) continue;
+        best = there;
+        x = nx;
+        y = ny;
+        better = true;
+        ++moves;
+      }
+    }
+  }
+  return {x, y};
+}
+
+// A witness near the spot, as short as it can be written, proved exactly.
+std::optional<Coverage> Decision::refute(double x, double y) const {
+  const auto [px, py] = climb(x, y);
+  const double depth = clearance(px, py);
+  for (const double step : {1e3, 1e6, 0.0}) {
+    if (step > 0 && depth * step < 2) continue;
+    const auto rounded = [step](double value) {
+      if (step == 0) return to_number(value);
+      const auto count = static_cast<std::int64_t>(std::round(value * step));
+      return Number(count) / Number(static_cast<std::int64_t>(step));
+    };
+    const PlanePoint point{rounded(px), rounded(py)};
+    if (norm_squared(point) > disc_.radius * disc_.radius) continue;
+    if (const auto far = excess(path_, point, disc_.reach)) {
+      Coverage result;
+      result.kind = Coverage::Kind::uncovered;
+      result.witness = point;
+      result.excess = *far;
+      return result;
+    }
+  }
+  return std::nullopt;
+}
+
+Coverage Decision::by_filter() {
+  BorderFilter filter(bands_, grid_, disc_);
+  int attempts = 0;
+  while (attempts < kMaximumAttempts && filter.find_hole()) {
+    ++attempts;
+    if (auto hole = refute(filter.hole().x, filter.hole().y)) return *hole;
+  }
+  if (attempts == kMaximumAttempts) return undecided("No place that seems uncovered proves to be.");
+  if (filter.covered()) return {};
+  // A path that nowhere comes near the disc: its middle is as good a place as any.
+  if (!filter.only_open_spots()) {
+    if (auto hole = refute(0, 0)) return *hole;
+    return undecided("The budget of the certified subdivision ran out.");
+  }
+  return settle(filter.open());
+}
+
+// Exact decisions in small windows about the open spots.
+Coverage Decision::settle(const std::vector<Spot>& open) {
+  std::vector<Spot> done;
+  for (const Spot& spot : open) {
+    if (spot.size > kWindow) return undecided("A place seems uncovered but does not prove to be.");
+    const auto inside = [&spot](const Spot& other) {
+      return std::max(std::fabs(spot.x - other.x), std::fabs(spot.y - other.y)) < kWindow / 2;
+    };
+    if (std::any_of(done.begin(), done.end(), inside)) continue;
+    const Window window{{to_number(spot.x), to_number(spot.y)}, to_number(2 * kWindow)};
+    const Coverage local = settle(grid_.near_box(spot.x, spot.y, 2 * kWindow), window);
+    if (local.kind != Coverage::Kind::covered) return local;
+    done.push_back(spot);
+  }
+  Coverage result;
+  result.by_filter = false;
+  return result;
+}
+
+Coverage Decision::settle(const std::vector<std::uint32_t>& near,
+                          const std::optional<Window>& window) {
+  std::vector<CircleShape> shapes;
+  for (const std::uint32_t band : near) {
+    if (!append_shapes(bands_[band], disc_.reach, shapes)) {
+      return undecided("The exact decision needs rational coordinates.");
+    }
+  }
+  if (shapes.size() > kMaximumShapes) return undecided("The exact decision would take too long.");
+  Coverage result;
+  result.by_filter = false;
+  try {
+    const Remainder remainder = uncovered_remainder(disc_.radius, window, shapes);
+    if (remainder.empty) return result;
+    for (const auto& [x, y] : remainder.samples) {
+      if (auto hole = refute(x, y)) {
+        hole->by_filter = false;
+        return *hole;
+      }
+    }
+  } catch (const CircleSetsError& error) {
+    return undecided(error.what());
+  }
+  return undecided("What is left uncovered is too small to prove it.");
+}
+
+Coverage Decision::by_circle_sets() {
+  std::vector<std::uint32_t> all(bands_.size());
+  for (std::uint32_t band = 0; band < all.size(); ++band) all[band] = band;
+  return settle(all, std::nullopt);
+}
+
+}  // namespace
+
+Coverage check_coverage(const Path& path, const Disc& disc, const Number& tolerance,
+                        Method method) {
+  const bool spirals =
+      std::any_of(path.arcs.begin(), path.arcs.end(), [](const Arc& arc) { return !arc.round; });
+  Coverage result;
+  for (const double cuts : kCuts) {
+    const auto bands = make_bands(path, disc.reach, enclose(tolerance).lo / cuts);
+    if (!bands) return undecided("The spirals of the level have too many parts.");
+    Decision decision(path, disc, *bands);
+    result = method == Method::filter_first ? decision.by_filter() : decision.by_circle_sets();
+    if (!spirals || result.kind != Coverage::Kind::undecided) break;
+  }
+  return result;
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether a disc about the middle of the pocket lies within reach of the path: the one question
+// behind the cover and the step rule.
+#pragma once
+
+#include <string>
+
+#include "oracle/region/distance.hpp"
+
+namespace gonogo::oracle::region {
+
+struct Disc {
+  Number radius;
+  Number reach;  // > 0
+};
+
+struct Coverage {
+  enum class Kind { covered, uncovered, undecided } kind = Kind::covered;
+  PlanePoint witness;     // uncovered: checked exactly
+  Number excess;          // uncovered: how much farther than the reach the witness lies
+  bool by_filter = true;  // decided by certified subdivision alone
+  std::string why;        // undecided
+};
+
+// exact_only leaves the filter out, so that the two ways can be compared.
+enum class Method { filter_first, exact_only };
+
+// `tolerance` says how finely spirals are cut: a part's radius changes by a fraction of it.
+Coverage check_coverage(const Path& path, const Disc& disc, const Number& tolerance,
+                        Method method = Method::filter_first);
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/distance.hpp"
+
+#include <limits>
+
+namespace gonogo::oracle::region {
+namespace {
+
+constexpr int kMaximumStretches = 4'000;
+
+// Bounds of the distance to a round arc; the lower one holds wherever the nearest point is.
+Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
+  const IntervalVector offset = point - arc.c;
+  const Interval to_circle = absolute(norm(offset) - arc.ra);
+  if (arc.full) return to_circle;
+  const Interval left_of_a = cross(arc.ua, offset);
+  const Interval right_of_b = cross(offset, arc.ub);
+  const bool before = left_of_a.hi < 0;
+  const bool after = right_of_b.hi < 0;
+  const bool in = arc.sweep.wide ? left_of_a.lo > 0 || right_of_b.lo > 0
+                                 : left_of_a.lo > 0 && right_of_b.lo > 0;
+  if (in) return to_circle;
+  const Interval a = norm(offset - arc.ra * arc.ua);
+  const Interval b = norm(offset - arc.ra * arc.ub);
+  const Interval to_end{std::min(a.lo, b.lo), std::min(a.hi, b.hi)};
+  const bool out = arc.sweep.wide ? before && after : before || after;
+  return out ? to_end : Interval{std::min(to_circle.lo, to_end.lo), to_end.hi};
+}
+
+Interval distance_to_stretch(const Arc& arc, const Stretch& stretch, const IntervalVector& point) {
+  const IntervalVector offset = point - arc.c;
+  const Interval radius = hull(stretch.ra, stretch.rb);
+  Interval distance = absolute(norm(offset) - radius);
+  const Interval at_a = norm(offset - stretch.ra * stretch.ua);
+  distance.hi = at_a.hi;
+  if (stretch.turns > 0 || stretch.wide) return distance;
+  // All of it lies in a disc about the point at its middle direction and end radius.
+  const IntervalVector m = middle_direction(stretch.ua, stretch.ub, false);
+  const Interval size = radius * norm(m - stretch.ua) + absolute(stretch.rb - stretch.ra);
+  distance.lo = std::max(distance.lo, (norm(offset - stretch.ra * m) - size).lo);
+  return distance;
+}
+
+// A lower bound of the distance that is above `reach`, if one shows.
+std::optional<double> clear_of_spiral(const Arc& arc, const IntervalVector& point, Interval reach) {
+  std::vector<Stretch> open{whole(arc)};
+  double least = std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  for (int budget = kMaximumStretches; !open.empty(); --budget) {
+    const Stretch stretch = open.back();
+    open.pop_back();
+    const Interval distance = distance_to_stretch(arc, stretch, point);
+    upper = std::min(upper, distance.hi);
+    if (upper <= reach.hi || budget <= 0) return std::nullopt;
+    // Good enough once it is clear, or as close as the midway to the nearest point known.
+    if (distance.lo > reach.hi + (upper - reach.hi) * 0.999) {
+      least = std::min(least, distance.lo);
+      continue;
+    }
+    const auto parts = halves(stretch);
+    open.insert(open.end(), parts.begin(), parts.end());
+  }
+  return least;
+}
+
+// The squared distance from the point to the nearest of the arc's ends.
+Number squared_distance_to_ends(const Arc& arc, const PlanePoint& offset) {
+  return min(norm_squared(offset - arc.sweep.a), norm_squared(offset - arc.sweep.b));
+}
+
+// Whether the exact distance to a round arc is above the reach; squared until no root is left.
+bool beyond_round(const Arc& arc, const PlanePoint& point, const Number& reach) {
+  const PlanePoint offset = point - arc.centre;
+  const Number d2 = norm_squared(offset);
+  const Number s2 = reach * reach;
+  if (!arc.full && !contains(arc.sweep, offset)) {
+    return squared_distance_to_ends(arc, offset) > s2;
+  }
+  const Number outward = d2 - arc.a2 - s2;  // d > r + s
+  if (outward.sign() > 0 && outward * outward > Number(4) * s2 * arc.a2) return true;
+  const Number inward = arc.a2 - d2 - s2;  // d + s < r
+  return inward.sign() > 0 && inward * inward > Number(4) * s2 * d2;
+}
+
+Number exact_distance(const Arc& arc, const PlanePoint& point) {
+  const PlanePoint offset = point - arc.centre;
+  if (!arc.full && !contains(arc.sweep, offset)) {
+    return exact::sqrt(squared_distance_to_ends(arc, offset));
+  }
+  return exact::abs(exact::sqrt(norm_squared(offset)) - exact::sqrt(arc.a2));
+}
+
+Number smaller(const Number& a, const Number& b) {
+  try {
+    return min(a, b);
+  } catch (const exact::Undecided&) {
+    return a;  // equal to thousands of bits
+  }
+}
+
+// What is nearest to the point, gathered over the path.
+struct Nearest {
+  const PlanePoint& point;
+  const Number& reach;
+  IntervalVector approximate = enclose(point);
+  Interval limit = enclose(reach);
+  std::vector<std::pair<double, const Arc*>> arcs{};  // by the lower bound of the distance
+  std::vector<Number> distances{};                    // to points and spirals
+  double upper = std::numeric_limits<double>::infinity();
+
+  // False when the path comes within reach, or when that stays open.
+  bool take(const Arc& arc) {
+    if (!arc.round) {
+      const auto clear = clear_of_spiral(arc, approximate, limit);
+      if (!clear) return false;
+      distances.push_back(to_number(*clear));
+      return true;
+    }
+    const Interval distance = distance_to_round(arc, approximate);
+    if (distance.hi < limit.lo) return false;
+    if (!(distance.lo > limit.hi) && !beyond_round(arc, point, reach)) return false;
+    if (distance.lo <= upper) arcs.emplace_back(distance.lo, &arc);
+    upper = std::min(upper, distance.hi);
+    return true;
+  }
+  bool take(const PlanePoint& visited) {
+    const Number d2 = norm_squared(point - visited);
+    if (d2 <= reach * reach) return false;
+    distances.push_back(exact::sqrt(d2));
+    return true;
+  }
+};
+
+}  // namespace
+
+std::optional<Number> excess(const Path& path, const PlanePoint& point, const Number& reach) {
+  Nearest nearest{point, reach};
+  for (const PlanePoint& visited : path.points) {
+    if (!nearest.take(visited)) return std::nullopt;
+  }
+  for (const Arc& arc : path.arcs) {
+    if (!nearest.take(arc)) return std::nullopt;
+  }
+  std::optional<Number> least;
+  const auto add = [&least](const Number& d) { least = least ? smaller(*least, d) : d; };
+  for (const Number& distance : nearest.distances) add(distance);
+  for (const auto& [lower, arc] : nearest.arcs) {
+    if (lower <= nearest.upper) add(exact_distance(*arc, point));
+  }
+  if (!least) return std::nullopt;
+  return *least - reach;
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The region judge: whether the motions of one pocket level clear what they must and nothing else.
+// The manual gives no path for a level, so the level is judged by what the tool removes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/exact/number.hpp"
+
+namespace gonogo::oracle::region {
+
+using exact::Number;
+
+// A point of the plane (first and second axis), mm.
+struct PlanePoint {
+  Number p;
+  Number q;
+};
+
+// One motion of a level, in the plane. An arc whose radii at start and end differ is the curve with
+// the radius linear in the angle (design, section 4).
+struct LevelMotion {
+  bool is_arc = false;
+  PlanePoint from;
+  PlanePoint to;
+  PlanePoint centre;       // arcs
+  int rot = 0;             // arcs: sign = sense (+ counterclockwise), |rot| - 1 whole turns first
+  std::size_t record = 0;  // which record of the subject, for the finding
+};
+
+// What a level of a circular pocket (GSK G110/G111) must satisfy.
+//   gouge: no motion more than `tolerance` outside E, the disc of radius pocket_radius -
+//   tool_radius cover: every point of the disc of radius pocket_radius lies within tool_radius +
+//   tolerance of
+//          the arcs or the plunge point
+//   step:  every point of E lies within step/2 + tolerance of the arcs or the plunge point
+//   sense: every arc turns as `sense` says
+struct CircularLevel {
+  PlanePoint centre;
+  Number pocket_radius;
+  Number tool_radius;  // 0 < tool_radius < pocket_radius
+  Number step;         // 0 < step < 2 * tool_radius
+  int sense = -1;      // the sign that rot must have
+  PlanePoint plunge;   // where the tool came down
+  Number tolerance;    // > 0
+};
+
+enum class Rule { gouge, cover, step, sense };
+
+// A departure, with a point that proves it.
+struct Finding {
+  Rule rule = Rule::gouge;
+  std::optional<std::size_t> record;  // the motion at fault, where there is one
+  PlanePoint witness;                 // checked exactly against all motions
+  Number deviation;                   // how far beyond the limit at the witness, mm (0 for sense)
+};
+
+struct LevelVerdict {
+  enum class Kind { go, no_go, gap } kind = Kind::go;
+  std::optional<Finding> finding;  // no_go
+  std::string gap;                 // why it could not be decided
+  bool by_filter = true;           // decided by certified subdivision alone
+};
+
+inline constexpr std::size_t kMaximumLevelMotions = 50'000;
+
+// The first rule broken in the order sense, gouge, cover, step.
+LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions);
+
+}  // namespace gonogo::oracle::region

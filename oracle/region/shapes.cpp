@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/shapes.hpp"
+
+#include <cmath>
+
+namespace gonogo::oracle::region {
+namespace {
+
+bool is_rational(const PlanePoint& point) {
+  return point.p.is_rational() && point.q.is_rational();
+}
+
+// The rational unit vector n = ((1 - t^2), 2 t) / (1 + t^2) next to a direction; t is a multiple of
+// 2^-bits.
+PlanePoint rational_direction(double x, double y, int bits) {
+  const double tangent = y / (std::hypot(x, y) + std::fabs(x));  // of half the angle to the axis
+  const Number t = to_number(std::ldexp(std::round(std::ldexp(tangent, bits)), -bits));
+  const Number below = Number(1) + t * t;
+  const Number p = (Number(1) - t * t) / below;
+  return {x < 0 ? -p : p, Number(2) * t / below};
+}
+
+// A rational direction a hair inside a sweep that begins at u (side 1) or ends there (side -1).
+PlanePoint direction_inside(const IntervalVector& u, double side) {
+  const double hair = side * 0x1p-40;
+  const double x = u.x.middle();
+  const double y = u.y.middle();
+  return rational_direction(x - hair * y, y + hair * x, 48);
+}
+
+// Sectors of at most 90 degrees and a little; a and b are the rational directions of the ends.
+void append_sectors(const CircleShape& ring, const PlanePoint& a, const PlanePoint& b, bool wide,
+                    std::vector<CircleShape>& out) {
+  if (!wide && dot(a, b) >= Number(0)) {
+    if (cross(a, b).sign() <= 0) return;  // too narrow for rational directions inside it
+    CircleShape shape = ring;
+    shape.sweep = {a, b};
+    out.push_back(shape);
+    return;
+  }
+  const IntervalVector m = middle_direction(enclose(a), enclose(b), wide);
+  const PlanePoint middle = rational_direction(m.x.middle(), m.y.middle(), 12);
+  append_sectors(ring, a, middle, false, out);
+  append_sectors(ring, middle, b, false, out);
+}
+
+void append_round(const Band& band, const CircleShape& ring, const Number& radius,
+                  std::vector<CircleShape>& out) {
+  if (!band.sweep) {
+    out.push_back(ring);
+    return;
+  }
+  const Sweep& sweep = *band.sweep;
+  const PlanePoint a{sweep.a.p / radius, sweep.a.q / radius};
+  const PlanePoint b{sweep.b.p / radius, sweep.b.q / radius};
+  append_sectors(ring, a, b, sweep.wide, out);
+}
+
+// Within the band, by what the enclosures leave open.
+void append_within(const Band& band, const PlanePoint& centre, double unsure,
+                   std::vector<CircleShape>& out) {
+  const Interval shift{unsure, unsure};
+  const double outer = (band.outer - shift).lo;
+  const double inner = band.has_hole() ? (band.inner + shift).hi : 0;
+  if (!(inner < outer)) return;
+  const CircleShape ring{centre, to_number(inner), to_number(outer), std::nullopt};
+  if (band.shape != Band::Shape::sector) {
+    out.push_back(ring);
+    return;
+  }
+  const PlanePoint a = direction_inside(band.ua, 1);
+  const PlanePoint b = direction_inside(band.ub, -1);
+  const bool inside = cross(band.ua, enclose(a)).lo > 0 && cross(enclose(b), band.ub).lo > 0;
+  if (inside && unsure == 0) append_sectors(ring, a, b, band.wide, out);
+}
+
+// A band whose centre is known as an enclosure only.
+void append_enclosed(const Band& band, std::vector<CircleShape>& out) {
+  const double x = band.c.x.middle();
+  const double y = band.c.y.middle();
+  const bool exact = band.c.x.lo == band.c.x.hi && band.c.y.lo == band.c.y.hi;
+  const double unsure = exact ? 0 : norm(band.c - exactly(x, y)).hi;
+  append_within(band, {to_number(x), to_number(y)}, unsure, out);
+}
+
+}  // namespace
+
+bool append_shapes(const Band& band, const Number& reach, std::vector<CircleShape>& out) {
+  if (!band.centre) {
+    append_enclosed(band, out);
+    return true;
+  }
+  if (!is_rational(*band.centre) || !reach.is_rational()) return false;
+  const Number radius = band.radius2 ? exact::sqrt(*band.radius2) : Number();
+  if (!band.radius2 || !radius.is_rational()) {
+    append_within(band, *band.centre, 0, out);
+    return true;
+  }
+  CircleShape ring{*band.centre, Number(), radius + reach, std::nullopt};
+  if (radius > reach) ring.inner = radius - reach;
+  append_round(band, ring, radius, out);
+  return true;
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Exact records as polylines to draw. Together with approximate(), the only place where exact
+// numbers become doubles; no verdict depends on them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/record.hpp"
+
+namespace gonogo::oracle::report {
+
+// mm, base coordinate system.
+struct Point3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  friend bool operator==(const Point3&, const Point3&) = default;
+};
+
+// A place in double, each coordinate held within +-1e9 mm.
+Point3 approximate(const reference::Position& position);
+
+// One record as it is drawn and shown beside the drawing.
+struct Motion {
+  std::string_view kind;        // that of the record; "alarm", "not-covered"
+  bool rapid = false;
+  std::uint64_t block = 0;      // source line; 0: not known
+  std::string clause;           // id, empty: none
+  std::string text;             // the record as JSON, exact numbers
+  std::vector<Point3> points;   // at least two when it moves; else where the machine stands
+  bool moves() const { return points.size() > 1; }
+};
+
+struct Path {
+  std::vector<Motion> motions;  // one a record, in order
+  bool cut = false;             // more records or segments than are drawn
+};
+
+inline constexpr std::size_t kMaxRecords = 20'000;
+inline constexpr std::size_t kMaxSegments = 20'000;
+
+// Samples records one by one. Lines become one segment, arcs, helices and circles in space 128 a
+// turn, the radius of an arc linear in its angle.
+class PathSampler {
+ public:
+  explicit PathSampler(const reference::Position& start, std::size_t max_segments = kMaxSegments);
+
+  // `text` is shown beside the motion; empty: the record's own JSON. False when the limits are
+  // reached; the record is then left out and the path is cut.
+  bool add(const reference::Record& record, std::string text = {});
+  // What ends a program without being a record: no geometry.
+  void add_end(std::string_view kind, std::uint64_t block, std::string_view clause,
+               std::string text);
+  void mark_cut() { path_.cut = true; }
+  Path take() { return std::move(path_); }
+
+ private:
+  std::vector<Point3> sample(const reference::Record& record, const Point3& to) const;
+
+  Path path_;
+  reference::Position at_;
+  Point3 here_;
+  std::size_t segments_left_;
+};
+
+Path sample_path(const reference::Position& start, std::span<const reference::Record> records,
+                 std::size_t max_segments = kMaxSegments);
+
+}  // namespace gonogo::oracle::report

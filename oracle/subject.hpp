@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A subject: the implementation under the gauge, whichever way it is connected.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/outcome.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::oracle {
+
+using reference::Number;
+
+// What a subject says of itself in the reply to `start`.
+struct SubjectInfo {
+  std::string name;
+  std::string version;
+  // Dialect -> features declared in it; an empty set declares everything in it. When nothing was
+  // said of dialects at all, `everything` is set.
+  std::map<std::string, std::set<std::string>> dialects;
+  bool everything = false;
+  std::set<std::string> features;  // "blocks", "m", "bytes"
+  std::string numeric_kind = "exact";      // fixed, binary64, exact
+  std::optional<Number> resolution;        // mm
+  std::optional<Number> feed_resolution;   // mm/min or mm/rev
+  std::optional<Number> chord;             // mm
+  int max_in_flight = 1;
+
+  bool declares(std::string_view dialect, std::string_view feature) const;
+};
+
+// The alarm as the subject reported it.
+struct SubjectAlarm {
+  std::string native;
+  std::string alarm_class;  // empty when only native was given
+  std::uint64_t block = 0;  // 0: not given
+  char word = 0;
+};
+
+// How a run of one program ended, apart from the records.
+struct RunEnd {
+  enum class Kind {
+    ok,             // expanded
+    alarm,          // `alarm` says which
+    skip,           // a feature that the subject does not have
+    refused,        // configure: ok false
+    error,          // the subject said that it failed
+    stopped,        // the sink asked for it
+    crash,          // a signal, an unexpected exit, a closed pipe
+    timeout,
+    out_of_memory,
+    protocol,       // not the protocol: bad JSON, wrong seq, unknown record, bare number, ...
+  };
+  Kind kind = Kind::ok;
+  SubjectAlarm alarm;
+  std::string feature;  // skip
+  std::string message;  // what happened, a sentence
+  std::string notes;    // what the subject wrote to stderr meanwhile (cut, U+FFFD for bad bytes)
+  std::int64_t microseconds = 0;
+};
+
+// Takes the records of a run as they come. Returning false stops the run.
+using RecordSink = std::function<bool(const reference::Record&)>;
+
+// Limits of design section 7.
+struct Limits {
+  std::chrono::milliseconds start{10'000};
+  std::chrono::milliseconds run{2'000};
+  std::size_t line_bytes = std::size_t{64} << 20;
+  std::size_t memory_bytes = std::size_t{2} << 30;
+  int restarts = 10;  // in a row
+};
+
+// Thrown when a subject cannot be used at all: wrong use (exit 2), with what to do instead.
+class SubjectUnusable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  virtual const SubjectInfo& info() const = 0;
+  // Before the first run, and whenever the profile changes. A refusal is told by the runs.
+  virtual void configure(const reference::Profile& profile) = 0;
+  // Runs one program. Never throws for what the subject does.
+  virtual RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) = 0;
+  // Makes the next run start in a fresh process (or handle).
+  virtual void renew() = 0;
+  // Another time limit for the next runs.
+  virtual void set_run_limit(std::chrono::milliseconds limit) { static_cast<void>(limit); }
+  // Whether a run in a fresh process can differ from one in a used one.
+  virtual bool keeps_state() const { return true; }
+};
+
+// How a subject is named on the command line: "<kind>:<rest>".
+struct SubjectSpec {
+  std::string kind;  // builtin, oneshot, pipe
+  std::string rest;
+};
+std::optional<SubjectSpec> parse_subject_spec(std::string_view text);
+
+// Makes subjects of one kind; the program registers those that it links.
+using SubjectFactory =
+    std::function<std::unique_ptr<Subject>(const std::string& rest, const Limits& limits)>;
+
+std::unique_ptr<Subject> make_oneshot_subject(const std::string& command, const Limits& limits);
+std::unique_ptr<Subject> make_pipe_subject(const std::string& command, const Limits& limits);
+
+}  // namespace gonogo::oracle
+
+struct gonogo_subject_v1;
+namespace gonogo::oracle {
+// A subject behind the C interface, in this process.
+std::unique_ptr<Subject> make_interface_subject(const gonogo_subject_v1& subject);
+}  // namespace gonogo::oracle

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/subjects/interface_record.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "oracle/subjects/text.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::Axis;
+using reference::AxisSet;
+using reference::FeedMode;
+using reference::Plane;
+using reference::Position;
+using reference::Record;
+using reference::RecordKind;
+
+constexpr std::size_t kLongestNumber = 1000;
+
+// Thrown inside this file only.
+struct Fault {
+  std::string message;
+};
+template <class... Arguments>
+[[noreturn]] void fail(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+  throw Fault{fmt::format(text, std::forward<Arguments>(arguments)...)};
+}
+
+// The value of a finite double, exactly: 53 bits of mantissa.
+Number exact_value(double value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return Number::binary(static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53);
+}
+
+Number number_of(std::string_view key, const gonogo_number& source) {
+  switch (source.form) {
+    case GONOGO_NUMBER_ABSENT:
+      fail("The number \"{}\" is missing.", key);
+    case GONOGO_NUMBER_BINARY64:
+      if (!std::isfinite(source.binary64)) fail("The number \"{}\" is not finite.", key);
+      return exact_value(source.binary64);
+    case GONOGO_NUMBER_TEXT:
+      break;
+    default:
+      fail("The number \"{}\" has the unknown form {}.", key, source.form);
+  }
+  if (source.text.size > kLongestNumber) {
+    fail("The number \"{}\" has more than {} characters.", key, kLongestNumber);
+  }
+  if (auto number = Number::parse(view(source.text))) return *std::move(number);
+  fail("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
+       excerpt(view(source.text), 60), key);
+}
+
+AxisSet read_position(const gonogo_number (&source)[GONOGO_AXES], Position& at) {
+  AxisSet named;
+  for (Axis axis : reference::kAllAxes) {
+    const gonogo_number& number = source[reference::index(axis)];
+    if (number.form == GONOGO_NUMBER_ABSENT) continue;
+    const char key = reference::letter(axis);
+    at[axis] = number_of({&key, 1}, number);
+    named.add(axis);
+  }
+  return named;
+}
+
+void require_axes(std::string_view key, AxisSet named, std::initializer_list<Axis> needed) {
+  for (Axis axis : needed) {
+    if (!named.has(axis)) fail("\"{}\" lacks the axis {}.", key, reference::letter(axis));
+  }
+}
+
+bool given(const gonogo_number& number) {
+  return number.form != GONOGO_NUMBER_ABSENT;
+}
+
+template <std::size_t N>
+bool any_given(const gonogo_number (&numbers)[N]) {
+  for (const gonogo_number& number : numbers) {
+    if (given(number)) return true;
+  }
+  return false;
+}
+
+void refuse_unused(const gonogo_record_v1& source, RecordKind kind) {
+  auto check = [&](bool used, bool set, std::string_view key) {
+    if (!used && set) fail("A record \"{}\" has no \"{}\".", reference::name(kind), key);
+  };
+  const bool arc = kind == RecordKind::arc;
+  const bool arc3 = kind == RecordKind::arc3;
+  const bool thread = kind == RecordKind::thread;
+  const bool cut = kind == RecordKind::feed || arc || arc3;
+  check(kind != RecordKind::dwell && kind != RecordKind::m, any_given(source.to), "to");
+  check(arc3, any_given(source.via), "via");
+  check(cut, given(source.f), "f");
+  check(cut, source.feed_mode != 0, "feed_mode");
+  check(arc, source.plane != 0, "plane");
+  check(arc, any_given(source.centre), "centre");
+  check(arc, source.rot != 0, "rot");
+  check(thread, given(source.lead), "lead");
+  check(thread, given(source.start), "start");
+  check(kind == RecordKind::dwell, given(source.seconds), "seconds");
+  check(kind == RecordKind::m, source.m != 0, "m");
+}
+
+void read_arc(const gonogo_record_v1& source, Record& record) {
+  if (source.plane < 17 || source.plane > 19) fail("\"plane\" must be 17, 18 or 19.");
+  record.plane = static_cast<Plane>(source.plane - 17);
+  record.centre = {number_of("centre[0]", source.centre[0]),
+                   number_of("centre[1]", source.centre[1])};
+  if (source.rot == 0 || source.rot == INT32_MIN) {
+    fail("\"rot\" of an arc must not be 0 and must lie above -2^31.");
+  }
+  record.rot = source.rot;
+  const auto [p, q, d] = reference::axes_of(record.plane);
+  require_axes("to", record.axes, {p, q});
+}
+
+void read_feed(const gonogo_record_v1& source, Record& record) {
+  record.feed = number_of("f", source.f);
+  if (source.feed_mode > GONOGO_FEED_PER_REVOLUTION) {
+    fail("\"feed_mode\" has the unknown value {}.", source.feed_mode);
+  }
+  record.feed_mode = static_cast<FeedMode>(source.feed_mode);
+}
+
+Record record_of(const gonogo_record_v1& source) {
+  if (source.struct_size < sizeof source) {
+    fail("A record has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
+  }
+  if (source.kind < GONOGO_RAPID || source.kind > GONOGO_END) {
+    fail("The record kind {} is unknown.", source.kind);
+  }
+  Record record;
+  record.kind = static_cast<RecordKind>(source.kind - GONOGO_RAPID);
+  record.block = source.block;
+  refuse_unused(source, record.kind);
+  record.axes = read_position(source.to, record.to);
+  switch (record.kind) {
+    case RecordKind::feed:
+      read_feed(source, record);
+      break;
+    case RecordKind::arc:
+      read_feed(source, record);
+      read_arc(source, record);
+      break;
+    case RecordKind::arc3:
+      read_feed(source, record);
+      record.via_axes = read_position(source.via, record.via);
+      require_axes("via", record.via_axes, {Axis::x, Axis::y, Axis::z});
+      require_axes("to", record.axes, {Axis::x, Axis::y, Axis::z});
+      break;
+    case RecordKind::thread:
+      record.lead = number_of("lead", source.lead);
+      record.start = number_of("start", source.start);
+      break;
+    case RecordKind::dwell:
+      record.seconds = number_of("seconds", source.seconds);
+      break;
+    case RecordKind::m:
+      if (source.m < 0) fail("\"m\" must not be negative.");
+      record.m = source.m;
+      break;
+    default:
+      break;
+  }
+  return record;
+}
+
+SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
+  if (source.struct_size < sizeof source) {
+    fail("An alarm has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
+  }
+  SubjectAlarm alarm;
+  alarm.block = source.block;
+  alarm.native = readable(view(source.native));
+  alarm.alarm_class = readable(view(source.klass));
+  alarm.word = source.word;
+  if (alarm.native.empty() && alarm.alarm_class.empty()) {
+    fail("An alarm needs a class or the subject's own text.");
+  }
+  return alarm;
+}
+
+}  // namespace
+
+std::string_view view(const gonogo_text& text) {
+  return text.data == nullptr ? std::string_view() : std::string_view(text.data, text.size);
+}
+
+std::variant<Record, TraceFault> convert_record(const gonogo_record_v1& source) try {
+  return record_of(source);
+} catch (const Fault& fault) {
+  return TraceFault{fault.message};
+}
+
+std::variant<SubjectAlarm, TraceFault> convert_alarm(const gonogo_alarm_v1& source) try {
+  return alarm_of(source);
+} catch (const Fault& fault) {
+  return TraceFault{fault.message};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A subject that is one process a program: NC text on stdin, records on stdout, and the exit code
+// says how it went.
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "oracle/subjects/json_document.hpp"
+#include "oracle/subjects/private_folder.hpp"
+#include "oracle/subjects/process.hpp"
+#include "oracle/subjects/record_json.hpp"
+#include "oracle/subjects/start_reply.hpp"
+#include "oracle/subjects/text.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using Clock = Process::Clock;
+
+// The exit codes of the contract.
+constexpr int kExpanded = 0;
+constexpr int kAlarm = 1;
+constexpr int kUnsupported = 3;
+
+RunEnd end_of(RunEnd::Kind kind, std::string message) {
+  RunEnd end;
+  end.kind = kind;
+  end.message = std::move(message);
+  return end;
+}
+
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+// One process and the program that it runs.
+class OneshotRun {
+ public:
+  OneshotRun(const std::string& command, const Limits& limits, const RecordSink& sink,
+             JsonDocument& document)
+      : limits_(limits),
+        sink_(sink),
+        document_(document),
+        process_(command, limits.memory_bytes),
+        lines_(limits.line_bytes) {}
+
+  RunEnd run(std::string_view program) {
+    const auto begin = Clock::now();
+    process_.arm(limits_.run);
+    process_.send(std::string(program));
+    process_.end_input();
+    RunEnd end = read_output();
+    end.microseconds =
+        std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - begin - in_sink_)
+            .count();
+    process_.kill();
+    end.notes = process_.take_notes();
+    return end;
+  }
+
+ private:
+  RunEnd read_output() {
+    while (true) {
+      const Process::Event event = process_.pump(lines_);
+      if (event == Process::Event::deadline) {
+        return end_of(RunEnd::Kind::timeout,
+                      fmt::format("The subject did not end within {} ms.", limits_.run.count()));
+      }
+      if (event == Process::Event::memory) {
+        return end_of(RunEnd::Kind::out_of_memory, fmt::format("The subject held more than {} MiB.",
+                                                               limits_.memory_bytes >> 20));
+      }
+      if (auto end = read_lines()) return *std::move(end);
+      if (event == Process::Event::exited) return read_ending();
+    }
+  }
+
+  // The time that the oracle takes for the records is not the subject's.
+  std::optional<RunEnd> read_lines() {
+    const auto begin = Clock::now();
+    std::optional<RunEnd> end;
+    std::size_t records = 0;
+    while (!end) {
+      const auto line = lines_.next();
+      if (!line) break;
+      if (is_blank(*line)) continue;
+      ++records;
+      end = read_line(*line);
+    }
+    if (!end && lines_.too_long()) {
+      end = end_of(RunEnd::Kind::protocol,
+                   fmt::format("A line has more than {} bytes.", limits_.line_bytes));
+    }
+    if (records > 0) {
+      in_sink_ += Clock::now() - begin;
+      process_.extend(Clock::now() - begin);
+    }
+    return end;
+  }
+
+  std::optional<RunEnd> read_line(std::string_view text) {
+    auto parsed = document_.parse(text);
+    if (auto* fault = std::get_if<JsonFault>(&parsed)) {
+      return end_of(RunEnd::Kind::protocol, std::move(fault->message));
+    }
+    if (alarm_) return end_of(RunEnd::Kind::protocol, "A line came after the alarm.");
+    auto line = read_trace_line(std::get<simdjson::dom::object>(parsed));
+    if (auto* fault = std::get_if<TraceFault>(&line)) {
+      return end_of(RunEnd::Kind::protocol, std::move(fault->message));
+    }
+    if (auto* alarm = std::get_if<SubjectAlarm>(&line)) {
+      alarm_ = std::move(*alarm);
+      return std::nullopt;
+    }
+    if (sink_(std::get<reference::Record>(line))) return std::nullopt;
+    return end_of(RunEnd::Kind::stopped, "The run was stopped.");
+  }
+
+  // Only the exits of the contract are answers; everything else is a crash and no rejection.
+  RunEnd read_ending() {
+    const Ending ending = process_.kill();
+    if (ending.signal != 0 ||
+        (ending.code != kExpanded && ending.code != kAlarm && ending.code != kUnsupported)) {
+      return end_of(RunEnd::Kind::crash, "The subject " + ending.text() + ".");
+    }
+    if (ending.code == kUnsupported) {
+      RunEnd end = end_of(RunEnd::Kind::skip, "The subject does not support this.");
+      const std::string notes = process_.take_notes();
+      if (!notes.empty()) end.message = excerpt(notes, 1000);
+      return end;
+    }
+    // The last line may lack its end.
+    if (!is_blank(lines_.rest())) {
+      const std::string last(lines_.rest());
+      if (auto end = read_line(last)) return *std::move(end);
+    }
+    if (alarm_.has_value() != (ending.code == kAlarm)) {
+      return end_of(RunEnd::Kind::protocol, alarm_ ? "The subject reported an alarm and exited "
+                                                     "with 0; an alarm exits with 1."
+                                                   : "The subject exited with 1, and its last line "
+                                                     "is not an alarm.");
+    }
+    RunEnd end = end_of(alarm_ ? RunEnd::Kind::alarm : RunEnd::Kind::ok, {});
+    if (alarm_) end.alarm = *std::move(alarm_);
+    return end;
+  }
+
+  const Limits& limits_;
+  const RecordSink& sink_;
+  JsonDocument& document_;
+  Process process_;
+  LineBuffer lines_;
+  Clock::duration in_sink_{0};
+  std::optional<SubjectAlarm> alarm_;
+};
+
+class OneshotSubject : public Subject {
+ public:
+  OneshotSubject(const std::string& command, const Limits& limits)
+      : command_(command), limits_(limits) {
+    info_.name = command;
+    info_.everything = true;
+    info_.features = {"blocks", "bytes", "m"};
+    describe();
+  }
+  const SubjectInfo& info() const override { return info_; }
+
+  void configure(const reference::Profile& profile) override {
+    try {
+      const std::string file = folder_.write("profile.json", reference::profile_json(profile));
+      full_command_ = fmt::format("{} --dialect {} --profile {}", command_,
+                                  shell_quoted(profile.dialect), shell_quoted(file));
+    } catch (const std::system_error& error) {
+      throw SubjectUnusable(fmt::format(
+          "The profile for the subject cannot be written ({}); set TMPDIR to a folder with room.",
+          error.what()));
+    }
+  }
+
+  RunEnd run(std::string_view, std::string_view program, const RecordSink& sink) override {
+    if (full_command_.empty()) {
+      return end_of(RunEnd::Kind::error, "The subject has not been configured.");
+    }
+    try {
+      return OneshotRun(full_command_, limits_, sink, document_).run(program);
+    } catch (const std::system_error& error) {
+      return end_of(RunEnd::Kind::error,
+                    fmt::format("No process could be started: {}.", error.what()));
+    }
+  }
+
+  void renew() override {}
+  bool keeps_state() const override { return false; }
+
+ private:
+  // `CMD --describe` may print the reply to `start`. A command that does not know the option may
+  // do anything else: then everything is taken as declared.
+  void describe() {
+    Process process(command_ + " --describe", limits_.memory_bytes);
+    process.arm(limits_.start);
+    process.end_input();
+    LineBuffer lines(limits_.line_bytes);
+    std::string first;
+    Process::Event event = Process::Event::output;
+    while (event == Process::Event::output || event == Process::Event::closed) {
+      event = process.pump(lines);
+      if (first.empty()) {
+        if (auto line = lines.next()) first = *line;
+      }
+      if (!first.empty()) lines.clear();
+      if (lines.too_long()) break;
+    }
+    if (first.empty()) first = lines.rest();
+    const Ending ending = process.kill();
+    if (ending.signal == 0 && (ending.code == 126 || ending.code == 127)) {
+      throw SubjectUnusable(fmt::format("The command `{}` cannot be run: {}", command_,
+                                        excerpt(process.take_notes(), 1000)));
+    }
+    if (event == Process::Event::exited && ending.signal == 0 && ending.code == 0) {
+      read_description(first);
+    }
+  }
+
+  void read_description(const std::string& line) {
+    auto parsed = document_.parse(line);
+    auto* object = std::get_if<simdjson::dom::object>(&parsed);
+    simdjson::dom::element protocol;
+    if (object == nullptr || (*object)["protocol"].get(protocol) != simdjson::SUCCESS) return;
+    auto info = read_start_reply(*object);
+    if (auto* fault = std::get_if<JsonFault>(&info)) {
+      throw SubjectUnusable(
+          fmt::format("What `{} --describe` printed cannot be used: {}", command_, fault->message));
+    }
+    info_ = std::get<SubjectInfo>(std::move(info));
+  }
+
+  const std::string command_;
+  const Limits limits_;
+  SubjectInfo info_;
+  PrivateFolder folder_;
+  std::string full_command_;
+  JsonDocument document_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_oneshot_subject(const std::string& command, const Limits& limits) {
+  try {
+    return std::make_unique<OneshotSubject>(command, limits);
+  } catch (const std::system_error& error) {
+    throw SubjectUnusable(
+        fmt::format("The subject `{}` cannot be started: {}.", command, error.what()));
+  }
+}
+
+}  // namespace gonogo::oracle

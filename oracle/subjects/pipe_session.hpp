@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One life of a subject's process under the pipe protocol, from `start` to its end.
+#pragma once
+
+#include "oracle/subjects/json_document.hpp"
+#include "oracle/subjects/line_buffer.hpp"
+#include "oracle/subjects/pipe_reply.hpp"
+#include "oracle/subjects/process.hpp"
+
+namespace gonogo::oracle {
+
+class PipeSession {
+ public:
+  // Throws std::system_error when no process can be started.
+  PipeSession(const std::string& command, const Limits& limits);
+
+  // Each returns what went wrong, if anything did. After a failure other than `refused` the
+  // session is of no further use.
+  std::variant<SubjectInfo, RunEnd> start();
+  std::optional<RunEnd> configure(const std::string& members);
+
+  RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink);
+
+  // Asks the subject to go, and waits a little for it.
+  void stop();
+
+  bool usable() const { return usable_; }
+  std::string take_notes() { return process_.take_notes(); }
+
+ private:
+  using Parsed = std::variant<simdjson::dom::object, RunEnd>;
+
+  std::optional<RunEnd> send(std::string line, std::chrono::milliseconds time);
+  RunEnd receive(std::int64_t seq, const RecordSink& sink);
+  Parsed read_line();
+  std::optional<RunEnd> deliver(const PipeReply& reply, const RecordSink& sink);
+  std::optional<RunEnd> unasked(bool look);
+  RunEnd fail(RunEnd::Kind kind, std::string message);
+  RunEnd fail_at_end();
+
+  const Limits limits_;
+  Process process_;
+  LineBuffer lines_;
+  JsonDocument document_;
+  std::string doing_ = "starting";  // for messages
+  std::chrono::milliseconds time_{0};
+  Process::Clock::duration in_sink_{0};
+  std::int64_t seq_ = 0;
+  bool usable_ = true;
+};
+
+}  // namespace gonogo::oracle

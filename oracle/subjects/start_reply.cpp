@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/subjects/start_reply.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/subjects/record_json.hpp"
+#include "oracle/subjects/text.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using simdjson::dom::array;
+using simdjson::dom::element;
+using simdjson::dom::object;
+
+// Thrown inside this file only.
+struct Refusal {
+  std::string message;
+};
+
+std::optional<element> find(const object& source, std::string_view key) {
+  for (auto field : source) {
+    if (field.key == key) return field.value;
+  }
+  return std::nullopt;
+}
+
+std::string text_of(std::string_view key, const element& value) {
+  std::string_view text;
+  if (value.get(text) != simdjson::SUCCESS) {
+    throw Refusal{fmt::format("The key \"{}\" must be a string.", key)};
+  }
+  return std::string(text);
+}
+
+std::set<std::string> names_of(std::string_view key, const element& value) {
+  array items;
+  if (value.get(items) != simdjson::SUCCESS) {
+    throw Refusal{fmt::format("The key \"{}\" must be an array of strings.", key)};
+  }
+  std::set<std::string> names;
+  for (auto item : items) names.insert(text_of(key, item));
+  return names;
+}
+
+// What a certificate says of the subject must name one program, not whatever a branch holds today.
+void read_identity(const object& reply, SubjectInfo& info) {
+  auto value = find(reply, "subject");
+  object subject;
+  if (!value || value->get(subject) != simdjson::SUCCESS) {
+    throw Refusal{"The reply needs \"subject\":{\"name\":...,\"version\":...}."};
+  }
+  if (auto name = find(subject, "name")) info.name = text_of("name", *name);
+  if (auto version = find(subject, "version")) info.version = text_of("version", *version);
+  if (info.name.empty()) throw Refusal{"The subject needs a \"name\"."};
+  constexpr std::array<std::string_view, 3> kBranches = {"main", "master", "trunk"};
+  if (std::find(kBranches.begin(), kBranches.end(), info.version) != kBranches.end()) {
+    throw Refusal{
+        fmt::format("The version \"{}\" is a branch: give a release or a commit.", info.version)};
+  }
+}
+
+void read_dialects(const object& reply, SubjectInfo& info) {
+  auto value = find(reply, "dialects");
+  if (!value) {
+    info.everything = true;
+    return;
+  }
+  object dialects;
+  if (value->get(dialects) != simdjson::SUCCESS) {
+    for (const std::string& name : names_of("dialects", *value)) info.dialects[name];
+    return;
+  }
+  for (auto field : dialects)
+    info.dialects[std::string(field.key)] = names_of(field.key, field.value);
+}
+
+std::optional<Number> length_of(const object& numeric, std::string_view key, bool zero_allowed) {
+  auto value = find(numeric, key);
+  if (!value) return std::nullopt;
+  auto read = read_number(key, *value);
+  if (auto* fault = std::get_if<TraceFault>(&read)) throw Refusal{fault->message};
+  const Number& number = std::get<Number>(read);
+  if (number.sign() < 0 || (number.sign() == 0 && !zero_allowed)) {
+    throw Refusal{fmt::format("\"{}\" must be {}.", key,
+                              zero_allowed ? "zero or more" : "greater than zero")};
+  }
+  return number;
+}
+
+void read_numeric(const object& reply, SubjectInfo& info) {
+  auto value = find(reply, "numeric");
+  if (!value) return;
+  object numeric;
+  if (value->get(numeric) != simdjson::SUCCESS) {
+    throw Refusal{"The key \"numeric\" must be an object."};
+  }
+  if (auto kind = find(numeric, "kind")) info.numeric_kind = text_of("kind", *kind);
+  if (info.numeric_kind != "fixed" && info.numeric_kind != "binary64" &&
+      info.numeric_kind != "exact") {
+    throw Refusal{"\"kind\" must be \"fixed\", \"binary64\" or \"exact\"."};
+  }
+  info.resolution = length_of(numeric, "resolution", false);
+  info.feed_resolution = length_of(numeric, "feed_resolution", false);
+  info.chord = length_of(numeric, "chord", true);
+}
+
+void read_window(const object& reply, SubjectInfo& info) {
+  auto value = find(reply, "max_in_flight");
+  if (!value) return;
+  std::int64_t window = 0;
+  if (value->type() != simdjson::dom::element_type::INT64 ||
+      value->get(window) != simdjson::SUCCESS || window < 1 || window > 256) {
+    throw Refusal{"\"max_in_flight\" must be a JSON integer from 1 to 256."};
+  }
+  info.max_in_flight = static_cast<int>(window);
+}
+
+}  // namespace
+
+std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
+  auto protocol = find(reply, "protocol");
+  std::int64_t version = 0;
+  if (!protocol || protocol->type() != simdjson::dom::element_type::INT64 ||
+      protocol->get(version) != simdjson::SUCCESS || version != 1) {
+    return JsonFault{"The reply to \"start\" must pick \"protocol\":1."};
+  }
+  SubjectInfo info;
+  read_identity(reply, info);
+  read_dialects(reply, info);
+  if (auto features = find(reply, "features")) info.features = names_of("features", *features);
+  read_numeric(reply, info);
+  read_window(reply, info);
+  return info;
+} catch (const Refusal& refusal) {
+  return JsonFault{refusal.message};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The reply to `start`, which the C interface gives as its description too.
+#pragma once
+
+#include "oracle/subject.hpp"
+#include "oracle/subjects/json_document.hpp"
+
+namespace gonogo::oracle {
+
+std::variant<SubjectInfo, JsonFault> read_start_reply(const simdjson::dom::object& reply);
+
+}  // namespace gonogo::oracle

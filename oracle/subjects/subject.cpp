@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/subject.hpp"
+
+namespace gonogo::oracle {
+
+bool SubjectInfo::declares(std::string_view dialect, std::string_view feature) const {
+  if (everything) return true;
+  const auto found = dialects.find(std::string(dialect));
+  if (found == dialects.end()) return false;
+  return feature.empty() || found->second.empty() || found->second.contains(std::string(feature));
+}
+
+std::optional<SubjectSpec> parse_subject_spec(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size()) {
+    return std::nullopt;
+  }
+  const std::string_view kind = text.substr(0, colon);
+  if (kind.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  return SubjectSpec{std::string(kind), std::string(text.substr(colon + 1))};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts on their way to and from a subject: JSON strings, base64, bytes that are not UTF-8, and
+// words of a shell command.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gonogo::oracle {
+
+bool is_utf8(std::string_view text);
+
+// A JSON string with its quotes. REQUIRES: is_utf8(text).
+void append_json_string(std::string_view text, std::string& out);
+
+std::string base64(std::string_view bytes);
+
+// The same text with U+FFFD for each byte that is not part of well-formed UTF-8.
+std::string readable(std::string_view bytes);
+
+// At most `limit` bytes of a text for a message, readable, with "..." when it was cut.
+std::string excerpt(std::string_view bytes, std::size_t limit = 120);
+
+// One word of a POSIX shell command.
+std::string shell_quoted(std::string_view word);
+
+}  // namespace gonogo::oracle

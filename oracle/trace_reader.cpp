@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/trace_reader.hpp"
+
+#include "oracle/subjects/json_document.hpp"
+#include "oracle/subjects/record_json.hpp"
+
+namespace gonogo::oracle {
+
+struct TraceReader::Impl {
+  JsonDocument document;
+};
+
+TraceReader::TraceReader() : impl_(std::make_unique<Impl>()) {}
+TraceReader::~TraceReader() = default;
+
+TraceLine TraceReader::read(std::string_view line) {
+  auto parsed = impl_->document.parse(line);
+  if (auto* fault = std::get_if<JsonFault>(&parsed)) return TraceFault{std::move(fault->message)};
+  return read_trace_line(std::get<simdjson::dom::object>(parsed));
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the judge says of one program and one subject.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "reference/record.hpp"
+
+namespace gonogo::oracle {
+
+enum class VerdictKind : std::uint8_t {
+  // GO
+  pass_exact,
+  pass_rounded,
+  pass_tolerance,
+  skip,
+  xfail,
+  // NO-GO
+  fail_geometry,
+  fail_order,
+  fail_feed,
+  fail_region,
+  fail_reading,
+  fail_overrun,
+  fail_alarm_missing,
+  fail_alarm_spurious,
+  fail_alarm_class,
+  fail_alarm_late,
+  state_leak,
+  crash,
+  timeout,
+  out_of_memory,
+  protocol,
+  unmapped_alarm,
+  xpass,
+  // Undecided
+  oracle_gap,
+  oracle_error,
+};
+enum class Decision : std::uint8_t { go, no_go, undecided };
+
+std::string_view name(VerdictKind kind);  // "fail.geometry"
+std::optional<VerdictKind> verdict_kind(std::string_view name);
+Decision decision(VerdictKind kind);
+std::span<const std::string_view> verdict_names();
+
+// A verdict with its evidence. Texts of records are JSON, numbers exact.
+struct Verdict {
+  VerdictKind kind = VerdictKind::pass_exact;
+  reference::ClauseId clause = reference::kNoClause;
+  std::string reading;           // another reading under which the answer would be GO: "k=v"
+  std::uint64_t block = 0;       // source line; 0: none
+  std::optional<std::size_t> record;  // place of the subject's record, from 0
+  char word = 0;
+  std::string want;              // the reference's record, level or alarm
+  std::string got;               // the subject's
+  std::string deviation_exact;   // mm, as in a record; empty: none
+  std::string deviation_mm;      // the same as a decimal
+  std::string witness;           // a point that proves it: {"x":"1",...}; empty: none
+  std::string message;           // a sentence for people
+};
+
+}  // namespace gonogo::oracle

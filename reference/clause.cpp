@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/clause.hpp"
+
+namespace gonogo::reference {
+
+std::span<const Clause> clauses() { return catalog::kGsk988ta; }
+
+const Clause& clause(ClauseId id) { return clauses()[id]; }
+
+std::string_view clause_name(ClauseId id) {
+  return id == kNoClause ? std::string_view{} : clauses()[id].id;
+}
+
+std::string_view name(ClauseLevel level) {
+  switch (level) {
+    case ClauseLevel::must: return "must";
+    case ClauseLevel::derived: return "derived";
+    case ClauseLevel::open: return "open";
+  }
+  return "";
+}
+
+}  // namespace gonogo::reference

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The clause catalog: every single thing that a manual says and that the reference does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "reference/catalog/gsk988ta.hpp"
+
+namespace gonogo::reference {
+
+using ClauseId = std::uint16_t;
+inline constexpr ClauseId kNoClause = 0xFFFF;
+
+// All clauses of all dialects; a ClauseId is a place in it.
+std::span<const Clause> clauses();
+const Clause& clause(ClauseId id);
+std::string_view clause_name(ClauseId id);  // "" for kNoClause
+std::string_view name(ClauseLevel level);
+
+// A code of the maker that the gauge does not read.
+struct OutsideCode {
+  std::string_view code;   // "G71"
+  std::string_view title;  // what the maker calls it
+};
+std::span<const OutsideCode> outside_codes(std::string_view dialect);
+// Modal codes without effect on the path, passed over.
+std::span<const std::string_view> codes_without_effect(std::string_view dialect);
+
+// "GSK-G94-02"_clause: the place of a clause in the catalog, checked when compiling.
+consteval ClauseId operator""_clause(const char* id, std::size_t size) {
+  for (std::size_t i = 0; i < catalog::kGsk988ta.size(); ++i) {
+    if (catalog::kGsk988ta[i].id == std::string_view(id, size)) return static_cast<ClauseId>(i);
+  }
+  throw "no such clause in the catalog";
+}
+
+}  // namespace gonogo::reference

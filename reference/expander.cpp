@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/expander.hpp"
+
+#include "reference/gsk988ta/interpreter.hpp"
+
+namespace gonogo::reference {
+
+void BlockOutput::clear() {
+  items.clear();
+  cycle = {};
+  after.clear();
+  alarms.clear();
+  not_covered.reset();
+  program_end = false;
+}
+
+Expander::Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths open_paths)
+    : profile_(profile),
+      lines_(lines),
+      readings_(profile.readings),
+      interpreter_(gsk988ta::make_interpreter(profile, readings_, open_paths)),
+      dialect_(grammar::Dialect::gsk988ta) {}
+
+Expander::~Expander() = default;
+
+const Item* Expander::finish(Item item) {
+  ended_ = true;
+  last_ = std::move(item);
+  return &last_;
+}
+
+const Item* Expander::next() {
+  while (!ended_) {
+    if (next_item_ < out_.items.size()) return &out_.items[next_item_++];
+    if (const Item* item = out_.cycle.next()) return item;
+    if (next_after_ < out_.after.size()) return &out_.after[next_after_++];
+    if (!out_.alarms.empty()) {
+      return finish(AlarmReport{line_.number, std::move(out_.alarms), std::nullopt});
+    }
+    if (out_.not_covered) return finish(*std::move(out_.not_covered));
+    if (out_.program_end || !lines_.next(line_)) {
+      Record end;
+      end.kind = RecordKind::end;
+      end.axes = kEveryAxis;
+      end.to = interpreter_->position();
+      return finish(std::move(end));
+    }
+    out_.clear();
+    next_item_ = next_after_ = 0;
+    std::optional<grammar::SyntaxError> error;
+    if (line_.too_long) {
+      error = grammar::line_too_long();
+    } else {
+      error = grammar::parse_block(dialect_, line_.text, block_);
+    }
+    if (error) {
+      // GSK-COM-02: a block that cannot be read yields the syntax alarm alone.
+      Alarm alarm{AlarmClass::syntax, "GSK-COM-02"_clause, 0, error->where,
+                  grammar::message(*error)};
+      return finish(AlarmReport{line_.number, {std::move(alarm)}, std::move(error)});
+    }
+    if (block_.skip && profile_.block_skip) continue;
+    interpreter_->run(line_.number, block_, out_);
+    if (!out_.alarms.empty() || out_.not_covered) {
+      // None of the motion of the alarming block.
+      out_.items.clear();
+      out_.after.clear();
+      out_.cycle = {};
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace gonogo::reference

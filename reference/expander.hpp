@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// THE REFERENCE IS NAIVE ON PURPOSE. It is written to be read beside the manual, clause by clause,
+// and to be exact; it is no model for a controller.
+//
+// A program goes in line by line; items come out one at a time. Memory is one block, whatever the
+// number of blocks or of motions of a block.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "grammar/line_source.hpp"
+#include "grammar/parser.hpp"
+#include "reference/generator.hpp"
+#include "reference/outcome.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::reference {
+
+// What one block does: motions, then the motions of a cycle, then M functions; or alarms.
+struct BlockOutput {
+  std::vector<Item> items;
+  Generator<Item> cycle;
+  std::vector<Item> after;
+  std::vector<Alarm> alarms;
+  std::optional<NotCovered> not_covered;
+  bool program_end = false;
+
+  void clear();
+};
+
+// One dialect's meaning of blocks. Holds the modal state.
+class BlockInterpreter {
+ public:
+  virtual ~BlockInterpreter() = default;
+  virtual void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) = 0;
+  // Where the machine stands after everything that was put out so far.
+  virtual const Position& position() const = 0;
+};
+
+// How a level whose path is open comes out: as the path that `expand` shows, or as the level that
+// the judge decides by what is cleared.
+enum class OpenPaths : std::uint8_t { shown, judged };
+
+class Expander {
+ public:
+  // `profile` and `lines` must outlive the expander.
+  Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths open_paths);
+  ~Expander();
+
+  // The next item, valid until the next call. The last one is an `end` record, an AlarmReport or a
+  // NotCovered; then null.
+  const Item* next();
+
+  const ReadingsInUse& readings() const { return readings_; }
+  // After a syntax alarm: the text of its line, for a diagnostic.
+  std::string_view failed_line() const { return line_.text; }
+
+ private:
+  const Item* finish(Item item);
+
+  const Profile& profile_;
+  grammar::LineSource& lines_;
+  ReadingsInUse readings_;
+  std::unique_ptr<BlockInterpreter> interpreter_;
+  grammar::Dialect dialect_;
+  grammar::Line line_;
+  grammar::Block block_;
+  BlockOutput out_;
+  std::size_t next_item_ = 0;
+  std::size_t next_after_ = 0;
+  Item last_;
+  bool ended_ = false;
+};
+
+}  // namespace gonogo::reference

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The modal state of a GSK 988TA, and what a block sees of it.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+
+#include "reference/expander.hpp"
+#include "reference/gsk988ta/codes.hpp"
+#include "reference/gsk988ta/words.hpp"
+
+namespace gonogo::reference::gsk988ta {
+
+// What G94 retains (GSK-G94-06): the end point axis by axis, and R. True lengths in mm.
+struct RetainedG94 {
+  std::array<std::optional<AxisWord>, 3> end_point;  // by linear axis
+  Number taper;
+
+  bool empty() const { return !end_point[0] && !end_point[1] && !end_point[2] && taper == 0; }
+  void clear() { *this = {}; }
+};
+
+// What G110 and G111 retain (GSK-G110-02). True lengths in mm.
+struct PocketMode {
+  int code = 0;  // 110 or 111 while the mode is in force
+  Number initial_plane;
+  std::optional<Number> radius;  // I
+  std::optional<Number> step;    // L
+  std::optional<Number> infeed;  // Q
+  std::optional<Number> tool;    // D
+  // R and P under the reading gsk.pocket.R = modal.
+  std::optional<Number> retained_r;
+  std::optional<Number> retained_clearance;
+};
+
+struct Machine {
+  Position position;
+  Plane plane = Plane::g18;
+  Units units = Units::mm;
+  FeedMode feed_mode = FeedMode::per_minute;
+  Number feed;     // 0: none in force
+  int motion = 0;  // group 01: 0, 1, 2, 3, 94
+  RetainedG94 g94;
+  PocketMode pocket;
+};
+
+using AxisValue = std::pair<Axis, Number>;
+
+// One block in the hands of the file that carries its code.
+struct BlockContext {
+  Machine& machine;
+  const BlockWords& words;
+  const BlockCodes& codes;
+  const Profile& profile;
+  const ReadingsInUse& readings;
+  OpenPaths open_paths;
+  std::uint64_t line;
+  BlockOutput& out;
+  bool entered_cycle = false;  // the mode of G110 begins with this block
+  bool entered_g94 = false;    // G94 begins with this block
+  bool changed_pair = false;   // G110 to G111 or back
+
+  // A broken rule. `address` names the word; a missing word has its place past the line's end.
+  void alarm(AlarmClass alarm, ClauseId clause, char address, std::string message);
+  void missing(ClauseId clause, char address);
+  // GSK-COM-04: an alarm when no feed is in force.
+  void need_feed();
+
+  // Motions from where the machine stands; they move it.
+  void rapid(ClauseId clause, std::initializer_list<AxisValue> to);
+  void feed(ClauseId clause, std::initializer_list<AxisValue> to);
+  Record motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to);
+  void put(Record record) { out.items.emplace_back(std::move(record)); }
+};
+
+// GSK-COM-05, in basic_motion.cpp and arc.cpp.
+void run_dwell(BlockContext& block);
+void run_reference_point(BlockContext& block);
+void run_rename_position(BlockContext& block);
+void run_positioning(BlockContext& block);
+void run_straight_feed(BlockContext& block);
+void run_arc(BlockContext& block, int sense);
+// The axis words of the block as an end point; the axes that it names.
+AxisSet commanded_end_point(const BlockContext& block, Position& to);
+
+// The cycles, one file each.
+void run_g94(BlockContext& block);
+void run_g110(BlockContext& block);
+
+}  // namespace gonogo::reference::gsk988ta

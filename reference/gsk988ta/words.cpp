@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/gsk988ta/words.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "grammar/parser.hpp"
+
+namespace gonogo::reference::gsk988ta {
+namespace {
+
+constexpr std::string_view kSignedWords = "XYZUVWRP";
+constexpr std::string_view kUnsignedWords = "ILQDEJ";
+
+bool contains(std::string_view set, char address) {
+  return set.find(address) != std::string_view::npos;
+}
+
+std::string text_of(const grammar::Word& word) {
+  std::string text(1, word.address);
+  grammar::print(word.value, text);
+  return text;
+}
+
+// GSK-COM-06, the tables of the manual: 999999.999 mm or 99999.9999 inch in ISB, a tenth of that
+// with one decimal more in ISC.
+Number upper_end(const Profile& profile, Units units) {
+  const bool inch = units == Units::inch;
+  const bool fine = profile.increment == Increment::isc;
+  return Number::decimal(false, std::uint64_t{999'999'999}, (inch ? 4U : 3U) + (fine ? 1U : 0U));
+}
+
+}  // namespace
+
+Number to_number(const grammar::Decimal& value) {
+  if (value.long_digits.empty()) return Number::decimal(value.negative, value.magnitude, value.scale);
+  return Number::decimal(value.negative, std::string_view(value.long_digits), value.scale);
+}
+
+std::uint32_t decimals_of(const Profile& profile, Units units) {
+  return (units == Units::inch ? 4U : 3U) + (profile.increment == Increment::isc ? 1U : 0U);
+}
+
+const AxisAddresses& addresses_of(Axis axis) {
+  for (const AxisAddresses& entry : kAxisAddresses) {
+    if (entry.axis == axis) return entry;
+  }
+  return kAxisAddresses.front();
+}
+
+BlockWords::BlockWords(const grammar::Block& block, const Profile& profile, Units units, bool round)
+    : block_(block), profile_(profile), units_(units), round_(round) {
+  for (const grammar::Word& word : block.words) {
+    by_address_[static_cast<std::size_t>(word.address - 'A')] = &word;
+  }
+}
+
+Number BlockWords::written(char address) const { return to_number(word(address)->value); }
+
+std::optional<Number> BlockWords::length(char address) const {
+  const grammar::Word* found = word(address);
+  if (found == nullptr) return std::nullopt;
+  Number value = to_number(found->value);
+  if (round_ && found->value.scale > decimals_of(profile_, units_)) {
+    // GSK-COM-03, gsk.decimals = nearest: halves away from zero.
+    Number scale = 1;
+    for (std::uint32_t i = 0; i < decimals_of(profile_, units_); ++i) scale = scale * 10;
+    Number magnitude = (abs(value) * scale + Number(1) / 2).floor() / scale;
+    value = value.sign() < 0 ? -magnitude : magnitude;
+  }
+  if (units_ == Units::inch) value = value * Number::millionths(25'400'000);
+  return value;
+}
+
+std::optional<AxisWord> BlockWords::axis_word(Axis axis, bool diameter) const {
+  const AxisAddresses& addresses = addresses_of(axis);
+  const bool incremental = !has(addresses.absolute);
+  const char address = incremental ? addresses.increment : addresses.absolute;
+  if (!has(address)) return std::nullopt;
+  if (!is_linear(axis)) return AxisWord{incremental, written(address)};
+  Number value = length(address).value();
+  if (axis == Axis::x && profile_.x_diameter && diameter) value = value / 2;
+  return AxisWord{incremental, value};
+}
+
+bool BlockWords::has_axis_word(Axis axis) const {
+  const AxisAddresses& addresses = addresses_of(axis);
+  return has(addresses.absolute) || has(addresses.increment);
+}
+
+bool BlockWords::has_any_axis_word() const {
+  for (const AxisAddresses& addresses : kAxisAddresses) {
+    if (has(addresses.absolute) || has(addresses.increment)) return true;
+  }
+  return false;
+}
+
+void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_axes,
+                 std::vector<Alarm>& alarms) {
+  if (!last_wins) {
+    std::uint32_t seen = 0;
+    for (const grammar::Word& word : words.block().words) {
+      if (word.address == 'G') continue;  // several G codes of different groups may stand together
+      std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
+      if ((seen & bit) != 0) {
+        alarms.push_back({AlarmClass::duplicate_word, "GSK-COM-07"_clause, word.address, word.where,
+                          fmt::format("The address {} stands twice in the block.", word.address)});
+      }
+      seen |= bit;
+    }
+  }
+  if (!axis_words_are_axes) return;
+  for (const AxisAddresses& addresses : kAxisAddresses) {
+    if (!words.has(addresses.absolute) || !words.has(addresses.increment)) continue;
+    const grammar::Word& increment = *words.word(addresses.increment);
+    const grammar::Word& absolute = *words.word(addresses.absolute);
+    const grammar::Word& later =
+        increment.where.begin > absolute.where.begin ? increment : absolute;
+    alarms.push_back({AlarmClass::conflicting_words, "GSK-COM-01"_clause, later.address,
+                      later.where,
+                      fmt::format("{} and {} command the same axis.", addresses.absolute,
+                                  addresses.increment)});
+  }
+}
+
+void check_decimals(const BlockWords& words, const Profile& profile, Units units,
+                    std::vector<Alarm>& alarms) {
+  for (const grammar::Word& word : words.block().words) {
+    if (!contains(kSignedWords, word.address) && !contains("ILQDEJKCH", word.address)) continue;
+    if (word.value.scale <= decimals_of(profile, units)) continue;
+    alarms.push_back({AlarmClass::value_out_of_range, "GSK-COM-03"_clause, word.address, word.where,
+                      fmt::format("{} has more decimals than the least increment.", text_of(word))});
+  }
+}
+
+void check_ranges(const BlockWords& words, const Profile& profile, Units units,
+                  std::vector<Alarm>& alarms) {
+  const Number upper = upper_end(profile, units);
+  for (const grammar::Word& word : words.block().words) {
+    const bool takes_sign = contains(kSignedWords, word.address);
+    if (!takes_sign && !contains(kUnsignedWords, word.address)) continue;
+    const bool bad_sign = !takes_sign && word.value.negative;
+    if (!bad_sign && abs(to_number(word.value)) <= upper) continue;
+    alarms.push_back(
+        {AlarmClass::value_out_of_range, "GSK-COM-06"_clause, word.address, word.where,
+         bad_sign ? fmt::format("{} has a sign, but the word takes none.", text_of(word))
+                  : fmt::format("{} lies beyond {}.", text_of(word), upper.text())});
+  }
+}
+
+void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms) {
+  const grammar::Word* word = words.word('F');
+  if (word == nullptr || to_number(word->value).sign() >= 0) return;
+  alarms.push_back({AlarmClass::value_sign, "GSK-COM-08"_clause, 'F', word->where,
+                    fmt::format("The feed {} is negative.", text_of(*word))});
+}
+
+void check_code_groups(const BlockWords& words, const BlockCodes& codes,
+                       std::vector<Alarm>& alarms) {
+  if (codes.motion < 0 || codes.cycle < 110) return;
+  const grammar::Word* word = words.word('G');
+  alarms.push_back({AlarmClass::conflicting_words, "GSK-MOD-09"_clause, 'G', word->where,
+                    fmt::format("G{:02} and G{} exclude each other in a block.", codes.motion,
+                                codes.cycle)});
+}
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words of one block: by address, exact, in true lengths.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "grammar/ast.hpp"
+#include "reference/axis.hpp"
+#include "reference/gsk988ta/codes.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::reference::gsk988ta {
+
+// An axis word, mm as a true length or degrees.
+struct AxisWord {
+  bool incremental = false;
+  Number value;
+};
+
+// X and U, Y and V, Z and W, C and H.
+struct AxisAddresses {
+  Axis axis;
+  char absolute;
+  char increment;
+};
+inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {{{Axis::x, 'X', 'U'},
+                                                                 {Axis::y, 'Y', 'V'},
+                                                                 {Axis::z, 'Z', 'W'},
+                                                                 {Axis::c, 'C', 'H'}}};
+const AxisAddresses& addresses_of(Axis axis);
+
+class BlockWords {
+ public:
+  // Takes the words of a block; `units` and `profile` say how lengths are written.
+  // `round` is the reading gsk.decimals = nearest.
+  BlockWords(const grammar::Block& block, const Profile& profile, Units units, bool round);
+
+  bool any() const { return !block_.words.empty(); }
+  bool has(char address) const { return word(address) != nullptr; }
+  const grammar::Word* word(char address) const {
+    return by_address_[static_cast<std::size_t>(address - 'A')];
+  }
+  // The number as written. REQUIRES: has(address).
+  Number written(char address) const;
+  // As a length in mm. X and U are diameters here only through axis_word().
+  std::optional<Number> length(char address) const;
+  // The axis word, absolute or incremental; X and U halved when they are diameters.
+  std::optional<AxisWord> axis_word(Axis axis, bool diameter = true) const;
+  bool has_axis_word(Axis axis) const;
+  bool has_any_axis_word() const;
+  const grammar::Block& block() const { return block_; }
+
+ private:
+  const grammar::Block& block_;
+  const Profile& profile_;
+  Units units_;
+  bool round_;
+  std::array<const grammar::Word*, 26> by_address_{};
+};
+
+// Rules that hold for the words of any block; what they break is appended.
+// GSK-COM-01, GSK-COM-07: an address twice (unless the last one wins), X with U.
+void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_axes,
+                 std::vector<Alarm>& alarms);
+// GSK-COM-03 under gsk.decimals = alarm.
+void check_decimals(const BlockWords& words, const Profile& profile, Units units,
+                    std::vector<Alarm>& alarms);
+// GSK-COM-06: the ranges of the words in blocks of the cycles.
+void check_ranges(const BlockWords& words, const Profile& profile, Units units,
+                  std::vector<Alarm>& alarms);
+// GSK-COM-08: a negative F.
+void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms);
+// GSK-MOD-09: codes of group 01 with codes of the milling cycles.
+void check_code_groups(const BlockWords& words, const BlockCodes& codes,
+                       std::vector<Alarm>& alarms);
+
+// Decimals that a length may have: 3 or 4 in mm, 4 or 5 in inch (ISB, ISC).
+std::uint32_t decimals_of(const Profile& profile, Units units);
+
+Number to_number(const grammar::Decimal& value);
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/profile.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference {
+
+Number Profile::resolution() const {
+  if (given_resolution) return *given_resolution;
+  return increment == Increment::isc ? Number::millionths(100) : Number::millionths(1000);
+}
+
+std::optional<Number> Profile::parameter(std::string_view name) const {
+  auto found = parameters.find(std::string(name));
+  if (found == parameters.end()) return std::nullopt;
+  return found->second;
+}
+
+ProfileResult default_profile(std::string_view dialect) {
+  if (dialect != "gsk988ta") {
+    return ProfileError{"dialect", fmt::format("There is no dialect \"{}\". Write one of: gsk988ta.",
+                                               dialect)};
+  }
+  return Profile{};
+}
+
+std::optional<ProfileError> set_reading(Profile& profile, std::string_view name,
+                                        std::string_view value) {
+  const Reading* found = find_reading(name);
+  std::string key = fmt::format("readings.{}", name);
+  if (found == nullptr || found->dialect != profile.dialect) {
+    return ProfileError{key, fmt::format("There is no reading \"{}\" in dialect {}. `gonogo spec "
+                                         "--dialect {}` lists them.",
+                                         name, profile.dialect, profile.dialect)};
+  }
+  if (!admits(*found, value)) {
+    std::string choices = found->is_length ? std::string("a length in mm") : std::string("any");
+    if (!found->is_length) {
+      for (std::string_view alternative : found->alternatives) {
+        choices += fmt::format(", {}", alternative);
+      }
+    }
+    return ProfileError{key, fmt::format("The reading {} cannot be \"{}\". Write one of: {}.", name,
+                                         value, choices)};
+  }
+  profile.readings.set(found->key, value);
+  return std::nullopt;
+}
+
+}  // namespace gonogo::reference

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Readings: named choices where a manual is open or contradicts itself.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/clause.hpp"
+#include "reference/exact/number.hpp"
+
+namespace gonogo::reference {
+
+// Every reading, in the order of the table in reading.cpp.
+enum class ReadingKey : std::uint8_t {
+  g94_rewrite,
+  g94_after_00,
+  g94_empty_block,
+  pocket_path,
+  pocket_end,
+  pocket_p_omitted,
+  pocket_pair,
+  pocket_r,
+  missing_axis,
+  zero_depth,
+  x_depth,
+  decimals,
+  duplicate,
+};
+inline constexpr std::size_t kReadings = 13;
+constexpr std::size_t index(ReadingKey key) { return static_cast<std::size_t>(key); }
+
+struct Reading {
+  ReadingKey key;
+  std::string_view name;                      // "gsk.pocket.end"
+  std::string_view dialect;                   // "gsk988ta"
+  std::vector<std::string_view> alternatives; // without "any"; the default or the one shown first
+  std::string_view fallback;                  // the default: an alternative or "any"
+  bool by_properties = false;                 // "any" is judged by what the path does, not by paths
+  bool is_length = false;                     // any decimal (mm) is an alternative
+  ClauseId clause = kNoClause;
+  std::string_view text;                      // what the choice is about
+};
+
+std::span<const Reading> readings();
+const Reading& reading(ReadingKey key);
+const Reading* find_reading(std::string_view name);
+// Whether `value` is one of the reading's alternatives or "any".
+bool admits(const Reading& reading, std::string_view value);
+
+// The value of each reading, "any" among them; what a profile says.
+class ReadingChoice {
+ public:
+  ReadingChoice();  // the defaults
+  const std::string& get(ReadingKey key) const { return values_[index(key)]; }
+  void set(ReadingKey key, std::string_view value) { values_[index(key)] = value; }
+  bool is(ReadingKey key, std::string_view value) const { return get(key) == value; }
+  friend bool operator==(const ReadingChoice&, const ReadingChoice&) = default;
+
+ private:
+  std::array<std::string, kReadings> values_;
+};
+
+// The readings as one run of the reference sees them; remembers which of them mattered.
+class ReadingsInUse {
+ public:
+  explicit ReadingsInUse(const ReadingChoice& choice);
+  // Whether the alternative holds. An open "any" that is not judged by properties counts as the
+  // alternative that `expand` shows.
+  bool is(ReadingKey key, std::string_view alternative) const;
+  exact::Number length(ReadingKey key) const;
+  bool touched(ReadingKey key) const { return touched_[index(key)]; }
+  std::vector<ReadingKey> touched() const;
+
+ private:
+  const ReadingChoice& choice_;
+  mutable std::array<bool, kReadings> touched_{};
+  std::array<std::string_view, kReadings> effective_;
+};
+
+}  // namespace gonogo::reference

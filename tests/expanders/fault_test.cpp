@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every planted fault shows on the program below that is meant for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "expanders/registry.hpp"
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+struct Exhibit {
+  const char* fault;
+  const char* program;
+};
+
+void PrintTo(const Exhibit& exhibit, std::ostream* out) {
+  *out << exhibit.fault;
+}
+
+constexpr const char* kTaper = "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\n";
+constexpr const char* kPocket = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\n";
+constexpr const char* kPocketTwice = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\nX0 Z0 Y-20 R-5\n";
+constexpr const char* kTenths = "G110 X0 Z0 Y-6.3 I9 L3 Q0.7 D4 F8\n";
+constexpr const char* kUneven = "G110 X50 Z50 Y-18 I9 L3 Q5 P1 D2 F800\n";
+
+const Exhibit kExhibits[] = {
+    {"taper-sign", kTaper},
+    {"taper-diameter", kTaper},
+    {"taper-leaks-past-motion", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nG0 X122\nG94 X100 Z-9\n"},
+    {"taper-leaks-past-nonmodal", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nG28 Y0\nX100\n"},
+    {"taper-lost", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nX96\n"},
+    {"end-point-lost", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nX96\n"},
+    {"approach-takes-end", kTaper},
+    {"ends-at-b", kTaper},
+    {"rapid-retract", kTaper},
+    {"feed-return", kTaper},
+    {"taper-unchecked", "G94 X-8 Z-3 R3.001 F9\n"},
+    {"taper-equality-refused", "G94 X-8 Z-3 R3 F9\n"},
+    {"taper-zero-travel-refused", "G94 X-8 R3 F9\n"},
+    {"dwell-clears-taper", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nG04 P5\nX96\n"},
+    {"off-plane-unchecked", "G94 X-8 Z-3 Y1 F9\n"},
+    {"g80-keeps-g94", "G94 X-8 Z-3 F9\nG80\nX5\n"},
+    {"tool-equality-accepted", "G110 X0 Z0 Y-2 I4 L3 Q5 D4 F8\n"},
+    {"step-equality-accepted", "G110 X0 Z0 Y-2 I9 L8 Q5 D4 F8\n"},
+    {"last-layer-dropped", kUneven},
+    {"last-layer-overshoots", kUneven},
+    // Nine times 0.7 summed in binary32 stays below 6.3; ten times 0.3 below 3.
+    {"extra-layer", kTenths},
+    {"endless-layers", kPocket},
+    {"clearance-twice", kPocket},
+    {"clearance-unclamped", "G110 X0 Z0 Y-9 I9 L3 Q5 P6 D4 F8\n"},
+    {"clearance-signed", "G110 X0 Z0 Y-9 I9 L3 Q5 P-1 D4 F8\n"},
+    {"r-plane-ignored", kPocket},
+    {"depth-from-initial-plane", "G110 X0 Z0 V-9 R-5 I9 L3 Q5 D4 F8\n"},
+    {"step-down-forgotten", kPocketTwice},
+    {"missing-step-down-accepted", "G110 X0 Z0 Y-9 I9 L3 D4 F8\n"},
+    {"closing-circle-missing", kUneven},
+    {"gouge", kPocket},
+    {"island", kPocket},
+    {"sense-in-g18", kPocket},
+    {"g111-as-g110", "G111 X0 Z0 Y-2 I9 L3 Q5 D4 F8\n"},
+    {"pocket-leaks-past-motion", "G110 X0 Z0 Y-2 I9 L3 Q5 D4 F8\nG00 X9 Y9 Z9\n"},
+    {"initial-plane-drifts", kPocketTwice},
+    {"direction-unchecked", "G110 X0 Z0 Y-9 R1 I9 L3 Q5 D4 F8\n"},
+    {"rounded-centre", "G110 X0 Z0.004 Y-9 I9 L3 Q5 D4 F8\n"},
+    {"ends-at-r-plane", kPocket},
+    {"no-retract", kPocket},
+    {"late-alarm", "G110 X1 Z0 Y-9 I3 L3 Q5 D4 F8\n"},
+    {"alarm-next-block", "G999\n"},
+    {"range-in-millimetres", "G20 G94 Z-100000 F9\n"},
+    {"cycle-feed-stuck", "G94 X-8 Z-3 F9\nX-9 F8\n"},
+    {"inch-feed", "G20 G1 X1 F9\n"},
+    {"increment-as-radius", "G0 U9\n"},
+    {"dwell-halved", "G04 X1\n"},
+    {"blank-lines-not-counted", "\nG0 X1\n"},
+    {"pairs-counted-twice", "G0 X1\r\nX2\r\n"},
+    {"long-arc-short", "G2 X10 Z10 R-9 F9\n"},
+    {"centre-swapped-in-g18", "G2 X10 Z5 K5 F9\n"},
+    {"home-direct", "G28 X9\n"},
+    {"feed-survives-reset", "G1 X1 F9\n"},
+};
+
+class PlantedFault : public ::testing::TestWithParam<Exhibit> {};
+
+TEST_P(PlantedFault, Shows) {
+  const Exhibit& exhibit = GetParam();
+  Session sound;
+  Session faulty("{}", exhibit.fault);
+  std::string want = sound.run(exhibit.program).all();
+  std::string got = faulty.run(exhibit.program, 10'000).all();
+  // Once more after a reset, without a feed of its own.
+  sound.reset();
+  faulty.reset();
+  want += sound.run("G1 Y1\n").all();
+  got += faulty.run("G1 Y1\n").all();
+  EXPECT_NE(got, want);
+}
+
+std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
+  std::string name = exhibit.param.fault;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Gsk, PlantedFault, ::testing::ValuesIn(kExhibits), test_name);
+
+TEST(PlantedFaults, EachHasItsProgram) {
+  std::set<std::string_view> shown;
+  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  std::set<std::string_view> known;
+  for (const FaultDescription& fault : faults("gsk")) {
+    known.insert(fault.name);
+    EXPECT_FALSE(fault.what.empty() || fault.clause.empty() || fault.models.empty());
+  }
+  EXPECT_EQ(shown, known);
+  EXPECT_EQ(known.size(), faults("gsk").size());
+}
+
+// The names stand beside an enumeration: a wrong order would give a name to another's defect.
+TEST(PlantedFaults, NamesBelongToTheirDefects) {
+  EXPECT_EQ(run("\nG0 X2\n", "{}", "blank-lines-not-counted").blocks[0], 1u);
+  EXPECT_EQ(run("\r\nG0 X2\n", "{}", "pairs-counted-twice").blocks[0], 3u);
+  EXPECT_EQ(run("G28 Z9\n", "{}", "home-direct").motions(), "");
+  EXPECT_EQ(run(kTaper, "{}", "taper-sign").records[1], "rapid z=-20");
+  EXPECT_EQ(run(kTaper, "{}", "feed-return").records[4], "feed x=60 f=300");
+  EXPECT_EQ(run("G94 X-8 Z-3 Y1 F9\n", "{}", "off-plane-unchecked").answer, GONOGO_OK);
+  EXPECT_EQ(run("G94 X-8 Z-3 F9\nG80 X4\n", "{}", "g80-keeps-g94").records.size(), 9u);
+  EXPECT_EQ(run("G111 X0 Z0 Y-2 I5 L3 Q5 D4 F8\n", "{}", "g111-as-g110").records[2],
+            "arc18 c=0,0 rot=-1 x=0 z=1 f=8");
+  EXPECT_EQ(run(kPocket, "{}", "clearance-twice").records[13], "rapid y=-8");
+  // One layer more: 6 records (re-entry, plunge, ...) and a plunge of hardly any depth.
+  EXPECT_GT(run(kTenths, "{}", "extra-layer").records.size(), run(kTenths).records.size());
+  EXPECT_EQ(run("G999\n", "{}", "alarm-next-block").alarm_block, 2u);
+  EXPECT_EQ(Session("{}", "endless-layers").run(kPocket, 9'000).answer, GONOGO_STOPPED);
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lines that are well formed, and their trees.
+#include "tests/grammar/trees.hpp"
+
+namespace gonogo::grammar {
+namespace {
+
+TEST(Block, WordsStandInTheOrderWritten) {
+  EXPECT_EQ(parsed("G01 X12.345 Z-6.789 F200"),
+            block_of({word('G', 1), word('X', 12345, 3), word('Z', -6789, 3), word('F', 200)}));
+}
+
+TEST(Block, WordsMayRunTogether) {
+  EXPECT_EQ(parsed("G90X1Z-2"), block_of({word('G', 90), word('X', 1), word('Z', -2)}));
+}
+
+TEST(Block, BlanksMayStandBetweenAddressAndNumberAndAround) {
+  EXPECT_EQ(parsed(" \tX 50 Z\t-1.5  "), block_of({word('X', 50), word('Z', -15, 1)}));
+}
+
+TEST(Block, OneAddressMayStandTwice) {  // whether that is an alarm is not a matter of grammar
+  EXPECT_EQ(parsed("G18 G0 X1 X2"),
+            block_of({word('G', 18), word('G', 0), word('X', 1), word('X', 2)}));
+}
+
+TEST(Block, EveryCapitalButNAndOIsAnAddress) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (letter == 'N' || letter == 'O') continue;
+    EXPECT_EQ(parsed(std::string{letter} + "7"), block_of({word(letter, 7)}));
+  }
+}
+
+TEST(Block, SpansAreBytesOfTheWord) {
+  const Block block = parsed(" G1 X -2.5(c)");
+  ASSERT_EQ(block.words.size(), 2U);
+  EXPECT_EQ(block.words[0].where, (Span{1, 3}));
+  EXPECT_EQ(block.words[1].where, (Span{4, 10}));
+  ASSERT_EQ(block.comments.size(), 1U);
+  EXPECT_EQ(block.comments[0].where, (Span{10, 13}));
+}
+
+TEST(Block, NIsTheSequenceNumberAndNoWord) {
+  Block want = block_of({word('G', 0)});
+  want.sequence_number = decimal(10);
+  EXPECT_EQ(parsed("N00010 G00"), want);
+  EXPECT_EQ(parsed("N 10G0"), want);
+}
+
+TEST(Block, OIsTheProgramNumberAndMayCarryAComment) {
+  Block want;
+  want.program_number = decimal(1234);
+  want.comments = {comment("O1234")};
+  EXPECT_EQ(parsed("O1234(O1234)"), want);
+}
+
+TEST(Block, ASlashAtTheHeadAsksForSkipping) {
+  Block want = block_of({word('X', 1)});
+  want.skip = true;
+  EXPECT_EQ(parsed("/X1"), want);
+  want.sequence_number = decimal(5);
+  EXPECT_EQ(parsed(" / N5 X1"), want);
+}
+
+TEST(Block, APercentSignAloneIsATapeMark) {
+  Block want;
+  want.tape_mark = true;
+  EXPECT_EQ(parsed("%"), want);
+  EXPECT_EQ(parsed("\t% "), want);
+}
+
+TEST(Block, NothingAndBlanksAreBlocksWithoutWords) {
+  EXPECT_EQ(parsed(""), Block{});
+  EXPECT_EQ(parsed(std::string_view{}), Block{});
+  EXPECT_EQ(parsed(" \t "), Block{});
+  EXPECT_EQ(parsed(";"), Block{});
+}
+
+TEST(Block, AnEarlierBlockLeavesNothingBehind) {
+  Block block;
+  for (const char* line : {"/N1 G1 X1 (a) ;b", "O5 X#1", "%", ""}) {
+    EXPECT_FALSE(parse_block(Dialect::gsk988ta, line, block)) << line;
+  }
+  EXPECT_EQ(block, Block{});
+  EXPECT_TRUE(parse_block(Dialect::gsk988ta, "/N1 G1 (a) X", block));
+  EXPECT_FALSE(parse_block(Dialect::gsk988ta, "X1", block));
+  EXPECT_EQ(block, block_of({word('X', 1)}));
+}
+
+TEST(Number, SignPointAndZerosAsWritten) {
+  EXPECT_EQ(parsed("X+5").words[0].value, decimal(5));
+  EXPECT_EQ(parsed("X5.").words[0].value, decimal(5));
+  EXPECT_EQ(parsed("X.5").words[0].value, decimal(5, 1));
+  EXPECT_EQ(parsed("X+.50").words[0].value, decimal(50, 2));
+  EXPECT_EQ(parsed("X-.5").words[0].value, decimal(-5, 1));
+  EXPECT_EQ(parsed("X-005.0").words[0].value, decimal(-50, 1));
+  EXPECT_EQ(parsed("X0.005").words[0].value, decimal(5, 3));
+  EXPECT_EQ(parsed("X0.000").words[0].value, decimal(0, 3));
+}
+
+TEST(Number, MinusZeroKeepsItsSign) {
+  EXPECT_EQ(parsed("X-0").words[0].value, (Decimal{true, 0, 0, {}}));
+}
+
+TEST(Number, EighteenDigitsAreAMagnitudeAndNineteenAreText) {
+  EXPECT_EQ(parsed("X999999999999.999999").words[0].value, decimal(999999999999999999, 6));
+  EXPECT_EQ(parsed("X-1000000000000000000").words[0].value,
+            (Decimal{true, 0, 0, "1000000000000000000"}));
+  EXPECT_EQ(parsed("X1.000000000000000000").words[0].value,
+            (Decimal{false, 18, 0, "1000000000000000000"}));
+}
+
+TEST(Number, LeadingZerosDoNotCountAsDigits) {
+  EXPECT_EQ(parsed("X0000000000000000000000012.5").words[0].value, decimal(125, 1));
+  EXPECT_EQ(parsed("X.0000000000000000000001").words[0].value, decimal(1, 22));
+  EXPECT_EQ(parsed("N000000000000000000000007").sequence_number, decimal(7));
+  EXPECT_EQ(parsed("X0000000000000000000000").words[0].value, decimal(0));
+}
+
+TEST(Comment, StandsAnywhereBetweenWords) {
+  Block want = block_of({word('G', 1), word('X', 2)});
+  want.comments = {comment("a"), comment(""), comment("b c")};
+  EXPECT_EQ(parsed("(a)G1()X2 (b c)"), want);
+}
+
+TEST(Comment, EndsAtTheFirstClosingParenthesis) {
+  EXPECT_EQ(parsed("(a (b)").comments[0].text, "a (b");
+  EXPECT_EQ(fault("(a (b) c)").where.begin, 7U);  // the lower case c
+}
+
+TEST(Comment, HoldsTextOfAnyEncoding) {
+  const std::string utf8 = "\xE8\xBD\xAE\xE5\xBB\x93";  // 轮廓
+  const std::string gbk = "\xC2\xD6\xC0\xAA\x81\x40";   // the same, and a trail byte of 0x40
+  const std::string latin1 =
+      "Z\xFC"
+      "ge";
+  for (const std::string& text : {utf8, gbk, latin1}) {
+    EXPECT_EQ(parsed("X1(" + text + ")").comments[0].text, text);
+    EXPECT_EQ(parsed("X1;" + text).comments[0].text, text);
+  }
+}
+
+TEST(Comment, AfterASemicolonTheRestOfTheLineIsAComment) {
+  Block want = block_of({word('G', 0)});
+  EXPECT_EQ(parsed("G0;"), want);
+  want.comments = {line_comment(" (open; \xFF x")};
+  EXPECT_EQ(parsed("G0; (open; \xFF x"), want);
+}
+
+struct OutsideCase {
+  const char* line;
+  const char* name;
+  std::size_t words;
+  Span where;
+};
+
+TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
+  const OutsideCase cases[] = {
+      {"#100=5", "variable", 0, {0, 6}},
+      {"N1 #100=[#1+2]*3 ", "variable", 0, {3, 16}},
+      {"(depth) #100=5", "variable", 0, {8, 14}},
+      {"G1 X#100 Y5", "variable", 1, {3, 11}},
+      {"G1 X -#100", "variable", 1, {3, 10}},
+      {"G1 F[25.4/2] X1", "expression", 1, {3, 15}},
+      {"G1 X-[[1]+[2]];tail", "expression", 1, {3, 14}},
+      {"IF[#1EQ2]GOTO20", "control-statement", 0, {0, 15}},
+      {"N5 WHILE [#1 LT 5] DO1", "control-statement", 0, {3, 22}},
+      {"END1", "control-statement", 0, {0, 4}},
+      {"M99 GOTO 5", "control-statement", 1, {4, 10}},
+      {"M98 P[T123]", "file-name", 1, {4, 11}},
+      {"M98 P[TAN[1]]", "expression", 1, {4, 13}},
+      {"M98 P[#100]", "expression", 1, {4, 11}},
+  };
+  for (const OutsideCase& expected : cases) {
+    const Block block = parsed(expected.line);
+    ASSERT_TRUE(block.outside) << expected.line;
+    EXPECT_EQ(block.outside->name, expected.name) << expected.line;
+    EXPECT_EQ(block.outside->where, expected.where) << expected.line;
+    EXPECT_EQ(block.words.size(), expected.words) << expected.line;
+  }
+}
+
+TEST(Outside, CommentsWithinAreKept) {
+  const Block block = parsed("X[1+(])2] (b);c");
+  ASSERT_EQ(block.comments.size(), 3U);
+  EXPECT_EQ(block.comments[0], comment("]"));
+  EXPECT_EQ(block.comments[1], comment("b"));
+  EXPECT_EQ(block.comments[2], line_comment("c"));
+}
+
+}  // namespace
+}  // namespace gonogo::grammar

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The independent look: angles and square roots as they come, nothing shared with the judge.
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "tests/oracle/region/paths.hpp"
+
+namespace gonogo::oracle::region {
+namespace {
+
+double approximate(const Number& value) {
+  return std::stod(value.decimal_text(15));
+}
+
+// In doubles, relative to the pocket's centre.
+struct PlainArc {
+  double cx, cy;
+  double start, turn;  // radians, turn signed
+  double r0, r1;
+
+  double distance(double x, double y) const {
+    const double d = std::hypot(x - cx, y - cy);
+    const double angle = std::atan2(y - cy, x - cx);
+    const double sign = turn < 0 ? -1 : 1;
+    double ahead = std::fmod((angle - start) * sign, 2 * std::numbers::pi);
+    if (ahead < 0) ahead += 2 * std::numbers::pi;
+    double best = std::min(to_end(x, y, 0), to_end(x, y, 1));
+    // For nearly circular arcs the nearest point lies along the ray.
+    for (; ahead <= std::fabs(turn); ahead += 2 * std::numbers::pi) {
+      best = std::min(best, std::fabs(d - (r0 + (r1 - r0) * ahead / std::fabs(turn))));
+    }
+    return best;
+  }
+  double to_end(double x, double y, double part) const {
+    const double r = r0 + (r1 - r0) * part;
+    const double angle = start + turn * part;
+    return std::hypot(x - cx - r * std::cos(angle), y - cy - r * std::sin(angle));
+  }
+};
+
+PlainArc plain(const LevelMotion& motion, const PlanePoint& middle) {
+  const double cx = approximate(motion.centre.p - middle.p);
+  const double cy = approximate(motion.centre.q - middle.q);
+  const double ax = approximate(motion.from.p - motion.centre.p);
+  const double ay = approximate(motion.from.q - motion.centre.q);
+  const double bx = approximate(motion.to.p - motion.centre.p);
+  const double by = approximate(motion.to.q - motion.centre.q);
+  const double start = std::atan2(ay, ax);
+  double turn = std::atan2(by, bx) - start;
+  const double whole = motion.rot < 0 ? -2 * std::numbers::pi : 2 * std::numbers::pi;
+  // Into (0, 360] degrees of the sense; ends closer than 0.002 are a whole turn.
+  while (turn * whole <= 0) turn += whole;
+  while (std::fabs(turn) > 2 * std::numbers::pi + 1e-12) turn -= whole;
+  if (std::hypot(ax - bx, ay - by) < 0.002 && std::fabs(turn) < 1) turn += whole;
+  turn += whole * (std::abs(motion.rot) - 1);
+  return {cx, cy, start, turn, std::hypot(ax, ay), std::hypot(bx, by)};
+}
+
+struct PlainPath {
+  double px, py;
+  std::vector<PlainArc> arcs;
+
+  explicit PlainPath(const Job& job)
+      : px(approximate(job.level.plunge.p - job.level.centre.p)),
+        py(approximate(job.level.plunge.q - job.level.centre.q)) {
+    for (const LevelMotion& motion : job.motions) {
+      if (motion.is_arc) arcs.push_back(plain(motion, job.level.centre));
+    }
+  }
+  double distance(double x, double y) const {
+    double best = std::hypot(x - px, y - py);
+    for (const PlainArc& arc : arcs) best = std::min(best, arc.distance(x, y));
+    return best;
+  }
+};
+
+Number exact_norm(const Number& p, const Number& q) {
+  return exact::sqrt(p * p + q * q);
+}
+
+// Whether the direction lies in the sweep, by quadrants and slopes counted from the start.
+bool swept(const LevelMotion& motion, const Number& p, const Number& q) {
+  if (motion.from == motion.to || std::abs(motion.rot) > 1) return true;
+  const Number ap = motion.from.p - motion.centre.p;
+  const Number aq = motion.from.q - motion.centre.q;
+  const Number side = motion.rot > 0 ? 1 : -1;
+  // Coordinates along the start direction and to the side that the arc turns to.
+  const auto turned = [&](const Number& vp, const Number& vq) {
+    return PlanePoint{ap * vp + aq * vq, side * (ap * vq - aq * vp)};
+  };
+  const PlanePoint v = turned(p, q);
+  const PlanePoint b = turned(motion.to.p - motion.centre.p, motion.to.q - motion.centre.q);
+  const auto lower = [](const PlanePoint& u) {
+    return u.q.sign() < 0 || (u.q.sign() == 0 && u.p.sign() < 0);
+  };
+  if (lower(v) != lower(b)) return lower(b);
+  return (v.p * b.q - v.q * b.p).sign() >= 0;
+}
+
+Number exact_distance(const LevelMotion& motion, const PlanePoint& point) {
+  const Number p = point.p - motion.centre.p;
+  const Number q = point.q - motion.centre.q;
+  if (swept(motion, p, q)) {
+    return exact::abs(exact_norm(p, q) -
+                      exact_norm(motion.from.p - motion.centre.p, motion.from.q - motion.centre.q));
+  }
+  const Number to_from = exact_norm(point.p - motion.from.p, point.q - motion.from.q);
+  const Number to_to = exact_norm(point.p - motion.to.p, point.q - motion.to.q);
+  return min(to_from, to_to);
+}
+
+bool is_round(const LevelMotion& motion) {
+  const auto radius2 = [&motion](const PlanePoint& end) {
+    const Number p = end.p - motion.centre.p;
+    const Number q = end.q - motion.centre.q;
+    return p * p + q * q;
+  };
+  return radius2(motion.from) == radius2(motion.to);
+}
+
+std::string flaw_of_hole(const Job& job, const Finding& finding) {
+  const CircularLevel& level = job.level;
+  const bool cover = finding.rule == Rule::cover;
+  const Number radius = cover ? level.pocket_radius : level.pocket_radius - level.tool_radius;
+  const Number reach = (cover ? level.tool_radius : level.step / Number(2)) + level.tolerance;
+  const PlanePoint& w = finding.witness;
+  if (exact_norm(w.p - level.centre.p, w.q - level.centre.q) > radius) return "not in the disc";
+  Number least = exact_norm(w.p - level.plunge.p, w.q - level.plunge.q) - reach;
+  bool spirals = false;
+  for (const LevelMotion& motion : job.motions) {
+    if (!motion.is_arc) continue;
+    spirals = spirals || !is_round(motion);
+    if (is_round(motion)) least = min(least, exact_distance(motion, w) - reach);
+  }
+  if (least.sign() <= 0) return "within reach of an arc by " + least.text();
+  const double rough = PlainPath(job).distance(approximate(w.p - level.centre.p),
+                                               approximate(w.q - level.centre.q)) -
+                       approximate(reach);
+  const double said = approximate(finding.deviation);
+  if (rough < said - 1e-9 || said <= 0) return fmt::format("deviation {} not {}", said, rough);
+  if (!spirals && exact::abs(least - finding.deviation) > mm("1e-20")) return "deviation differs";
+  return {};
+}
+
+}  // namespace
+
+std::string flaw_of_finding(const Job& job, const Finding& finding) {
+  const CircularLevel& level = job.level;
+  const PlanePoint& w = finding.witness;
+  if (finding.rule == Rule::cover || finding.rule == Rule::step) return flaw_of_hole(job, finding);
+  const LevelMotion& motion = job.motions.at(finding.record.value());
+  if (finding.rule == Rule::sense) {
+    return motion.is_arc && (motion.rot > 0) != (level.sense > 0) ? "" : "turns as it should";
+  }
+  const double x = approximate(w.p - level.centre.p);
+  const double y = approximate(w.q - level.centre.q);
+  const double limit = approximate(level.pocket_radius - level.tool_radius + level.tolerance);
+  const double beyond = std::hypot(x, y) - limit;
+  if (beyond < approximate(finding.deviation) - 1e-9) return "not so far outside";
+  if (!(finding.deviation.sign() > 0)) return "deviation is not positive";
+  if (motion.is_arc && plain(motion, level.centre).distance(x, y) > 1e-8) return "not on the arc";
+  return {};
+}
+
+std::string flaw_of_go(const Job& job) {
+  const PlainPath path(job);
+  const CircularLevel& level = job.level;
+  const double tau = approximate(level.tolerance);
+  const double pocket = approximate(level.pocket_radius);
+  const double border = approximate(level.pocket_radius - level.tool_radius);
+  const double step = approximate(level.step) / 2 + tau;
+  std::mt19937_64 random(20261121);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int k = 0; k < 20'000; ++k) {
+    const double angle = 2 * std::numbers::pi * part(random);
+    const double along = k % 4 == 0 ? 1.0 : std::sqrt(part(random));
+    const double x = along * std::cos(angle);
+    const double y = along * std::sin(angle);
+    const double cover = path.distance(pocket * x, pocket * y);
+    if (cover > approximate(level.tool_radius) + tau + 1e-6) {
+      return fmt::format("cover: {} at {}, {}", cover, pocket * x, pocket * y);
+    }
+    const double stepped = path.distance(border * x, border * y);
+    if (stepped > step + 1e-6) {
+      return fmt::format("step: {} at {}, {}", stepped, border * x, border * y);
+    }
+  }
+  return {};
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every test of a subject needs.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "oracle/subject.hpp"
+
+namespace gonogo::oracle {
+
+using Kind = RunEnd::Kind;
+
+inline reference::Profile gsk_profile() {
+  return std::get<reference::Profile>(reference::default_profile("gsk988ta"));
+}
+
+struct Ran {
+  RunEnd end;
+  std::vector<reference::Record> records;
+};
+
+// Runs `program`; stops after `most` records.
+inline Ran run(Subject& subject, std::string_view program = "G0 X1\n", std::size_t most = 1000) {
+  Ran ran;
+  ran.end = subject.run("case.1", program, [&](const reference::Record& record) {
+    ran.records.push_back(record);
+    return ran.records.size() < most;
+  });
+  return ran;
+}
+
+// Short limits: a test that waits for one waits 300 ms.
+inline Limits short_limits() {
+  Limits limits;
+  limits.start = std::chrono::milliseconds(5000);
+  limits.run = std::chrono::milliseconds(300);
+  return limits;
+}
+
+// Number of open descriptors, and of children that have ended and were not waited for.
+std::size_t open_descriptors();
+std::size_t zombies();
+bool is_alive(int pid);
+
+}  // namespace gonogo::oracle
