@@ -64,6 +64,13 @@ struct PocketLevel {
   FeedMode feed_mode = FeedMode::per_minute;
 };
 
-using Item = std::variant<Record, PocketLevel, AlarmReport, NotCovered>;
+// The position got a new name (G50): nothing moves and no record says so, but the records that
+// follow are in the new coordinates.
+struct Renaming {
+  std::uint64_t block = 0;
+  Position shift;  // new coordinate less old one
+};
+
+using Item = std::variant<Record, PocketLevel, Renaming, AlarmReport, NotCovered>;
 
 }  // namespace gonogo::reference

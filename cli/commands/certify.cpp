@@ -141,12 +141,12 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                                  "the cases.",
                                  corpus.folder()));
   }
-  const oracle::report::ReportResult written = oracle::report::write_html_report(results_path, report);
+  const auto report_error = oracle::report::write_html_report(results_path, report);
   Output output;
   output.text() = summary_text(summary, subject);
   output.text() += fmt::format("results: {}\nreport:  {}/index.html\n", results_path, report);
   output.flush();
-  if (!written.error.empty()) throw UsageError(written.error);
+  if (report_error) throw UsageError(report_error->message);
   return summary.exit_code();
 }
 

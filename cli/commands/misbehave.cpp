@@ -51,7 +51,7 @@ std::string reference_reply(const reference::Profile& profile, const std::string
       const reference::Alarm& first = alarms->alarms.front();
       outcome = fmt::format(R"("outcome":"alarm","alarm":{{"native":"-","class":"{}","b":{}}})",
                             reference::name(first.alarm), alarms->block);
-    } else {
+    } else if (std::holds_alternative<reference::NotCovered>(*item)) {
       outcome = R"("outcome":"skip","feature":"outside","message":"not covered")";
     }
   }

@@ -21,8 +21,8 @@ struct ReportOptions {
 
 int report(const ReportOptions& options) {
   std::filesystem::create_directories(options.out);
-  const auto written = oracle::report::write_html_report(options.results, options.out);
-  if (!written.error.empty()) throw UsageError(written.error);
+  const auto error = oracle::report::write_html_report(options.results, options.out);
+  if (error) throw UsageError(error->message);
   Output output;
   output.text() = fmt::format("{}/index.html\n", options.out);
   output.flush();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kDescription =
     R"({"protocol":1,"subject":{"name":"gonogo-gsk","version":"0.1.0"},)"
-    R"("dialects":{"gsk988ta":["g94","g110"]},"features":["blocks","m","bytes"],)"
+    R"("dialects":{"gsk988ta":["basic","arc","g94","g110"]},"features":["blocks","m","bytes"],)"
     R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
     R"("max_in_flight":1})";
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -21,9 +22,10 @@ struct ExpectedAlarm {
   reference::AlarmClass alarm = reference::AlarmClass::syntax;
   std::uint64_t block = 0;
   char word = 0;
+  friend bool operator==(const ExpectedAlarm&, const ExpectedAlarm&) = default;
 };
 
-// What is expected when the named readings have the named values (none: always).
+// What is expected when the named readings have the named values (none: under the profile alone).
 struct Expectation {
   std::vector<std::pair<std::string, std::string>> when;  // reading -> value
   std::vector<reference::Record> records;                 // the shown path; `end` last, or none
@@ -64,20 +66,27 @@ class Corpus {
   // SHA-256 over the names and bytes of all vector files, hex.
   const std::string& sha256() const { return sha256_; }
   // Every case, sorted by id within a file, one file in memory at a time. Returning false stops.
+  // Throws CorpusError, also for an id that stands in two files or is retired.
   void for_each(const std::function<bool(const Case&)>& visit) const;
   std::vector<std::string> files() const { return files_; }
+  // Ids that were used once and never are again.
+  const std::set<std::string>& retired() const { return retired_; }
 
  private:
   std::string folder_;
   std::string version_;
   std::string sha256_;
   std::vector<std::string> files_;
+  std::set<std::string> retired_;
 };
 
 // One vector file.
 std::vector<Case> read_vector_file(const std::string& path);
 // Writes cases of one dialect and cycle as a vector file, canonical: same cases, same bytes.
 std::string vector_file_text(std::string_view corpus_version, const std::vector<Case>& cases);
+
+// One expectation as in a vector file; equal texts are equal expectations.
+std::string expectation_json(const Expectation& expectation);
 
 // What the reference says of a case's program under its profile: fills `expect`.
 Expectation expectation_of(const reference::Profile& profile, std::string_view program);

@@ -125,6 +125,8 @@ void ProgramJudge::judge_ok_end() {
       decide_gap(outside->message);
     } else if (auto* level = std::get_if<PocketLevel>(&step)) {
       finish_level(*level);
+    } else if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+      rename(*renaming);
     } else if (auto* record = std::get_if<Record>(&step)) {
       if (record->kind == RecordKind::m) {
         take_m_functions();
@@ -134,6 +136,8 @@ void ProgramJudge::judge_ok_end() {
       } else {
         ends_early(step, "end");
       }
+    } else if (reached(std::get<Motion>(step), position_)) {
+      reference_.advance();
     } else {
       ends_early(step, "end");
     }
@@ -207,6 +211,15 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       verdict.message = "The subject alarms, and the program has no fault.";
       decide(std::move(verdict));
       return;
+    }
+    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+      rename(*renaming);
+      continue;
+    }
+    auto* motion = std::get_if<Motion>(&step);
+    if (motion != nullptr && !unfinished && reached(*motion, position_)) {
+      reference_.advance();
+      continue;
     }
     const bool m_function = record != nullptr && record->kind == RecordKind::m;
     if (!m_function && !at_load && !unfinished) unfinished = step;

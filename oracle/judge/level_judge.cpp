@@ -66,12 +66,9 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
   const Record& record = motion.record;
   const bool other_block = terms_.compare_blocks && record.block != level.block;
   if (other_block || !agree(motion.to()[axes.d], motion.from[axes.d], tau)) return false;
+  // A traverse ends the level: at depth it is the retract's business, which may be too small to see.
+  if (record.kind != RecordKind::feed && record.kind != RecordKind::arc) return false;
   if (level_motions_.empty()) plunge_ = motion.from;
-  if (record.kind != RecordKind::feed && record.kind != RecordKind::arc) {
-    depart_from_level(VerdictKind::fail_region, motion, level,
-                      "Inside a level the tool only cuts; this motion does not.");
-    return true;
-  }
   if (!agree(motion.to()[axes.d], level.depth, tau)) {
     depart_from_level(VerdictKind::fail_region, motion, level, "The cut leaves the level's depth.");
     return true;

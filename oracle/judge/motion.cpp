@@ -98,6 +98,10 @@ double approximate_turns(const Motion& arc) {
   return fraction + static_cast<double>(std::abs(arc.record.rot) - 1);
 }
 
+bool nearly_full_turn(const Motion& motion) {
+  return motion.record.kind == RecordKind::arc && approximate_turns(motion) > 0.5;
+}
+
 namespace {
 
 bool same_terms(const Record& a, const Record& b) {

@@ -51,6 +51,8 @@ bool same_direction(const PlaneVector& a, const PlaneVector& b);
 
 // An arc whose end is its start goes all the way round; so does one with more than one turn.
 bool makes_full_turn(const Motion& motion);
+// An arc of more than half a turn is no small motion, however near its ends are.
+bool nearly_full_turn(const Motion& motion);
 // Sweep of an arc in turns, for choosing between whole numbers of turns only.
 double approximate_turns(const Motion& arc);
 

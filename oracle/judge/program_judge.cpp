@@ -94,7 +94,36 @@ void ProgramJudge::take_record(const Record& record) {
   }
 }
 
+void ProgramJudge::rename(const reference::Renaming& renaming) {
+  for (Axis axis : kAllAxes) {
+    position_[axis] += renaming.shift[axis];
+    anchor_[axis] += renaming.shift[axis];
+  }
+  reference_.advance();
+}
+
+void ProgramJudge::follow_renamings(std::uint64_t block) {
+  while (!verdict_ && reference_.renaming_ahead()) {
+    flush_pending();
+    if (verdict_) return;
+    const ReferenceStep& step = reference_.current();
+    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+      if (block != 0 && block <= renaming->block) return;
+      rename(*renaming);
+      continue;
+    }
+    // A motion too small to see, which the subject has passed without one of its own.
+    auto* want = std::get_if<Motion>(&step);
+    const bool passed = want != nullptr && want->record.block < block;
+    if (!passed || !reached(*want, position_)) return;
+    match_.reset();
+    reference_.advance();
+  }
+}
+
 void ProgramJudge::take_motion(const Record& record) {
+  follow_renamings(terms_.compare_blocks ? record.block : 0);
+  if (verdict_) return;
   Motion motion = motion_from(position_, record, records_ - 1);
   if (!terms_.compare_blocks) {
     motion.record.block = 0;
@@ -150,6 +179,10 @@ bool ProgramJudge::process_step(const Motion& motion) {
     decide_gap(outside->message);
     return true;
   }
+  if (std::holds_alternative<reference::Renaming>(step)) {
+    decide_gap("A motion of the subject spans a renaming of the position.");
+    return true;
+  }
   const Record& record = std::get<Record>(step);
   if (record.kind == RecordKind::m) {
     take_m_functions();
@@ -186,15 +219,31 @@ bool ProgramJudge::match_motion(const Motion& motion, const Motion& want) {
     }
     return true;
   }
-  // An arc that closes within the tolerance may mean nothing, where the reference had one as small.
-  const bool nil_arc = motion.record.kind == RecordKind::arc && std::abs(motion.record.rot) == 1 &&
-                       agree(motion.from, motion.to(), terms_.tolerance);
-  if (nil_arc && (reference_.dropped_arc() || !makes_full_turn(motion)) &&
-      (reference_.dropped_arc() || approximate_turns(motion) < 0.5)) {
-    return true;
+  // Motions too small to see may be kept on one side and dropped on the other.
+  if (reached(*want_, motion.from)) {
+    match_.reset();
+    reference_.advance();
+    return false;
   }
+  if (means_nothing(motion, *want_)) return true;
   report_departure(result, motion, *want_);
   return true;
+}
+
+// Whether a motion of the reference is done where the subject stands.
+bool ProgramJudge::reached(const Motion& want, const Position& at) const {
+  return agree(at, want.to(), terms_.tolerance) && !nearly_full_turn(want);
+}
+
+// Whether a motion of the subject stays where the reference stands. An arc that closes within the
+// tolerance may be meant as nil, where it is short or the reference had one as small.
+bool ProgramJudge::means_nothing(const Motion& motion, const Motion& want) const {
+  if (!agree(motion.from, want.from, terms_.tolerance) ||
+      !agree(motion.to(), want.from, terms_.tolerance)) {
+    return false;
+  }
+  return motion.record.kind != RecordKind::arc || !nearly_full_turn(motion) ||
+         (reference_.dropped_arc() && std::abs(motion.record.rot) == 1);
 }
 
 // Whether the motion is one that the reference makes later on.
@@ -263,6 +312,10 @@ void ProgramJudge::take_dwell(const Record& record) {
     const ReferenceStep& step = reference_.current();
     if (auto* level = std::get_if<PocketLevel>(&step)) {
       finish_level(*level);
+      continue;
+    }
+    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+      rename(*renaming);
       continue;
     }
     const Record* want = std::get_if<Record>(&step);

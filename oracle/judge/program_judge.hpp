@@ -60,8 +60,13 @@ class ProgramJudge {
   // One step of the reference against one motion; true when the motion is used up.
   bool process_step(const Motion& motion);
   bool match_motion(const Motion& motion, const Motion& want);
+  bool reached(const Motion& want, const Position& at) const;
+  bool means_nothing(const Motion& motion, const Motion& want) const;
   void take_dwell(const Record& record);
   void take_m_functions();
+  // Follows the renamings of the position that come before a record of `block` (0: not known).
+  void follow_renamings(std::uint64_t block);
+  void rename(const reference::Renaming& renaming);
   void settle_m_functions(bool at_end);
   void note_match(const Motion& motion, const Motion& want);
 

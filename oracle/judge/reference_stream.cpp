@@ -25,7 +25,8 @@ ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::Lin
                                  const JudgeTerms& terms)
     : terms_(terms),
       expander_(profile, lines, reference::OpenPaths::judged),
-      position_(profile.initial.at) {}
+      position_(profile.initial.at),
+      anchor_(position_) {}
 
 // Takes one item in; true when something became ready.
 bool ReferenceStream::take(const reference::Item& item) {
@@ -38,34 +39,39 @@ bool ReferenceStream::take(const reference::Item& item) {
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
     return false;
   }
-  if (record != nullptr && is_motion(record->kind)) {
-    Motion motion = motion_from(pending_ ? pending_end_ : position_, *record, items_);
-    if (!terms_.compare_blocks) motion.record.block = 0;
-    // Dropped: its ends agree, and it makes no turn. An arc that almost closes is no small motion.
-    if (agree(motion.from, motion.to(), terms_.tolerance) &&
-        !(record->kind == RecordKind::arc && approximate_turns(motion) > 0.5)) {
-      dropped_arc_ = dropped_arc_ || record->kind == RecordKind::arc;
-      return false;
+  if (record != nullptr && is_motion(record->kind)) return take_motion(*record);
+  if (auto* renaming = std::get_if<reference::Renaming>(&item)) {
+    for (Axis axis : reference::kAllAxes) {
+      position_[axis] += renaming->shift[axis];
+      anchor_[axis] += renaming->shift[axis];
     }
-    if (pending_ && join(*pending_, motion)) {
-      pending_end_ = motion.to();
-      return false;
-    }
-    const bool flushed = pending_.has_value();
-    if (flushed) {
-      position_ = pending_end_;
-      ready_.emplace_back(*std::move(pending_));
-    }
-    pending_end_ = motion.to();
-    pending_ = std::move(motion);
-    return flushed;
   }
-  if (pending_) {
-    position_ = pending_end_;
-    ready_.emplace_back(*std::move(pending_));
-    pending_.reset();
-  }
+  const bool flushed = flush();
   std::visit([this](const auto& step) { ready_.emplace_back(step); }, item);
+  return flushed || !ready_.empty();
+}
+
+bool ReferenceStream::take_motion(const Record& record) {
+  Motion motion = motion_from(position_, record, items_);
+  position_ = motion.to();
+  if (!terms_.compare_blocks) motion.record.block = 0;
+  // Dropped: it stays where the last kept motion ended, and makes no turn.
+  if (agree(motion.from, anchor_, terms_.tolerance) &&
+      agree(motion.to(), anchor_, terms_.tolerance) && !nearly_full_turn(motion)) {
+    dropped_arc_ = dropped_arc_ || record.kind == RecordKind::arc;
+    return false;
+  }
+  anchor_ = motion.to();
+  if (pending_ && join(*pending_, motion)) return false;
+  const bool flushed = flush();
+  pending_ = std::move(motion);
+  return flushed;
+}
+
+bool ReferenceStream::flush() {
+  if (!pending_) return false;
+  ready_.emplace_back(*std::move(pending_));
+  pending_.reset();
   return true;
 }
 
@@ -81,6 +87,14 @@ void ReferenceStream::pull() {
 const ReferenceStep& ReferenceStream::current() {
   pull();
   return ready_.front();
+}
+
+bool ReferenceStream::renaming_ahead() {
+  current();
+  for (std::size_t i = 0; i < ready_.size() && i < 2; ++i) {
+    if (std::holds_alternative<reference::Renaming>(ready_[i])) return true;
+  }
+  return false;
 }
 
 bool ReferenceStream::at_end() {

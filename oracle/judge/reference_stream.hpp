@@ -16,8 +16,8 @@ namespace gonogo::oracle {
 struct JudgeTerms;
 
 // What the subject has to do next. M functions come as they are met.
-using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::AlarmReport,
-                                   reference::NotCovered>;
+using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::Renaming,
+                                   reference::AlarmReport, reference::NotCovered>;
 
 class ReferenceStream {
  public:
@@ -32,11 +32,13 @@ class ReferenceStream {
   bool at_end();
 
   // After a level the reference stands where the subject left it.
-  void stand_at(const Position& position) { position_ = position; }
+  void stand_at(const Position& position) { position_ = anchor_ = position; }
   const Position& position() const { return position_; }
   // Whether an arc too small to see was dropped since the last motion. Only then may an arc of the
   // subject that closes within the tolerance mean nothing at all.
   bool dropped_arc() const { return dropped_arc_; }
+  // Whether the position gets a new name now, or right after the current step.
+  bool renaming_ahead();
   // Items that the reference has put out so far.
   std::size_t items() const { return items_; }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
@@ -44,12 +46,14 @@ class ReferenceStream {
  private:
   void pull();
   bool take(const reference::Item& item);
+  bool take_motion(const Record& record);
+  bool flush();
 
   const JudgeTerms& terms_;
   reference::Expander expander_;
-  Position position_;      // where the motions put out so far end
+  Position position_;  // where the motions so far end
+  Position anchor_;    // where the last one that was kept ends
   std::optional<Motion> pending_;
-  Position pending_end_;   // where the pending motion ends
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
   bool dropped_arc_ = false;

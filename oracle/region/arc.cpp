@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/arc.hpp"
 
-#include <cstdlib>
-
 namespace gonogo::oracle::region {
 
 Sweep make_sweep(const PlanePoint& a, const PlanePoint& b) {
@@ -39,7 +37,7 @@ Arc make_arc(const LevelMotion& motion, const PlanePoint& middle) {
   const PlanePoint from = motion.from - motion.centre;
   const PlanePoint to = motion.to - motion.centre;
   arc.sweep = motion.rot > 0 ? make_sweep(from, to) : make_sweep(to, from);
-  arc.turns = std::abs(motion.rot) - 1;
+  arc.turns = whole_turns(motion.rot);
   arc.a2 = norm_squared(arc.sweep.a);
   arc.b2 = norm_squared(arc.sweep.b);
   arc.round = arc.a2 == arc.b2;

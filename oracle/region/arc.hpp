@@ -62,7 +62,12 @@ struct Arc {
   PlanePoint end_b() const { return centre + sweep.b; }
 };
 
-// REQUIRES: motion.is_arc, neither end on the centre. `middle` becomes the origin.
+// The whole turns that come before the turn to the end. REQUIRES: rot != 0.
+inline int whole_turns(int rot) {
+  return rot > 0 ? rot - 1 : -(rot + 1);
+}
+
+// REQUIRES: motion.is_arc, rot != 0, neither end on the centre. `middle` becomes the origin.
 Arc make_arc(const LevelMotion& motion, const PlanePoint& middle);
 // One arc for two round ones on the same circle, the second beginning where the first ends.
 std::optional<Arc> joined(const Arc& first, const Arc& second, bool counterclockwise);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/border.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gonogo::oracle::region {
@@ -89,36 +90,6 @@ bool BorderFilter::surrounds_disc(const Band& band) const {
   return rest.sign() <= 0 || rest * rest <= Number(4) * k2 * r2;
 }
 
-bool BorderFilter::outside_disc(const Piece& piece) const {
-  const IntervalVector& c = bands_[band_].c;
-  const Interval along = projection(piece.ua, piece.ub, c);
-  const Interval d2 = square(r_) + norm_squared(c) + Interval{2, 2} * r_ * along;
-  return d2.lo >= radius2_.hi;
-}
-
-// Whether all of the piece lies strictly within the sweep of the other band, if it has one.
-bool BorderFilter::within_sweep(const Piece& piece, const Band& other) const {
-  if (other.shape != Band::Shape::sector) return true;
-  const IntervalVector offset = bands_[band_].c - other.c;
-  const IntervalVector& a = other.ua;
-  const IntervalVector& b = other.ub;
-  const bool left_of_a =
-      (cross(a, offset) + r_ * projection(piece.ua, piece.ub, {-a.y, a.x})).lo > 0;
-  if (left_of_a == other.wide) return left_of_a;
-  return (cross(offset, b) + r_ * projection(piece.ua, piece.ub, {b.y, -b.x})).lo > 0;
-}
-
-// Whether all of the piece lies in the inside of the other band.
-bool BorderFilter::is_inside(const Piece& piece, std::uint32_t other) const {
-  const Band& band = bands_[other];
-  const IntervalVector offset = bands_[band_].c - band.c;
-  const Interval along = projection(piece.ua, piece.ub, offset);
-  const Interval d2 = square(r_) + norm_squared(offset) + Interval{2, 2} * r_ * along;
-  if (!(d2.hi < band.outer2.lo)) return false;
-  if (band.has_hole() && !(d2.lo > band.inner2.hi)) return false;
-  return within_sweep(piece, band);
-}
-
 // large's radius = small's + twice the reach, about one centre.
 bool BorderFilter::abut_exactly(const Band& small, const Band& large) const {
   if (!small.radius2 || !large.radius2 || !(*small.centre == *large.centre)) return false;
@@ -135,17 +106,40 @@ bool BorderFilter::is_between(const Piece& piece, std::uint32_t other) const {
   const double radius = outer_ ? next.inner.middle() : next.outer.middle();
   if (!(std::fabs(radius - r_.middle()) < 1e-9)) return false;
   if (!(norm(band.c - next.c).lo < 1e-9)) return false;
-  if (!within_sweep(piece, next)) return false;
+  if (!lies_within_sweep(on_border(piece), next)) return false;
   return outer_ ? abut_exactly(band, next) : abut_exactly(next, band);
 }
 
-bool BorderFilter::is_covered(const Piece& piece, double x, double y) {
-  if (last_ != band_ && last_ < bands_.size() && is_inside(piece, last_)) return true;
-  for (const std::uint32_t other : grid_.near(x, y)) {
-    if (other == band_) continue;
+void BorderFilter::remember(std::uint32_t other, std::size_t place) {
+  std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(place),
+              recent_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
+  recent_.front() = static_cast<std::int64_t>(other) - static_cast<std::int64_t>(band_);
+}
+
+// Whether a likely neighbour covers the piece, or so much of it that its halves are worth a try
+// before all the bands near it are looked at.
+BorderFilter::Cover BorderFilter::try_recent(const Piece& piece, double x, double y, double size) {
+  Cover cover = Cover::unknown;
+  for (std::size_t place = 0; place < recent_.size(); ++place) {
+    const std::int64_t index = static_cast<std::int64_t>(band_) + recent_[place];
+    if (index < 0 || index >= static_cast<std::int64_t>(bands_.size())) continue;
+    const auto other = static_cast<std::uint32_t>(index);
     const double outside = rough_distance(bands_[other], x, y);
-    if (outside < 1e-9 && (is_inside(piece, other) || is_between(piece, other))) {
-      last_ = other;
+    if (other == band_ || !(outside < 0)) continue;
+    if (lies_inside(on_border(piece), bands_[other])) {
+      remember(other, place);
+      return Cover::yes;
+    }
+    if (-outside > kShortestPiece && size > -outside) cover = Cover::worth_halving;
+  }
+  return cover;
+}
+
+bool BorderFilter::try_near(const Piece& piece, double x, double y) {
+  for (const std::uint32_t other : grid_.near(x, y)) {
+    if (other == band_ || !(rough_distance(bands_[other], x, y) < 1e-9)) continue;
+    if (lies_inside(on_border(piece), bands_[other]) || is_between(piece, other)) {
+      remember(other, recent_.size() - 1);
       return true;
     }
   }
@@ -161,15 +155,20 @@ bool BorderFilter::seems_hole(double x, double y) const {
 }
 
 bool BorderFilter::examine(const Piece& piece) {
-  if (outside_disc(piece)) return false;
+  if (lies_outside(on_border(piece), radius2_)) return false;
   const IntervalVector& c = bands_[band_].c;
   const IntervalVector m = middle_direction(piece.ua, piece.ub, false);
   const double mx = m.x.middle();
   const double my = m.y.middle();
   const double x = c.x.middle() + r_.middle() * mx;
   const double y = c.y.middle() + r_.middle() * my;
-  if (is_covered(piece, x, y)) return false;
   const double size = norm(r_ * (piece.ub - piece.ua)).hi;
+  const Cover cover = try_recent(piece, x, y, size);
+  if (cover == Cover::yes || (cover == Cover::unknown && try_near(piece, x, y))) return false;
+  if (cover == Cover::worth_halving) {
+    halve(piece, m);
+    return false;
+  }
   const double beside = outer_ ? kBeside : -kBeside;
   hole_ = {x + beside * mx, y + beside * my, size};
   if (seems_hole(hole_.x, hole_.y)) {
@@ -180,9 +179,13 @@ bool BorderFilter::examine(const Piece& piece) {
     open_.push_back({x, y, size});
     return false;
   }
-  pieces_.push_back({piece.ua, m});
-  pieces_.push_back({m, piece.ub});
+  halve(piece, m);
   return false;
+}
+
+void BorderFilter::halve(const Piece& piece, const IntervalVector& middle) {
+  pieces_.push_back({piece.ua, middle});
+  pieces_.push_back({middle, piece.ub});
 }
 
 }  // namespace gonogo::oracle::region

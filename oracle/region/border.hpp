@@ -15,11 +15,13 @@
 // of the discs about the ends.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "oracle/region/coverage.hpp"
 #include "oracle/region/grid.hpp"
+#include "oracle/region/piece.hpp"
 
 namespace gonogo::oracle::region {
 
@@ -58,16 +60,21 @@ class BorderFilter {
     IntervalVector ub;
   };
 
+  enum class Cover { yes, worth_halving, unknown };
+
   bool start_next_border();
   void start_pieces(const Band& band);
   bool surrounds_disc(const Band& band) const;
-  bool outside_disc(const Piece& piece) const;
-  bool is_inside(const Piece& piece, std::uint32_t other) const;
   bool is_between(const Piece& piece, std::uint32_t other) const;
-  bool within_sweep(const Piece& piece, const Band& other) const;
-  bool is_covered(const Piece& piece, double x, double y);
+  CirclePiece on_border(const Piece& piece) const {
+    return {bands_[band_].c, r_, piece.ua, piece.ub};
+  }
+  Cover try_recent(const Piece& piece, double x, double y, double size);
+  bool try_near(const Piece& piece, double x, double y);
+  void remember(std::uint32_t other, std::size_t place);
   bool seems_hole(double x, double y) const;
   bool examine(const Piece& piece);
+  void halve(const Piece& piece, const IntervalVector& middle);
   bool abut_exactly(const Band& small, const Band& large) const;
 
   std::span<const Band> bands_;
@@ -81,7 +88,9 @@ class BorderFilter {
   bool outer_ = true;
   Interval r_;  // radius of the border
   std::vector<Piece> pieces_;
-  std::uint32_t last_ = 0;  // the band that covered the last piece
+  // How far on in the list the bands stand that covered pieces lately, the latest first. Paths
+  // are regular: the same neighbours cover the next border.
+  std::array<std::int64_t, 8> recent_{1, -1, 2, -2, 3, -3, 4, -4};
 
   std::size_t budget_;
   bool complete_ = true;

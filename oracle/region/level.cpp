@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/level.hpp"
 
-#include <cstdlib>
 #include <utility>
 
 #include "oracle/region/coverage.hpp"
@@ -35,7 +34,7 @@ bool moves(const LevelMotion& motion) {
 // Ends no farther apart than the tolerance on either axis, but not the same point: rounding may
 // have made this of no motion at all or of a whole turn.
 bool is_ambiguous(const LevelMotion& motion, const Number& tolerance) {
-  if (std::abs(motion.rot) > 1 || motion.from == motion.to) return false;
+  if (motion.rot == 0 || whole_turns(motion.rot) > 0 || motion.from == motion.to) return false;
   return exact::abs(motion.from.p - motion.to.p) <= tolerance &&
          exact::abs(motion.from.q - motion.to.q) <= tolerance;
 }

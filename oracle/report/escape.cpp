@@ -48,12 +48,23 @@ std::string markup_text(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t size = character_size(text, i);
     switch (size == 1 ? text[i] : '\0') {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += size == 0 ? kReplacement : text.substr(i, size);
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += size == 0 ? kReplacement : text.substr(i, size);
     }
     i += size == 0 ? 1 : size;
   }
@@ -65,10 +76,17 @@ std::string script_json(std::string_view json) {
   out.reserve(json.size());
   for (char c : json) {
     switch (c) {
-      case '<': out += "\\u003c"; break;
-      case '>': out += "\\u003e"; break;
-      case '&': out += "\\u0026"; break;
-      default: out += c;
+      case '<':
+        out += "\\u003c";
+        break;
+      case '>':
+        out += "\\u003e";
+        break;
+      case '&':
+        out += "\\u0026";
+        break;
+      default:
+        out += c;
     }
   }
   return out;

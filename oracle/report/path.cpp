@@ -40,9 +40,8 @@ PathSampler::PathSampler(const Position& start, std::size_t max_segments)
 std::vector<Point3> PathSampler::sample(const Record& record, const Point3& to) const {
   switch (record.kind) {
     case RecordKind::arc: {
-      const ArcShape shape{record.plane,
-                           {coordinate(record.centre[0]), coordinate(record.centre[1])},
-                           record.rot};
+      const ArcShape shape{
+          record.plane, {coordinate(record.centre[0]), coordinate(record.centre[1])}, record.rot};
       return sample_arc(here_, to, shape, segments_left_);
     }
     case RecordKind::arc3: {
@@ -52,7 +51,8 @@ std::vector<Point3> PathSampler::sample(const Record& record, const Point3& to) 
       }
       return sample_circle(here_, approximate(via), to, segments_left_);
     }
-    default: return {here_, to};
+    default:
+      return {here_, to};
   }
 }
 
@@ -82,6 +82,11 @@ bool PathSampler::add(const Record& record, std::string text) {
   return true;
 }
 
+void PathSampler::rename(const reference::Position& shift) {
+  for (std::size_t i = 0; i < reference::kAxes; ++i) at_.at[i] += shift.at[i];
+  here_ = approximate(at_);
+}
+
 void PathSampler::add_end(std::string_view kind, std::uint64_t block, std::string_view clause,
                           std::string text) {
   Motion& drawn = path_.motions.emplace_back();
@@ -92,8 +97,7 @@ void PathSampler::add_end(std::string_view kind, std::uint64_t block, std::strin
   drawn.points = {here_};
 }
 
-Path sample_path(const Position& start, std::span<const Record> records,
-                 std::size_t max_segments) {
+Path sample_path(const Position& start, std::span<const Record> records, std::size_t max_segments) {
   PathSampler sampler(start, max_segments);
   for (const Record& record : records) {
     if (!sampler.add(record)) break;

@@ -27,12 +27,12 @@ Point3 approximate(const reference::Position& position);
 
 // One record as it is drawn and shown beside the drawing.
 struct Motion {
-  std::string_view kind;        // that of the record; "alarm", "not-covered"
+  std::string_view kind;  // that of the record; "alarm", "not-covered"
   bool rapid = false;
-  std::uint64_t block = 0;      // source line; 0: not known
-  std::string clause;           // id, empty: none
-  std::string text;             // the record as JSON, exact numbers
-  std::vector<Point3> points;   // at least two when it moves; else where the machine stands
+  std::uint64_t block = 0;     // source line; 0: not known
+  std::string clause;          // id, empty: none
+  std::string text;            // the record as JSON, exact numbers
+  std::vector<Point3> points;  // at least two when it moves; else where the machine stands
   bool moves() const { return points.size() > 1; }
 };
 
@@ -56,6 +56,8 @@ class PathSampler {
   // What ends a program without being a record: no geometry.
   void add_end(std::string_view kind, std::uint64_t block, std::string_view clause,
                std::string text);
+  // The position gets a new name; nothing is drawn.
+  void rename(const reference::Position& shift);
   void mark_cut() { path_.cut = true; }
   Path take() { return std::move(path_); }
 

@@ -18,8 +18,11 @@ constexpr double kLeft = 58;
 constexpr double kRight = 18;
 constexpr double kTop = 34;
 constexpr double kBottom = 34;
+constexpr double kFill = 0.94;  // of a field by its drawing
 
-Direction operator-(const Direction& a) { return {-a.x, -a.y, -a.z}; }
+Direction operator-(const Direction& a) {
+  return {-a.x, -a.y, -a.z};
+}
 
 struct Range {
   double low = 0;
@@ -44,7 +47,7 @@ Range range_along(const Direction& direction, const Extent& extent) {
 double fit(const Range& right, const Range& up, double width, double height) {
   const double by_width = right.span() > kStill ? width / right.span() : Extent::kNone;
   const double by_height = up.span() > kStill ? height / up.span() : Extent::kNone;
-  const double scale = std::min(by_width, by_height);
+  const double scale = kFill * std::min(by_width, by_height);
   return std::isfinite(scale) ? scale : 1;
 }
 
@@ -88,12 +91,15 @@ Layout four_views(const Extent& extent, bool lathe, const SheetBox& area) {
   double scale = std::min(width / (r.span() + t.span()), height / (u.span() + t.span()));
   for (const Range& span : {r, t}) scale = std::min(scale, 0.7 * width / span.span());
   for (const Range& span : {u, t}) scale = std::min(scale, 0.7 * height / span.span());
+  scale *= kFill;
   const double first_column =
       std::clamp(r.span() * scale + (width - (r.span() + t.span()) * scale) / 2, 0.3 * width,
-                 0.7 * width) + kLeft + kRight;
+                 0.7 * width) +
+      kLeft + kRight;
   const double first_row =
       std::clamp(t.span() * scale + (height - (u.span() + t.span()) * scale) / 2, 0.3 * height,
-                 0.7 * height) + kTop + kBottom;
+                 0.7 * height) +
+      kTop + kBottom;
   const double second_column = area.width - first_column;
   const double second_row = area.height - first_row;
   const double x2 = area.x + first_column;
@@ -101,9 +107,8 @@ Layout four_views(const Extent& extent, bool lathe, const SheetBox& area) {
 
   Layout layout;
   layout.scale = scale;
-  layout.views = {{"FRONT", "front", right, up},
-                  {"TOP", "top", right, back},
-                  {"RIGHT SIDE", "side", back, up}};
+  layout.views = {
+      {"FRONT", "front", right, up}, {"TOP", "top", right, back}, {"RIGHT SIDE", "side", back, up}};
   settle(layout.views[0], {area.x, y2, first_column, second_row}, extent, scale);
   settle(layout.views[1], {area.x, area.y, first_column, first_row}, extent, scale);
   settle(layout.views[2], {x2, y2, second_column, second_row}, extent, scale);
@@ -111,10 +116,12 @@ Layout four_views(const Extent& extent, bool lathe, const SheetBox& area) {
   // Seen from the corner between right, front and top.
   const double c = std::sqrt(0.5);
   const double s = std::sqrt(1.0 / 6);
-  View isometric{"ISOMETRIC", "isometric",
+  View isometric{"ISOMETRIC",
+                 "isometric",
                  {c * (right.x + back.x), c * (right.y + back.y), c * (right.z + back.z)},
                  {s * (2 * up.x - right.x + back.x), s * (2 * up.y - right.y + back.y),
-                  s * (2 * up.z - right.z + back.z)}, true};
+                  s * (2 * up.z - right.z + back.z)},
+                 true};
   settle(isometric, {x2, area.y, second_column, first_row}, extent, 1);
   isometric.scale = fit(range_along(isometric.right, extent), range_along(isometric.up, extent),
                         isometric.field.width, isometric.field.height);
@@ -141,8 +148,8 @@ Layout lay_out(const Extent& extent, bool lathe, const SheetBox& area) {
   if (moves[0] && moves[1] && moves[2]) return four_views(extent, lathe, area);
   auto [view, note] = flat_view(moves, lathe);
   settle(view, area, extent, 1);
-  view.scale = fit(range_along(view.right, extent), range_along(view.up, extent),
-                   view.field.width, view.field.height);
+  view.scale = fit(range_along(view.right, extent), range_along(view.up, extent), view.field.width,
+                   view.field.height);
   Layout layout;
   layout.scale = view.scale;
   layout.note = note;

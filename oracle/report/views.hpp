@@ -43,13 +43,13 @@ struct Direction {
 };
 
 struct View {
-  std::string_view title;   // "FRONT"
-  std::string_view key;     // "front"
+  std::string_view title;  // "FRONT"
+  std::string_view key;    // "front"
   Direction right;
   Direction up;
   bool isometric = false;
-  SheetBox frame;           // with title and labels
-  SheetBox field;           // the drawing
+  SheetBox frame{};         // with title and labels
+  SheetBox field{};         // the drawing
   double scale = 1;         // pixels a mm
   double middle_right = 0;  // mm, at the middle of the field
   double middle_up = 0;

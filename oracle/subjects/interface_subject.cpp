@@ -113,8 +113,10 @@ class InterfaceSubject : public Subject {
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
+    std::string configuration = "{" + configuration_members(profile) + "}";
+    if (configuration == configuration_) return;  // the handle is used on, as a controller would be
     close();
-    configuration_ = "{" + configuration_members(profile) + "}";
+    configuration_ = std::move(configuration);
   }
 
   RunEnd run(std::string_view, std::string_view program, const RecordSink& sink) override {

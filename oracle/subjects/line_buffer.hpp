@@ -21,8 +21,8 @@ class LineBuffer {
 
   // The next whole line without its end, with room behind it for a parser's padding.
   std::optional<std::string_view> next();
-  // The line that is coming, or was next, is longer than allowed.
-  bool too_long() const { return too_long_ || end_ - begin_ > longest_; }
+  // After `next` gave nothing: the line that is coming is longer than allowed.
+  bool too_long() const { return too_long_ || (searched_ == end_ && end_ - begin_ > longest_); }
   // What came after the last whole line that was taken.
   std::string_view rest() const { return {bytes_.data() + begin_, end_ - begin_}; }
   bool empty() const { return begin_ == end_; }

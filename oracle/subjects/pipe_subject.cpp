@@ -38,7 +38,9 @@ class PipeSubject : public Subject {
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
-    configuration_ = configuration_members(profile);
+    std::string configuration = configuration_members(profile);
+    if (configuration == configuration_) return;
+    configuration_ = std::move(configuration);
     configured_ = false;
   }
 

@@ -117,6 +117,11 @@ ssize_t write_quietly(int fd, const char* data, std::size_t size) {
   return count;
 }
 
+std::string signal_text(int signal) {
+  const char* description = sigdescr_np(signal);
+  return fmt::format("signal {} ({})", signal, description ? description : "unknown");
+}
+
 bool would_block() {
   return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
 }
@@ -130,9 +135,12 @@ void Descriptor::close() {
 
 std::string Ending::text() const {
   if (!by_itself) return "was stopped";
-  if (signal == 0) return fmt::format("exited with {}", code);
-  return fmt::format("was ended by signal {} ({})", signal,
-                     sigdescr_np(signal) ? sigdescr_np(signal) : "unknown");
+  if (signal != 0) return "was ended by " + signal_text(signal);
+  // A shell passes the signal of its command on as 128 + n.
+  if (code > 128 && sigdescr_np(code - 128) != nullptr) {
+    return fmt::format("exited with {}, {}", code, signal_text(code - 128));
+  }
+  return fmt::format("exited with {}", code);
 }
 
 Process::Process(const std::string& command, std::size_t memory_bytes)
@@ -219,7 +227,7 @@ int Process::wait_ms(Clock::time_point now) {
   if (exited_ || now >= deadline_) return 0;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - now).count();
   const auto wait = static_cast<int>(std::min<std::int64_t>(left, patience_ms_));
-  patience_ms_ = std::min(2 * patience_ms_, kLongestWaitMs);
+  patience_ms_ = std::clamp(2 * patience_ms_, 1, kLongestWaitMs);
   return wait;
 }
 
@@ -246,6 +254,7 @@ Process::Event Process::pump(LineBuffer& output) {
       }
       if (count == 0 || !would_block()) {
         output_.close();
+        patience_ms_ = 0;  // the exit follows at once
         return Event::closed;
       }
     } else if (exited_) {

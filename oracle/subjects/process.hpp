@@ -40,7 +40,7 @@ struct Ending {
   bool by_itself = false;  // false: it was killed here
   int code = 0;
   int signal = 0;
-  std::string text() const;  // "exited with 7", "was ended by signal 6 (Aborted)"
+  std::string text() const;  // "exited with 7", "exited with 134, signal 6 (Aborted)"
 };
 
 class Process {

@@ -137,7 +137,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-MOD-01", open, kG110,
      "A cycle is entered by its code from outside; G110 and G111 are one mode, and the code written "
      "again is not an entry.",
-     "reference/gsk988ta/g110.cpp"},
+     "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-02", derived, kG110,
      "Missing I L Q D is looked for in the entry block and in every block that mills; a block that "
      "mills nothing still takes its words in.",

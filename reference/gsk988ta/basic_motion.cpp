@@ -128,7 +128,10 @@ void run_rename_position(BlockContext& block) {
   commanded_end_point(block, to);
   const Axis d = axes_of(machine.plane).d;
   machine.pocket.initial_plane += to[d] - machine.position[d];
+  Renaming renaming{block.line, {}};
+  for (Axis axis : kAllAxes) renaming.shift[axis] = to[axis] - machine.position[axis];
   machine.position = to;
+  block.out.items.emplace_back(std::move(renaming));
 }
 
 }  // namespace gonogo::reference::gsk988ta

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "reference/gsk988ta/machine.hpp"
 
@@ -214,7 +214,12 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   check_words(words, codes, out);
   take_feed(words);
   run_code(context);
-  std::ranges::stable_sort(out.alarms, {}, [](const Alarm& alarm) { return alarm.where.begin; });
+  // In the order of their words; few of them, and std::stable_sort warns under clang-19.
+  for (std::size_t i = 1; i < out.alarms.size(); ++i) {
+    for (std::size_t k = i; k > 0 && out.alarms[k].where.begin < out.alarms[k - 1].where.begin; --k) {
+      std::swap(out.alarms[k], out.alarms[k - 1]);
+    }
+  }
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ struct Spiral {
   std::vector<LevelMotion> motions;
 };
 
-// `count` semicircles and the closing circle; tool 5 mm, a step of a fifth of the tool radius or
-// less. Microns in every radius, so that nothing is exactly representable in binary.
+// `count` semicircles and the closing circle: tool radius 5 mm, step 0.302 mm.
 Spiral spiral(std::int64_t count) {
   Spiral job;
   job.level.tool_radius = 5;
@@ -44,7 +43,10 @@ void judge_spiral(benchmark::State& state) {
   const Spiral job = spiral(state.range(0));
   for (auto _ : state) {
     const LevelVerdict verdict = judge_level(job.level, job.motions);
-    if (verdict.kind != LevelVerdict::Kind::go) state.SkipWithError("not go");
+    if (verdict.kind != LevelVerdict::Kind::go) {
+      state.SkipWithError(("not go: " + verdict.gap).c_str());
+      break;
+    }
     benchmark::DoNotOptimize(verdict);
   }
   state.SetComplexityN(state.range(0));

@@ -99,6 +99,20 @@ TEST(RegionEquality, TheFirstRingIsMeasuredFromThePlunge) {
   EXPECT_TRUE(breaks(Rule::step, concentric(i16_l3_d4(), {mm("3.003"), 6, 9, 12})));
 }
 
+// Apart or overlapping by 5e-10, less than the filter looks for: a gap at worst, never the
+// opposite.
+TEST(RegionEquality, HalfANanometreIsNeverGuessed) {
+  const auto with = [](std::string_view second) {
+    return concentric(with_border("12.008"), {mm("3.002"), mm(second), mm("9.006"), mm("12.008")});
+  };
+  EXPECT_NE(judge(with("6.0040000005")).kind, LevelVerdict::Kind::go);
+  Job overlapping = with("6.004");
+  overlapping.motions[2].to.p = overlapping.motions[3].from.p = mm("6.0039999995");
+  overlapping.motions[3].to.p = mm("6.0039999995");
+  overlapping.level.tolerance = mm("0.00100000025");
+  EXPECT_NE(judge(overlapping).kind, LevelVerdict::Kind::no_go);
+}
+
 // Pitch 3.002: bands of one side touch along half circles, those of the two sides meet in points.
 TEST(RegionEquality, ASpiralThatJustTouchesItselfIsGo) {
   CircularLevel wide = with_border("12.008");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/oracle/region/paths.hpp"
 
-#include <fmt/format.h>
-
 #include "oracle/region/arc.hpp"
 
 namespace gonogo::oracle::region {

@@ -97,6 +97,44 @@ RC_GTEST_PROP(RegionProperty, SemicircleSpiralsAreGoForEveryPocket, ()) {
   RC_ASSERT(is_go(moved(semicircles(level), by)));
 }
 
+// The direction of twice the angle whose tangent is t.
+PlanePoint by_half_tangent(const Number& t) {
+  const Number below = Number(1) + t * t;
+  return {(Number(1) - t * t) / below, Number(2) * t / below};
+}
+
+// The ring of 6 is open by an angle g. The bands of 3 and 9 end at 4.501 and 7.499; there the discs
+// about its two ends reach round by an angle f with 1.499^2 + 2*6*7.499 (1 - cos f) = 1.501^2:
+// f = 0.011547 (at 4.501: 0.0149). So it is go up to g = 0.02309, tan(g/2) = 0.011547.
+RC_GTEST_PROP(RegionProperty, ANarrowOpeningOfARingIsSeen, ()) {
+  const bool wide = *rc::gen::arbitrary<bool>();
+  const Number opening = Number::millionths(
+      wide ? *rc::gen::oneOf(rc::gen::inRange(11'700, 12'500), rc::gen::inRange(11'700, 200'000))
+           : *rc::gen::inRange(1'000, 11'400));
+  const Number start = micron(*rc::gen::inRange(-3'000, 3'000));
+  const Number end = (start + opening) / (Number(1) - start * opening);
+  Job job = concentric(i16_l3_d4(), {3, 9, 12});
+  const PlanePoint a = by_half_tangent(start);
+  const PlanePoint b = by_half_tangent(end);
+  line_to(job, {Number(6) * a.p, Number(6) * a.q});
+  arc_to(job, {Number(6) * b.p, Number(6) * b.q}, {}, -1);
+  RC_ASSERT((wide ? breaks(Rule::step, job) : is_go(job)));
+}
+
+// The ring of 6 stands aside by d: on the other side it is 3 + d from the ring of 9.
+RC_GTEST_PROP(RegionProperty, ARingBesideTheCentreIsMeasuredWhereTheGapIsWidest, ()) {
+  const bool wide = *rc::gen::arbitrary<bool>();
+  const Number aside =
+      Number::millionths(wide ? *rc::gen::inRange(2'010, 3'000) : *rc::gen::inRange(0, 2'001));
+  const PlanePoint u = by_half_tangent(micron(*rc::gen::inRange(-5'000, 5'000)));
+  const PlanePoint centre{aside * u.p, aside * u.q};
+  // The plunge point is 3 from the first ring; the gap from 3 to the ring of 6 is 3 + d as well.
+  Job job = concentric(i16_l3_d4(), {3, 9, 12});
+  line_to(job, {centre.p + Number(6), centre.q});
+  arc_to(job, job.motions.back().to, centre, -1);
+  RC_ASSERT((wide ? breaks(Rule::step, job) : is_go(job)));
+}
+
 // The filter says nothing that the exact decision denies.
 RC_GTEST_PROP(RegionProperty, TheFilterAndTheExactDecisionAgree, ()) {
   CircularLevel level = i16_l3_d4();

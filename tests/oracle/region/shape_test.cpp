@@ -2,6 +2,7 @@
 //
 // One path in many shapes: moved, rounded, turned, cut up, or written as spirals.
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tests/oracle/region/expectations.hpp"
@@ -139,6 +140,12 @@ Job one_record_spiral(int turns) {
 
 TEST(RegionShapes, AWholeSpiralInOneRecordIsGo) {
   EXPECT_TRUE(is_go(one_record_spiral(4)));
+}
+
+TEST(RegionShapes, AnyNumberOfWholeTurnsIsReadable) {
+  Job job = concentric(i16_l3_d4(), {3, 6, 9, 12});
+  job.motions[1].rot = std::numeric_limits<int>::min();
+  EXPECT_EQ(judge(job).kind, LevelVerdict::Kind::go);
 }
 
 // 3.92 a turn.

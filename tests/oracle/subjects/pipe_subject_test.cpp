@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fstream>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 
 #include "run_subject.hpp"
@@ -8,13 +8,19 @@
 namespace gonogo::oracle {
 namespace {
 
-std::unique_ptr<Subject> fake(const std::string& mode, const Limits& limits = short_limits()) {
+std::unique_ptr<Subject> fake(const std::string& mode, const Limits& limits = patient_limits()) {
   auto subject = make_pipe_subject(std::string(FAKE_PIPE) + " " + mode, limits);
   subject->configure(gsk_profile());
   return subject;
 }
 
-RunEnd end_of(const std::string& mode) { return run(*fake(mode)).end; }
+RunEnd end_of(const std::string& mode) {
+  return run(*fake(mode)).end;
+}
+
+RunEnd soon_end_of(const std::string& mode) {
+  return run(*fake(mode, short_limits())).end;
+}
 
 TEST(PipeSubject, TellsWhatTheStartReplySays) {
   auto subject = fake("good");
@@ -58,7 +64,9 @@ TEST(PipeSubject, ASkipNamesItsFeature) {
   EXPECT_EQ(end.feature, "g116");
 }
 
-TEST(PipeSubject, AnErrorIsNotACrash) { EXPECT_EQ(end_of("error").kind, Kind::error); }
+TEST(PipeSubject, AnErrorIsNotACrash) {
+  EXPECT_EQ(end_of("error").kind, Kind::error);
+}
 
 TEST(PipeSubject, EveryRunOfARefusedProfileTellsTheRefusal) {
   auto subject = fake("refuses");
@@ -98,21 +106,21 @@ TEST(PipeSubject, ADeathBetweenTwoRunsIsACrashOfTheSecond) {
 }
 
 TEST(PipeSubject, AHangIsATimeoutNearTheLimit) {
-  auto subject = fake("hang");
+  auto subject = fake("hang", short_limits());
   const auto begin = std::chrono::steady_clock::now();
   const RunEnd end = run(*subject).end;
   const auto spent = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(end.kind, Kind::timeout);
   EXPECT_GE(end.microseconds, 290'000);
-  EXPECT_LT(spent, std::chrono::seconds(3));
+  EXPECT_LT(spent, std::chrono::seconds(10));
 }
 
 TEST(PipeSubject, AHangThatIgnoresSignalsIsKilled) {
-  EXPECT_EQ(end_of("hang-deaf").kind, Kind::timeout);
+  EXPECT_EQ(soon_end_of("hang-deaf").kind, Kind::timeout);
 }
 
 TEST(PipeSubject, AHangInConfigureIsATimeout) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.start = std::chrono::milliseconds(1000);
   EXPECT_EQ(run(*fake("hangs-in-configure", limits)).end.kind, Kind::timeout);
 }
@@ -121,7 +129,7 @@ TEST(PipeSubject, AGrandchildThatHoldsThePipesHidesNoDeath) {
   const RunEnd end = end_of("die-with-grandchild");
   EXPECT_EQ(end.kind, Kind::crash);
   EXPECT_NE(end.message.find("exited with 9"), std::string::npos) << end.message;
-  EXPECT_EQ(end_of("hang-with-grandchild").kind, Kind::timeout);
+  EXPECT_EQ(soon_end_of("hang-with-grandchild").kind, Kind::timeout);
 }
 
 TEST(PipeSubject, TheSinkStopsAFloodOfRecords) {
@@ -132,21 +140,25 @@ TEST(PipeSubject, TheSinkStopsAFloodOfRecords) {
 }
 
 TEST(PipeSubject, AFloodOfEmptyPartsIsATimeout) {
-  EXPECT_EQ(end_of("flood-empty").kind, Kind::timeout);
+  EXPECT_EQ(soon_end_of("flood-empty").kind, Kind::timeout);
 }
 
-TEST(PipeSubject, PartsDoNotProlongTheTime) { EXPECT_EQ(end_of("slow-parts").kind, Kind::timeout); }
+TEST(PipeSubject, PartsDoNotProlongTheTime) {
+  EXPECT_EQ(soon_end_of("slow-parts").kind, Kind::timeout);
+}
 
 TEST(PipeSubject, TheTimeOfTheSinkIsNotTheSubjects) {
-  auto subject = fake("parts");
+  Limits limits = patient_limits();
+  limits.run = std::chrono::milliseconds(1000);
+  auto subject = fake("parts", limits);
   std::size_t records = 0;
   const RunEnd end = subject->run("slow.sink", "G0\n", [&](const reference::Record&) {
-    if (++records % 10 == 0) usleep(100'000);  // 1 s in all; the limit is 300 ms
+    if (++records % 10 == 0) usleep(200'000);  // 2 s in all; the limit is 1 s
     return true;
   });
   EXPECT_EQ(end.kind, Kind::ok) << end.message;
   EXPECT_EQ(records, 101u);
-  EXPECT_LT(end.microseconds, 900'000);
+  EXPECT_LT(end.microseconds, 1'900'000);
 }
 
 TEST(PipeSubject, AReplyMayComeInManyParts) {
@@ -168,14 +180,14 @@ TEST(PipeSubject, TheDuplicateKeyIsNamed) {
 }
 
 TEST(PipeSubject, HalfALineAndThenNothingIsATimeout) {
-  EXPECT_EQ(end_of("half-stall").kind, Kind::timeout);
+  EXPECT_EQ(soon_end_of("half-stall").kind, Kind::timeout);
 }
 
 TEST(PipeSubject, ALateAnswerIsNeverTakenForTheNext) {
-  const auto mark = std::filesystem::temp_directory_path() /
-                    ("gonogo-late-" + std::to_string(getpid()));
+  const auto mark =
+      std::filesystem::temp_directory_path() / ("gonogo-late-" + std::to_string(getpid()));
   setenv("FAKE_MARK", mark.c_str(), 1);
-  auto subject = fake("late-first");
+  auto subject = fake("late-first", short_limits());
   EXPECT_EQ(run(*subject).end.kind, Kind::timeout);
   usleep(500'000);  // by now the first answer would have come
   const Ran second = run(*subject);
@@ -186,7 +198,7 @@ TEST(PipeSubject, ALateAnswerIsNeverTakenForTheNext) {
 }
 
 TEST(PipeSubject, ALineAboveTheLimitIsProtocolAndIsNotKept) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.run = std::chrono::milliseconds(20'000);
   const RunEnd end = run(*fake("long-line", limits)).end;  // 100 MiB, limit 64 MiB
   EXPECT_EQ(end.kind, Kind::protocol);
@@ -220,7 +232,7 @@ TEST(PipeSubject, AProgramArrivesWholeWhateverItHolds) {
 }
 
 TEST(PipeSubject, EatingMemoryIsToldApartFromACrash) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.run = std::chrono::milliseconds(20'000);
   limits.memory_bytes = std::size_t{256} << 20;
   EXPECT_EQ(run(*fake("eat-memory", limits)).end.kind, Kind::out_of_memory);
@@ -235,7 +247,7 @@ TEST(PipeSubject, RenewGivesAFreshProcess) {
 }
 
 TEST(PipeSubject, IsGivenUpAfterTheRestartsInARow) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.restarts = 2;
   auto subject = fake("abort", limits);
   for (int i = 0; i < 3; ++i) {
@@ -247,7 +259,7 @@ TEST(PipeSubject, IsGivenUpAfterTheRestartsInARow) {
 }
 
 TEST(PipeSubject, AnAnswerBetweenTwoCrashesBeginsTheCountAgain) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.restarts = 1;
   auto subject = fake("second-aborts", limits);
   for (int i = 0; i < 5; ++i) {
@@ -257,7 +269,7 @@ TEST(PipeSubject, AnAnswerBetweenTwoCrashesBeginsTheCountAgain) {
 }
 
 TEST(PipeSubject, OneThatCannotStartIsUnusableAndSaysWhy) {
-  Limits limits = short_limits();
+  Limits limits = patient_limits();
   limits.start = std::chrono::milliseconds(500);
   for (const char* mode : {"never-starts", "protocol2", "start-garbage", "talks-first"}) {
     EXPECT_THROW(fake(mode, limits), SubjectUnusable) << mode;
@@ -290,15 +302,15 @@ TEST(PipeSubject, NoProcessOutlivesItsSubject) {
 TEST(PipeSubject, TwoHundredRestartsLeaveNeitherZombiesNorDescriptors) {
   const std::size_t before = open_descriptors();
   {
-    Limits limits = short_limits();
+    Limits limits = patient_limits();
     limits.restarts = 1000;
     auto crashing = fake("abort", limits);
     for (int i = 0; i < 200; ++i) ASSERT_EQ(run(*crashing).end.kind, Kind::crash);
-    EXPECT_EQ(zombies(), 0u);
-    EXPECT_LE(open_descriptors(), before + 3);
+    EXPECT_FALSE(has_children());
+    EXPECT_EQ(open_descriptors(), before);
   }
   EXPECT_EQ(open_descriptors(), before);
-  EXPECT_EQ(zombies(), 0u);
+  EXPECT_FALSE(has_children());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "run_subject.hpp"
 
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -15,16 +16,9 @@ std::size_t open_descriptors() {
   return static_cast<std::size_t>(std::distance(begin(folder), end(folder)));
 }
 
-std::size_t zombies() {
-  std::size_t count = 0;
-  std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
-  for (int child = 0; children >> child;) {
-    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
-    const std::string text(std::istreambuf_iterator<char>(stat), {});
-    const std::size_t name_end = text.rfind(')');
-    if (name_end != text.npos && text[name_end + 2] == 'Z') ++count;
-  }
-  return count;
+bool has_children() {
+  siginfo_t info{};
+  return waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
 bool is_alive(int pid) {

@@ -40,8 +40,9 @@ int show(const std::vector<std::string>& arguments) {
   stat(path.c_str(), &status);
   std::ifstream file(path);
   std::cerr << "dialect=" << argument_after(arguments, "--dialect") << " mode=" << std::oct
-            << (status.st_mode & 0777) << " profile="
-            << std::string(std::istreambuf_iterator<char>(file), {}) << " path=" << path << "\n";
+            << (status.st_mode & 0777)
+            << " profile=" << std::string(std::istreambuf_iterator<char>(file), {})
+            << " path=" << path << "\n";
   return 0;
 }
 

@@ -20,7 +20,9 @@ const std::string kRecord = R"({"k":"feed","b":1,"to":{"x":"1.5"},"f":"200"})";
 std::string mode;
 int runs = 0;
 
-void say(const std::string& line) { std::cout << line << '\n' << std::flush; }
+void say(const std::string& line) {
+  std::cout << line << '\n' << std::flush;
+}
 
 [[noreturn]] void sleep_for_ever() {
   while (true) pause();
@@ -31,7 +33,9 @@ std::string seq_of(const std::string& line) {
   return line.substr(at, line.find(',', at) - at);
 }
 
-void answer(const std::string& seq, const std::string& rest) { say("{\"seq\":" + seq + rest + "}"); }
+void answer(const std::string& seq, const std::string& rest) {
+  say("{\"seq\":" + seq + rest + "}");
+}
 
 void answer_well(const std::string& seq) {
   answer(seq, ",\"outcome\":\"ok\",\"records\":[" + kRecord + "]");
@@ -76,8 +80,8 @@ void noise(const std::string& seq) {
 
 // What the first run left behind shows in the second.
 void leak(const std::string& seq) {
-  answer(seq, ",\"outcome\":\"ok\",\"records\":[{\"k\":\"dwell\",\"s\":\"" +
-                  std::to_string(runs) + "\"}]");
+  answer(seq, ",\"outcome\":\"ok\",\"records\":[{\"k\":\"dwell\",\"s\":\"" + std::to_string(runs) +
+                  "\"}]");
 }
 
 // Puts back what it was told, so that a test can see it.
@@ -106,8 +110,7 @@ const std::map<std::string, Action>& actions() {
       {"abort", [](auto&, auto&) { std::abort(); }},
       {"exit7", [](auto&, auto&) { std::_Exit(7); }},
       {"exit0", [](auto&, auto&) { std::_Exit(0); }},
-      {"second-aborts",
-       [](auto& seq, auto&) { runs == 2 ? std::abort() : answer_well(seq); }},
+      {"second-aborts", [](auto& seq, auto&) { runs == 2 ? std::abort() : answer_well(seq); }},
       {"hang", [](auto&, auto&) { sleep_for_ever(); }},
       {"hang-deaf",
        [](auto&, auto&) {

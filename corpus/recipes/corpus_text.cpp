@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corpus/recipes/corpus_text.hpp"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "corpus/recipes/recipe.hpp"
+
+namespace gonogo::recipes {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using oracle::Case;
+using oracle::CorpusError;
+
+// Version and retired ids.
+void read_settings(const std::string& path, CorpusText& corpus) {
+  try {
+    const toml::table table = toml::parse_file(path);
+    corpus.version = table["version"].value_or<std::string>("");
+    if (const toml::array* retired = table["retired"].as_array()) {
+      for (const toml::node& id : *retired) corpus.retired.push_back(id.value_or<std::string>(""));
+    }
+  } catch (const toml::parse_error& error) {
+    throw CorpusError(fmt::format("{}: {}", path, error.description()));
+  }
+  if (corpus.version.empty()) throw CorpusError(path + ": the version is missing.");
+}
+
+std::set<fs::path> recipe_files(const std::string& folder) {
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    const fs::path below = fs::relative(entry.path(), folder);
+    if (below.extension() == ".toml" && below.has_parent_path()) files.insert(below);
+  }
+  return files;
+}
+
+}  // namespace
+
+CorpusText corpus_from_recipes(const std::string& folder) {
+  CorpusText corpus;
+  read_settings(folder + "/corpus.toml", corpus);
+  std::set<std::string> ids(corpus.retired.begin(), corpus.retired.end());
+  Json names = Json::array();
+  for (const fs::path& recipe : recipe_files(folder)) {
+    const std::string path = (fs::path(folder) / recipe).string();
+    std::vector<Case> cases;
+    for (const RecipeCase& entry : read_recipe(path)) {
+      if (!ids.insert(entry.test.id).second) {
+        throw CorpusError(fmt::format("{}: the id {} was used before.", path, entry.test.id));
+      }
+      cases.push_back(prepare(entry));
+    }
+    const std::string name = "vectors/" + fs::path(recipe).replace_extension(".json").string();
+    corpus.files[name] = oracle::vector_file_text(corpus.version, cases);
+    names.push_back(name);
+  }
+  Json manifest;
+  manifest["format"] = 1;
+  manifest["version"] = corpus.version;
+  manifest["license"] = "CC0-1.0";
+  manifest["files"] = names;
+  manifest["retired"] = corpus.retired;
+  corpus.files["manifest.json"] = manifest.dump(1) + "\n";
+  return corpus;
+}
+
+std::size_t recheck(const std::string& path) {
+  const std::vector<Case> cases = oracle::read_vector_file(path);
+  for (const Case& test : cases) {
+    for (const oracle::Expectation& expected : test.expect) {
+      reference::Profile profile = test.profile;
+      for (const auto& [reading, value] : expected.when) {
+        if (auto error = reference::set_reading(profile, reading, value)) {
+          throw CorpusError(fmt::format("{}: {}: {}", path, test.id, error->message));
+        }
+      }
+      oracle::Expectation computed = oracle::expectation_of(profile, test.program);
+      computed.when = expected.when;
+      if (expectation_json(computed) != expectation_json(expected)) {
+        throw CorpusError(fmt::format("{}: {}: the reference says otherwise: {}", path, test.id,
+                                      expectation_json(computed)));
+      }
+    }
+  }
+  return cases.size();
+}
+
+}  // namespace gonogo::recipes

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where a generator gets its decisions from: a seed, or the bytes of a fuzzer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <random>
+#include <span>
+
+namespace gonogo::fuzz {
+
+class Choices {
+ public:
+  // Endless decisions of a seed.
+  explicit Choices(std::uint64_t seed) : random_(seed), seeded_(true) {}
+  // As many as there are bytes; 0 after that.
+  explicit Choices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  // A number in [0, count). REQUIRES: 0 < count <= 65536.
+  std::uint32_t below(std::uint32_t count);
+  // A number in [low, high].
+  std::int64_t between(std::int64_t low, std::int64_t high);
+  bool one_in(std::uint32_t count) { return below(count) == 0; }
+  template <typename T>
+  T pick(std::initializer_list<T> items) {
+    return items.begin()[below(static_cast<std::uint32_t>(items.size()))];
+  }
+  // Whether the bytes are used up; never for a seed.
+  bool exhausted() const { return !seeded_ && bytes_.empty(); }
+
+ private:
+  std::uint32_t next_byte();
+
+  std::mt19937_64 random_;
+  bool seeded_ = false;
+  std::span<const std::uint8_t> bytes_;
+};
+
+}  // namespace gonogo::fuzz

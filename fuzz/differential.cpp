@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/differential.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::fuzz {
+
+oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile& profile,
+                              std::string_view program) {
+  const oracle::JudgeTerms terms = make_terms(subject.info(), profile, std::nullopt, std::nullopt);
+  oracle::JudgeSession session(profile, program, terms);
+  subject.configure(profile);
+  const oracle::RunEnd end = subject.run(
+      "generated", program, [&](const oracle::Record& record) { return session.record(record); });
+  return session.finish(end).verdict;
+}
+
+std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
+                         std::string_view program) {
+  return fmt::format(
+      "verdict: {}\n{}\nclause: {}\nline: {}\nwant: {}\ngot: {}\nwitness: {}\nprofile: {}\n"
+      "program:\n{}",
+      name(verdict.kind), verdict.message, reference::clause_name(verdict.clause), verdict.block,
+      verdict.want, verdict.got, verdict.witness, reference::profile_json(profile), program);
+}
+
+}  // namespace gonogo::fuzz

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One program through a subject and the judge.
+#pragma once
+
+#include <string_view>
+
+#include "oracle/judge/judge_session.hpp"
+
+namespace gonogo::fuzz {
+
+// Runs the program and judges it on the subject's own terms.
+oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile& profile,
+                              std::string_view program);
+
+// The verdict, the program and how to see it again, for a failed run.
+std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
+                         std::string_view program);
+
+}  // namespace gonogo::fuzz

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo_soak: generated programs through a built-in expander and the judge, until one is not GO.
+//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--distribution]
+// Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2 wrong use.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "expanders/registry.hpp"
+#include "fuzz/differential.hpp"
+#include "fuzz/gsk_generator.hpp"
+
+namespace {
+
+using namespace gonogo;
+
+struct SoakOptions {
+  std::uint64_t programs = 10'000;
+  std::uint64_t seed = 1;
+  std::string subject = "gsk";
+  bool distribution = false;
+};
+
+bool parse(int argc, char** argv, SoakOptions& options) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--distribution") {
+      options.distribution = true;
+    } else if (word == "--programs" && has_value) {
+      options.programs = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--seed" && has_value) {
+      options.seed = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--subject" && has_value) {
+      options.subject = argv[++i];
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+int soak(const SoakOptions& options) {
+  const std::size_t plus = options.subject.find('+');
+  const std::string fault = plus == std::string::npos ? "" : options.subject.substr(plus + 1);
+  const gonogo_subject_v1* table = expanders::find(options.subject.substr(0, plus), fault);
+  if (table == nullptr) {
+    fmt::print(stderr, "There is no built-in expander {}.\n", options.subject);
+    return 2;
+  }
+  auto subject = oracle::make_interface_subject(*table);
+  fuzz::Distribution distribution;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::uint64_t i = 0; i < options.programs; ++i) {
+    // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
+    fuzz::Choices choices(options.seed + i);
+    const fuzz::GeneratedProgram program =
+        fuzz::generate_gsk(choices, {}, options.distribution ? &distribution : nullptr);
+    const oracle::Verdict verdict = fuzz::run_and_judge(*subject, program.profile, program.text);
+    ++distribution[fmt::format("verdict {}", name(verdict.kind))];
+    if (decision(verdict.kind) == oracle::Decision::go) continue;
+    if (verdict.kind == oracle::VerdictKind::oracle_gap &&
+        verdict.message.find("gauge does not") != std::string::npos) {
+      continue;
+    }
+    fmt::print("--seed {} --programs 1 gives:\n{}\n", options.seed + i,
+               fuzz::failure_text(verdict, program.profile, program.text));
+    return 1;
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  fmt::print("{} programs from seed {} on: no failure ({:.0f} a second)\n", options.programs,
+             options.seed, static_cast<double>(options.programs) / spent.count());
+  for (const auto& [what, times] : distribution) fmt::print("  {:<40} {}\n", what, times);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  SoakOptions options;
+  if (!parse(argc, argv, options)) {
+    fmt::print(stderr,
+               "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--distribution]\n",
+               argv[0]);
+    return 2;
+  }
+  return soak(options);
+}

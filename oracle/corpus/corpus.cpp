@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/corpus/corpus.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "oracle/corpus/files.hpp"
+#include "oracle/corpus/json_place.hpp"
+#include "oracle/corpus/sha256.hpp"
+#include "oracle/subjects/json_document.hpp"
+
+namespace gonogo::oracle {
+namespace fs = std::filesystem;
+
+std::string file_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  if (file) text.assign(std::istreambuf_iterator<char>(file), {});
+  if (!file || file.bad()) {
+    throw CorpusError(fmt::format("{} cannot be read: {}.", path, std::strerror(errno)));
+  }
+  return text;
+}
+
+namespace {
+
+// The vector files below a folder as names relative to it, in their order.
+std::vector<std::string> vector_files(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(fs::path(folder) / "vectors", error)) {
+    if (!entry.is_regular_file() || entry.path().extension() != ".json") continue;
+    files.push_back(fs::relative(entry.path(), folder).generic_string());
+  }
+  if (error) {
+    throw CorpusError(fmt::format("{}/vectors cannot be listed: {}.", folder, error.message()));
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+Corpus::Corpus(std::string folder) : folder_(std::move(folder)), files_(vector_files(folder_)) {
+  const std::string path = folder_ + "/manifest.json";
+  const std::string text = file_text(path);
+  JsonDocument document;
+  auto parsed = document.parse(text);
+  if (auto* fault = std::get_if<JsonFault>(&parsed)) {
+    throw CorpusError(fmt::format("{}: {}", path, fault->message));
+  }
+  const JsonPlace manifest(path, std::get<simdjson::dom::object>(parsed));
+  manifest.need_object({"format", "version", "license", "files", "retired"});
+  if (const std::int64_t format = manifest.member("format").integer(); format != 1) {
+    manifest.member("format").fail(
+        fmt::format("This program reads manifests of format 1, not {}.", format));
+  }
+  version_ = manifest.member("version").text();
+  for (const std::string& id : manifest.member("retired").texts()) retired_.insert(id);
+  std::vector<std::string> listed = manifest.member("files").texts();
+  std::ranges::sort(listed);
+  if (listed != files_) {
+    manifest.member("files").fail(
+        "The list is not that of the *.json files below vectors/. List each of them once.");
+  }
+  Sha256 hash;
+  for (const std::string& file : files_) {
+    const std::string bytes = file_text(folder_ + "/" + file);
+    hash.update(fmt::format("{}\n{}\n", file, bytes.size()));
+    hash.update(bytes);
+  }
+  sha256_ = hash.hex();
+}
+
+void Corpus::for_each(const std::function<bool(const Case&)>& visit) const {
+  std::map<std::string, const std::string*> seen;  // id -> file
+  for (const std::string& file : files_) {
+    const std::string path = folder_ + "/" + file;
+    for (const Case& test : read_vector_file(path)) {
+      const auto [place, is_new] = seen.emplace(test.id, &file);
+      if (!is_new) {
+        throw CorpusError(
+            fmt::format("{}: The id {} stands in {} too.", path, test.id, *place->second));
+      }
+      if (retired_.contains(test.id)) {
+        throw CorpusError(
+            fmt::format("{}: The id {} is retired and cannot be used again.", path, test.id));
+      }
+      if (!visit(test)) return;
+    }
+  }
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/corpus/json_place.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/corpus/corpus.hpp"
+
+namespace gonogo::oracle {
+
+JsonPlace::JsonPlace(const JsonPlace& parent, std::string_view key, simdjson::dom::element value)
+    : file_(parent.file_), pointer_(parent.pointer_ + "/"), value_(value) {
+  for (const char byte : key) {  // RFC 6901
+    if (byte == '~') {
+      pointer_ += "~0";
+    } else if (byte == '/') {
+      pointer_ += "~1";
+    } else {
+      pointer_ += byte;
+    }
+  }
+}
+
+void JsonPlace::fail(std::string_view message) const {
+  throw CorpusError(
+      fmt::format("{}: at {}: {}", file_, pointer_.empty() ? "the top" : pointer_, message));
+}
+
+void JsonPlace::need_object(std::initializer_list<std::string_view> known) const {
+  for (const auto& [key, place] : members()) {
+    if (std::ranges::find(known, key) == known.end()) {
+      place.fail("There is no such key in the format.");
+    }
+  }
+}
+
+simdjson::dom::object JsonPlace::object() const {
+  if (root_) return *root_;
+  simdjson::dom::object object;
+  if (value_.get_object().get(object) != simdjson::SUCCESS) fail("An object must stand here.");
+  return object;
+}
+
+bool JsonPlace::has(std::string_view key) const {
+  return object()[key].error() == simdjson::SUCCESS;
+}
+
+JsonPlace JsonPlace::member(std::string_view key) const {
+  simdjson::dom::element value;
+  if (object()[key].get(value) != simdjson::SUCCESS) {
+    fail(fmt::format("The key \"{}\" is missing.", key));
+  }
+  return {*this, key, value};
+}
+
+std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
+  std::vector<std::pair<std::string, JsonPlace>> list;
+  for (const auto field : object()) {
+    list.emplace_back(std::string(field.key), JsonPlace(*this, field.key, field.value));
+  }
+  return list;
+}
+
+std::vector<JsonPlace> JsonPlace::items() const {
+  simdjson::dom::array array;
+  if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
+  std::vector<JsonPlace> list;
+  for (const simdjson::dom::element item : array) {
+    list.push_back({*this, std::to_string(list.size()), item});
+  }
+  return list;
+}
+
+std::string JsonPlace::text() const {
+  std::string_view text;
+  if (value_.get_string().get(text) != simdjson::SUCCESS) fail("A string must stand here.");
+  return std::string(text);
+}
+
+std::vector<std::string> JsonPlace::texts() const {
+  std::vector<std::string> list;
+  for (const JsonPlace& item : items()) list.push_back(item.text());
+  return list;
+}
+
+std::int64_t JsonPlace::integer() const {
+  std::int64_t value = 0;
+  if (value_.get_int64().get(value) != simdjson::SUCCESS) fail("A whole number must stand here.");
+  return value;
+}
+
+bool JsonPlace::flag() const {
+  bool value = false;
+  if (value_.get_bool().get(value) != simdjson::SUCCESS) fail("true or false must stand here.");
+  return value;
+}
+
+std::string JsonPlace::json() const {
+  return simdjson::minify(value_);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is certain about a whole piece of a circle: the filter stands on these three.
+#pragma once
+
+#include "oracle/region/band.hpp"
+
+namespace gonogo::oracle::region {
+
+// At most 90 degrees of a circle, counterclockwise from the unit direction ua to ub.
+struct CirclePiece {
+  IntervalVector c;
+  Interval r;
+  IntervalVector ua;
+  IntervalVector ub;
+};
+
+// Every point at least as far from the origin as the square root of `radius2`.
+bool lies_outside(const CirclePiece& piece, Interval radius2);
+// Every point strictly within the sweep of the band, if it has one.
+bool lies_within_sweep(const CirclePiece& piece, const Band& band);
+// Every point in the inside of the band.
+bool lies_inside(const CirclePiece& piece, const Band& band);
+
+}  // namespace gonogo::oracle::region

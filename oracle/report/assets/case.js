@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Part of the report's page: the evidence of the chosen case.
+'use strict';
+
+
+function showCase(c) {
+  openCase = c;
+  stepper = null;
+  const block = byId(`d${c.index}`);
+  const data = block ? json(block) : null;
+  const place = shown.indexOf(c);
+  const detail = byId('detail');
+  detail.hidden = false;
+  detail.replaceChildren(
+    el('div', { class: 'detail-head' }, el('h2', {}, c.id), badge(c.verdict), el('span', { class: 'spring' }),
+      el('button', { type: 'button', id: 'previous', disabled: place <= 0, on: { click: () => choose(place - 1, false) } }, 'Previous case'),
+      el('button', { type: 'button', id: 'next', disabled: place < 0 || place + 1 >= shown.length, on: { click: () => choose(place + 1, false) } }, 'Next case')),
+    el('p', { class: 'message' }, c.message || (decisionOf(c.verdict) === 'go' ? 'This case is GO.' : 'No message.')));
+  if (data) showFailure(detail, c, data);
+  else {
+    detail.append(el('dl', { class: 'pairs' }, el('dt', {}, 'Dialect, cycle'), el('dd', {}, `${c.dialect}, ${c.cycle}`),
+      el('dt', {}, 'Clauses'), el('dd', {}, ...clauseList(c.clauses))));
+  }
+  detail.append(commandBox(c));
+  const hash = `#case=${encodeURIComponent(c.id)}`;
+  if (location.hash !== hash) history.replaceState(null, '', hash);
+}
+
+function clauseList(ids) {
+  return ids.flatMap((id, i) => [i > 0 ? ', ' : '', el('span', { class: 'mono', title: clauseTitle(id) }, id)]);
+}
+
+function showFailure(detail, c, data) {
+  const facts = el('dl', { class: 'pairs' });
+  const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
+  fact('Dialect, cycle', `${c.dialect}, ${c.cycle}`);
+  if (c.clause) {
+    const clause = catalog.get(c.clause);
+    fact('Clause', el('strong', { class: 'mono' }, c.clause), clause ? ` ${clause.text} ` : ' not in the catalog',
+      clause ? el('span', { class: 'level' }, `${clause.source}; ${clause.level}`) : null);
+  }
+  if (c.clauses.length > 0) fact('Clauses of the case', ...clauseList(c.clauses));
+  if (data.b !== undefined) fact('Block', `line ${data.b}${data.word ? `, word ${data.word}` : ''}`);
+  if (data.record !== undefined) fact('Subject\u2019s record', `number ${data.record + 1}`);
+  if (data.deviation) fact('Deviation', el('strong', {}, `${data.deviation.mm} mm`), `, exactly ${exactText(data.deviation.exact)}`);
+  if (data.witness) fact('Witness', pointText(data.witness));
+  if (data.attempts > 1) fact('Attempts', String(data.attempts));
+  if (data.profile && Object.keys(data.profile).length > 0) fact('Profile', el('span', { class: 'mono' }, JSON.stringify(data.profile)));
+  const left = el('div', {}, facts);
+  if (data.reading) {
+    left.append(el('p', { class: 'other' }, 'Under the reading ', el('strong', { class: 'mono' }, data.reading), ' the answer would be GO.'));
+  }
+  detail.append(el('div', { class: 'columns' }, left, programBox(data)));
+  if (data.want !== undefined || data.got !== undefined) {
+    const cards = el('div', { class: 'records', id: 'want-got' }, recordCard('Want: the reference', 'reference', data.want, data.got),
+      recordCard('Got: the subject', 'subject', data.got, data.want));
+    detail.append(el('h3', {}, 'Want and got'), cards);
+  }
+  showDrawing(detail, data);
+  if (data.notes) detail.append(el('h3', {}, 'What the subject wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
+}
+
+function pointText(point) {
+  if (typeof point !== 'object') return String(point);
+  return Object.entries(point).map(([axis, at]) => `${axis.toUpperCase()} ${exactText(at)}`).join('   ');
+}
+
+// Bytes that are not UTF-8 are most often a Chinese comment.
+function programText(program) {
+  if (typeof program === 'string') return [program, ''];
+  const bytes = Uint8Array.from(atob(program.base64), (c) => c.charCodeAt(0));
+  for (const label of ['utf-8', 'gb18030']) {
+    try { return [new TextDecoder(label, { fatal: true }).decode(bytes), `Bytes shown as ${label.toUpperCase()}.`]; } catch { /* the next one */ }
+  }
+  return [new TextDecoder('iso-8859-1').decode(bytes), 'Bytes shown as ISO-8859-1.'];
+}
+
+const kProgramLines = 2000;
+
+function programBox(data) {
+  const box = el('div', {}, el('h3', { class: 'first' }, 'Program'));
+  if (data.program === undefined) {
+    box.append(el('p', { class: 'note' }, data.note ?? 'The results file holds no program for this case.'));
+    return box;
+  }
+  const [text, encoding] = programText(data.program);
+  const lines = text.split(/\r\n|\n|\r/);
+  if (lines.length > 1 && lines.at(-1) === '') lines.pop();
+  const first = lines.length <= kProgramLines ? 0 : Math.max(0, Math.min((data.b ?? 1) - kProgramLines / 2, lines.length - kProgramLines));
+  const pre = el('pre', { id: 'program', tabindex: 0, 'aria-label': 'Program' });
+  lines.slice(first, first + kProgramLines).forEach((line, i) => {
+    const number = first + i + 1;
+    pre.append(el('span', { class: number === data.b ? 'line at-fault' : 'line', 'data-n': number }, line));
+  });
+  box.append(pre);
+  const notes = [encoding];
+  if (lines.length > kProgramLines) notes.push(`Lines ${first + 1} to ${first + kProgramLines} of ${lines.length}.`);
+  if (notes.some(Boolean)) box.append(el('p', { class: 'note' }, notes.filter(Boolean).join(' ')));
+  requestAnimationFrame(() => {
+    const fault = pre.querySelector('.at-fault');
+    if (fault) pre.scrollTop = fault.offsetTop - pre.offsetTop - pre.clientHeight / 2;
+  });
+  return box;
+}
+
+// ---- the command that runs the case again ----
+
+const kKept = ['--corpus', '--profile', '--reading', '--tolerance', '--chord', '--timeout', '--memory', '--alarm-map', '--known-failures'];
+const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+function commandLine(c) {
+  const words = ['./gonogo', 'certify', '--subject', header.subject?.spec ?? '', '--case', c.id];
+  const argv = Array.isArray(header.argv) ? header.argv.map(String) : [];
+  argv.forEach((word, i) => {
+    if (kKept.includes(word) && i + 1 < argv.length) words.push(word, argv[i + 1]);
+    else if (kKept.some((option) => word.startsWith(`${option}=`))) words.push(word);
+  });
+  return words.map(quoted).join(' ');
+}
+
+function commandBox(c) {
+  const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(c));
+  const button = el('button', { type: 'button', on: { click: async () => {
+    try {
+      await navigator.clipboard.writeText(pre.textContent);
+      button.textContent = 'Copied';
+    } catch {
+      getSelection().selectAllChildren(pre);
+    }
+  } } }, 'Copy');
+  return el('div', {}, el('h3', {}, 'Run this case again'), el('div', { class: 'command' }, pre, button));
+}

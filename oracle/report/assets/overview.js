@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Part of the report's page: headline and totals, what was run, clauses and cycles, what was not
+// checked.
+'use strict';
+
+
+function showHeadline() {
+  const { headline } = summary;
+  const subject = header.subject ?? {};
+  const tone = { GO: 'go', 'NO-GO': 'no-go', INCOMPLETE: 'undecided' }[headline.decision];
+  const parts = [counted(headline.cases, 'case', 'cases'), `${count(headline.go)} GO`,
+    `${count(headline.noGo)} NO-GO`, `${count(headline.undecided)} undecided`];
+  const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
+  const words = el('div', { class: 'words' },
+    el('p', { class: 'subject' }, name), el('p', {}, parts.join(' \u00b7 ')));
+  if (headline.undecided > 0) {
+    words.append(el('p', { class: 'note' },
+      'Undecided: the gauge cannot say, so these cases count neither way.'));
+  }
+  byId('headline').replaceChildren(
+    el('h1', { class: tone, id: 'decision' }, headline.decision), words);
+  if (headline.incomplete.length > 0) {
+    byId('headline').append(el('div', { class: 'banner undecided', id: 'incomplete', role: 'alert' },
+      el('strong', {}, 'This run is incomplete.'),
+      el('ul', {}, ...headline.incomplete.map((reason) => el('li', {}, reason)))));
+  }
+  document.title = `${headline.decision} \u2013 ${name || 'GoNoGo'} \u2013 GoNoGo report`;
+}
+
+function showTotals() {
+  const rank = { 'no-go': 0, undecided: 1, go: 2 };
+  const verdicts = Object.keys(summary.totals).sort((a, b) =>
+    rank[decisionOf(a)] - rank[decisionOf(b)] || summary.totals[b] - summary.totals[a]);
+  byId('totals').append(...verdicts.map((verdict) => el('button', {
+    type: 'button', class: 'total', 'data-verdict': verdict, 'aria-pressed': 'false',
+    on: { click: () => {
+      byId('by-verdict').value = byId('by-verdict').value === verdict ? '' : verdict;
+      applyFilters();
+    } },
+  }, badge(verdict), el('b', {}, count(summary.totals[verdict])))));
+}
+
+// ---- what was run ----
+
+function showRun() {
+  const facts = byId('facts');
+  const fact = (name, value, mono = false) => value && facts.append(el('dt', {}, name), el('dd', { class: mono ? 'mono' : null }, value));
+  const subject = header.subject ?? {};
+  const numeric = subject.numeric ?? {};
+  fact('Subject', [subject.name, subject.version].filter(Boolean).join(' '));
+  fact('Given as', subject.spec, true);
+  fact('Numbers', Object.entries(numeric).map(([key, value]) => `${key.replace('_', ' ')} ${exactText(value)}`).join(', '));
+  fact('Features', Array.isArray(subject.features) ? subject.features.join(', ') || 'none declared' : '');
+  fact('Gauge', `gonogo ${header.gonogo ?? '(version not given)'}`);
+  fact('Corpus', header.corpus ? `version ${header.corpus.version}, SHA-256 ${header.corpus.sha256}` : '');
+  const profile = header.profile ?? {};
+  fact('Profile', Object.keys(profile).length > 0 ? JSON.stringify(profile) : 'that of each case', Object.keys(profile).length > 0);
+  fact('Tolerance', header.tolerance != null ? `${exactText(header.tolerance)} mm, set by the certifier` : 'as the subject and the profile declare it');
+  fact('Chord', header.chord != null ? `${exactText(header.chord)} mm` : 'none');
+  fact('Seed, shard', `${header.seed ?? '?'}, ${header.shard ?? '?'}`);
+  fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);
+  fact('Judged', Object.entries(summary.judged).map(([dialect, n]) => `${dialect} ${count(n)}`).join(', '));
+  const assignments = summary.footer?.assignments;
+  if (Array.isArray(assignments) && assignments.length > 0) {
+    fact('Readings that explain all passes', assignments.map((one) => (typeof one === 'string' ? one : JSON.stringify(one)) || '(none matters)').join('; '), true);
+  }
+  fact('Results SHA-256', summary.footer?.sha256, true);
+}
+
+// ---- clauses and cycles ----
+
+function showMatrix() {
+  const known = new Set(summary.catalog.map((clause) => clause.id));
+  const strangers = Object.keys(summary.matrix).filter((id) => !known.has(id)).map((id) => ({ id, level: '', source: '', text: 'not in the catalog of this gauge' }));
+  const all = [...summary.catalog, ...strangers];
+  const hit = all.filter((clause) => summary.matrix[clause.id]).length;
+  const words = [`${count(hit)} of ${count(all.length)} clauses were hit by a judged case; the others were not checked.`];
+  if (summary.otherClauses > 0) words.push(`${count(summary.otherClauses)} clauses of other makers are left out: no case of theirs was run.`);
+  const body = el('tbody');
+  for (const clause of all) {
+    const row = el('tr', {}, el('th', { scope: 'row', class: 'mono', title: clauseTitle(clause.id) }, clause.id),
+      el('td', { class: 'text' }, clause.text, ' ', el('span', { class: 'level' }, clause.level)));
+    const cells = summary.matrix[clause.id];
+    if (!cells) row.append(el('td', { class: 'unhit', colspan: summary.cycles.length || 1 }, 'not checked'));
+    else for (const cycle of summary.cycles) row.append(matrixCell(clause, cycle, cells[cycle]));
+    body.append(row);
+  }
+  byId('matrix').append(el('p', { class: 'note' }, words.join(' ')),
+    el('p', { class: 'note' }, '\u2713 passed, \u2717 departed at this clause, ? undecided, + departed at another clause or failed as expected. Choose a cell to see its cases.'),
+    el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Matrix' }, el('table', {},
+      el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'Clause'), el('th', { scope: 'col' }, 'What it says'),
+        ...summary.cycles.map((cycle) => el('th', { scope: 'col' }, cycle)))), body)));
+}
+
+function matrixCell(clause, cycle, cell) {
+  if (!cell) return el('td', { class: 'cell', title: clauseTitle(clause.id) }, '');
+  const [passed, failed, undecided, elsewhere] = cell;
+  const parts = [passed && `\u2713${count(passed)}`, failed && `\u2717${count(failed)}`, undecided && `?${count(undecided)}`, elsewhere && `+${count(elsewhere)}`];
+  const tone = failed ? 'no-go' : undecided ? 'undecided' : passed ? 'go' : 'plain';
+  const label = `${clause.id} ${cycle}: ${passed} passed, ${failed} departed here, ${undecided} undecided, ${elsewhere} departed elsewhere`;
+  return el('td', { class: 'cell' }, el('button', { type: 'button', class: tone, title: `${clauseTitle(clause.id)}\n${label}`, 'aria-label': label,
+    on: { click: () => {
+      byId('filters').reset();
+      byId('by-clause').value = clause.id;
+      byId('by-cycle').value = cycle;
+      setTimeout(() => {
+        byId('by-clause').value = clause.id;
+        byId('by-cycle').value = cycle;
+        applyFilters();
+        byId('cases').scrollIntoView();
+        list.focus({ preventScroll: true });
+      }, 1);
+    } } }, parts.filter(Boolean).join(' ')));
+}
+
+// ---- what this run did not check ----
+
+function showGaps() {
+  const gaps = summary.notChecked;
+  const items = el('ul');
+  const item = (...parts) => items.append(el('li', {}, ...parts));
+  item('The way of a rapid between its ends: controllers differ in it, so only the end is judged, and that every axis runs monotonically.');
+  if (gaps.m) item('M functions: the subject does not declare the feature ', el('code', {}, 'm'), '.');
+  if (gaps.blocks) item('The block that a motion comes from: the subject does not declare the feature ', el('code', {}, 'blocks'), '.');
+  const unhit = summary.catalog.filter((clause) => !summary.matrix[clause.id]);
+  if (unhit.length > 0) {
+    item(`${counted(unhit.length, 'clause', 'clauses')} that no judged case hit.`, el('details', {}, el('summary', {}, 'Which'),
+      el('ul', {}, ...unhit.map((clause) => el('li', {}, el('strong', { class: 'mono' }, clause.id), ` ${clause.text}`)))));
+  }
+  if (gaps.open.length > 0) {
+    item(`Other readings of ${counted(gaps.open.length, 'clause', 'clauses')} that the manuals leave open: the judge followed the reading named here.`, el('details', {}, el('summary', {}, 'Which'),
+      el('ul', {}, ...gaps.open.map(openClause))));
+  }
+  for (const [reason, n] of Object.entries(gaps.skips)) item(`${counted(n, 'case', 'cases')} skipped: `, el('strong', {}, reason || 'no reason given'));
+  for (const [dialect, codes] of Object.entries(gaps.outside)) {
+    item(`${dialect}: codes that the maker has and the gauge does not read: `, codes.map((code) => (code.title ? `${code.code} (${code.title})` : code.code)).join(', '), '.');
+  }
+  if (summary.headline.undecided > 0) item(`${counted(summary.headline.undecided, 'case', 'cases')} that the gauge could not decide.`);
+  byId('gaps').append(items);
+}
+
+function openClause({ clause, readings }) {
+  const node = el('li', {}, el('strong', { class: 'mono' }, clause), ` ${catalog.get(clause)?.text ?? ''}`);
+  if (readings.length > 0) {
+    node.append(el('ul', {}, ...readings.map((reading) => el('li', {}, el('span', { class: 'mono' }, `${reading.name} = ${reading.value}`),
+      ` ${reading.default ? '(default)' : '(set by the certifier)'}: ${reading.text}`))));
+  }
+  return node;
+}

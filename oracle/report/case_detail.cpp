@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/report/case_detail.hpp"
+
+#include <optional>
+
+#include "oracle/report/escape.hpp"
+#include "oracle/report/json_value.hpp"
+#include "oracle/report/sheet.hpp"
+
+namespace gonogo::oracle::report {
+namespace {
+
+// The bytes of the program; nothing when it cannot be had.
+std::optional<std::string> program_bytes(const Json& line) {
+  auto program = line.find("program");
+  if (program == line.end()) return std::nullopt;
+  if (program->is_string()) return program->get<std::string>();
+  return from_base64(text_of(*program, "base64"));
+}
+
+Json motions_json(const Path& path) {
+  Json motions = Json::array();
+  for (const Motion& motion : path.motions) {
+    // Records of the reference carry their clause in the text; alarms too.
+    motions.push_back(Json::array({motion.kind, motion.block, motion.text}));
+  }
+  return motions;
+}
+
+// Place of the record that the message speaks of: the one with the text of `want`, if possible in
+// the block.
+std::optional<std::size_t> wanted_record(const Path& path, const std::string& want,
+                                         std::uint64_t block) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < path.motions.size(); ++i) {
+    if (want.empty() || path.motions[i].text != want) continue;
+    if (path.motions[i].block == block) return i;
+    if (!found) found = i;
+  }
+  return found;
+}
+
+// Where the departure is marked: the witness; what it leaves open, and all when there is none,
+// comes from the end of the subject's record, else of the reference's.
+std::optional<Point3> departure(const Json& line, const Path& reference, const Path& subject,
+                                std::optional<std::size_t> wanted) {
+  std::optional<Point3> end;
+  if (auto record = count_of(line, "record"); record && *record < subject.motions.size()) {
+    end = subject.motions[*record].points.back();
+  } else if (wanted) {
+    end = reference.motions[*wanted].points.back();
+  }
+  if (auto witness = line.find("witness"); witness != line.end()) {
+    if (auto point = read_point(*witness, end.value_or(Point3{}))) return point;
+  }
+  return end;
+}
+
+void add_paths(Json& detail, const Json& line, const std::string& program,
+               std::string_view subject_name) {
+  const std::string dialect = text_of(line, "dialect");
+  const auto profile = case_profile(dialect, line.value("profile", Json::object()));
+  if (const auto* fault = std::get_if<std::string>(&profile)) {
+    detail["note"] = "The reference path cannot be computed: " + *fault;
+    return;
+  }
+  const auto& machine = std::get<reference::Profile>(profile);
+  const DrawnPath reference = reference_path(machine, program);
+  const DrawnPath subject = subject_path(machine.initial.at, line.value("trace", Json::array()));
+  const auto wanted =
+      wanted_record(reference.path, text_of(line, "want"), count_of(line, "b").value_or(0));
+  Sheet sheet;
+  sheet.title = text_of(line, "id");
+  sheet.dialect = dialect;
+  sheet.verdict = text_of(line, "verdict");
+  sheet.subject = subject_name;
+  sheet.lathe = is_lathe(dialect);
+  sheet.reference = &reference.path;
+  sheet.departing = &subject.path;
+  sheet.witness = departure(line, reference.path, subject.path, wanted);
+  detail["svg"] = svg_sheet(sheet);
+  detail["reference"] = motions_json(reference.path);
+  detail["trace"] = motions_json(subject.path);
+  if (wanted) detail["wanted"] = *wanted;
+  if (reference.path.cut) detail["referenceCut"] = true;
+  if (subject.path.cut) detail["traceCut"] = true;
+  if (!reference.note.empty()) detail["referenceNote"] = reference.note;
+  if (!subject.note.empty()) detail["traceNote"] = subject.note;
+}
+
+}  // namespace
+
+Json case_detail(const Json& line, std::string_view subject_name, bool with_paths) {
+  Json detail = line;
+  detail.erase("trace");
+  const auto program = program_bytes(line);
+  if (!program) {
+    detail.erase("program");
+    detail["note"] = "The results file holds no program for this case.";
+  } else if (!with_paths) {
+    detail["note"] =
+        "The drawing is left out to keep this page small. Run the command for this case with "
+        "--report DIR to get it.";
+  } else {
+    add_paths(detail, line, *program, subject_name);
+  }
+  return detail;
+}
+
+}  // namespace gonogo::oracle::report

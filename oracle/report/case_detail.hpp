@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page shows of one case that is not GO: its evidence, both paths motion by motion and
+// the drawing sheet.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "oracle/report/case_paths.hpp"
+
+namespace gonogo::oracle::report {
+
+// `line` is a case line of a results file; `subject_name` stands on the sheet. `with_paths` false:
+// without drawing and records, to keep a page of very many failures small.
+Json case_detail(const Json& line, std::string_view subject_name, bool with_paths);
+
+}  // namespace gonogo::oracle::report

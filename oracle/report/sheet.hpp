@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A drawing sheet as SVG: front, top, right side and isometric view in third-angle projection, one
+// or two paths, the departure, scale bar and title block.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "oracle/report/path.hpp"
+
+namespace gonogo::oracle::report {
+
+struct Sheet {
+  std::string title;  // program or case
+  std::string dialect;
+  std::string verdict;              // empty: one path without a verdict
+  std::string subject;              // empty: none
+  bool lathe = false;               // Z to the right, X up
+  const Path* reference = nullptr;  // drawn first; required
+  const Path* departing = nullptr;  // the subject's; null: one path
+  std::optional<Point3> witness;    // where the subject departs
+};
+
+// A well-formed SVG document without external parts. Colours can be changed from outside by the
+// CSS variables --gs-*. Each drawn <path> of a motion has data-p ("r" or "s": whose), data-m (the
+// records, "0-3 7": the k-th subpath is the k-th of them); each view is a <g data-view>.
+std::string svg_sheet(const Sheet& sheet);
+
+// Whether a dialect belongs to lathes.
+bool is_lathe(std::string_view dialect);
+
+}  // namespace gonogo::oracle::report

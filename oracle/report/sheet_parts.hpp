@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What stands round the paths on a sheet: styles, grid, axes, title block. Private to sheet.cpp.
+#pragma once
+
+#include <string>
+
+#include "oracle/report/sheet.hpp"
+#include "oracle/report/svg.hpp"
+#include "oracle/report/views.hpp"
+
+namespace gonogo::oracle::report {
+
+// Pixels.
+inline constexpr double kSheetWidth = 1160;
+inline constexpr double kSheetHeight = 820;
+inline constexpr double kMargin = 12;
+inline constexpr double kTitleBlock = 104;
+inline constexpr SheetBox kDrawingArea{kMargin + 6, kMargin + 6, kSheetWidth - 2 * (kMargin + 6),
+                                       kSheetHeight - 2 * kMargin - kTitleBlock - 12};
+
+void append_sheet_head(std::string& out, const Sheet& sheet);
+// Title, grid with coordinates, axes.
+void append_view_frame(std::string& out, const View& view);
+void append_blank_note(std::string& out);
+// Legend, names, verdict, scale bar, projection symbol, remarks.
+void append_title_block(std::string& out, const Sheet& sheet, const Layout& layout);
+
+}  // namespace gonogo::oracle::report

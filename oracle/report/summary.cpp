@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/report/summary.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "oracle/report/json_value.hpp"
+#include "reference/reading.hpp"
+
+namespace gonogo::oracle::report {
+namespace {
+
+std::string maker_of(std::string_view clause) {
+  return std::string(clause.substr(0, clause.find('-')));
+}
+
+// GSK of gsk988ta, SIE of sinumerik840d: the beginning of its clauses' ids.
+std::string maker_of_dialect(const std::string& dialect) {
+  if (dialect.starts_with("sinumerik")) return "SIE";
+  if (dialect == "rs274") return "NGC";
+  std::string maker = dialect.substr(0, 3);
+  std::ranges::transform(maker, maker.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return maker;
+}
+
+Json clause_json(const reference::Clause& clause) {
+  return {{"id", clause.id},
+          {"level", reference::name(clause.level)},
+          {"source", clause.source},
+          {"text", clause.text}};
+}
+
+bool has_feature(const Json& header, std::string_view feature) {
+  auto subject = header.find("subject");
+  if (subject == header.end() || !subject->is_object()) return false;
+  auto features = subject->find("features");
+  if (features == subject->end() || !features->is_array()) return false;
+  return std::ranges::any_of(*features,
+                             [&](const Json& f) { return f.is_string() && f == feature; });
+}
+
+// Readings that hang on a clause, with the value that the certifier chose.
+Json readings_of(std::string_view clause, const Json& header) {
+  Json list = Json::array();
+  const Json chosen = header.value("/profile/readings"_json_pointer, Json::object());
+  for (const reference::Reading& reading : reference::readings()) {
+    if (reference::clause_name(reading.clause) != clause) continue;
+    const std::string set = text_of(chosen, std::string(reading.name).c_str());
+    list.push_back({{"name", reading.name},
+                    {"text", reading.text},
+                    {"value", set.empty() ? std::string(reading.fallback) : set},
+                    {"default", set.empty()}});
+  }
+  return list;
+}
+
+bool contains_no_go(const Json& totals) {
+  if (!totals.is_object()) return false;
+  return std::ranges::any_of(totals.items(), [](const auto& total) {
+    return decision_of(total.key()) == Decision::no_go && total.value() != 0;
+  });
+}
+
+}  // namespace
+
+Decision decision_of(const std::string& verdict) {
+  const auto kind = verdict_kind(verdict);
+  return kind ? decision(*kind) : Decision::no_go;
+}
+
+void Summary::add(const Json& line) {
+  const std::string verdict = text_of(line, "verdict");
+  const std::string dialect = text_of(line, "dialect");
+  const std::string cycle = text_of(line, "cycle");
+  ++cases_;
+  ++totals_[verdict];
+  cycles_.insert(cycle);
+  judged_.try_emplace(dialect, 0);
+  if (verdict == "skip") {
+    const std::string feature = text_of(line, "feature");
+    ++skips_[feature.empty() ? text_of(line, "message") : feature];
+    return;
+  }
+  ++judged_[dialect];
+  const std::string departed = text_of(line, "clause");
+  std::set<std::string> hit;
+  if (!departed.empty()) hit.insert(departed);
+  if (auto clauses = line.find("clauses"); clauses != line.end() && clauses->is_array()) {
+    for (const Json& clause : *clauses) {
+      if (clause.is_string()) hit.insert(clause.get<std::string>());
+    }
+  }
+  for (const std::string& clause : hit) {
+    MatrixCell& cell = cells_[clause][cycle];
+    switch (decision_of(verdict)) {
+      case Decision::go:
+        ++(verdict == "xfail" ? cell.elsewhere : cell.passed);
+        break;
+      case Decision::no_go:
+        ++(clause == departed ? cell.failed : cell.elsewhere);
+        break;
+      case Decision::undecided:
+        ++cell.undecided;
+        break;
+    }
+  }
+}
+
+Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
+  std::uint64_t count[3] = {};
+  for (const auto& [verdict, cases] : totals_) {
+    count[static_cast<std::size_t>(decision_of(verdict))] += cases;
+  }
+  Json reasons = Json::array();
+  if (footer == nullptr) {
+    reasons.push_back(
+        "The results file has no footer: the run did not come to its end, and cases "
+        "are missing.");
+  }
+  if (bad_lines > 0) reasons.push_back("The results file has lines that cannot be read.");
+  const Json totals = footer != nullptr ? footer->value("totals", Json::object()) : Json::object();
+  if (footer != nullptr && totals != Json(totals_)) {
+    reasons.push_back("The totals of the footer are not those of the cases in the file.");
+  }
+  if (cases_ == 0) reasons.push_back("No case was run.");
+  for (const auto& [dialect, judged] : judged_) {
+    if (judged == 0) reasons.push_back("No case of dialect " + dialect + " was judged.");
+  }
+  if (totals_.contains("oracle-error")) {
+    reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
+  }
+  const auto no_go = static_cast<std::size_t>(Decision::no_go);
+  const bool failed = count[no_go] > 0 || contains_no_go(totals);
+  return {{"decision", failed            ? "NO-GO"
+                       : reasons.empty() ? "GO"
+                                         : "INCOMPLETE"},
+          {"incomplete", reasons},
+          {"cases", cases_},
+          {"go", count[static_cast<std::size_t>(Decision::go)]},
+          {"noGo", count[no_go]},
+          {"undecided", count[static_cast<std::size_t>(Decision::undecided)]}};
+}
+
+Json Summary::matrix() const {
+  Json cells = Json::object();
+  for (const auto& [clause, by_cycle] : cells_) {
+    for (const auto& [cycle, cell] : by_cycle) {
+      cells[clause][cycle] = {cell.passed, cell.failed, cell.undecided, cell.elsewhere};
+    }
+  }
+  return cells;
+}
+
+Json Summary::not_checked(const Json& header) const {
+  Json open = Json::array();
+  for (const reference::Clause& clause : reference::clauses()) {
+    if (clause.level != reference::ClauseLevel::open) continue;
+    if (!cells_.contains(std::string(clause.id))) continue;
+    open.push_back({{"clause", clause.id}, {"readings", readings_of(clause.id, header)}});
+  }
+  Json outside = Json::object();
+  for (const auto& [dialect, judged] : judged_) {
+    for (const reference::OutsideCode& code : reference::outside_codes(dialect)) {
+      outside[dialect].push_back({{"code", code.code}, {"title", code.title}});
+    }
+  }
+  return {{"m", !has_feature(header, "m")},
+          {"blocks", !has_feature(header, "blocks")},
+          {"open", open},
+          {"skips", skips_},
+          {"outside", outside}};
+}
+
+Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
+  std::set<std::string> makers;
+  for (const auto& [dialect, judged] : judged_) makers.insert(maker_of_dialect(dialect));
+  for (const auto& [clause, by_cycle] : cells_) makers.insert(maker_of(clause));
+  Json catalog = Json::array();
+  std::uint64_t others = 0;
+  for (const reference::Clause& clause : reference::clauses()) {
+    if (makers.contains(maker_of(clause.id))) {
+      catalog.push_back(clause_json(clause));
+    } else {
+      ++others;
+    }
+  }
+  Json decisions = Json::object();
+  for (const auto& [verdict, cases] : totals_) {
+    constexpr const char* kNames[] = {"go", "no-go", "undecided"};
+    decisions[verdict] = kNames[static_cast<std::size_t>(decision_of(verdict))];
+  }
+  return {{"header", header},
+          {"footer", footer != nullptr ? *footer : Json(nullptr)},
+          {"headline", headline(footer, bad_lines)},
+          {"totals", totals_},
+          {"decisions", decisions},
+          {"judged", judged_},
+          {"cycles", cycles_},
+          {"catalog", catalog},
+          {"otherClauses", others},
+          {"matrix", matrix()},
+          {"notChecked", not_checked(header)}};
+}
+
+}  // namespace gonogo::oracle::report

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run comes to: totals, the matrix of clauses and cycles, and what it did not check. Takes
+// case lines one at a time; its memory depends on clauses and cycles, not on cases.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "oracle/verdict.hpp"
+
+namespace gonogo::oracle::report {
+
+using Json = nlohmann::ordered_json;
+
+// Of a name that is not a verdict's: NO-GO, so that nothing unknown passes.
+Decision decision_of(const std::string& verdict);
+
+// The cases of one cycle that hit one clause.
+struct MatrixCell {
+  std::uint64_t passed = 0;
+  std::uint64_t failed = 0;  // departed at this clause
+  std::uint64_t undecided = 0;
+  std::uint64_t elsewhere = 0;  // hit it, but departed at another one, or failed as expected
+};
+
+class Summary {
+ public:
+  void add(const Json& line);
+  // `footer` null when the file has none; `bad_lines` could not be read.
+  Json finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
+
+ private:
+  Json headline(const Json* footer, std::uint64_t bad_lines) const;
+  Json matrix() const;
+  Json not_checked(const Json& header) const;
+
+  std::uint64_t cases_ = 0;
+  std::map<std::string, std::uint64_t> totals_;                     // by verdict
+  std::map<std::string, std::uint64_t> judged_;                     // by dialect; all but skips
+  std::map<std::string, std::map<std::string, MatrixCell>> cells_;  // clause -> cycle
+  std::set<std::string> cycles_;
+  std::map<std::string, std::uint64_t> skips_;  // by what was said
+};
+
+}  // namespace gonogo::oracle::report

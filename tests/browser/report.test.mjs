@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The HTML report as people meet it: opened from a file in a real browser, without network.
+// GONOGO_REPORT_PAGE names the program that writes a report, GONOGO_CHROMIUM the browser.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const data = join(here, '..', 'oracle', 'report', 'data');
+const writer = process.env.GONOGO_REPORT_PAGE;
+const work = mkdtempSync(join(tmpdir(), 'gonogo-browser-'));
+const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+let context;
+const reports = new Map();  // results file -> page
+
+before(async () => {
+  assert.ok(writer, 'GONOGO_REPORT_PAGE must name the program that writes a report');
+  const { chromium } = await import('playwright-core').catch(() => {
+    throw new Error('playwright-core is missing: run `npm ci` in tests/browser');
+  });
+  context = await chromium.launchPersistentContext(join(work, 'profile'), {
+    executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
+    viewport: { width: 1280, height: 900 }, colorScheme: 'light', offline: true,
+  });
+});
+
+after(async () => {
+  await context?.close();
+  rmSync(work, { recursive: true, force: true });
+});
+
+function report(results) {
+  if (!reports.has(results)) {
+    const directory = join(work, `report-${reports.size}`);
+    mkdirSync(directory);
+    execFileSync(writer, [results, directory]);
+    reports.set(results, pathToFileURL(join(directory, 'index.html')).href);
+  }
+  return reports.get(results);
+}
+
+// Opens a report, runs `body` and asserts that the page never complained nor asked for anything.
+async function withPage(results, body, hash = '') {
+  const page = await context.newPage();
+  const complaints = [];
+  const requests = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('dialog', (dialog) => { complaints.push(`dialog ${dialog.message()}`); dialog.dismiss(); });
+  page.on('request', (request) => {
+    if (!/^(file|data):/.test(request.url())) requests.push(request.url());
+  });
+  try {
+    await page.goto(report(results) + hash);
+    await page.waitForSelector('#decision');
+    await body(page);
+    assert.deepEqual(complaints, []);
+    assert.deepEqual(requests, []);
+  } finally {
+    await page.close();
+  }
+}
+
+const results = join(data, 'results.jsonl');
+const atCase = (id) => `#case=${encodeURIComponent(id)}`;
+const text = (page, selector) => page.locator(selector).innerText();
+const sizes = (page) => page.locator('#rows .row').count();
+
+// Recorded verdicts: 4 fail.*, crash, protocol; one oracle-gap; 30 cases in all.
+test('the headline says what came out', () => withPage(results, async (page) => {
+  assert.equal(await text(page, '#decision'), 'NO-GO');
+  assert.match(await text(page, '#headline'), /30 cases . 23 GO . 6 NO-GO . 1 undecided/);
+  assert.equal(await page.locator('#incomplete').count(), 0);
+  assert.match(await text(page, '#facts'), /builtin:gsk\+g94-r-sign/);
+}));
+
+test('a run of passes is GO', () => withPage(join(data, 'go.jsonl'), async (page) => {
+  assert.equal(await text(page, '#decision'), 'GO');
+}));
+
+test('a file without footer says so where nobody can miss it', () => withPage(join(data, 'without-footer.jsonl'), async (page) => {
+  assert.equal(await text(page, '#decision'), 'INCOMPLETE');
+  assert.match(await text(page, '#incomplete'), /no footer/);
+}));
+
+test('search and filters narrow the list', () => withPage(results, async (page) => {
+  assert.equal(await sizes(page), 6);  // all NO-GO, to begin with
+  await page.fill('#search', 'sigsegv');
+  assert.equal(await sizes(page), 1);
+  await page.fill('#search', '');
+  await page.selectOption('#by-verdict', 'fail.feed');
+  assert.match(await text(page, '#rows'), /gsk\.g94\.000003/);
+  assert.equal(await sizes(page), 1);
+  await page.click('#clear');
+  assert.match(await text(page, '#count'), /^30 of 30 cases/);
+  await page.selectOption('#by-cycle', 'g110');
+  assert.match(await text(page, '#count'), /^8 of 30 cases/);
+  await page.fill('#search', 'no such text');
+  assert.match(await text(page, '#rows'), /No case fits/);
+}));
+
+test('a cell of the matrix shows its cases', () => withPage(results, async (page) => {
+  const cell = page.locator('#matrix button[aria-label^="GSK-G94-06 g94:"]');
+  assert.match(await cell.getAttribute('aria-label'), /: 8 passed, 0 departed here/);
+  await cell.click();
+  await page.waitForFunction(() => document.querySelector('#count').textContent.startsWith('8 of'));
+  assert.match(await text(page, '#matrix'), /GSK-G94-08[^]*not checked/);
+}));
+
+test('a failure shows its evidence', () => withPage(results, async (page) => {
+  await page.locator('.row', { hasText: 'gsk.g94.000002' }).click();
+  const detail = await text(page, '#detail');
+  assert.match(detail, /The motion ends at Z -5/);
+  assert.match(detail, /Traverse from A to B along p alone/);  // the clause's text
+  assert.match(detail, /10 mm, exactly 10/);
+  assert.match(detail, /Witness\s+X 30 +Z -5/);
+  assert.match(await text(page, '#program .at-fault'), /G94 X20 Z-10 R-5 F100/);
+  assert.match(await text(page, '#want-got'), /-15[^]*-5/);
+  assert.equal(await text(page, '#command'),
+    "./gonogo certify --subject builtin:gsk+g94-r-sign --case gsk.g94.000002 --corpus 'my corpus'");
+}));
+
+test('a failure says under which reading it would be GO', () => withPage(results, async (page) => {
+  assert.match(await text(page, '#detail .other'), /gsk\.pocket\.end=r-plane/);
+  assert.match(await text(page, '#detail'), /0\.333333 mm, exactly 1\/3/);
+}, atCase('gsk.g110.000001')));
+
+test('a drawing has its views, both paths and the departure', () => withPage(results, async (page) => {
+  const views = await page.locator('#sheet [data-view]').evaluateAll((all) => all.map((one) => one.dataset.view));
+  assert.deepEqual(views, ['front', 'top', 'side', 'isometric']);
+  for (const view of views) {
+    for (const mark of ['.gs-r.gs-feed', '.gs-s.gs-feed', '.gs-r.gs-rapid', '.gs-s.gs-rapid', '.gs-witness']) {
+      assert.ok(await page.locator(`#sheet [data-view=${view}] ${mark}`).count() > 0, `${view} ${mark}`);
+    }
+  }
+}, atCase('gsk.g110.000001')));
+
+test('stepping moves the mark in the drawing and the records beside it', () => withPage(results, async (page) => {
+  const mark = () => page.locator('#sheet [data-marks=front] .gs-now').getAttribute('d');
+  assert.equal(await text(page, '#position'), 'subject 2 of 10');  // the departure
+  const departure = await mark();
+  assert.match(await text(page, '#stepped'), /Reference, record 2[^]*-15[^]*Subject, record 2[^]*-5/);
+  await page.click('#forward');
+  assert.equal(await text(page, '#position'), 'subject 3 of 10');
+  assert.notEqual(await mark(), departure);
+  await page.locator('#detail').focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await mark(), departure);
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await text(page, '#position'), 'subject 1 of 10');
+  assert.ok(await page.locator('#back').isDisabled());
+  assert.match(await text(page, '#program .now'), /G00 X60 Z5/);
+  await page.check('input[name=owner][value=r]');
+  // A rapid, two cycles of four motions, M30 and the end.
+  assert.equal(await text(page, '#position'), 'reference 1 of 11');
+  await page.click('#last');
+  assert.match(await text(page, '#stepped .active'), /kind\s+end/);
+  await page.click('#departure');
+  assert.equal(await mark(), departure);
+}, atCase('gsk.g94.000002')));
+
+test('only up to here hides later motions', () => withPage(results, async (page) => {
+  const drawn = () => page.locator('#sheet [data-view=front] .gs-s.gs-feed').getAttribute('d');
+  const all = await drawn();
+  assert.equal(all.split('M').length - 1, 4);  // two cycles with two feeds each
+  await page.click('#forward');
+  await page.check('#up-to');
+  assert.equal((await drawn()).split('M').length - 1, 1);
+  await page.uncheck('#up-to');
+  assert.equal(await drawn(), all);
+}, atCase('gsk.g94.000002')));
+
+test('a click in the drawing chooses the nearest motion', () => withPage(results, async (page) => {
+  await page.locator('#sheet [data-view=front] .gs-s.gs-feed').scrollIntoViewIfNeeded();
+  const at = await page.evaluate(() => {
+    const path = document.querySelector('#sheet [data-view=front] .gs-s.gs-feed');
+    const svg = path.ownerSVGElement;
+    const middle = path.getPointAtLength(1).matrixTransform(svg.getScreenCTM());
+    return { x: middle.x, y: middle.y + 12 };
+  });
+  await page.mouse.click(at.x, at.y);
+  assert.match(await text(page, '#position'), /^subject (3|7) of 10$/);  // the feeds that begin there
+}, atCase('gsk.g94.000002')));
+
+test('the list works from the keyboard', () => withPage(results, async (page) => {
+  await page.locator('#list').focus();
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await text(page, '#detail h2'), 'gsk.g110.000001');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await text(page, '#detail h2'), 'gsk.g110.000002');
+  assert.equal(await page.locator('#list').getAttribute('aria-activedescendant'), 'row-1');
+  assert.match(page.url(), /#case=gsk\.g110\.000002$/);
+  await page.keyboard.press('Enter');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'detail');
+}));
+
+test('a program in GBK is readable', () => withPage(results, async (page) => {
+  assert.match(await text(page, '#program'), /O0002 \(端面车削\)/);
+  assert.match(await text(page, '#detail'), /shown as GB18030/);
+}, atCase('gsk.g94.000003')));
+
+test('an alarm that is missing shows the alarm of the reference', () => withPage(results, async (page) => {
+  await page.check('input[name=owner][value=r]');
+  await page.click('#last');
+  assert.match(await text(page, '#stepped .active'), /kind\s+alarm[^]*tool-too-large/);
+}, atCase('gsk.g110.000002')));
+
+test('hostile text stays text', async () => {
+  const id = readFileSync(results, 'utf8').split('\n').filter((line) => line.includes('"crash"'))
+    .map((line) => JSON.parse(line)).find((line) => line.verdict === 'crash').id;
+  await withPage(results, async (page) => {
+    assert.equal(await text(page, '#detail h2'), id);
+    assert.match(await text(page, '#program'), /<script>window\.pwned=1<\/script>/);
+    await page.click('#clear');
+    await page.fill('#search', '<img');
+    assert.equal(await sizes(page), 1);
+    await page.waitForTimeout(100);
+    assert.equal(await page.evaluate(() => window.pwned), undefined);
+    assert.equal(await page.locator('img').count(), 0);
+  }, atCase(id));
+});
+
+test('dark and light differ and keep their contrast', async () => {
+  const page = await context.newPage();
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await page.goto(report(results) + atCase('gsk.g94.000002'));
+    const worst = await page.evaluate(() => {
+      const channels = (color) => color.match(/[\d.]+/g).map(Number);
+      const luminance = (color) => channels(color).slice(0, 3).map((v) => v / 255)
+        .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+      const back = (node) => {
+        for (let at = node; at; at = at.parentElement) {
+          const color = getComputedStyle(at).backgroundColor;
+          if (channels(color)[3] !== 0) return color;
+        }
+        return 'rgb(255, 255, 255)';
+      };
+      let least = { ratio: 99 };
+      for (const node of document.querySelectorAll('h1, h2, h3, h4, p, dt, dd, td, th, .badge, .line, .level, label, button:enabled, summary')) {
+        if (!node.textContent.trim() || node.closest('[hidden]')) continue;
+        const [a, b] = [luminance(getComputedStyle(node).color), luminance(back(node))].sort((x, y) => y - x);
+        const ratio = (a + 0.05) / (b + 0.05);
+        if (ratio < least.ratio) least = { ratio, text: node.textContent.slice(0, 40), tag: node.tagName };
+      }
+      return least;
+    });
+    assert.ok(worst.ratio >= 4.5, `${colorScheme}: ${JSON.stringify(worst)}`);
+  }
+  await page.close();
+});
+
+// ---- many cases ----
+
+function manyCases() {
+  const [header, ...lines] = readFileSync(results, 'utf8').trim().split('\n');
+  const failure = JSON.parse(lines.find((line) => line.includes('"gsk.g110.000001"')));
+  const pass = JSON.parse(lines.find((line) => line.includes('"gsk.g94.000001"')));
+  const out = [header];
+  for (let i = 1; i <= 10_000; ++i) {
+    const id = `gsk.many.${String(i).padStart(6, '0')}`;
+    out.push(JSON.stringify({ ...(i % 20 === 0 ? failure : pass), id }));
+  }
+  out.push(JSON.stringify({ totals: { 'pass-exact': 9500, 'fail.region': 500 }, judged: 10_000, assignments: [], sha256: '' }));
+  const path = join(work, 'many.jsonl');
+  writeFileSync(path, `${out.join('\n')}\n`);
+  return path;
+}
+
+test('ten thousand cases with 500 failures load and scroll within seconds', async () => {
+  const many = manyCases();
+  report(many);  // not part of the time
+  const start = performance.now();
+  await withPage(many, async (page) => {
+    const loaded = performance.now() - start;
+    assert.ok(loaded < 8000, `loading took ${loaded} ms`);
+    assert.match(await text(page, '#count'), /^500 of 10,000 cases/);
+    await page.click('#clear');
+    await page.waitForFunction(() => document.querySelector('#count').textContent.startsWith('10,000 of'));
+    assert.ok(await sizes(page) < 60, 'only the rows in sight are in the page');
+    await page.locator('#list').focus();
+    await page.keyboard.press('End');
+    assert.equal(await text(page, '#detail h2'), 'gsk.many.010000');
+    await page.fill('#search', '004321');
+    assert.equal(await sizes(page), 1);
+  });
+});

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "corpus_testing.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace gonogo::testing {
+
+namespace fs = std::filesystem;
+
+std::string corpus_folder() {
+  return std::string(GONOGO_SOURCE_DIR) + "/corpus";
+}
+
+const std::map<std::string, oracle::Case>& checked_in_cases() {
+  static const auto kCases = [] {
+    std::map<std::string, oracle::Case> cases;
+    oracle::Corpus(corpus_folder()).for_each([&](const oracle::Case& test) {
+      cases.emplace(test.id, test);
+      return true;
+    });
+    return cases;
+  }();
+  return kCases;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (fs::temp_directory_path() / "gonogo-corpus-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::write(const std::string& name, std::string_view text) const {
+  const fs::path file = path_ / name;
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+  return file.string();
+}
+
+}  // namespace gonogo::testing

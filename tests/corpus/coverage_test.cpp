@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the corpus covers: clauses, readings, alarms, planes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "corpus_testing.hpp"
+#include "reference/reading.hpp"
+
+namespace gonogo::testing {
+namespace {
+
+using oracle::Case;
+using oracle::Expectation;
+
+std::string outcome(const Expectation& expectation) {
+  Expectation bare = expectation;
+  bare.when.clear();
+  return expectation_json(bare);
+}
+
+std::string outcome_with(const Case& test, std::string_view reading, std::string_view value) {
+  reference::Profile profile = test.profile;
+  EXPECT_FALSE(set_reading(profile, reading, value).has_value());
+  return outcome(oracle::expectation_of(profile, test.program));
+}
+
+TEST(Coverage, EveryClauseIsListedByAGroup) {
+  std::set<std::string> listed;
+  for (const auto& [id, test] : checked_in_cases()) {
+    listed.insert(test.clauses.begin(), test.clauses.end());
+  }
+  for (const reference::Clause& clause : reference::clauses()) {
+    EXPECT_TRUE(listed.contains(std::string(clause.id))) << clause.id;
+  }
+}
+
+// The clause that a record or an alarm of the reference names is hit whatever a group claims.
+TEST(Coverage, TheRecordsNameAllClausesThatMoveSomething) {
+  std::set<std::string_view> named;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const Expectation& expectation : test.expect) {
+      for (const reference::Record& record : expectation.records) {
+        named.insert(reference::clause_name(record.clause));
+      }
+    }
+  }
+  for (const std::string_view clause :
+       {"GSK-G94-02", "GSK-G94-03", "GSK-G94-04", "GSK-G94-05", "GSK-G110-06", "GSK-G110-07",
+        "GSK-G110-08", "GSK-G110-09", "GSK-G110-10", "GSK-G110-11", "GSK-G110-13", "GSK-G110-14",
+        "GSK-G110-17", "GSK-COM-05", "GSK-MOD-08"}) {
+    EXPECT_TRUE(named.contains(clause)) << clause;
+  }
+}
+
+TEST(Coverage, EveryAlternativeOfAReadingIsSetByAProfileOrIsTheDefault) {
+  for (const reference::Reading& reading : reference::readings()) {
+    std::set<std::string> set;
+    for (const auto& [id, test] : checked_in_cases()) {
+      set.insert(test.profile.readings.get(reading.key));
+    }
+    EXPECT_TRUE(set.contains(std::string(reading.fallback))) << reading.name;
+    EXPECT_GE(set.size(), 2U) << reading.name;
+    for (const std::string_view alternative : reading.alternatives) {
+      EXPECT_TRUE(set.contains(std::string(alternative))) << reading.name << "=" << alternative;
+    }
+  }
+}
+
+TEST(Coverage, TwoAlternativesOfAReadingAreToldApartByACase) {
+  for (const reference::Reading& reading : reference::readings()) {
+    std::vector<std::string> values(reading.alternatives.begin(), reading.alternatives.end());
+    if (reading.is_length) values.push_back("1");
+    for (std::size_t a = 0; a < values.size(); ++a) {
+      for (std::size_t b = a + 1; b < values.size(); ++b) {
+        bool differs = false;
+        for (const auto& [id, test] : checked_in_cases()) {
+          differs = outcome_with(test, reading.name, values[a]) !=
+                    outcome_with(test, reading.name, values[b]);
+          if (differs) break;
+        }
+        EXPECT_TRUE(differs) << reading.name << ": " << values[a] << ", " << values[b];
+      }
+    }
+  }
+}
+
+// An open reading makes no silent choice: what differs is stated.
+TEST(Coverage, AProfileThatLeavesAReadingOpenStatesEachOutcome) {
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const reference::Reading& reading : reference::readings()) {
+      if (reading.by_properties || !test.profile.readings.is(reading.key, "any")) continue;
+      std::set<std::string> stated;
+      for (const Expectation& expectation : test.expect) {
+        for (const auto& [name, value] : expectation.when) {
+          if (name == reading.name) stated.insert(value);
+        }
+      }
+      EXPECT_EQ(stated.size(), reading.alternatives.size()) << id << " " << reading.name;
+    }
+  }
+}
+
+// Every class that these cycles can raise, as the single fault of a case.
+TEST(Coverage, EveryAlarmClassStandsAlone) {
+  std::set<std::string_view> alone;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const Expectation& expectation : test.expect) {
+      std::set<std::string_view> classes;
+      for (const oracle::ExpectedAlarm& alarm : expectation.alarms) {
+        classes.insert(name(alarm.alarm));
+      }
+      if (classes.size() == 1) alone.insert(*classes.begin());
+    }
+  }
+  const std::set<std::string_view> want = {
+      "syntax",         "undefined-code",     "duplicate-word", "conflicting-words",
+      "missing-word",   "value-out-of-range", "value-sign",     "direction-conflict",
+      "tool-too-large", "step-too-large",     "taper-limit",    "axis-not-in-plane",
+      "arc-end-point",  "arc-radius",         "feed-missing"};
+  EXPECT_EQ(alone, want);
+}
+
+TEST(Coverage, EachCycleRunsInEachPlane) {
+  for (const char* cycle : {"g94", "g110"}) {
+    for (const char* plane : {"plane=G17", "plane=G18", "plane=G19"}) {
+      bool found = false;
+      for (const auto& [id, test] : checked_in_cases()) {
+        found = found || (test.cycle == cycle &&
+                          std::ranges::find(test.tags_tway, plane) != test.tags_tway.end());
+      }
+      EXPECT_TRUE(found) << cycle << " " << plane;
+    }
+  }
+}
+
+TEST(Coverage, EveryLimitHasItsThreeSides) {
+  // group and comment before the colon -> signs seen
+  std::map<std::string, std::set<std::string>> sides;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const std::string& sign : test.tags_sign) {
+      if (sign.starts_with("limit:")) sides[test.group].insert(sign);
+    }
+  }
+  EXPECT_GE(sides.size(), 8U);
+  for (const auto& [group, signs] : sides) EXPECT_EQ(signs.size(), 3U) << group;
+}
+
+TEST(Coverage, EveryCodeThatIsNotReadIsExpectedToBeAGap) {
+  int gaps = 0;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const Expectation& expectation : test.expect) {
+      if (!expectation.not_covered) continue;
+      ++gaps;
+      EXPECT_FALSE(expectation.records.empty()) << id << ": records before it are judged";
+    }
+  }
+  EXPECT_GE(gaps, 5);
+}
+
+}  // namespace
+}  // namespace gonogo::testing

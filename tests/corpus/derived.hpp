@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Records of the corpus in a short form that people can type:
+//   "2 rapid z0"                         line, kind, axes that are named in the order x y z a c
+//   "2 feed x0 z0 f200"                  the path feed, /rev behind it under G99
+//   "2 arc G18 -1 cx25 cz50.75 x25 z51.5 f800"   plane, turns, centre, end point
+//   "3 dwell 2.5", "1 m 3", "end x65 y0 z5 a0 c0"
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gonogo::testing {
+
+using Lines = std::vector<std::string>;
+
+// The records of one expectation of a checked-in case; fails the test when there is none.
+Lines records_of(const std::string& id, std::size_t expectation = 0);
+
+// One after the other.
+Lines operator+(Lines a, const Lines& b);
+
+}  // namespace gonogo::testing

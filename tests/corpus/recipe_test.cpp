@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the tool refuses to make a vector of.
+#include "corpus/recipes/recipe.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus/recipes/corpus_text.hpp"
+#include "corpus_testing.hpp"
+
+namespace gonogo::testing {
+namespace {
+
+// A recipe of one case with these further lines.
+std::string error_of(std::string_view lines) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("a.toml", R"(dialect = "gsk988ta"
+cycle = "g94"
+[[group]]
+gid = "t.a"
+features = ["g94"]
+clauses = ["GSK-G94-01"]
+[[group.case]]
+id = "t.a.000001"
+comment = "one"
+)" + std::string(lines));
+  return corpus_error([&] {
+    for (const recipes::RecipeCase& recipe : recipes::read_recipe(file)) recipes::prepare(recipe);
+  });
+}
+
+TEST(Recipe, AGoodOne) {
+  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\n"), "");
+}
+
+TEST(Recipe, AnAlarmThatTheRecipeDoesNotExpect) {
+  EXPECT_EQ(error_of("program = \"G94 X1\\n\"\n"),
+            "t.a.000001: the recipe wants the alarms none, the reference gives feed-missing@1.");
+}
+
+TEST(Recipe, AnAlarmThatDoesNotCome) {
+  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\nalarm = [\"feed-missing@1\"]\n"),
+            "t.a.000001: the recipe wants the alarms feed-missing@1, the reference gives none.");
+}
+
+TEST(Recipe, AnAlarmOfAnotherBlock) {
+  EXPECT_NE(error_of("program = \"G94 X1\\n\"\nalarm = [\"feed-missing@2\"]\n"), "");
+}
+
+TEST(Recipe, AnUnexpectedGap) {
+  EXPECT_NE(error_of("program = \"G71\\n\"\n"), "");
+  EXPECT_EQ(error_of("program = \"G71\\n\"\noutside = true\n"), "");
+}
+
+TEST(Recipe, AReadingWithoutEffect) {
+  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\n"
+                     "readings = { \"gsk.g94.rewrite\" = [\"keep\", \"clear\"] }\n"),
+            "t.a.000001: the reading gsk.g94.rewrite makes no difference.");
+}
+
+TEST(Recipe, AKeyThatRecipesDoNotHave) {
+  EXPECT_NE(error_of("program = \"\"\nalarms = []\n").find("alarms"), std::string::npos);
+}
+
+TEST(Recipe, NoToml) {
+  EXPECT_NE(error_of("program = \n").find("a.toml:"), std::string::npos);
+}
+
+TEST(Recipes, AnIdIsUsedOnce) {
+  const ScratchFolder scratch;
+  scratch.write("corpus.toml", "version = \"1.0.0\"\nretired = [\"t.a.000001\"]\n");
+  scratch.write("gsk988ta/a.toml", R"(dialect = "gsk988ta"
+cycle = "g94"
+[[group]]
+gid = "t.a"
+features = ["g94"]
+clauses = ["GSK-G94-01"]
+[[group.case]]
+id = "t.a.000001"
+comment = "one"
+program = ""
+)");
+  EXPECT_NE(corpus_error([&] {
+              recipes::corpus_from_recipes(scratch.path().string());
+            }).find("the id t.a.000001 was used before"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gonogo::testing

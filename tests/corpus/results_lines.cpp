@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// results_lines FILE: writes a results file with a case of each sort, for the test of its schema.
+#include "oracle/campaign/results.hpp"
+
+using namespace gonogo::oracle;
+
+namespace {
+
+CaseResult case_of(const char* id, VerdictKind kind) {
+  CaseResult result;
+  result.id = id;
+  result.dialect = "gsk988ta";
+  result.cycle = "g94";
+  result.clauses = {"GSK-G94-02"};
+  result.verdict.kind = kind;
+  result.profile = "{}";
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  ResultsHeader header;
+  header.version = "0.1.0";
+  header.corpus_version = "2026.1.0";
+  header.corpus_sha256 = std::string(64, 'a');
+  header.subject_spec = "builtin:gsk";
+  header.subject.name = "gsk";
+  header.subject.version = "1";
+  header.argv = {"gonogo", "certify"};
+  ResultsWriter writer(argv[1], header);
+  writer.add(case_of("a.000001", VerdictKind::pass_exact));
+  CaseResult failure = case_of("a.000002", VerdictKind::fail_geometry);
+  failure.verdict.clause = 0;
+  failure.verdict.reading = "gsk.pocket.end=r-plane";
+  failure.verdict.block = 2;
+  failure.verdict.record = 1;
+  failure.verdict.word = 'X';
+  failure.verdict.want = R"({"k":"rapid","b":2,"to":{"z":"5"}})";
+  failure.verdict.got = R"({"k":"rapid","b":2,"to":{"z":"6"}})";
+  failure.verdict.deviation_exact = "1";
+  failure.verdict.deviation_mm = "1";
+  failure.verdict.witness = R"({"x":"0","y":"0","z":"6"})";
+  failure.verdict.message = "The motion ends elsewhere.";
+  failure.program = "G00 Z5 (\xbd\xe1)\n";
+  failure.trace = {failure.verdict.got};
+  failure.notes = "a note";
+  writer.add(failure);
+  CaseResult gap = case_of("a.000003", VerdictKind::oracle_gap);
+  gap.program = "G71\n";
+  writer.add(gap);
+  ResultsFooter footer;
+  footer.judged = 2;
+  footer.assignments = {"gsk.pocket.end=initial"};
+  writer.close(footer);
+  return 0;
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The invariants of ARCHITECTURE.md, read off the source files.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "reference/clause.hpp"
+
+namespace gonogo {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = GONOGO_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// Source without comments and string literals.
+std::string code_of(const std::string& text) {
+  static const std::regex kNoise(R"(//[^\n]*|/\*[^]*?\*/|"(\\.|[^"\\\n])*")");
+  return std::regex_replace(text, kNoise, "");
+}
+
+std::size_t for_each_source(const std::string& folder,
+                            const std::function<void(const fs::path&, const std::string&)>& visit) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".cpp" && ending != ".hpp") continue;
+    ++count;
+    visit(fs::relative(entry.path(), kRoot), read(entry.path()));
+  }
+  return count;
+}
+
+std::set<std::string> house_folders_included(const std::string& text) {
+  static const std::regex kInclude(
+      R"re(#include "(grammar|reference|oracle|fuzz|cli|expanders|checker)/)re");
+  std::set<std::string> folders;
+  for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+    folders.insert((*it)[1]);
+  }
+  return folders;
+}
+
+TEST(House, FoldersIncludeOnlyWhatStandsBeforeThem) {
+  const std::map<std::string, std::set<std::string>> allowed = {
+      {"grammar", {"grammar"}},
+      {"reference", {"grammar", "reference"}},
+      {"oracle", {"grammar", "reference", "oracle"}},
+      {"expanders", {"expanders"}},
+  };
+  for (const auto& [folder, may] : allowed) {
+    const std::size_t files =
+        for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+          for (const std::string& included : house_folders_included(text)) {
+            EXPECT_TRUE(may.contains(included)) << path << " includes " << included;
+          }
+        });
+    EXPECT_GT(files, 0U) << folder;
+  }
+}
+
+TEST(House, GrammarAndReferenceHaveNoFloatingPoint) {
+  static const std::regex kFloat(R"(\b(double|float)\b(?!\) = delete))");
+  for (const char* folder : {"grammar", "reference"}) {
+    for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      std::smatch found;
+      const std::string code = code_of(text);
+      EXPECT_FALSE(std::regex_search(code, found, kFloat)) << path << ": " << found.str();
+    });
+  }
+}
+
+TEST(House, SpiritStaysInItsFolder) {
+  for (const char* folder : {"grammar", "reference", "oracle", "expanders", "fuzz", "cli"}) {
+    for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      if (path.string().starts_with("grammar/x3/")) return;
+      EXPECT_EQ(text.find("boost/spirit"), std::string::npos) << path;
+      if (path.string().starts_with("grammar/")) return;
+      EXPECT_EQ(text.find("\"grammar/x3/"), std::string::npos) << path;
+    });
+  }
+}
+
+TEST(House, CgalStaysInOneFile) {
+  std::size_t users = 0;
+  for (const char* folder : {"grammar", "reference", "oracle", "expanders", "fuzz", "cli"}) {
+    for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      if (text.find("#include <CGAL/") == std::string::npos) return;
+      ++users;
+      EXPECT_EQ(path.string(), "oracle/region/circle_sets.cpp");
+    });
+  }
+  EXPECT_EQ(users, 1U);
+}
+
+TEST(House, EveryClauseStandsInTheFileThatCarriesIt) {
+  for (const reference::Clause& clause : reference::clauses()) {
+    const std::string text = read(kRoot / clause.carrier);
+    EXPECT_NE(text.find(clause.id), std::string::npos) << clause.id << " in " << clause.carrier;
+  }
+}
+
+TEST(House, ClauseIdsAreUnique) {
+  std::set<std::string_view> ids;
+  for (const reference::Clause& clause : reference::clauses()) {
+    EXPECT_TRUE(ids.insert(clause.id).second) << clause.id;
+  }
+}
+
+}  // namespace
+}  // namespace gonogo

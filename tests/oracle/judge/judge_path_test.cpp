@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The path judge on one face cut. A = (X radius 65, Z 5); G94 X0 Z0 goes Z 0, X 0, Z 5, X 65.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::string_view kFace = "G00 X130 Z5\nG94 X0 Z0 F200\n";
+const std::string kStart = R"({"k":"rapid","b":1,"to":{"x":"65","z":"5"}})"
+                           "\n";
+const std::string kToB = R"({"k":"rapid","b":2,"to":{"z":"0"}})"
+                         "\n";
+const std::string kToC = R"({"k":"feed","b":2,"to":{"x":"0"},"f":"200"})"
+                         "\n";
+const std::string kToD = R"({"k":"feed","b":2,"to":{"z":"5"},"f":"200"})"
+                         "\n";
+const std::string kHome = R"({"k":"rapid","b":2,"to":{"x":"65"}})"
+                          "\n";
+
+TEST(PathJudge, TheManualsPathIsExact) {
+  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD + kHome).kind, VerdictKind::pass_exact);
+}
+
+TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
+  const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"
+                            "\n";
+  EXPECT_EQ(decision(judge_trace(kFace, kStart + kToB + piece + kToC + kToD + kHome).kind),
+            Decision::go);
+}
+
+TEST(PathJudge, OneIncrementOffPassesAndTwoDoNot) {
+  const std::string near = R"({"k":"feed","b":2,"to":{"x":"0.001"},"f":"200"})"
+                           "\n";
+  const std::string far = R"({"k":"feed","b":2,"to":{"x":"0.002"},"f":"200"})"
+                          "\n";
+  EXPECT_EQ(judge_trace(kFace, kStart + kToB + near + kToD + kHome).kind,
+            VerdictKind::pass_tolerance);
+  const Verdict verdict = judge_trace(kFace, kStart + kToB + far + kToD + kHome);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(verdict.block, 2U);
+}
+
+TEST(PathJudge, AWrongFeedIsAFeedFailure) {
+  const std::string slow = R"({"k":"feed","b":2,"to":{"x":"0"},"f":"199"})"
+                           "\n";
+  const Verdict verdict = judge_trace(kFace, kStart + kToB + slow + kToD + kHome);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_feed);
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G94-03");
+}
+
+TEST(PathJudge, ARapidInsteadOfTheRetractFeedFails) {
+  const std::string rapid = R"({"k":"rapid","b":2,"to":{"z":"5"}})"
+                            "\n";
+  const Verdict verdict = judge_trace(kFace, kStart + kToB + kToC + rapid + kHome);
+  EXPECT_EQ(decision(verdict.kind), Decision::no_go);
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G94-04");
+}
+
+TEST(PathJudge, AnOmittedMotionIsAnOrderFailure) {
+  EXPECT_EQ(judge_trace(kFace, kStart + kToC + kToD + kHome).kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD).kind, VerdictKind::fail_geometry);
+}
+
+TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
+  const std::string more = R"({"k":"rapid","b":2,"to":{"y":"1"}})"
+                           "\n";
+  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD + kHome + more).kind,
+            VerdictKind::fail_overrun);
+}
+
+TEST(PathJudge, ManyStepsWithinTheToleranceDoNotAddUpUnseen) {
+  std::string creeping = kStart;
+  for (int i = 1; i <= 10; ++i) {
+    creeping += fmt::format(R"({{"k":"rapid","b":1,"to":{{"z":"{}"}}}})"
+                            "\n",
+                            5.0 + 0.001 * i);
+  }
+  EXPECT_EQ(decision(judge_trace(kFace, creeping + kToB + kToC + kToD + kHome).kind),
+            Decision::no_go);
+}
+
+TEST(PathJudge, ARenamedPositionHoldsForBothSides) {
+  // G50 Z0 renames Z 5 to Z 0; the cut to Z-1 is then 1 mm long and ends at Z-1.
+  const std::string program = "G00 Z5\nG50 Z0\nG01 Z-1 F100\nG01 Z0\n";
+  const std::string trace = R"({"k":"rapid","b":1,"to":{"z":"5"}})"
+                            "\n"
+                            R"({"k":"feed","b":3,"to":{"z":"-1"},"f":"100"})"
+                            "\n"
+                            R"({"k":"feed","b":4,"to":{"z":"0"},"f":"100"})"
+                            "\n";
+  EXPECT_EQ(judge_trace(program, trace).kind, VerdictKind::pass_exact);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A pocket cleared by concentric circles, as somebody else would do it. G18: p = Z, q = X; centre
+// Z 50, X 25 (radius); R plane Y 45; bottom Y 40, one layer; I - D = 16 - 4 = 12; L = 3.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::string_view kPocket =
+    "G18 G0 X70 Z70 Y50\nG110 X50 Z50 Y40 R-5 I16 L3 Q5 P1 D4 F800\n";
+
+struct Clearing {
+  std::vector<int> radii = {3, 6, 9, 12};
+  int rot = -1;
+  std::string plunge_x = "25";
+};
+
+std::string trace(const Clearing& clearing) {
+  std::string text = R"({"k":"rapid","b":1,"to":{"x":"35","y":"50","z":"70"}})"
+                     "\n";
+  text += fmt::format(R"({{"k":"rapid","b":2,"to":{{"x":"{}","z":"50"}}}})"
+                      "\n",
+                      clearing.plunge_x);
+  text += R"({"k":"rapid","b":2,"to":{"y":"45"}})"
+          "\n";
+  text += R"({"k":"feed","b":2,"to":{"y":"40"},"f":"800"})"
+          "\n";
+  for (int radius : clearing.radii) {
+    text += fmt::format(R"({{"k":"feed","b":2,"to":{{"x":"25","z":"{}"}},"f":"800"}})"
+                        "\n",
+                        50 + radius);
+    text += fmt::format(R"({{"k":"arc","b":2,"plane":"G18","c":{{"x":"25","z":"50"}},"rot":{},)"
+                        R"("to":{{"x":"25","z":"{}"}},"f":"800"}})"
+                        "\n",
+                        clearing.rot, 50 + radius);
+  }
+  text += R"({"k":"rapid","b":2,"to":{"y":"45"}})"
+          "\n";
+  text += R"({"k":"rapid","b":2,"to":{"x":"25","z":"50"}})"
+          "\n";
+  text += R"({"k":"rapid","b":2,"to":{"y":"50"}})"
+          "\n";
+  return text;
+}
+
+TEST(PocketJudge, ConcentricCirclesAreGo) {
+  EXPECT_EQ(decision(judge_trace(kPocket, trace({})).kind), Decision::go);
+}
+
+TEST(PocketJudge, ARingLeftOutIsNoGoWithAWitness) {
+  Clearing clearing;
+  clearing.radii = {3, 9, 12};
+  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_FALSE(verdict.witness.empty());
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G110-09");
+}
+
+TEST(PocketJudge, TheLastCircleAtTheWallGouges) {
+  Clearing clearing;
+  clearing.radii = {3, 6, 9, 12, 16};
+  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_FALSE(verdict.witness.empty());
+  EXPECT_NE(verdict.message.find("wall"), std::string::npos);
+}
+
+TEST(PocketJudge, TheSenseTurnedIsNoGoWithAWitness) {
+  Clearing clearing;
+  clearing.rot = 1;
+  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_FALSE(verdict.witness.empty());
+}
+
+TEST(PocketJudge, AnOffCentrePlungeIsNoGoWithAWitness) {
+  Clearing clearing;
+  clearing.plunge_x = "25.1";
+  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G110-06");
+  EXPECT_FALSE(verdict.witness.empty());
+}
+
+TEST(PocketJudge, ReadingsThatNameAPathJudgeThePath) {
+  EXPECT_EQ(decision(judge_trace(kPocket, trace({}), "gsk.pocket.path=concentric").kind),
+            Decision::go);
+  EXPECT_EQ(decision(judge_trace(kPocket, trace({}), "gsk.pocket.path=semicircles").kind),
+            Decision::no_go);
+}
+
+TEST(PocketJudge, TheEndAtTheRPlaneIsGoOnlyUnderItsReading) {
+  std::string text = trace({});
+  text.erase(text.rfind("{\"k\":\"rapid\""));
+  EXPECT_EQ(decision(judge_trace(kPocket, text).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_trace(kPocket, text, "gsk.pocket.end=r-plane").kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(kPocket, text, "gsk.pocket.end=any").kind), Decision::go);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "run_subject.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+std::unique_ptr<Subject> fake(const std::string& mode, const Limits& limits = patient_limits()) {
+  auto subject = make_oneshot_subject(std::string(FAKE_ONESHOT) + " " + mode, limits);
+  subject->configure(gsk_profile());
+  return subject;
+}
+
+RunEnd end_of(const std::string& mode) {
+  return run(*fake(mode)).end;
+}
+
+TEST(OneshotSubject, ExitZeroIsExpanded) {
+  auto subject = fake("good");
+  const Ran ran = run(*subject);
+  EXPECT_EQ(ran.end.kind, Kind::ok) << ran.end.message;
+  ASSERT_EQ(ran.records.size(), 1u);
+  EXPECT_EQ(ran.records[0].to[reference::Axis::z], Number(11) / Number(3));
+  EXPECT_FALSE(subject->keeps_state());
+}
+
+TEST(OneshotSubject, ExitOneIsTheAlarmOfTheLastLine) {
+  auto subject = fake("alarm");
+  const Ran ran = run(*subject);
+  EXPECT_EQ(ran.end.kind, Kind::alarm);
+  EXPECT_EQ(ran.end.alarm.alarm_class, "syntax");
+  EXPECT_EQ(ran.end.alarm.block, 2u);
+  EXPECT_EQ(ran.records.size(), 1u);
+}
+
+TEST(OneshotSubject, AlarmAndExitCodeMustAgree) {
+  EXPECT_EQ(end_of("alarm-exit0").kind, Kind::protocol);
+  EXPECT_EQ(end_of("exit1").kind, Kind::protocol);
+  EXPECT_EQ(end_of("after-alarm").kind, Kind::protocol);
+}
+
+TEST(OneshotSubject, ExitThreeIsASkipWithItsReason) {
+  const RunEnd end = end_of("exit3");
+  EXPECT_EQ(end.kind, Kind::skip);
+  EXPECT_EQ(end.message, "no G116 here\n");
+}
+
+TEST(OneshotSubject, AnyOtherEndIsACrashAndNoRejection) {
+  EXPECT_EQ(end_of("exit2").kind, Kind::crash);
+  EXPECT_EQ(end_of("abort").kind, Kind::crash);
+}
+
+TEST(OneshotSubject, OutputThatIsNoTraceIsProtocol) {
+  EXPECT_EQ(end_of("garbage").kind, Kind::protocol);
+  EXPECT_EQ(end_of("cut").kind, Kind::protocol);
+}
+
+TEST(OneshotSubject, TheLastLineMayLackItsEnd) {
+  auto subject = fake("no-newline");
+  EXPECT_EQ(run(*subject).records.size(), 1u);
+}
+
+TEST(OneshotSubject, AHangIsATimeout) {
+  EXPECT_EQ(run(*fake("hang", short_limits())).end.kind, Kind::timeout);
+}
+
+TEST(OneshotSubject, TheSinkStopsAFlood) {
+  auto subject = fake("flood");
+  const Ran ran = run(*subject, "G0\n", 3000);
+  EXPECT_EQ(ran.end.kind, Kind::stopped);
+  EXPECT_EQ(ran.records.size(), 3000u);
+}
+
+TEST(OneshotSubject, AGrandchildThatHoldsThePipesDelaysNothing) {
+  const RunEnd end = end_of("grandchild");
+  EXPECT_EQ(end.kind, Kind::ok) << end.message;
+  EXPECT_LT(end.microseconds, 10'000'000);
+}
+
+TEST(OneshotSubject, MegabytesGoInAndComeOutAtTheSameTime) {
+  auto subject = fake("echo-size");
+  const std::string program(3'000'000, ' ');
+  const Ran ran = run(*subject, program, 10'000);
+  EXPECT_EQ(ran.end.kind, Kind::ok) << ran.end.message;
+  ASSERT_EQ(ran.records.size(), 5001u);
+  EXPECT_EQ(ran.records.back().m, 3'000'000);
+}
+
+TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
+  auto subject = fake("show 'a b'");
+  const std::string notes = run(*subject).end.notes;
+  EXPECT_NE(notes.find("dialect=gsk988ta mode=600 profile={"), std::string::npos) << notes;
+  const std::size_t at = notes.find("path=") + 5;
+  const std::filesystem::path path = notes.substr(at, notes.find('\n', at) - at);
+  EXPECT_TRUE(std::filesystem::exists(path)) << path;
+  subject.reset();
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_FALSE(std::filesystem::exists(path.parent_path()));
+}
+
+TEST(OneshotSubject, WithoutADescriptionEverythingIsDeclared) {
+  auto subject = fake("good");
+  EXPECT_TRUE(subject->info().declares("sinumerik840d", "cycle83"));
+  EXPECT_EQ(subject->info().name, std::string(FAKE_ONESHOT) + " good");
+}
+
+TEST(OneshotSubject, ADescriptionCounts) {
+  auto subject = fake("described");
+  EXPECT_EQ(subject->info().name, "shot");
+  EXPECT_TRUE(subject->info().declares("rs274", "g81"));
+  EXPECT_FALSE(subject->info().declares("gsk988ta", "g94"));
+}
+
+TEST(OneshotSubject, ABadDescriptionOrCommandIsUnusable) {
+  EXPECT_THROW(fake("described-badly"), SubjectUnusable);
+  EXPECT_THROW(make_oneshot_subject("/no/such/program", short_limits()), SubjectUnusable);
+}
+
+TEST(OneshotSubject, ManyRunsLeaveNothingBehind) {
+  auto subject = fake("abort");
+  const std::size_t before = open_descriptors();
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(run(*subject).end.kind, Kind::crash);
+  EXPECT_EQ(open_descriptors(), before);
+  EXPECT_FALSE(has_children());
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
