@@ -12,9 +12,9 @@ namespace gonogo::cli {
 void report_alarms(const reference::AlarmReport& report, std::string_view file,
                    std::string_view line) {
   for (const reference::Alarm& alarm : report.alarms) {
-    const std::string message = fmt::format("alarm: {} [{}, {}]", alarm.message,
-                                            reference::name(alarm.alarm),
-                                            reference::clause_name(alarm.clause));
+    const std::string message =
+        fmt::format("alarm: {} [{}, {}]", alarm.message, reference::name(alarm.alarm),
+                    reference::clause_name(alarm.clause));
     fmt::print(stderr, "{}", grammar::render(message, alarm.where, file, report.block, line));
   }
 }
@@ -32,9 +32,8 @@ void report_further_syntax_errors(grammar::LineSource& lines, std::string_view f
   grammar::Block block;
   int count = 0;
   while (count < kFurtherSyntaxErrors && lines.next(line)) {
-    auto error = line.too_long
-                     ? std::optional(grammar::line_too_long())
-                     : grammar::parse_block(grammar::Dialect::gsk988ta, line.text, block);
+    auto error = line.too_long ? std::optional(grammar::line_too_long())
+                               : grammar::parse_block(grammar::Dialect::gsk988ta, line.text, block);
     if (!error) continue;
     fmt::print(stderr, "{}", grammar::render(*error, file, line.number, line.text));
     ++count;

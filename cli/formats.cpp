@@ -104,18 +104,25 @@ class PlainCodes : public RecordFormat {
       headed_ = true;
     }
     switch (record.kind) {
-      case RecordKind::rapid: out += fmt::format("G00 {}\n", end_point(record)); break;
-      case RecordKind::feed:
-        out += fmt::format("{}G01 {} F{}\n", feed_mode(record), end_point(record),
-                           shown(record.feed));
+      case RecordKind::rapid:
+        out += fmt::format("G00 {}\n", end_point(record));
         break;
-      case RecordKind::arc: arc(record, out); break;
-      case RecordKind::dwell: out += fmt::format("G04 P{}\n", shown(record.seconds)); break;
+      case RecordKind::feed:
+        out +=
+            fmt::format("{}G01 {} F{}\n", feed_mode(record), end_point(record), shown(record.feed));
+        break;
+      case RecordKind::arc:
+        arc(record, out);
+        break;
+      case RecordKind::dwell:
+        out += fmt::format("G04 P{}\n", shown(record.seconds));
+        break;
       case RecordKind::m:
         ended_ = ended_ || record.m == 2 || record.m == 30;
         out += fmt::format("M{}\n", record.m);
         break;
-      default: break;
+      default:
+        break;
     }
     for (Axis axis : kAllAxes) {
       if (record.axes.has(axis)) at_[axis] = record.to[axis];

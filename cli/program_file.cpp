@@ -15,9 +15,10 @@ namespace gonogo::cli {
 ProgramFile::ProgramFile(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
   descriptor_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {
-    throw UsageError(fmt::format("{} cannot be opened: {}. Name an NC program, or - for standard "
-                                 "input.",
-                                 path, std::strerror(errno)));
+    throw UsageError(
+        fmt::format("{} cannot be opened: {}. Name an NC program, or - for standard "
+                    "input.",
+                    path, std::strerror(errno)));
   }
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0) {
@@ -39,7 +40,8 @@ std::string read_file(const std::string& path, std::size_t limit) {
   std::array<char, 1 << 16> chunk;
   while (std::size_t count = file.bytes().read(chunk.data(), chunk.size())) {
     text.append(chunk.data(), count);
-    if (text.size() > limit) throw UsageError(fmt::format("{} is larger than {} bytes.", path, limit));
+    if (text.size() > limit)
+      throw UsageError(fmt::format("{} is larger than {} bytes.", path, limit));
   }
   return text;
 }
@@ -60,8 +62,9 @@ reference::Profile load_profile(const ProfileOptions& options) {
   if (!options.file.empty()) {
     const std::string text = read_file(options.file, std::size_t{1} << 20);
     const bool json = options.file.ends_with(".json");
-    profile = checked(json ? reference::profile_from_json(text) : reference::profile_from_toml(text),
-                      options.file);
+    profile =
+        checked(json ? reference::profile_from_json(text) : reference::profile_from_toml(text),
+                options.file);
     if (!options.dialect.empty() && options.dialect != profile.dialect) {
       throw UsageError(fmt::format("{} is a profile of dialect {}, but --dialect says {}.",
                                    options.file, profile.dialect, options.dialect));
@@ -74,7 +77,8 @@ reference::Profile load_profile(const ProfileOptions& options) {
     if (equals == std::string::npos) {
       throw UsageError(fmt::format("--reading {} is not of the form key=value.", choice));
     }
-    auto error = reference::set_reading(profile, choice.substr(0, equals), choice.substr(equals + 1));
+    auto error =
+        reference::set_reading(profile, choice.substr(0, equals), choice.substr(equals + 1));
     if (error) throw UsageError(error->message);
   }
   return profile;

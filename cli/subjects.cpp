@@ -18,14 +18,15 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
     for (std::string_view builtin : expanders::names()) {
       known += fmt::format("{}{}", known.empty() ? "" : ", ", builtin);
     }
-    throw UsageError(fmt::format("There is no built-in expander \"{}\". Write one of: {}.", name,
-                                 known));
+    throw UsageError(
+        fmt::format("There is no built-in expander \"{}\". Write one of: {}.", name, known));
   }
   const gonogo_subject_v1* subject = expanders::find(name, fault);
   if (subject == nullptr) {
-    throw UsageError(fmt::format("The expander {} has no planted fault \"{}\". `gonogo faults "
-                                 "--list` names them.",
-                                 name, fault));
+    throw UsageError(
+        fmt::format("The expander {} has no planted fault \"{}\". `gonogo faults "
+                    "--list` names them.",
+                    name, fault));
   }
   return [subject] { return oracle::make_interface_subject(*subject); };
 }
@@ -41,9 +42,10 @@ oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits
   if (spec && spec->kind == "oneshot") {
     return [rest = spec->rest, limits] { return oracle::make_oneshot_subject(rest, limits); };
   }
-  throw UsageError(fmt::format("\"{}\" names no subject. Write builtin:NAME, pipe:COMMAND or "
-                               "oneshot:COMMAND.",
-                               text));
+  throw UsageError(
+      fmt::format("\"{}\" names no subject. Write builtin:NAME, pipe:COMMAND or "
+                  "oneshot:COMMAND.",
+                  text));
 }
 
 }  // namespace gonogo::cli

@@ -12,9 +12,12 @@ namespace {
 
 std::string_view word(Decision decision) {
   switch (decision) {
-    case Decision::go: return "GO";
-    case Decision::no_go: return "NO-GO";
-    case Decision::undecided: return "UNDECIDED";
+    case Decision::go:
+      return "GO";
+    case Decision::no_go:
+      return "NO-GO";
+    case Decision::undecided:
+      return "UNDECIDED";
   }
   return "";
 }
@@ -36,11 +39,13 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
   put("got", verdict.got);
   if (!verdict.deviation_exact.empty()) {
     const bool same = verdict.deviation_exact == verdict.deviation_mm;
-    put("deviation", same ? verdict.deviation_mm + " mm"
-                          : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
+    put("deviation",
+        same ? verdict.deviation_mm + " mm"
+             : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
   }
   put("witness", verdict.witness);
-  if (!verdict.reading.empty()) put("would be GO", fmt::format("under --reading {}", verdict.reading));
+  if (!verdict.reading.empty())
+    put("would be GO", fmt::format("under --reading {}", verdict.reading));
   return text;
 }
 

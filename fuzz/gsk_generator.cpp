@@ -170,6 +170,9 @@ void Generator::spoil(std::vector<std::string>& words) {
       break;
     case 3:
       count("fault: zero");
+      // An arc of no radius is undecided.
+      if ((words.front() == "G02" || words.front() == "G03") && victim.find_first_of("IJK") == 0)
+        break;
       if (victim[0] != 'G' && victim[0] != 'M' && victim[0] != 'F')
         victim = victim.substr(0, 1) + "0";
       break;
@@ -245,7 +248,7 @@ void Generator::arc_block() {
 void Generator::g94_block() {
   const auto [p, q, d] = plane_axes();
   // Whether the words of G94 outlive a pocket mode is undecided: it is left by a code of its own.
-  if (mode_ == Mode::pocket) put({choices_.pick({"G80", "G00"})});
+  if (mode_ == Mode::pocket) text_ += choices_.pick({"G80\n", "G00\n"});
   std::vector<std::string> words;
   if (mode_ != Mode::g94 || choices_.one_in(6)) words.push_back("G94");
   count(mode_ == Mode::g94 ? "G94 repeated" : "G94 entry");

@@ -29,11 +29,11 @@ struct SubjectInfo {
   // said of dialects at all, `everything` is set.
   std::map<std::string, std::set<std::string>> dialects;
   bool everything = false;
-  std::set<std::string> features;  // "blocks", "m", "bytes"
-  std::string numeric_kind = "exact";      // fixed, binary64, exact
-  std::optional<Number> resolution;        // mm
-  std::optional<Number> feed_resolution;   // mm/min or mm/rev
-  std::optional<Number> chord;             // mm
+  std::set<std::string> features;         // "blocks", "m", "bytes"
+  std::string numeric_kind = "exact";     // fixed, binary64, exact
+  std::optional<Number> resolution;       // mm
+  std::optional<Number> feed_resolution;  // mm/min or mm/rev
+  std::optional<Number> chord;            // mm
   int max_in_flight = 1;
 
   bool declares(std::string_view dialect, std::string_view feature) const;
@@ -50,16 +50,16 @@ struct SubjectAlarm {
 // How a run of one program ended, apart from the records.
 struct RunEnd {
   enum class Kind {
-    ok,             // expanded
-    alarm,          // `alarm` says which
-    skip,           // a feature that the subject does not have
-    refused,        // configure: ok false
-    error,          // the subject said that it failed
-    stopped,        // the sink asked for it
-    crash,          // a signal, an unexpected exit, a closed pipe
+    ok,       // expanded
+    alarm,    // `alarm` says which
+    skip,     // a feature that the subject does not have
+    refused,  // configure: ok false
+    error,    // the subject said that it failed
+    stopped,  // the sink asked for it
+    crash,    // a signal, an unexpected exit, a closed pipe
     timeout,
     out_of_memory,
-    protocol,       // not the protocol: bad JSON, wrong seq, unknown record, bare number, ...
+    protocol,  // not the protocol: bad JSON, wrong seq, unknown record, bare number, ...
   };
   Kind kind = Kind::ok;
   SubjectAlarm alarm;

@@ -7,18 +7,37 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::array<std::string_view, 25> kNames = {
-    "pass-exact",         "pass-rounded",     "pass-tolerance",     "skip",
-    "xfail",              "fail.geometry",    "fail.order",         "fail.feed",
-    "fail.region",        "fail.reading",     "fail.overrun",       "fail.alarm-missing",
-    "fail.alarm-spurious", "fail.alarm-class", "fail.alarm-late",   "state-leak",
-    "crash",              "timeout",          "out-of-memory",      "protocol",
-    "unmapped-alarm",     "xpass",            "oracle-gap",         "oracle-error",
-    ""};
+constexpr std::array<std::string_view, 25> kNames = {"pass-exact",
+                                                     "pass-rounded",
+                                                     "pass-tolerance",
+                                                     "skip",
+                                                     "xfail",
+                                                     "fail.geometry",
+                                                     "fail.order",
+                                                     "fail.feed",
+                                                     "fail.region",
+                                                     "fail.reading",
+                                                     "fail.overrun",
+                                                     "fail.alarm-missing",
+                                                     "fail.alarm-spurious",
+                                                     "fail.alarm-class",
+                                                     "fail.alarm-late",
+                                                     "state-leak",
+                                                     "crash",
+                                                     "timeout",
+                                                     "out-of-memory",
+                                                     "protocol",
+                                                     "unmapped-alarm",
+                                                     "xpass",
+                                                     "oracle-gap",
+                                                     "oracle-error",
+                                                     ""};
 
 }  // namespace
 
-std::string_view name(VerdictKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+std::string_view name(VerdictKind kind) {
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 std::optional<VerdictKind> verdict_kind(std::string_view name) {
   for (std::size_t i = 0; !kNames[i].empty(); ++i) {

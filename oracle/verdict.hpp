@@ -51,16 +51,16 @@ std::span<const std::string_view> verdict_names();
 struct Verdict {
   VerdictKind kind = VerdictKind::pass_exact;
   reference::ClauseId clause = reference::kNoClause;
-  std::string reading;           // another reading under which the answer would be GO: "k=v"
-  std::uint64_t block = 0;       // source line; 0: none
+  std::string reading;                // another reading under which the answer would be GO: "k=v"
+  std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0
   char word = 0;
-  std::string want;              // the reference's record, level or alarm
-  std::string got;               // the subject's
-  std::string deviation_exact;   // mm, as in a record; empty: none
-  std::string deviation_mm;      // the same as a decimal
-  std::string witness;           // a point that proves it: {"x":"1",...}; empty: none
-  std::string message;           // a sentence for people
+  std::string want;             // the reference's record, level or alarm
+  std::string got;              // the subject's
+  std::string deviation_exact;  // mm, as in a record; empty: none
+  std::string deviation_mm;     // the same as a decimal
+  std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
+  std::string message;          // a sentence for people
 };
 
 }  // namespace gonogo::oracle

@@ -18,9 +18,15 @@ inline constexpr std::size_t kAxes = 5;
 inline constexpr std::array<Axis, kAxes> kAllAxes = {Axis::x, Axis::y, Axis::z, Axis::a, Axis::c};
 inline constexpr std::array<Axis, 3> kLinearAxes = {Axis::x, Axis::y, Axis::z};
 
-constexpr std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
-constexpr char letter(Axis axis) { return "xyzac"[index(axis)]; }
-constexpr bool is_linear(Axis axis) { return index(axis) < 3; }
+constexpr std::size_t index(Axis axis) {
+  return static_cast<std::size_t>(axis);
+}
+constexpr char letter(Axis axis) {
+  return "xyzac"[index(axis)];
+}
+constexpr bool is_linear(Axis axis) {
+  return index(axis) < 3;
+}
 
 // A set of axes.
 class AxisSet {
@@ -53,7 +59,9 @@ struct Position {
 };
 
 enum class Plane : std::uint8_t { g17, g18, g19 };
-constexpr int plane_code(Plane plane) { return 17 + static_cast<int>(plane); }
+constexpr int plane_code(Plane plane) {
+  return 17 + static_cast<int>(plane);
+}
 
 // (p, q, d): first and second plane axis and depth axis, a right-handed triple in every plane.
 struct PlaneAxes {
@@ -62,9 +70,8 @@ struct PlaneAxes {
   Axis d;
 };
 constexpr PlaneAxes axes_of(Plane plane) {
-  constexpr std::array<PlaneAxes, 3> kTable = {{{Axis::x, Axis::y, Axis::z},
-                                               {Axis::z, Axis::x, Axis::y},
-                                               {Axis::y, Axis::z, Axis::x}}};
+  constexpr std::array<PlaneAxes, 3> kTable = {
+      {{Axis::x, Axis::y, Axis::z}, {Axis::z, Axis::x, Axis::y}, {Axis::y, Axis::z, Axis::x}}};
   return kTable[static_cast<std::size_t>(plane)];
 }
 

@@ -3,9 +3,13 @@
 
 namespace gonogo::reference {
 
-std::span<const Clause> clauses() { return catalog::kGsk988ta; }
+std::span<const Clause> clauses() {
+  return catalog::kGsk988ta;
+}
 
-const Clause& clause(ClauseId id) { return clauses()[id]; }
+const Clause& clause(ClauseId id) {
+  return clauses()[id];
+}
 
 std::string_view clause_name(ClauseId id) {
   return id == kNoClause ? std::string_view{} : clauses()[id].id;
@@ -13,9 +17,12 @@ std::string_view clause_name(ClauseId id) {
 
 std::string_view name(ClauseLevel level) {
   switch (level) {
-    case ClauseLevel::must: return "must";
-    case ClauseLevel::derived: return "derived";
-    case ClauseLevel::open: return "open";
+    case ClauseLevel::must:
+      return "must";
+    case ClauseLevel::derived:
+      return "derived";
+    case ClauseLevel::open:
+      return "open";
   }
   return "";
 }

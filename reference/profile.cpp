@@ -18,8 +18,8 @@ std::optional<Number> Profile::parameter(std::string_view name) const {
 
 ProfileResult default_profile(std::string_view dialect) {
   if (dialect != "gsk988ta") {
-    return ProfileError{"dialect", fmt::format("There is no dialect \"{}\". Write one of: gsk988ta.",
-                                               dialect)};
+    return ProfileError{
+        "dialect", fmt::format("There is no dialect \"{}\". Write one of: gsk988ta.", dialect)};
   }
   return Profile{};
 }

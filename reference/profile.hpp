@@ -22,11 +22,11 @@ enum class AlarmTiming : std::uint8_t { block, program };
 
 // The state at the start of a program.
 struct InitialState {
-  Position at;              // mm as true lengths, degrees
-  Number feed;              // 0: none in force
+  Position at;  // mm as true lengths, degrees
+  Number feed;  // 0: none in force
   Plane plane = Plane::g18;
-  int motion = 0;           // code of the motion group
-  int spindle = 5;          // M3, M4 or M5
+  int motion = 0;   // code of the motion group
+  int spindle = 5;  // M3, M4 or M5
   friend bool operator==(const InitialState&, const InitialState&) = default;
 };
 
@@ -37,10 +37,10 @@ struct Profile {
   std::optional<Number> given_resolution;  // `resolution`
   bool x_diameter = true;
   InitialState initial;
-  std::map<std::string, Position> offsets;    // "G54" -> mm
-  std::map<std::string, Number> tools;        // number -> radius, mm
-  std::map<std::string, Number> parameters;   // "3410" -> value
-  Position reference_point;                   // of G28, mm
+  std::map<std::string, Position> offsets;   // "G54" -> mm
+  std::map<std::string, Number> tools;       // number -> radius, mm
+  std::map<std::string, Number> parameters;  // "3410" -> value
+  Position reference_point;                  // of G28, mm
   ReadingChoice readings;
   AlarmTiming alarm_timing = AlarmTiming::block;
   bool block_skip = false;

@@ -51,7 +51,8 @@ Json parse_json_once(std::string_view text) {
   auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
     if (event == Json::parse_event_t::object_start) open.emplace_back();
     if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) {
+    if (event == Json::parse_event_t::key &&
+        !open.back().insert(parsed.get<std::string>()).second) {
       fail(parsed.get<std::string>(), "The key stands twice in one object. Keep one of them.");
     }
     return true;
@@ -113,7 +114,8 @@ Position position_of(const Json& table, const std::string& key) {
   need_table(table, key);
   Position at;
   for (const auto& [name, value] : table.items()) {
-    if (!read_axis(name, value, key + "." + name, at)) unknown_key(key + "." + name, "x, y, z, a, c");
+    if (!read_axis(name, value, key + "." + name, at))
+      unknown_key(key + "." + name, "x, y, z, a, c");
   }
   return at;
 }
@@ -225,7 +227,9 @@ Profile profile_of(Json document) {
   return profile;
 }
 
-std::string number_text(const Number& value) { return value.text(); }
+std::string number_text(const Number& value) {
+  return value.text();
+}
 
 Json position_json(const Position& at) {
   Json object = Json::object();

@@ -33,18 +33,20 @@ enum class ReadingKey : std::uint8_t {
   duplicate,
 };
 inline constexpr std::size_t kReadings = 13;
-constexpr std::size_t index(ReadingKey key) { return static_cast<std::size_t>(key); }
+constexpr std::size_t index(ReadingKey key) {
+  return static_cast<std::size_t>(key);
+}
 
 struct Reading {
   ReadingKey key;
-  std::string_view name;                      // "gsk.pocket.end"
-  std::string_view dialect;                   // "gsk988ta"
-  std::vector<std::string_view> alternatives; // without "any"; the default or the one shown first
-  std::string_view fallback;                  // the default: an alternative or "any"
-  bool by_properties = false;                 // "any" is judged by what the path does, not by paths
-  bool is_length = false;                     // any decimal (mm) is an alternative
+  std::string_view name;                       // "gsk.pocket.end"
+  std::string_view dialect;                    // "gsk988ta"
+  std::vector<std::string_view> alternatives;  // without "any"; the default or the one shown first
+  std::string_view fallback;                   // the default: an alternative or "any"
+  bool by_properties = false;  // "any" is judged by what the path does, not by paths
+  bool is_length = false;      // any decimal (mm) is an alternative
   ClauseId clause = kNoClause;
-  std::string_view text;                      // what the choice is about
+  std::string_view text;  // what the choice is about
 };
 
 std::span<const Reading> readings();

@@ -64,9 +64,13 @@ void append_arc(const Record& record, std::string& out) {
 
 }  // namespace
 
-std::string_view name(RecordKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+std::string_view name(RecordKind kind) {
+  return kKinds[static_cast<std::size_t>(kind)];
+}
 
-std::string_view name(AlarmClass alarm) { return kAlarmNames[static_cast<std::size_t>(alarm)]; }
+std::string_view name(AlarmClass alarm) {
+  return kAlarmNames[static_cast<std::size_t>(alarm)];
+}
 
 std::string_view sentence(AlarmClass alarm) {
   return kAlarmSentences[static_cast<std::size_t>(alarm)];
@@ -79,7 +83,9 @@ std::optional<AlarmClass> alarm_class(std::string_view text) {
   return std::nullopt;
 }
 
-std::span<const std::string_view> alarm_class_names() { return kAlarmNames; }
+std::span<const std::string_view> alarm_class_names() {
+  return kAlarmNames;
+}
 
 void append_json(const Record& record, std::string& out) {
   out += "{\"k\":\"";
@@ -90,24 +96,30 @@ void append_json(const Record& record, std::string& out) {
     append_integer(static_cast<std::int64_t>(record.block), out);
   }
   if (record.kind == RecordKind::arc) append_arc(record, out);
-  if (record.kind == RecordKind::arc3) append_position(",\"via\":{", record.via_axes, record.via, out);
+  if (record.kind == RecordKind::arc3)
+    append_position(",\"via\":{", record.via_axes, record.via, out);
   if (is_motion(record.kind) || record.kind == RecordKind::end) {
     append_position(",\"to\":{", record.axes, record.to, out);
   }
   switch (record.kind) {
     case RecordKind::feed:
     case RecordKind::arc:
-    case RecordKind::arc3: append_feed(record, out); break;
+    case RecordKind::arc3:
+      append_feed(record, out);
+      break;
     case RecordKind::thread:
       append_number(",\"lead\":", record.lead, out);
       append_number(",\"start\":", record.start, out);
       break;
-    case RecordKind::dwell: append_number(",\"s\":", record.seconds, out); break;
+    case RecordKind::dwell:
+      append_number(",\"s\":", record.seconds, out);
+      break;
     case RecordKind::m:
       out += ",\"m\":";
       append_integer(record.m, out);
       break;
-    default: break;
+    default:
+      break;
   }
   if (record.clause != kNoClause) {
     out += ",\"clause\":\"";

@@ -21,23 +21,25 @@ enum class FeedMode : std::uint8_t { per_minute, per_revolution };
 struct Record {
   RecordKind kind = RecordKind::rapid;
   FeedMode feed_mode = FeedMode::per_minute;
-  Plane plane = Plane::g17;        // arc
-  AxisSet axes;                    // those that `to` names
-  std::int32_t rot = 0;            // arc: sign + counterclockwise seen from +d, n - 1 whole turns first
-  std::int32_t m = 0;              // m
-  std::uint64_t block = 0;         // 1-based source line; 0: not known
-  ClauseId clause = kNoClause;     // what says so
-  Position to;                     // end point
-  Number feed;                     // feed, arc, arc3: mm/min or mm/rev of the path
-  std::array<Number, 2> centre;    // arc: along p and q
-  Number lead;                     // thread: mm/rev along the longer axis
-  Number start;                    // thread: spindle angle, degrees
-  Number seconds;                  // dwell
-  AxisSet via_axes;                // arc3
-  Position via;                    // arc3: intermediate point
+  Plane plane = Plane::g17;  // arc
+  AxisSet axes;              // those that `to` names
+  std::int32_t rot = 0;      // arc: sign + counterclockwise seen from +d, n - 1 whole turns first
+  std::int32_t m = 0;        // m
+  std::uint64_t block = 0;   // 1-based source line; 0: not known
+  ClauseId clause = kNoClause;   // what says so
+  Position to;                   // end point
+  Number feed;                   // feed, arc, arc3: mm/min or mm/rev of the path
+  std::array<Number, 2> centre;  // arc: along p and q
+  Number lead;                   // thread: mm/rev along the longer axis
+  Number start;                  // thread: spindle angle, degrees
+  Number seconds;                // dwell
+  AxisSet via_axes;              // arc3
+  Position via;                  // arc3: intermediate point
 };
 
-constexpr bool is_motion(RecordKind kind) { return kind <= RecordKind::thread; }
+constexpr bool is_motion(RecordKind kind) {
+  return kind <= RecordKind::thread;
+}
 
 // One JSON object without the line end: {"k":"feed","b":3,"to":{"x":"1.5"},"f":"200",...}.
 void append_json(const Record& record, std::string& out);

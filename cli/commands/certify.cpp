@@ -65,8 +65,9 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   }
   campaign.tolerance = length_option(options.limits.tolerance, "--tolerance");
   campaign.chord = length_option(options.limits.chord, "--chord");
-  campaign.jobs = options.jobs > 0 ? options.jobs
-                                   : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+  campaign.jobs = options.jobs > 0
+                      ? options.jobs
+                      : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   campaign.fail_fast = options.fail_fast;
   campaign.limits = options.limits.limits();
   parse_shard(options.shard, campaign);
@@ -133,13 +134,16 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
     ProgressLine progress(subject);
     summary = oracle::run_campaign(
         corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
-        [&](std::size_t done, std::size_t all, std::size_t no_go) { progress.show(done, all, no_go); });
+        [&](std::size_t done, std::size_t all, std::size_t no_go) {
+          progress.show(done, all, no_go);
+        });
   }
   results.close(summary.footer);
   if (summary.cases == 0) {
-    throw UsageError(fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names "
-                                 "the cases.",
-                                 corpus.folder()));
+    throw UsageError(
+        fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names "
+                    "the cases.",
+                    corpus.folder()));
   }
   const auto report_error = oracle::report::write_html_report(results_path, report);
   Output output;
@@ -156,8 +160,8 @@ int certify(const CertifyOptions& options) {
   // The main job: every built-in expander, each with its own report.
   int exit_code = kGo;
   for (std::string_view name : expanders::names()) {
-    const int one = certify_one(options, fmt::format("builtin:{}", name),
-                                fmt::format("{}/{}", report, name));
+    const int one =
+        certify_one(options, fmt::format("builtin:{}", name), fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;
   }
   return exit_code;

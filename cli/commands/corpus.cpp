@@ -41,8 +41,8 @@ int lint(const std::string& folder) {
     }
     return true;
   });
-  output.text() += fmt::format("{} cases, {} whose expectation the reference does not confirm\n",
-                               cases, wrong);
+  output.text() +=
+      fmt::format("{} cases, {} whose expectation the reference does not confirm\n", cases, wrong);
   output.flush();
   return wrong == 0 ? kGo : kNoGo;
 }
@@ -68,8 +68,8 @@ int stats(const std::string& folder) {
   Output output;
   output.text() = fmt::format("corpus {} sha256 {}\n", corpus.version(), corpus.sha256());
   for (const auto& [cycle, count] : by_cycle) {
-    output.text() += fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", cycle, count.cases,
-                                 count.alarms);
+    output.text() +=
+        fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", cycle, count.cases, count.alarms);
   }
   output.flush();
   return kGo;

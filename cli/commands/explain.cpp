@@ -24,7 +24,9 @@ struct ExplainOptions {
 class RememberedLines : public grammar::ByteSource {
  public:
   explicit RememberedLines(std::string text) : text_(std::move(text)), bytes_(text_) {}
-  std::size_t read(char* data, std::size_t capacity) override { return bytes_.read(data, capacity); }
+  std::size_t read(char* data, std::size_t capacity) override {
+    return bytes_.read(data, capacity);
+  }
   const std::string& text() const { return text_; }
 
  private:

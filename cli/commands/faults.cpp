@@ -34,7 +34,7 @@ void append_list(std::string& out) {
 // What the corpus says of one subject.
 struct Kills {
   std::size_t cases = 0;
-  std::string first;               // id of the first case that finds it
+  std::string first;  // id of the first case that finds it
   std::set<std::string> verdicts;
 };
 
@@ -72,16 +72,16 @@ int faults(const FaultsOptions& options) {
       const Kills kills = run(corpus, "builtin:" + spec);
       std::string verdicts;
       for (const std::string& verdict : kills.verdicts) verdicts += " " + verdict;
-      output.text() += kills.cases == 0
-                           ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
-                           : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec, kills.cases,
-                                         kills.first, verdicts);
+      output.text() += kills.cases == 0 ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
+                                        : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec,
+                                                      kills.cases, kills.first, verdicts);
       output.flush();
       survivors += kills.cases == 0 ? 1 : 0;
       ++all;
     }
   }
-  output.text() += fmt::format("{} planted faults, {} left alive or falsely found\n", all, survivors);
+  output.text() +=
+      fmt::format("{} planted faults, {} left alive or falsely found\n", all, survivors);
   output.flush();
   return survivors == 0 ? kGo : kNoGo;
 }

@@ -58,8 +58,8 @@ Trace read_trace(const std::string& path) {
     if (trace.end.kind == oracle::RunEnd::Kind::alarm &&
         line.text.find_first_not_of(" \t") != std::string_view::npos) {
       trace.end.kind = oracle::RunEnd::Kind::protocol;
-      trace.end.message = fmt::format("Line {} of the trace follows the alarm that closes it.",
-                                      line.number);
+      trace.end.message =
+          fmt::format("Line {} of the trace follows the alarm that closes it.", line.number);
     }
     if (trace.end.kind != oracle::RunEnd::Kind::ok) break;
     take_line(line.text, line.number, reader, trace);
@@ -82,8 +82,7 @@ int judge(const JudgeOptions& options) {
   const oracle::JudgeTerms terms =
       make_terms(subject, profile, length_option(options.limits.tolerance, "--tolerance"),
                  length_option(options.limits.chord, "--chord"));
-  oracle::SessionVerdict session =
-      judge_outcome(profile, program, terms, trace.records, trace.end);
+  oracle::SessionVerdict session = judge_outcome(profile, program, terms, trace.records, trace.end);
   if (decision(session.verdict.kind) == oracle::Decision::no_go) {
     session.verdict.reading = explaining_reading(profile, program, terms, trace.records, trace.end);
   }
@@ -91,9 +90,12 @@ int judge(const JudgeOptions& options) {
   output.text() = verdict_text(session.verdict);
   output.flush();
   switch (decision(session.verdict.kind)) {
-    case oracle::Decision::go: return kGo;
-    case oracle::Decision::no_go: return kNoGo;
-    default: return kUndecided;
+    case oracle::Decision::go:
+      return kGo;
+    case oracle::Decision::no_go:
+      return kNoGo;
+    default:
+      return kUndecided;
   }
 }
 

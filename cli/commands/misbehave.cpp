@@ -61,8 +61,9 @@ std::string reference_reply(const reference::Profile& profile, const std::string
 [[noreturn]] void flood(long long seq) {
   // Records without end, in parts, going to and fro.
   for (long long i = 0;; ++i) {
-    send(fmt::format(R"({{"seq":{},"records":[{{"k":"rapid","b":1,"to":{{"x":"{}"}}}}],"more":true}})",
-                     seq, i % 2));
+    send(fmt::format(
+        R"({{"seq":{},"records":[{{"k":"rapid","b":1,"to":{{"x":"{}"}}}}],"more":true}})", seq,
+        i % 2));
   }
 }
 
@@ -84,7 +85,8 @@ class Misbehaviour {
       std::_Exit(0);
     }
     if (kind_ == "wrong-seq") return send(reference_reply(profile_, program, seq + 1));
-    if (kind_ == "empty") return send(fmt::format(R"({{"seq":{},"outcome":"ok","records":[]}})", seq));
+    if (kind_ == "empty")
+      return send(fmt::format(R"({{"seq":{},"outcome":"ok","records":[]}})", seq));
     if (kind_ == "always-alarm") {
       return send(fmt::format(R"({{"seq":{},"outcome":"alarm","records":[],)"
                               R"("alarm":{{"native":"1","class":"no-tool","b":1}}}})",

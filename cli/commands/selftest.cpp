@@ -47,7 +47,8 @@ const std::vector<Trial>& trials() {
       {"half-line", {VerdictKind::crash, VerdictKind::crash, VerdictKind::crash}},
       {"garbage", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
       {"wrong-seq", {VerdictKind::protocol, VerdictKind::protocol, VerdictKind::protocol}},
-      {"flood", {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
+      {"flood",
+       {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
       {"hang", {VerdictKind::timeout, std::nullopt, std::nullopt}},
       {"late", {VerdictKind::timeout, std::nullopt, std::nullopt}},
       {"leak", {VerdictKind::pass_exact, VerdictKind::state_leak, std::nullopt}},
@@ -80,12 +81,11 @@ int selftest() {
           judge_case(make_case(kPrograms[i]), options, *subject, session);
       const bool right = result.verdict.kind == *trial.expected[i];
       wrong += right ? 0 : 1;
-      output.text() += fmt::format("{:<14} {:<8} {:<20} {}\n", trial.subject, kPrograms[i].name,
-                                   name(result.verdict.kind),
-                                   right ? "as it must be"
-                                         : fmt::format("WRONG, must be {}: {}",
-                                                       name(*trial.expected[i]),
-                                                       result.verdict.message));
+      output.text() += fmt::format(
+          "{:<14} {:<8} {:<20} {}\n", trial.subject, kPrograms[i].name, name(result.verdict.kind),
+          right ? "as it must be"
+                : fmt::format("WRONG, must be {}: {}", name(*trial.expected[i]),
+                              result.verdict.message));
       output.flush();
     }
   }

@@ -24,9 +24,8 @@ constexpr std::size_t kShownFailures = 50;
 
 bool matches(const std::vector<std::string>& globs, const std::string& id) {
   if (globs.empty()) return true;
-  return std::ranges::any_of(globs, [&](const std::string& glob) {
-    return ::fnmatch(glob.c_str(), id.c_str(), 0) == 0;
-  });
+  return std::ranges::any_of(
+      globs, [&](const std::string& glob) { return ::fnmatch(glob.c_str(), id.c_str(), 0) == 0; });
 }
 
 // Whether two profiles set one key to different values; else `into` takes the keys of `from` in.

@@ -34,8 +34,8 @@ struct CampaignOptions {
 
 struct CampaignSummary {
   ResultsFooter footer;
-  std::size_t cases = 0;         // selected
-  std::size_t left_out = 0;      // contradict the certifier's profile
+  std::size_t cases = 0;             // selected
+  std::size_t left_out = 0;          // contradict the certifier's profile
   std::vector<CaseResult> failures;  // the first of them, for the terminal
   std::size_t no_go = 0;
   std::size_t unexpected_gaps = 0;

@@ -62,8 +62,8 @@ void CaseJudge::interpret_skip(Attempt& attempt) const {
   Verdict& verdict = attempt.session.verdict;
   if (attempt.end.kind == RunEnd::Kind::refused && is_plain_profile()) {
     verdict.kind = VerdictKind::protocol;
-    verdict.message = fmt::format("The subject refuses the profile of defaults: {}",
-                                  attempt.end.message);
+    verdict.message =
+        fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
   } else if (attempt.end.kind == RunEnd::Kind::skip && !test_.features.empty() &&
              !subject_.info().everything && attempt.end.feature != "bytes") {
     const bool declared = subject_.info().declares(test_.dialect, attempt.end.feature);
@@ -115,8 +115,9 @@ void CaseJudge::confirm(Attempt& attempt, CaseResult& result) {
   Verdict& verdict = attempt.session.verdict;
   const std::string first(name(verdict.kind));
   verdict.kind = VerdictKind::state_leak;
-  verdict.message = fmt::format("The first run ended {} ({}), the same program in a fresh process {}.",
-                                first, verdict.message, name(again.session.verdict.kind));
+  verdict.message =
+      fmt::format("The first run ended {} ({}), the same program in a fresh process {}.", first,
+                  verdict.message, name(again.session.verdict.kind));
 }
 
 // Near the limit times flap: three more tries with four times the limit.
@@ -160,11 +161,11 @@ CaseResult CaseJudge::judge(SessionVerdict& session) {
     result.program = test_.program;
     result.notes = attempt.end.notes;
     for (const Record& record : attempt.records) result.trace.push_back(record_text(record));
-    const bool comparable = attempt.end.kind == RunEnd::Kind::ok ||
-                            attempt.end.kind == RunEnd::Kind::alarm;
+    const bool comparable =
+        attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
     if (decision(result.verdict.kind) == Decision::no_go && comparable && attempt.whole) {
-      result.verdict.reading = explaining_reading(test_.profile, test_.program, terms_,
-                                                  attempt.records, attempt.end);
+      result.verdict.reading =
+          explaining_reading(test_.profile, test_.program, terms_, attempt.records, attempt.end);
     }
   }
   session = std::move(attempt.session);

@@ -34,7 +34,9 @@ Json numeric_json(const SubjectInfo& subject) {
   return numeric;
 }
 
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
 
 }  // namespace
 
@@ -83,7 +85,8 @@ std::string case_line(const CaseResult& result, bool with_timing) {
     line["us"] = result.microseconds;
     line["attempts"] = result.attempts;
   }
-  if (!result.profile.empty() && result.profile != "{}") line["profile"] = Json::parse(result.profile);
+  if (!result.profile.empty() && result.profile != "{}")
+    line["profile"] = Json::parse(result.profile);
   if (decision(verdict.kind) != Decision::go) {
     line["program"] = program_json(result.program);
     Json trace = Json::array();

@@ -19,14 +19,14 @@ namespace gonogo::oracle {
 
 // What was run.
 struct ResultsHeader {
-  std::string version;         // of gonogo
+  std::string version;  // of gonogo
   std::string corpus_version;
   std::string corpus_sha256;
   std::string subject_spec;
   SubjectInfo subject;
-  std::string profile;         // JSON object of what the certifier set
-  std::string tolerance;       // empty: as declared
-  std::string chord;           // empty: none
+  std::string profile;    // JSON object of what the certifier set
+  std::string tolerance;  // empty: as declared
+  std::string chord;      // empty: none
   std::uint64_t seed = 0;
   std::string shard = "1/1";
   std::vector<std::string> argv;
@@ -39,13 +39,13 @@ struct CaseResult {
   std::string cycle;
   std::vector<std::string> clauses;
   Verdict verdict;
-  std::string profile;              // JSON object
-  std::string program;              // bytes; only when not GO
-  std::vector<std::string> trace;   // records as JSON; only when not GO
-  std::string notes;                // what the subject wrote to stderr; only when not GO
+  std::string profile;             // JSON object
+  std::string program;             // bytes; only when not GO
+  std::vector<std::string> trace;  // records as JSON; only when not GO
+  std::string notes;               // what the subject wrote to stderr; only when not GO
   std::int64_t microseconds = 0;
   int attempts = 1;
-  bool expected_gap = false;        // the corpus expects that the gauge cannot say
+  bool expected_gap = false;  // the corpus expects that the gauge cannot say
 };
 
 struct ResultsFooter {

@@ -20,7 +20,9 @@ MatchResult departs(Departure departure, std::string reason) {
 }
 
 // 2^-exponent of the magnitude of a.
-Number scaled_down(const Number& a, int exponent) { return abs(a) * Number::binary(1, -exponent); }
+Number scaled_down(const Number& a, int exponent) {
+  return abs(a) * Number::binary(1, -exponent);
+}
 
 // The parameters t of [0, 1] at which from + t (to - from) agrees with `point` on every axis.
 struct Span01 {
@@ -80,17 +82,23 @@ MatchResult CurveMatch::match(const Motion& subject) {
   if (terms_.compare_blocks && want.block != got.block) {
     return departs(Departure::block, "The motion belongs to another block.");
   }
-  const bool chord = want.kind == RecordKind::arc && got.kind == RecordKind::feed &&
-                     terms_.chord.sign() > 0;
+  const bool chord =
+      want.kind == RecordKind::arc && got.kind == RecordKind::feed && terms_.chord.sign() > 0;
   if (want.kind != got.kind && !chord) {
     return departs(Departure::kind, "The motion is of another kind.");
   }
   MatchResult result;
   switch (want.kind) {
-    case RecordKind::rapid: return match_rapid(subject);
-    case RecordKind::feed: result = match_line(subject); break;
-    case RecordKind::arc: result = chord ? match_chord(subject) : match_arc(subject); break;
-    default: return departs(Departure::undecided, "No rule compares this kind of motion.");
+    case RecordKind::rapid:
+      return match_rapid(subject);
+    case RecordKind::feed:
+      result = match_line(subject);
+      break;
+    case RecordKind::arc:
+      result = chord ? match_chord(subject) : match_arc(subject);
+      break;
+    default:
+      return departs(Departure::undecided, "No rule compares this kind of motion.");
   }
   if (result.departure == Departure::none && !feeds_agree(want, got, terms_)) {
     return departs(Departure::feed, "The feed differs.");
@@ -146,8 +154,8 @@ bool CurveMatch::on_circle(const Position& point, const Number& tolerance) const
          far_p * far_p + far_q * far_q >= min(start_2, end_2);
 }
 
-// The sweep is estimated, so a band round the tolerance is left undecided: the estimate's own error,
-// and the height that the helix gains over a tolerance's length of arc.
+// The sweep is estimated, so a band round the tolerance is left undecided: the estimate's own
+// error, and the height that the helix gains over a tolerance's length of arc.
 int CurveMatch::on_helix(const Position& point, double turns) const {
   constexpr double kEstimate = 1e-7;  // mm
   const PlaneAxes axes = reference::axes_of(reference_.record.plane);
@@ -195,7 +203,8 @@ MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
 MatchResult CurveMatch::match_arc(const Motion& subject) {
   const Record& want = reference_.record;
   const Record& got = subject.record;
-  if (want.plane != got.plane) return departs(Departure::geometry, "The arc lies in another plane.");
+  if (want.plane != got.plane)
+    return departs(Departure::geometry, "The arc lies in another plane.");
   if ((want.rot < 0) != (got.rot < 0)) {
     return departs(Departure::sense, "The arc turns the wrong way.");
   }

@@ -16,8 +16,8 @@ enum class Departure : std::uint8_t { none, kind, block, feed, geometry, sense, 
 
 struct MatchResult {
   Departure departure = Departure::none;
-  bool done = false;    // the reference motion is complete
-  std::string reason;   // a sentence when it departs
+  bool done = false;   // the reference motion is complete
+  std::string reason;  // a sentence when it departs
 };
 
 // How far the subject has come along the current motion of the reference.
@@ -34,14 +34,14 @@ class CurveMatch {
   MatchResult match_chord(const Motion& subject);
   MatchResult end_of_piece(const Motion& subject, double turns);
   bool on_circle(const Position& point, const Number& tolerance) const;
-  // +1: the axes outside the plane agree at this part of the sweep; -1: they do not; 0: too close to
-  // the tolerance to say.
+  // +1: the axes outside the plane agree at this part of the sweep; -1: they do not; 0: too close
+  // to the tolerance to say.
   int on_helix(const Position& point, double turns) const;
 
   const Motion& reference_;
   const JudgeTerms& terms_;
-  Number line_progress_;      // along the axis that moves most
-  double arc_progress_ = 0;   // turns, to choose between whole turns only
+  Number line_progress_;     // along the axis that moves most
+  double arc_progress_ = 0;  // turns, to choose between whole turns only
 };
 
 // Whether the feeds of two cutting motions are the same on these terms.

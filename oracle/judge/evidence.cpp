@@ -33,12 +33,12 @@ std::string level_text(const reference::PocketLevel& level) {
   at[axes.p] = level.centre[0];
   at[axes.q] = level.centre[1];
   at[axes.d] = level.depth;
-  std::string text = fmt::format("{{\"k\":\"level\",\"b\":{},\"plane\":\"G{}\",\"centre\":{}",
-                                 level.block, reference::plane_code(level.plane),
-                                 point_text(at, {axes.p, axes.q, axes.d}));
-  for (const auto& [key, value] :
-       {std::pair("pocket_radius", &level.pocket_radius), std::pair("tool_radius", &level.tool_radius),
-        std::pair("step", &level.step), std::pair("f", &level.feed)}) {
+  std::string text =
+      fmt::format("{{\"k\":\"level\",\"b\":{},\"plane\":\"G{}\",\"centre\":{}", level.block,
+                  reference::plane_code(level.plane), point_text(at, {axes.p, axes.q, axes.d}));
+  for (const auto& [key, value] : {std::pair("pocket_radius", &level.pocket_radius),
+                                   std::pair("tool_radius", &level.tool_radius),
+                                   std::pair("step", &level.step), std::pair("f", &level.feed)}) {
     text += fmt::format(",\"{}\":", key);
     value->append_json(text);
   }

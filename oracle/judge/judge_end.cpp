@@ -19,12 +19,17 @@ namespace {
 VerdictKind kind_of(RunEnd::Kind kind) {
   switch (kind) {
     case RunEnd::Kind::skip:
-    case RunEnd::Kind::refused: return VerdictKind::skip;
+    case RunEnd::Kind::refused:
+      return VerdictKind::skip;
     case RunEnd::Kind::crash:
-    case RunEnd::Kind::error: return VerdictKind::crash;
-    case RunEnd::Kind::timeout: return VerdictKind::timeout;
-    case RunEnd::Kind::out_of_memory: return VerdictKind::out_of_memory;
-    default: return VerdictKind::protocol;
+    case RunEnd::Kind::error:
+      return VerdictKind::crash;
+    case RunEnd::Kind::timeout:
+      return VerdictKind::timeout;
+    case RunEnd::Kind::out_of_memory:
+      return VerdictKind::out_of_memory;
+    default:
+      return VerdictKind::protocol;
   }
 }
 
@@ -46,9 +51,15 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
     if (!verdict_) flush_pending();
     if (!verdict_) {
       switch (end.kind) {
-        case RunEnd::Kind::ok: judge_ok_end(); break;
-        case RunEnd::Kind::alarm: judge_alarm_end(end.alarm); break;
-        default: judge_other_end(end); break;
+        case RunEnd::Kind::ok:
+          judge_ok_end();
+          break;
+        case RunEnd::Kind::alarm:
+          judge_alarm_end(end.alarm);
+          break;
+        default:
+          judge_other_end(end);
+          break;
       }
     }
   } catch (const exact::Undecided& undecided) {
@@ -113,9 +124,9 @@ void ProgramJudge::judge_ok_end() {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
     if (auto* report = std::get_if<AlarmReport>(&step)) {
-      Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_missing, *report,
-                                      fmt::format("The alarm is missing: {}",
-                                                  report->alarms.front().message));
+      Verdict verdict =
+          alarm_verdict(VerdictKind::fail_alarm_missing, *report,
+                        fmt::format("The alarm is missing: {}", report->alarms.front().message));
       if (after_alarm_) {
         verdict.record = after_alarm_->number;
         verdict.got = record_text(after_alarm_->record);

@@ -88,7 +88,9 @@ bool JudgeSession::record(const Record& record) {
   return undecided;
 }
 
-std::vector<ReadingKey> JudgeSession::touched() const { return judges_.front()->touched(); }
+std::vector<ReadingKey> JudgeSession::touched() const {
+  return judges_.front()->touched();
+}
 
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   SessionVerdict result;
@@ -106,9 +108,9 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
     const bool go = decision(verdict.kind) == Decision::go;
     const bool first_go = go && result.explaining.empty();
     // The best pass; else the departure that comes last; a gap under one assignment is a gap.
-    const bool better = go ? first_go || verdict.kind < result.verdict.kind
-                           : result.explaining.empty() &&
-                                 (!have_verdict || judges_[i]->progress() > farthest);
+    const bool better =
+        go ? first_go || verdict.kind < result.verdict.kind
+           : result.explaining.empty() && (!have_verdict || judges_[i]->progress() > farthest);
     if (better) {
       farthest = judges_[i]->progress();
       result.verdict = std::move(verdict);

@@ -15,9 +15,9 @@ inline constexpr std::size_t kMaximumAssignments = 64;
 
 // What the judge says under every assignment.
 struct SessionVerdict {
-  Verdict verdict;                                  // GO if any assignment is
-  std::vector<reference::ReadingChoice> explaining; // assignments under which it is GO
-  std::vector<reference::ReadingKey> open;          // the open readings that the program touches
+  Verdict verdict;                                   // GO if any assignment is
+  std::vector<reference::ReadingChoice> explaining;  // assignments under which it is GO
+  std::vector<reference::ReadingKey> open;           // the open readings that the program touches
 };
 
 class JudgeSession {

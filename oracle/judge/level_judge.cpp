@@ -22,10 +22,14 @@ region::PlanePoint plane_point(const Position& point, const PlaneAxes& axes) {
 
 std::string_view sentence(region::Rule rule) {
   switch (rule) {
-    case region::Rule::gouge: return "The tool cuts into the wall of the pocket.";
-    case region::Rule::cover: return "The tool leaves material in the pocket.";
-    case region::Rule::step: return "The step between the tool's paths is too wide.";
-    case region::Rule::sense: return "An arc of the level turns the wrong way.";
+    case region::Rule::gouge:
+      return "The tool cuts into the wall of the pocket.";
+    case region::Rule::cover:
+      return "The tool leaves material in the pocket.";
+    case region::Rule::step:
+      return "The step between the tool's paths is too wide.";
+    case region::Rule::sense:
+      return "An arc of the level turns the wrong way.";
   }
   return "";
 }
@@ -66,7 +70,8 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
   const Record& record = motion.record;
   const bool other_block = terms_.compare_blocks && record.block != level.block;
   if (other_block || !agree(motion.to()[axes.d], motion.from[axes.d], tau)) return false;
-  // A traverse ends the level: at depth it is the retract's business, which may be too small to see.
+  // A traverse ends the level: at depth it is the retract's business, which may be too small to
+  // see.
   if (record.kind != RecordKind::feed && record.kind != RecordKind::arc) return false;
   if (level_motions_.empty()) plunge_ = motion.from;
   if (!agree(motion.to()[axes.d], level.depth, tau)) {
@@ -112,10 +117,13 @@ void ProgramJudge::finish_level(const PocketLevel& level) {
   const bool known = last_level_ && same_level(*last_level_, level) &&
                      plunge_[axes.p] == last_plunge_[axes.p] &&
                      plunge_[axes.q] == last_plunge_[axes.q] &&
-                     std::equal(level_motions_.begin(), level_motions_.end(),
-                                last_motions_.begin(), last_motions_.end(), same_motion);
+                     std::equal(level_motions_.begin(), level_motions_.end(), last_motions_.begin(),
+                                last_motions_.end(), same_motion);
+  // Levels no farther apart than the tolerance are one level, and this one is cleared.
+  const bool cleared = level_motions_.empty() && last_level_ && same_level(*last_level_, level) &&
+                       agree(last_level_->depth, level.depth, terms_.tolerance);
   region::LevelVerdict answer;
-  if (!known) {
+  if (!known && !cleared) {
     region::CircularLevel circle;
     circle.centre = {level.centre[0], level.centre[1]};
     circle.pocket_radius = level.pocket_radius;
@@ -154,7 +162,7 @@ void ProgramJudge::finish_level(const PocketLevel& level) {
     decide(std::move(verdict));
     return;
   }
-  if (!known) {
+  if (!known && !cleared) {
     last_level_ = level;
     last_motions_ = level_motions_;
     last_plunge_ = plunge_;
@@ -166,6 +174,7 @@ void ProgramJudge::finish_level(const PocketLevel& level) {
     at[axes.q] = level_motions_.back().to.q;
   }
   at[axes.d] = level.depth;
+  if (known) last_level_->depth = level.depth;
   level_motions_.clear();
   level_records_.clear();
   reference_.stand_at(at);

@@ -54,9 +54,7 @@ namespace {
 struct TurnedVector {
   Number along;   // times the origin's length
   Number across;  // positive on the side to which the arc turns
-  bool second_half() const {
-    return across.sign() < 0 || (across.sign() == 0 && along.sign() < 0);
-  }
+  bool second_half() const { return across.sign() < 0 || (across.sign() == 0 && along.sign() < 0); }
 };
 
 TurnedVector turned(const PlaneVector& origin, const PlaneVector& v, int sense) {
@@ -161,10 +159,9 @@ std::int32_t joined_rot(const Motion& a, const Motion& b) {
   const PlaneVector end = from_centre(a.record, b.to());
   const bool middle_whole = same_direction(start, middle);
   const bool end_whole = same_direction(start, end);
-  const bool passes = middle_whole ||
-                      (!end_whole && compare_angles(start, end, middle, sense) <= 0);
-  const std::int32_t turns =
-      std::abs(a.record.rot) + std::abs(b.record.rot) - 1 + (passes ? 1 : 0);
+  const bool passes =
+      middle_whole || (!end_whole && compare_angles(start, end, middle, sense) <= 0);
+  const std::int32_t turns = std::abs(a.record.rot) + std::abs(b.record.rot) - 1 + (passes ? 1 : 0);
   return sense * turns;
 }
 
@@ -185,7 +182,8 @@ bool join(Motion& motion, const Motion& next) {
       if (!same_circle(motion, next)) return false;
       motion.record.rot = joined_rot(motion, next);
       break;
-    default: return false;
+    default:
+      return false;
   }
   motion.record.to = next.record.to;
   motion.record.axes = motion.record.axes | next.record.axes;

@@ -18,7 +18,7 @@ using reference::Record;
 using reference::RecordKind;
 
 struct Motion {
-  Record record;           // `to` holds every axis
+  Record record;  // `to` holds every axis
   Position from;
   std::size_t number = 0;  // place of its (first) record in the trace, from 0
 
@@ -56,8 +56,8 @@ bool nearly_full_turn(const Motion& motion);
 // Sweep of an arc in turns, for choosing between whole numbers of turns only.
 double approximate_turns(const Motion& arc);
 
-// Joins `next` to `motion` when they are of equal kind, feed and block and continue the same line in
-// the same direction, or the same circle in the same sense; rapids, along one axis alone.
+// Joins `next` to `motion` when they are of equal kind, feed and block and continue the same line
+// in the same direction, or the same circle in the same sense; rapids, along one axis alone.
 bool join(Motion& motion, const Motion& next);
 
 }  // namespace gonogo::oracle

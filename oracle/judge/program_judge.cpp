@@ -90,7 +90,9 @@ void ProgramJudge::take_record(const Record& record) {
       flush_pending();
       end_record_ = record;
       break;
-    default: take_motion(record); break;
+    default:
+      take_motion(record);
+      break;
   }
 }
 

@@ -95,17 +95,17 @@ class ProgramJudge {
   ReferenceStream reference_;
   RecordBudget budget_;
 
-  Position position_;               // where the subject stands
-  Position anchor_;                 // where its last motion that was kept ended
-  std::optional<Motion> pending_;   // joined so far
+  Position position_;              // where the subject stands
+  Position anchor_;                // where its last motion that was kept ended
+  std::optional<Motion> pending_;  // joined so far
   std::size_t records_ = 0;
-  std::optional<Motion> want_;      // the reference's current motion, which match_ looks at
+  std::optional<Motion> want_;  // the reference's current motion, which match_ looks at
   std::optional<CurveMatch> match_;
 
-  Position plunge_;                                  // where the tool came down
+  Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> level_motions_;
-  std::vector<Record> level_records_;                // the same, for the evidence
-  std::optional<reference::PocketLevel> last_level_; // judged GO, with its motions and plunge
+  std::vector<Record> level_records_;                 // the same, for the evidence
+  std::optional<reference::PocketLevel> last_level_;  // judged GO, with its motions and plunge
   std::vector<region::LevelMotion> last_motions_;
   Position last_plunge_;
 

@@ -6,8 +6,7 @@
 namespace gonogo::oracle {
 
 JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
-                      const std::optional<Number>& tolerance,
-                      const std::optional<Number>& chord) {
+                      const std::optional<Number>& tolerance, const std::optional<Number>& chord) {
   JudgeTerms terms;
   terms.tolerance = profile.resolution();
   if (subject.resolution) terms.tolerance = min(terms.tolerance, *subject.resolution);

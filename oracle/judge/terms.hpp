@@ -13,9 +13,9 @@ struct JudgeTerms {
   Number chord;                                 // mm; chords of arcs allowed when above 0
   std::optional<Number> resolution;             // declared; for correctly rounded values
   std::optional<Number> feed_resolution;
-  bool binary64 = false;                        // numbers come as doubles
-  bool compare_blocks = true;                   // feature `blocks`
-  bool compare_m = false;                       // feature `m`
+  bool binary64 = false;       // numbers come as doubles
+  bool compare_blocks = true;  // feature `blocks`
+  bool compare_m = false;      // feature `m`
 };
 
 // tau is the smaller of the declared resolution and the profile's, unless the certifier says

@@ -28,7 +28,9 @@ struct Arc {
 };
 
 // The address of the centre's offset along an axis: I with X, J with Y, K with Z.
-constexpr char offset_address(Axis axis) { return "IJK"[index(axis)]; }
+constexpr char offset_address(Axis axis) {
+  return "IJK"[index(axis)];
+}
 
 // The centre from R: on the right of the chord for a short clockwise arc; a negative R asks for the
 // long one. Nothing when the rules are broken.
@@ -88,8 +90,7 @@ void run_arc(BlockContext& block, int sense) {
   Machine& machine = block.machine;
   const PlaneAxes axes = axes_of(machine.plane);
   const bool by_radius = words.has('R');
-  const bool by_centre =
-      words.has(offset_address(axes.p)) || words.has(offset_address(axes.q));
+  const bool by_centre = words.has(offset_address(axes.p)) || words.has(offset_address(axes.q));
   Position to;
   const AxisSet named = commanded_end_point(block, to);
   if (named.empty() && !by_radius && !by_centre) return;

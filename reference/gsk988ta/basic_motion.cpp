@@ -27,8 +27,7 @@ void BlockContext::need_feed() {
         "The block cuts, but no feed is in force.");
 }
 
-Record BlockContext::motion(RecordKind kind, ClauseId clause,
-                            std::initializer_list<AxisValue> to) {
+Record BlockContext::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
   Record record;
   record.kind = kind;
   record.block = line;
@@ -82,9 +81,13 @@ void move_to_end_point(BlockContext& block, RecordKind kind) {
 
 }  // namespace
 
-void run_positioning(BlockContext& block) { move_to_end_point(block, RecordKind::rapid); }
+void run_positioning(BlockContext& block) {
+  move_to_end_point(block, RecordKind::rapid);
+}
 
-void run_straight_feed(BlockContext& block) { move_to_end_point(block, RecordKind::feed); }
+void run_straight_feed(BlockContext& block) {
+  move_to_end_point(block, RecordKind::feed);
+}
 
 // G04: P in milliseconds, X or U in seconds.
 void run_dwell(BlockContext& block) {
@@ -101,7 +104,8 @@ void run_dwell(BlockContext& block) {
   record.seconds = words.written(address);
   if (address == 'P') record.seconds = record.seconds / 1000;
   if (record.seconds.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, "GSK-COM-05"_clause, address, "A dwell cannot be negative.");
+    block.alarm(AlarmClass::value_sign, "GSK-COM-05"_clause, address,
+                "A dwell cannot be negative.");
   }
   block.put(std::move(record));
 }

@@ -109,13 +109,20 @@ std::optional<int> tenths_of(const grammar::Decimal& value) {
 
 int* slot_of(BlockCodes& codes, Group group) {
   switch (group) {
-    case Group::once: return &codes.once;
-    case Group::motion: return &codes.motion;
-    case Group::cycle: return &codes.cycle;
-    case Group::feed_mode: return &codes.feed_mode;
-    case Group::units: return &codes.units;
-    case Group::plane: return &codes.plane;
-    default: return nullptr;
+    case Group::once:
+      return &codes.once;
+    case Group::motion:
+      return &codes.motion;
+    case Group::cycle:
+      return &codes.cycle;
+    case Group::feed_mode:
+      return &codes.feed_mode;
+    case Group::units:
+      return &codes.units;
+    case Group::plane:
+      return &codes.plane;
+    default:
+      return nullptr;
   }
 }
 
@@ -148,18 +155,17 @@ void read_codes(const grammar::Block& block, bool last_wins, CodeReading& readin
     }
     std::uint32_t group_bit = std::uint32_t{1} << static_cast<unsigned>(code->group);
     if ((groups_seen & group_bit) != 0 && !last_wins) {
-      reading.alarms.push_back(
-          {AlarmClass::duplicate_word, "GSK-COM-07"_clause, 'G', word.where,
-           fmt::format("{} is the second code of its group in the block.",
-                       code_name(code->tenths))});
+      reading.alarms.push_back({AlarmClass::duplicate_word, "GSK-COM-07"_clause, 'G', word.where,
+                                fmt::format("{} is the second code of its group in the block.",
+                                            code_name(code->tenths))});
     }
     groups_seen |= group_bit;
     if (code->treatment == outside && !reading.not_covered) {
-      reading.not_covered = NotCovered{
-          0, code_name(code->tenths),
-          fmt::format("{} ({}) is a code of the control that the gauge does not read.",
-                      code_name(code->tenths), code->title),
-          word.where};
+      reading.not_covered =
+          NotCovered{0, code_name(code->tenths),
+                     fmt::format("{} ({}) is a code of the control that the gauge does not read.",
+                                 code_name(code->tenths), code->title),
+                     word.where};
     }
     if (int* slot = slot_of(reading.codes, code->group)) *slot = code->tenths / 10;
   }

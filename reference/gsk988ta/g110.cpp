@@ -12,18 +12,18 @@ namespace {
 // Everything that the motions of one pocket need; mm as true lengths.
 struct Pocket {
   PlaneAxes axes;
-  PocketLevel level;      // of every layer; `depth` is filled in layer by layer
-  Position start;         // where the tool stands
-  Position centre;        // of the plane, and other axes that are commanded
-  AxisSet positioned;     // the axes of GSK-G110-06
+  PocketLevel level;   // of every layer; `depth` is filled in layer by layer
+  Position start;      // where the tool stands
+  Position centre;     // of the plane, and other axes that are commanded
+  AxisSet positioned;  // the axes of GSK-G110-06
   Number initial_plane;
   Number r_plane;
   Number bottom;
-  Number infeed;          // Q
-  Number clearance;       // abs(P)
+  Number infeed;     // Q
+  Number clearance;  // abs(P)
   bool ends_at_initial_plane = true;
-  bool open_path = true;       // judged by what it clears
-  bool concentric = false;     // of the two given paths
+  bool open_path = true;    // judged by what it clears
+  bool concentric = false;  // of the two given paths
 
   Number end_depth() const { return ends_at_initial_plane ? initial_plane : r_plane; }
 };
@@ -79,8 +79,8 @@ Generator<Item> mill(Pocket pocket) {
       co_yield motion(pocket, RecordKind::rapid, "GSK-G110-11"_clause,
                       approach_depth(pocket, layer_depth(pocket, k - 1)));
     }
-    co_yield motion(pocket, RecordKind::feed,
-                    k > 1 ? "GSK-G110-11"_clause : "GSK-G110-08"_clause, depth);
+    co_yield motion(pocket, RecordKind::feed, k > 1 ? "GSK-G110-11"_clause : "GSK-G110-08"_clause,
+                    depth);
     pocket.level.depth = depth;
     if (pocket.open_path) {
       co_yield pocket.level;
@@ -160,8 +160,7 @@ Pocket place_pocket(BlockContext& block) {
   }
   pocket.positioned = positioned;
   // GSK-MOD-03: R and P hold for their block.
-  const std::optional<Number> r =
-      modal ? machine.pocket.retained_r : block.words.length('R');
+  const std::optional<Number> r = modal ? machine.pocket.retained_r : block.words.length('R');
   const std::optional<Number> clearance =
       modal ? machine.pocket.retained_clearance : block.words.length('P');
   pocket.initial_plane = machine.pocket.initial_plane;
@@ -254,8 +253,7 @@ void run_g110(BlockContext& block) {
 
   Position& position = block.machine.position;
   position = pocket.centre;
-  position[axes.d] =
-      pocket.bottom == pocket.r_plane ? pocket.initial_plane : pocket.end_depth();
+  position[axes.d] = pocket.bottom == pocket.r_plane ? pocket.initial_plane : pocket.end_depth();
   block.out.cycle = mill(std::move(pocket));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G94, the radial cutting cycle: face and taper. From A, where the tool stands, to B, C, D and back.
+// G94, the radial cutting cycle: face and taper. From A, where the tool stands, to B, C, D and
+// back.
 #include <fmt/format.h>
 
 #include "reference/gsk988ta/machine.hpp"
@@ -14,9 +15,9 @@ void refuse_axes_outside_plane(BlockContext& block, const PlaneAxes& axes) {
     if (addresses.axis == axes.p || addresses.axis == axes.q) continue;
     for (char address : {addresses.absolute, addresses.increment}) {
       if (!block.words.has(address)) continue;
-      block.alarm(AlarmClass::axis_not_in_plane, "GSK-G94-08"_clause, address,
-                  fmt::format("{} is no axis of plane G{}.", address,
-                              plane_code(block.machine.plane)));
+      block.alarm(
+          AlarmClass::axis_not_in_plane, "GSK-G94-08"_clause, address,
+          fmt::format("{} is no axis of plane G{}.", address, plane_code(block.machine.plane)));
     }
   }
 }
@@ -50,8 +51,8 @@ void run_g94(BlockContext& block) {
   refuse_axes_outside_plane(block, axes);
   retain_words(block, axes);
   // GSK-G94-12: a cycle runs where the block has an axis word or R.
-  const bool named =
-      block.words.has_axis_word(axes.p) || block.words.has_axis_word(axes.q) || block.words.has('R');
+  const bool named = block.words.has_axis_word(axes.p) || block.words.has_axis_word(axes.q) ||
+                     block.words.has('R');
   const bool repeats = !block.entered_g94 && !block.machine.g94.empty() && !named &&
                        block.readings.is(ReadingKey::g94_empty_block, "repeat");
   if (!named && !repeats) return;
@@ -62,9 +63,9 @@ void run_g94(BlockContext& block) {
   const Number& taper = block.machine.g94.taper;  // GSK-G94-11: a true length, like the travel
   const Number travel = c_p - a[axes.p];
   if (taper.sign() * travel.sign() < 0 && abs(taper) > abs(travel)) {
-    block.alarm(AlarmClass::taper_limit, "GSK-G94-09"_clause, 'R',
-                fmt::format("R {} is larger than the opposite travel {}.", taper.text(),
-                            travel.text()));
+    block.alarm(
+        AlarmClass::taper_limit, "GSK-G94-09"_clause, 'R',
+        fmt::format("R {} is larger than the opposite travel {}.", taper.text(), travel.text()));
   }
   block.need_feed();
 

@@ -121,10 +121,17 @@ bool Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
 
 void Interpreter::run_code(BlockContext& block) {
   switch (block.codes.once) {
-    case 4: run_dwell(block); return;
-    case 28: run_reference_point(block); break;
-    case 50: run_rename_position(block); break;
-    default: break;
+    case 4:
+      run_dwell(block);
+      return;
+    case 28:
+      run_reference_point(block);
+      break;
+    case 50:
+      run_rename_position(block);
+      break;
+    default:
+      break;
   }
   if (block.codes.once >= 0) {
     // GSK-G94-07, GSK-MOD-08: a code of group 00 other than G04 clears what G94 retains.
@@ -139,12 +146,23 @@ void Interpreter::run_code(BlockContext& block) {
     return;
   }
   switch (machine_.motion) {
-    case 0: run_positioning(block); break;
-    case 1: run_straight_feed(block); break;
-    case 2: run_arc(block, -1); break;
-    case 3: run_arc(block, +1); break;
-    case 94: run_g94(block); break;
-    default: break;
+    case 0:
+      run_positioning(block);
+      break;
+    case 1:
+      run_straight_feed(block);
+      break;
+    case 2:
+      run_arc(block, -1);
+      break;
+    case 3:
+      run_arc(block, +1);
+      break;
+    case 94:
+      run_g94(block);
+      break;
+    default:
+      break;
   }
 }
 
@@ -156,7 +174,8 @@ void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t lin
     if (word.address != 'M') continue;
     std::optional<std::int64_t> number = to_number(word.value).to_int64();
     if (!number || *number < 0 || *number > 9999) {
-      out.alarms.push_back({number ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer, "GSK-COM-05"_clause, 'M', word.where,
+      out.alarms.push_back({number ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
+                            "GSK-COM-05"_clause, 'M', word.where,
                             "An M function is a whole number from 0 to 9999."});
       continue;
     }
@@ -206,8 +225,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_modes(codes);
   const bool round = readings_.is(ReadingKey::decimals, "nearest");
   BlockWords words(block, profile_, machine_.units, round && codes.once != 4);
-  BlockContext context{machine_,    words, codes, profile_, readings_,
-                       open_paths_, line,  out};
+  BlockContext context{machine_, words, codes, profile_, readings_, open_paths_, line, out};
   put_m_functions(block, line, out);
   take_motion_code(context);
   take_cycle_code(context);
@@ -216,7 +234,8 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   run_code(context);
   // In the order of their words; few of them, and std::stable_sort warns under clang-19.
   for (std::size_t i = 1; i < out.alarms.size(); ++i) {
-    for (std::size_t k = i; k > 0 && out.alarms[k].where.begin < out.alarms[k - 1].where.begin; --k) {
+    for (std::size_t k = i; k > 0 && out.alarms[k].where.begin < out.alarms[k - 1].where.begin;
+         --k) {
       std::swap(out.alarms[k], out.alarms[k - 1]);
     }
   }

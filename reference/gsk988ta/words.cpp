@@ -34,7 +34,8 @@ Number upper_end(const Profile& profile, Units units) {
 }  // namespace
 
 Number to_number(const grammar::Decimal& value) {
-  if (value.long_digits.empty()) return Number::decimal(value.negative, value.magnitude, value.scale);
+  if (value.long_digits.empty())
+    return Number::decimal(value.negative, value.magnitude, value.scale);
   return Number::decimal(value.negative, std::string_view(value.long_digits), value.scale);
 }
 
@@ -56,7 +57,9 @@ BlockWords::BlockWords(const grammar::Block& block, const Profile& profile, Unit
   }
 }
 
-Number BlockWords::written(char address) const { return to_number(word(address)->value); }
+Number BlockWords::written(char address) const {
+  return to_number(word(address)->value);
+}
 
 std::optional<Number> BlockWords::length(char address) const {
   const grammar::Word* found = word(address);
@@ -117,10 +120,9 @@ void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_ax
     const grammar::Word& absolute = *words.word(addresses.absolute);
     const grammar::Word& later =
         increment.where.begin > absolute.where.begin ? increment : absolute;
-    alarms.push_back({AlarmClass::conflicting_words, "GSK-COM-01"_clause, later.address,
-                      later.where,
-                      fmt::format("{} and {} command the same axis.", addresses.absolute,
-                                  addresses.increment)});
+    alarms.push_back(
+        {AlarmClass::conflicting_words, "GSK-COM-01"_clause, later.address, later.where,
+         fmt::format("{} and {} command the same axis.", addresses.absolute, addresses.increment)});
   }
 }
 
@@ -129,8 +131,9 @@ void check_decimals(const BlockWords& words, const Profile& profile, Units units
   for (const grammar::Word& word : words.block().words) {
     if (!contains(kSignedWords, word.address) && !contains("ILQDEJKCH", word.address)) continue;
     if (word.value.scale <= decimals_of(profile, units)) continue;
-    alarms.push_back({AlarmClass::value_out_of_range, "GSK-COM-03"_clause, word.address, word.where,
-                      fmt::format("{} has more decimals than the least increment.", text_of(word))});
+    alarms.push_back(
+        {AlarmClass::value_out_of_range, "GSK-COM-03"_clause, word.address, word.where,
+         fmt::format("{} has more decimals than the least increment.", text_of(word))});
   }
 }
 
@@ -142,10 +145,10 @@ void check_ranges(const BlockWords& words, const Profile& profile, Units units,
     if (!takes_sign && !contains(kUnsignedWords, word.address)) continue;
     const bool bad_sign = !takes_sign && word.value.negative;
     if (!bad_sign && abs(to_number(word.value)) <= upper) continue;
-    alarms.push_back(
-        {AlarmClass::value_out_of_range, "GSK-COM-06"_clause, word.address, word.where,
-         bad_sign ? fmt::format("{} has a sign, but the word takes none.", text_of(word))
-                  : fmt::format("{} lies beyond {}.", text_of(word), upper.text())});
+    alarms.push_back({AlarmClass::value_out_of_range, "GSK-COM-06"_clause, word.address, word.where,
+                      bad_sign
+                          ? fmt::format("{} has a sign, but the word takes none.", text_of(word))
+                          : fmt::format("{} lies beyond {}.", text_of(word), upper.text())});
   }
 }
 
@@ -160,9 +163,9 @@ void check_code_groups(const BlockWords& words, const BlockCodes& codes,
                        std::vector<Alarm>& alarms) {
   if (codes.motion < 0 || codes.cycle < 110) return;
   const grammar::Word* word = words.word('G');
-  alarms.push_back({AlarmClass::conflicting_words, "GSK-MOD-09"_clause, 'G', word->where,
-                    fmt::format("G{:02} and G{} exclude each other in a block.", codes.motion,
-                                codes.cycle)});
+  alarms.push_back(
+      {AlarmClass::conflicting_words, "GSK-MOD-09"_clause, 'G', word->where,
+       fmt::format("G{:02} and G{} exclude each other in a block.", codes.motion, codes.cycle)});
 }
 
 }  // namespace gonogo::reference::gsk988ta

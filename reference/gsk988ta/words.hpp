@@ -25,10 +25,8 @@ struct AxisAddresses {
   char absolute;
   char increment;
 };
-inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {{{Axis::x, 'X', 'U'},
-                                                                 {Axis::y, 'Y', 'V'},
-                                                                 {Axis::z, 'Z', 'W'},
-                                                                 {Axis::c, 'C', 'H'}}};
+inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {
+    {{Axis::x, 'X', 'U'}, {Axis::y, 'Y', 'V'}, {Axis::z, 'Z', 'W'}, {Axis::c, 'C', 'H'}}};
 const AxisAddresses& addresses_of(Axis axis);
 
 class BlockWords {
