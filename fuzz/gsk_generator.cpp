@@ -170,7 +170,12 @@ void Generator::spoil(std::vector<std::string>& words) {
       break;
     case 3:
       count("fault: zero");
-      // An arc of no radius is undecided.
+      // An arc of no radius is undecided, and so is a pocket without depth that ends at the R
+      // plane.
+      if (victim.find_first_of("UVWXYZ") == 0 &&
+          !profile_.readings.is(ReadingKey::pocket_end, "initial")) {
+        break;
+      }
       if ((words.front() == "G02" || words.front() == "G03") && victim.find_first_of("IJK") == 0)
         break;
       if (victim[0] != 'G' && victim[0] != 'M' && victim[0] != 'F')

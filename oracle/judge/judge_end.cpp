@@ -135,7 +135,7 @@ void ProgramJudge::judge_ok_end() {
     } else if (auto* outside = std::get_if<NotCovered>(&step)) {
       decide_gap(outside->message);
     } else if (auto* level = std::get_if<PocketLevel>(&step)) {
-      finish_level(*level);
+      finish_level(*level, position_);
     } else if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
       rename(*renaming);
     } else if (auto* record = std::get_if<Record>(&step)) {
@@ -209,7 +209,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     }
     auto* level = std::get_if<PocketLevel>(&step);
     if (level != nullptr && !level_motions_.empty() && !at_load) {
-      finish_level(*level);
+      finish_level(*level, position_);
       continue;
     }
     auto* record = std::get_if<Record>(&step);

@@ -111,9 +111,9 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
   return true;
 }
 
-void ProgramJudge::finish_level(const PocketLevel& level) {
+void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) {
   const PlaneAxes axes = axes_of(level.plane);
-  if (level_motions_.empty()) plunge_ = position_;
+  if (level_motions_.empty()) plunge_ = here;
   const bool known = last_level_ && same_level(*last_level_, level) &&
                      plunge_[axes.p] == last_plunge_[axes.p] &&
                      plunge_[axes.q] == last_plunge_[axes.q] &&
@@ -140,7 +140,7 @@ void ProgramJudge::finish_level(const PocketLevel& level) {
   }
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
     const region::Finding& finding = answer.finding.value();
-    Position witness = position_;
+    Position witness = here;
     witness[axes.p] = finding.witness.p;
     witness[axes.q] = finding.witness.q;
     witness[axes.d] = level.depth;

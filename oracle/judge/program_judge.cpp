@@ -114,6 +114,11 @@ void ProgramJudge::follow_renamings(std::uint64_t block) {
       rename(*renaming);
       continue;
     }
+    if (auto* record = std::get_if<Record>(&step);
+        record != nullptr && record->kind == RecordKind::m) {
+      take_m_functions();
+      continue;
+    }
     // A motion too small to see, which the subject has passed without one of its own.
     auto* want = std::get_if<Motion>(&step);
     const bool passed = want != nullptr && want->record.block < block;
@@ -170,7 +175,7 @@ bool ProgramJudge::process_step(const Motion& motion) {
   if (auto* want = std::get_if<Motion>(&step)) return match_motion(motion, *want);
   if (auto* level = std::get_if<PocketLevel>(&step)) {
     if (collect(motion, *level)) return true;
-    if (!verdict_) finish_level(*level);
+    if (!verdict_) finish_level(*level, motion.from);
     return false;
   }
   if (std::holds_alternative<reference::AlarmReport>(step)) {
@@ -189,6 +194,11 @@ bool ProgramJudge::process_step(const Motion& motion) {
   if (record.kind == RecordKind::m) {
     take_m_functions();
     return false;
+  }
+  if (agree(motion.from, motion.to(), terms_.tolerance) &&
+      (!nearly_full_turn(motion) ||
+       (reference_.dropped_arc() && std::abs(motion.record.rot) == 1))) {
+    return true;
   }
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
@@ -313,7 +323,7 @@ void ProgramJudge::take_dwell(const Record& record) {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
     if (auto* level = std::get_if<PocketLevel>(&step)) {
-      finish_level(*level);
+      finish_level(*level, position_);
       continue;
     }
     if (auto* renaming = std::get_if<reference::Renaming>(&step)) {

@@ -72,7 +72,8 @@ class ProgramJudge {
 
   // Pocket levels, in level_judge.cpp. True when the motion belongs to the level.
   bool collect(const Motion& motion, const reference::PocketLevel& level);
-  void finish_level(const reference::PocketLevel& level);
+  // `here` is where the subject stands after the level.
+  void finish_level(const reference::PocketLevel& level, const Position& here);
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);
 

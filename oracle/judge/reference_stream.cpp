@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/reference_stream.hpp"
 
+#include <algorithm>
+
 #include "oracle/judge/terms.hpp"
 
 namespace gonogo::oracle {
@@ -74,8 +76,13 @@ bool ReferenceStream::flush() {
   return true;
 }
 
+// Until a step is ready that is no M function: those do not hold up the motions round them.
 void ReferenceStream::pull() {
-  while (ready_.empty()) {
+  auto is_m = [](const ReferenceStep& step) {
+    const Record* record = std::get_if<Record>(&step);
+    return record != nullptr && record->kind == RecordKind::m;
+  };
+  while (std::ranges::all_of(ready_, is_m)) {
     const reference::Item* item = expander_.next();
     if (item == nullptr) return;
     ++items_;
@@ -90,10 +97,9 @@ const ReferenceStep& ReferenceStream::current() {
 
 bool ReferenceStream::renaming_ahead() {
   current();
-  for (std::size_t i = 0; i < ready_.size() && i < 2; ++i) {
-    if (std::holds_alternative<reference::Renaming>(ready_[i])) return true;
-  }
-  return false;
+  return std::ranges::any_of(ready_, [](const ReferenceStep& step) {
+    return std::holds_alternative<reference::Renaming>(step);
+  });
 }
 
 bool ReferenceStream::at_end() {
