@@ -10,6 +10,16 @@ namespace gonogo::oracle {
 using reference::kAllAxes;
 using reference::PocketLevel;
 
+namespace {
+
+// Whether a motion whose ends agree may be meant as none: all but an arc that goes round, unless
+// the reference had an arc as small there.
+bool may_mean_nil(const Motion& motion, bool reference_dropped_arc) {
+  return !nearly_full_turn(motion) || (reference_dropped_arc && std::abs(motion.record.rot) == 1);
+}
+
+}  // namespace
+
 bool RecordBudget::allows(std::size_t records) {
   constexpr std::size_t kFactor = 10;
   constexpr std::size_t kSlack = 1'000;
@@ -196,8 +206,7 @@ bool ProgramJudge::process_step(const Motion& motion) {
     return false;
   }
   if (agree(motion.from, motion.to(), terms_.tolerance) &&
-      (!nearly_full_turn(motion) ||
-       (reference_.dropped_arc() && std::abs(motion.record.rot) == 1))) {
+      may_mean_nil(motion, reference_.dropped_arc())) {
     return true;
   }
   Verdict verdict;
@@ -247,15 +256,13 @@ bool ProgramJudge::reached(const Motion& want, const Position& at) const {
   return agree(at, want.to(), terms_.tolerance) && !nearly_full_turn(want);
 }
 
-// Whether a motion of the subject stays where the reference stands. An arc that closes within the
-// tolerance may be meant as nil, where it is short or the reference had one as small.
+// Whether a motion of the subject stays where the reference stands.
 bool ProgramJudge::means_nothing(const Motion& motion, const Motion& want) const {
   if (!agree(motion.from, want.from, terms_.tolerance) ||
       !agree(motion.to(), want.from, terms_.tolerance)) {
     return false;
   }
-  return motion.record.kind != RecordKind::arc || !nearly_full_turn(motion) ||
-         (reference_.dropped_arc() && std::abs(motion.record.rot) == 1);
+  return may_mean_nil(motion, reference_.dropped_arc());
 }
 
 // Whether the motion is one that the reference makes later on.
