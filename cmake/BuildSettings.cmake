@@ -14,8 +14,11 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_CCACHE})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${GONOGO_CCACHE})
+  # Paths relative to the checkout, so that another clone of it finds what this one compiled.
+  set(GONOGO_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
+                      ${GONOGO_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
 endif()
 
 add_library(gonogo_build_settings INTERFACE)

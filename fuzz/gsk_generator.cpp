@@ -83,7 +83,6 @@ class Generator {
   Units units_ = Units::mm;
   Plane plane_ = Plane::g18;
   Mode mode_ = Mode::basic;
-  bool pocket_has_words_ = false;
   std::string text_;
 };
 
