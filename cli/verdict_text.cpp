@@ -83,8 +83,7 @@ std::string summary_text(const oracle::CampaignSummary& summary, const std::stri
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
   if (summary.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
-  const int exit_code = summary.exit_code();
-  text += exit_code == 0 ? "GO\n" : exit_code == 1 ? "NO-GO\n" : "UNDECIDED\n";
+  text += fmt::format("{}\n", summary.decision());
   return text;
 }
 

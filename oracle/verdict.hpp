@@ -60,6 +60,7 @@ struct Verdict {
   std::string deviation_exact;  // mm, as in a record; empty: none
   std::string deviation_mm;     // the same as a decimal
   std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
+  std::string feature;          // skip: what the subject does not have; empty: it refused a profile
   std::string message;          // a sentence for people
 };
 

@@ -138,6 +138,7 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
           progress.show(done, all, no_go);
         });
   }
+  summary.footer.decision = summary.decision();
   results.close(summary.footer);
   if (summary.cases == 0) {
     throw UsageError(

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -205,6 +206,11 @@ int CampaignSummary::exit_code() const {
   if (no_go > 0) return 1;
   if (!complete || judged_nothing || oracle_errors > 0 || unexpected_gaps > 0) return 3;
   return 0;
+}
+
+std::string_view CampaignSummary::decision() const {
+  constexpr std::array<std::string_view, 4> kByExitCode = {"GO", "NO-GO", "", "UNDECIDED"};
+  return kByExitCode[static_cast<std::size_t>(exit_code())];
 }
 
 CampaignSummary run_campaign(const Corpus& corpus, const CampaignOptions& options,

@@ -46,6 +46,8 @@ struct CampaignSummary {
 
   // Exit code of a run, design section 6: 1, 3 or 0.
   int exit_code() const;
+  // The same in words: GO, NO-GO or UNDECIDED.
+  std::string_view decision() const;
 };
 
 using SubjectMaker = std::function<std::unique_ptr<Subject>()>;

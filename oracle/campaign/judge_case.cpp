@@ -50,6 +50,7 @@ std::optional<Verdict> CaseJudge::skipped_feature() const {
     if (subject_.info().declares(test_.dialect, feature)) continue;
     Verdict verdict;
     verdict.kind = VerdictKind::skip;
+    verdict.feature = feature;
     verdict.message = fmt::format("The subject does not declare {} in {}.", feature, test_.dialect);
     return verdict;
   }

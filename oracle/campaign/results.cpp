@@ -80,6 +80,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
     line["deviation"] = {{"exact", verdict.deviation_exact}, {"mm", verdict.deviation_mm}};
   }
   if (!verdict.witness.empty()) line["witness"] = Json::parse(verdict.witness);
+  if (!verdict.feature.empty()) line["feature"] = verdict.feature;
   if (!verdict.message.empty()) line["message"] = verdict.message;
   if (with_timing) {
     line["us"] = result.microseconds;
@@ -150,6 +151,7 @@ void ResultsWriter::close(ResultsFooter& footer) {
   footer.totals = totals_;
   footer.sha256 = hash.hex();
   Json last;
+  last["decision"] = footer.decision;
   last["totals"] = footer.totals;
   last["judged"] = footer.judged;
   last["assignments"] = footer.assignments;

@@ -50,6 +50,7 @@ struct CaseResult {
 
 struct ResultsFooter {
   std::map<std::string, std::size_t> totals;  // by verdict
+  std::string decision;                       // of the run: GO, NO-GO or UNDECIDED
   std::size_t judged = 0;                     // neither skipped nor undecided
   std::vector<std::string> assignments;       // readings that explain all passes, "k=v k=v"
   std::string sha256;                         // over the case lines without `us` and `attempts`

@@ -130,8 +130,12 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
   if (totals_.contains("oracle-error")) {
     reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
   }
+  const std::string said = footer != nullptr ? text_of(*footer, "decision") : "";
+  if (said == "UNDECIDED" && reasons.empty()) {
+    reasons.push_back("The gauge could not judge a case that the corpus expects it to judge.");
+  }
   const auto no_go = static_cast<std::size_t>(Decision::no_go);
-  const bool failed = count[no_go] > 0 || contains_no_go(totals);
+  const bool failed = count[no_go] > 0 || contains_no_go(totals) || said == "NO-GO";
   return {{"decision", failed            ? "NO-GO"
                        : reasons.empty() ? "GO"
                                          : "INCOMPLETE"},

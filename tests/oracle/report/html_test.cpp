@@ -103,6 +103,13 @@ TEST_F(HtmlReport, a_dialect_without_judged_case_is_incomplete) {
   EXPECT_EQ(block(text, "summary")["headline"]["decision"], "INCOMPLETE");
 }
 
+// An oracle-gap that the corpus does not expect: no case is NO-GO, and yet the run is not GO.
+TEST_F(HtmlReport, a_run_that_its_footer_calls_undecided_is_incomplete) {
+  const auto text = page_of_lines(std::string(kPass) +
+                                  "\n{\"decision\":\"UNDECIDED\",\"totals\":{\"pass-exact\":1}}\n");
+  EXPECT_EQ(block(text, "summary")["headline"]["decision"], "INCOMPLETE");
+}
+
 TEST_F(HtmlReport, an_unknown_verdict_never_passes) {
   const auto text = page_of_lines(
       "{\"id\":\"x\",\"dialect\":\"gsk988ta\",\"verdict\":\"splendid\"}\n"
