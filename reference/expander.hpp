@@ -37,6 +37,8 @@ class BlockInterpreter {
   virtual void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) = 0;
   // Where the machine stands after everything that was put out so far.
   virtual const Position& position() const = 0;
+  // The machine stands elsewhere than the open path that was put out last would have left it.
+  virtual void stand_at(const Position& position) = 0;
 };
 
 // How a level whose path is open comes out: as the path that `expand` shows, or as the level that
@@ -52,6 +54,10 @@ class Expander {
   // The next item, valid until the next call. The last one is an `end` record, an AlarmReport or a
   // NotCovered; then null.
   const Item* next();
+
+  // After an item whose path is open (ThreadMilling): where the subject's own path ended. Blocks
+  // that follow start from there.
+  void stand_at(const Position& position) { interpreter_->stand_at(position); }
 
   const ReadingsInUse& readings() const { return readings_; }
   // After a syntax alarm: the text of its line, for a diagnostic.

@@ -64,6 +64,59 @@ struct PocketLevel {
   FeedMode feed_mode = FeedMode::per_minute;
 };
 
+// How the tool leaves a thread at its bottom: open, or as one of the given readings says.
+enum class ThreadRunOut : std::uint8_t { open, polar, radial, tangent };
+
+// The passes of one thread milling block where the manual leaves their path open (readings
+// gsk.thread.path and gsk.thread.runout): everything between the arrival above the centre at the R
+// plane and the traverse to the initial plane. mm as true lengths.
+struct ThreadMilling {
+  std::uint64_t block = 0;
+  ClauseId clause = kNoClause;
+  Plane plane = Plane::g18;
+  bool external = true;
+  int sense = -1;                // sign of rot of the helices
+  std::array<Number, 2> centre;  // along p and q
+  Number r_plane;                // coordinate of d where the helices begin
+  Number bottom;                 // coordinate of d where they end
+  Number initial_plane;          // coordinate of d to which the cycle returns after them
+  Number lead;                   // I
+  Number start_radius;           // E/2 + D external, E/2 - D internal
+  Number height;                 // P
+  Number infeed;                 // Q of a pass; P where all is one pass
+  Number runout_length;          // J
+  Number runout_angle;           // K, degrees
+  bool arc_path = false;         // the reading gsk.thread.path = arc
+  ThreadRunOut runout = ThreadRunOut::open;
+  Number feed;
+  FeedMode feed_mode = FeedMode::per_minute;
+
+  Number passes() const { return (height / infeed).ceil(); }
+  // t_n, how far pass n (from 1) has come in: min(n Q, P).
+  Number depth_of_pass(const Number& n) const { return min(n * infeed, height); }
+  Number radius_of_pass(const Number& n) const {
+    return external ? start_radius - depth_of_pass(n) : start_radius + depth_of_pass(n);
+  }
+};
+
+// The milling of one helical pocket where the side of its entry is open (reading
+// gsk.helix.entry-side = any): a semicircle from the centre to the circle of radius I - D, the
+// helix of L turns, perhaps a flat turn, and the semicircle back to the centre. mm as true lengths.
+struct HelixPocket {
+  std::uint64_t block = 0;
+  ClauseId clause = kNoClause;
+  Plane plane = Plane::g18;
+  std::array<Number, 2> centre;  // along p and q: where the path begins and ends
+  Number r_plane;                // coordinate of d where the helix begins
+  Number bottom;                 // coordinate of d where it ends
+  Number radius;                 // I - D
+  std::int32_t turns = 1;        // L
+  int sense = -1;                // sign of rot of all arcs
+  bool flat = false;             // the reading gsk.helix.flat = on: a full circle at the bottom
+  Number feed;
+  FeedMode feed_mode = FeedMode::per_minute;
+};
+
 // The position got a new name (G50): nothing moves and no record says so, but the records that
 // follow are in the new coordinates.
 struct Renaming {
@@ -71,6 +124,7 @@ struct Renaming {
   Position shift;  // new coordinate less old one
 };
 
-using Item = std::variant<Record, PocketLevel, Renaming, AlarmReport, NotCovered>;
+using Item = std::variant<Record, PocketLevel, HelixPocket, ThreadMilling, Renaming, AlarmReport,
+                          NotCovered>;
 
 }  // namespace gonogo::reference

@@ -21,6 +21,8 @@ enum class ReadingKey : std::uint8_t {
   g94_rewrite,
   g94_after_00,
   g94_empty_block,
+  g94_in_mode,
+  g92_lead,
   pocket_path,
   pocket_end,
   pocket_p_omitted,
@@ -28,11 +30,28 @@ enum class ReadingKey : std::uint8_t {
   pocket_r,
   missing_axis,
   zero_depth,
+  zero_depth_end,
   x_depth,
+  helix_entry_side,
+  helix_flat,
+  helix_turns,
+  thread_path,
+  thread_runout,
+  thread_v_from,
+  thread_modal,
+  thread_mode,
+  thread_direction,
+  thread_r,
+  thread_k_range,
   decimals,
   duplicate,
+  dwell_without_word,
+  arc_zero_radius,
+  arc_tolerance_zero,
+  g50_initial_plane,
+  rotary_feed_inch,
 };
-inline constexpr std::size_t kReadings = 13;
+inline constexpr std::size_t kReadings = 32;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

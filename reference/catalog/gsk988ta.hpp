@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the GSK 988TA manuals say of G94, G110 and G111, and of the codes that programs with these
-// cycles use. (p, q, d) are the first and second axis of the plane and the depth axis; A is where a
-// cycle starts, C the programmed end point.
+// What the GSK 988TA manuals say of G90, G92, G94 and G110 to G117, and of the codes that programs
+// with these cycles use. (p, q, d) are the first and second axis of the plane and the depth axis; A
+// is where a cycle starts, C the programmed end point.
 #pragma once
 
 #include <array>
@@ -13,6 +13,11 @@ namespace gonogo::reference::catalog {
 
 inline constexpr std::string_view kG94 = "GSK 988TA programming, G94 radial cutting cycle";
 inline constexpr std::string_view kG110 = "GSK 988TA milling cycles, G110/G111 circular pocket";
+inline constexpr std::string_view kG90 = "GSK 988TA programming, G90 axial cutting cycle";
+inline constexpr std::string_view kG92 = "GSK 988TA programming, G92 thread cutting cycle";
+inline constexpr std::string_view kG112 = "GSK 988TA milling cycles, G112/G113 helical pocket";
+inline constexpr std::string_view kG114 =
+    "GSK 988TA milling cycles, G114/G115 external and G116/G117 internal threads";
 inline constexpr std::string_view kBasic = "GSK 988TA programming, basic codes and block format";
 
 using enum ClauseLevel;
@@ -24,8 +29,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G94-02", must, kG94,
      "Traverse from A to B along p alone: B lies R beyond C on p, and level with A on q.",
      "reference/gsk988ta/g94.cpp"},
-    {"GSK-G94-03", must, kG94,
-     "Feed from B to C, given by absolute words or by increments from A.",
+    {"GSK-G94-03", must, kG94, "Feed from B to C, given by absolute words or by increments from A.",
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-04", must, kG94, "Feed from C to D along p alone, until p is that of A again.",
      "reference/gsk988ta/g94.cpp"},
@@ -33,7 +37,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-06", must, kG94,
      "The end point, R and F are retained: a later block with only some of them repeats the cycle.",
-     "reference/gsk988ta/g94.cpp"},
+     "reference/gsk988ta/cutting_cycle.cpp"},
     {"GSK-G94-07", must, kG94,
      "A code of group 00 other than G04, and another code of group 01, clears the retained end "
      "point and R.",
@@ -52,15 +56,99 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "true lengths.",
      "reference/gsk988ta/g94.cpp"},
     {"GSK-G94-12", derived, kG94,
-     "In the block that enters the cycle a missing axis has no travel and a missing R is 0; R alone "
-     "runs the cycle; neither axis nor R: nothing moves.",
+     "In the block that enters the cycle a missing axis has no travel and a missing R is 0; R "
+     "alone runs the cycle; neither axis nor R: nothing moves.",
      "reference/gsk988ta/g94.cpp"},
+
+    {"GSK-G90-01", must, kG90, "The positioning axis is q and the cutting axis p of the plane.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-02", must, kG90,
+     "Traverse from A to B along q alone: B lies R beyond C on q, and level with A on p.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-03", must, kG90, "Feed from B to C, given by absolute words or by increments from A.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-04", must, kG90, "Feed from C to D along q alone, until q is that of A again.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-05", must, kG90, "Traverse from D to A along p: the cycle ends where it began.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-06", must, kG90,
+     "The end point, R and F are retained: a later block with only some of them repeats the "
+     "cycle.",
+     "reference/gsk988ta/cutting_cycle.cpp"},
+    {"GSK-G90-07", must, kG90,
+     "A code of group 00 other than G04, and another code of group 01, clears the retained end "
+     "point and R.",
+     "reference/gsk988ta/interpreter.cpp"},
+    {"GSK-G90-08", must, kG90,
+     "A word for an axis outside the plane in a block of the cycle is an alarm.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-09", must, kG90,
+     "Where R and the travel from A to C on q have opposite signs, R may not be the larger; no "
+     "travel is no opposite sign.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-10", must, kG90,
+     "Single block stops after the whole cycle: its motions are those of one block.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-11", derived, kG90,
+     "R is a true length, also where q is X programmed as a diameter: travel and R are "
+     "compared as true lengths.",
+     "reference/gsk988ta/g90.cpp"},
+    {"GSK-G90-12", derived, kG90,
+     "In the block that enters the cycle a missing axis has no travel and a missing R is 0; R "
+     "alone runs the cycle; neither axis nor R: nothing moves.",
+     "reference/gsk988ta/g90.cpp"},
+
+    {"GSK-G92-01", must, kG92,
+     "The positioning axis is q and the thread runs along p, with R along q.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-02", must, kG92,
+     "Traverse from A to B along q alone: B lies R beyond C on q, and level with A on p.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-03", must, kG92,
+     "Cut the thread from B to C with the lead F, the way along the longer axis in one turn of "
+     "the spindle; a thread without a lead is an alarm.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-04", must, kG92, "Traverse from C to D along q alone, until q is that of A again.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-05", must, kG92, "Traverse from D to A along p: the cycle ends where it began.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-06", open, kG92,
+     "The end point, R, F, J and K are retained. F is a lead apart from the feed, a length in "
+     "the units of its block.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-07", open, kG92,
+     "J is the run-out along the short axis and K along the long one, without sign; without "
+     "both, parameter 5130 gives it in tenths of the lead. A run-out above 0 follows the "
+     "drives and is not covered.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-08", derived, kG92,
+     "A word for an axis outside the plane in a block of the cycle is an alarm.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-09", must, kG92,
+     "Where R and the travel from A to C on q have opposite signs, R may not be the larger; no "
+     "travel is no opposite sign.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-10", derived, kG92,
+     "Single block stops after the whole cycle: its motions are those of one block.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-11", derived, kG92,
+     "A code of group 00 other than G04, and another code of group 01, clears the retained end "
+     "point and R.",
+     "reference/gsk988ta/interpreter.cpp"},
+    {"GSK-G92-12", derived, kG92,
+     "A missing axis has no travel and a missing R is 0; R alone runs the cycle; neither axis "
+     "nor R: nothing moves.",
+     "reference/gsk988ta/g92.cpp"},
+    {"GSK-G92-13", open, kG92,
+     "A face thread (P), more than one start (L) and a shifted start angle (Q) are not "
+     "covered.",
+     "reference/gsk988ta/g92.cpp"},
 
     {"GSK-G110-01", must, kG110,
      "The words of the plane give the centre; the depth word is the bottom, or as an increment the "
      "distance from the R plane to it; R leads from the initial plane to the R plane, which "
      "coincide without it.",
-     "reference/gsk988ta/g110.cpp"},
+     "reference/gsk988ta/milling.cpp"},
     {"GSK-G110-02", must, kG110,
      "I, L, Q and D must be given on entering the cycle and are retained in it.",
      "reference/gsk988ta/g110.cpp"},
@@ -88,8 +176,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-12", must, kG110, "Repeat to the bottom.", "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-13", open, kG110,
-     "After the last layer the tool retracts to the R plane and the centre, and then to the initial "
-     "plane.",
+     "After the last layer the tool retracts to the R plane and the centre, and then to the "
+     "initial plane.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-14", must, kG110,
      "The axis words are not retained: a block without them mills nothing.",
@@ -101,9 +189,84 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G110-17", derived, kG110,
      "A pocket without depth is positioned over and left again; it needs no feed.",
      "reference/gsk988ta/g110.cpp"},
-    {"GSK-G110-18", open, kG110,
-     "X and U are diameters as the depth words of G19 too.",
-     "reference/gsk988ta/g110.cpp"},
+    {"GSK-G110-18", open, kG110, "X and U are diameters as the depth words of G19 too.",
+     "reference/gsk988ta/milling.cpp"},
+
+    {"GSK-G112-01", must, kG112,
+     "The words are those of G110; I and D must be given on entering the cycle and are "
+     "retained in it; L is the number of turns, a whole number from 1 to 99999, and 1 without "
+     "it; M35 clamps C before the motion.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-02", must, kG112,
+     "The pocket radius I must be larger than the tool radius D; R and the way from the R "
+     "plane to the bottom must have one direction.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-03", must, kG112,
+     "Traverse to the centre in the plane, with every other axis that is commanded but d; "
+     "traverse d to the R plane.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-04", must, kG112,
+     "Feed along a semicircle of radius (I - D)/2 from the centre to the circle of radius I - "
+     "D.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-05", must, kG112,
+     "L full turns of radius I - D, each going down by its share of the depth: one helix.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-06", must, kG112, "Feed along a semicircle of radius (I - D)/2 back to the centre.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-07", must, kG112, "Traverse d to the initial plane.", "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-08", must, kG112, "F is the resultant speed along the helix.",
+     "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-09", derived, kG112,
+     "Both semicircles turn as commanded and touch the circle tangentially.",
+     "reference/gsk988ta/g112.cpp"},
+
+    {"GSK-G114-01", derived, kG114,
+     "The words of the plane give the centre of the workpiece; the depth word is the bottom of "
+     "the thread, or as an increment the distance from the R plane to it; R as in G110.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-02", must, kG114,
+     "The lead I, the diameter E before threading, the thread height P and the tool radius D "
+     "must be given, each above zero; J defaults to parameter 5921 and K to parameter 5920.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-03", must, kG114,
+     "P is no larger than D; an internal thread needs a tool radius smaller than E/2.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-04", must, kG114,
+     "Without Q, or with Q not below P, one pass; else as many passes as Q goes into P, the "
+     "last taking what remains.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-05", must, kG114,
+     "Traverse to the centre in the plane, with every other axis that is commanded but d; "
+     "traverse d to the R plane.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-06", must, kG114,
+     "Each pass: an arc to the start of the thread, infeed to the radius of the pass, a helix "
+     "of lead I from the R plane to the bottom, the run-out, back to the R plane, away to the "
+     "safe position.",
+     "reference/gsk988ta/thread_path.cpp"},
+    {"GSK-G114-07", must, kG114, "Traverse d to the initial plane at the end.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-08", must, kG114, "F is the resultant speed along the helix.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-09", derived, kG114,
+     "G114 and G116 turn clockwise, which going down is a right-hand thread; G115 and G117 "
+     "counterclockwise.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-10", derived, kG114,
+     "Outside the helices, their infeed and run-out nothing moves in the material below the R "
+     "plane; the run-out is never deeper than its pass.",
+     "reference/gsk988ta/thread_path.cpp"},
+    {"GSK-G114-11", open, kG114,
+     "The run-out leaves to the free side, J of radius over K degrees further round as the "
+     "cycle turns; J = 0: none. Without the words and the parameters J and K are 0.",
+     "reference/gsk988ta/thread_path.cpp"},
+    {"GSK-G114-12", open, kG114,
+     "Q = 0 counts as omitted; R that leads away from the bottom is an alarm as in G110; R of "
+     "G116 and G117 is optional.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-13", open, kG114, "K is an angle from 0 to 360 degrees.",
+     "reference/gsk988ta/words.cpp"},
 
     {"GSK-COM-01", derived, kBasic,
      "A required word that is missing, an address written twice, and an axis given both absolute "
@@ -130,19 +293,24 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "let the later one win.",
      "reference/gsk988ta/words.cpp"},
     {"GSK-COM-08", open, kBasic,
-     "F 0 is no feed and a negative F is an alarm; the text after a semicolon is ignored; a decimal "
-     "G code that the control lacks is undefined.",
+     "F 0 is no feed and a negative F is an alarm; the text after a semicolon is ignored; a "
+     "decimal G code that the control lacks is undefined.",
      "reference/gsk988ta/words.cpp"},
 
     {"GSK-MOD-01", open, kG110,
-     "A cycle is entered by its code from outside; G110 and G111 are one mode, and the code written "
-     "again is not an entry.",
+     "A cycle is entered by its code from outside, or from a cycle of another mode; G110 and G111 "
+     "are one mode, and so are G112 and G113; the code written again is not an entry.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-02", derived, kG110,
      "Missing I L Q D is looked for in the entry block and in every block that mills; a block that "
      "mills nothing still takes its words in.",
      "reference/gsk988ta/g110.cpp"},
-    {"GSK-MOD-03", open, kG110, "R and P hold for their block.", "reference/gsk988ta/g110.cpp"},
+    {"GSK-MOD-03", open, kG110, "R and P of G110 to G113 hold for their block.",
+     "reference/gsk988ta/g110.cpp"},
+    {"GSK-MOD-04", open, kG114,
+     "G114 and G115 are one mode, G116 and G117 one; they stay in force as G110, but no word of "
+     "them is retained: each block that mills gives I, P, D and E.",
+     "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-05", open, kG110,
      "The initial plane is the depth coordinate at which the mode was entered, and stays; a plane "
      "code takes that of the new depth axis.",
@@ -152,12 +320,12 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "its own block too, are positioned.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-07", open, kBasic,
-     "Retained words are lengths: units and planes do not change them; a retained increment is taken "
-     "from A again; a retained word of an axis outside the new plane waits.",
-     "reference/gsk988ta/g94.cpp"},
+     "Retained words are lengths: units and planes do not change them; a retained increment is "
+     "taken from A again; a retained word of an axis outside the new plane waits.",
+     "reference/gsk988ta/cutting_cycle.cpp"},
     {"GSK-MOD-08", derived, kBasic,
-     "The codes of group 00 are G04, G28 and G50; all but G04 clear the retained words of G94, none "
-     "clears I L Q D.",
+     "The codes of group 00 are G04, G28 and G50; all but G04 clear the retained words of G94, "
+     "none clears I L Q D.",
      "reference/gsk988ta/basic_motion.cpp"},
     {"GSK-MOD-09", open, kBasic,
      "A code of group 01 and a code of the milling cycles exclude each other in a block.",

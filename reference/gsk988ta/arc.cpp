@@ -70,12 +70,21 @@ std::optional<std::array<Number, 2>> centre_from_offsets(BlockContext& block, co
   const Number end_q = arc.end_q - centre[1];
   const Number end_2 = end_p * end_p + end_q * end_q;
   if (start_2.sign() == 0 && end_2.sign() == 0) {
-    block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, offset_address(arc.axes.p),
-                "The radius of the arc is zero.");
+    if (block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
+      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, offset_address(arc.axes.p),
+                  "The radius of the arc is zero.");
+    }
     return std::nullopt;
   }
   const Number limit = block.profile.parameter("3410").value_or(Number::millionths(10'000));
-  if (limit.sign() > 0 && !roots_agree(start_2, end_2, limit)) {
+  const bool checked =
+      limit.sign() > 0 ||
+      (limit.sign() == 0 && block.readings.is(ReadingKey::arc_tolerance_zero, "exact"));
+  if (checked && !roots_agree(start_2, end_2, limit)) {
+    if (start_2.sign() == 0 && block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
+      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, offset_address(arc.axes.p),
+                  "The arc begins at its centre.");
+    }
     block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, offset_address(arc.axes.p),
                 fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
     return std::nullopt;
@@ -102,7 +111,11 @@ void run_arc(BlockContext& block, int sense) {
   const Arc arc(axes, machine.position, to);
   const auto centre =
       by_radius ? centre_from_radius(block, arc, sense) : centre_from_offsets(block, arc);
-  if (!centre) return;
+  if (!centre) {
+    // Under gsk.arc.zero-radius = none only the axes outside the plane have a way to go.
+    if (block.out.alarms.empty() && to != machine.position) run_straight_feed(block);
+    return;
+  }
   Record record = block.motion(RecordKind::arc, "GSK-COM-05"_clause, {});
   record.plane = machine.plane;
   record.centre = *centre;

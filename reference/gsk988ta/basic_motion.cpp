@@ -27,6 +27,12 @@ void BlockContext::need_feed() {
         "The block cuts, but no feed is in force.");
 }
 
+void BlockContext::not_covered(int code, char address, std::string message) {
+  grammar::Span where;
+  if (words.has(address)) where = words.word(address)->where;
+  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message), where};
+}
+
 Record BlockContext::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
   Record record;
   record.kind = kind;
@@ -66,6 +72,23 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
 
 namespace {
 
+// Whether only rotary axes have a way to go.
+bool turns_alone(const Machine& machine, const Position& to) {
+  for (Axis axis : kLinearAxes) {
+    if (to[axis] != machine.position[axis]) return false;
+  }
+  return to != machine.position;
+}
+
+// F of a rotary axis that moves alone: written under G20 it is scaled like a length, or in degrees.
+Number rotary_feed(const BlockContext& block) {
+  const Machine& machine = block.machine;
+  if (!machine.feed_in_inch || block.readings.is(ReadingKey::rotary_feed_inch, "scaled")) {
+    return machine.feed;
+  }
+  return machine.feed / Number::millionths(25'400'000);
+}
+
 // One motion to the end point of the block, of whichever axes it names.
 void move_to_end_point(BlockContext& block, RecordKind kind) {
   Position to;
@@ -75,6 +98,9 @@ void move_to_end_point(BlockContext& block, RecordKind kind) {
   Record record = block.motion(kind, "GSK-COM-05"_clause, {});
   record.axes = axes;
   record.to = to;
+  if (kind == RecordKind::feed && turns_alone(block.machine, to)) {
+    record.feed = rotary_feed(block);
+  }
   block.machine.position = to;
   block.put(std::move(record));
 }
@@ -94,7 +120,9 @@ void run_dwell(BlockContext& block) {
   const BlockWords& words = block.words;
   const char address = words.has('P') ? 'P' : words.has('X') ? 'X' : 'U';
   if (!words.has(address)) {
-    block.missing("GSK-COM-05"_clause, 'P');
+    if (block.readings.is(ReadingKey::dwell_without_word, "alarm")) {
+      block.missing("GSK-COM-05"_clause, 'P');
+    }
     return;
   }
   Record record;
@@ -131,7 +159,12 @@ void run_rename_position(BlockContext& block) {
   Position to;
   commanded_end_point(block, to);
   const Axis d = axes_of(machine.plane).d;
-  machine.pocket.initial_plane += to[d] - machine.position[d];
+  // GSK-MOD-05: the initial plane of a milling cycle keeps its place, under its new name.
+  const Number shift = to[d] - machine.position[d];
+  if (machine.milling.code != 0 && shift.sign() != 0 &&
+      block.readings.is(ReadingKey::g50_initial_plane, "shifted")) {
+    machine.milling.initial_plane += shift;
+  }
   Renaming renaming{block.line, {}};
   for (Axis axis : kAllAxes) renaming.shift[axis] = to[axis] - machine.position[axis];
   machine.position = to;

@@ -74,8 +74,8 @@ constexpr auto kCodes = std::to_array<Code>({
     {870, Group::cycle, outside, "side drilling"},
     {880, Group::cycle, outside, "side tapping"},
     {890, Group::cycle, outside, "side boring"},
-    {900, Group::motion, outside, "axial cutting cycle"},
-    {920, Group::motion, outside, "thread cutting cycle"},
+    {900, Group::motion, read, "axial cutting cycle"},
+    {920, Group::motion, read, "thread cutting cycle"},
     {940, Group::motion, read, "radial cutting cycle"},
     {960, Group::speed, without_effect, "constant surface speed"},
     {970, Group::speed, without_effect, "constant spindle speed"},
@@ -83,12 +83,12 @@ constexpr auto kCodes = std::to_array<Code>({
     {990, Group::feed_mode, read, "feed per revolution"},
     {1100, Group::cycle, read, "circular pocket clockwise"},
     {1110, Group::cycle, read, "circular pocket counterclockwise"},
-    {1120, Group::cycle, outside, "helical pocket clockwise"},
-    {1130, Group::cycle, outside, "helical pocket counterclockwise"},
-    {1140, Group::cycle, outside, "external thread clockwise"},
-    {1150, Group::cycle, outside, "external thread counterclockwise"},
-    {1160, Group::cycle, outside, "internal thread clockwise"},
-    {1170, Group::cycle, outside, "internal thread counterclockwise"},
+    {1120, Group::cycle, read, "helical pocket clockwise"},
+    {1130, Group::cycle, read, "helical pocket counterclockwise"},
+    {1140, Group::cycle, read, "external thread clockwise"},
+    {1150, Group::cycle, read, "external thread counterclockwise"},
+    {1160, Group::cycle, read, "internal thread clockwise"},
+    {1170, Group::cycle, read, "internal thread counterclockwise"},
 });
 static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
@@ -138,6 +138,18 @@ const Code* find_code(const grammar::Decimal& value) {
 std::string code_name(int tenths) {
   return tenths % 10 == 0 ? fmt::format("G{:02}", tenths / 10)
                           : fmt::format("G{}.{}", tenths / 10, tenths % 10);
+}
+
+bool repeats_group(const grammar::Block& block) {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : block.words) {
+    const Code* code = word.address == 'G' ? find_code(word.value) : nullptr;
+    if (code == nullptr) continue;
+    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(code->group);
+    if ((seen & bit) != 0) return true;
+    seen |= bit;
+  }
+  return false;
 }
 
 void read_codes(const grammar::Block& block, bool last_wins, CodeReading& reading) {

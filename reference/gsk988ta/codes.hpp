@@ -45,8 +45,8 @@ std::string code_name(int tenths);
 // The codes of one block, by group.
 struct BlockCodes {
   int once = -1;       // 4, 28, 50
-  int motion = -1;     // 0, 1, 2, 3, 94
-  int cycle = -1;      // 80, 110, 111
+  int motion = -1;     // 0, 1, 2, 3, 90, 92, 94
+  int cycle = -1;      // 80, 110 to 117
   int feed_mode = -1;  // 98, 99
   int units = -1;      // 20, 21
   int plane = -1;      // 17, 18, 19
@@ -60,5 +60,7 @@ struct CodeReading {
   std::optional<NotCovered> not_covered;
 };
 void read_codes(const grammar::Block& block, bool last_wins, CodeReading& reading);
+// Whether two codes of one group stand in the block.
+bool repeats_group(const grammar::Block& block);
 
 }  // namespace gonogo::reference::gsk988ta

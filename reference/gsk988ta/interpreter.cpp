@@ -25,16 +25,24 @@ class Interpreter : public BlockInterpreter {
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
   const Position& position() const override { return machine_.position; }
+  // Only the plane is open in a path: along the other axes the cycle says where it ends.
+  void stand_at(const Position& position) override {
+    const PlaneAxes axes = axes_of(machine_.plane);
+    machine_.position[axes.p] = position[axes.p];
+    machine_.position[axes.q] = position[axes.q];
+  }
 
  private:
-  bool last_wins() const;
+  bool last_wins(const grammar::Block& block) const;
   void take_modes(const BlockCodes& codes);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
   bool check_words(const BlockWords& words, const BlockCodes& codes, BlockOutput& out) const;
   void run_code(BlockContext& block);
-  void leave_pocket_mode() { machine_.pocket = {}; }
+  void run_motion(BlockContext& block) const;
+  void leave_milling_mode() { machine_.milling = {}; }
+  void enter_cycle(BlockContext& block);
   void put_m_functions(const grammar::Block& block, std::uint64_t line, BlockOutput& out) const;
 
   const Profile& profile_;
@@ -45,7 +53,8 @@ class Interpreter : public BlockInterpreter {
 };
 
 // GSK-COM-07: parameter 3403#6 decides on the machine (0: the later one wins).
-bool Interpreter::last_wins() const {
+bool Interpreter::last_wins(const grammar::Block& block) const {
+  if (!repeats_address(block) && !repeats_group(block)) return false;
   if (auto parameter = profile_.parameter("3403.6")) return parameter->sign() == 0;
   return readings_.is(ReadingKey::duplicate, "last");
 }
@@ -59,7 +68,7 @@ void Interpreter::take_modes(const BlockCodes& codes) {
   if (codes.plane >= 0) {
     machine_.plane = static_cast<Plane>(codes.plane - 17);
     // GSK-MOD-05: within the mode the initial plane is then that of the new depth axis.
-    machine_.pocket.initial_plane = machine_.position[axes_of(machine_.plane).d];
+    machine_.milling.initial_plane = machine_.position[axes_of(machine_.plane).d];
   }
 }
 
@@ -67,55 +76,86 @@ void Interpreter::take_motion_code(BlockContext& block) {
   const int code = block.codes.motion;
   if (code < 0) return;
   // GSK-MOD-06, GSK-G110-15: a code of group 01 ends the mode of the milling cycles.
-  leave_pocket_mode();
+  leave_milling_mode();
   if (code != machine_.motion) {
-    // GSK-G94-07: another code of group 01 clears what G94 retains.
-    machine_.g94.clear();
-    block.entered_g94 = code == 94;
+    // GSK-G94-07, GSK-G90-07, GSK-G92-11: another code of group 01 clears what a cutting cycle
+    // retains.
+    machine_.cut.clear();
+    block.entered_cut = is_cutting_cycle(code);
   }
   machine_.motion = code;
 }
 
+// GSK-MOD-01, GSK-MOD-04: entered from outside, or from another family of milling cycles. The
+// code written again is not an entry, nor is the other one of its family.
+void Interpreter::enter_cycle(BlockContext& block) {
+  MillingMode& mode = machine_.milling;
+  const int code = block.codes.cycle;
+  const CycleFamily family = family_of(code);
+  block.entered_cycle = mode.family() != family;
+  if (family == CycleFamily::thread && !block.entered_cycle && mode.code / 2 != code / 2) {
+    block.entered_cycle = readings_.is(ReadingKey::thread_mode, "pairs");
+  }
+  block.changed_pair = !block.entered_cycle && mode.code != code;
+  if (block.entered_cycle) {
+    mode = {};
+    mode.initial_plane = machine_.position[axes_of(machine_.plane).d];  // GSK-MOD-05
+    // GSK-G94-07: no code of group 01, so what a cutting cycle retains waits.
+    if (!machine_.cut.empty() && readings_.is(ReadingKey::g94_in_mode, "clear")) {
+      machine_.cut.clear();
+    }
+  }
+  mode.code = code;
+}
+
 void Interpreter::take_cycle_code(BlockContext& block) {
   const int code = block.codes.cycle;
-  if (code < 0) return;
   if (code == 80) {
     // GSK-MOD-06: G80 ends the mode and G94; axis words are positioned, in its own block too.
-    leave_pocket_mode();
-    machine_.g94.clear();
+    leave_milling_mode();
+    machine_.cut.clear();
     if (block.codes.motion < 0) machine_.motion = 0;
-    return;
-  }
-  PocketMode& pocket = machine_.pocket;
-  // GSK-MOD-01: entered from outside; G110 and G111 are one mode.
-  block.entered_cycle = pocket.code == 0;
-  block.changed_pair = pocket.code != 0 && pocket.code != code;
-  pocket.code = code;
-  // GSK-MOD-05
-  if (block.entered_cycle) {
-    pocket.initial_plane = machine_.position[axes_of(machine_.plane).d];
+  } else if (code > 0) {
+    enter_cycle(block);
+  } else if (machine_.milling.family() == CycleFamily::thread && block.words.any() &&
+             readings_.is(ReadingKey::thread_modal, "none")) {
+    leave_milling_mode();  // GSK-MOD-04
   }
 }
 
 void Interpreter::take_feed(const BlockWords& words) {
   if (!words.has('F')) return;
-  Number feed = words.written('F');
-  if (machine_.units == Units::inch) feed = feed * Number::millionths(25'400'000);
-  machine_.feed = feed;
+  // GSK-G92-06: there F is the lead, apart from the feed unless a reading says that F is one word.
+  if (machine_.motion == 92 && machine_.milling.code == 0 &&
+      readings_.is(ReadingKey::g92_lead, "own")) {
+    machine_.thread_lead = words.length('F').value();
+    return;
+  }
+  machine_.feed_in_inch = machine_.units == Units::inch;
+  machine_.feed = words.written('F');
+  if (machine_.feed_in_inch) machine_.feed = machine_.feed * Number::millionths(25'400'000);
 }
 
 bool Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
                               BlockOutput& out) const {
   std::vector<Alarm>& alarms = out.alarms;
   const bool dwell = codes.once == 4;
-  check_pairs(words, last_wins(), !dwell, alarms);
+  check_pairs(words, last_wins(words.block()), !dwell, alarms);
   check_code_groups(words, codes, alarms);
   check_feed_word(words, alarms);
-  if (!dwell && readings_.is(ReadingKey::decimals, "alarm")) {
+  if (!dwell && has_fine_words(words.block(), profile_, machine_.units) &&
+      readings_.is(ReadingKey::decimals, "alarm")) {
     check_decimals(words, profile_, machine_.units, alarms);
   }
-  const bool in_cycle = machine_.pocket.code != 0 || machine_.motion == 94;
-  if (in_cycle && codes.once < 0) check_ranges(words, profile_, machine_.units, alarms);
+  const CycleFamily family = machine_.milling.family();
+  const bool in_cycle = family != CycleFamily::none || is_cutting_cycle(machine_.motion);
+  if (!in_cycle || codes.once >= 0) return alarms.empty();
+  check_ranges(words, family, profile_, machine_.units, alarms);
+  if (family == CycleFamily::helix) check_turns(words, alarms);
+  if (family == CycleFamily::thread && words.has('K')) {
+    check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,
+                        machine_.units, alarms);
+  }
   return alarms.empty();
 }
 
@@ -134,40 +174,50 @@ void Interpreter::run_code(BlockContext& block) {
       break;
   }
   if (block.codes.once >= 0) {
-    // GSK-G94-07, GSK-MOD-08: a code of group 00 other than G04 clears what G94 retains.
-    machine_.g94.clear();
-    if (machine_.motion == 94 && readings_.is(ReadingKey::g94_after_00, "cancelled")) {
+    // GSK-MOD-08 (GSK-G94-07, GSK-G90-07, GSK-G92-11): a code of group 00 other than G04 clears
+    // what a cutting cycle retains.
+    machine_.cut.clear();
+    if (is_cutting_cycle(machine_.motion) && readings_.is(ReadingKey::g94_after_00, "cancelled")) {
       machine_.motion = 0;
     }
     return;
   }
-  if (machine_.pocket.code != 0) {
-    run_g110(block);
-    return;
+  switch (machine_.milling.family()) {
+    case CycleFamily::pocket:
+      return run_g110(block);
+    case CycleFamily::helix:
+      return run_g112(block);
+    case CycleFamily::thread:
+      return run_g114(block);
+    case CycleFamily::none:
+      return run_motion(block);
   }
+}
+
+// The code of group 01 in force.
+void Interpreter::run_motion(BlockContext& block) const {
   switch (machine_.motion) {
     case 0:
-      run_positioning(block);
-      break;
+      return run_positioning(block);
     case 1:
-      run_straight_feed(block);
-      break;
+      return run_straight_feed(block);
     case 2:
-      run_arc(block, -1);
-      break;
+      return run_arc(block, -1);
     case 3:
-      run_arc(block, +1);
-      break;
+      return run_arc(block, +1);
+    case 90:
+      return run_g90(block);
+    case 92:
+      return run_g92(block);
     case 94:
-      run_g94(block);
-      break;
+      return run_g94(block);
     default:
-      break;
+      return;
   }
 }
 
 // M functions are passed on: those that stop or end something after the motion, the others before
-// (GSK-COM-05; M35 of the milling cycles before).
+// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01).
 void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t line,
                                   BlockOutput& out) const {
   for (const grammar::Word& word : block.words) {
@@ -192,6 +242,11 @@ void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t lin
     record.clause = "GSK-COM-05"_clause;
     record.block = line;
     record.m = static_cast<std::int32_t>(*number);
+    if (*number == 35) {
+      // The C axis is clamped before the tool moves.
+      record.before_motion = true;
+      if (machine_.milling.family() == CycleFamily::helix) record.clause = "GSK-G112-01"_clause;
+    }
     const bool ends_program = *number == 2 || *number == 17 || *number == 30;
     const bool after = ends_program || *number == 0 || *number == 1 || *number == 5 || *number == 9;
     (after ? out.after : out.items).emplace_back(std::move(record));
@@ -209,11 +264,11 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
                    block.outside->where};
     return;
   }
-  if (block.words.empty() && !readings_.is(ReadingKey::g94_empty_block, "repeat")) return;
+  if (block.words.empty()) return;
   reading_.codes = {};
   reading_.alarms.clear();
   reading_.not_covered.reset();
-  read_codes(block, last_wins(), reading_);
+  read_codes(block, last_wins(block), reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
     out.not_covered->block = line;
@@ -223,12 +278,13 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
 
   const BlockCodes& codes = reading_.codes;
   take_modes(codes);
-  const bool round = readings_.is(ReadingKey::decimals, "nearest");
-  BlockWords words(block, profile_, machine_.units, round && codes.once != 4);
+  const bool round = codes.once != 4 && has_fine_words(block, profile_, machine_.units) &&
+                     readings_.is(ReadingKey::decimals, "nearest");
+  BlockWords words(block, profile_, machine_.units, round);
   BlockContext context{machine_, words, codes, profile_, readings_, open_paths_, line, out};
-  put_m_functions(block, line, out);
   take_motion_code(context);
   take_cycle_code(context);
+  put_m_functions(block, line, out);
   check_words(words, codes, out);
   take_feed(words);
   run_code(context);

@@ -12,26 +12,43 @@
 
 namespace gonogo::reference::gsk988ta {
 
-// What G94 retains (GSK-G94-06): the end point axis by axis, and R. True lengths in mm.
-struct RetainedG94 {
+// What the cutting cycle in force (G90, G92, G94) retains: the end point axis by axis, and R
+// (GSK-G94-06, GSK-G90-06, GSK-G92-06). True lengths in mm.
+struct RetainedCut {
   std::array<std::optional<AxisWord>, 3> end_point;  // by linear axis
   Number taper;
 
   bool empty() const { return !end_point[0] && !end_point[1] && !end_point[2] && taper == 0; }
   void clear() { *this = {}; }
 };
+constexpr bool is_cutting_cycle(int motion) {
+  return motion == 90 || motion == 92 || motion == 94;
+}
 
-// What G110 and G111 retain (GSK-G110-02). True lengths in mm.
-struct PocketMode {
-  int code = 0;  // 110 or 111 while the mode is in force
+constexpr CycleFamily family_of(int code) {
+  if (code == 110 || code == 111) return CycleFamily::pocket;
+  if (code == 112 || code == 113) return CycleFamily::helix;
+  return code >= 114 && code <= 117 ? CycleFamily::thread : CycleFamily::none;
+}
+// The even codes turn clockwise.
+constexpr int sense_of(int cycle_code) {
+  return cycle_code % 2 == 0 ? -1 : +1;
+}
+
+// What the milling cycle in force retains (GSK-G110-02, GSK-G112-01). True lengths in mm.
+struct MillingMode {
+  int code = 0;  // 110 to 117 while the mode is in force
   Number initial_plane;
   std::optional<Number> radius;  // I
-  std::optional<Number> step;    // L
+  std::optional<Number> step;    // L of G110
+  std::optional<Number> turns;   // L of G112 under the reading gsk.helix.L = modal
   std::optional<Number> infeed;  // Q
   std::optional<Number> tool;    // D
   // R and P under the reading gsk.pocket.R = modal.
   std::optional<Number> retained_r;
   std::optional<Number> retained_clearance;
+
+  CycleFamily family() const { return family_of(code); }
 };
 
 struct Machine {
@@ -39,10 +56,13 @@ struct Machine {
   Plane plane = Plane::g18;
   Units units = Units::mm;
   FeedMode feed_mode = FeedMode::per_minute;
-  Number feed;     // 0: none in force
-  int motion = 0;  // group 01: 0, 1, 2, 3, 94
-  RetainedG94 g94;
-  PocketMode pocket;
+  Number feed;                // 0: none in force
+  bool feed_in_inch = false;  // F was written under G20
+  int motion = 0;             // group 01: 0, 1, 2, 3, 90, 92, 94
+  RetainedCut cut;
+  Number thread_lead;               // F of G92, 0: none
+  bool thread_run_out_off = false;  // J or K of G92 was given as 0
+  MillingMode milling;
 };
 
 using AxisValue = std::pair<Axis, Number>;
@@ -57,9 +77,9 @@ struct BlockContext {
   OpenPaths open_paths;
   std::uint64_t line;
   BlockOutput& out;
-  bool entered_cycle = false;  // the mode of G110 begins with this block
-  bool entered_g94 = false;    // G94 begins with this block
-  bool changed_pair = false;   // G110 to G111 or back
+  bool entered_cycle = false;  // the mode of a milling cycle begins with this block
+  bool entered_cut = false;    // G90, G92 or G94 begins with this block
+  bool changed_pair = false;   // G110 to G111, G112 to G113 or back
 
   // A broken rule. `address` names the word; a missing word has its place past the line's end.
   void alarm(AlarmClass alarm, ClauseId clause, char address, std::string message);
@@ -71,6 +91,8 @@ struct BlockContext {
   void rapid(ClauseId clause, std::initializer_list<AxisValue> to);
   void feed(ClauseId clause, std::initializer_list<AxisValue> to);
   Record motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to);
+  // The program ends here for the gauge: `address` has a value that is not read.
+  void not_covered(int code, char address, std::string message);
   void put(Record record) { out.items.emplace_back(std::move(record)); }
 };
 
@@ -85,7 +107,11 @@ void run_arc(BlockContext& block, int sense);
 AxisSet commanded_end_point(const BlockContext& block, Position& to);
 
 // The cycles, one file each.
+void run_g90(BlockContext& block);
+void run_g92(BlockContext& block);
 void run_g94(BlockContext& block);
 void run_g110(BlockContext& block);
+void run_g112(BlockContext& block);
+void run_g114(BlockContext& block);
 
 }  // namespace gonogo::reference::gsk988ta

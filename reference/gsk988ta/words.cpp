@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "grammar/parser.hpp"
@@ -126,23 +127,56 @@ void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_ax
   }
 }
 
+namespace {
+
+// A length or an angle with more decimals than the least increment has. The value counts, not how
+// it is written: 1.5000 has one decimal.
+bool is_too_fine(const grammar::Word& word, std::uint32_t decimals) {
+  if (word.value.scale <= decimals) return false;
+  if (!contains(kSignedWords, word.address) && !contains("ILQDEJKCH", word.address)) return false;
+  const Number increment = Number::decimal(false, std::uint64_t{1}, decimals);
+  const Number increments = to_number(word.value) / increment;
+  return increments != increments.floor();
+}
+
+}  // namespace
+
+bool has_fine_words(const grammar::Block& block, const Profile& profile, Units units) {
+  const std::uint32_t decimals = decimals_of(profile, units);
+  return std::ranges::any_of(
+      block.words, [&](const grammar::Word& word) { return is_too_fine(word, decimals); });
+}
+
+bool repeats_address(const grammar::Block& block) {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'G') continue;
+    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
+    if ((seen & bit) != 0) return true;
+    seen |= bit;
+  }
+  return false;
+}
+
 void check_decimals(const BlockWords& words, const Profile& profile, Units units,
                     std::vector<Alarm>& alarms) {
+  const std::uint32_t decimals = decimals_of(profile, units);
   for (const grammar::Word& word : words.block().words) {
-    if (!contains(kSignedWords, word.address) && !contains("ILQDEJKCH", word.address)) continue;
-    if (word.value.scale <= decimals_of(profile, units)) continue;
+    if (!is_too_fine(word, decimals)) continue;
     alarms.push_back(
         {AlarmClass::value_out_of_range, "GSK-COM-03"_clause, word.address, word.where,
          fmt::format("{} has more decimals than the least increment.", text_of(word))});
   }
 }
 
-void check_ranges(const BlockWords& words, const Profile& profile, Units units,
+void check_ranges(const BlockWords& words, CycleFamily family, const Profile& profile, Units units,
                   std::vector<Alarm>& alarms) {
   const Number upper = upper_end(profile, units);
   for (const grammar::Word& word : words.block().words) {
-    const bool takes_sign = contains(kSignedWords, word.address);
-    if (!takes_sign && !contains(kUnsignedWords, word.address)) continue;
+    if (family == CycleFamily::helix && word.address == 'L') continue;  // check_turns
+    const bool unsigned_p = family == CycleFamily::thread && word.address == 'P';
+    const bool takes_sign = contains(kSignedWords, word.address) && !unsigned_p;
+    if (!takes_sign && !unsigned_p && !contains(kUnsignedWords, word.address)) continue;
     const bool bad_sign = !takes_sign && word.value.negative;
     if (!bad_sign && abs(to_number(word.value)) <= upper) continue;
     alarms.push_back({AlarmClass::value_out_of_range, "GSK-COM-06"_clause, word.address, word.where,
@@ -150,6 +184,29 @@ void check_ranges(const BlockWords& words, const Profile& profile, Units units,
                           ? fmt::format("{} has a sign, but the word takes none.", text_of(word))
                           : fmt::format("{} lies beyond {}.", text_of(word), upper.text())});
   }
+}
+
+void check_turns(const BlockWords& words, std::vector<Alarm>& alarms) {
+  const grammar::Word* word = words.word('L');
+  if (word == nullptr) return;
+  const Number turns = to_number(word->value);
+  if (turns != turns.floor()) {
+    alarms.push_back({AlarmClass::not_an_integer, "GSK-G112-01"_clause, 'L', word->where,
+                      fmt::format("{} is no whole number of turns.", text_of(*word))});
+  }
+  if (turns < Number(1) || turns > Number(99'999)) {
+    alarms.push_back({AlarmClass::value_out_of_range, "GSK-G112-01"_clause, 'L', word->where,
+                      fmt::format("{} lies outside 1 to 99999 turns.", text_of(*word))});
+  }
+}
+
+void check_run_out_angle(const BlockWords& words, bool full_turn, const Profile& profile,
+                         Units units, std::vector<Alarm>& alarms) {
+  const grammar::Word& word = *words.word('K');
+  const Number upper = full_turn ? Number(360) : upper_end(profile, units);
+  if (!word.value.negative && to_number(word.value) <= upper) return;
+  alarms.push_back({AlarmClass::value_out_of_range, "GSK-G114-13"_clause, 'K', word.where,
+                    fmt::format("{} lies outside 0 to {} degrees.", text_of(word), upper.text())});
 }
 
 void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms) {

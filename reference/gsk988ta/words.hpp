@@ -29,6 +29,9 @@ inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {
     {{Axis::x, 'X', 'U'}, {Axis::y, 'Y', 'V'}, {Axis::z, 'Z', 'W'}, {Axis::c, 'C', 'H'}}};
 const AxisAddresses& addresses_of(Axis axis);
 
+// The milling cycles: each pair, or the four thread cycles, is one mode (GSK-MOD-01, GSK-MOD-04).
+enum class CycleFamily : std::uint8_t { none, pocket, helix, thread };
+
 class BlockWords {
  public:
   // Takes the words of a block; `units` and `profile` say how lengths are written.
@@ -65,14 +68,24 @@ void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_ax
 // GSK-COM-03 under gsk.decimals = alarm.
 void check_decimals(const BlockWords& words, const Profile& profile, Units units,
                     std::vector<Alarm>& alarms);
-// GSK-COM-06: the ranges of the words in blocks of the cycles.
-void check_ranges(const BlockWords& words, const Profile& profile, Units units,
+// GSK-COM-06: the ranges of the words in blocks of the cycles; P takes no sign in the thread
+// cycles.
+void check_ranges(const BlockWords& words, CycleFamily family, const Profile& profile, Units units,
                   std::vector<Alarm>& alarms);
+// GSK-G112-01: L of the helical pocket, a whole number from 1 to 99999.
+void check_turns(const BlockWords& words, std::vector<Alarm>& alarms);
+// GSK-G114-13: K of the thread cycles, 0 to 360 degrees; or as far as the table of lengths says.
+void check_run_out_angle(const BlockWords& words, bool full_turn, const Profile& profile,
+                         Units units, std::vector<Alarm>& alarms);
 // GSK-COM-08: a negative F.
 void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms);
 // GSK-MOD-09: codes of group 01 with codes of the milling cycles.
 void check_code_groups(const BlockWords& words, const BlockCodes& codes,
                        std::vector<Alarm>& alarms);
+
+// Whether the readings of fine decimals and of repeated addresses matter for the block.
+bool has_fine_words(const grammar::Block& block, const Profile& profile, Units units);
+bool repeats_address(const grammar::Block& block);
 
 // Decimals that a length may have: 3 or 4 in mm, 4 or 5 in inch (ISB, ISC).
 std::uint32_t decimals_of(const Profile& profile, Units units);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/gsk988ta/cutting_cycle.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::gsk988ta {
+
+void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause) {
+  for (const AxisAddresses& addresses : kAxisAddresses) {
+    if (addresses.axis == axes.positioning || addresses.axis == axes.cutting) continue;
+    for (char address : {addresses.absolute, addresses.increment}) {
+      if (!block.words.has(address)) continue;
+      block.alarm(
+          AlarmClass::axis_not_in_plane, clause, address,
+          fmt::format("{} is no axis of plane G{}.", address, plane_code(block.machine.plane)));
+    }
+  }
+}
+
+// GSK-G94-06, GSK-G90-06, GSK-G92-06
+void retain_cut_words(BlockContext& block, const CuttingAxes& axes) {
+  RetainedCut& retained = block.machine.cut;
+  for (Axis axis : {axes.positioning, axes.cutting}) {
+    if (auto word = block.words.axis_word(axis)) retained.end_point[index(axis)] = word;
+  }
+  if (auto taper = block.words.length('R')) {
+    retained.taper = *taper;
+  } else if (is_cutting_cycle(block.codes.motion) && !block.entered_cut &&
+             block.readings.is(ReadingKey::g94_rewrite, "clear")) {
+    retained.taper = 0;
+  }
+}
+
+bool runs_cut(const BlockContext& block, const CuttingAxes& axes) {
+  if (block.words.has_axis_word(axes.positioning) || block.words.has_axis_word(axes.cutting) ||
+      block.words.has('R')) {
+    return true;
+  }
+  return !block.entered_cut && !block.machine.cut.empty() &&
+         block.readings.is(ReadingKey::g94_empty_block, "repeat");
+}
+
+// GSK-MOD-07: a retained increment is taken from A again; a retained word of an axis that is not in
+// the plane waits.
+Number cut_end_point(const BlockContext& block, Axis axis) {
+  const Number& start = block.machine.position[axis];
+  const std::optional<AxisWord>& word = block.machine.cut.end_point[index(axis)];
+  if (!word) return start;
+  return word->incremental ? start + word->value : word->value;
+}
+
+void check_taper(BlockContext& block, const Number& travel, ClauseId clause) {
+  const Number& taper = block.machine.cut.taper;
+  if (taper.sign() * travel.sign() >= 0 || abs(taper) <= abs(travel)) return;
+  block.alarm(
+      AlarmClass::taper_limit, clause, 'R',
+      fmt::format("R {} is larger than the opposite travel {}.", taper.text(), travel.text()));
+}
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What G90, G92 and G94 have in common: the words that they retain, and from them the corners of
+// the path. A is where the tool stands, C the programmed end point.
+#pragma once
+
+#include "reference/gsk988ta/machine.hpp"
+
+namespace gonogo::reference::gsk988ta {
+
+// The axes of a cutting cycle in the plane: the tool is positioned along one and cuts along the
+// other. R lies along the positioning axis.
+struct CuttingAxes {
+  Axis positioning;
+  Axis cutting;
+};
+
+// An alarm for a word of any other axis.
+void refuse_other_axes(BlockContext& block, const CuttingAxes& axes, ClauseId clause);
+// Words of this block replace the retained ones.
+void retain_cut_words(BlockContext& block, const CuttingAxes& axes);
+// Whether the block runs the cycle: it has an axis word or R, or it repeats the retained ones.
+bool runs_cut(const BlockContext& block, const CuttingAxes& axes);
+// C along one axis: absolute, an increment from A (GSK-MOD-07), or no travel.
+Number cut_end_point(const BlockContext& block, Axis axis);
+// An alarm where R and the travel from A to C have opposite signs and R is the larger.
+void check_taper(BlockContext& block, const Number& travel, ClauseId clause);
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G114 to G117, thread milling: external and internal, clockwise and counterclockwise.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "reference/gsk988ta/milling.hpp"
+#include "reference/gsk988ta/thread_path.hpp"
+
+namespace gonogo::reference::gsk988ta {
+namespace {
+
+Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open) {
+  co_yield site.rapid_to_centre("GSK-G114-05"_clause, site.positioned);
+  co_yield site.rapid_depth("GSK-G114-05"_clause, site.r_plane);
+  if (site.depth().sign() == 0) {
+    // GSK-G110-17: no depth, no cut.
+    co_yield site.rapid_depth("GSK-G110-17"_clause, site.initial_plane);
+    co_return;
+  }
+  if (open) {
+    co_yield thread;
+  } else {
+    Generator<Record> path = thread_passes(site, thread);
+    while (const Record* record = path.next()) co_yield *record;
+  }
+  co_yield site.rapid_depth("GSK-G114-07"_clause, site.initial_plane);
+}
+
+bool is_external(int code) {
+  return code == 114 || code == 115;
+}
+
+// The words of one block: none of them is modal (GSK-MOD-04).
+struct ThreadWords {
+  std::optional<Number> lead;      // I
+  std::optional<Number> height;    // P
+  std::optional<Number> tool;      // D
+  std::optional<Number> diameter;  // E
+};
+
+// GSK-G114-03
+void check_tool(BlockContext& block, const ThreadWords& words) {
+  if (words.height && words.tool && *words.height > *words.tool) {
+    block.alarm(AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
+                fmt::format("The thread height {} is larger than the tool radius {}.",
+                            words.height->text(), words.tool->text()));
+  }
+  if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
+  if (*words.diameter / 2 <= *words.tool) {
+    block.alarm(AlarmClass::tool_too_large, "GSK-G114-03"_clause, 'D',
+                fmt::format("The tool radius {} is not smaller than the radius {} of the bore.",
+                            words.tool->text(), (*words.diameter / 2).text()));
+  }
+}
+
+ThreadWords take_words(BlockContext& block) {
+  const BlockWords& words = block.words;
+  ThreadWords taken{words.length('I'), words.length('P'), words.length('D'), words.length('E')};
+  const std::array<NeededWord, 4> needed = {
+      {{'I', taken.lead}, {'P', taken.height}, {'D', taken.tool}, {'E', taken.diameter}}};
+  check_needed(block, needed, true, "GSK-G114-02"_clause, "GSK-G114-02"_clause);
+  check_tool(block, taken);
+  // GSK-G114-12: the format of G116 and G117 prints R without brackets.
+  if (!is_external(block.machine.milling.code) && !words.has('R') &&
+      block.readings.is(ReadingKey::thread_r, "required")) {
+    block.missing("GSK-G114-12"_clause, 'R');
+  }
+  return taken;
+}
+
+ThreadRunOut run_out_of(const BlockContext& block) {
+  const ReadingsInUse& readings = block.readings;
+  if (readings.is(ReadingKey::thread_runout, "radial")) return ThreadRunOut::radial;
+  if (readings.is(ReadingKey::thread_runout, "tangent")) return ThreadRunOut::tangent;
+  return readings.is(ReadingKey::thread_runout, "any") ? ThreadRunOut::open : ThreadRunOut::polar;
+}
+
+ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words) {
+  const int code = block.machine.milling.code;
+  ThreadMilling thread;
+  thread.block = block.line;
+  thread.clause = "GSK-G114-06"_clause;
+  thread.plane = site.plane;
+  thread.external = is_external(code);
+  thread.sense = sense_of(code);  // GSK-G114-09
+  thread.centre = site.plane_centre();
+  thread.r_plane = site.r_plane;
+  thread.bottom = site.bottom;
+  thread.initial_plane = site.initial_plane;
+  thread.lead = *words.lead;
+  thread.height = *words.height;
+  thread.start_radius =
+      thread.external ? *words.diameter / 2 + *words.tool : *words.diameter / 2 - *words.tool;
+  // GSK-G114-04; GSK-G114-12: Q = 0 counts as omitted.
+  const Number infeed = block.words.length('Q').value_or(0);
+  thread.infeed = infeed.sign() > 0 ? min(infeed, thread.height) : thread.height;
+  // GSK-G114-02, GSK-G114-11: J and K default to the parameters, and these to 0.
+  thread.runout_length =
+      block.words.length('J').value_or(block.profile.parameter("5921").value_or(0));
+  thread.runout_angle =
+      block.words.has('K') ? block.words.written('K') : block.profile.parameter("5920").value_or(0);
+  thread.arc_path = !block.readings.is(ReadingKey::thread_path, "any");
+  thread.runout = run_out_of(block);
+  thread.feed = site.feed;  // GSK-G114-08: along the helix
+  thread.feed_mode = site.feed_mode;
+  return thread;
+}
+
+// A record counts the turns of a helix in 32 bits.
+bool has_too_many_turns(BlockContext& block, const ThreadMilling& thread) {
+  const Number turns = turns_of(thread);
+  if (turns <= Number(std::int64_t{std::numeric_limits<std::int32_t>::max()})) return false;
+  block.not_covered(
+      block.machine.milling.code, 'I',
+      fmt::format("A helix of {} turns is more than the gauge counts.", turns.ceil().text()));
+  return true;
+}
+
+}  // namespace
+
+void run_g114(BlockContext& block) {
+  if (!names_site(block)) {
+    position_only(block);  // GSK-G110-14
+    return;
+  }
+  const ThreadWords words = take_words(block);
+  const bool from_initial = block.readings.is(ReadingKey::thread_v_from, "initial");
+  const MillingSite site =
+      place_site(block, block.words.length('R').value_or(0), from_initial);  // GSK-G114-01
+  if (block.readings.is(ReadingKey::thread_direction, "alarm")) {
+    check_direction(block, site, "GSK-G114-12"_clause);
+  }
+  check_depth(block, site);
+  if (!block.out.alarms.empty()) return;
+
+  Position& position = block.machine.position;
+  position = site.centre;
+  ThreadMilling thread;
+  bool open = false;
+  if (site.depth().sign() != 0) {
+    thread = make_thread(block, site, words);
+    if (has_too_many_turns(block, thread)) return;
+    // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it.
+    open = block.open_paths == OpenPaths::judged &&
+           (!thread.arc_path ||
+            (thread.runout == ThreadRunOut::open && thread.runout_length.sign() != 0));
+    const std::array<Number, 2> end = end_of_passes(thread);
+    position[site.axes.p] = end[0];
+    position[site.axes.q] = end[1];
+  }
+  position[site.axes.d] = site.initial_plane;
+  block.out.cycle = mill(site, std::move(thread), open);
+}
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/gsk988ta/milling.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::gsk988ta {
+namespace {
+
+// The axes that a block commands, without the depth axis; their end point.
+AxisSet positioned_axes(const BlockContext& block, const PlaneAxes& axes, Position& to) {
+  const AxisSet named = commanded_end_point(block, to);
+  to[axes.d] = block.machine.position[axes.d];
+  AxisSet positioned;
+  for (Axis axis : kAllAxes) {
+    if (axis != axes.d && named.has(axis)) positioned.add(axis);
+  }
+  return positioned;
+}
+
+}  // namespace
+
+Record MillingSite::motion(RecordKind kind, ClauseId clause) const {
+  Record record;
+  record.kind = kind;
+  record.block = block;
+  record.clause = clause;
+  record.plane = plane;
+  if (kind != RecordKind::rapid) {
+    record.feed = feed;
+    record.feed_mode = feed_mode;
+  }
+  return record;
+}
+
+Record MillingSite::rapid_depth(ClauseId clause, const Number& depth) const {
+  Record record = motion(RecordKind::rapid, clause);
+  record.axes = {axes.d};
+  record.to[axes.d] = depth;
+  return record;
+}
+
+Record MillingSite::feed_depth(ClauseId clause, const Number& depth) const {
+  Record record = motion(RecordKind::feed, clause);
+  record.axes = {axes.d};
+  record.to[axes.d] = depth;
+  return record;
+}
+
+Record MillingSite::rapid_to_centre(ClauseId clause, AxisSet which) const {
+  Record record = motion(RecordKind::rapid, clause);
+  record.axes = which;
+  record.to = centre;
+  return record;
+}
+
+Record MillingSite::feed_to(ClauseId clause, const std::array<Number, 2>& to) const {
+  Record record = motion(RecordKind::feed, clause);
+  record.axes = {axes.p, axes.q};
+  record.to[axes.p] = to[0];
+  record.to[axes.q] = to[1];
+  return record;
+}
+
+Record MillingSite::arc_to(ClauseId clause, const std::array<Number, 2>& to,
+                           const std::array<Number, 2>& middle, std::int32_t rot) const {
+  Record record = feed_to(clause, to);
+  record.kind = RecordKind::arc;
+  record.centre = middle;
+  record.rot = rot;
+  return record;
+}
+
+bool names_site(const BlockContext& block) {
+  const PlaneAxes axes = axes_of(block.machine.plane);
+  return block.words.has_axis_word(axes.p) && block.words.has_axis_word(axes.q) &&
+         block.words.has_axis_word(axes.d);
+}
+
+MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_initial) {
+  const Machine& machine = block.machine;
+  MillingSite site;
+  site.block = block.line;
+  site.plane = machine.plane;
+  site.axes = axes_of(machine.plane);
+  // GSK-G110-01: the centre; GSK-G110-06: and every commanded axis but d.
+  site.positioned = positioned_axes(block, site.axes, site.centre);
+  site.initial_plane = machine.milling.initial_plane;
+  site.r_plane = site.initial_plane + r;
+  site.feed = machine.feed;
+  site.feed_mode = machine.feed_mode;
+  // GSK-G110-18: as the depth axis X is a diameter as everywhere.
+  const bool diameter =
+      site.axes.d != Axis::x || block.readings.is(ReadingKey::x_depth, "diameter");
+  const AxisWord depth = block.words.axis_word(site.axes.d, diameter).value();
+  const Number& from = depth_from_initial ? site.initial_plane : site.r_plane;
+  site.bottom = depth.incremental ? from + depth.value : depth.value;
+  return site;
+}
+
+Number r_of_pocket(const BlockContext& block) {
+  const bool modal = block.readings.is(ReadingKey::pocket_r, "modal");
+  const std::optional<Number> r =
+      modal ? block.machine.milling.retained_r : block.words.length('R');
+  return r.value_or(0);
+}
+
+void position_only(BlockContext& block) {
+  if (!block.readings.is(ReadingKey::missing_axis, "position")) return;
+  Position to;
+  const AxisSet moved = positioned_axes(block, axes_of(block.machine.plane), to);
+  if (moved.empty()) return;
+  Record record = block.motion(RecordKind::rapid, "GSK-G110-14"_clause, {});
+  record.axes = moved;
+  record.to = to;
+  block.machine.position = to;
+  block.put(std::move(record));
+}
+
+void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause) {
+  const Number r = site.r_plane - site.initial_plane;
+  if (r.sign() * (site.bottom - site.r_plane).sign() >= 0) return;
+  block.alarm(AlarmClass::direction_conflict, clause, 'R',
+              "R leads away from the bottom to be milled.");
+}
+
+void check_depth(BlockContext& block, const MillingSite& site) {
+  if (site.depth().sign() != 0) {
+    block.need_feed();
+  } else if (block.readings.is(ReadingKey::zero_depth, "alarm")) {
+    block.alarm(AlarmClass::value_out_of_range, "GSK-G110-17"_clause,
+                addresses_of(site.axes.d).absolute, "There is no depth to be milled.");
+  }
+}
+
+void check_needed(BlockContext& block, std::span<const NeededWord> words, bool mills,
+                  ClauseId missing, ClauseId positive) {
+  for (const NeededWord& word : words) {
+    if (!word.value) {
+      block.missing(missing, word.address);
+    } else if (mills && word.value->sign() <= 0) {
+      const bool here = block.words.has(word.address);
+      block.alarm(AlarmClass::value_out_of_range, positive, word.address,
+                  here ? fmt::format("{} must be above zero.", word.address)
+                       : fmt::format("The retained {} is not above zero.", word.address));
+    }
+  }
+}
+
+void check_tool_radius(BlockContext& block, ClauseId clause) {
+  const MillingMode& mode = block.machine.milling;
+  if (!mode.radius || !mode.tool || *mode.radius > *mode.tool) return;
+  block.alarm(AlarmClass::tool_too_large, clause, 'I',
+              fmt::format("The pocket radius {} is not larger than the tool radius {}.",
+                          mode.radius->text(), mode.tool->text()));
+}
+
+void take_in_pocket_words(BlockContext& block) {
+  MillingMode& mode = block.machine.milling;
+  if (block.changed_pair && block.readings.is(ReadingKey::pocket_pair, "each")) {
+    mode.radius = mode.step = mode.turns = mode.infeed = mode.tool = std::nullopt;
+  }
+  const BlockWords& words = block.words;
+  if (auto value = words.length('I')) mode.radius = value;
+  if (auto value = words.length('D')) mode.tool = value;
+  if (auto value = words.length('R')) mode.retained_r = value;
+  if (mode.family() == CycleFamily::helix) {
+    if (words.has('L')) mode.turns = words.written('L');
+    return;
+  }
+  if (auto value = words.length('L')) mode.step = value;
+  if (auto value = words.length('Q')) mode.infeed = value;
+  if (auto value = words.length('P')) mode.retained_clearance = value;
+}
+
+bool is_entry(const BlockContext& block) {
+  return block.entered_cycle ||
+         (block.changed_pair && block.readings.is(ReadingKey::pocket_pair, "each"));
+}
+
+}  // namespace gonogo::reference::gsk988ta

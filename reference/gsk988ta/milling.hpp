@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the milling cycles G110 to G117 have in common: where a block mills, and the words that
+// their modes retain.
+#pragma once
+
+#include <span>
+
+#include "reference/gsk988ta/machine.hpp"
+
+namespace gonogo::reference::gsk988ta {
+
+// Where one block mills; mm as true lengths.
+struct MillingSite {
+  std::uint64_t block = 0;
+  Plane plane = Plane::g18;
+  PlaneAxes axes{};
+  Position centre;     // of the plane, and other axes that are commanded
+  AxisSet positioned;  // the axes that are positioned with it: every commanded one but d
+  Number initial_plane;
+  Number r_plane;
+  Number bottom;
+  Number feed;
+  FeedMode feed_mode = FeedMode::per_minute;
+
+  Number depth() const { return abs(bottom - r_plane); }
+  std::array<Number, 2> plane_centre() const { return {centre[axes.p], centre[axes.q]}; }
+
+  Record motion(RecordKind kind, ClauseId clause) const;
+  Record rapid_depth(ClauseId clause, const Number& depth) const;
+  Record feed_depth(ClauseId clause, const Number& depth) const;
+  Record rapid_to_centre(ClauseId clause, AxisSet which) const;
+  // A motion in the plane to a point of it.
+  Record feed_to(ClauseId clause, const std::array<Number, 2>& to) const;
+  Record arc_to(ClauseId clause, const std::array<Number, 2>& to,
+                const std::array<Number, 2>& middle, std::int32_t rot) const;
+};
+
+// Whether the block names all three axes of the plane: only then it mills (GSK-G110-14).
+bool names_site(const BlockContext& block);
+// GSK-G110-01: the site, with `r` from the initial to the R plane. `depth_from_initial`: an
+// increment of the depth word counts from the initial plane. REQUIRES: names_site.
+MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_initial = false);
+// GSK-MOD-03: R of the block, or the one that the mode retains.
+Number r_of_pocket(const BlockContext& block);
+// GSK-G110-14 under gsk.missing-axis = position: the plane axes that are there are positioned.
+void position_only(BlockContext& block);
+
+// GSK-G110-04: R must not lead away from the bottom; R = 0 agrees with all, and so does no depth.
+void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause);
+// GSK-G110-17: a site without depth is an alarm or needs no feed; any other needs one.
+void check_depth(BlockContext& block, const MillingSite& site);
+
+// A word that a mode retains, or that a block gives.
+struct NeededWord {
+  char address;
+  const std::optional<Number>& value;
+};
+// Missing words; in a block that mills also those that are not above zero.
+void check_needed(BlockContext& block, std::span<const NeededWord> words, bool mills,
+                  ClauseId missing, ClauseId positive);
+// GSK-G110-03, GSK-G112-02: I > D.
+void check_tool_radius(BlockContext& block, ClauseId clause);
+// GSK-MOD-02: I, L, Q, D, R and P that the mode takes in from every block, milling or not.
+void take_in_pocket_words(BlockContext& block);
+// Whether the words that the mode needs are looked for in this block: it enters the mode, or mills.
+bool is_entry(const BlockContext& block);
+
+}  // namespace gonogo::reference::gsk988ta

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The clause catalog against the source: each clause is carried, and no other is spoken of.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "reference/clause.hpp"
+
+namespace gonogo::reference {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = GONOGO_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+// All ids of the form GSK-G94-02 that a file speaks of, in code or comments.
+std::set<std::string> ids_in(const std::string& text) {
+  static const std::regex kId(R"(\bGSK-[A-Z]+[0-9]*-[0-9]{2}\b)");
+  std::set<std::string> ids;
+  for (std::sregex_iterator it(text.begin(), text.end(), kId), end; it != end; ++it) {
+    ids.insert(it->str());
+  }
+  return ids;
+}
+
+std::set<std::string> catalog_ids() {
+  std::set<std::string> ids;
+  for (const Clause& clause : clauses()) ids.emplace(clause.id);
+  return ids;
+}
+
+TEST(Catalog, EveryClauseStandsInTheFileThatItNames) {
+  for (const Clause& clause : clauses()) {
+    ASSERT_TRUE(fs::is_regular_file(kRoot / clause.carrier)) << clause.id << " " << clause.carrier;
+    EXPECT_TRUE(ids_in(read(kRoot / clause.carrier)).contains(std::string(clause.id)))
+        << clause.id << " in " << clause.carrier;
+  }
+}
+
+TEST(Catalog, EveryClauseThatTheReferenceNamesStandsInIt) {
+  const std::set<std::string> known = catalog_ids();
+  std::size_t named = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "reference")) {
+    const fs::path& path = entry.path();
+    if (path.extension() != ".cpp" && path.extension() != ".hpp") continue;
+    for (const std::string& id : ids_in(read(path))) {
+      ++named;
+      EXPECT_TRUE(known.contains(id)) << id << " in " << fs::relative(path, kRoot);
+    }
+  }
+  EXPECT_GE(named, known.size());
+}
+
+TEST(Catalog, NoIdStandsTwice) {
+  EXPECT_EQ(catalog_ids().size(), clauses().size());
+}
+
+TEST(Catalog, EveryIdHasTheFormOfOne) {
+  for (const Clause& clause : clauses()) {
+    const std::set<std::string> only = {std::string(clause.id)};
+    EXPECT_EQ(ids_in(std::string(clause.id)), only);
+  }
+}
+
+TEST(Catalog, EveryClauseSaysSomethingAndWhereItStands) {
+  for (const Clause& clause : clauses()) {
+    EXPECT_FALSE(clause.source.empty()) << clause.id;
+    EXPECT_FALSE(clause.text.empty()) << clause.id;
+    EXPECT_TRUE(clause.text.ends_with('.')) << clause.id;
+  }
+}
+
+TEST(Catalog, AClauseIsFoundByItsPlace) {
+  constexpr ClauseId kId = "GSK-G94-02"_clause;
+  EXPECT_EQ(clause(kId).id, "GSK-G94-02");
+  EXPECT_EQ(clause_name(kId), "GSK-G94-02");
+  EXPECT_EQ(clause_name(kNoClause), "");
+}
+
+TEST(Catalog, TheLevelsHaveTheirNames) {
+  EXPECT_EQ(name(ClauseLevel::must), "must");
+  EXPECT_EQ(name(ClauseLevel::derived), "derived");
+  EXPECT_EQ(name(ClauseLevel::open), "open");
+}
+
+// A sample of each level, from the text: the cycle's path is said, the taper limit follows from
+// the figures, the way home after the last layer is left open.
+TEST(Catalog, ALevelSaysHowFirmlyAClauseStands) {
+  EXPECT_EQ(clause("GSK-G94-03"_clause).level, ClauseLevel::must);
+  EXPECT_EQ(clause("GSK-G94-09"_clause).level, ClauseLevel::derived);
+  EXPECT_EQ(clause("GSK-G110-13"_clause).level, ClauseLevel::open);
+}
+
+TEST(Catalog, ACodeIsEitherOutsideOrWithoutEffect) {
+  std::set<std::string_view> names;
+  for (const OutsideCode& code : outside_codes("gsk988ta")) {
+    EXPECT_TRUE(names.insert(code.code).second) << code.code;
+    EXPECT_FALSE(code.title.empty()) << code.code;
+  }
+  for (std::string_view code : codes_without_effect("gsk988ta")) {
+    EXPECT_TRUE(names.insert(code).second) << code;
+  }
+  EXPECT_TRUE(names.contains("G71"));
+  EXPECT_TRUE(names.contains("G83"));
+  EXPECT_TRUE(names.contains("G40"));
+}
+
+TEST(Catalog, AnotherDialectHasNoCodesHere) {
+  EXPECT_TRUE(outside_codes("fanuc").empty());
+  EXPECT_TRUE(codes_without_effect("fanuc").empty());
+}
+
+}  // namespace
+}  // namespace gonogo::reference

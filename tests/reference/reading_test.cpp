@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of readings and how a run of the reference asks it.
+#include "reference/reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace gonogo::reference {
+namespace {
+
+TEST(Reading, TheTableIsInTheOrderOfItsKeys) {
+  ASSERT_EQ(readings().size(), kReadings);
+  for (std::size_t i = 0; i < kReadings; ++i) {
+    EXPECT_EQ(index(readings()[i].key), i) << readings()[i].name;
+  }
+}
+
+TEST(Reading, EachHasANameOfItsOwnAndIsFoundByIt) {
+  std::set<std::string_view> names;
+  for (const Reading& entry : readings()) {
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_EQ(find_reading(entry.name), &entry);
+    EXPECT_EQ(&reading(entry.key), &entry);
+  }
+  EXPECT_EQ(find_reading("gsk.pocket"), nullptr);
+  EXPECT_EQ(find_reading(""), nullptr);
+}
+
+TEST(Reading, EachIsAChoiceBetweenTwoAtLeast) {
+  for (const Reading& entry : readings()) {
+    const std::set<std::string_view> different(entry.alternatives.begin(),
+                                               entry.alternatives.end());
+    EXPECT_EQ(different.size(), entry.alternatives.size()) << entry.name;
+    EXPECT_FALSE(different.contains("any")) << entry.name;
+    // What a property judges may leave one given path beside "any"; a length is any number.
+    EXPECT_GE(different.size(), entry.is_length || entry.by_properties ? 1U : 2U) << entry.name;
+  }
+}
+
+TEST(Reading, EachDefaultIsOneOfItsChoices) {
+  for (const Reading& entry : readings()) {
+    EXPECT_TRUE(admits(entry, entry.fallback)) << entry.name;
+    // "any" by default only where a property judges; else the default is an alternative.
+    EXPECT_EQ(entry.fallback == "any", entry.by_properties) << entry.name;
+  }
+}
+
+TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {
+  for (const Reading& entry : readings()) {
+    EXPECT_EQ(entry.dialect, "gsk988ta") << entry.name;
+    EXPECT_TRUE(entry.name.starts_with("gsk.")) << entry.name;
+    EXPECT_LT(entry.clause, clauses().size()) << entry.name;
+    EXPECT_FALSE(entry.text.empty()) << entry.name;
+  }
+}
+
+TEST(Reading, AnAlternativeIsWrittenAsItStands) {
+  const Reading& end = reading(ReadingKey::pocket_end);
+  EXPECT_TRUE(admits(end, "initial"));
+  EXPECT_TRUE(admits(end, "r-plane"));
+  EXPECT_TRUE(admits(end, "any"));
+  for (std::string_view value : {"", "Initial", "initial ", "r_plane", "0"}) {
+    EXPECT_FALSE(admits(end, value)) << value;
+  }
+}
+
+TEST(Reading, ALengthIsAnyExactNumberFromZero) {
+  const Reading& clearance = reading(ReadingKey::pocket_p_omitted);
+  for (std::string_view value : {"0", "0.5", "1", "1/3"}) EXPECT_TRUE(admits(clearance, value));
+  for (std::string_view value : {"-0.001", "", "one", "1 mm"}) {
+    EXPECT_FALSE(admits(clearance, value)) << value;
+  }
+}
+
+TEST(Reading, ANewChoiceIsTheDefaults) {
+  const ReadingChoice choice;
+  for (const Reading& entry : readings()) {
+    EXPECT_TRUE(choice.is(entry.key, entry.fallback)) << entry.name;
+  }
+}
+
+TEST(Reading, AnAlternativeThatIsChosenIsTheOnlyOneThatHolds) {
+  for (const Reading& entry : readings()) {
+    if (entry.is_length) continue;
+    for (std::string_view chosen : entry.alternatives) {
+      ReadingChoice choice;
+      choice.set(entry.key, chosen);
+      const ReadingsInUse in_use(choice);
+      for (std::string_view other : entry.alternatives) {
+        EXPECT_EQ(in_use.is(entry.key, other), other == chosen) << entry.name << " = " << chosen;
+      }
+      EXPECT_FALSE(in_use.is(entry.key, "any")) << entry.name;
+    }
+  }
+}
+
+TEST(Reading, AnyShowsTheFirstAlternative) {
+  ReadingChoice choice;
+  choice.set(ReadingKey::pocket_end, "any");
+  const ReadingsInUse in_use(choice);
+  EXPECT_TRUE(in_use.is(ReadingKey::pocket_end, "initial"));
+  EXPECT_FALSE(in_use.is(ReadingKey::pocket_end, "r-plane"));
+  EXPECT_FALSE(in_use.is(ReadingKey::pocket_end, "any"));
+}
+
+TEST(Reading, AnyThatPropertiesJudgeStaysOpen) {
+  ReadingChoice choice;
+  choice.set(ReadingKey::pocket_path, "any");
+  const ReadingsInUse in_use(choice);
+  EXPECT_TRUE(in_use.is(ReadingKey::pocket_path, "any"));
+  EXPECT_FALSE(in_use.is(ReadingKey::pocket_path, "semicircles"));
+}
+
+TEST(Reading, ALengthIsItsNumber) {
+  ReadingChoice choice;
+  choice.set(ReadingKey::pocket_p_omitted, "0.25");
+  EXPECT_EQ(ReadingsInUse(choice).length(ReadingKey::pocket_p_omitted), exact::Number(1) / 4);
+}
+
+TEST(Reading, OneThatIsAskedIsTouched) {
+  const ReadingChoice choice;
+  const ReadingsInUse in_use(choice);
+  EXPECT_TRUE(in_use.touched().empty());
+  in_use.is(ReadingKey::x_depth, "radius");
+  in_use.length(ReadingKey::pocket_p_omitted);
+  EXPECT_TRUE(in_use.touched(ReadingKey::x_depth));
+  EXPECT_FALSE(in_use.touched(ReadingKey::pocket_end));
+  const std::vector<ReadingKey> touched = {ReadingKey::pocket_p_omitted, ReadingKey::x_depth};
+  EXPECT_EQ(in_use.touched(), touched);
+}
+
+}  // namespace
+}  // namespace gonogo::reference
