@@ -62,19 +62,26 @@ Axis longest_axis(const Motion& motion) {
   return longest;
 }
 
+// Whether `got` is the exact value, or that correctly rounded.
+bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
+               const JudgeTerms& terms) {
+  const Number difference = abs(exact - got);
+  if (difference.sign() == 0) return true;
+  if (resolution && difference * 2 <= *resolution) return true;
+  // Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
+  return terms.binary64 && difference <= scaled_down(exact, 51);
+}
+
 }  // namespace
 
 bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms) {
-  if (reference.feed_mode != subject.feed_mode) return false;
-  const Number difference = abs(reference.feed - subject.feed);
-  if (difference.sign() == 0) return true;
-  if (terms.feed_resolution && difference * 2 <= *terms.feed_resolution) return true;
-  // Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
-  return terms.binary64 && difference <= scaled_down(reference.feed, 51);
+  return reference.feed_mode == subject.feed_mode &&
+         rounds_to(reference.feed, subject.feed, terms.feed_resolution, terms);
 }
 
-CurveMatch::CurveMatch(const Motion& reference, const JudgeTerms& terms)
-    : reference_(reference), terms_(terms) {}
+CurveMatch::CurveMatch(const Motion& reference, const JudgeTerms& terms,
+                       std::optional<OpenArc> open)
+    : reference_(reference), terms_(terms), open_(std::move(open)) {}
 
 MatchResult CurveMatch::match(const Motion& subject) {
   const Record& want = reference_.record;
@@ -97,11 +104,32 @@ MatchResult CurveMatch::match(const Motion& subject) {
     case RecordKind::arc:
       result = chord ? match_chord(subject) : match_arc(subject);
       break;
+    case RecordKind::thread:
+      return match_thread(subject);
     default:
       return departs(Departure::undecided, "No rule compares this kind of motion.");
   }
   if (result.departure == Departure::none && !feeds_agree(want, got, terms_)) {
     return departs(Departure::feed, "The feed differs.");
+  }
+  return result;
+}
+
+// A line whose lead counts instead of a feed. The spindle angle is that of its beginning: of the
+// first of several pieces.
+MatchResult CurveMatch::match_thread(const Motion& subject) {
+  const Record& want = reference_.record;
+  const Record& got = subject.record;
+  const bool begins = agree(subject.from, reference_.from, terms_.tolerance);
+  const MatchResult result = match_line(subject);
+  if (result.departure != Departure::none) return result;
+  if (!rounds_to(want.lead, got.lead, terms_.resolution, terms_)) {
+    return departs(Departure::feed, "The lead differs.");
+  }
+  const Number turn = 360;
+  const Number apart = got.start - want.start - turn * ((got.start - want.start) / turn).floor();
+  if (begins && !rounds_to(0, min(apart, turn - apart), terms_.resolution, terms_)) {
+    return departs(Departure::geometry, "The thread starts at another angle of the spindle.");
   }
   return result;
 }
@@ -136,14 +164,39 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
 }
 
+bool CurveMatch::ends_at(const Position& point) const {
+  if (!open_) return agree(point, reference_.to(), terms_.tolerance);
+  const PlaneAxes axes = reference::axes_of(reference_.record.plane);
+  for (Axis axis : kAllAxes) {
+    if (axis == axes.p || axis == axes.q) continue;
+    if (!agree(point[axis], reference_.to()[axis], terms_.tolerance)) return false;
+  }
+  return open_->starts->admits(open_->end,
+                               {point[axes.p] - open_->origin.p, point[axes.q] - open_->origin.q});
+}
+
+bool CurveMatch::centre_agrees(const Record& arc) const {
+  const std::array<Number, 2>& want = reference_.record.centre;
+  if (!open_) {
+    return agree(want[0], arc.centre[0], terms_.tolerance) &&
+           agree(want[1], arc.centre[1], terms_.tolerance);
+  }
+  return open_->starts->admits(open_->centre,
+                               {arc.centre[0] - open_->origin.p, arc.centre[1] - open_->origin.q});
+}
+
 // Whether the circle about the reference's centre passes through the box round the point: the box's
 // nearest and farthest distances from the centre enclose the radius.
-bool CurveMatch::on_circle(const Position& point, const Number& tolerance) const {
+bool CurveMatch::on_circle(const Position& point, Number tolerance) const {
   const PlaneVector v = from_centre(reference_.record, point);
   const PlaneVector a = from_centre(reference_.record, reference_.from);
   const PlaneVector b = from_centre(reference_.record, reference_.to());
-  const Number start_2 = a.p * a.p + a.q * a.q;
-  const Number end_2 = b.p * b.p + b.q * b.q;
+  Number start_2 = a.p * a.p + a.q * a.q;
+  Number end_2 = b.p * b.p + b.q * b.q;
+  if (open_) {
+    start_2 = end_2 = open_->radius * open_->radius;
+    tolerance += open_->slack;
+  }
   const Number p = abs(v.p);
   const Number q = abs(v.q);
   const Number near_p = max(p - tolerance, 0);
@@ -185,8 +238,7 @@ int CurveMatch::on_helix(const Position& point, double turns) const {
 MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
   const double whole = approximate_turns(reference_);
   const double progress = arc_progress_ + turns;
-  if (agree(subject.to(), reference_.to(), terms_.tolerance) &&
-      std::abs(progress - whole) < kQuarterTurn) {
+  if (ends_at(subject.to()) && std::abs(progress - whole) < kQuarterTurn) {
     arc_progress_ = progress;
     return {Departure::none, true, {}};
   }
@@ -208,22 +260,22 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   if ((want.rot < 0) != (got.rot < 0)) {
     return departs(Departure::sense, "The arc turns the wrong way.");
   }
-  for (std::size_t i : {0U, 1U}) {
-    if (!agree(want.centre[i], got.centre[i], terms_.tolerance)) {
-      return departs(Departure::geometry, "The centre of the arc differs.");
-    }
-  }
-  double turns = approximate_turns(subject);
+  if (!centre_agrees(got)) return departs(Departure::geometry, "The centre of the arc differs.");
+  const double turns = approximate_turns(subject);
   const PlaneAxes axes = reference::axes_of(got.plane);
-  const bool closes = std::abs(got.rot) == 1 &&
-                      agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
+  const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
   if (!closes) return end_of_piece(subject, turns);
-  // Start and end agree: the nil and the full turn are tried, and the one that fits is taken.
-  const double small = turns < 0.5 ? turns : turns - 1;
-  MatchResult full = end_of_piece(subject, small + 1);
-  if (full.departure == Departure::none) return full;
-  return end_of_piece(subject, small);
+  // Start and end agree: the nil and the full turn are tried, and the one that fits is taken. After
+  // other whole turns, a turn that the arc does make is no nil one.
+  const double before = std::abs(got.rot) - 1;
+  const double part = turns - before;
+  const double small = part < 0.5 ? part : part - 1;
+  MatchResult full = end_of_piece(subject, before + small + 1);
+  if (full.departure == Departure::none || (before > 0 && part >= 0.5)) return full;
+  MatchResult nil = end_of_piece(subject, before + small);
+  const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;
+  return open ? full : nil;
 }
 
 // A straight cut as a chord of the arc: its ends on the curve, and the sagitta within the chord
@@ -248,8 +300,7 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   const double whole = approximate_turns(reference_);
   const double progress = arc_progress_ + turns;
   const Number granted = terms_.tolerance + terms_.chord;
-  if (agree(subject.to(), reference_.to(), terms_.tolerance) &&
-      std::abs(progress - whole) < kQuarterTurn) {
+  if (ends_at(subject.to()) && std::abs(progress - whole) < kQuarterTurn) {
     arc_progress_ = progress;
     return {Departure::none, true, {}};
   }

@@ -27,24 +27,96 @@ std::string point_text(const reference::Position& point, reference::AxisSet axes
   return text + "}";
 }
 
-std::string level_text(const reference::PocketLevel& level) {
-  const reference::PlaneAxes axes = reference::axes_of(level.plane);
+namespace {
+
+using NamedNumber = std::pair<std::string_view, const Number*>;
+
+// What pockets and threads have in common: block, plane, centre with the depth, numbers, sense.
+std::string item_text(std::string_view kind, const auto& item, const Number& depth,
+                      std::initializer_list<NamedNumber> numbers) {
+  const reference::PlaneAxes axes = reference::axes_of(item.plane);
   reference::Position at;
-  at[axes.p] = level.centre[0];
-  at[axes.q] = level.centre[1];
-  at[axes.d] = level.depth;
+  at[axes.p] = item.centre[0];
+  at[axes.q] = item.centre[1];
+  at[axes.d] = depth;
   std::string text =
-      fmt::format("{{\"k\":\"level\",\"b\":{},\"plane\":\"G{}\",\"centre\":{}", level.block,
-                  reference::plane_code(level.plane), point_text(at, {axes.p, axes.q, axes.d}));
-  for (const auto& [key, value] : {std::pair("pocket_radius", &level.pocket_radius),
-                                   std::pair("tool_radius", &level.tool_radius),
-                                   std::pair("step", &level.step), std::pair("f", &level.feed)}) {
+      fmt::format("{{\"k\":\"{}\",\"b\":{},\"plane\":\"G{}\",\"centre\":{}", kind, item.block,
+                  reference::plane_code(item.plane), point_text(at, {axes.p, axes.q, axes.d}));
+  for (const auto& [key, value] : numbers) {
     text += fmt::format(",\"{}\":", key);
     value->append_json(text);
   }
-  text += fmt::format(",\"rot\":\"{}\",\"clause\":\"{}\"}}", level.sense < 0 ? "-" : "+",
-                      reference::clause_name(level.clause));
+  text += fmt::format(",\"rot\":\"{}\",\"clause\":\"{}\"}}", item.sense < 0 ? "-" : "+",
+                      reference::clause_name(item.clause));
   return text;
+}
+
+}  // namespace
+
+std::string level_text(const reference::PocketLevel& level) {
+  return item_text("level", level, level.depth,
+                   {{"pocket_radius", &level.pocket_radius},
+                    {"tool_radius", &level.tool_radius},
+                    {"step", &level.step},
+                    {"f", &level.feed}});
+}
+
+std::string thread_text(const reference::ThreadMilling& thread, const Number& pass) {
+  const Number radius = thread.radius_of_pass(pass);
+  const Number passes = thread.passes();
+  return item_text("thread-pass", thread, thread.bottom,
+                   {{"pass", &pass},
+                    {"passes", &passes},
+                    {"radius", &radius},
+                    {"r_plane", &thread.r_plane},
+                    {"lead", &thread.lead},
+                    {"f", &thread.feed}});
+}
+
+std::string helix_text(const reference::HelixPocket& pocket) {
+  const Number turns = pocket.turns;
+  return item_text("helix-pocket", pocket, pocket.bottom,
+                   {{"r_plane", &pocket.r_plane},
+                    {"radius", &pocket.radius},
+                    {"turns", &turns},
+                    {"f", &pocket.feed}});
+}
+
+namespace {
+
+template <typename... Cases>
+struct Overload : Cases... {
+  using Cases::operator()...;
+};
+
+}  // namespace
+
+std::string step_text(const ReferenceStep& step) {
+  return std::visit(
+      Overload{[](const Motion& motion) { return record_text(motion.record); },
+               [](const reference::Record& record) { return record_text(record); },
+               [](const reference::PocketLevel& level) { return level_text(level); },
+               [](const reference::HelixPocket& pocket) { return helix_text(pocket); },
+               [](const reference::ThreadMilling& thread) { return thread_text(thread, 1); },
+               [](const reference::AlarmReport& report) { return alarms_text(report); },
+               [](const auto&) { return std::string(); }},
+      step);
+}
+
+reference::ClauseId clause_of(const ReferenceStep& step) {
+  return std::visit(Overload{[](const Motion& motion) { return motion.record.clause; },
+                             [](const reference::Record& record) { return record.clause; },
+                             [](const reference::PocketLevel& level) { return level.clause; },
+                             [](const reference::HelixPocket& pocket) { return pocket.clause; },
+                             [](const reference::ThreadMilling& thread) { return thread.clause; },
+                             [](const auto&) { return reference::kNoClause; }},
+                    step);
+}
+
+std::uint64_t block_of(const ReferenceStep& step) {
+  return std::visit(Overload{[](const Motion& motion) { return motion.record.block; },
+                             [](const auto& item) { return item.block; }},
+                    step);
 }
 
 std::string alarms_text(const reference::AlarmReport& report) {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "oracle/region/level.hpp"
+#include "oracle/judge/reference_stream.hpp"
 #include "oracle/subject.hpp"
 #include "reference/outcome.hpp"
 
@@ -13,8 +13,15 @@ namespace gonogo::oracle {
 
 std::string record_text(const reference::Record& record);
 std::string level_text(const reference::PocketLevel& level);
+// A thread with the pass that is due.
+std::string thread_text(const reference::ThreadMilling& thread, const Number& pass);
+std::string helix_text(const reference::HelixPocket& pocket);
 std::string alarms_text(const reference::AlarmReport& report);
 std::string alarm_text(const SubjectAlarm& alarm);
+// What a step of the reference says, its clause and its block; nothing for those that need none.
+std::string step_text(const ReferenceStep& step);
+reference::ClauseId clause_of(const ReferenceStep& step);
+std::uint64_t block_of(const ReferenceStep& step);
 // {"x":"1","z":"2"}
 std::string point_text(const reference::Position& point, reference::AxisSet axes);
 // Exact, as in a record but without quotes round it; and rounded to nine decimals.

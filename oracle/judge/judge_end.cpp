@@ -85,16 +85,10 @@ void ProgramJudge::ends_early(const ReferenceStep& step, const std::string& got)
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   verdict.got = got;
-  if (auto* motion = std::get_if<Motion>(&step)) {
-    verdict.clause = motion->record.clause;
-    verdict.block = motion->record.block;
-    verdict.want = record_text(motion->record);
-    verdict.witness = point_text(position_, {Axis::x, Axis::y, Axis::z});
-  } else if (auto* record = std::get_if<Record>(&step)) {
-    verdict.clause = record->clause;
-    verdict.block = record->block;
-    verdict.want = record_text(*record);
-  }
+  verdict.clause = clause_of(step);
+  verdict.block = block_of(step);
+  verdict.want = step_text(step);
+  verdict.witness = point_text(position_, {Axis::x, Axis::y, Axis::z});
   verdict.record = records_;
   verdict.message = "The trace ends before this motion.";
   decide(std::move(verdict));
@@ -136,6 +130,10 @@ void ProgramJudge::judge_ok_end() {
       decide_gap(outside->message);
     } else if (auto* level = std::get_if<PocketLevel>(&step)) {
       finish_level(*level, position_);
+    } else if (end_open_path(position_)) {
+      continue;
+    } else if (std::optional<Verdict> unfinished = unfinished_open_path()) {
+      decide(*std::move(unfinished));
     } else if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
       rename(*renaming);
     } else if (auto* record = std::get_if<Record>(&step)) {
@@ -212,6 +210,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       finish_level(*level, position_);
       continue;
     }
+    if (!at_load && end_open_path(position_)) continue;
     auto* record = std::get_if<Record>(&step);
     if (record != nullptr && record->kind == RecordKind::end) {
       Verdict verdict;

@@ -88,10 +88,6 @@ bool JudgeSession::record(const Record& record) {
   return undecided;
 }
 
-std::vector<ReadingKey> JudgeSession::touched() const {
-  return judges_.front()->touched();
-}
-
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   SessionVerdict result;
   result.open = open_;

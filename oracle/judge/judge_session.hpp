@@ -28,8 +28,6 @@ class JudgeSession {
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   SessionVerdict finish(const RunEnd& end);
-  // Readings that mattered under the first assignment.
-  std::vector<reference::ReadingKey> touched() const;
 
  private:
   std::vector<reference::ReadingChoice> choices_;

@@ -177,7 +177,7 @@ void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) 
   if (known) last_level_->depth = level.depth;
   level_motions_.clear();
   level_records_.clear();
-  reference_.stand_at(at);
+  reference_.go_on_from(at);
   reference_.advance();
 }
 

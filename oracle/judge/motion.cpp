@@ -18,8 +18,14 @@ Motion motion_from(const Position& from, const Record& record, std::size_t numbe
   return motion;
 }
 
+void shift(Position& position, const Position& by) {
+  for (Axis axis : kAllAxes) position[axis] += by[axis];
+}
+
 bool agree(const Number& a, const Number& b, const Number& tolerance) {
-  return abs(a - b) <= tolerance;
+  // Not by abs(): the sign of a difference that is zero cannot be decided for enclosures.
+  const Number difference = a - b;
+  return difference <= tolerance && -difference <= tolerance;
 }
 
 bool agree(const Position& a, const Position& b, const Number& tolerance) {
@@ -88,10 +94,14 @@ double approximate_turns(const Motion& arc) {
   const PlaneVector b = from_centre(arc.record, arc.to());
   const int sense = arc.record.rot < 0 ? -1 : 1;
   const TurnedVector t = turned(a, b, sense);
-  const bool whole = t.across.sign() == 0 && t.along.sign() >= 0;
-  double fraction =
-      whole ? 1.0
-            : std::atan2(approximate(t.across), approximate(t.along)) / (2 * std::numbers::pi);
+  const double along = approximate(t.along);
+  const double across = approximate(t.across);
+  // Far from a whole turn nothing has to be decided, which enclosures of equal values could not be;
+  // near it their equality is looked at first, which shows for one and the same expression.
+  constexpr double kNear = 1e-6;
+  const bool near_whole = along >= 0 && std::abs(across) <= kNear * along;
+  const bool whole = near_whole && ((a.p == b.p && a.q == b.q) || t.across.sign() == 0);
+  double fraction = whole ? 1.0 : std::atan2(across, along) / (2 * std::numbers::pi);
   if (fraction < 0) fraction += 1.0;
   return fraction + static_cast<double>(std::abs(arc.record.rot) - 1);
 }

@@ -28,6 +28,9 @@ struct Motion {
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);
 
+// The same point under the names that a renaming of the position gives: new less old coordinate.
+void shift(Position& position, const Position& by);
+
 // Whether no axis differs by more than `tolerance`.
 bool agree(const Position& a, const Position& b, const Number& tolerance);
 bool agree(const Number& a, const Number& b, const Number& tolerance);

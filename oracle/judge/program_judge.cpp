@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "oracle/judge/evidence.hpp"
 
 namespace gonogo::oracle {
 
-using reference::kAllAxes;
+using reference::HelixPocket;
 using reference::PocketLevel;
+using reference::ThreadMilling;
 
 namespace {
 
@@ -20,10 +23,10 @@ bool may_mean_nil(const Motion& motion, bool reference_dropped_arc) {
 
 }  // namespace
 
-bool RecordBudget::allows(std::size_t records) {
+bool RecordBudget::allows(std::size_t records, std::size_t live) {
   constexpr std::size_t kFactor = 10;
   constexpr std::size_t kSlack = 1'000;
-  while (records > kFactor * counted_ + kSlack) {
+  while (records > kFactor * std::max(counted_, live) + kSlack) {
     if (complete_) return false;
     complete_ = expander_.next() == nullptr;
     if (!complete_) ++counted_;
@@ -56,7 +59,7 @@ bool ProgramJudge::record(const Record& record) {
   if (verdict_) return false;
   ++records_;
   try {
-    if (!budget_.allows(records_)) {
+    if (!budget_.allows(records_, reference_.items())) {
       Verdict verdict;
       verdict.kind = VerdictKind::fail_overrun;
       verdict.block = record.block;
@@ -88,7 +91,9 @@ void ProgramJudge::take_record(const Record& record) {
   }
   switch (record.kind) {
     case RecordKind::m:
-      if (terms_.compare_m) got_m_.push_back(record);
+      if (terms_.compare_m) {
+        got_m_.push_back({record, record.block != 0 && record.block == moved_block_});
+      }
       settle_m_functions(false);
       break;
     case RecordKind::dwell:
@@ -107,14 +112,13 @@ void ProgramJudge::take_record(const Record& record) {
 }
 
 void ProgramJudge::rename(const reference::Renaming& renaming) {
-  for (Axis axis : kAllAxes) {
-    position_[axis] += renaming.shift[axis];
-    anchor_[axis] += renaming.shift[axis];
-  }
+  shift(position_, renaming.shift);
+  shift(anchor_, renaming.shift);
   reference_.advance();
 }
 
 void ProgramJudge::follow_renamings(std::uint64_t block) {
+  end_open_path_before(block);
   while (!verdict_ && reference_.renaming_ahead()) {
     flush_pending();
     if (verdict_) return;
@@ -155,6 +159,7 @@ void ProgramJudge::take_motion(const Record& record) {
   }
   position_ = motion.to();
   moved_ = true;
+  moved_block_ = record.block;
   // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
   // cannot add up unseen. Arcs stay: they may mean a full turn.
   if (record.kind != RecordKind::arc && agree(motion.from, anchor_, terms_.tolerance) &&
@@ -169,17 +174,17 @@ void ProgramJudge::take_motion(const Record& record) {
 
 void ProgramJudge::flush_pending() {
   if (!pending_) return;
-  const Motion motion = *std::move(pending_);
+  Motion motion = *std::move(pending_);
   pending_.reset();
-  process(motion);
+  process(std::move(motion));
 }
 
-void ProgramJudge::process(const Motion& motion) {
+void ProgramJudge::process(Motion motion) {
   while (!verdict_ && !process_step(motion)) {
   }
 }
 
-bool ProgramJudge::process_step(const Motion& motion) {
+bool ProgramJudge::process_step(Motion& motion) {
   if (after_alarm_) return true;
   const ReferenceStep& step = reference_.current();
   if (auto* want = std::get_if<Motion>(&step)) return match_motion(motion, *want);
@@ -187,6 +192,14 @@ bool ProgramJudge::process_step(const Motion& motion) {
     if (collect(motion, *level)) return true;
     if (!verdict_) finish_level(*level, motion.from);
     return false;
+  }
+  if (auto* thread = std::get_if<ThreadMilling>(&step)) {
+    const OpenPathAnswer answer = thread_judge(*thread).take(motion);
+    return follow_open_path(answer, motion);
+  }
+  if (auto* pocket = std::get_if<HelixPocket>(&step)) {
+    const OpenPathAnswer answer = helix_pocket_judge(*pocket).take(motion);
+    return follow_open_path(answer, motion);
   }
   if (std::holds_alternative<reference::AlarmReport>(step)) {
     after_alarm_ = motion;
@@ -212,16 +225,17 @@ bool ProgramJudge::process_step(const Motion& motion) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
   verdict.message = "The subject moves after the end of the program.";
-  if (record.kind == RecordKind::dwell) {
-    verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
-    verdict.message = "The subject moves where a dwell is due.";
-  }
   verdict.block = motion.record.block;
   verdict.clause = record.clause;
   verdict.record = motion.number;
   verdict.want = record_text(record);
   verdict.got = record_text(motion.record);
   verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  if (record.kind == RecordKind::dwell) {
+    verdict.message = "The subject moves where a dwell is due.";
+    // Goes on in the reference: `record` is gone after it.
+    verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
+  }
   decide(std::move(verdict));
   return true;
 }
@@ -263,156 +277,6 @@ bool ProgramJudge::means_nothing(const Motion& motion, const Motion& want) const
     return false;
   }
   return may_mean_nil(motion, reference_.dropped_arc());
-}
-
-// Whether the motion is one that the reference makes later on.
-bool ProgramJudge::fits_later(const Motion& motion) {
-  constexpr int kLookAhead = 200;
-  for (int i = 0; i < kLookAhead && !reference_.at_end(); ++i) {
-    reference_.advance();
-    const Motion* later = std::get_if<Motion>(&reference_.current());
-    if (later == nullptr) continue;
-    MatchResult result = CurveMatch(*later, terms_).match(motion);
-    if (result.departure == Departure::none && result.done &&
-        !agree(motion.from, motion.to(), terms_.tolerance) &&
-        agree(motion.from, later->from, terms_.tolerance)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void ProgramJudge::report_departure(const MatchResult& result, const Motion& motion,
-                                    const Motion& want) {
-  if (result.departure == Departure::undecided) {
-    decide_gap(result.reason);
-    return;
-  }
-  Verdict verdict;
-  verdict.clause = want.record.clause;
-  verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;
-  verdict.record = motion.number;
-  verdict.want = record_text(want.record);
-  verdict.got = record_text(motion.record);
-  verdict.message = result.reason;
-  if (result.departure == Departure::feed) {
-    verdict.kind = VerdictKind::fail_feed;
-    verdict.word = 'F';
-  } else {
-    verdict.witness = point_text(motion.to(), moved_axes(motion, 0) | moved_axes(want, 0));
-    const Number deviation = largest_difference(motion.to(), want.to());
-    if (deviation.sign() != 0) {
-      verdict.deviation_exact = exact_text(deviation);
-      verdict.deviation_mm = millimetres_text(deviation);
-    }
-    verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
-  }
-  decide(std::move(verdict));
-}
-
-// Whether ends and centres are exact, or correctly rounded, for the grade of a pass.
-void ProgramJudge::note_match(const Motion& motion, const Motion& want) {
-  auto compare = [&](const Number& got, const Number& exact) {
-    const Number difference = abs(got - exact);
-    if (difference.sign() == 0) return;
-    exact_ = false;
-    const bool half = terms_.resolution && difference * 2 <= *terms_.resolution;
-    // Half a unit in the last place of a double is at most 2^-53 of its value.
-    const bool nearest = terms_.binary64 && difference <= abs(got) * Number::binary(1, -53);
-    rounded_ = rounded_ && (terms_.binary64 ? nearest : half);
-  };
-  for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);
-  if (motion.record.kind != RecordKind::arc) return;
-  for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], want.record.centre[i]);
-}
-
-void ProgramJudge::take_dwell(const Record& record) {
-  while (!verdict_) {
-    const ReferenceStep& step = reference_.current();
-    if (auto* level = std::get_if<PocketLevel>(&step)) {
-      finish_level(*level, position_);
-      continue;
-    }
-    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
-      rename(*renaming);
-      continue;
-    }
-    const Record* want = std::get_if<Record>(&step);
-    if (want != nullptr && want->kind == RecordKind::m) {
-      take_m_functions();
-      continue;
-    }
-    if (std::holds_alternative<reference::NotCovered>(step)) {
-      decide_gap(std::get<reference::NotCovered>(step).message);
-      return;
-    }
-    if (after_alarm_ || std::holds_alternative<reference::AlarmReport>(step)) {
-      if (!after_alarm_) after_alarm_ = motion_from(position_, record, records_ - 1);
-      return;
-    }
-    const bool expected = want != nullptr && want->kind == RecordKind::dwell;
-    const bool block = expected && (!terms_.compare_blocks || want->block == record.block);
-    const Number difference = expected ? abs(want->seconds - record.seconds) : Number(0);
-    const bool same = difference.sign() == 0 ||
-                      (terms_.binary64 && difference <= want->seconds * Number::binary(1, -51)) ||
-                      (terms_.resolution && difference * 2 <= *terms_.resolution);
-    if (block && same) {
-      reference_.advance();
-      return;
-    }
-    Verdict verdict;
-    verdict.kind = expected ? VerdictKind::fail_geometry : VerdictKind::fail_order;
-    verdict.record = records_ - 1;
-    verdict.block = record.block;
-    verdict.got = record_text(record);
-    if (want != nullptr) {
-      verdict.want = record_text(*want);
-      verdict.clause = want->clause;
-    } else if (auto* motion = std::get_if<Motion>(&step)) {
-      verdict.want = record_text(motion->record);
-      verdict.clause = motion->record.clause;
-    }
-    verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
-    decide(std::move(verdict));
-  }
-}
-
-void ProgramJudge::take_m_functions() {
-  want_m_.push_back(std::get<Record>(reference_.current()));
-  reference_.advance();
-  settle_m_functions(false);
-}
-
-// M functions are compared in their order, wherever among the motions of their block they stand.
-void ProgramJudge::settle_m_functions(bool at_end) {
-  if (!terms_.compare_m) return;
-  auto differs = [&](const Record* want, const Record* got) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_order;
-    verdict.block = want != nullptr ? want->block : got->block;
-    if (want != nullptr) verdict.clause = want->clause;
-    if (want != nullptr) verdict.want = record_text(*want);
-    if (got != nullptr) verdict.got = record_text(*got);
-    verdict.word = 'M';
-    verdict.message = "The M functions passed on differ.";
-    decide(std::move(verdict));
-  };
-  while (!want_m_.empty() && !got_m_.empty() && !verdict_) {
-    const Record& want = want_m_.front();
-    const Record& got = got_m_.front();
-    if (want.m != got.m || (terms_.compare_blocks && want.block != got.block)) {
-      differs(&want, &got);
-      return;
-    }
-    want_m_.pop_front();
-    got_m_.pop_front();
-  }
-  if (!at_end || verdict_) return;
-  if (!want_m_.empty()) {
-    differs(&want_m_.front(), nullptr);
-  } else if (!got_m_.empty()) {
-    differs(nullptr, &got_m_.front());
-  }
 }
 
 }  // namespace gonogo::oracle

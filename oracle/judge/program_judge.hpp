@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/helix_pocket_judge.hpp"
 #include "oracle/judge/reference_stream.hpp"
+#include "oracle/judge/thread_judge.hpp"
 #include "oracle/region/level.hpp"
 #include "oracle/verdict.hpp"
 
@@ -29,7 +31,9 @@ class RecordBudget {
  public:
   RecordBudget(const reference::Profile& profile, std::string_view program)
       : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
-  bool allows(std::size_t records);
+  // `live` counts what the judge's own reference has put out. It counts too, because a subject's
+  // own path may end elsewhere than the one that is shown, and other blocks follow from that.
+  bool allows(std::size_t records, std::size_t live);
 
  private:
   ProgramInput input_;
@@ -47,8 +51,6 @@ class ProgramJudge {
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
 
-  // The readings that mattered so far.
-  std::vector<reference::ReadingKey> touched() const { return reference_.readings().touched(); }
   // How far the comparison came, in items of the reference.
   std::size_t progress() const { return reference_.items(); }
 
@@ -56,9 +58,10 @@ class ProgramJudge {
   void take_record(const Record& record);
   void take_motion(const Record& record);
   void flush_pending();
-  void process(const Motion& motion);
-  // One step of the reference against one motion; true when the motion is used up.
-  bool process_step(const Motion& motion);
+  void process(Motion motion);
+  // One step of the reference against one motion; true when the motion is used up. A path that ends
+  // within the motion leaves the rest of it.
+  bool process_step(Motion& motion);
   bool match_motion(const Motion& motion, const Motion& want);
   bool reached(const Motion& want, const Position& at) const;
   bool means_nothing(const Motion& motion, const Motion& want) const;
@@ -77,6 +80,16 @@ class ProgramJudge {
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);
 
+  // Threads and helical pockets, in open_path_steps.cpp.
+  ThreadJudge& thread_judge(const reference::ThreadMilling& thread);
+  HelixPocketJudge& helix_pocket_judge(const reference::HelixPocket& pocket);
+  bool follow_open_path(const OpenPathAnswer& answer, Motion& motion);
+  // Goes on after the current open path, which ends `here`; false when it is none or incomplete.
+  bool end_open_path(const Position& here);
+  // The same before a record of a later block.
+  void end_open_path_before(std::uint64_t block);
+  std::optional<Verdict> unfinished_open_path();
+
   // The end of the subject, in judge_end.cpp.
   void judge_ok_end();
   void judge_alarm_end(const SubjectAlarm& alarm);
@@ -87,6 +100,7 @@ class ProgramJudge {
 
   void decide(Verdict verdict);
   void decide_gap(std::string message);
+  // In departure.cpp.
   void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);
   bool fits_later(const Motion& motion);
 
@@ -110,8 +124,16 @@ class ProgramJudge {
   std::vector<region::LevelMotion> last_motions_;
   Position last_plunge_;
 
+  std::optional<ThreadJudge> thread_;  // while the reference's step is one
+  std::optional<HelixPocketJudge> helix_pocket_;
+
   std::deque<Record> want_m_;
-  std::deque<Record> got_m_;
+  struct GotM {
+    Record record;
+    bool after_motion;  // of its block
+  };
+  std::deque<GotM> got_m_;
+  std::uint64_t moved_block_ = 0;  // of the last motion
 
   std::optional<Verdict> verdict_;
   std::optional<Motion> after_alarm_;  // motion in or after the block that should have alarmed

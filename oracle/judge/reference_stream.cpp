@@ -29,30 +29,28 @@ ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::Lin
       position_(profile.initial.at),
       anchor_(position_) {}
 
-// Takes one item in; true when something became ready.
-bool ReferenceStream::take(const reference::Item& item) {
+void ReferenceStream::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
   if (record != nullptr && record->kind == RecordKind::m) {
-    if (!terms_.compare_m) return false;
-    ready_.emplace_back(*record);
-    return true;
+    if (terms_.compare_m) ready_.emplace_back(*record);
+    return;
   }
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
-    return false;
+    return;
   }
-  if (record != nullptr && is_motion(record->kind)) return take_motion(*record);
+  if (record != nullptr && is_motion(record->kind)) {
+    take_motion(*record);
+    return;
+  }
   if (auto* renaming = std::get_if<reference::Renaming>(&item)) {
-    for (Axis axis : reference::kAllAxes) {
-      position_[axis] += renaming->shift[axis];
-      anchor_[axis] += renaming->shift[axis];
-    }
+    shift(position_, renaming->shift);
+    shift(anchor_, renaming->shift);
   }
-  const bool flushed = flush();
+  flush();
   std::visit([this](const auto& step) { ready_.emplace_back(step); }, item);
-  return flushed || !ready_.empty();
 }
 
-bool ReferenceStream::take_motion(const Record& record) {
+void ReferenceStream::take_motion(const Record& record) {
   Motion motion = motion_from(position_, record, items_);
   position_ = motion.to();
   if (!terms_.compare_blocks) motion.record.block = 0;
@@ -60,20 +58,23 @@ bool ReferenceStream::take_motion(const Record& record) {
   if (agree(motion.from, anchor_, terms_.tolerance) &&
       agree(motion.to(), anchor_, terms_.tolerance) && !nearly_full_turn(motion)) {
     dropped_arc_ = dropped_arc_ || record.kind == RecordKind::arc;
-    return false;
+    return;
   }
   anchor_ = motion.to();
-  if (pending_ && join(*pending_, motion)) return false;
-  const bool flushed = flush();
+  if (pending_ && join(*pending_, motion)) return;
+  flush();
   pending_ = std::move(motion);
-  return flushed;
 }
 
-bool ReferenceStream::flush() {
-  if (!pending_) return false;
+void ReferenceStream::flush() {
+  if (!pending_) return;
   ready_.emplace_back(*std::move(pending_));
   pending_.reset();
-  return true;
+}
+
+void ReferenceStream::stand_at(const Position& position) {
+  go_on_from(position);
+  expander_.stand_at(position);
 }
 
 // Until a step is ready that is no M function: those do not hold up the motions round them.

@@ -16,7 +16,8 @@ namespace gonogo::oracle {
 struct JudgeTerms;
 
 // What the subject has to do next. M functions come as they are met.
-using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::Renaming,
+using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
+                                   reference::ThreadMilling, reference::Renaming,
                                    reference::AlarmReport, reference::NotCovered>;
 
 class ReferenceStream {
@@ -31,8 +32,13 @@ class ReferenceStream {
   void advance();
   bool at_end();
 
-  // After a level the reference stands where the subject left it.
-  void stand_at(const Position& position) { position_ = anchor_ = position; }
+  // After a level the reference goes on from where the subject left it: the cycle says where it
+  // ends in the plane.
+  void go_on_from(const Position& position) { position_ = anchor_ = position; }
+  // After a path that is open the reference stands where the subject left it; blocks that follow
+  // start from there in the plane. Only while that step is the current one: nothing of a later
+  // block has been asked for then.
+  void stand_at(const Position& position);
   const Position& position() const { return position_; }
   // Whether an arc too small to see was dropped since the last motion. Only then may an arc of the
   // subject that closes within the tolerance mean nothing at all.
@@ -45,9 +51,9 @@ class ReferenceStream {
 
  private:
   void pull();
-  bool take(const reference::Item& item);
-  bool take_motion(const Record& record);
-  bool flush();
+  void take(const reference::Item& item);
+  void take_motion(const Record& record);
+  void flush();
 
   const JudgeTerms& terms_;
   reference::Expander expander_;

@@ -31,6 +31,8 @@ struct AddItem {
 
   bool operator()(const reference::Record& record) const { return sampler.add(record); }
   bool operator()(const reference::PocketLevel&) const { return true; }
+  bool operator()(const reference::HelixPocket&) const { return true; }
+  bool operator()(const reference::ThreadMilling&) const { return true; }
   bool operator()(const reference::Renaming& renaming) const {
     sampler.rename(renaming.shift);
     return true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "judging.hpp"
 
+#include <fmt/format.h>
+
 #include <sstream>
 #include <stdexcept>
 
@@ -9,7 +11,14 @@
 namespace gonogo::oracle {
 
 Verdict judge_trace(std::string_view program, std::string_view trace, std::string_view reading) {
+  Judging judging;
+  judging.reading = reading;
+  return judge_trace(program, trace, judging);
+}
+
+Verdict judge_trace(std::string_view program, std::string_view trace, const Judging& judging) {
   reference::Profile profile;
+  const std::string_view reading = judging.reading;
   if (!reading.empty()) {
     const std::size_t equals = reading.find('=');
     if (set_reading(profile, reading.substr(0, equals), reading.substr(equals + 1))) {
@@ -17,8 +26,13 @@ Verdict judge_trace(std::string_view program, std::string_view trace, std::strin
     }
   }
   SubjectInfo subject;
-  subject.features = {"blocks"};
-  const JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);
+  if (judging.blocks) subject.features.insert("blocks");
+  if (judging.m) subject.features.insert("m");
+  if (judging.binary64) subject.numeric_kind = "binary64";
+  if (!judging.resolution.empty()) subject.resolution = Number::parse(judging.resolution);
+  std::optional<Number> chord;
+  if (!judging.chord.empty()) chord = Number::parse(judging.chord);
+  const JudgeTerms terms = make_terms(subject, profile, std::nullopt, chord);
   TraceReader reader;
   std::vector<reference::Record> records;
   RunEnd end;
@@ -35,6 +49,46 @@ Verdict judge_trace(std::string_view program, std::string_view trace, std::strin
     }
   }
   return judge_outcome(profile, program, terms, records, end).verdict;
+}
+
+std::string TraceText::axes(std::initializer_list<AxisTo> to) const {
+  std::string text;
+  for (const AxisTo& each : to) {
+    text += fmt::format("{}\"{}\":\"{:.{}f}\"", text.empty() ? "" : ",", each.axis, each.value,
+                        decimals_);
+  }
+  return "{" + text + "}";
+}
+
+TraceText& TraceText::rapid(std::initializer_list<AxisTo> to) {
+  return line(fmt::format(R"({{"k":"rapid","b":{},"to":{}}})", block_, axes(to)));
+}
+
+TraceText& TraceText::feed(std::initializer_list<AxisTo> to) {
+  return line(fmt::format(R"({{"k":"feed","b":{},"to":{},"f":"{}"}})", block_, axes(to), feed_));
+}
+
+TraceText& TraceText::arc(std::string_view plane, std::initializer_list<AxisTo> centre, int rot,
+                          std::initializer_list<AxisTo> to) {
+  return line(fmt::format(R"({{"k":"arc","b":{},"plane":"{}","c":{},"rot":{},"to":{},"f":"{}"}})",
+                          block_, plane, axes(centre), rot, axes(to), feed_));
+}
+
+TraceText& TraceText::line(std::string_view json) {
+  text_ += json;
+  text_ += '\n';
+  return *this;
+}
+
+TraceText& TraceText::decimals(int count) {
+  decimals_ = count;
+  return *this;
+}
+
+TraceText& TraceText::block(int block, double feed) {
+  block_ = block;
+  feed_ = feed;
+  return *this;
 }
 
 }  // namespace gonogo::oracle

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/clearance.hpp"
+
+#include <vector>
+
+#include "oracle/region/arc.hpp"
+
+namespace gonogo::oracle {
+
+using exact::Number;
+using region::Interval;
+using region::PlanePoint;
+
+namespace {
+
+constexpr int kMaximumStretches = 20'000;
+
+// A point on the free side of the limit by more than the slack's reach, or the evidence.
+Clearance clearance_of_point(const PlanePoint& point, const Keep& keep) {
+  const Number d2 = norm_squared(point);
+  const Number bound = keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack;
+  const bool clear = keep.outside ? bound.sign() <= 0 || d2 >= bound * bound : d2 <= bound * bound;
+  if (clear) return {};
+  return {Clearance::Kind::touches, point, abs(exact::sqrt(d2) - keep.radius)};
+}
+
+const PlanePoint& farther(const PlanePoint& a, const PlanePoint& b) {
+  return norm_squared(a) < norm_squared(b) ? b : a;
+}
+
+// The point of [from, to] nearest to zero.
+const Number& nearest(const Number& from, const Number& to, const Number& zero) {
+  if (from.sign() * to.sign() <= 0) return zero;
+  return abs(from) < abs(to) ? from : to;
+}
+
+// The distance of a stretch from the origin.
+Interval distance_of(const region::Arc& arc, const region::Stretch& stretch) {
+  const Interval radius = hull(stretch.ra, stretch.rb);
+  const Interval centre = norm(arc.c);
+  if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo > 0)) {
+    return {absolute(centre - radius).lo, (centre + radius).hi};
+  }
+  const Interval along = projection(stretch.ua, stretch.ub, arc.c);
+  return square_root(norm_squared(arc.c) + square(radius) + Interval{2, 2} * radius * along);
+}
+
+// +1 on the free side, -1 beyond the limit, 0 neither for sure.
+int side(const Interval& distance, const Interval& bound, bool outside) {
+  if (outside ? distance.lo >= bound.hi : distance.hi <= bound.lo) return 1;
+  return (outside ? distance.hi < bound.lo : distance.lo > bound.hi) ? -1 : 0;
+}
+
+Clearance halve(const region::Arc& arc, const Keep& keep) {
+  const Interval bound =
+      region::enclose(keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack);
+  std::vector<region::Stretch> open{whole(arc)};
+  bool undecided = false;
+  for (int budget = kMaximumStretches; !open.empty() && budget > 0; --budget) {
+    const region::Stretch stretch = open.back();
+    open.pop_back();
+    if (side(distance_of(arc, stretch), bound, keep.outside) > 0) continue;
+    const auto parts = halves(stretch);
+    const region::IntervalVector point = arc.c + parts[0].rb * parts[0].ub;
+    if (side(norm(point), bound, keep.outside) < 0) {
+      const PlanePoint witness{region::to_number(point.x.middle()),
+                               region::to_number(point.y.middle())};
+      return {Clearance::Kind::touches, witness,
+              abs(exact::sqrt(norm_squared(witness)) - keep.radius)};
+    }
+    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < 1e-10 && !stretch.wide &&
+        stretch.turns == 0) {
+      undecided = true;
+      continue;
+    }
+    open.insert(open.end(), parts.begin(), parts.end());
+  }
+  if (undecided || !open.empty()) return {Clearance::Kind::undecided, {}, {}};
+  return {};
+}
+
+}  // namespace
+
+Clearance clearance_of_line(const PlanePoint& from, const PlanePoint& to, const Keep& keep) {
+  if (!keep.outside) return clearance_of_point(farther(from, to), keep);
+  const PlanePoint along = to - from;
+  const Number length_2 = norm_squared(along);
+  const Number at = -dot(from, along);
+  if (length_2.sign() == 0 || at.sign() <= 0) return clearance_of_point(from, keep);
+  if (at >= length_2) return clearance_of_point(to, keep);
+  const Number part = at / length_2;
+  return clearance_of_point({from.p + part * along.p, from.q + part * along.q}, keep);
+}
+
+Clearance clearance_of_box(const PlanePoint& from, const PlanePoint& to, const Keep& keep) {
+  if (keep.outside) {
+    const Number zero = 0;
+    return clearance_of_point({nearest(from.p, to.p, zero), nearest(from.q, to.q, zero)}, keep);
+  }
+  return clearance_of_point(
+      {abs(from.p) < abs(to.p) ? to.p : from.p, abs(from.q) < abs(to.q) ? to.q : from.q}, keep);
+}
+
+Clearance clearance_of_arc(const region::LevelMotion& motion, const Keep& keep) {
+  for (const PlanePoint& end : {motion.from, motion.to}) {
+    Clearance clearance = clearance_of_point(end, keep);
+    if (clearance.kind != Clearance::Kind::clear) return clearance;
+  }
+  if (motion.from == motion.centre || motion.to == motion.centre) {
+    return {Clearance::Kind::undecided, {}, {}};
+  }
+  return halve(region::make_arc(motion, {Number(0), Number(0)}), keep);
+}
+
+}  // namespace gonogo::oracle

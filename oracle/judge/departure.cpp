@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ProgramJudge's part for the answer to one motion: how it departs, or how well it matches.
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/program_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::kAllAxes;
+
+// Whether the motion is one that the reference makes later on.
+bool ProgramJudge::fits_later(const Motion& motion) {
+  constexpr int kLookAhead = 200;
+  for (int i = 0; i < kLookAhead && !reference_.at_end(); ++i) {
+    reference_.advance();
+    const Motion* later = std::get_if<Motion>(&reference_.current());
+    if (later == nullptr) continue;
+    MatchResult result = CurveMatch(*later, terms_).match(motion);
+    if (result.departure == Departure::none && result.done &&
+        !agree(motion.from, motion.to(), terms_.tolerance) &&
+        agree(motion.from, later->from, terms_.tolerance)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ProgramJudge::report_departure(const MatchResult& result, const Motion& motion,
+                                    const Motion& want) {
+  if (result.departure == Departure::undecided) {
+    decide_gap(result.reason);
+    return;
+  }
+  Verdict verdict;
+  verdict.clause = want.record.clause;
+  verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(motion.record);
+  verdict.message = result.reason;
+  if (result.departure == Departure::feed) {
+    verdict.kind = VerdictKind::fail_feed;
+    verdict.word = 'F';
+  } else {
+    verdict.witness = point_text(motion.to(), moved_axes(motion, 0) | moved_axes(want, 0));
+    const Number deviation = largest_difference(motion.to(), want.to());
+    if (deviation.sign() != 0) {
+      verdict.deviation_exact = exact_text(deviation);
+      verdict.deviation_mm = millimetres_text(deviation);
+    }
+    verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
+  }
+  decide(std::move(verdict));
+}
+
+// Whether ends and centres are exact, or correctly rounded, for the grade of a pass.
+void ProgramJudge::note_match(const Motion& motion, const Motion& want) {
+  auto compare = [&](const Number& got, const Number& exact) {
+    const Number difference = abs(got - exact);
+    if (difference.sign() == 0) return;
+    exact_ = false;
+    const bool half = terms_.resolution && difference * 2 <= *terms_.resolution;
+    // Half a unit in the last place of a double is at most 2^-53 of its value.
+    const bool nearest = terms_.binary64 && difference <= abs(got) * Number::binary(1, -53);
+    rounded_ = rounded_ && (terms_.binary64 ? nearest : half);
+  };
+  for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);
+  if (motion.record.kind != RecordKind::arc) return;
+  for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], want.record.centre[i]);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/helix_pocket_judge.hpp"
+
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+
+using reference::operator""_clause;
+
+namespace {
+
+const Number kHalf = Number(1) / 2;
+
+}  // namespace
+
+HelixPocketJudge::HelixPocketJudge(const reference::HelixPocket& item, const JudgeTerms& terms)
+    : item_(item), terms_(terms), axes_(reference::axes_of(item.plane)) {
+  shape_.block = item.block;
+  shape_.clause = "GSK-G112-05"_clause;
+  shape_.plane = item.plane;
+  shape_.centre = item.centre;
+  shape_.radius = item.radius;
+  shape_.top = item.r_plane;
+  shape_.bottom = item.bottom;
+  shape_.turns = item.turns;
+  shape_.sense = item.sense;
+  shape_.feed = item.feed;
+  shape_.feed_mode = item.feed_mode;
+}
+
+reference::ClauseId HelixPocketJudge::clause() const {
+  switch (phase_) {
+    case Phase::entry:
+      return "GSK-G112-04"_clause;
+    case Phase::helix:
+    case Phase::flat:
+      return "GSK-G112-05"_clause;
+    default:
+      return "GSK-G112-06"_clause;
+  }
+}
+
+Verdict HelixPocketJudge::incomplete(const Position& position) const {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = clause();
+  verdict.block = item_.block;
+  verdict.want = helix_text(item_);
+  verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
+  verdict.message = "The pocket is not milled to its end.";
+  return verdict;
+}
+
+OpenPathAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
+  if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);
+  Verdict verdict;
+  if (result.departure == Departure::feed) {
+    verdict = departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion,
+                             helix_text(item_), "The feed of the pocket differs.");
+  } else {
+    verdict = departure_from(VerdictKind::fail_geometry, clause(), motion, helix_text(item_),
+                             result.reason);
+    if (match_) {
+      verdict.want = record_text(want_.record);
+      set_deviation(verdict, largest_difference(motion.to(), want_.to()));
+    }
+  }
+  verdict.block = item_.block;
+  return OpenPathAnswer::decide(std::move(verdict));
+}
+
+OpenPathAnswer HelixPocketJudge::take(const Motion& motion) {
+  if (phase_ == Phase::over) return OpenPathAnswer::end(motion.from);
+  if (terms_.compare_blocks && motion.record.block != item_.block) {
+    return OpenPathAnswer::decide(incomplete(motion.from));
+  }
+  if (turns_rotary_axis(motion, terms_.tolerance)) {
+    return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
+  }
+  switch (phase_) {
+    case Phase::entry:
+      return take_entry(motion);
+    case Phase::helix:
+      return take_helix(motion);
+    default:
+      return take_at_bottom(motion);
+  }
+}
+
+Motion HelixPocketJudge::semicircle(const Position& from, const Position& to) const {
+  Motion arc;
+  arc.from = from;
+  arc.record.kind = RecordKind::arc;
+  arc.record.plane = item_.plane;
+  arc.record.block = terms_.compare_blocks ? item_.block : 0;
+  arc.record.clause = clause();
+  arc.record.rot = item_.sense;
+  arc.record.feed = item_.feed;
+  arc.record.feed_mode = item_.feed_mode;
+  arc.record.axes = {axes_.p, axes_.q};
+  arc.record.to = to;
+  arc.record.centre = {(from[axes_.p] + to[axes_.p]) / 2, (from[axes_.q] + to[axes_.q]) / 2};
+  return arc;
+}
+
+// Its centre follows from a point that is known within the tolerance only.
+OpenArc HelixPocketJudge::open_semicircle(const TurnedStart& starts) const {
+  OpenArc open;
+  open.starts = &starts;
+  open.origin = {item_.centre[0], item_.centre[1]};
+  open.centre = {kHalf, 0};
+  open.radius = item_.radius / 2;
+  open.slack = terms_.tolerance / 2;
+  return open;
+}
+
+MatchResult HelixPocketJudge::match_entry(TurnedStart& starts) const {
+  Position centre = entry_.back().to();
+  centre[axes_.p] = item_.centre[0];
+  centre[axes_.q] = item_.centre[1];
+  centre[axes_.d] = item_.r_plane;
+  Position end = entry_.back().to();
+  end[axes_.d] = item_.r_plane;
+  const Motion want = semicircle(centre, end);
+  CurveMatch match(want, terms_, open_semicircle(starts));
+  MatchResult result;
+  for (const Motion& motion : entry_) {
+    result = match.match(motion);
+    if (result.departure != Departure::none) return result;
+    if (motion.record.kind != RecordKind::arc) continue;
+    starts.narrow({kHalf, 0}, {motion.record.centre[0] - item_.centre[0],
+                               motion.record.centre[1] - item_.centre[1]});
+  }
+  if (!result.done) return {Departure::geometry, false, "The entry is not a semicircle."};
+  return result;
+}
+
+OpenPathAnswer HelixPocketJudge::take_entry(const Motion& motion) {
+  const MatchResult result = open_.match(motion);
+  if (result.done) return end_helix(motion);
+  const bool begun = !open_.empty() || result.departure != Departure::none;
+  if (!agree(motion.to()[axes_.d], item_.r_plane, terms_.tolerance)) {
+    if (!begun) return wrong_entry(motion);
+    phase_ = Phase::helix;
+    return open_.empty() ? departs(result, motion) : OpenPathAnswer{};
+  }
+  if (!is_cut(motion.record.kind)) return wrong_entry(motion);
+  constexpr std::size_t kMaximumEntry = 50'000;
+  if (entry_.size() >= kMaximumEntry) {
+    return OpenPathAnswer::gap("An entry of more than 50,000 motions is not judged.");
+  }
+  entry_.push_back(motion);
+  TurnedStart starts(item_.radius, terms_.tolerance);
+  if (!starts.narrow({}, shape_.from_axis(motion.to()))) return {};
+  MatchResult entry = match_entry(starts);
+  if (entry.departure != Departure::none) {
+    if (!entry_fault_) entry_fault_ = {std::move(entry), motion};
+    return {};
+  }
+  if (!open_.add(shape_, std::move(starts), motion.to(), terms_)) {
+    return OpenPathAnswer::gap("The helix may have begun at too many points.");
+  }
+  return {};
+}
+
+// No motion so far has ended a semicircle, and this one does not go on at the R plane.
+OpenPathAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
+  if (entry_fault_) return departs(entry_fault_->first, entry_fault_->second);
+  return departs({Departure::geometry, false,
+                  "The entry is no semicircle at the R plane to the circle of the helix."},
+                 entry_.empty() ? motion : entry_.back());
+}
+
+OpenPathAnswer HelixPocketJudge::take_helix(const Motion& motion) {
+  const MatchResult result = open_.match(motion);
+  if (result.done) return end_helix(motion);
+  return result.departure == Departure::none ? OpenPathAnswer{} : departs(result, motion);
+}
+
+OpenPathAnswer HelixPocketJudge::end_helix(const Motion& motion) {
+  helix_ = open_.take_done();
+  helix_end_ = motion.to();
+  entry_.clear();
+  prepare_bottom(item_.flat ? Phase::flat : Phase::exit);
+  return {};
+}
+
+void HelixPocketJudge::prepare_bottom(Phase phase) {
+  phase_ = phase;
+  Position from = helix_end_;
+  from[axes_.d] = item_.bottom;
+  Position to = from;
+  OpenArc open = open_semicircle(helix_.front().starts());
+  if (phase == Phase::exit) {
+    to[axes_.p] = item_.centre[0];
+    to[axes_.q] = item_.centre[1];
+    open.end = {0, 0};
+  }
+  want_ = semicircle(from, to);
+  if (phase == Phase::flat) {
+    want_.record.centre = item_.centre;
+    open.centre = {0, 0};
+    open.radius = item_.radius;
+    open.slack = 0;
+  }
+  match_.emplace(want_, terms_, open);
+}
+
+OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
+  const MatchResult result = match_->match(motion);
+  if (result.departure == Departure::none) {
+    if (!result.done) return {};
+    if (phase_ == Phase::flat) {
+      prepare_bottom(Phase::exit);
+    } else {
+      phase_ = Phase::over;
+    }
+    return {};
+  }
+  // What is left of a helix or circle that ended within the tolerance of its end.
+  const bool remainder = is_cut(motion.record.kind) && !nearly_full_turn(motion) &&
+                         agree(motion.from, want_.from, terms_.tolerance * 2) &&
+                         agree(motion.to(), want_.from, terms_.tolerance * 2);
+  return remainder ? OpenPathAnswer{} : departs(result, motion);
+}
+
+}  // namespace gonogo::oracle

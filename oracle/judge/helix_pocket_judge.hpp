@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of a helical pocket that may be entered on any side (GSK-G112-04 to 06): a semicircle
+// to the circle, the helix, perhaps a flat circle, a semicircle back to the centre.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/judge/open_helix.hpp"
+#include "oracle/judge/open_path.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+class HelixPocketJudge {
+ public:
+  // `item` and `terms` must outlive the judge.
+  HelixPocketJudge(const reference::HelixPocket& item, const JudgeTerms& terms);
+  HelixPocketJudge(const HelixPocketJudge&) = delete;
+
+  // The path ends with the motion that reaches the centre at the bottom; what follows is `ended`.
+  OpenPathAnswer take(const Motion& motion);
+  bool complete() const { return phase_ == Phase::over; }
+  Verdict incomplete(const Position& position) const;
+
+ private:
+  enum class Phase { entry, helix, flat, exit, over };
+
+  OpenPathAnswer take_entry(const Motion& motion);
+  OpenPathAnswer wrong_entry(const Motion& motion) const;
+  OpenPathAnswer take_helix(const Motion& motion);
+  OpenPathAnswer end_helix(const Motion& motion);
+  OpenPathAnswer take_at_bottom(const Motion& motion);
+  // The motions so far as a semicircle that ends where the last of them does.
+  MatchResult match_entry(TurnedStart& starts) const;
+  Motion semicircle(const Position& from, const Position& to) const;
+  OpenArc open_semicircle(const TurnedStart& starts) const;
+  void prepare_bottom(Phase phase);
+  OpenPathAnswer departs(const MatchResult& result, const Motion& motion) const;
+  reference::ClauseId clause() const;
+
+  const reference::HelixPocket& item_;
+  const JudgeTerms& terms_;
+  reference::PlaneAxes axes_;
+  HelixShape shape_;
+  Phase phase_ = Phase::entry;
+  std::vector<Motion> entry_;
+  std::optional<std::pair<MatchResult, Motion>> entry_fault_;
+  OpenHelices open_;            // one for each motion that may have ended the entry
+  std::list<OpenHelix> helix_;  // the one that is complete
+  Position helix_end_;
+  Motion want_;  // at the bottom
+  std::optional<CurveMatch> match_;
+};
+
+}  // namespace gonogo::oracle

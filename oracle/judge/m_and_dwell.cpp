@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ProgramJudge's part for what is no motion: dwells, and the M functions passed on.
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/program_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::PocketLevel;
+
+void ProgramJudge::take_dwell(const Record& record) {
+  while (!verdict_) {
+    const ReferenceStep& step = reference_.current();
+    if (auto* level = std::get_if<PocketLevel>(&step)) {
+      finish_level(*level, position_);
+      continue;
+    }
+    if (end_open_path(position_)) continue;
+    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+      rename(*renaming);
+      continue;
+    }
+    const Record* want = std::get_if<Record>(&step);
+    if (want != nullptr && want->kind == RecordKind::m) {
+      take_m_functions();
+      continue;
+    }
+    if (std::holds_alternative<reference::NotCovered>(step)) {
+      decide_gap(std::get<reference::NotCovered>(step).message);
+      return;
+    }
+    if (after_alarm_ || std::holds_alternative<reference::AlarmReport>(step)) {
+      if (!after_alarm_) after_alarm_ = motion_from(position_, record, records_ - 1);
+      return;
+    }
+    const bool expected = want != nullptr && want->kind == RecordKind::dwell;
+    const bool block = expected && (!terms_.compare_blocks || want->block == record.block);
+    const Number difference = expected ? abs(want->seconds - record.seconds) : Number(0);
+    const bool same = difference.sign() == 0 ||
+                      (terms_.binary64 && difference <= want->seconds * Number::binary(1, -51)) ||
+                      (terms_.resolution && difference * 2 <= *terms_.resolution);
+    if (block && same) {
+      reference_.advance();
+      return;
+    }
+    Verdict verdict;
+    verdict.kind = expected ? VerdictKind::fail_geometry : VerdictKind::fail_order;
+    verdict.record = records_ - 1;
+    verdict.block = record.block;
+    verdict.got = record_text(record);
+    verdict.want = step_text(step);
+    verdict.clause = clause_of(step);
+    verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
+    decide(std::move(verdict));
+  }
+}
+
+void ProgramJudge::take_m_functions() {
+  want_m_.push_back(std::get<Record>(reference_.current()));
+  reference_.advance();
+  settle_m_functions(false);
+}
+
+// M functions are compared in their order, wherever among the motions of their block they stand,
+// but for those that have to come first.
+void ProgramJudge::settle_m_functions(bool at_end) {
+  if (!terms_.compare_m) return;
+  auto differs = [&](const Record* want, const Record* got) {
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_order;
+    verdict.block = want != nullptr ? want->block : got->block;
+    if (want != nullptr) verdict.clause = want->clause;
+    if (want != nullptr) verdict.want = record_text(*want);
+    if (got != nullptr) verdict.got = record_text(*got);
+    verdict.word = 'M';
+    verdict.message = "The M functions passed on differ.";
+    decide(std::move(verdict));
+  };
+  while (!want_m_.empty() && !got_m_.empty() && !verdict_) {
+    const Record& want = want_m_.front();
+    const Record& got = got_m_.front().record;
+    const bool same = want.m == got.m && (!terms_.compare_blocks || want.block == got.block);
+    const bool late = terms_.compare_blocks && want.before_motion && got_m_.front().after_motion;
+    if (!same || late) {
+      differs(&want, &got);
+      return;
+    }
+    want_m_.pop_front();
+    got_m_.pop_front();
+  }
+  if (!at_end || verdict_) return;
+  if (!want_m_.empty()) {
+    differs(&want_m_.front(), nullptr);
+  } else if (!got_m_.empty()) {
+    differs(nullptr, &got_m_.front().record);
+  }
+}
+
+}  // namespace gonogo::oracle

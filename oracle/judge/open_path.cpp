@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/open_path.hpp"
+
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+
+using reference::kAllAxes;
+
+OpenPathAnswer OpenPathAnswer::gap(std::string message) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.message = std::move(message);
+  return decide(std::move(verdict));
+}
+
+bool turns_rotary_axis(const Motion& motion, const Number& tolerance) {
+  for (Axis axis : kAllAxes) {
+    if (!reference::is_linear(axis) && !agree(motion.from[axis], motion.to()[axis], tolerance)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+                       std::string want, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.clause = clause;
+  verdict.block = motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = std::move(want);
+  verdict.got = record_text(motion.record);
+  verdict.message = std::move(message);
+  if (kind == VerdictKind::fail_feed) {
+    verdict.word = 'F';
+  } else {
+    verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
+  }
+  return verdict;
+}
+
+void set_deviation(Verdict& verdict, const Number& deviation) {
+  if (deviation.sign() == 0) return;
+  verdict.deviation_exact = exact_text(deviation);
+  verdict.deviation_mm = millimetres_text(deviation);
+}
+
+}  // namespace gonogo::oracle

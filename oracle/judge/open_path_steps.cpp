@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ProgramJudge's part for open paths: threads and helical pockets, each with a judge of its own.
+#include "oracle/judge/program_judge.hpp"
+#include "reference/gsk988ta/thread_path.hpp"
+
+namespace gonogo::oracle {
+
+using reference::HelixPocket;
+using reference::ThreadMilling;
+
+ThreadJudge& ProgramJudge::thread_judge(const ThreadMilling& thread) {
+  if (!thread_) thread_.emplace(thread, reference_.position(), terms_);
+  return *thread_;
+}
+
+HelixPocketJudge& ProgramJudge::helix_pocket_judge(const HelixPocket& pocket) {
+  if (!helix_pocket_) helix_pocket_.emplace(pocket, terms_);
+  return *helix_pocket_;
+}
+
+bool ProgramJudge::follow_open_path(const OpenPathAnswer& answer, Motion& motion) {
+  switch (answer.kind) {
+    case OpenPathAnswer::Kind::taken:
+      return true;
+    case OpenPathAnswer::Kind::decided:
+      decide(answer.verdict);
+      return true;
+    case OpenPathAnswer::Kind::ended:
+      break;
+  }
+  end_open_path(answer.here);
+  motion.from = answer.here;
+  return false;
+}
+
+bool ProgramJudge::end_open_path(const Position& here) {
+  const ReferenceStep& step = reference_.current();
+  Position at = reference_.position();
+  if (auto* thread = std::get_if<ThreadMilling>(&step)) {
+    if (!thread_judge(*thread).complete()) return false;
+    const reference::PlaneAxes axes = reference::axes_of(thread->plane);
+    // Where the subject stands, or where the reference would where that agrees.
+    const std::array<Number, 2> shown = reference::gsk988ta::end_of_passes(*thread);
+    at[axes.p] = here[axes.p];
+    at[axes.q] = here[axes.q];
+    at[axes.d] = here[axes.d];
+    if (agree(here[axes.p], shown[0], terms_.tolerance) &&
+        agree(here[axes.q], shown[1], terms_.tolerance)) {
+      at[axes.p] = shown[0];
+      at[axes.q] = shown[1];
+    }
+    if (agree(here[axes.d], thread->r_plane, terms_.tolerance)) at[axes.d] = thread->r_plane;
+    thread_.reset();
+    reference_.stand_at(at);
+  } else if (auto* pocket = std::get_if<HelixPocket>(&step)) {
+    if (!helix_pocket_judge(*pocket).complete()) return false;
+    const reference::PlaneAxes axes = reference::axes_of(pocket->plane);
+    at[axes.d] = pocket->bottom;  // above the centre, as before it
+    helix_pocket_.reset();
+    reference_.go_on_from(at);
+  } else {
+    return false;
+  }
+  reference_.advance();
+  return true;
+}
+
+void ProgramJudge::end_open_path_before(std::uint64_t block) {
+  if (block == 0) return;
+  if (pending_ && pending_->record.block < block) flush_pending();
+  if (verdict_) return;
+  const ReferenceStep& step = reference_.current();
+  auto* thread = std::get_if<ThreadMilling>(&step);
+  auto* pocket = std::get_if<HelixPocket>(&step);
+  const bool later =
+      (thread != nullptr && block > thread->block) || (pocket != nullptr && block > pocket->block);
+  if (later) end_open_path(position_);
+}
+
+std::optional<Verdict> ProgramJudge::unfinished_open_path() {
+  const ReferenceStep& step = reference_.current();
+  std::optional<Verdict> verdict;
+  if (auto* thread = std::get_if<ThreadMilling>(&step)) {
+    verdict = thread_judge(*thread).incomplete(position_);
+  } else if (auto* pocket = std::get_if<HelixPocket>(&step)) {
+    verdict = helix_pocket_judge(*pocket).incomplete(position_);
+  }
+  if (verdict) verdict->record = records_;
+  return verdict;
+}
+
+}  // namespace gonogo::oracle

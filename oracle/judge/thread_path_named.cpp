@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ThreadJudge's part for the reading gsk.thread.path = arc: a semicircle on the chord to +rho_0 on
+// p, straight infeed along p, the helix from there; after it along p to the safe position. Only the
+// run-out stays open.
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/thread_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::operator""_clause;
+
+bool ThreadJudge::prepare_named() {
+  Motion& want = line_want_;
+  want = Motion{};
+  want.from = position_;
+  want.from[axes_.d] = item_.r_plane;
+  Record& record = want.record;
+  record.to = want.from;
+  record.block = terms_.compare_blocks ? item_.block : 0;
+  record.clause = "GSK-G114-06"_clause;
+  record.feed = item_.feed;
+  record.feed_mode = item_.feed_mode;
+  record.axes = {axes_.p};
+  Number& p = record.to[axes_.p];
+  switch (step_) {
+    case Step::entry:
+      record.kind = RecordKind::arc;
+      record.plane = item_.plane;
+      record.rot = item_.sense;
+      record.axes = {axes_.p, axes_.q};
+      p = item_.centre[0] + item_.start_radius;
+      record.to[axes_.q] = item_.centre[1];
+      record.centre = {(want.from[axes_.p] + p) / 2, (want.from[axes_.q] + record.to[axes_.q]) / 2};
+      break;
+    case Step::infeed:
+      record.kind = RecordKind::feed;
+      want.from[axes_.p] = item_.centre[0] + item_.start_radius;
+      want.from[axes_.q] = record.to[axes_.q] = item_.centre[1];
+      p = item_.centre[0] + radius();
+      break;
+    default:
+      record.kind = RecordKind::rapid;
+      p = item_.centre[0] + (item_.external ? item_.start_radius + item_.runout_length
+                                            : item_.start_radius - item_.runout_length);
+      break;
+  }
+  if (agree(position_, want.to(), terms_.tolerance)) return false;
+  line_.emplace(want, terms_);
+  return true;
+}
+
+OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
+  auto next = [&] {
+    line_.reset();
+    if (step_ == Step::away) {
+      step_ = pass_ > passes_ ? Step::over : Step::entry;
+    } else {
+      step_ = step_ == Step::entry ? Step::infeed : Step::helix;
+    }
+  };
+  while (true) {
+    if (step_ == Step::over) return OpenPathAnswer::end(motion.from);
+    if (step_ == Step::helix) return take_above(motion);
+    if (!line_ && !prepare_named()) {
+      next();
+      continue;
+    }
+    const MatchResult result = line_->match(motion);
+    if (result.departure == Departure::none) {
+      if (result.done) next();
+      return {};
+    }
+    if (agree(motion.from, line_want_.to(), terms_.tolerance)) {
+      next();
+      continue;
+    }
+    if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);
+    const bool feed = result.departure == Departure::feed;
+    OpenPathAnswer answer =
+        fault(feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry,
+              feed ? "GSK-G114-08"_clause : "GSK-G114-06"_clause, motion, result.reason);
+    answer.verdict.want = record_text(line_want_.record);
+    if (!feed) {
+      set_deviation(answer.verdict, largest_difference(motion.to(), line_want_.to()));
+    }
+    return answer;
+  }
+}
+
+}  // namespace gonogo::oracle
