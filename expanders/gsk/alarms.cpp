@@ -8,7 +8,7 @@ namespace gonogo::expanders::gsk {
 
 AlarmText text_of(AlarmKind kind) {
   // In the order of AlarmKind.
-  static constexpr std::array<AlarmText, 16> kTexts{{
+  static constexpr std::array<AlarmText, 18> kTexts{{
       {"0002", "undefined-code"},      // G code that the control lacks
       {"0003", "syntax"},              // block that cannot be read
       {"0010", "duplicate-word"},      // address or code group twice in a block
@@ -24,6 +24,8 @@ AlarmText text_of(AlarmKind kind) {
       {"0193", "taper-limit"},         // taper longer than the travel against it
       {"0207", "tool-too-large"},      // I not above D
       {"0224", "step-too-large"},      // L not below the tool's diameter
+      {"0198", "depth-exceeds-tool"},  // P above D
+      {"0196", "lead-missing"},        // thread without F
       {"0230", "direction-conflict"},  // R against the depth
   }};
   return kTexts[static_cast<std::size_t>(kind)];

@@ -22,6 +22,8 @@ enum class AlarmKind {
   kTaperLimit,
   kToolTooLarge,
   kStepTooLarge,
+  kDepthExceedsTool,
+  kLeadMissing,
   kDirectionConflict
 };
 

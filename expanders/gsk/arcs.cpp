@@ -40,8 +40,11 @@ Flow centre_from_radius(Machine& machine, const Block& block, const Chord& chord
   return Flow::kContinue;
 }
 
-// The radii at start and end may differ by parameter 3410.
-bool radii_agree(Wide start_square, Wide end_square, Fixed tolerance) {
+// The radii at start and end may differ by parameter 3410; 0: by anything, or by nothing (reading
+// gsk.arc.tolerance-zero).
+bool radii_agree(const Configuration& configuration, Wide start_square, Wide end_square) {
+  const Fixed tolerance = configuration.radius_tolerance;
+  if (tolerance == 0) return !configuration.zero_tolerance_checks || start_square == end_square;
   const Wide difference = floor_root(start_square) - floor_root(end_square);
   return (difference < 0 ? -difference : difference) <= tolerance;
 }
@@ -67,7 +70,9 @@ Flow centre_from_words(Machine& machine, const Block& block, const Chord& chord,
   }
   const Wide start_square = squared(p) + squared(q);
   const Wide end_square = squared(chord.p - p) + squared(chord.q - q);
-  if (!radii_agree(start_square, end_square, machine.configuration.radius_tolerance)) {
+  // Reading gsk.arc.zero-radius.
+  if (start_square == 0) return machine.raise(AlarmKind::kArcRadius, first);
+  if (!radii_agree(machine.configuration, start_square, end_square)) {
     return machine.raise(AlarmKind::kArcEndPoint, first);
   }
   return Flow::kContinue;

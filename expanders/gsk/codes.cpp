@@ -40,14 +40,14 @@ constexpr std::array kCodes{
     Code{840, Group::kCycle, kLater},    Code{850, Group::kCycle, kLater},
     Code{860, Group::kCycle, kLater},    Code{870, Group::kCycle, kLater},
     Code{880, Group::kCycle, kLater},    Code{890, Group::kCycle, kLater},
-    Code{900, Group::kMotion, kLater},   Code{920, Group::kMotion, kLater},
+    Code{900, Group::kMotion, kFull},    Code{920, Group::kMotion, kFull},
     Code{940, Group::kMotion, kFull},    Code{960, Group::kSpindle, kNone},
     Code{970, Group::kSpindle, kNone},   Code{980, Group::kFeedMode, kFull},
     Code{990, Group::kFeedMode, kFull},  Code{1100, Group::kCycle, kFull},
-    Code{1110, Group::kCycle, kFull},    Code{1120, Group::kCycle, kLater},
-    Code{1130, Group::kCycle, kLater},   Code{1140, Group::kCycle, kLater},
-    Code{1150, Group::kCycle, kLater},   Code{1160, Group::kCycle, kLater},
-    Code{1170, Group::kCycle, kLater},
+    Code{1110, Group::kCycle, kFull},    Code{1120, Group::kCycle, kFull},
+    Code{1130, Group::kCycle, kFull},    Code{1140, Group::kCycle, kFull},
+    Code{1150, Group::kCycle, kFull},    Code{1160, Group::kCycle, kFull},
+    Code{1170, Group::kCycle, kFull},
 };
 
 constexpr std::size_t kHighest = 1170;

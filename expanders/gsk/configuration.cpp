@@ -29,6 +29,22 @@ constexpr Choice kChoices[] = {
     {"gsk.pocket.R", "per-block", "modal", &Configuration::pocket_r_modal},
     {"gsk.x-depth", "diameter", "radius", &Configuration::x_depth_radius},
     {"gsk.duplicate", "alarm", "last", &Configuration::later_wins},
+    {"gsk.g94.in-mode", "keep", "clear", &Configuration::g94_cleared_by_cycles},
+    {"gsk.zero-depth-end", "initial", "r-plane", &Configuration::zero_depth_ends_at_r_plane},
+    {"gsk.g92.lead", "own", "feed", &Configuration::lead_is_feed},
+    {"gsk.dwell-without-word", "alarm", "none", &Configuration::dwell_may_be_empty},
+    {"gsk.arc.tolerance-zero", "off", "exact", &Configuration::zero_tolerance_checks},
+    {"gsk.g50.initial-plane", "shifted", "kept", &Configuration::initial_plane_kept},
+    {"gsk.helix.entry-side", "any", "+p", &Configuration::helix_enters_at_p},
+    {"gsk.helix.flat", "off", "on", &Configuration::helix_ends_flat},
+    {"gsk.helix.L", "per-block", "modal", &Configuration::helix_turns_modal},
+    {"gsk.thread.path", "any", "arc", &Configuration::thread_path_plain},
+    {"gsk.thread.v-from", "r-plane", "initial", &Configuration::thread_depth_from_initial},
+    {"gsk.thread.mode", "pairs", "one", &Configuration::threads_one_mode},
+    {"gsk.thread.modal", "code", "none", &Configuration::thread_not_modal},
+    {"gsk.thread.direction", "alarm", "free", &Configuration::thread_direction_free},
+    {"gsk.thread.r", "optional", "required", &Configuration::thread_r_required},
+    {"gsk.thread.k-range", "360", "table", &Configuration::thread_angle_unlimited},
 };
 
 // A choice of which this machine has one outcome.
@@ -38,13 +54,21 @@ struct Settled {
 };
 
 constexpr Settled kSettled[] = {
-    {"gsk.pocket.path", "concentric"}, {"gsk.pocket.p-omitted", "0"},
-    {"gsk.helix.entry-side", "any"},   {"gsk.helix.flat", "off"},
-    {"gsk.helix.L", "per-block"},      {"gsk.thread.path", "any"},
-    {"gsk.thread.runout", "any"},      {"gsk.thread.v-from", "r-plane"},
-    {"gsk.thread.modal", "code"},      {"gsk.thread.direction", "alarm"},
-    {"gsk.thread.r", "optional"},      {"gsk.thread.k-range", "360"},
+    {"gsk.pocket.path", "concentric"},
+    {"gsk.pocket.p-omitted", "0"},
+    {"gsk.arc.zero-radius", "alarm"},
+    {"gsk.rotary-feed-inch", "scaled"},
 };
+
+std::string_view name_of(Decimals decimals) {
+  constexpr std::string_view kNames[] = {"keep", "nearest", "alarm"};
+  return kNames[static_cast<std::size_t>(decimals)];
+}
+
+std::string_view name_of(RunOut run_out) {
+  constexpr std::string_view kNames[] = {"any", "polar", "radial", "tangent"};
+  return kNames[static_cast<std::size_t>(run_out)];
+}
 
 class Reader {
  public:
@@ -173,6 +197,13 @@ bool Reader::parameters(const Json& json) {
     if (key == "3410") {
       read = decimal(key, value, configuration_.radius_tolerance);
       if (configuration_.radius_tolerance < 0) return refuse(key, value);
+    } else if (key == "5920") {
+      read = decimal(key, value, configuration_.run_out_angle);
+      const Fixed angle = configuration_.run_out_angle;
+      if (angle < 0 || angle > 360 * kOne) return refuse(key, value);
+    } else if (key == "5921") {
+      read = decimal(key, value, configuration_.run_out_distance);
+      if (configuration_.run_out_distance < 0) return refuse(key, value);
     } else if (key == "3403.6") {
       bool alarms = false;
       read = word(key, value, "0", "1", alarms);
@@ -214,14 +245,14 @@ bool Reader::reading(const std::string& key, const Json& json) {
   for (const Settled& settled : kSettled) {
     if (key == settled.key) return any || value == settled.value || refuse(key, json);
   }
-  if (key == "gsk.decimals") {
-    if (value == "nearest") {
-      configuration_.decimals = Decimals::kNearest;
-    } else if (value == "alarm") {
-      configuration_.decimals = Decimals::kAlarm;
-    } else if (!any && value != "keep") {
-      return refuse(key, json);
-    }
+  for (const Decimals decimals : {Decimals::kKeep, Decimals::kNearest, Decimals::kAlarm}) {
+    if (key != "gsk.decimals" || (!any && value != name_of(decimals))) continue;
+    configuration_.decimals = decimals;
+    return true;
+  }
+  for (const RunOut run_out : {RunOut::kOwn, RunOut::kPolar, RunOut::kRadial, RunOut::kTangent}) {
+    if (key != "gsk.thread.runout" || value != name_of(run_out)) continue;
+    configuration_.run_out = run_out;
     return true;
   }
   return refuse(key, json);

@@ -19,6 +19,19 @@ bool ends_program(Fixed m) {
   return m == 2 || m == 17 || m == 30;
 }
 
+Motion motion_of(const Code& code) {
+  switch (code.number) {
+    case 900:
+      return Motion::kTurnCycle;
+    case 920:
+      return Motion::kThreadCycle;
+    case 940:
+      return Motion::kFaceCycle;
+    default:
+      return static_cast<Motion>(code.number / 10);
+  }
+}
+
 // Stops and switch-offs run after the motion of their block, all else before (GSK-G112-01).
 bool runs_after_motion(Fixed m) {
   return ends_program(m) || m == 0 || m == 1 || m == 5 || m == 9;
@@ -80,6 +93,12 @@ Flow Interpreter::run_block() {
   if (flow == Flow::kContinue) flow = run_functions(true);
   if (flow != Flow::kContinue) return flow;
   const bool goes_on = std::visit([&](const auto& p) { return perform(machine_, p); }, plan);
+  // Reading gsk.thread.modal: no longer than its block.
+  const bool leaves =
+      machine_.configuration.thread_not_modal != machine_.has(Fault::kThreadModeLost);
+  if (leaves && is_thread_milling(mode_of(machine_.state.cycle))) {
+    machine_.state.cycle = Cycle::kNone;
+  }
   return goes_on ? run_functions(false) : Flow::kStopped;
 }
 
@@ -123,20 +142,20 @@ Flow Interpreter::take_modal_codes() {
   if (const Code* mode = block_.code(Group::kFeedMode)) state.per_revolution = mode->number == 990;
   const Flow words = check_words(machine_, block_);
   if (words != Flow::kContinue) return words;
-  const bool in_cycle = state.cycle != Cycle::kNone || state.motion == Motion::kFaceCycle;
+  const bool in_cycle = state.cycle != Cycle::kNone || is_turning_cycle(state.motion);
   const bool coded =
       block_.code(Group::kMotion) != nullptr || block_.code(Group::kCycle) != nullptr;
-  const Flow feed = take_feed(in_cycle && !coded);
-  if (feed != Flow::kContinue) return feed;
   take_cycle_code();
   take_motion_code();
+  const Flow feed = take_feed(in_cycle && !coded);
+  if (feed != Flow::kContinue) return feed;
   // GSK-G94-07, GSK-MOD-08: 00 codes but G04 clear what G94 retained.
   if (block_.code(Group::kNonModal) != nullptr) {
     const bool spared = is_dwell() ? !machine_.has(Fault::kDwellClearsTaper)
                                    : machine_.has(Fault::kTaperLeaksPastNonModal);
-    if (!spared) state.face = {};
+    if (!spared) state.turning = {};
     const bool cancels = machine_.configuration.g94_cancelled_by_00 && !is_dwell();
-    if (cancels && state.motion == Motion::kFaceCycle) state.motion = Motion::kRapid;
+    if (cancels && is_turning_cycle(state.motion)) state.motion = Motion::kRapid;
   }
   return Flow::kContinue;
 }
@@ -148,7 +167,11 @@ Flow Interpreter::take_feed(bool repeats_cycle) {
   if (repeats_cycle && machine_.has(Fault::kCycleFeedStuck)) return Flow::kContinue;
   const bool converts = machine_.state.inch && !machine_.has(Fault::kInchFeed);
   const Fixed written = block_.number('F').value;
-  machine_.state.feed = converts ? static_cast<Fixed>(scaled(written, 254, 10)) : written;
+  State& state = machine_.state;
+  const bool is_lead = state.motion == Motion::kThreadCycle && state.cycle == Cycle::kNone &&
+                       !machine_.configuration.lead_is_feed;
+  (is_lead ? state.lead : state.feed) =
+      converts ? static_cast<Fixed>(scaled(written, 254, 10)) : written;
   return Flow::kContinue;
 }
 
@@ -158,42 +181,59 @@ void Interpreter::take_cycle_code() {
   entering_ = false;
   if (const Code* code = block_.code(Group::kCycle)) {
     if (code->number == 800) {
-      state.cycle = Cycle::kNone;
-      const bool keeps = machine_.has(Fault::kG80KeepsG94) && state.motion == Motion::kFaceCycle;
-      if (!keeps) {
-        state.face = {};
-        state.motion = Motion::kRapid;
-      }
+      cancel_cycles();
     } else {
-      const Cycle cycle =
-          code->number == 1100 ? Cycle::kPocketClockwise : Cycle::kPocketCounterclockwise;
-      const bool changes = machine_.configuration.pockets_apart && cycle != state.cycle;
-      entering_ = state.cycle == Cycle::kNone || changes;
-      state.cycle = cycle;
-      state.face = {};
-      if (entering_) state.pocket = {};
+      enter_cycle(static_cast<Cycle>((code->number - 1100) / 10 + 1));
     }
   }
   if (state.cycle != Cycle::kNone && (entering_ || block_.code(Group::kPlane) != nullptr)) {
-    state.pocket.initial_plane = state.position[state.plane->d];
+    state.initial_plane = state.position[state.plane->d];
   }
+}
+
+// G80.
+void Interpreter::cancel_cycles() {
+  State& state = machine_.state;
+  const bool from_mode = state.cycle != Cycle::kNone;
+  state.cycle = Cycle::kNone;
+  if (machine_.has(Fault::kG80KeepsG94) && is_turning_cycle(state.motion)) return;
+  if (machine_.has(Fault::kG80RestoresMotion) && from_mode) return;
+  state.turning = {};
+  state.motion = Motion::kRapid;
+}
+
+void Interpreter::enter_cycle(Cycle cycle) {
+  State& state = machine_.state;
+  const Mode mode = mode_of(cycle);
+  const Mode before = mode_of(state.cycle);
+  const bool apart = machine_.configuration.pockets_apart && !is_thread_milling(mode);
+  const bool one = machine_.configuration.threads_one_mode && is_thread_milling(mode) &&
+                   is_thread_milling(before);
+  entering_ = (mode != before && !one) || (apart && cycle != state.cycle);
+  state.cycle = cycle;
+  // Reading gsk.g94.in-mode.
+  if (machine_.configuration.g94_cleared_by_cycles) state.turning = {};
+  if (!entering_) return;
+  const Retained tool = state.pocket.tool_radius;
+  state.pocket = {};
+  const bool leaks = machine_.has(Fault::kToolLeaksIntoHelix) && before == Mode::kPocket;
+  if (leaks) state.pocket.tool_radius = tool;
 }
 
 void Interpreter::take_motion_code() {
   const Code* code = block_.code(Group::kMotion);
   if (code == nullptr) return;
   State& state = machine_.state;
-  const Motion motion =
-      code->number == 940 ? Motion::kFaceCycle : static_cast<Motion>(code->number / 10);
-  const bool again =
-      motion == Motion::kFaceCycle && state.motion == motion && state.cycle == Cycle::kNone;
-  if (!again) {
+  const Motion motion = motion_of(*code);
+  if (!is_turning_cycle(motion) || state.motion != motion) {
     // GSK-G94-07: another code of the group.
-    const Retained taper = state.face.taper;
-    state.face = {};
-    if (machine_.has(Fault::kTaperLeaksPastMotion)) state.face.taper = taper;
+    const Retained taper = state.turning.taper;
+    const bool leaks = machine_.has(Fault::kTurnLeaksIntoFace) && is_turning_cycle(state.motion) &&
+                       is_turning_cycle(motion);
+    if (!leaks) state.turning = {};
+    if (machine_.has(Fault::kTaperLeaksPastMotion)) state.turning.taper = taper;
   } else if (machine_.configuration.g94_rewrite_clears && !block_.has('R')) {
-    state.face.taper = {};
+    state.turning.taper = {};
   }
   state.motion = motion;
   // GSK-G110-15
@@ -202,18 +242,22 @@ void Interpreter::take_motion_code() {
 
 // Of the codes in force one takes the words of the block.
 Flow Interpreter::prepare(Plan& plan) {
-  const State& state = machine_.state;
-  if (state.cycle != Cycle::kNone && entering_ && block_.code(Group::kNonModal) != nullptr) {
-    const Flow flow = prepare_pocket(machine_, block_, true, false, plan);
+  const bool in_cycle = machine_.state.cycle != Cycle::kNone;
+  if (in_cycle && entering_ && block_.code(Group::kNonModal) != nullptr) {
+    const Flow flow = prepare_cycle(false, plan);
     if (flow != Flow::kContinue) return flow;
   }
   if (is_dwell()) return prepare_dwell(machine_, block_, plan);
   if (block_.has_code(Group::kNonModal, 280)) return prepare_home(machine_, block_, plan);
   if (block_.has_code(Group::kNonModal, 500)) return prepare_rename(machine_, block_, plan);
-  if (state.cycle != Cycle::kNone) return prepare_pocket(machine_, block_, entering_, true, plan);
-  switch (state.motion) {
+  if (in_cycle) return prepare_cycle(true, plan);
+  switch (machine_.state.motion) {
     case Motion::kFaceCycle:
       return prepare_face_cycle(machine_, block_, plan);
+    case Motion::kTurnCycle:
+      return prepare_turn_cycle(machine_, block_, plan);
+    case Motion::kThreadCycle:
+      return prepare_thread_cycle(machine_, block_, plan);
     case Motion::kArcClockwise:
     case Motion::kArcCounterclockwise:
       return prepare_arc(machine_, block_, plan);
@@ -224,11 +268,30 @@ Flow Interpreter::prepare(Plan& plan) {
   return prepare_line(machine_, block_, plan);
 }
 
+// `mills`: the axis words of the block are the cycle's.
+Flow Interpreter::prepare_cycle(bool mills, Plan& plan) {
+  switch (mode_of(machine_.state.cycle)) {
+    case Mode::kPocket:
+      return prepare_pocket(machine_, block_, entering_, mills, plan);
+    case Mode::kHelix:
+      return prepare_helix(machine_, block_, entering_, mills, plan);
+    case Mode::kExternalThread:
+    case Mode::kInternalThread:
+      return prepare_thread_milling(machine_, block_, mills, plan);
+    case Mode::kNone:
+      break;
+  }
+  return Flow::kContinue;
+}
+
 // The M function of the block: passed on before or after its motion, and the end of the program.
 Flow Interpreter::run_functions(bool before) {
   if (!block_.has('M')) return Flow::kContinue;
   const Fixed m = block_.number('M').value / kOne;
-  if (runs_after_motion(m) == before) return Flow::kContinue;
+  const bool clamp = m == 35 && machine_.state.cycle != Cycle::kNone;
+  if (clamp && machine_.has(Fault::kClampDropped)) return Flow::kContinue;
+  const bool after = runs_after_motion(m) || (clamp && machine_.has(Fault::kClampLate));
+  if (after == before) return Flow::kContinue;
   if (!machine_.trace.function(static_cast<int>(m))) return Flow::kStopped;
   return ends_program(m) ? Flow::kEnd : Flow::kContinue;
 }

@@ -28,14 +28,17 @@ class Interpreter {
   Flow take_feed(bool repeats_cycle);
   void take_motion_code();
   void take_cycle_code();
+  void enter_cycle(Cycle cycle);
+  void cancel_cycles();
   Flow prepare(Plan& plan);
+  Flow prepare_cycle(bool mills, Plan& plan);
   Flow run_functions(bool before);
   bool is_dwell() const { return block_.has_code(Group::kNonModal, 40); }
   Flow unsupported(const char* letter, unsigned number);
 
   Machine machine_;
   Block block_;
-  bool entering_ = false;  // the block's code enters a pocket mode
+  bool entering_ = false;  // the block's code enters a mode of G110 to G117
   bool any_block_ = false;
 };
 

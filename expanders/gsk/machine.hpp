@@ -58,6 +58,9 @@ AxisWord axis_word(const Machine& machine, const Block& block, std::size_t axis,
 /// The length of `address` in mm; the word must be there.
 Fixed length_of(const Machine& machine, const Block& block, char address);
 
+/// The degrees of `address`; the word must be there.
+Fixed angle_of(const Machine& machine, const Block& block, char address);
+
 /// Stores the length of `address` when the block has it; true then.
 bool take(const Machine& machine, const Block& block, char address, Retained& store);
 
@@ -73,7 +76,8 @@ Flow commanded_point(Machine& machine, const Block& block, Point& to, Axes& axes
 /// Rules that hold for the words of every block (GSK-COM-01, GSK-COM-03).
 Flow check_words(Machine& machine, const Block& block);
 
-/// The ranges of the cycles' words, in the unit in which they are written (GSK-COM-06).
+/// The ranges of the words of the cycle in force, in the unit in which they are written
+/// (GSK-COM-06).
 Flow check_ranges(Machine& machine, const Block& block);
 
 }  // namespace gonogo::expanders::gsk

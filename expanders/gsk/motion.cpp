@@ -16,6 +16,8 @@ Flow prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
     if (dwell.seconds < 0) return machine.raise(AlarmKind::kValueSign, address);
     if (address == 'P') dwell.seconds = static_cast<Fixed>(scaled(dwell.seconds, 1, 1000));
     if (machine.has(Fault::kDwellHalved) && address == 'X') dwell.seconds /= 2;
+  } else if (!machine.configuration.dwell_may_be_empty) {
+    return machine.raise(AlarmKind::kMissingWord, 'P');  // reading gsk.dwell-without-word
   }
   plan = dwell;
   return Flow::kContinue;
@@ -35,11 +37,13 @@ Flow prepare_rename(Machine& machine, const Block& block, Plan& plan) {
   const Flow flow = commanded_point(machine, block, rename.position, axes);
   if (flow != Flow::kContinue) return flow;
   const State& state = machine.state;
-  if (state.cycle != Cycle::kNone) {
-    // The initial plane of a cycle in force is a place on the machine: it is renamed too.
+  rename.initial_plane = state.initial_plane;
+  if (state.cycle != Cycle::kNone && !machine.configuration.initial_plane_kept) {
+    // The initial plane of a cycle in force is a place on the machine: it is renamed too (reading
+    // gsk.g50.initial-plane).
     const std::size_t d = state.plane->d;
     const Fixed shift = rename.position[d] - state.position[d];
-    const Wide plane = static_cast<Wide>(state.pocket.initial_plane) + shift;
+    const Wide plane = static_cast<Wide>(state.initial_plane) + shift;
     if (!fits(plane)) return machine.raise(AlarmKind::kValueOutOfRange, 0);
     rename.initial_plane = static_cast<Fixed>(plane);
   }
@@ -78,7 +82,7 @@ bool perform(Machine& machine, const Home& home) {
 
 bool perform(Machine& machine, const Rename& rename) {
   machine.state.position = rename.position;
-  machine.state.pocket.initial_plane = rename.initial_plane;
+  machine.state.initial_plane = rename.initial_plane;
   return true;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "expanders/gsk/plan.hpp"
+#include "expanders/gsk/site.hpp"
 
 namespace gonogo::expanders::gsk {
 namespace {
@@ -57,47 +57,8 @@ Flow check_sizes(Machine& machine) {
   return Flow::kContinue;
 }
 
-// GSK-G110-01: the point to mill, and the axes of the block's words (06: all but the depth axis).
-Flow find_centre(Machine& machine, const Block& block, Pocket& pocket) {
-  const Flow flow = commanded_point(machine, block, pocket.centre, pocket.axes);
-  if (flow != Flow::kContinue) return flow;
-  const Plane& plane = *machine.state.plane;
-  pocket.centre[plane.d] = machine.state.position[plane.d];
-  if (machine.has(Fault::kRoundedCentre)) {
-    for (const std::size_t axis : {plane.p, plane.q}) {
-      Fixed& place = pocket.centre[axis];
-      place = static_cast<Fixed>(scaled(place, 1, kOne / 100)) * (kOne / 100);
-    }
-  }
-  return Flow::kContinue;
-}
-
-// GSK-G110-01, GSK-G110-04, GSK-G110-17, GSK-G110-18: R plane and depth.
-Flow find_depth(Machine& machine, const Block& block, Pocket& pocket) {
-  const PocketStore& store = machine.state.pocket;
-  const std::size_t d = machine.state.plane->d;
-  const AxisWord word = axis_word(machine, block, d, !machine.configuration.x_depth_radius);
-  Fixed to_r_plane = store.r_plane.present ? store.r_plane.value : 0;
-  if (machine.has(Fault::kRPlaneIgnored)) to_r_plane = 0;
-  pocket.initial_plane = store.initial_plane;
-  pocket.r_plane = pocket.initial_plane + to_r_plane;
-  const bool from_initial = machine.has(Fault::kDepthFromInitialPlane);
-  const Fixed bottom = target_of(word, from_initial ? pocket.initial_plane : pocket.r_plane);
-  if (!fits(pocket.r_plane) || !fits(bottom)) {
-    return machine.raise(AlarmKind::kValueOutOfRange, word.address);
-  }
-  pocket.depth = bottom - pocket.r_plane;
-  if (sign_of(to_r_plane) * sign_of(pocket.depth) < 0 && !machine.has(Fault::kDirectionUnchecked)) {
-    return machine.raise(AlarmKind::kDirectionConflict, 'R');
-  }
-  if (pocket.depth == 0 && machine.configuration.zero_depth_alarms) {
-    return machine.raise(AlarmKind::kValueOutOfRange, word.address);
-  }
-  return Flow::kContinue;
-}
-
 int commanded_sense(const Machine& machine) {
-  int rot = machine.state.cycle == Cycle::kPocketCounterclockwise ? 1 : -1;
+  int rot = sense_of(machine.state.cycle);
   if (machine.has(Fault::kG111AsG110)) rot = -1;
   if (machine.has(Fault::kSenseInG18) && machine.state.plane->number == 18) rot = -rot;
   return rot;
@@ -107,12 +68,15 @@ Flow prepare_milling(Machine& machine, const Block& block, Pocket& pocket) {
   const PocketStore& store = machine.state.pocket;
   Flow flow = check_modal_words(machine);
   if (flow == Flow::kContinue) flow = check_sizes(machine);
-  if (flow == Flow::kContinue) flow = find_depth(machine, block, pocket);
+  const DepthRules rules{.from_initial = machine.has(Fault::kDepthFromInitialPlane)};
+  if (flow == Flow::kContinue) {
+    flow = find_depth(machine, block, store.r_plane, rules, pocket.site);
+  }
   if (flow != Flow::kContinue) return flow;
-  if (pocket.depth != 0 && machine.state.feed == 0) {
+  if (pocket.site.depth != 0 && machine.state.feed == 0) {
     return machine.raise(AlarmKind::kFeedMissing, 0);  // GSK-COM-04
   }
-  pocket.step_down = store.step_down.present ? store.step_down.value : magnitude(pocket.depth);
+  pocket.step_down = store.step_down.present ? store.step_down.value : magnitude(pocket.site.depth);
   pocket.clearance = magnitude(store.clearance.value);
   if (machine.has(Fault::kClearanceSigned)) pocket.clearance = store.clearance.value;
   if (machine.has(Fault::kClearanceTwice)) pocket.clearance *= 2;
@@ -127,7 +91,7 @@ Flow prepare_milling(Machine& machine, const Block& block, Pocket& pocket) {
 bool clear_layer(Machine& machine, const Pocket& pocket) {
   const Plane& plane = *machine.state.plane;
   Trace& trace = machine.trace;
-  const Fixed centre_p = pocket.centre[plane.p];
+  const Fixed centre_p = pocket.site.centre[plane.p];
   Fixed reach = pocket.reach;
   if (machine.has(Fault::kClosingCircleMissing) && reach > pocket.step) {
     reach -= reach % pocket.step;
@@ -140,7 +104,7 @@ bool clear_layer(Machine& machine, const Pocket& pocket) {
     if (machine.has(Fault::kGouge) && radius == reach)
       cut += machine.state.pocket.tool_radius.value;
     if (!trace.feed_axis(plane.p, centre_p + cut)) return false;
-    if (!trace.arc(centre_p, pocket.centre[plane.q], pocket.rot, machine.state.position, 0)) {
+    if (!trace.arc(centre_p, pocket.site.centre[plane.q], pocket.rot, machine.state.position, 0)) {
       return false;
     }
   }
@@ -152,7 +116,7 @@ bool clear_layer(Machine& machine, const Pocket& pocket) {
 class Layers {
  public:
   Layers(const Machine& machine, const Pocket& pocket)
-      : machine_(machine), step_(pocket.step_down), depth_(magnitude(pocket.depth)) {}
+      : machine_(machine), step_(pocket.step_down), depth_(magnitude(pocket.site.depth)) {}
 
   bool next(Fixed& cut) {
     if (machine_.has(Fault::kExtraLayer)) return next_in_binary32(cut);
@@ -186,19 +150,19 @@ class Layers {
 bool mill_layers(Machine& machine, const Pocket& pocket) {
   const std::size_t d = machine.state.plane->d;
   Trace& trace = machine.trace;
-  const Fixed down = sign_of(pocket.depth);
+  const Fixed down = sign_of(pocket.site.depth);
   Layers layers(machine, pocket);
   Fixed cut = 0;
   bool more = layers.next(cut);
   while (more) {
-    if (!trace.feed_axis(d, pocket.r_plane + down * cut)) return false;  // GSK-G110-08, 11
+    if (!trace.feed_axis(d, pocket.site.r_plane + down * cut)) return false;  // GSK-G110-08, 11
     if (!clear_layer(machine, pocket)) return false;
     const Fixed last = cut;
     more = layers.next(cut);
     // GSK-G110-10
     const bool retracts = !more || !machine.has(Fault::kNoRetract);
-    if (retracts && !trace.rapid_axis(d, pocket.r_plane)) return false;
-    Point centre = pocket.centre;
+    if (retracts && !trace.rapid_axis(d, pocket.site.r_plane)) return false;
+    Point centre = pocket.site.centre;
     centre[d] = machine.state.position[d];
     if (!trace.rapid(centre, axis_bit(machine.state.plane->p) | axis_bit(machine.state.plane->q))) {
       return false;
@@ -207,7 +171,7 @@ bool mill_layers(Machine& machine, const Pocket& pocket) {
     // GSK-G110-11: not beyond the R plane.
     Fixed entry = last - pocket.clearance;
     if (!machine.has(Fault::kClearanceUnclamped)) entry = std::max<Fixed>(entry, 0);
-    if (!trace.rapid_axis(d, pocket.r_plane + down * entry)) return false;
+    if (!trace.rapid_axis(d, pocket.site.r_plane + down * entry)) return false;
   }
   return true;
 }
@@ -224,36 +188,28 @@ Flow prepare_pocket(Machine& machine, const Block& block, bool entering, bool mi
   }
   if (!mills) return Flow::kContinue;
   Pocket pocket;
-  const Flow centre = find_centre(machine, block, pocket);
+  Placing placing = Placing::kNothing;
+  const Flow centre = find_centre(machine, block, pocket.site, placing);
   if (centre != Flow::kContinue) return centre;
-  // GSK-G110-14: the axis words are not modal; without all three nothing is milled.
-  const Axes depth_axis = axis_bit(machine.state.plane->d);
-  constexpr Axes kLinear = 1u << GONOGO_X | 1u << GONOGO_Y | 1u << GONOGO_Z;
-  const bool complete = (pocket.axes & kLinear) == kLinear;
-  pocket.axes &= ~depth_axis;
-  if (complete) {
-    if (machine.has(Fault::kLateAlarm)) machine.trace.rapid(pocket.centre, pocket.axes);
-    const Flow milling = prepare_milling(machine, block, pocket);
-    if (milling != Flow::kContinue) return milling;
-    plan = pocket;
-  } else if (machine.configuration.incomplete_positions) {  // reading gsk.missing-axis
-    plan = Line{pocket.centre, pocket.axes, false};
-  }
-  return Flow::kContinue;
+  if (placing == Placing::kPosition) plan = positioning(pocket.site);
+  if (placing != Placing::kMill) return Flow::kContinue;
+  if (machine.has(Fault::kLateAlarm)) machine.trace.rapid(pocket.site.centre, pocket.site.axes);
+  const Flow milling = prepare_milling(machine, block, pocket);
+  if (milling == Flow::kContinue) plan = pocket;
+  return milling;
 }
 
 bool perform(Machine& machine, const Pocket& pocket) {
   const std::size_t d = machine.state.plane->d;
-  Trace& trace = machine.trace;
-  if (!trace.rapid(pocket.centre, pocket.axes)) return false;  // GSK-G110-06
-  if (!trace.rapid_axis(d, pocket.r_plane)) return false;      // GSK-G110-07
-  if (!mill_layers(machine, pocket)) return false;             // GSK-G110-08 to 12
-  if (machine.has(Fault::kInitialPlaneDrifts)) {
-    machine.state.pocket.initial_plane = pocket.r_plane;
-  }
-  const bool stays =
-      machine.configuration.pocket_ends_at_r_plane || machine.has(Fault::kEndsAtRPlane);
-  return stays || trace.rapid_axis(d, pocket.initial_plane);  // GSK-G110-13, 17
+  const Configuration& configuration = machine.configuration;
+  if (!approach(machine, pocket.site)) return false;  // GSK-G110-06, 07
+  if (!mill_layers(machine, pocket)) return false;    // GSK-G110-08 to 12
+  if (machine.has(Fault::kInitialPlaneDrifts)) machine.state.initial_plane = pocket.site.r_plane;
+  // GSK-G110-13, GSK-G110-17; readings gsk.pocket.end, gsk.zero-depth-end.
+  const bool may_stay = pocket.site.depth != 0 || configuration.zero_depth_ends_at_r_plane;
+  const bool stays = configuration.pocket_ends_at_r_plane && may_stay;
+  if (stays || machine.has(Fault::kEndsAtRPlane)) return true;
+  return machine.trace.rapid_axis(d, pocket.site.initial_plane);
 }
 
 }  // namespace gonogo::expanders::gsk

@@ -32,11 +32,47 @@ inline constexpr Axes axis_bit(std::size_t axis) {
   return 1u << axis;
 }
 
-/// Modal code of group 01.
-enum class Motion { kRapid, kLine, kArcClockwise, kArcCounterclockwise, kFaceCycle };
+/// Modal code of group 01; the last three are the turning cycles G90, G92 and G94.
+enum class Motion {
+  kRapid,
+  kLine,
+  kArcClockwise,
+  kArcCounterclockwise,
+  kTurnCycle,
+  kThreadCycle,
+  kFaceCycle
+};
 
-/// Modal code of group 10.
-enum class Cycle { kNone, kPocketClockwise, kPocketCounterclockwise };
+inline constexpr bool is_turning_cycle(Motion motion) {
+  return motion >= Motion::kTurnCycle;
+}
+
+/// Modal code of group 10, in the order of the codes from G110.
+enum class Cycle {
+  kNone,
+  kPocketClockwise,
+  kPocketCounterclockwise,
+  kHelixClockwise,
+  kHelixCounterclockwise,
+  kExternalThreadClockwise,
+  kExternalThreadCounterclockwise,
+  kInternalThreadClockwise,
+  kInternalThreadCounterclockwise
+};
+
+/// The two senses of a cycle are one mode (GSK-MOD-01).
+enum class Mode { kNone, kPocket, kHelix, kExternalThread, kInternalThread };
+
+inline constexpr Mode mode_of(Cycle cycle) {
+  return static_cast<Mode>((static_cast<int>(cycle) + 1) / 2);
+}
+inline constexpr bool is_thread_milling(Mode mode) {
+  return mode == Mode::kExternalThread || mode == Mode::kInternalThread;
+}
+/// Sign of `rot`: the even codes turn clockwise.
+inline constexpr int sense_of(Cycle cycle) {
+  return static_cast<int>(cycle) % 2 == 1 ? -1 : 1;
+}
 
 /// A length that a modal word left behind.
 struct Retained {
@@ -45,8 +81,8 @@ struct Retained {
   Fixed value = 0;
 };
 
-/// What G94 keeps from block to block, in mm.
-struct FaceStore {
+/// What G90, G92 and G94 keep from block to block, in mm.
+struct TurningStore {
   std::array<Retained, 3> end{};  // X, Y, Z
   Retained taper;
 
@@ -55,7 +91,7 @@ struct FaceStore {
   }
 };
 
-/// What G110 and G111 keep from block to block, in mm.
+/// What G110 to G113 keep from block to block, in mm; no word of G114 to G117 is modal.
 struct PocketStore {
   Retained radius;       // I
   Retained step;         // L
@@ -63,7 +99,7 @@ struct PocketStore {
   Retained tool_radius;  // D
   Retained r_plane;      // R, from the initial plane
   Retained clearance;    // P
-  Fixed initial_plane = 0;
+  Retained turns;        // L of G112, in counts of a turn
 };
 
 /// All that one block hands to the next.
@@ -79,11 +115,13 @@ struct State {
   const Plane* plane;
   bool inch;
   bool per_revolution = false;
-  Fixed feed;  // mm a minute or a revolution; 0: none in force
+  Fixed feed;      // mm a minute or a revolution; 0: none in force
+  Fixed lead = 0;  // F of G92, mm a revolution; 0: none in force
   Motion motion;
   Cycle cycle = Cycle::kNone;
-  FaceStore face;
+  TurningStore turning;
   PocketStore pocket;
+  Fixed initial_plane = 0;  // of the cycle in force
   std::uint64_t line = 0;
 };
 

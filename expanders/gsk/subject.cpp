@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view kDescription =
     R"({"protocol":1,"subject":{"name":"gonogo-gsk","version":"0.1.0"},)"
-    R"("dialects":{"gsk988ta":["basic","arc","g94","g110"]},"features":["blocks","m","bytes"],)"
+    R"("dialects":{"gsk988ta":["basic","arc","g90","g92","g94","g110","g112","g114","g116"]},)"
+    R"("features":["blocks","m","bytes"],)"
     R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
     R"("max_in_flight":1})";
 

@@ -59,6 +59,22 @@ bool Trace::feed_axis(std::size_t axis, Fixed to) {
   return feed(point, axis_bit(axis));
 }
 
+bool Trace::thread(const Point& to, Axes axes, Fixed lead) {
+  if (to == state_.position) return true;
+  gonogo_record_v1 record = make(GONOGO_THREAD);
+  put_point(record, to, axes);
+  record.lead = number(lead);
+  record.start = number(0);
+  state_.position = to;
+  return send(record);
+}
+
+bool Trace::thread_axis(std::size_t axis, Fixed to, Fixed lead) {
+  Point point = state_.position;
+  point[axis] = to;
+  return thread(point, axis_bit(axis), lead);
+}
+
 bool Trace::arc(Fixed centre_p, Fixed centre_q, int rot, const Point& to, Axes axes) {
   const Plane& plane = *state_.plane;
   gonogo_record_v1 record = make(GONOGO_ARC);

@@ -20,8 +20,11 @@ class Trace {
   bool rapid(const Point& to, Axes axes) { return line(GONOGO_RAPID, to, axes); }
   /// Straight cut at the feed in force.
   bool feed(const Point& to, Axes axes) { return line(GONOGO_FEED, to, axes); }
-  /// Arc in the state's plane about (centre_p, centre_q), a full turn when it ends where it began;
-  /// `rot` +1 counterclockwise, -1 clockwise. Names both plane axes and `axes`.
+  /// Cut synchronous to the spindle from its angle 0; `lead` mm a revolution.
+  bool thread(const Point& to, Axes axes, Fixed lead);
+  /// Arc or helix in the state's plane about (centre_p, centre_q), a full turn when it ends where
+  /// it began; `rot` +n counterclockwise, -n clockwise: n - 1 full turns and the one to the end.
+  /// Names both plane axes and `axes`.
   bool arc(Fixed centre_p, Fixed centre_q, int rot, const Point& to, Axes axes);
   bool dwell(Fixed seconds);
   bool function(int number);
@@ -31,6 +34,7 @@ class Trace {
   /// Moves one axis, at rapid or at feed.
   bool rapid_axis(std::size_t axis, Fixed to);
   bool feed_axis(std::size_t axis, Fixed to);
+  bool thread_axis(std::size_t axis, Fixed to, Fixed lead);
 
   void alarm(const Alarm& alarm, std::uint64_t line);
   void note(gonogo_note_level level, std::string_view message);

@@ -54,10 +54,24 @@ Flow check_decimals(Machine& machine, const Block& block) {
   });
 }
 
+// GSK-G112-01: L is a whole number of turns, 1 to 99999.
+Flow check_turns(Machine& machine, const Decimal& number) {
+  constexpr Fixed kMost = 99'999 * kOne;
+  if (number.value < kOne || number.value > kMost) {
+    return machine.raise(AlarmKind::kValueOutOfRange, 'L');
+  }
+  const bool whole = number.value % kOne == 0 && !number.finer;
+  return whole ? Flow::kContinue : machine.raise(AlarmKind::kNotAnInteger, 'L');
+}
+
 }  // namespace
 
 Fixed length_of(const Machine& machine, const Block& block, char address) {
   return static_cast<Fixed>(to_millimetres(machine, block.number(address), 1));
+}
+
+Fixed angle_of(const Machine& machine, const Block& block, char address) {
+  return written(machine, block.number(address));
 }
 
 bool take(const Machine& machine, const Block& block, char address, Retained& store) {
@@ -115,16 +129,23 @@ Flow check_words(Machine& machine, const Block& block) {
 }
 
 Flow check_ranges(Machine& machine, const Block& block) {
+  const Mode mode = mode_of(machine.state.cycle);
+  const bool threads = is_thread_milling(mode);
+  const bool full_circle = threads && !machine.configuration.thread_angle_unlimited;
   const bool inch = machine.state.inch && !machine.has(Fault::kRangeInMillimetres);
   // ISB 999999.999 mm or 99999.9999 in; ISC has one whole digit less and one decimal more.
   const Fixed coarse = inch ? 99'999'999'900'000 : 999'999'999'000'000;
   const Fixed highest = machine.configuration.fine ? coarse / 10 : coarse;
   return for_each(block.words(), [&](char address) {
     if (!kSigned.has(address) && !kUnsigned.has(address)) return Flow::kContinue;
+    if (address == 'L' && mode == Mode::kHelix) return check_turns(machine, block.number('L'));
     const Fixed value = block.number(address).value;
-    const Fixed lowest = kSigned.has(address) ? -highest : 0;
-    return value < lowest || value > highest ? machine.raise(AlarmKind::kValueOutOfRange, address)
-                                             : Flow::kContinue;
+    const bool positive = kUnsigned.has(address) || (address == 'P' && threads);
+    const Fixed lowest = positive ? 0 : -highest;
+    // GSK-G114-13
+    const Fixed most = address == 'K' && full_circle ? 360 * kOne : highest;
+    return value < lowest || value > most ? machine.raise(AlarmKind::kValueOutOfRange, address)
+                                          : Flow::kContinue;
   });
 }
 

@@ -14,6 +14,7 @@ namespace {
 struct Exhibit {
   const char* fault;
   const char* program;
+  const char* profile = "{}";
 };
 
 void PrintTo(const Exhibit& exhibit, std::ostream* out) {
@@ -25,6 +26,11 @@ constexpr const char* kPocket = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\n";
 constexpr const char* kPocketTwice = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\nX0 Z0 Y-20 R-5\n";
 constexpr const char* kTenths = "G110 X0 Z0 Y-6.3 I9 L3 Q0.7 D4 F8\n";
 constexpr const char* kUneven = "G110 X50 Z50 Y-18 I9 L3 Q5 P1 D2 F800\n";
+constexpr const char* kHelix = "G113 X0 Z0 V-9 R-1 I5 L3 D2 F8\n";
+constexpr const char* kThread = "G114 X0 Z0 V-11 R-5 I5 J2 K30 E30 P1.2 Q0.5 D3 F900\n";
+constexpr const char* kWhole = "G115 X0 Z0 V-10 I5 J2 K30 E30 P1 Q0.5 D3 F900\n";
+constexpr const char* kNoRunOut = "G116 X0 Z0 V-10 I5 E30 P1 D3 F900\n";
+constexpr const char* kParameters = R"({"parameters":{"5920":"30","5921":"2"}})";
 
 const Exhibit kExhibits[] = {
     {"taper-sign", kTaper},
@@ -68,6 +74,46 @@ const Exhibit kExhibits[] = {
     {"rounded-centre", "G110 X0 Z0.004 Y-9 I9 L3 Q5 D4 F8\n"},
     {"ends-at-r-plane", kPocket},
     {"no-retract", kPocket},
+    {"g90-taper-sign", "G90 X-8 Z-3 R-1 F9\n"},
+    {"g90-taper-diameter", "G90 X-8 Z-3 R-1 F9\n"},
+    {"g90-as-g94", "G90 X-8 Z-3 F9\n"},
+    {"g90-rapid-retract", "G90 X-8 Z-3 F9\n"},
+    {"turning-words-leak", "G90 X-8 Z-3 F9\nG94 X-4\n"},
+    {"g92-cuts-at-feed", "G92 X-8 Z-3 F9\n"},
+    {"g92-lead-in-inches", "G20 G92 X-8 Z-3 F9\n"},
+    {"g92-threads-retract", "G92 X-8 Z-3 F9\n"},
+    {"helix-turn-short", kHelix},
+    {"helix-depth-per-turn", kHelix},
+    {"helix-depth-from-initial", kHelix},
+    {"helix-entry-wrong-way", kHelix},
+    {"helix-exit-radius", kHelix},
+    {"helix-flat-circle", kHelix},
+    {"helix-turns-leak", "G112 X0 Z0 V-9 I5 L3 D2 F8\nX0 Z0 V-9\n"},
+    {"helix-tool-equality-accepted", "G112 X0 Z0 V-9 I2 D2 F8\n"},
+    {"helix-ends-at-r-plane", kHelix},
+    {"g113-as-g112", kHelix},
+    {"tool-leaks-into-helix", "G110 I5 L3 Q5 D2\nG112 I5\n"},
+    {"clamp-late", "G112 X9 Z0 V-9 I5 D2 F8 M35\n"},
+    {"clamp-dropped", "G112 X9 Z0 V-9 I5 D2 F8 M35\n"},
+    {"g80-restores-motion", "G1 F9\nG112 I5 D2\nG80 X5\n"},
+    {"thread-diameter-as-radius", kThread},
+    {"thread-tool-side", kThread},
+    {"thread-last-pass-too-deep", kThread},
+    {"thread-extra-pass", kWhole},
+    {"thread-turn-short", kWhole},
+    {"thread-lead-off", kWhole},
+    {"thread-partial-turn-dropped", kThread},
+    {"g115-as-g114", kWhole},
+    {"thread-no-retract", kThread},
+    {"thread-ends-at-r-plane", kThread},
+    {"run-out-into-wall", kThread},
+    {"run-out-backwards", kThread},
+    {"run-out-parameter-ignored", kNoRunOut, kParameters},
+    {"angle-parameter-ignored", kNoRunOut, kParameters},
+    {"thread-depth-from-initial", kThread},
+    {"thread-height-equality-refused", "G114 X0 Z0 V-5 I5 E30 P3 D3 F9\n"},
+    {"bore-equality-accepted", "G116 X0 Z0 V-5 I5 E6 P1 D3 F9\n"},
+    {"thread-mode-lost", "G114\nX1 Y2 Z3 I5 E30 P1 D3 F9\n"},
     {"late-alarm", "G110 X1 Z0 Y-9 I3 L3 Q5 D4 F8\n"},
     {"alarm-next-block", "G999\n"},
     {"range-in-millimetres", "G20 G94 Z-100000 F9\n"},
@@ -87,8 +133,8 @@ class PlantedFault : public ::testing::TestWithParam<Exhibit> {};
 
 TEST_P(PlantedFault, Shows) {
   const Exhibit& exhibit = GetParam();
-  Session sound;
-  Session faulty("{}", exhibit.fault);
+  Session sound(exhibit.profile);
+  Session faulty(exhibit.profile, exhibit.fault);
   std::string want = sound.run(exhibit.program).all();
   std::string got = faulty.run(exhibit.program, 10'000).all();
   // Once more after a reset, without a feed of its own.
@@ -130,6 +176,28 @@ TEST(PlantedFaults, NamesBelongToTheirDefects) {
   EXPECT_EQ(run("G94 X-8 Z-3 F9\nG80 X4\n", "{}", "g80-keeps-g94").records.size(), 9u);
   EXPECT_EQ(run("G111 X0 Z0 Y-2 I5 L3 Q5 D4 F8\n", "{}", "g111-as-g110").records[2],
             "arc18 c=0,0 rot=-1 x=0 z=1 f=8");
+  EXPECT_EQ(run("G90 X-8 Z-3 F9\n", "{}", "g90-as-g94").records[0], "rapid z=-3");
+  EXPECT_EQ(run("G92 X-8 Z-3 F9\n", "{}", "g92-cuts-at-feed").records[1], "feed x=-4 z=-3 f=9");
+  EXPECT_EQ(run("G90 X-8 Z-3 F9\nG94 X-4\n", "{}", "turning-words-leak").records[4], "rapid z=-3");
+  EXPECT_EQ(run(kHelix, "{}", "helix-turn-short").records[2],
+            "arc18 c=0,0 rot=2 x=-3 y=-10 z=0 f=8");
+  EXPECT_EQ(run(kHelix, "{}", "helix-depth-from-initial").records[2],
+            "arc18 c=0,0 rot=3 x=-3 y=-11 z=0 f=8");
+  // From X-3 by I/2 = 2.5 to X2.
+  EXPECT_EQ(run(kHelix, "{}", "helix-exit-radius").records[3], "arc18 c=0,-0.5 rot=1 x=2 z=0 f=8");
+  EXPECT_EQ(run("G110 I5 L3 Q5 D2\nG112 I5\n", "{}", "tool-leaks-into-helix").alarm, "");
+  EXPECT_EQ(run("G1 F9\nG112 I5 D2\nG80 X5\n", "{}", "g80-restores-motion").motions(),
+            "feed x=2.5 f=9\n");
+  // E30 as a radius: 33; the tool inside: 15 - 3 = 12.
+  EXPECT_EQ(run(kWhole, "{}", "thread-diameter-as-radius").records[0],
+            "arc18 c=-16.5,0 rot=1 x=0 z=-33 f=900");
+  EXPECT_EQ(run(kWhole, "{}", "thread-tool-side").records[0], "arc18 c=-6,0 rot=1 x=0 z=-12 f=900");
+  EXPECT_EQ(run(kWhole, "{}", "thread-turn-short").records[2],
+            "arc18 c=0,0 rot=1 x=0 y=-5 z=-17.5 f=900");
+  EXPECT_EQ(run(kWhole, "{}", "thread-extra-pass").records.size(), run(kWhole).records.size() + 6);
+  EXPECT_EQ(run("G116 X0 Z0 V-5 I5 E6 P1 D3 F9\n", "{}", "bore-equality-accepted").answer,
+            GONOGO_OK);
+  EXPECT_EQ(run("G114\nX2 Y2 Z3\n", "{}", "thread-mode-lost").motions(), "rapid x=1 y=2 z=3\n");
   EXPECT_EQ(run(kPocket, "{}", "clearance-twice").records[13], "rapid y=-8");
   // One layer more: 6 records (re-entry, plunge, ...) and a plunge of hardly any depth.
   EXPECT_GT(run(kTenths, "{}", "extra-layer").records.size(), run(kTenths).records.size());

@@ -22,7 +22,10 @@ TEST(GskConfiguration, DefaultsMayBeWrittenOut) {
     "gsk.thread.runout":"any","gsk.thread.v-from":"r-plane","gsk.thread.direction":"alarm",
     "gsk.thread.r":"optional","gsk.thread.k-range":"360","gsk.thread.modal":"code",
     "gsk.pocket.pair":"shared","gsk.pocket.R":"per-block","gsk.x-depth":"diameter",
-    "gsk.decimals":"keep","gsk.duplicate":"alarm"}})"),
+    "gsk.decimals":"keep","gsk.duplicate":"alarm","gsk.g94.in-mode":"keep",
+    "gsk.zero-depth-end":"initial","gsk.dwell-without-word":"alarm","gsk.arc.zero-radius":"alarm",
+    "gsk.arc.tolerance-zero":"off","gsk.g50.initial-plane":"shifted",
+    "gsk.rotary-feed-inch":"scaled"}})"),
             GONOGO_OK);
 }
 
@@ -31,14 +34,20 @@ TEST(GskConfiguration, WhatIsNotImplementedIsNamed) {
                             R"({"units":"furlong"})",
                             R"({"offsets":{"G54":{"x":"1"}}})",
                             R"({"alarm_timing":"program"})",
-                            R"({"parameters":{"5920":"30"}})",
+                            R"({"parameters":{"5922":"30"}})",
+                            R"({"parameters":{"5920":"-1"}})",
+                            R"({"parameters":{"5920":"360.001"}})",
+                            R"({"parameters":{"5921":"-0.001"}})",
                             R"({"initial":{"b":"1"}})",
                             R"({"initial":{"x":"11/3"}})",
                             R"({"initial":{"x":"1e-12"}})",
                             R"({"initial":{"motion":"G94"}})",
                             R"({"x_diameter":"yes"})",
                             R"({"readings":{"gsk.pocket.path":"semicircles"}})",
-                            R"({"readings":{"gsk.helix.flat":"on"}})",
+                            R"({"readings":{"gsk.arc.zero-radius":"none"}})",
+                            R"({"readings":{"gsk.rotary-feed-inch":"degrees"}})",
+                            R"({"readings":{"gsk.helix.entry-side":"-q"}})",
+                            R"({"readings":{"gsk.thread.runout":"spiral"}})",
                             R"({"readings":{"gsk.unheard-of":"any"}})",
                             R"({"readings":[]})"};
   for (const char* profile : profiles) {

@@ -127,10 +127,25 @@ TEST(GskPocketMode, RenamingCannotCarryTheInitialPlaneOutOfReach) {
   EXPECT_EQ(run("G110 I3 L3 Q5 D2\n" + away + away).alarm, "value-out-of-range");
 }
 
-TEST(GskPocketMode, EntryFromG94ForgetsItsEndPoint) {
+TEST(GskPocketMode, PocketsAndHelicesAreTwoModes) {
+  // I D of G110 are no words of G112, nor the other way round.
+  EXPECT_EQ(after_entry("G112 X9 Z9 Y-1 I3\n").alarm, "missing-word");
+  EXPECT_EQ(after_entry("G112 X9 Z9 Y-1 D2\n").alarm, "missing-word");
+  EXPECT_EQ(after_entry("G112 I3 D2\nG110 X9 Z9 Y-1 L1 Q1\n").alarm, "missing-word");
+  EXPECT_EQ(after_entry("G114\nG110 X9 Z9 Y-1\n").alarm, "missing-word");
+}
+
+TEST(GskPocketMode, G94WordsOutliveTheMode) {
+  // G94 written again: X10, Z-5 and R-1 are kept, from A (0, 0): B is at Z-6.
   const Outcome outcome =
       run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G94 X10\n", kRadius);
-  EXPECT_EQ(of_block(outcome, 4), "feed x=10 z=0 f=100\nrapid x=0\n");
+  EXPECT_EQ(of_block(outcome, 4), "rapid z=-6\nfeed x=10 z=-5 f=100\nfeed z=0 f=100\nrapid x=0\n");
+}
+
+TEST(GskPocketMode, G94WordsDoNotOutliveAnotherMotionCode) {
+  const Outcome outcome =
+      run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G01\nG94 X10\n", kRadius);
+  EXPECT_EQ(of_block(outcome, 5), "feed x=10 z=0 f=100\nrapid x=0\n");
 }
 
 }  // namespace

@@ -86,6 +86,60 @@ TEST(GskReading, Decimals) {
   EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.001\n").answer, GONOGO_OK);
 }
 
+TEST(GskReading, DecimalsThatAreZeroDoNotCount) {
+  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.001000\n").answer, GONOGO_OK);
+  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.000000000000\n").answer, GONOGO_OK);
+  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.000000000001\n").alarm, "value-out-of-range");
+}
+
+TEST(GskReading, G94InMode) {
+  const std::string program = "G94 X-8 Z-9 R-5 F50\nG110 I3 L3 Q9 D2\nG94 X-6\n";
+  EXPECT_EQ(with("gsk.g94.in-mode", "keep", program).records[4], "rapid z=-14");
+  EXPECT_EQ(with("gsk.g94.in-mode", "clear", program).records[4], "feed x=-6 z=0 f=50");
+}
+
+TEST(GskReading, ZeroDepthEndAppliesWherePocketsEndAtTheRPlane) {
+  const std::string program = "G0 Y50\nG110 X5 Y45 Z0 R-5 I3 L3 Q9 D2\n";
+  const auto ends = [&](const std::string& pocket, const std::string& zero) {
+    return run(program, R"({"readings":{"gsk.pocket.end":")" + pocket +
+                            R"(","gsk.zero-depth-end":")" + zero + "\"}}")
+        .records.back();
+  };
+  EXPECT_EQ(ends("r-plane", "initial"), "end x=2.5 y=50 z=0 a=0 c=0");
+  EXPECT_EQ(ends("r-plane", "r-plane"), "end x=2.5 y=45 z=0 a=0 c=0");
+  EXPECT_EQ(ends("initial", "r-plane"), "end x=2.5 y=50 z=0 a=0 c=0");
+}
+
+TEST(GskReading, DwellWithoutWord) {
+  EXPECT_EQ(with("gsk.dwell-without-word", "alarm", "G04\n").alarm, "missing-word");
+  EXPECT_EQ(with("gsk.dwell-without-word", "alarm", "G04 P0\n").answer, GONOGO_OK);
+  EXPECT_EQ(with("gsk.dwell-without-word", "none", "G04\n").motions(), "");
+}
+
+TEST(GskReading, ArcZeroRadius) {
+  EXPECT_EQ(with("gsk.arc.zero-radius", "alarm", "G2 I0 K0 F9\n").alarm, "arc-radius");
+  EXPECT_EQ(with("gsk.arc.zero-radius", "alarm", "G2 X0.005 K0 F9\n").alarm, "arc-radius");
+}
+
+TEST(GskReading, ArcToleranceZero) {
+  const auto answer = [](const std::string& reading, const std::string& program) {
+    return run(program, R"({"x_diameter":false,"parameters":{"3410":"0"},"readings":{
+                            "gsk.arc.tolerance-zero":")" +
+                            reading + "\"}}")
+        .alarm;
+  };
+  EXPECT_EQ(answer("off", "G2 X5 Z8 K5 F9\n"), "");
+  EXPECT_EQ(answer("exact", "G2 X5 Z5.001 K5 F9\n"), "arc-end-point");
+  EXPECT_EQ(answer("exact", "G2 X5 Z5 K5 F9\n"), "");
+}
+
+TEST(GskReading, G50InitialPlane) {
+  // The initial plane Y0 becomes Y100, or stays where its number is.
+  const std::string program = "G110 I3 L3 Q9 D2 F9\nG50 Y100\nX0 Z0 Y99\n";
+  EXPECT_EQ(with("gsk.g50.initial-plane", "shifted", program).records[0], "feed y=99 f=9");
+  EXPECT_EQ(with("gsk.g50.initial-plane", "kept", program).records[0], "rapid y=0");
+}
+
 TEST(GskReading, AnyTakesTheStandardOutcome) {
   EXPECT_EQ(with("gsk.duplicate", "any", "G00 X1 X2\n").alarm, "duplicate-word");
 }

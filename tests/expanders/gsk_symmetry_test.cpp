@@ -37,6 +37,54 @@ long some_length(long lowest, long highest) {
   return *rc::gen::inRange(lowest, highest);
 }
 
+// A helical pocket, a taper cycle and two threads, in G17.
+Program some_threads() {
+  const auto coordinate = [] { return some_length(-500'000, 500'000); };
+  const auto code = [](const char* a, const char* b) {
+    return *rc::gen::arbitrary<bool>() ? a : b;
+  };
+  const long tool = some_length(10'000, 50'000);
+  const long bore = 2 * tool + some_length(-10, 200'000);
+  const long height = some_length(100, tool + 20);
+  return {{"G0 "},
+          {"X", coordinate(), true},
+          {"Y", coordinate(), true},
+          {"Z", coordinate(), true},
+          {"\nG90 "},
+          {"V", -some_length(1, 100'000), true},
+          {"U", coordinate(), true},
+          {"R", -some_length(0, 500'000), true},
+          {" F100\n"},
+          {code("G112 L", "G113 L")},
+          {std::to_string(*rc::gen::inRange(1, 99'999))},
+          {" X", coordinate(), true},
+          {"Y", coordinate(), true},
+          {"W", -some_length(1, 300'000), true},
+          {"I", tool + some_length(-10, 100'000), true},
+          {"D", tool, true},
+          {code("\nG114 ", "\nG115 ")},
+          {"X", coordinate(), true},
+          {"Y", coordinate(), true},
+          {"W", -some_length(1, 300'000), true},
+          {"R", some_length(-20'000, 500), true},
+          {"I", some_length(1, 100'000), true},
+          {"J", some_length(0, 50'000), true},
+          {"K" + std::to_string(*rc::gen::inRange(0, 361))},
+          {"E", bore, true},
+          {"P", height, true},
+          {"Q", some_length(height / 10, tool), true},
+          {"D", tool, true},
+          {code("\nG116 ", "\nG117 ")},
+          {"X", coordinate(), true},
+          {"Y", coordinate(), true},
+          {"W", -some_length(1, 300'000), true},
+          {"I", some_length(1, 100'000), true},
+          {"E", bore, true},
+          {"P", height, true},
+          {"D", tool, true},
+          {"\n"}};
+}
+
 // A rapid, then an arc by R, a taper cycle and two pockets, in G17.
 Program some_program() {
   const auto coordinate = [] { return some_length(-500'000, 500'000); };
@@ -72,6 +120,10 @@ Program some_program() {
           {"Y", coordinate(), true},
           {"Z", coordinate(), true},
           {"\n"}};
+}
+
+Program some_work() {
+  return *rc::gen::arbitrary<bool>() ? some_threads() : some_program();
 }
 
 std::string written(const Program& program) {
@@ -110,7 +162,7 @@ std::vector<std::vector<std::string>> fields(const Outcome& outcome, std::string
 }
 
 RC_GTEST_PROP(GskSymmetry, EveryPlaneIsTheSame, ()) {
-  const std::string g17 = written(some_program());
+  const std::string g17 = written(some_work());
   const Outcome want = run("G17 " + g17, kRadius);
   // (X, Y, Z) of G17 is (Z, X, Y) of G18 and (Y, Z, X) of G19.
   const Outcome in_g18 = run("G18 " + relabelled(g17, "XYZUVW", "ZXYWUV"), kRadius);
@@ -124,7 +176,7 @@ RC_GTEST_PROP(GskSymmetry, EveryPlaneIsTheSame, ()) {
 
 RC_GTEST_PROP(GskSymmetry, InchesAreTwentyFivePointFourMillimetres, ()) {
   // Lengths of k * 0.0254 mm are k * 0.001 in: 254 units of 0.0001 mm for 10 of 0.0001 in.
-  Program program = some_program();
+  Program program = some_work();
   for (Part& part : program) part.units = part.units / 254 * 254;
   const Outcome metric = run("G17 " + written(program));
   for (Part& part : program) part.units = part.units / 254 * 10;

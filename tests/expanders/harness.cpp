@@ -36,6 +36,9 @@ std::string describe(const gonogo_record_v1& record) {
       return "arc" + std::to_string(record.plane) + " c=" + text_of(record.centre[0]) + "," +
              text_of(record.centre[1]) + " rot=" + std::to_string(record.rot) + to_of(record) +
              feed_of(record);
+    case GONOGO_THREAD:
+      return "thread" + to_of(record) + " lead=" + text_of(record.lead) +
+             " start=" + text_of(record.start);
     case GONOGO_DWELL:
       return "dwell " + text_of(record.seconds);
     case GONOGO_M:

@@ -11,8 +11,9 @@
 namespace gonogo::expanders::testing {
 
 /// What a run gave, as text. A record is one line without its block, in this form:
-///   rapid x=1 z=2 | feed x=1 f=200 | arc18 c=50,50 rot=-1 x=50 z=53 f=800 | dwell 0.5 | m 3 |
-///   end x=0 y=0 z=0 a=0 c=0            (`/rev` follows f in mm per revolution)
+///   rapid x=1 z=2 | feed x=1 f=200 | arc18 c=50,50 rot=-1 x=50 z=53 f=800 |
+///   thread z=-9 lead=2 start=0 | dwell 0.5 | m 3 | end x=0 y=0 z=0 a=0 c=0            (`/rev`
+///   follows f in mm per revolution)
 struct Outcome {
   int create = GONOGO_OK;
   int answer = GONOGO_ERROR;

@@ -4,6 +4,8 @@
 
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "expanders/registry.hpp"
 #include "harness.hpp"
@@ -26,7 +28,9 @@ TEST(Subject, DescribesItself) {
   const gonogo_text text = subject->describe();
   const auto json = nlohmann::json::parse(text.data, text.data + text.size);
   EXPECT_EQ(json["protocol"], 1);
-  EXPECT_TRUE(json["dialects"].contains("gsk988ta"));
+  const std::vector<std::string> features = {"basic", "arc",  "g90",  "g92", "g94",
+                                             "g110",  "g112", "g114", "g116"};
+  EXPECT_EQ(json["dialects"]["gsk988ta"], features);
   EXPECT_EQ(json["numeric"]["resolution"], "0.001");
 }
 
