@@ -48,9 +48,12 @@ TEST(Coverage, TheRecordsNameAllClausesThatMoveSomething) {
     }
   }
   for (const std::string_view clause :
-       {"GSK-G94-02", "GSK-G94-03", "GSK-G94-04", "GSK-G94-05", "GSK-G110-06", "GSK-G110-07",
-        "GSK-G110-08", "GSK-G110-09", "GSK-G110-10", "GSK-G110-11", "GSK-G110-13", "GSK-G110-14",
-        "GSK-G110-17", "GSK-COM-05", "GSK-MOD-08"}) {
+       {"GSK-G94-02",  "GSK-G94-03",  "GSK-G94-04",  "GSK-G94-05",  "GSK-G90-02",  "GSK-G90-03",
+        "GSK-G90-04",  "GSK-G90-05",  "GSK-G92-02",  "GSK-G92-03",  "GSK-G92-04",  "GSK-G92-05",
+        "GSK-G110-06", "GSK-G110-07", "GSK-G110-08", "GSK-G110-09", "GSK-G110-10", "GSK-G110-11",
+        "GSK-G110-13", "GSK-G110-14", "GSK-G110-17", "GSK-G112-03", "GSK-G112-04", "GSK-G112-05",
+        "GSK-G112-06", "GSK-G112-07", "GSK-G114-05", "GSK-G114-06", "GSK-G114-07", "GSK-G114-11",
+        "GSK-COM-05",  "GSK-MOD-08"}) {
     EXPECT_TRUE(named.contains(clause)) << clause;
   }
 }
@@ -117,14 +120,15 @@ TEST(Coverage, EveryAlarmClassStandsAlone) {
   }
   const std::set<std::string_view> want = {
       "syntax",         "undefined-code",     "duplicate-word", "conflicting-words",
-      "missing-word",   "value-out-of-range", "value-sign",     "direction-conflict",
-      "tool-too-large", "step-too-large",     "taper-limit",    "axis-not-in-plane",
-      "arc-end-point",  "arc-radius",         "feed-missing"};
+      "missing-word",   "value-out-of-range", "value-sign",     "not-an-integer",
+      "tool-too-large", "direction-conflict", "step-too-large", "depth-exceeds-tool",
+      "taper-limit",    "axis-not-in-plane",  "arc-end-point",  "arc-radius",
+      "feed-missing",   "lead-missing"};
   EXPECT_EQ(alone, want);
 }
 
 TEST(Coverage, EachCycleRunsInEachPlane) {
-  for (const char* cycle : {"g94", "g110"}) {
+  for (const char* cycle : {"g94", "g90", "g92", "g110", "g112", "g114", "g116"}) {
     for (const char* plane : {"plane=G17", "plane=G18", "plane=G19"}) {
       bool found = false;
       for (const auto& [id, test] : checked_in_cases()) {

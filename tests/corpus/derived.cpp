@@ -40,6 +40,7 @@ std::string line_of(const Record& record) {
     out += " f" + record.feed.text();
     if (record.feed_mode == reference::FeedMode::per_revolution) out += "/rev";
   }
+  if (record.kind == RecordKind::thread) out += " lead" + record.lead.text();
   return out;
 }
 

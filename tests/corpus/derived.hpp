@@ -4,6 +4,7 @@
 //   "2 rapid z0"                         line, kind, axes that are named in the order x y z a c
 //   "2 feed x0 z0 f200"                  the path feed, /rev behind it under G99
 //   "2 arc G18 -1 cx25 cz50.75 x25 z51.5 f800"   plane, turns, centre, end point
+//   "4 thread x30 z-28 lead3"
 //   "3 dwell 2.5", "1 m 3", "end x65 y0 z5 a0 c0"
 #pragma once
 

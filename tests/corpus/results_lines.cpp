@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   gap.program = "G71\n";
   writer.add(gap);
   ResultsFooter footer;
+  footer.decision = "NO-GO";
   footer.judged = 2;
   footer.assignments = {"gsk.pocket.end=initial"};
   writer.close(footer);
