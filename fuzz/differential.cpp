@@ -15,6 +15,18 @@ oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile
   return session.finish(end).verdict;
 }
 
+std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,
+                       std::string_view program) {
+  std::string text;
+  subject.configure(profile);
+  subject.run("generated", program, [&](const oracle::Record& record) {
+    append_json(record, text);
+    text += '\n';
+    return true;
+  });
+  return text;
+}
+
 std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
                          std::string_view program) {
   return fmt::format(

@@ -14,6 +14,9 @@ oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile
                               std::string_view program);
 
 // The verdict, the program and how to see it again, for a failed run.
+// The subject's records, a JSON line each.
+std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,
+                       std::string_view program);
 std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
                          std::string_view program);
 

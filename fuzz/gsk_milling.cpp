@@ -104,7 +104,8 @@ void GskWriter::thread_block() {
   const bool down = choices_.below(6) != 0;
   // Quarters of a turn, and now and then any part of one.
   const std::int64_t lead = length(4) + choices_.below(20) * 4;
-  const std::int64_t depth = lead * choices_.between(0, 16) / 4 + choices_.below(4) / 3;
+  std::int64_t depth = lead * choices_.between(0, 16) / 4 + choices_.below(4) / 3;
+  if (depth < 3) depth = 0;  // the passes within the tolerance's depth cannot be told apart
   mill_place(words, down ? -depth : depth);
   mill_r(words, down);
   const std::int64_t tool = length(5) + choices_.below(3);

@@ -67,8 +67,9 @@ int soak(const SoakOptions& options) {
         verdict.message.find("gauge does not") != std::string::npos) {
       continue;
     }
-    fmt::print("--seed {} --programs 1 gives:\n{}\n", options.seed + i,
-               fuzz::failure_text(verdict, program.profile, program.text));
+    fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", options.seed + i,
+               fuzz::failure_text(verdict, program.profile, program.text),
+               fuzz::trace_text(*subject, program.profile, program.text));
     return 1;
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

@@ -6,8 +6,15 @@
 namespace gonogo::expanders::gsk {
 namespace {
 
-// Words that change the thread (run-out, axial or face, inch threads, starts): not read yet.
-constexpr AddressSet kLaterWords{"JKPIL"};
+// Words that change the thread (run-out, axial or face, inch threads, starts): only the values that
+// change nothing are read.
+bool changes_thread(const Block& block) {
+  if (block.has('I')) return true;
+  for (const char address : {'J', 'K', 'P', 'Q'}) {
+    if (block.has(address) && block.number(address).value != 0) return true;
+  }
+  return block.has('L') && block.number('L').value != kOne;
+}
 
 }  // namespace
 
@@ -15,8 +22,8 @@ Flow prepare_thread_cycle(Machine& machine, const Block& block, Plan& plan) {
   TurningWords words;
   const Flow flow = take_turning_words(machine, block, machine.state.plane->q, words);
   if (flow != Flow::kContinue) return flow;
-  if (block.has_any(kLaterWords)) {
-    machine.trace.note(GONOGO_NOTE_ERROR, "G92 with a word of J, K, P, I, L is not implemented.");
+  if (changes_thread(block)) {
+    machine.trace.note(GONOGO_NOTE_ERROR, "G92 with this J, K, P, Q, I or L is not implemented.");
     return Flow::kUnsupported;
   }
   if (!words.runs) return Flow::kContinue;

@@ -76,6 +76,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
 void ProgramJudge::judge_other_end(const RunEnd& end) {
   Verdict verdict;
   verdict.kind = kind_of(end.kind);
+  verdict.feature = end.feature;
   verdict.message = end.message;
   decide(std::move(verdict));
 }

@@ -45,8 +45,9 @@ bool ProgramJudge::end_open_path(const Position& here) {
     at[axes.p] = here[axes.p];
     at[axes.q] = here[axes.q];
     at[axes.d] = here[axes.d];
-    if (agree(here[axes.p], shown[0], terms_.tolerance) &&
-        agree(here[axes.q], shown[1], terms_.tolerance)) {
+    // Half the tolerance: as far as a correctly rounded position may lie.
+    const Number near = terms_.tolerance / 2;
+    if (agree(here[axes.p], shown[0], near) && agree(here[axes.q], shown[1], near)) {
       at[axes.p] = shown[0];
       at[axes.q] = shown[1];
     }

@@ -79,6 +79,10 @@ ThreadJudge::Side ThreadJudge::side_of(const Motion& motion) const {
 }
 
 OpenPathAnswer ThreadJudge::take(const Motion& motion) {
+  if (passes_ > 1 && agree(item_.r_plane, item_.bottom, terms_.tolerance)) {
+    return OpenPathAnswer::gap(
+        "The passes of a thread that is no deeper than the tolerance cannot be told apart.");
+  }
   if (terms_.compare_blocks && motion.record.block != item_.block) {
     if (complete()) return OpenPathAnswer::end(motion.from);
     return OpenPathAnswer::decide(incomplete(motion.from));

@@ -43,15 +43,17 @@ Number squared_distance(const PlaneVector& a, const PlaneVector& b) {
   return away * away / length_2;
 }
 
-// The value, or a rational within 2^-80 of it.
-constexpr int kBits = 80;
-Number near(const Number& value) {
-  return value.is_rational() ? value : value.bounds(kBits)[0];
-}
-
-bool is_rational(const PlaneVector& v) {
-  return v.p.is_rational() && v.q.is_rational();
-}
+// A rational near a value, and how far from it the value may lie: nothing for a rational.
+struct Near {
+  explicit Near(const Number& exact) {
+    constexpr int kBits = 80;
+    const auto [low, high] = exact.bounds(kBits);
+    value = low;
+    error = high - low;
+  }
+  Number value;
+  Number error;
+};
 
 // Where row_p . v and row_q . v agree with the point within the tolerance.
 std::vector<PlaneVector> cut_to_box(std::vector<PlaneVector> polygon, const PlaneVector& row_p,
@@ -82,16 +84,20 @@ TurnedStart::TurnedStart(Number radius, Number tolerance)
 }
 
 // Each side of the box round the point, as a half plane of the start. Rationals in place of
-// enclosures move a side by less than `moved`.
+// enclosures move a side by no more than `moved`, since no start lies farther out than the square
+// round the circle.
 TurnedStart::Starts TurnedStart::narrowed(const Similarity& map, const PlaneVector& point) const {
-  const PlaneVector row_p{near(map.a), -near(map.b)};
-  const PlaneVector row_q{near(map.b), near(map.a)};
-  const PlaneVector at{near(point.p), near(point.q)};
-  const bool exactly = is_rational({map.a, map.b}) && is_rational(point);
-  const Number moved = exactly ? Number(0) : (radius_ * 4 + 2) * Number::binary(1, -kBits);
+  const Near a(map.a), b(map.b), p(point.p), q(point.q);
+  const PlaneVector row_p{a.value, -b.value};
+  const PlaneVector row_q{b.value, a.value};
+  const PlaneVector at{p.value, q.value};
+  const Number moved = radius_ * (a.error + b.error) + max(p.error, q.error);
   Starts starts;
   starts.possible = cut_to_box(left_.possible, row_p, row_q, at, tolerance_ + moved);
-  starts.sure = cut_to_box(left_.sure, row_p, row_q, at, tolerance_ - moved);
+  starts.sure = moved.sign() == 0 && left_.is_certain
+                    ? starts.possible
+                    : cut_to_box(left_.sure, row_p, row_q, at, tolerance_ - moved);
+  starts.is_certain = moved.sign() == 0 && left_.is_certain;
   return starts;
 }
 
@@ -114,8 +120,8 @@ bool TurnedStart::meets_circle(const Polygon& polygon) const {
 
 bool TurnedStart::meet_circle(const Starts& starts) const {
   if (meets_circle(starts.sure)) return true;
-  if (!meets_circle(starts.possible)) return false;
-  throw exact::Undecided("whether a point agrees with the curve hangs on 2^-70 mm");
+  if (starts.is_certain || !meets_circle(starts.possible)) return false;
+  throw exact::Undecided("whether a point agrees with the curve hangs on an enclosure's width");
 }
 
 bool TurnedStart::admits(const Similarity& map, const PlaneVector& point) const {

@@ -26,7 +26,7 @@ class TurnedStart {
   // The starts on the circle of `radius` about the origin.
   TurnedStart(Number radius, Number tolerance);
   // Whether some start that is left maps to a point that agrees with `point` within the tolerance.
-  // Throws exact::Undecided where that hangs on the last 2^-70 mm of an enclosure.
+  // Throws exact::Undecided where that hangs on the width of an enclosure.
   bool admits(const Similarity& map, const PlaneVector& point) const;
   // The same, and keeps only those starts. False (and unchanged) when none is left.
   bool narrow(const Similarity& map, const PlaneVector& point);
@@ -39,6 +39,7 @@ class TurnedStart {
   struct Starts {
     Polygon sure;
     Polygon possible;
+    bool is_certain = true;  // both are the same
   };
   Starts narrowed(const Similarity& map, const PlaneVector& point) const;
   bool meet_circle(const Starts& starts) const;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "corpus_testing.hpp"
+#include "oracle/features.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::testing {
@@ -150,6 +151,19 @@ TEST(Coverage, EveryLimitHasItsThreeSides) {
   }
   EXPECT_GE(sides.size(), 8U);
   for (const auto& [group, signs] : sides) EXPECT_EQ(signs.size(), 3U) << group;
+}
+
+TEST(Coverage, EveryFeatureOfAGroupIsInTheVocabulary) {
+  std::set<std::string> known;
+  for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
+    known.insert(std::string(feature.dialect) + "/" + std::string(feature.name));
+  }
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const std::string& feature : test.features) {
+      EXPECT_TRUE(known.contains(test.dialect + "/" + feature) || known.contains("/" + feature))
+          << id << ": " << feature;
+    }
+  }
 }
 
 TEST(Coverage, EveryCodeThatIsNotReadIsExpectedToBeAGap) {

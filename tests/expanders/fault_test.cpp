@@ -177,7 +177,8 @@ TEST(PlantedFaults, NamesBelongToTheirDefects) {
   EXPECT_EQ(run("G111 X0 Z0 Y-2 I5 L3 Q5 D4 F8\n", "{}", "g111-as-g110").records[2],
             "arc18 c=0,0 rot=-1 x=0 z=1 f=8");
   EXPECT_EQ(run("G90 X-8 Z-3 F9\n", "{}", "g90-as-g94").records[0], "rapid z=-3");
-  EXPECT_EQ(run("G92 X-8 Z-3 F9\n", "{}", "g92-cuts-at-feed").records[1], "feed x=-4 z=-3 f=9");
+  EXPECT_EQ(run("G1 F9\nG92 X-8 Z-3 F2\n", "{}", "g92-cuts-at-feed").records[1],
+            "feed x=-4 z=-3 f=9");
   EXPECT_EQ(run("G90 X-8 Z-3 F9\nG94 X-4\n", "{}", "turning-words-leak").records[4], "rapid z=-3");
   EXPECT_EQ(run(kHelix, "{}", "helix-turn-short").records[2],
             "arc18 c=0,0 rot=2 x=-3 y=-10 z=0 f=8");
