@@ -80,7 +80,9 @@ void GskWriter::helix_block() {
 void GskWriter::run_out_words(Words& words, std::int64_t height, std::int64_t room) {
   const bool straight = profile_.readings.is(ReadingKey::thread_runout, "radial") ||
                         profile_.readings.is(ReadingKey::thread_runout, "tangent");
-  if (straight || choices_.below(4) != 0) {
+  // Without the word the profile's length holds, which the bore may be too small for.
+  const bool needed = straight || profile_.parameters.contains("5921");
+  if (needed || choices_.below(4) != 0) {
     const std::int64_t clears = height + length(1);
     const std::int64_t reach = !straight && choices_.one_in(3) ? length(3) : clears;
     words.push_back(word('J', std::min(reach, room)));
