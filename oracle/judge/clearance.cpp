@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kMaximumStretches = 20'000;
 
-// A point on the free side of the limit by more than the slack's reach, or the evidence.
+// Clear where the point lies on the free side of the limit, or beyond it by no more than the slack;
+// else the evidence.
 Clearance clearance_of_point(const PlanePoint& point, const Keep& keep) {
   const Number d2 = norm_squared(point);
   const Number bound = keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack;

@@ -62,6 +62,10 @@ Axis longest_axis(const Motion& motion) {
   return longest;
 }
 
+bool is_too_small_to_see(const Motion& motion, const Number& tolerance) {
+  return agree(motion.from, motion.to(), tolerance) && !nearly_full_turn(motion);
+}
+
 // Whether `got` is the exact value, or that correctly rounded.
 bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
                const JudgeTerms& terms) {
@@ -140,9 +144,11 @@ MatchResult CurveMatch::match_rapid(const Motion& subject) {
     const Number& start = subject.from[axis];
     const Number& target = reference_.to()[axis];
     const Number& end = subject.to()[axis];
-    const Number low = min(start, target) - terms_.tolerance;
-    const Number high = max(start, target) + terms_.tolerance;
-    if (end < low || end > high) {
+    const Number& tau = terms_.tolerance;
+    // Not by min() and max(), which enclosures of one value could not decide.
+    const bool above_low = end >= target - tau || end >= start - tau;
+    const bool below_high = end <= target + tau || end <= start + tau;
+    if (!above_low || !below_high) {
       return departs(Departure::geometry, "The traverse leaves the way to its end.");
     }
   }
@@ -267,12 +273,16 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
   if (!closes) return end_of_piece(subject, turns);
   // Start and end agree: the nil and the full turn are tried, and the one that fits is taken. After
-  // other whole turns, a turn that the arc does make is no nil one.
+  // other whole turns, a turn that the arc does make is no nil one; and an arc that ends exactly
+  // where it starts is a full turn by what a record means, unless the reference's is as small.
   const double before = std::abs(got.rot) - 1;
   const double part = turns - before;
   const double small = part < 0.5 ? part : part - 1;
   MatchResult full = end_of_piece(subject, before + small + 1);
-  if (full.departure == Departure::none || (before > 0 && part >= 0.5)) return full;
+  const bool exactly_whole = part == 1.0 && !is_too_small_to_see(reference_, terms_.tolerance);
+  if (full.departure == Departure::none || exactly_whole || (before > 0 && part >= 0.5)) {
+    return full;
+  }
   MatchResult nil = end_of_piece(subject, before + small);
   const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;
   return open ? full : nil;

@@ -56,12 +56,14 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
 // Whether ends and centres are exact, or correctly rounded, for the grade of a pass.
 void ProgramJudge::note_match(const Motion& motion, const Motion& want) {
   auto compare = [&](const Number& got, const Number& exact) {
-    const Number difference = abs(got - exact);
-    if (difference.sign() == 0) return;
+    const Number difference = got - exact;
+    // An enclosure cannot be told from its exact value: not exact, for the grade.
+    const bool enclosed = difference.form() == Number::Form::enclosure;
+    if (!enclosed && difference.sign() == 0) return;
     exact_ = false;
-    const bool half = terms_.resolution && difference * 2 <= *terms_.resolution;
+    const bool half = terms_.resolution && agree(got, exact, *terms_.resolution / 2);
     // Half a unit in the last place of a double is at most 2^-53 of its value.
-    const bool nearest = terms_.binary64 && difference <= abs(got) * Number::binary(1, -53);
+    const bool nearest = terms_.binary64 && agree(got, exact, abs(got) * Number::binary(1, -53));
     rounded_ = rounded_ && (terms_.binary64 ? nearest : half);
   };
   for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);

@@ -62,7 +62,7 @@ void ProgramJudge::take_m_functions() {
 }
 
 // M functions are compared in their order, wherever among the motions of their block they stand,
-// but for those that have to come first.
+// but for those that have to come before the tool cuts.
 void ProgramJudge::settle_m_functions(bool at_end) {
   if (!terms_.compare_m) return;
   auto differs = [&](const Record* want, const Record* got) {
@@ -80,7 +80,7 @@ void ProgramJudge::settle_m_functions(bool at_end) {
     const Record& want = want_m_.front();
     const Record& got = got_m_.front().record;
     const bool same = want.m == got.m && (!terms_.compare_blocks || want.block == got.block);
-    const bool late = terms_.compare_blocks && want.before_motion && got_m_.front().after_motion;
+    const bool late = terms_.compare_blocks && want.before_cut && got_m_.front().after_cut;
     if (!same || late) {
       differs(&want, &got);
       return;

@@ -37,7 +37,11 @@ bool agree(const Position& a, const Position& b, const Number& tolerance) {
 
 Number largest_difference(const Position& a, const Position& b) {
   Number largest = 0;
-  for (Axis axis : kAllAxes) largest = max(largest, abs(a[axis] - b[axis]));
+  for (Axis axis : kAllAxes) {
+    const Number difference = a[axis] - b[axis];
+    if (difference > largest) largest = difference;
+    if (-difference > largest) largest = -difference;
+  }
   return largest;
 }
 

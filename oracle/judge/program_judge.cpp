@@ -92,7 +92,7 @@ void ProgramJudge::take_record(const Record& record) {
   switch (record.kind) {
     case RecordKind::m:
       if (terms_.compare_m) {
-        got_m_.push_back({record, record.block != 0 && record.block == moved_block_});
+        got_m_.push_back({record, record.block != 0 && record.block == cut_block_});
       }
       settle_m_functions(false);
       break;
@@ -159,7 +159,7 @@ void ProgramJudge::take_motion(const Record& record) {
   }
   position_ = motion.to();
   moved_ = true;
-  moved_block_ = record.block;
+  if (record.kind != RecordKind::rapid) cut_block_ = record.block;
   // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
   // cannot add up unseen. Arcs stay: they may mean a full turn.
   if (record.kind != RecordKind::arc && agree(motion.from, anchor_, terms_.tolerance) &&
@@ -201,7 +201,10 @@ bool ProgramJudge::process_step(Motion& motion) {
     const OpenPathAnswer answer = helix_pocket_judge(*pocket).take(motion);
     return follow_open_path(answer, motion);
   }
+  const bool nothing = agree(motion.from, motion.to(), terms_.tolerance) &&
+                       may_mean_nil(motion, reference_.dropped_arc());
   if (std::holds_alternative<reference::AlarmReport>(step)) {
+    if (nothing) return true;
     after_alarm_ = motion;
     return true;
   }
@@ -218,10 +221,7 @@ bool ProgramJudge::process_step(Motion& motion) {
     take_m_functions();
     return false;
   }
-  if (agree(motion.from, motion.to(), terms_.tolerance) &&
-      may_mean_nil(motion, reference_.dropped_arc())) {
-    return true;
-  }
+  if (nothing) return true;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
   verdict.message = "The subject moves after the end of the program.";

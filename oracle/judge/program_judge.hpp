@@ -130,10 +130,10 @@ class ProgramJudge {
   std::deque<Record> want_m_;
   struct GotM {
     Record record;
-    bool after_motion;  // of its block
+    bool after_cut;  // of its block
   };
   std::deque<GotM> got_m_;
-  std::uint64_t moved_block_ = 0;  // of the last motion
+  std::uint64_t cut_block_ = 0;  // of the last cutting motion
 
   std::optional<Verdict> verdict_;
   std::optional<Motion> after_alarm_;  // motion in or after the block that should have alarmed

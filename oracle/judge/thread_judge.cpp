@@ -46,8 +46,7 @@ bool ThreadJudge::complete() const {
   if (is_back_unseen()) return true;
   if (phase_ != Phase::above || pass_ <= passes_) return false;
   if (step_ != Step::away) return true;
-  const Number safe = item_.external ? item_.start_radius + item_.runout_length
-                                     : item_.start_radius - item_.runout_length;
+  const Number safe = reference::gsk988ta::safe_radius(item_);
   return agree(position_[axes_.p], item_.centre[0] + safe, terms_.tolerance);
 }
 
@@ -145,13 +144,23 @@ OpenPathAnswer ThreadJudge::take_after_last(const Motion& motion, Side side) {
   const Number& tau = terms_.tolerance;
   const bool at_initial = agree(item_.r_plane, item_.initial_plane, tau);
   // GSK-G114-07. The initial plane may lie below the R plane (gsk.thread.direction = free).
-  const bool returns = moves_depth_alone(motion) &&
-                       agree(motion.to()[axes_.d], item_.initial_plane, tau) && !at_initial;
-  if (returns) return OpenPathAnswer::end(motion.from);
+  const bool rises = height(motion.to()) - height(motion.from) > tau;
+  // Without block numbers the next block's traverse may be joined to the return.
+  const bool to_initial =
+      agree(motion.to()[axes_.d], item_.initial_plane, tau) || (!terms_.compare_blocks && rises);
+  if (moves_depth_alone(motion) && to_initial && !at_initial) {
+    return OpenPathAnswer::end(motion.from);
+  }
   if (side == Side::below) {
     if (at_initial && !terms_.compare_blocks) return OpenPathAnswer::end(motion.from);
     return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
                  "The tool goes below the R plane again after the last pass.");
+  }
+  if (terms_.compare_blocks && !agree(motion.from[axes_.d], motion.to()[axes_.d], tau)) {
+    return fault(
+        VerdictKind::fail_geometry, "GSK-G114-07"_clause, motion,
+        "After the last pass the tool leaves the R plane otherwise than by a traverse along "
+        "the depth axis to the initial plane.");
   }
   if (!terms_.compare_blocks && agree(motion.from[axes_.d], item_.initial_plane, tau)) {
     return OpenPathAnswer::gap(
@@ -212,8 +221,9 @@ OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
     if (std::optional<Verdict> verdict = finish_run_out(motion)) {
       return OpenPathAnswer::decide(*std::move(verdict));
     }
-    phase_ = Phase::way_back;
-    return take_way_back(motion);
+    OpenPathAnswer answer = take_way_back(motion);
+    if (phase_ == Phase::run_out) phase_ = Phase::way_back;
+    return answer;
   }
   if (rise < -terms_.tolerance) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
@@ -290,6 +300,10 @@ OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
     begin_next_pass();
     return take_above(motion);
   }
+  if ((motion.to()[axes_.d] - item_.bottom) * up_ < -terms_.tolerance) {
+    return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
+                 "The tool goes below the bottom of the thread.");
+  }
   const bool promised = item_.runout_length >= item_.depth_of_pass(pass_);
   const Clearance clear = clearance(motion, promised ? item_.start_radius : radius(), true);
   if (clear.kind != Clearance::Kind::clear) {
@@ -300,6 +314,12 @@ OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
     if (cuts) {
       return touching(clear, "GSK-G114-06"_clause, motion,
                       "The tool cuts again before it has returned to the R plane.");
+    }
+    const bool may_run_out = phase_ == Phase::run_out && item_.runout == ThreadRunOut::open &&
+                             is_cut(motion.record.kind) &&
+                             clearance(motion, radius(), true).kind == Clearance::Kind::clear;
+    if (may_run_out) {
+      return OpenPathAnswer::gap("A run-out that rises along the depth axis is not judged.");
     }
     return touching(clear, "GSK-G114-10"_clause, motion,
                     motion.record.kind == RecordKind::rapid
@@ -323,14 +343,20 @@ OpenPathAnswer ThreadJudge::end_pass(const Motion& motion) {
   const Number& tau = terms_.tolerance;
   begin_next_pass();
   const bool beyond = height(motion.to()) > tau;
-  if (!beyond || !moves_depth_alone(motion)) return {};
+  if (!beyond) return {};
+  if (!moves_depth_alone(motion)) {
+    if (pass_ <= passes_) return {};
+    return fault(VerdictKind::fail_geometry, "GSK-G114-07"_clause, motion,
+                 "After the last pass the tool does not return along the depth axis.");
+  }
   // The return to the R plane and the traverse to the initial plane in one.
   Position here = motion.from;
   here[axes_.d] = item_.r_plane;
   position_ = here;
-  const bool to_initial = agree(motion.to()[axes_.d], item_.initial_plane, tau);
+  const bool to_initial =
+      agree(motion.to()[axes_.d], item_.initial_plane, tau) || !terms_.compare_blocks;
   if (complete() && to_initial) return OpenPathAnswer::end(here);
-  if (!item_.arc_path) return {};
+  if (!item_.arc_path && pass_ <= passes_) return {};
   return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
                "The tool goes beyond the R plane.");
 }

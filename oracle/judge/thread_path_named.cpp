@@ -5,6 +5,7 @@
 // run-out stays open.
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/thread_judge.hpp"
+#include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {
 
@@ -41,8 +42,7 @@ bool ThreadJudge::prepare_named() {
       break;
     default:
       record.kind = RecordKind::rapid;
-      p = item_.centre[0] + (item_.external ? item_.start_radius + item_.runout_length
-                                            : item_.start_radius - item_.runout_length);
+      p = item_.centre[0] + reference::gsk988ta::safe_radius(item_);
       break;
   }
   if (agree(position_, want.to(), terms_.tolerance)) return false;

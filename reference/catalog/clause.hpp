@@ -11,7 +11,7 @@ enum class ClauseLevel : std::uint8_t { must, derived, open };
 
 // One thing that a manual says.
 struct Clause {
-  std::string_view id;       // "GSK-G94-02"
+  std::string_view id;  // "GSK-G94-02"
   ClauseLevel level;
   std::string_view source;   // document and section that it stands in
   std::string_view text;     // our wording

@@ -140,8 +140,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "nor R: nothing moves.",
      "reference/gsk988ta/g92.cpp"},
     {"GSK-G92-13", open, kG92,
-     "A face thread (P), more than one start (L) and a shifted start angle (Q) are not "
-     "covered.",
+     "An inch thread (I), a face thread (P), more than one start (L) and a shifted start angle "
+     "(Q) are not covered.",
      "reference/gsk988ta/g92.cpp"},
 
     {"GSK-G110-01", must, kG110,

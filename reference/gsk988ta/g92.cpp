@@ -16,8 +16,14 @@ Number lead_of(const BlockContext& block) {
   return block.readings.is(ReadingKey::g92_lead, "own") ? machine.thread_lead : machine.feed;
 }
 
-// GSK-G92-13: the face thread, more than one start, and a shifted start angle.
+// GSK-G92-13: the inch thread, the face thread, more than one start, and a shifted start angle.
 bool has_other_form(BlockContext& block) {
+  if (block.words.has('I')) {
+    block.not_covered(92, 'I',
+                      "G92 with the word I (threads to the inch) is a form of the code that the "
+                      "gauge does not read.");
+    return true;
+  }
   struct Form {
     char address;
     int usual;

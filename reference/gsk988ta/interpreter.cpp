@@ -86,8 +86,8 @@ void Interpreter::take_motion_code(BlockContext& block) {
   machine_.motion = code;
 }
 
-// GSK-MOD-01, GSK-MOD-04: entered from outside, or from another family of milling cycles. The
-// code written again is not an entry, nor is the other one of its family.
+// GSK-MOD-01, GSK-MOD-04: entered from outside, or from another mode of the milling cycles. The
+// code written again is not an entry, nor is the other one of its pair.
 void Interpreter::enter_cycle(BlockContext& block) {
   MillingMode& mode = machine_.milling;
   const int code = block.codes.cycle;
@@ -243,8 +243,8 @@ void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t lin
     record.block = line;
     record.m = static_cast<std::int32_t>(*number);
     if (*number == 35) {
-      // The C axis is clamped before the tool moves.
-      record.before_motion = true;
+      // The C axis is clamped before the tool cuts.
+      record.before_cut = true;
       if (machine_.milling.family() == CycleFamily::helix) record.clause = "GSK-G112-01"_clause;
     }
     const bool ends_program = *number == 2 || *number == 17 || *number == 30;

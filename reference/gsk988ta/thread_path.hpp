@@ -12,6 +12,8 @@ namespace gonogo::reference::gsk988ta {
 Generator<Record> thread_passes(MillingSite site, ThreadMilling thread);
 // Where they end in the plane, along p and q.
 std::array<Number, 2> end_of_passes(const ThreadMilling& thread);
+// How far from the centre, along p, the tool waits between passes.
+Number safe_radius(const ThreadMilling& thread);
 // Turns of each helix, a partial last one as its fraction.
 Number turns_of(const ThreadMilling& thread);
 

@@ -29,7 +29,7 @@ inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {
     {{Axis::x, 'X', 'U'}, {Axis::y, 'Y', 'V'}, {Axis::z, 'Z', 'W'}, {Axis::c, 'C', 'H'}}};
 const AxisAddresses& addresses_of(Axis axis);
 
-// The milling cycles: each pair, or the four thread cycles, is one mode (GSK-MOD-01, GSK-MOD-04).
+// The milling cycles by what their words mean. Each pair is one mode (GSK-MOD-01, GSK-MOD-04).
 enum class CycleFamily : std::uint8_t { none, pocket, helix, thread };
 
 class BlockWords {

@@ -37,7 +37,7 @@ long some_length(long lowest, long highest) {
   return *rc::gen::inRange(lowest, highest);
 }
 
-// A helical pocket, a taper cycle and two threads, in G17.
+// Two taper cycles, a helical pocket and two threads, in G17.
 Program some_threads() {
   const auto coordinate = [] { return some_length(-500'000, 500'000); };
   const auto code = [](const char* a, const char* b) {
@@ -54,7 +54,13 @@ Program some_threads() {
           {"V", -some_length(1, 100'000), true},
           {"U", coordinate(), true},
           {"R", -some_length(0, 500'000), true},
-          {" F100\n"},
+          {" F100"},
+          {"\nG92 "},
+          {"V", -some_length(1, 100'000), true},
+          {"U", coordinate(), true},
+          {"R", -some_length(0, 500'000), true},
+          {"F", some_length(1'000, 50'000), true},
+          {"\n"},
           {code("G112 L", "G113 L")},
           {std::to_string(*rc::gen::inRange(1, 99'999))},
           {" X", coordinate(), true},

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Programs at random.
 #include "metamorphic_program.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <ostream>
 
 namespace gonogo::reference::testing {
 namespace {
@@ -24,13 +23,12 @@ Point any_point() {
   return {between(-50'000, 50'000), between(-50'000, 50'000), between(-50'000, 50'000)};
 }
 
-void straight(Step& step, const Point& at) {
-  Point end = any_point();
+void straight(Step& step, const Stand& stand) {
+  step.end = any_point();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    step.named[axis] = !seldom(3);
-    if (!step.named[axis]) end[axis] = at[axis];
+    step.named[axis] = (stand.astray && axis < 2) || !seldom(3);
+    if (!step.named[axis]) step.end[axis] = stand.at[axis];
   }
-  step.ends = {end};
 }
 
 // About a centre by quarter turns, so that the end lies on the circle; sometimes a little beside
@@ -46,68 +44,191 @@ void centre_arc(Step& step, const Point& at) {
   }
   const std::int64_t beside = seldom(5) ? between(0, 12) : 0;
   step.named[2] = seldom(3);
-  step.ends = {{at[0] + step.offset[0] + p + beside, at[1] + step.offset[1] + q,
-                step.named[2] ? between(-50'000, 50'000) : at[2]}};
+  step.end = {at[0] + step.offset[0] + p + beside, at[1] + step.offset[1] + q,
+              step.named[2] ? between(-50'000, 50'000) : at[2]};
 }
 
 void radius_arc(Step& step, const Point& at) {
   const std::int64_t dp = between(-20'000, 20'000);
   const std::int64_t dq = between(-20'000, 20'000);
   step.named[2] = seldom(3);
-  step.ends = {{at[0] + dp, at[1] + dq, step.named[2] ? between(-50'000, 50'000) : at[2]}};
+  step.end = {at[0] + dp, at[1] + dq, step.named[2] ? between(-50'000, 50'000) : at[2]};
   // Above half the chord; seldom too small.
-  const std::int64_t least = (std::abs(dp) + std::abs(dq)) / (seldom(10) ? 4 : 1);
+  const std::int64_t least = (std::abs(dp) + std::abs(dq)) / (seldom(15) ? 4 : 1);
   step.r = (least + between(1, 5'000)) * any_sense();
 }
 
-void taper(Step& step) {
-  step.named[2] = false;
-  for (std::int64_t count = between(1, 3); count > 0; --count) step.ends.push_back(any_point());
-  step.r = seldom(3) ? 0 : between(-5'000, 5'000);
+// A repeat may change some of the words, or none.
+CycleBlock cut_block(int code, bool first) {
+  CycleBlock block;
+  block.code = code;
+  block.code_stands = !first && seldom(5);
+  block.end = any_point();
+  block.named = {!seldom(first ? 6 : 2), !seldom(first ? 6 : 2), seldom(80)};
+  const std::int64_t most = seldom(4) ? 60'000 : 5'000;
+  if (seldom(3)) block.r = seldom(3) ? 0 : between(-most, most);
+  if (code == 92 && seldom(4)) block.words.push_back({seldom(2) ? 'J' : 'K', 0});
+  if (!first && seldom(4)) block.words.push_back({'F', between(1, 900'000)});
+  if (!first && seldom(6)) block.dwell = between(1, 5'000);
+  return block;
 }
 
-void pocket(Step& step, const Point& at) {
-  step.tool = between(500, 5'000);
-  const std::int64_t room = seldom(10) ? 0 : between(1, 12'000);
-  step.pocket_radius = step.tool + room;
-  step.step = std::min(2 * step.tool - (seldom(10) ? 0 : 1), room / 8 + between(1, 4'000));
-  const std::int64_t direction = any_sense();
-  step.r = seldom(3) ? 0 : direction * between(0, 5'000);
-  if (seldom(15)) step.r = -step.r;
-  std::int64_t deepest = 0;
-  for (std::int64_t count = between(1, 2); count > 0; --count) {
-    Point place = any_point();
-    const std::int64_t depth = seldom(8) ? 0 : between(1, 20'000);
-    deepest = std::max(deepest, depth);
-    place[2] = at[2] + step.r + direction * depth;
-    step.ends.push_back(place);
+// The code differs from the one in force, so that nothing is retained from before: a retained
+// increment would be taken from where the tool stands now (GSK-MOD-07), a retained absolute word
+// not.
+void cut(Step& step, int motion) {
+  static constexpr std::array<int, 3> kCodes = {90, 92, 94};
+  std::size_t choice = static_cast<std::size_t>(between(0, 2));
+  if (kCodes[choice] == motion) choice = (choice + 1) % 3;
+  for (std::int64_t count = between(1, 3); count > 0; --count) {
+    step.blocks.push_back(cut_block(kCodes[choice], step.blocks.empty()));
   }
-  step.infeed = deepest / 4 + between(1, 5'000);
-  step.clearance = between(-6'000, 6'000);
 }
 
-Step any_step(const Point& at) {
+// Where one block mills: R and the depth lead the same way, but seldom.
+CycleBlock site(const Stand& stand, int direction, std::int64_t depth) {
+  CycleBlock block;
+  block.end = any_point();
+  if (!seldom(3)) block.r = direction * between(0, 5'000);
+  if (seldom(25) && block.r) block.r = -*block.r;
+  block.end[2] = stand.at[2] + block.r.value_or(0) + direction * depth;
+  if (seldom(12)) block.named[static_cast<std::size_t>(between(0, 2))] = false;
+  if (seldom(6)) block.dwell = between(1, 5'000);
+  return block;
+}
+
+// In the mode: the other code of the pair, or the code once more, or no code.
+int next_code(const Step& step, CycleBlock& block, int code) {
+  block.code_stands = seldom(5);
+  if (step.blocks.empty()) return code;
+  const int last = step.blocks.back().code;
+  return seldom(4) ? last ^ 1 : last;
+}
+
+void pocket(Step& step, const Stand& stand) {
+  const std::int64_t tool = between(500, 5'000);
+  const std::int64_t room = seldom(20) ? 0 : between(1, 12'000);
+  const int direction = any_sense();
+  const int code = seldom(2) ? 110 : 111;
+  for (std::int64_t count = between(1, 3); count > 0; --count) {
+    CycleBlock block = site(stand, direction, seldom(8) ? 0 : between(1, 20'000));
+    block.code = next_code(step, block, code);
+    const bool first = step.blocks.empty();
+    if (first || seldom(4)) block.words.push_back({'I', tool + room});
+    if (first || seldom(4)) {
+      const std::int64_t step_over = room / 8 + between(1, 4'000);
+      block.words.push_back({'L', std::min(2 * tool - (seldom(20) ? 0 : 1), step_over)});
+    }
+    if (first || seldom(4)) block.words.push_back({'Q', between(5'000, 20'000)});
+    if (first || seldom(4)) block.words.push_back({'D', tool});
+    if (!seldom(3)) block.words.push_back({'P', between(-6'000, 6'000)});
+    if (first && seldom(20)) block.words.erase(block.words.begin());
+    step.blocks.push_back(block);
+  }
+}
+
+void helix(Step& step, const Stand& stand) {
+  const std::int64_t tool = between(500, 5'000);
+  const std::int64_t room = seldom(20) ? 0 : between(1, 12'000);
+  const int direction = any_sense();
+  const int code = seldom(2) ? 112 : 113;
+  for (std::int64_t count = between(1, 3); count > 0; --count) {
+    CycleBlock block = site(stand, direction, seldom(8) ? 0 : between(1, 20'000));
+    block.code = next_code(step, block, code);
+    const bool first = step.blocks.empty();
+    if (first || seldom(4)) block.words.push_back({'I', tool + room});
+    if (first || seldom(4)) block.words.push_back({'D', tool});
+    if (!seldom(3)) block.words.push_back({'L', 1'000 * between(seldom(30) ? 0 : 1, 30), false});
+    if (first && seldom(20)) block.words.erase(block.words.begin());
+    step.blocks.push_back(block);
+  }
+}
+
+// Half of them end at a multiple of 30 degrees, where sine and cosine are exact.
+CycleBlock thread_block(const Stand& stand, bool internal, std::vector<Given> words) {
+  std::int64_t depth = between(1, 20'000);
+  std::int64_t lead = depth / 10 + between(1, 2 * depth);
+  if (seldom(2)) {
+    const std::int64_t twelfth = between(1, 500);
+    lead = 12 * twelfth;
+    depth = twelfth * between(1, 40);
+  }
+  if (seldom(12)) depth = 0;
+  const std::int64_t tool = between(500, 5'000);
+  const std::int64_t height = seldom(30) ? tool + 1 : between(1, tool);
+  const std::int64_t bore = internal ? 2 * tool + (seldom(30) ? 0 : between(1, 40'000)) : 0;
+  words.push_back({'I', lead});
+  words.push_back({'P', height});
+  words.push_back({'D', tool});
+  words.push_back({'E', internal ? bore : between(1, 40'000)});
+  if (seldom(40)) words.pop_back();
+  if (!seldom(3)) words.push_back({'Q', seldom(5) ? 0 : height / 4 + between(1, height)});
+  CycleBlock block = site(stand, any_sense(), depth);
+  block.words = std::move(words);
+  return block;
+}
+
+// The run-out: longer and shorter than the thread is high, none, or that of the parameters.
+std::vector<Given> run_out_words() {
+  std::vector<Given> words;
+  if (!seldom(4)) words.push_back({'J', seldom(5) ? 0 : between(1, 6'000)});
+  if (seldom(4)) return words;
+  const std::int64_t angle = seldom(2) ? 30'000 * between(0, 12) : between(0, 360'000);
+  words.push_back({'K', seldom(60) ? 360'001 : angle, false});
+  return words;
+}
+
+void thread(Step& step, const Stand& stand) {
+  const int first_code = static_cast<int>(between(114, 117));
+  for (std::int64_t count = between(1, 3); count > 0; --count) {
+    const int code =
+        step.blocks.empty() || seldom(3) ? first_code : static_cast<int>(between(114, 117));
+    CycleBlock block = thread_block(stand, code >= 116, run_out_words());
+    block.code = code;
+    block.code_stands = seldom(5);
+    step.blocks.push_back(block);
+  }
+}
+
+// From where a thread has left the tool an arc can meet no end point that is a count.
+StepKind any_kind(const Stand& stand) {
+  const auto kind = static_cast<StepKind>(between(0, static_cast<int>(kStepKinds) - 1));
+  return stand.astray && kind == StepKind::centre_arc ? StepKind::increment : kind;
+}
+
+Step any_step(const Stand& stand, int motion) {
   Step step;
-  step.kind = static_cast<StepKind>(between(0, static_cast<int>(StepKind::dwell)));
+  step.kind = any_kind(stand);
   step.per_revolution = seldom(4);
-  step.feed = between(1, 900'000);
+  if (step.kind == StepKind::dwell || !seldom(12)) step.feed = between(1, 900'000);
   step.sense = any_sense();
+  step.closes = seldom(2);
   switch (step.kind) {
     case StepKind::rapid:
     case StepKind::feed:
-      straight(step, at);
+      straight(step, stand);
+      break;
+    case StepKind::increment:
+      step.end = any_point();
+      for (bool& named : step.named) named = !seldom(3);
       break;
     case StepKind::centre_arc:
-      centre_arc(step, at);
+      centre_arc(step, stand.at);
       break;
     case StepKind::radius_arc:
-      radius_arc(step, at);
+      radius_arc(step, stand.at);
       break;
-    case StepKind::taper:
-      taper(step);
+    case StepKind::cut:
+      cut(step, motion);
       break;
     case StepKind::pocket:
-      pocket(step, at);
+      pocket(step, stand);
+      break;
+    case StepKind::helix:
+      helix(step, stand);
+      break;
+    case StepKind::thread:
+      thread(step, stand);
       break;
     case StepKind::dwell:
       break;
@@ -115,126 +236,61 @@ Step any_step(const Point& at) {
   return step;
 }
 
-// Where the machine stands after a step.
-Point after(const Step& step, const Point& at) {
-  if (step.kind == StepKind::taper || step.kind == StepKind::dwell) return at;
-  if (step.kind == StepKind::pocket) return {step.ends.back()[0], step.ends.back()[1], at[2]};
-  return step.ends.back();
+// The code of group 01 in force after a step, where it matters to the next one.
+int motion_after(const Step& step, int motion) {
+  if (step.kind == StepKind::cut) return step.blocks.front().code;
+  if (step.kind == StepKind::dwell) return motion;
+  return is_milling(step.kind) && !step.closes ? motion : 0;
 }
 
 template <typename Move>
 Model moved(Model model, Move move) {
   move(model.start);
   for (Step& step : model.steps) {
-    for (Point& end : step.ends) move(end);
+    if (step.kind != StepKind::increment) move(step.end);
+    for (CycleBlock& block : step.blocks) move(block.end);
   }
   return model;
 }
 
-// Writes steps as blocks of words; keeps where the machine stands.
-class Writer {
- public:
-  Writer(const Model& model, const Writing& writing)
-      : writing_(writing), axes_(axes_of(writing.plane)), at_(model.start) {
-    block({{'G', fmt::format("{}", plane_code(writing.plane))},
-           {'G', writing.lengths == Lengths::inch ? "20" : "21"}});
-    for (const Step& step : model.steps) put(step);
-  }
-  std::vector<Words> take() { return std::move(blocks_); }
-
- private:
-  void block(Words words) { blocks_.push_back(std::move(words)); }
-
-  std::string number(std::int64_t count) const {
-    const bool converted = writing_.lengths == Lengths::inch_in_mm;
-    const std::int64_t value = std::abs(converted ? count * 254 : count);
-    const std::int64_t one = converted ? 10'000 : 1'000;
-    return fmt::format("{}{}.{:0{}}", count < 0 ? "-" : "", value / one, value % one,
-                       converted ? 4 : 3);
-  }
-
-  Axis axis(std::size_t place) const {
-    return place == 0 ? axes_.p : place == 1 ? axes_.q : axes_.d;
-  }
-
-  // The word of an axis; an increment counts from `from`.
-  Word word(std::size_t place, std::int64_t to, std::int64_t from) const {
-    std::int64_t value = writing_.incremental ? to - from : to;
-    if (axis(place) == Axis::x && writing_.diameter) value *= 2;
-    return {(writing_.incremental ? "UVW" : "XYZ")[index(axis(place))], number(value)};
-  }
-
-  Words end_words(const Step& step, const Point& end) const {
-    Words words;
-    for (std::size_t place = 0; place < 3; ++place) {
-      if (step.named[place]) words.push_back(word(place, end[place], at_[place]));
-    }
-    return words;
-  }
-
-  void put(const Step& step) {
-    static constexpr const char* kCodes[] = {"0", "1", "", "", "94", "", "4"};
-    std::string code = kCodes[static_cast<std::size_t>(step.kind)];
-    if (step.kind == StepKind::dwell) {
-      block({{'G', code}, {'P', fmt::format("{}", step.feed)}});
-      return;
-    }
-    const bool is_pocket = step.kind == StepKind::pocket;
-    if (is_pocket) code = step.sense < 0 ? "110" : "111";
-    if (code.empty()) code = step.sense < 0 ? "2" : "3";
-    Words head = {{'G', code}, {'G', step.per_revolution ? "99" : "98"}, {'F', number(step.feed)}};
-    if (is_pocket) {
-      head.push_back({'I', number(step.pocket_radius)});
-      head.push_back({'L', number(step.step)});
-      head.push_back({'Q', number(step.infeed)});
-      head.push_back({'D', number(step.tool)});
-    }
-    const std::int64_t initial_plane = at_[2];
-    for (const Point& end : step.ends) {
-      put_end(step, end, initial_plane, std::move(head));
-      head.clear();
-    }
-    if (is_pocket) block({{'G', "80"}});
-    at_[2] = is_pocket ? initial_plane : at_[2];
-  }
-
-  void put_end(const Step& step, const Point& end, std::int64_t initial_plane, Words words) {
-    Words last = end_words(step, end);
-    if (step.kind == StepKind::pocket) {
-      last.back() = word(2, end[2], initial_plane + step.r);  // from the R plane
-      last.push_back({'P', number(step.clearance)});
-    }
-    words.insert(words.end(), last.begin(), last.end());
-    if (step.kind == StepKind::centre_arc) {
-      words.push_back({"IJK"[index(axes_.p)], number(step.offset[0])});
-      words.push_back({"IJK"[index(axes_.q)], number(step.offset[1])});
-    } else if (step.kind != StepKind::rapid && step.kind != StepKind::feed) {
-      words.push_back({'R', number(step.r)});
-    }
-    block(std::move(words));
-    at_ = after(step, at_);
-    if (step.kind == StepKind::pocket) at_ = {end[0], end[1], initial_plane};
-  }
-
-  Writing writing_;
-  PlaneAxes axes_;
-  Point at_;
-  std::vector<Words> blocks_;
-};
+// -1 where a mirror turns the sign of R of a block.
+void turn_r(CycleBlock& block, bool turns) {
+  if (turns && block.r) block.r = -*block.r;
+}
 
 }  // namespace
 
+Stand after(const CycleBlock& block, StepKind kind, Stand stand) {
+  const bool mills = block.named == std::array<bool, 3>{true, true, true};
+  if (!is_milling(kind) || !mills) return stand;
+  const bool cuts = block.end[2] != stand.at[2] + block.r.value_or(0);
+  return {{block.end[0], block.end[1], stand.at[2]}, kind == StepKind::thread && cuts};
+}
+
+Stand after(const Step& step, Stand stand) {
+  for (const CycleBlock& block : step.blocks) stand = after(block, step.kind, stand);
+  if (!step.blocks.empty() || step.kind == StepKind::dwell) return stand;
+  if (step.kind != StepKind::increment) return {step.end, false};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (step.named[axis]) stand.at[axis] += step.end[axis];
+  }
+  return stand;
+}
+
 rc::Gen<Model> models() {
-  return rc::gen::exec([] {
-    Model model;
-    model.start = any_point();
-    Point at = model.start;
-    for (std::int64_t count = between(1, 8); count > 0; --count) {
-      model.steps.push_back(any_step(at));
-      at = after(model.steps.back(), at);
-    }
-    return model;
-  });
+  // At the full size, whatever the number of the case: a range of size 0 is its lower end.
+  return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] {
+                           Model model;
+                           model.start = any_point();
+                           Stand stand{model.start, false};
+                           int motion = 0;
+                           for (std::int64_t count = between(1, 8); count > 0; --count) {
+                             model.steps.push_back(any_step(stand, motion));
+                             stand = after(model.steps.back(), stand);
+                             motion = motion_after(model.steps.back(), motion);
+                           }
+                           return model;
+                         }));
 }
 
 Model translated(Model model, const Point& shift) {
@@ -243,52 +299,27 @@ Model translated(Model model, const Point& shift) {
   });
 }
 
+// G90 and G92 have their taper along q.
 Model mirrored_in_q(Model model) {
   for (Step& step : model.steps) {
     step.sense = -step.sense;
     step.offset[1] = -step.offset[1];
+    if (step.kind == StepKind::increment) step.end[1] = -step.end[1];
+    for (CycleBlock& block : step.blocks) {
+      turn_r(block, block.code == 90 || block.code == 92);
+      if (is_milling(step.kind)) block.code ^= 1;
+    }
   }
   return moved(std::move(model), [](Point& point) { point[1] = -point[1]; });
 }
 
+// R leads along d to the R plane.
 Model mirrored_in_d(Model model) {
   for (Step& step : model.steps) {
-    if (step.kind == StepKind::pocket) step.r = -step.r;
+    if (step.kind == StepKind::increment) step.end[2] = -step.end[2];
+    for (CycleBlock& block : step.blocks) turn_r(block, is_milling(step.kind));
   }
   return moved(std::move(model), [](Point& point) { point[2] = -point[2]; });
-}
-
-std::vector<Words> write(const Model& model, const Writing& writing) {
-  return Writer(model, writing).take();
-}
-
-Profile machine(const Model& model, const Writing& writing) {
-  Profile profile;
-  profile.x_diameter = writing.diameter;
-  const Number one = Number(writing.lengths == Lengths::mm ? 1'000 : 25'400) / 1'000'000;
-  const PlaneAxes axes = axes_of(writing.plane);
-  profile.initial.at[axes.p] = Number(model.start[0]) * one;
-  profile.initial.at[axes.q] = Number(model.start[1]) * one;
-  profile.initial.at[axes.d] = Number(model.start[2]) * one;
-  return profile;
-}
-
-std::string text(const std::vector<Words>& blocks) {
-  std::string program;
-  for (const Words& words : blocks) {
-    for (const Word& word : words) {
-      if (&word != &words.front()) program += ' ';
-      program += word.address + word.number;
-    }
-    program += '\n';
-  }
-  return program;
-}
-
-void operator<<(std::ostream& out, const Model& model) {
-  out << fmt::format("from ({}, {}, {}) thousandths along p, q, d:\n", model.start[0],
-                     model.start[1], model.start[2])
-      << text(write(model, {}));
 }
 
 }  // namespace gonogo::reference::testing
