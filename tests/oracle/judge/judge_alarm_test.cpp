@@ -45,5 +45,15 @@ TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
             VerdictKind::fail_alarm_spurious);
 }
 
+// The reference drops an arc of one increment; the subject's is no motion after the alarm.
+TEST(AlarmJudge, AnArcTooSmallToSeeBeforeTheAlarmIsNoLateMotion) {
+  const Verdict verdict = judge_trace("G00 G19 X0 Y67.6 Z5 F461\nG03 V0.001 W0 R3.6\nY-39.001\n",
+                                      R"({"k":"rapid","b":1,"to":{"x":"0","y":"67.6","z":"5"}}
+{"k":"arc","b":2,"plane":"G19","c":{"y":"67.6005","z":"8.599999965"},"rot":1,"to":{"y":"67.601","z":"5"},"f":"461"}
+{"k":"alarm","b":3,"class":"missing-word"}
+)");
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
