@@ -11,7 +11,13 @@ namespace gonogo::cli {
 
 void report_alarms(const reference::AlarmReport& report, std::string_view file,
                    std::string_view line) {
+  constexpr std::size_t kShown = 20;
+  std::size_t shown = 0;
   for (const reference::Alarm& alarm : report.alarms) {
+    if (++shown > kShown) {
+      fmt::print(stderr, "... and {} more alarms of the block.\n", report.alarms.size() - kShown);
+      break;
+    }
     const std::string message =
         fmt::format("alarm: {} [{}, {}]", alarm.message, reference::name(alarm.alarm),
                     reference::clause_name(alarm.clause));

@@ -66,7 +66,11 @@ OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
       next();
       continue;
     }
+    const bool nothing = agree(motion.from, motion.to(), terms_.tolerance) &&
+                         agree(motion.from, line_want_.from, terms_.tolerance) &&
+                         !nearly_full_turn(motion);
     const MatchResult result = line_->match(motion);
+    if (result.departure != Departure::none && nothing) return {};
     if (result.departure == Departure::none) {
       if (result.done) next();
       return {};
