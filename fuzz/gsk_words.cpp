@@ -114,6 +114,9 @@ void GskWriter::spoil(Words& words) {
       break;
     case 3:
       count("fault: zero");
+      // A straight run-out along the tangent meets the thread itself.
+      if (victim[0] == 'K' && profile_.readings.is(reference::ReadingKey::thread_runout, "tangent"))
+        break;
       if (victim[0] != 'G' && victim[0] != 'M' && victim[0] != 'F')
         victim = victim.substr(0, 1) + "0";
       break;
