@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT-0
+"""bCNC's interpreter (class CNC), as its canvas uses it: one line in, a polyline out.
+
+Arcs are chords within CNC.accuracy. It knows no errors, and draws no dwell.
+"""
+import contextlib
+import os
+import re
+import subprocess
+import sys
+from fractions import Fraction
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from gonogo_pipe import Subject, serve  # noqa: E402
+from rs274_profile import anything, one_of, refusal  # noqa: E402
+
+HOME = "/usr/share/bcnc/bCNC"
+PLANES = {"G17": 0, "G18": 1, "G19": 2}
+
+
+def _version():
+    with contextlib.suppress(OSError, subprocess.CalledProcessError):
+        done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "bcnc"],
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
+        return done.stdout.decode() or "unknown"
+    return "unknown"
+
+
+def _number(value):
+    return float(Fraction(str(value)))
+
+
+class Bcnc(Subject):
+    name = "bcnc"
+    version = _version()
+    dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "arc-distance"]}
+    features = ["blocks"]  # it is given one line at a time
+    numeric = {"kind": "binary64", "chord": "0.01"}
+
+    def __init__(self):
+        sys.path[:0] = [HOME, os.path.join(HOME, "lib"), os.path.dirname(HOME)]
+        import CNC
+        self.module = CNC
+        self.evaluate = CNC.GCode().evaluate
+
+    def configure(self, dialect, profile):
+        initial = profile.get("initial", {})
+        self.at = [_number(initial.get(axis, 0)) for axis in "xyz"]
+        self.feed = _number(initial.get("f", 0))
+        self.plane = PLANES.get(initial.get("plane", "G17"))
+        self.inch = profile.get("units") == "inch"
+        return refusal(dialect, profile, {
+            "initial.x": anything, "initial.y": anything, "initial.z": anything,
+            "initial.f": anything, "initial.plane": one_of(*PLANES), "units": one_of("mm", "inch"),
+        })
+
+    def run(self, program, emit):
+        machine = self.module.CNC()
+        machine.initPath(*self.at, 0, 0, 0)
+        machine.feed, machine.plane = self.feed, self.plane
+        machine.unit = 25.4 if self.inch else 1.0
+        self.module.CNC.vars["feedmode"] = 94
+        lines = re.split("\r\n|\r|\n", program.decode("utf-8", "replace"))
+        for b, line in enumerate(lines, 1):
+            words = self.module.CNC.breakLine(self.evaluate(self.module.CNC.compileLine(line)))
+            if not words:
+                continue
+            machine.motionStart(words)
+            points = machine.motionPath()
+            for x, y, z in points[1:]:
+                to = {"x": float(x), "y": float(y), "z": float(z)}
+                if machine.gcode == 0:
+                    emit("rapid", b=b, to=to)
+                else:
+                    fm = "rev" if self.module.CNC.vars["feedmode"] == 95 else None
+                    emit("feed", b=b, to=to, f=float(machine.feed), fm=fm)
+            machine.motionEnd()
+
+
+if __name__ == "__main__":
+    serve(Bcnc)

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT-0
+"""LinuxCNC's interpreter through its Python module `gcode`, which gives full doubles and lines.
+
+It hands out inches, whatever the program's units. They are turned into millimetres exactly, as
+fractions, so that no rounding is the adapter's.
+"""
+import os
+import sys
+import tempfile
+from fractions import Fraction
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import linuxcnc_shared as linuxcnc  # noqa: E402
+from gonogo_pipe import Subject, alarm, serve, skip  # noqa: E402
+from rs274_profile import one_of, refusal  # noqa: E402
+
+MM = Fraction(127, 5)
+PLANES = {1: ("G17", "xyz"), 3: ("G18", "zxy"), 2: ("G19", "yzx")}
+
+
+class Unsupported(Exception):
+    """A motion that no record can carry."""
+
+
+class Canon:
+    """The callbacks of one program."""
+
+    def __init__(self, emit, folder, block_delete):
+        self.emit, self.block_delete = emit, block_delete
+        self.parameter_file = os.path.join(folder, "rs274ngc.var")
+        self.line, self.feed, self.plane, self.per_turn = 0, None, 1, False
+        self.state_feed, self.fault = Fraction(0), None
+
+    def __getattr__(self, name):
+        # The interpreter calls back for spindles, coolant, comments and more: no motion, no record.
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return lambda *_arguments: None
+
+    def next_line(self, state):
+        self.line = state.sequence_number
+        # Feeds are in the program's units here, 200 is G20.
+        self.state_feed = Fraction(state.feed_rate) * (MM if state.units == 200 else 1)
+
+    def comment(self, text):
+        # The only word about the feed mode that comes before the motion of the same line.
+        if text.startswith("interpreter: feed mode set to "):
+            self.per_turn = text.endswith("units per revolution")
+
+    def set_feed_rate(self, feed):
+        if self.line:
+            self.feed = Fraction(feed) * MM
+
+    def set_plane(self, plane):
+        self.plane = plane
+
+    def _feeds(self):
+        # Before the first F, LinuxCNC runs with the feed that it believes the machine has.
+        return {"f": self.state_feed if self.feed is None else self.feed,
+                "fm": "rev" if self.per_turn else None}
+
+    def _put(self, kind, to, others, **fields):
+        if not self.line:
+            return  # the way to the profile's initial position
+        a, b, c, *uvw = others
+        if b or any(uvw):
+            self._fail(Unsupported("The axes B, U, V and W have no place in a record."))
+        to = {axis: Fraction(value) * MM for axis, value in to.items()}
+        self._emit(kind, to={**to, "a": Fraction(a), "c": Fraction(c)}, **fields)
+
+    def _emit(self, kind, **fields):
+        try:
+            self.emit(kind, b=self.line, **fields)
+        except Exception as fault:
+            self._fail(fault)
+
+    def _fail(self, fault):
+        # The interpreter stops at an exception, and reports another one in its place.
+        self.fault = fault
+        raise fault
+
+    def straight_traverse(self, x, y, z, *others):
+        self._put("rapid", {"x": x, "y": y, "z": z}, others)
+
+    def straight_feed(self, x, y, z, *others):
+        self._put("feed", {"x": x, "y": y, "z": z}, others, **self._feeds())
+
+    def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *others):
+        plane, (first, second, third) = PLANES[self.plane]
+        centre = {first: Fraction(centre1) * MM, second: Fraction(centre2) * MM}
+        self._put("arc", {first: end1, second: end2, third: axial}, others, plane=plane,
+                  c=centre, rot=turn, **self._feeds())
+
+    def dwell(self, seconds):
+        self._emit("dwell", s=seconds)
+
+    # What the interpreter asks.
+    def get_tool(self, _number):
+        return (-1,) + 12 * (0.0,) + (0,)
+
+    def get_external_length_units(self):
+        return 1 / 25.4
+
+    def get_external_angular_units(self):
+        return 1.0
+
+    def get_axis_mask(self):
+        return 0o777
+
+    def get_block_delete(self):
+        return self.block_delete
+
+    def check_abort(self):
+        return False
+
+
+class LinuxcncGcode(Subject):
+    name = "linuxcnc-gcode"
+    version = linuxcnc.version()
+    dialects = {"rs274": linuxcnc.FEATURES}
+    features = ["blocks"]  # not "bytes": a comment that is not UTF-8 breaks the module
+    numeric = {"kind": "binary64"}
+
+    def __init__(self):
+        import gcode  # only here: the helpers above can be read without LinuxCNC
+        self.gcode = gcode
+        self.folder = tempfile.TemporaryDirectory(prefix="gonogo-linuxcnc-")
+        linuxcnc.open_tools(self.folder.name)
+        os.chdir(self.folder.name)  # where programs look for subroutines and write their logs
+
+    def configure(self, dialect, profile):
+        at = {"initial." + axis: _is_plain for axis in "xyzac"}
+        refused = refusal(dialect, profile, {
+            **linuxcnc.READINGS, **at, "units": one_of("mm", "inch"),
+            "block_skip": one_of(False, True), "initial.plane": one_of("G17", "G18", "G19"),
+        })
+        if refused:
+            return refused
+        initial = profile.get("initial", {})
+        axes = "".join(" %s%s" % (axis.upper(), initial[axis])
+                       for axis in "xyzac" if axis in initial)
+        self.place = "G21" + (" G0" + axes if axes else "")
+        # G80 forgets the G0 of the way there.
+        units = "G20" if profile.get("units") == "inch" else "G21"
+        self.modes = "%s %s%s" % (units, initial.get("plane", "G17"), " G80" if axes else "")
+        self.block_skip = bool(profile.get("block_skip"))
+        return None
+
+    def run(self, program, emit):
+        path = os.path.join(self.folder.name, "program.ngc")
+        with open(path, "wb") as file:
+            file.write(linuxcnc.completed(program))
+        canon = Canon(emit, self.folder.name, self.block_skip)
+        # What programs leave behind in the parameter file would be the next one's start.
+        with open(canon.parameter_file, "w"):
+            pass
+        try:
+            result, _ = self.gcode.parse(path, canon, self.place, self.modes)
+        except Exception:
+            if isinstance(canon.fault, Unsupported):
+                return skip("axes", str(canon.fault))
+            raise canon.fault or sys.exc_info()[1]
+        if result <= self.gcode.MIN_ERROR:
+            return None
+        message = self.gcode.strerror(result)
+        # next_line is called for the line at fault too; the number that parse returns is one too
+        # high when that line could not be read.
+        return alarm(message, linuxcnc.class_of(message), b=canon.line)
+
+
+def _is_plain(value):
+    text = str(value).lstrip("-")
+    return text.replace(".", "", 1).isdigit()
+
+
+if __name__ == "__main__":
+    serve(LinuxcncGcode)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What both of LinuxCNC's interpreters do."""
+import shutil
+
+from adapter_testing import Arcs, Distances, Lines, need, need_module
+
+
+def need_linuxcnc():
+    need(shutil.which("rs274"), "linuxcnc-uspace")
+    need_module("gcode", "linuxcnc-uspace")
+
+
+class Linuxcnc(Lines, Distances, Arcs):
+    def test_absolute_centre(self):
+        self.assertRecords("G0 X2\nG90.1 G3 X12 Y0 I7 J0 F10\n", [
+            {"k": "rapid", "b": 1},
+            {"k": "arc", "b": 2, "c": {"x": 7, "y": 0}, "rot": 1, "to": {"x": 12, "y": 0}}])
+
+    def test_turns(self):
+        self.assertRecords("G2 X10 I5 P3 Z4 F10\n", [
+            {"k": "arc", "b": 1, "rot": -3, "to": {"x": 10, "y": 0, "z": 4}}])
+
+    def test_dwell(self):
+        self.assertRecords("G4 P0.5\n", [{"k": "dwell", "b": 1, "s": "0.5"}])
+
+    def test_pair_of_percent_signs(self):
+        self.assertRecords("%\nG0 X1\n%\nG0 X2\n", [{"k": "rapid", "b": 2, "to": {"x": 1}}])
+
+    def test_numbers_of_blocks_are_not_line_numbers(self):
+        self.assertRecords("N 1 2 G0 X1\nN99999999 G0 X2\n", [
+            {"k": "rapid", "b": 1, "to": {"x": 1}}, {"k": "rapid", "b": 2, "to": {"x": 2}}])
+
+    def test_tools(self):
+        self.assertRecords("T1 M6\nG0 X1\n", [{"k": "rapid", "b": 2, "to": {"x": 1}}])
+
+    def test_nothing_runs_after_m2(self):
+        self.assertRecords("G0 X1\nM2\nG0 X2\n", [{"k": "rapid", "b": 1, "to": {"x": 1}}])
+
+    def test_feed_per_revolution(self):
+        self.assertRecords("S100 M3\nG95 G1 X1 F0.2\nX2\nG94 X3 F5\n", [
+            {"k": "feed", "b": 2, "to": {"x": 1}, "f": "0.2", "fm": "rev"},
+            {"k": "feed", "b": 3, "to": {"x": 2}, "f": "0.2", "fm": "rev"},
+            {"k": "feed", "b": 4, "to": {"x": 3}, "f": 5}])
+
+    def test_block_delete(self):
+        for skip, ends in ((False, [1, 2, 3]), (True, [1, 3])):
+            self.assertRecords("G0 X1\n/G0 X2\nG0 X3\n",
+                               [{"k": "rapid", "b": x, "to": {"x": x}} for x in ends],
+                               {"block_skip": skip})
+
+    def test_reading_of_the_arc_tolerance(self):
+        self.assertRecords("G0 X1\n", [{"k": "rapid"}],
+                           {"readings": {"ngc.arc-tolerance": "linuxcnc"}})
+
+    def test_comments_in_chinese(self):
+        self.assertRecords("(\u4e2d) ;\u4e2d\nG0 X1\n", [{"k": "rapid", "b": 2, "to": {"x": 1}}])
+
+    def test_alarm_in_a_block_that_cannot_be_done(self):
+        self.assertAlarm("G0 X1\n\nG2 Y1 F10\nG0 X5\n", "missing-word", 3,
+                         "R i j k words all missing for arc",
+                         [{"k": "rapid", "b": 1, "to": {"x": 1}}])
+
+    def test_alarm_in_a_block_that_cannot_be_read(self):
+        self.assertAlarm("G0 X1\nG0 Q\nG0 X5\n", "syntax", 2, "No characters found",
+                         [{"k": "rapid", "b": 1}])
+
+    def test_alarms_behind_lines_without_motion(self):
+        for block, cls in (("G2 Y1 F1", "missing-word"), ("G0 Q", "syntax"),
+                           ("G99.9", "undefined-code"), ("G0 G1 X1", "duplicate-word")):
+            with self.subTest(block=block):
+                self.assertAlarm("G0 X1\n(c)\n\nS100\nG21\n%s\nG0 X5\n" % block, cls, 6, "",
+                                 [{"k": "rapid", "b": 1}])
+
+    def test_alarm_in_the_first_line(self):
+        self.assertAlarm("X1\n", "missing-word", 1, "Cannot use axis values")
+
+    def test_alarm_in_the_last_line_without_line_end(self):
+        self.assertAlarm("G0 X1\nG2 X5 I9 F1", "arc-end-point", 2, "Radius to end of arc differs",
+                         [{"k": "rapid", "b": 1}])
+
+    def test_classes(self):
+        for block, cls in {
+                "G2 X10 R4 F1": "arc-radius", "G2 X0 Y0 R4 F1": "arc-end-point",
+                "G2 X10 I5 K1 F1": "axis-not-in-plane", "G2 X10 I5 R5 F1": "conflicting-words",
+                "G2 X10 I5 P1.5 F1": "not-an-integer", "G0 X1 X2": "duplicate-word",
+                "G0 G1 X1 F1": "duplicate-word", "G99.9": "undefined-code", "G4": "missing-word",
+                "G0 X1.2.3": "syntax"}.items():
+            with self.subTest(block=block):
+                self.assertAlarm(block + "\n", cls, 1, "")
+
+    def test_a_message_of_no_certain_class_has_none(self):
+        self.assertAlarm("F-1\n", None, 1, "Negative f word used")
+
+    def test_nothing_is_left_of_a_program_that_alarmed(self):
+        self.run_program("G20 G91 G18 G90.1\nG0 Q\n")
+        self.assertRecords("G2 X10 I5 F10\n", [
+            {"k": "arc", "plane": "G17", "c": {"x": 5, "y": 0}, "to": {"x": 10}, "f": 10}])
+
+    def test_an_axis_that_no_record_has_is_skipped(self):
+        self.assertEqual(self.run_program("G0 B1\n")["outcome"], "skip")

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""LinuxCNC's Python module behind its adapter."""
+import unittest
+from fractions import Fraction
+
+from adapter_testing import AdapterCase, number, python
+from linuxcnc_cases import Linuxcnc, need_linuxcnc
+
+
+class LinuxcncGcode(Linuxcnc, AdapterCase):
+    command = python("linuxcnc_gcode.py")
+
+    def test_the_adapter_rounds_nothing(self):
+        # LinuxCNC keeps 1 mm as the double nearest to 1/25.4 in; 25.4 times that double, exactly,
+        # is not 1, and no rounding may bring the 1 back.
+        (record,) = self.run_program("G0 X1\n")["records"]
+        self.assertEqual(number(record["to"]["x"]), Fraction(1 / 25.4) * Fraction(127, 5))
+        self.assertNotEqual(number(record["to"]["x"]), 1)
+
+    def test_initial_position_plane_and_units(self):
+        self.assertRecords("G91 G0 X1\n", [
+            {"k": "rapid", "b": 1, "to": {"x": "30.4", "y": 0, "z": "-2.5"}}],
+            {"units": "inch", "initial": {"x": "5", "z": "-2.5", "plane": "G18"}})
+
+    def test_initial_plane(self):
+        self.assertRecords("G2 X8 Z6 I4 K3 F200\n", [{"k": "arc", "plane": "G18"}],
+                           {"initial": {"plane": "G18"}})
+
+    def test_no_motion_is_on_at_the_initial_position(self):
+        reply = self.run_program("X1\n", {"initial": {"x": "5"}})
+        self.assertEqual(reply["alarm"]["class"], "missing-word")
+
+    def test_without_f_the_machine_s_own_feed_comes_out(self):
+        # LinuxCNC's module begins with F1: the missing alarm is its own.
+        self.assertRecords("G1 X1\nG20 G1 X1\n", [{"k": "feed", "f": 1}, {"k": "feed"}])
+
+
+if __name__ == "__main__":
+    need_linuxcnc()
+    unittest.main()
