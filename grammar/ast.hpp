@@ -12,7 +12,8 @@
 namespace gonogo::grammar {
 
 // The dialects that the grammar reads.
-enum class Dialect { gsk988ta };
+enum class Dialect { gsk988ta, hnc21t, rs274 };
+inline constexpr Dialect kDialects[] = {Dialect::gsk988ta, Dialect::hnc21t, Dialect::rs274};
 
 // Bytes [begin, end) of the line, counted from 0. A column for people is begin + 1.
 struct Span {
@@ -31,7 +32,7 @@ struct Decimal {
   friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 
-// An address letter and its number.
+// An address, a capital letter however it is written, and its number.
 struct Word {
   char address = 0;
   Decimal value;
@@ -54,7 +55,7 @@ struct Comment {
 // Something that the maker's language has and the gauge does not read: a variable, an expression, a
 // jump. The block is well formed as far as can be told; its meaning is not covered.
 struct OutsideConstruct {
-  std::string name;  // stable: "variable", "expression", "control-statement", "file-name"
+  std::string name;  // stable: "variable", "expression", "control-statement", "file-name", "o-word"
   Span where;
   friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {
     return a.name == b.name;
@@ -66,7 +67,7 @@ struct Block {
   bool skip = false;                       // begins with '/'
   bool tape_mark = false;                  // the line is '%'
   std::optional<Decimal> sequence_number;  // N
-  std::optional<Decimal> program_number;   // O
+  std::optional<Decimal> program_number;   // O, in HNC also %
   std::vector<Word> words;
   std::vector<Comment> comments;
   std::optional<OutsideConstruct> outside;

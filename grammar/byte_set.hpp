@@ -43,16 +43,27 @@ inline constexpr ByteSet kBlank{" \t"};
 inline constexpr ByteSet kDigit = ByteSet::range('0', '9');
 inline constexpr ByteSet kCapital = ByteSet::range('A', 'Z');
 inline constexpr ByteSet kLowerCase = ByteSet::range('a', 'z');
+inline constexpr ByteSet kLetter = kCapital | kLowerCase;
 inline constexpr ByteSet kSign{"+-"};
 
 // N and O number a block or a program; every other capital letter is the address of a word.
 inline constexpr ByteSet kAddress = kCapital - ByteSet{"NO"};
 
+// How a dialect writes letters outside comments: in capitals, or in either case.
+enum class Letters { capital, any_case };
+
+// A letter as a capital; every other byte as it is.
+constexpr char capital_of(char letter) {
+  return kLowerCase.contains(letter) ? static_cast<char>(letter - 'a' + 'A') : letter;
+}
+
 // What may stand somewhere outside a comment in a block that is read.
 inline constexpr ByteSet kProgram = kBlank | kDigit | kCapital | kSign | ByteSet{".()/;%#[]"};
 
 // What may stand in an outside construct, without the bytes that open or close something.
-inline constexpr ByteSet kMacro =
-    (kBlank | ByteSet::range('!', '~')) - kLowerCase - ByteSet{"()[];"};
+template <Letters letters>
+inline constexpr ByteSet kMacro = (kBlank | ByteSet::range('!', '~')) -
+                                  (letters == Letters::capital ? kLowerCase | ByteSet{"()[];"}
+                                                               : ByteSet{"()[];"});
 
 }  // namespace gonogo::grammar

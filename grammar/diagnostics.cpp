@@ -28,6 +28,8 @@ constexpr Expectation kExpectations[] = {
     {"block-end", SyntaxCode::unexpected_character,
      "an address, a comment or the end of the block"},
     {"tape-mark-end", SyntaxCode::unexpected_character, "the end of the line after '%'"},
+    {"percent-sign-end", SyntaxCode::unexpected_character,
+     "a program number or the end of the line after '%'"},
 };
 
 // A code, its stable name and its sentence; '@' stands for what was expected.
@@ -83,7 +85,7 @@ std::size_t behind_number_start(std::string_view line, std::size_t offset) {
 
 // The address that stands before `offset`.
 std::string_view address_before(std::string_view line, std::size_t offset) {
-  while (offset > 0 && !kCapital.contains(line[offset - 1])) --offset;
+  while (offset > 0 && !kLetter.contains(line[offset - 1])) --offset;
   return offset == 0 ? std::string_view{} : line.substr(offset - 1, 1);
 }
 
@@ -97,7 +99,8 @@ SyntaxError foreign_character(std::string_view line, std::size_t offset, std::st
 
 }  // namespace
 
-SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset) {
+SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset,
+                     Letters letters) {
   const Expectation& expectation = expectation_of(key);
   if (expectation.code == SyntaxCode::unclosed_comment) {
     return {expectation.code, span(offset - 1, line.size()), std::string(expectation.phrase)};
@@ -105,8 +108,9 @@ SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t of
   if (key == "number") offset = behind_number_start(line, offset);
   std::string phrase = insert(expectation.phrase, address_before(line, offset));
   if (offset == line.size()) return {expectation.code, span(offset, offset), std::move(phrase)};
-  if (!kProgram.contains(line[offset])) return foreign_character(line, offset, std::move(phrase));
-  if (key == "block-end" && (line[offset] == 'N' || line[offset] == 'O')) {
+  const char byte = letters == Letters::any_case ? capital_of(line[offset]) : line[offset];
+  if (!kProgram.contains(byte)) return foreign_character(line, offset, std::move(phrase));
+  if (key == "block-end" && (byte == 'N' || byte == 'O')) {
     return {SyntaxCode::misplaced_number_word, span(offset, offset + 1),
             "an address other than N and O"};
   }

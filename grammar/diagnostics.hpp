@@ -7,11 +7,13 @@
 #include <string_view>
 
 #include "grammar/ast.hpp"
+#include "grammar/byte_set.hpp"
 
 namespace gonogo::grammar {
 
 // `key` is the name of the rule that was expected at `offset` of `line`; one table maps the keys to
 // codes and phrases. An unknown key is a fault of the grammar and aborts.
-SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset);
+SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset,
+                     Letters letters);
 
 }  // namespace gonogo::grammar

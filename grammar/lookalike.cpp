@@ -28,14 +28,10 @@ constexpr Lookalike kLookalikes[] = {
     {0x041E, 'O'},  {0x0420, 'P'}, {0x0421, 'C'},  {0x0422, 'T'},  {0x0423, 'Y'}, {0x0425, 'X'},
 };
 
-char capital_of(char letter) {
-  return static_cast<char>(letter - 'a' + 'A');
-}
-
 // The fullwidth forms stand in the order of ASCII.
 char fullwidth(char32_t offset_from_exclamation_mark) {
   const char ascii = static_cast<char>('!' + static_cast<char>(offset_from_exclamation_mark));
-  return kLowerCase.contains(ascii) ? capital_of(ascii) : ascii;
+  return capital_of(ascii);
 }
 
 char ascii_for(char32_t code_point) {

@@ -3,6 +3,8 @@
 
 #include "grammar/line_source.hpp"
 #include "grammar/x3/gsk988ta.hpp"
+#include "grammar/x3/hnc21t.hpp"
+#include "grammar/x3/rs274.hpp"
 
 namespace gonogo::grammar {
 
@@ -12,6 +14,10 @@ std::optional<SyntaxError> parse_block(Dialect dialect, std::string_view line, B
   switch (dialect) {
     case Dialect::gsk988ta:
       return gsk988ta::parse_line(line, block);
+    case Dialect::hnc21t:
+      return hnc21t::parse_line(line, block);
+    case Dialect::rs274:
+      return rs274::parse_line(line, block);
   }
   __builtin_unreachable();
 }

@@ -22,8 +22,9 @@ namespace gonogo::grammar {
 // the beginning of such a line (Line::too_long).
 SyntaxError line_too_long();
 
-// Writes a block so that parse_block reads the same tree again: words first, then comments, and
-// for an outside construct, whose text is not in the tree, a short one of the same name. The tree
+// Writes a block so that parse_block of its dialect reads the same tree again: words first, then
+// comments, a program number as O, and for an outside construct, whose text is not in the tree, a
+// short one of the same name, which every dialect that has the construct reads. The tree
 // is one that parse_block can give (no ')' in a comment, one comment to the end of the line, ...).
 std::string print(const Block& block);
 // Appends the number: -12.50.

@@ -12,11 +12,13 @@ struct StandIn {
   std::string_view text;
 };
 
-// The text of an outside construct is not in the tree; any text of the same name stands for it.
+// The text of an outside construct is not in the tree; any text of the same name stands for it in
+// every dialect that has the construct.
 constexpr StandIn kStandIns[] = {{"variable", "X#1"},
                                  {"expression", "X[1]"},
                                  {"control-statement", "GOTO 1"},
-                                 {"file-name", "P[T1]"}};
+                                 {"file-name", "P[T1]"},
+                                 {"o-word", "O1 SUB"}};
 
 std::string_view stand_in(std::string_view name) {
   for (const StandIn& entry : kStandIns) {

@@ -14,6 +14,12 @@
 
 namespace gonogo::grammar::x3 {
 
+// The byte that the grammar sees.
+template <Letters letters>
+constexpr char as_capital(char byte) {
+  return letters == Letters::any_case ? capital_of(byte) : byte;
+}
+
 // One byte of a set.
 template <const ByteSet& set>
 struct OneOf : spirit::parser<OneOf<set>> {
@@ -40,6 +46,37 @@ struct Byte : spirit::parser<Byte<wanted>> {
   bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
              Attribute&) const {
     if (first == last || *first != wanted) return false;
+    ++first;
+    return true;
+  }
+};
+
+// One given letter.
+template <char wanted, Letters letters>
+struct Letter : spirit::parser<Letter<wanted, letters>> {
+  using attribute_type = spirit::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
+             Attribute&) const {
+    if (first == last || as_capital<letters>(*first) != wanted) return false;
+    ++first;
+    return true;
+  }
+};
+
+// The letter of a word, as a capital.
+template <Letters letters>
+struct Address : spirit::parser<Address<letters>> {
+  using attribute_type = char;
+  static constexpr bool has_attribute = true;
+
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
+             Attribute& attribute) const {
+    if (first == last || !kAddress.contains(as_capital<letters>(*first))) return false;
+    spirit::traits::move_to(as_capital<letters>(*first), attribute);
     ++first;
     return true;
   }
@@ -115,24 +152,34 @@ struct RestOfLine : spirit::parser<RestOfLine> {
   }
 };
 
-// A keyword of a list, not followed by a further capital letter.
-template <const auto& words>
-struct Keyword : spirit::parser<Keyword<words>> {
+// A keyword of a list, not followed by a further letter.
+template <const auto& words, Letters letters>
+struct Keyword : spirit::parser<Keyword<words, letters>> {
   using attribute_type = spirit::unused_type;
   static constexpr bool has_attribute = false;
 
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
              Attribute&) const {
-    if (last - first < 2 || !kCapital.contains(first[1])) return false;  // nearly every word
+    if (last - first < 2 || !is_letter(first[1])) return false;  // nearly every word
     const std::string_view rest(first, static_cast<std::size_t>(last - first));
     for (const std::string_view word : words) {
-      if (!rest.starts_with(word)) continue;
-      if (rest.size() > word.size() && kCapital.contains(rest[word.size()])) continue;
+      if (!begins_with(rest, word)) continue;
+      if (rest.size() > word.size() && is_letter(rest[word.size()])) continue;
       first += word.size();
       return true;
     }
     return false;
+  }
+
+ private:
+  static bool is_letter(char byte) { return kCapital.contains(as_capital<letters>(byte)); }
+  static bool begins_with(std::string_view text, std::string_view word) {
+    if (text.size() < word.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      if (as_capital<letters>(text[i]) != word[i]) return false;
+    }
+    return true;
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines that are well formed, and their trees.
+// Lines that are well formed, and their trees; in every dialect where the name does not tell.
 #include "tests/grammar/trees.hpp"
 
 namespace gonogo::grammar {
@@ -69,6 +69,17 @@ TEST(Block, APercentSignAloneIsATapeMark) {
   EXPECT_EQ(parsed("\t% "), want);
 }
 
+TEST(Block, InHncAPercentSignWithANumberIsAProgramHeadAsOIs) {
+  for (const char* line : {"%1234", " % 1234 ", "O1234", "%01234"}) {
+    Block want;
+    want.program_number = decimal(1234);
+    EXPECT_EQ(parsed(Dialect::hnc21t, line), want) << line;
+  }
+  for (const char* tail : {"(part)", "G90 X1;top", "#1=5"}) {
+    EXPECT_EQ(parsed(Dialect::hnc21t, std::string("%7") + tail), parsed(std::string("O7") + tail));
+  }
+}
+
 TEST(Block, NothingAndBlanksAreBlocksWithoutWords) {
   EXPECT_EQ(parsed(""), Block{});
   EXPECT_EQ(parsed(std::string_view{}), Block{});
@@ -77,14 +88,16 @@ TEST(Block, NothingAndBlanksAreBlocksWithoutWords) {
 }
 
 TEST(Block, AnEarlierBlockLeavesNothingBehind) {
-  Block block;
-  for (const char* line : {"/N1 G1 X1 (a) ;b", "O5 X#1", "%", ""}) {
-    EXPECT_FALSE(parse_block(Dialect::gsk988ta, line, block)) << line;
+  for (const Dialect dialect : kDialects) {
+    Block block;
+    for (const char* line : {"/N1 G1 X1 (a) ;b", "O5 X#1", "%", ""}) {
+      EXPECT_FALSE(parse_block(dialect, line, block)) << line;
+    }
+    EXPECT_EQ(block, Block{});
+    EXPECT_TRUE(parse_block(dialect, "/N1 G1 (a) X", block));
+    EXPECT_FALSE(parse_block(dialect, "X1", block));
+    EXPECT_EQ(block, block_of({word('X', 1)}));
   }
-  EXPECT_EQ(block, Block{});
-  EXPECT_TRUE(parse_block(Dialect::gsk988ta, "/N1 G1 (a) X", block));
-  EXPECT_FALSE(parse_block(Dialect::gsk988ta, "X1", block));
-  EXPECT_EQ(block, block_of({word('X', 1)}));
 }
 
 TEST(Number, SignPointAndZerosAsWritten) {
@@ -154,30 +167,50 @@ struct OutsideCase {
   Span where;
 };
 
-TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
-  const OutsideCase cases[] = {
-      {"#100=5", "variable", 0, {0, 6}},
-      {"N1 #100=[#1+2]*3 ", "variable", 0, {3, 16}},
-      {"(depth) #100=5", "variable", 0, {8, 14}},
-      {"G1 X#100 Y5", "variable", 1, {3, 11}},
-      {"G1 X -#100", "variable", 1, {3, 10}},
-      {"G1 F[25.4/2] X1", "expression", 1, {3, 15}},
-      {"G1 X-[[1]+[2]];tail", "expression", 1, {3, 14}},
-      {"IF[#1EQ2]GOTO20", "control-statement", 0, {0, 15}},
-      {"N5 WHILE [#1 LT 5] DO1", "control-statement", 0, {3, 22}},
-      {"END1", "control-statement", 0, {0, 4}},
-      {"M99 GOTO 5", "control-statement", 1, {4, 10}},
-      {"M98 P[T123]", "file-name", 1, {4, 11}},
-      {"M98 P[TAN[1]]", "expression", 1, {4, 13}},
-      {"M98 P[#100]", "expression", 1, {4, 11}},
-  };
+void expect_outside(Dialect dialect, const std::vector<OutsideCase>& cases) {
   for (const OutsideCase& expected : cases) {
-    const Block block = parsed(expected.line);
+    const Block block = parsed(dialect, expected.line);
     ASSERT_TRUE(block.outside) << expected.line;
     EXPECT_EQ(block.outside->name, expected.name) << expected.line;
     EXPECT_EQ(block.outside->where, expected.where) << expected.line;
     EXPECT_EQ(block.words.size(), expected.words) << expected.line;
   }
+}
+
+TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
+  for (const Dialect dialect : kDialects) {
+    expect_outside(dialect, {{"#100=5", "variable", 0, {0, 6}},
+                             {"N1 #100=[#1+2]*3 ", "variable", 0, {3, 16}},
+                             {"(depth) #100=5", "variable", 0, {8, 14}},
+                             {"G1 X#100 Y5", "variable", 1, {3, 11}},
+                             {"G1 X -#100", "variable", 1, {3, 10}},
+                             {"G1 F[25.4/2] X1", "expression", 1, {3, 15}},
+                             {"G1 X-[[1]+[2]];tail", "expression", 1, {3, 14}},
+                             {"G90 G1 X1 Z2 F[#3]", "expression", 4, {13, 18}},
+                             {"IF[#1EQ2]GOTO20", "control-statement", 0, {0, 15}},
+                             {"N10 WHILE [#1 LT 5]", "control-statement", 0, {4, 19}},
+                             {"ELSE", "control-statement", 0, {0, 4}},
+                             {"M99 GOTO 5", "control-statement", 1, {4, 10}},
+                             {"M98 P[#100]", "expression", 1, {4, 11}}});
+  }
+}
+
+TEST(Outside, OfGskAreLoopsWithDoAndEndAndFileNames) {
+  expect_outside(Dialect::gsk988ta, {{"N5 WHILE [#1 LT 5] DO1", "control-statement", 0, {3, 22}},
+                                     {"END1", "control-statement", 0, {0, 4}},
+                                     {"DO 1", "control-statement", 0, {0, 4}},
+                                     {"THEN #1=2", "control-statement", 0, {0, 9}},
+                                     {"M98 P[T123]", "file-name", 1, {4, 11}},
+                                     {"M98 P[TAN[1]]", "expression", 1, {4, 13}}});
+}
+
+TEST(Outside, OfHncAreStatementsThatEndWithAWordOfTheirOwn) {
+  expect_outside(Dialect::hnc21t, {{"WHILE #1 LE 5", "control-statement", 0, {0, 13}},
+                                   {"N8 ENDW", "control-statement", 0, {3, 7}},
+                                   {"IF [AR[#24] EQ 90] ;x", "control-statement", 0, {0, 18}},
+                                   {"ENDIF (done)", "control-statement", 0, {0, 12}},
+                                   {"G0 X1 ENDW", "control-statement", 2, {6, 10}},
+                                   {"M98 P[T123]", "expression", 1, {4, 11}}});
 }
 
 TEST(Outside, CommentsWithinAreKept) {

@@ -13,13 +13,18 @@ struct FaultCase {
   Span where;
 };
 
+void expect_fault(const SyntaxError& error, const FaultCase& expected) {
+  EXPECT_EQ(name(error.code), name(expected.code)) << expected.line;
+  EXPECT_EQ(error.where, expected.where) << expected.line;
+  EXPECT_FALSE(error.expected.empty()) << expected.line;
+}
+
+// In every dialect.
 void expect_faults(const std::vector<FaultCase>& cases) {
-  for (const FaultCase& expected : cases) {
-    const SyntaxError error = fault(expected.line);
-    EXPECT_EQ(name(error.code), name(expected.code)) << expected.line;
-    EXPECT_EQ(error.where, expected.where) << expected.line;
-    EXPECT_FALSE(error.expected.empty()) << expected.line;
-  }
+  for (const FaultCase& expected : cases) expect_fault(fault(expected.line), expected);
+}
+void expect_faults(Dialect dialect, const std::vector<FaultCase>& cases) {
+  for (const FaultCase& expected : cases) expect_fault(fault(dialect, expected.line), expected);
 }
 
 TEST(Fault, AnAddressWithoutANumber) {
@@ -59,10 +64,42 @@ TEST(Fault, ACharacterThatMayNotStandWhereItStands) {
                  {"X1)", code, {2, 3}},
                  {"G1 #1=5", code, {3, 4}},
                  {"G1 %", code, {3, 4}},
-                 {"%1234", code, {1, 2}},
-                 {"% (c)", code, {2, 3}},
                  {"/%", code, {1, 2}},
                  {"[1]", code, {0, 1}}});
+}
+
+TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
+  const auto code = SyntaxCode::unexpected_character;
+  for (const Dialect dialect : kDialects) {
+    expect_faults(dialect, {{"% (c)", code, {2, 3}},
+                            {"%;", code, {1, 2}},
+                            {"%%", code, {1, 2}},
+                            {"%-5", code, {1, 2}},
+                            {"%O1", code, {1, 2}},
+                            {" % x", code, {3, 4}}});
+  }
+  expect_faults(Dialect::gsk988ta, {{"%1234", code, {1, 2}}});
+  EXPECT_EQ(fault(Dialect::gsk988ta, "%G1").expected, "the end of the line after '%'");
+  EXPECT_EQ(fault(Dialect::hnc21t, "%G1").expected,
+            "a program number or the end of the line after '%'");
+}
+
+TEST(Fault, InHncAProgramHeadWithAPercentSignStandsFirstAndIsWhole) {
+  const auto code = SyntaxCode::unexpected_character;
+  expect_faults(Dialect::hnc21t, {{"/%1", code, {1, 2}},
+                                  {"G1 %1", code, {3, 4}},
+                                  {"%1.5", code, {2, 3}},
+                                  {"%1 2", code, {3, 4}},
+                                  {"%1 %", code, {3, 4}},
+                                  {"%1 N2", SyntaxCode::misplaced_number_word, {3, 4}},
+                                  {"%1 O2", SyntaxCode::misplaced_number_word, {3, 4}},
+                                  {"%1 X", SyntaxCode::number_expected, {4, 4}}});
+}
+
+TEST(Fault, AKeywordOfTheOtherMakerIsAnAddressWithoutANumber) {
+  const auto code = SyntaxCode::number_expected;
+  expect_faults(Dialect::gsk988ta, {{"ENDW", code, {1, 2}}, {"ENDIF", code, {1, 2}}});
+  expect_faults(Dialect::hnc21t, {{"END1", code, {1, 2}}, {"DO 1", code, {1, 2}}});
 }
 
 TEST(Fault, ACharacterThatNoBlockHas) {

@@ -15,17 +15,15 @@ TEST(EveryByte, AloneInALine) {
   // or, where an address or a bracket lacks what follows, behind it.
   for (int value = 0; value < 256; ++value) {
     const std::string line(1, static_cast<char>(value));
-    Block block;
-    const auto error = parse_block(Dialect::gsk988ta, line, block);
     const bool capital = value >= 'A' && value <= 'Z';
     if (std::string_view(" \t%/;#").find(line[0]) != std::string_view::npos) {
-      EXPECT_FALSE(error) << value;
+      parsed(line);
     } else {
-      ASSERT_TRUE(error) << value;
-      EXPECT_EQ(error->where.begin, capital ? 1U : 0U) << value;
-      EXPECT_EQ(error->code, capital        ? SyntaxCode::number_expected
-                             : value == '(' ? SyntaxCode::unclosed_comment
-                                            : SyntaxCode::unexpected_character)
+      const SyntaxError error = fault(line);
+      EXPECT_EQ(error.where.begin, capital ? 1U : 0U) << value;
+      EXPECT_EQ(error.code, capital        ? SyntaxCode::number_expected
+                            : value == '(' ? SyntaxCode::unclosed_comment
+                                           : SyntaxCode::unexpected_character)
           << value;
     }
   }
@@ -45,13 +43,12 @@ TEST(EveryByte, InsideComments) {
 TEST(EveryByte, BehindAnAddressIsANumberOrLocated) {
   for (int value = 0; value < 256; ++value) {
     const std::string line = "X" + std::string(1, static_cast<char>(value)) + "5";
-    Block block;
-    const auto error = parse_block(Dialect::gsk988ta, line, block);
     const bool number = value == ' ' || value == '\t' || value == '+' || value == '-' ||
                         value == '.' || (value >= '0' && value <= '9') || value == '#';
-    EXPECT_EQ(!error, number) << value;
-    if (error) {
-      EXPECT_EQ(error->where.begin, value == '[' ? 3U : 1U) << value;  // X[5 lacks its bracket
+    if (number) {
+      parsed(line);
+    } else {
+      EXPECT_EQ(fault(line).where.begin, value == '[' ? 3U : 1U) << value;  // X[5 lacks its bracket
     }
   }
 }
@@ -90,20 +87,22 @@ TEST(Limits, AMebibyteOfComments) {
 
 TEST(Allocation, ABlockThatIsReusedAllocatesNothing) {
   Block block;
-  const auto run = [&block] {
+  const auto run = [&block](Dialect dialect) {
     bool good = true;
     for (const char* line : {"N10 G01 X12.345 Z-6.789 F200", "/G110 X50 Z50 Y20 R-5 (short)", "",
                              "O1234 ; tail", "%", "X0000000000000000000001.5"}) {
-      good = !parse_block(Dialect::gsk988ta, line, block) && good;
+      good = !parse_block(dialect, line, block) && good;
     }
     return good;
   };
-  ASSERT_TRUE(run());
-  const std::size_t before = allocation_count();
-  const bool good = run();
-  const std::size_t after = allocation_count();
-  EXPECT_TRUE(good);
-  EXPECT_EQ(after - before, 0U);
+  for (const Dialect dialect : kDialects) {
+    ASSERT_TRUE(run(dialect));
+    const std::size_t before = allocation_count();
+    const bool good = run(dialect);
+    const std::size_t after = allocation_count();
+    EXPECT_TRUE(good);
+    EXPECT_EQ(after - before, 0U);
+  }
 }
 
 TEST(Allocation, IsCounted) {

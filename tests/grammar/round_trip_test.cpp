@@ -59,8 +59,13 @@ rc::Gen<Comment> any_comment() {
   });
 }
 
-rc::Gen<Block> any_block() {
-  return rc::gen::exec([] {
+rc::Gen<Dialect> any_dialect() {
+  return rc::gen::elementOf(std::vector<Dialect>(std::begin(kDialects), std::end(kDialects)));
+}
+
+// A tree that lines of the dialect can have.
+rc::Gen<Block> any_block(Dialect dialect) {
+  return rc::gen::exec([dialect] {
     Block block;
     block.tape_mark = *rc::gen::weightedElement<bool>({{1, true}, {30, false}});
     if (block.tape_mark) return block;
@@ -70,8 +75,9 @@ rc::Gen<Block> any_block() {
     if (head == 2) block.program_number = *any_decimal(true);
     block.words = *rc::gen::container<std::vector<Word>>(any_word());
     block.comments = *rc::gen::container<std::vector<Comment>>(any_comment());
-    const std::string outside = *rc::gen::element<std::string>("", "", "", "variable", "expression",
-                                                               "control-statement", "file-name");
+    std::vector<std::string> constructs{"", "", "", "variable", "expression", "control-statement"};
+    if (dialect == Dialect::gsk988ta) constructs.push_back("file-name");
+    const std::string outside = *rc::gen::elementOf(constructs);
     if (!outside.empty()) block.outside = OutsideConstruct{outside, {}};
     const std::string tail = *rc::gen::arbitrary<std::string>();
     if (!tail.empty()) block.comments.push_back(line_comment(tail));
@@ -83,7 +89,8 @@ rc::Gen<Block> any_block() {
 rc::Gen<std::string> any_line() {
   const auto piece = rc::gen::element<std::string>(
       "G1", "G 90", "X-1.50", "Z+.5", "F200.", " ", "\t", "(c)", "(\xD6\xD0)", "N10 ", "O7", "/",
-      "%", ";", "-", "5", "X", ".", "X#1", "F[1/2]", "#2=3", "IF", "]", "x", "\xE2\x88\x92", "(");
+      "%", "%12 ", ";", "-", "5", "X", ".", "X#1", "F[1/2]", "#2=3", "IF", "ENDW", "P[T1]", "]",
+      "x", "\xE2\x88\x92", "(");
   const auto usual = rc::gen::element<std::string>("G1", "G 90", "X-1.50", "Z+.5", "F200.", " ",
                                                    "(c)", "X 00012.", "D99999999999999999999");
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(
@@ -110,6 +117,10 @@ TEST(Print, DecimalsKeepWhatWasWritten) {
   EXPECT_EQ(printed(Decimal{false, 19, 0, "1234567890123456789"}), "0.1234567890123456789");
 }
 
+TEST(Print, AProgramNumberIsAnO) {
+  EXPECT_EQ(print(parsed(Dialect::hnc21t, "%1234(a)")), "O1234 (a)");
+}
+
 TEST(Print, WordsComeBeforeComments) {
   EXPECT_EQ(print(parsed("/ N10(a)G1(b)X.5 ;c")), "/N10 G1 X0.5 (a) (b);c");
   EXPECT_EQ(print(parsed("O7 X#1*2")), "O7 X#1");
@@ -117,23 +128,27 @@ TEST(Print, WordsComeBeforeComments) {
 }
 
 RC_GTEST_PROP(RoundTrip, APrintedTreeIsReadAsTheSameTree, ()) {
-  const Block tree = *any_block();
+  const Dialect dialect = *any_dialect();
+  const Block tree = *any_block(dialect);
+  RC_TAG(std::string(name(dialect)));
   RC_TAG(tree.outside ? tree.outside->name : "read");
   const std::string text = print(tree);
   Block again;
-  const auto error = parse_block(Dialect::gsk988ta, text, again);
+  const auto error = parse_block(dialect, text, again);
   if (error) RC_FAIL(render(*error, text, 1, text));
   RC_ASSERT(again == tree);
 }
 
 RC_GTEST_PROP(RoundTrip, APrintedLineIsPrintedTheSameAgain, ()) {
+  const Dialect dialect = *any_dialect();
   const std::string line = *any_line();
   Block block;
-  const bool good = !parse_block(Dialect::gsk988ta, line, block);
+  const bool good = !parse_block(dialect, line, block);
   RC_PRE(good);
   const std::string once = print(block);
   Block again;
-  RC_ASSERT(!parse_block(Dialect::gsk988ta, once, again));
+  RC_ASSERT(!parse_block(dialect, once, again));
+  RC_ASSERT(again == block);
   RC_ASSERT(print(again) == once);
 }
 
@@ -149,9 +164,9 @@ void assert_spans_in_order(std::string_view line, const Block& block) {
   RC_ASSERT(behind <= line.size());
 }
 
-void assert_outcome_is_located(std::string_view line) {
+void assert_outcome_is_located(Dialect dialect, std::string_view line) {
   Block block;
-  const auto error = parse_block(Dialect::gsk988ta, line, block);
+  const auto error = parse_block(dialect, line, block);
   RC_TAG(error ? name(error->code) : "well formed");
   if (!error) return assert_spans_in_order(line, block);
   RC_ASSERT(error->where.begin <= error->where.end);
@@ -162,21 +177,24 @@ void assert_outcome_is_located(std::string_view line) {
 }
 
 RC_GTEST_PROP(Outcome, OfMostlyWellFormedTextIsLocated, ()) {
-  assert_outcome_is_located(*any_line());
+  const Dialect dialect = *any_dialect();
+  assert_outcome_is_located(dialect, *any_line());
 }
 
 RC_GTEST_PROP(Outcome, OfAnyBytesIsLocated, ()) {
-  assert_outcome_is_located(*rc::gen::container<std::string>(rc::gen::arbitrary<char>()));
+  const Dialect dialect = *any_dialect();
+  assert_outcome_is_located(dialect, *rc::gen::container<std::string>(rc::gen::arbitrary<char>()));
 }
 
 // What stands before a fault does not depend on what stands behind it.
 RC_GTEST_PROP(Outcome, AFaultInTheMiddleStaysWhenTheRestOfTheLineChanges, ()) {
+  const Dialect dialect = *any_dialect();
   const std::string line = *any_line();
   const std::string tail = *any_line();
   Block block;
-  const auto error = parse_block(Dialect::gsk988ta, line, block);
+  const auto error = parse_block(dialect, line, block);
   RC_PRE(error.has_value() && error->where.end < line.size());
-  const auto longer = parse_block(Dialect::gsk988ta, line + tail, block);
+  const auto longer = parse_block(dialect, line + tail, block);
   RC_ASSERT(longer == error);
 }
 

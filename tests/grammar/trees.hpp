@@ -34,25 +34,60 @@ inline Block block_of(std::vector<Word> words) {
   return block;
 }
 
-// The tree of a line that is well formed.
-inline Block parsed(std::string_view line) {
-  Block block;
-  const auto error = parse_block(Dialect::gsk988ta, line, block);
-  EXPECT_FALSE(error) << '"' << line << "\": " << (error ? message(*error) : "");
-  return block;
-}
-
-// The error of a line that is not.
-inline SyntaxError fault(std::string_view line) {
-  Block block;
-  const auto error = parse_block(Dialect::gsk988ta, line, block);
-  EXPECT_TRUE(error) << '"' << line << "\" parses";
-  return error.value_or(SyntaxError{});
-}
-
 // For the messages of GoogleTest and RapidCheck.
 inline void PrintTo(const Block& block, std::ostream* out) {
   *out << print(block);
+}
+inline void PrintTo(const SyntaxError& error, std::ostream* out) {
+  *out << name(error.code) << " at " << error.where.begin << ": " << message(error);
+}
+inline std::string_view name(Dialect dialect) {
+  constexpr std::string_view kNames[] = {"gsk988ta", "hnc21t", "rs274"};
+  return kNames[static_cast<std::size_t>(dialect)];
+}
+// Those whose letters are capitals, with program numbers and control statements.
+inline constexpr Dialect kLathes[] = {Dialect::gsk988ta, Dialect::hnc21t};
+
+// The tree of a line that is well formed in a dialect.
+inline Block parsed(Dialect dialect, std::string_view line) {
+  Block block;
+  const auto error = parse_block(dialect, line, block);
+  EXPECT_FALSE(error) << name(dialect) << " \"" << line << "\": " << (error ? message(*error) : "");
+  return block;
+}
+// The tree of a line that is well formed and the same in every dialect of a list.
+template <std::size_t size>
+Block parsed(const Dialect (&dialects)[size], std::string_view line) {
+  Block block = parsed(dialects[0], line);
+  for (const Dialect dialect : dialects) {
+    EXPECT_EQ(parsed(dialect, line), block) << name(dialect) << " \"" << line << '"';
+  }
+  return block;
+}
+// In every dialect.
+inline Block parsed(std::string_view line) {
+  return parsed(kDialects, line);
+}
+
+// The error of a line that is not well formed in a dialect.
+inline SyntaxError fault(Dialect dialect, std::string_view line) {
+  Block block;
+  const auto error = parse_block(dialect, line, block);
+  EXPECT_TRUE(error) << name(dialect) << " \"" << line << "\" parses";
+  return error.value_or(SyntaxError{});
+}
+// The error of a line that is not well formed, the same one in every dialect of a list.
+template <std::size_t size>
+SyntaxError fault(const Dialect (&dialects)[size], std::string_view line) {
+  SyntaxError error = fault(dialects[0], line);
+  for (const Dialect dialect : dialects) {
+    EXPECT_EQ(fault(dialect, line), error) << name(dialect) << " \"" << line << '"';
+  }
+  return error;
+}
+// In every dialect.
+inline SyntaxError fault(std::string_view line) {
+  return fault(kDialects, line);
 }
 
 }  // namespace gonogo::grammar

@@ -1,0 +1,10 @@
+O7528(a)
+#10=SIN[30]
+WHILE #10 LE 5
+G01 X[#10*2] F#3
+IF [AR[#24] EQ 90]
+ELSE
+ENDIF
+ENDW
+% 5
+% x

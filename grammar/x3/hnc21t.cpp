@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The HNC-21T dialect.
+//
+//   line      = blanks (tape-mark | block)
+//   tape-mark = '%' blanks
+//   block     = head comment* (assignment | item* [construct]) [';' text]
+//   head      = '%' whole | ['/'] [N whole | O whole]
+//   construct = control keyword rest | address [sign] ('#' | '[') rest
+//
+// The rest of the block is that of all letter-address programs.
+#include "grammar/x3/hnc21t.hpp"
+
+#include "grammar/x3/letter_address.hpp"
+
+namespace gonogo::grammar::hnc21t {
+namespace {
+
+using namespace x3;  // the vocabulary of the dialect grammars
+
+constexpr std::array<std::string_view, 6> kKeywords{"IF", "ELSE", "ENDIF", "WHILE", "ENDW", "GOTO"};
+
+constexpr auto percent_sign_end = rule<struct PercentSignEndId>{"percent-sign-end"} = spirit::eoi;
+
+// clang-format off
+// '%' alone is a tape mark; with a number it is the head of a program, as O is.
+constexpr auto tape_mark =
+    flag<&Block::tape_mark>[sole<'%'> >> blanks >> !digit] >> expect[percent_sign_end];
+
+constexpr auto percent_head =
+    sole<'%'> >> blanks >> store<&Block::program_number>[expect[whole]];
+
+constexpr auto construct = control_statement<kKeywords> | macro_word<>;
+
+constexpr auto line =
+    blanks >> (tape_mark | block<kKeywords>(percent_head | numbered_head, construct));
+// clang-format on
+
+}  // namespace
+
+std::optional<SyntaxError> parse_line(std::string_view text, Block& into) {
+  return read_line(line, text, into);
+}
+
+}  // namespace gonogo::grammar::hnc21t
