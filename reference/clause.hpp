@@ -3,14 +3,31 @@
 // The clause catalog: every single thing that a manual says and that the reference does.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "reference/catalog/gsk988ta.hpp"
+#include "reference/catalog/hnc21t.hpp"
+#include "reference/catalog/rs274.hpp"
 
 namespace gonogo::reference {
+namespace catalog {
+
+// The catalogs of the dialects, one after the other.
+template <typename... Catalog>
+consteval auto joined(const Catalog&... catalogs) {
+  std::array<Clause, (0 + ... + std::tuple_size_v<Catalog>)> all{};
+  auto place = all.begin();
+  ((place = std::copy(catalogs.begin(), catalogs.end(), place)), ...);
+  return all;
+}
+
+inline constexpr auto kAll = joined(kGsk988ta, hnc21t::kClauses, rs274::kClauses);
+
+}  // namespace catalog
 
 using ClauseId = std::uint16_t;
 inline constexpr ClauseId kNoClause = 0xFFFF;
@@ -26,14 +43,11 @@ struct OutsideCode {
   std::string_view code;   // "G71"
   std::string_view title;  // what the maker calls it
 };
-std::span<const OutsideCode> outside_codes(std::string_view dialect);
-// Modal codes without effect on the path, passed over.
-std::span<const std::string_view> codes_without_effect(std::string_view dialect);
 
 // "GSK-G94-02"_clause: the place of a clause in the catalog, checked when compiling.
 consteval ClauseId operator""_clause(const char* id, std::size_t size) {
-  for (std::size_t i = 0; i < catalog::kGsk988ta.size(); ++i) {
-    if (catalog::kGsk988ta[i].id == std::string_view(id, size)) return static_cast<ClauseId>(i);
+  for (std::size_t i = 0; i < catalog::kAll.size(); ++i) {
+    if (catalog::kAll[i].id == std::string_view(id, size)) return static_cast<ClauseId>(i);
   }
   throw "no such clause in the catalog";
 }

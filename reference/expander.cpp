@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/expander.hpp"
 
-#include "reference/gsk988ta/interpreter.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::reference {
 
@@ -18,8 +18,8 @@ Expander::Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths
     : profile_(profile),
       lines_(lines),
       readings_(profile.readings),
-      interpreter_(gsk988ta::make_interpreter(profile, readings_, open_paths)),
-      dialect_(grammar::Dialect::gsk988ta) {}
+      dialect_(*find_dialect(profile.dialect)),
+      interpreter_(dialect_.make_interpreter(profile, readings_, open_paths)) {}
 
 Expander::~Expander() = default;
 
@@ -51,11 +51,11 @@ const Item* Expander::next() {
     if (line_.too_long) {
       error = grammar::line_too_long();
     } else {
-      error = grammar::parse_block(dialect_, line_.text, block_);
+      error = grammar::parse_block(dialect_.grammar, line_.text, block_);
     }
     if (error) {
-      // GSK-COM-02: a block that cannot be read yields the syntax alarm alone.
-      Alarm alarm{AlarmClass::syntax, "GSK-COM-02"_clause, 0, error->where,
+      // A block that cannot be read yields the syntax alarm alone.
+      Alarm alarm{AlarmClass::syntax, dialect_.syntax_clause, 0, error->where,
                   grammar::message(*error)};
       return finish(AlarmReport{line_.number, {std::move(alarm)}, std::move(error)});
     }

@@ -45,9 +45,12 @@ class BlockInterpreter {
 // the judge decides by what is cleared.
 enum class OpenPaths : std::uint8_t { shown, judged };
 
+struct Dialect;
+
 class Expander {
  public:
-  // `profile` and `lines` must outlive the expander.
+  // `profile` and `lines` must outlive the expander. REQUIRES: the profile's dialect is one of
+  // dialects().
   Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths open_paths);
   ~Expander();
 
@@ -69,8 +72,8 @@ class Expander {
   const Profile& profile_;
   grammar::LineSource& lines_;
   ReadingsInUse readings_;
+  const Dialect& dialect_;
   std::unique_ptr<BlockInterpreter> interpreter_;
-  grammar::Dialect dialect_;
   grammar::Line line_;
   grammar::Block block_;
   BlockOutput out_;

@@ -79,6 +79,7 @@ struct ThreadMilling {
   std::array<Number, 2> centre;  // along p and q
   Number r_plane;                // coordinate of d where the helices begin
   Number bottom;                 // coordinate of d where they end
+  Number travel;                 // bottom - r_plane, exact also where both are only enclosed
   Number initial_plane;          // coordinate of d to which the cycle returns after them
   Number lead;                   // I
   Number start_radius;           // E/2 + D external, E/2 - D internal

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "reference/dialect.hpp"
+
 namespace gonogo::reference {
 
 Number Profile::resolution() const {
   if (given_resolution) return *given_resolution;
+  if (dialect_resolution) return *dialect_resolution;
   return increment == Increment::isc ? Number::millionths(100) : Number::millionths(1000);
 }
 
@@ -17,11 +20,14 @@ std::optional<Number> Profile::parameter(std::string_view name) const {
 }
 
 ProfileResult default_profile(std::string_view dialect) {
-  if (dialect != "gsk988ta") {
-    return ProfileError{
-        "dialect", fmt::format("There is no dialect \"{}\". Write one of: gsk988ta.", dialect)};
+  if (find_dialect(dialect) == nullptr) {
+    return ProfileError{"dialect", fmt::format("There is no dialect \"{}\". Write one of: {}.",
+                                               dialect, dialect_names())};
   }
-  return Profile{};
+  Profile profile;
+  profile.dialect = dialect;
+  find_dialect(dialect)->power_on(profile);
+  return profile;
 }
 
 std::optional<ProfileError> set_reading(Profile& profile, std::string_view name,

@@ -20,12 +20,14 @@ enum class Units : std::uint8_t { mm, inch };
 enum class Increment : std::uint8_t { isb, isc };
 enum class AlarmTiming : std::uint8_t { block, program };
 
+inline constexpr int kNoMotion = -1;
+
 // The state at the start of a program.
 struct InitialState {
   Position at;  // mm as true lengths, degrees
   Number feed;  // 0: none in force
   Plane plane = Plane::g18;
-  int motion = 0;   // code of the motion group
+  int motion = 0;   // code of the motion group; kNoMotion: none
   int spindle = 5;  // M3, M4 or M5
   friend bool operator==(const InitialState&, const InitialState&) = default;
 };
@@ -34,7 +36,8 @@ struct Profile {
   std::string dialect = "gsk988ta";
   Units units = Units::mm;
   Increment increment = Increment::isb;
-  std::optional<Number> given_resolution;  // `resolution`
+  std::optional<Number> given_resolution;    // `resolution`
+  std::optional<Number> dialect_resolution;  // where it does not follow from `increment`
   bool x_diameter = true;
   InitialState initial;
   std::map<std::string, Position> offsets;   // "G54" -> mm

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Profiles from TOML and JSON, and back to JSON. Both are read into one document first.
-#include <fmt/format.h>
+// Profiles from TOML and JSON. Both are read into one document first.
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reference/profile.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::reference {
 namespace {
@@ -131,7 +132,7 @@ InitialState initial_of(const Json& table, InitialState initial) {
       initial.plane = choice_of<Plane>(
           value, key, {{"G17", Plane::g17}, {"G18", Plane::g18}, {"G19", Plane::g19}});
     } else if (name == "motion") {
-      initial.motion = choice_of<int>(value, key, {{"G00", 0}, {"G01", 1}});
+      initial.motion = choice_of<int>(value, key, {{"G00", 0}, {"G01", 1}, {"none", kNoMotion}});
     } else if (name == "spindle") {
       initial.spindle = choice_of<int>(value, key, {{"M3", 3}, {"M4", 4}, {"M5", 5}});
     } else {
@@ -146,10 +147,38 @@ void read_tools(const Json& table, Profile& profile) {
   for (const auto& [name, value] : table.items()) {
     std::string key = "tools." + name;
     need_table(value, key);
+    if (name.empty() || name.find_first_not_of("0123456789") != std::string::npos) {
+      fail(key, fmt::format("\"{}\" is no tool number. Write the digits after T or D.", name));
+    }
     for (const auto& [field, radius] : value.items()) {
       if (field != "radius") unknown_key(key + "." + field, "radius");
       profile.tools[name] = number_of(radius, key + ".radius");
+      if (profile.tools[name].sign() < 0) fail(key + ".radius", "A radius cannot be negative.");
     }
+  }
+}
+
+void read_offsets(const Json& table, Profile& profile) {
+  need_table(table, "offsets");
+  const auto known = find_dialect(profile.dialect)->offsets;
+  for (const auto& [name, at] : table.items()) {
+    const std::string key = "offsets." + name;
+    if (std::ranges::find(known, name) == known.end()) {
+      unknown_key(key, fmt::format("{}", fmt::join(known, ", ")));
+    }
+    profile.offsets[name] = position_of(at, key);
+  }
+}
+
+void read_parameters(const Json& table, Profile& profile) {
+  need_table(table, "parameters");
+  const auto known = find_dialect(profile.dialect)->parameters;
+  for (const auto& [name, number] : table.items()) {
+    const std::string key = "parameters." + name;
+    if (std::ranges::find(known, name) == known.end()) {
+      unknown_key(key, fmt::format("{}", fmt::join(known, ", ")));
+    }
+    profile.parameters[name] = number_of(number, key);
   }
 }
 
@@ -175,17 +204,11 @@ void read_key(const std::string& name, const Json& value, Profile& profile) {
     profile.alarm_timing = choice_of<AlarmTiming>(
         value, name, {{"block", AlarmTiming::block}, {"program", AlarmTiming::program}});
   } else if (name == "offsets") {
-    need_table(value, name);
-    for (const auto& [offset, at] : value.items()) {
-      profile.offsets[offset] = position_of(at, "offsets." + offset);
-    }
+    read_offsets(value, profile);
   } else if (name == "tools") {
     read_tools(value, profile);
   } else if (name == "parameters") {
-    need_table(value, name);
-    for (const auto& [parameter, number] : value.items()) {
-      profile.parameters[parameter] = number_of(number, "parameters." + parameter);
-    }
+    read_parameters(value, profile);
   } else if (name == "readings") {
     need_table(value, name);
     for (const auto& [reading, choice] : value.items()) {
@@ -227,62 +250,6 @@ Profile profile_of(Json document) {
   return profile;
 }
 
-std::string number_text(const Number& value) {
-  return value.text();
-}
-
-Json position_json(const Position& at) {
-  Json object = Json::object();
-  for (Axis axis : kAllAxes) object[std::string(1, letter(axis))] = number_text(at[axis]);
-  return object;
-}
-
-Json whole_json(const Profile& profile) {
-  Json document;
-  document["units"] = profile.units == Units::mm ? "mm" : "inch";
-  document["increment"] = profile.increment == Increment::isb ? "ISB" : "ISC";
-  if (profile.given_resolution) document["resolution"] = number_text(*profile.given_resolution);
-  document["x_diameter"] = profile.x_diameter;
-  document["initial"] = position_json(profile.initial.at);
-  document["initial"]["f"] = number_text(profile.initial.feed);
-  document["initial"]["plane"] = fmt::format("G{}", plane_code(profile.initial.plane));
-  document["initial"]["motion"] = fmt::format("G{:02}", profile.initial.motion);
-  document["initial"]["spindle"] = fmt::format("M{}", profile.initial.spindle);
-  document["offsets"] = Json::object();
-  for (const auto& [name, at] : profile.offsets) document["offsets"][name] = position_json(at);
-  document["tools"] = Json::object();
-  for (const auto& [name, radius] : profile.tools) {
-    document["tools"][name]["radius"] = number_text(radius);
-  }
-  document["parameters"] = Json::object();
-  for (const auto& [name, value] : profile.parameters) {
-    document["parameters"][name] = number_text(value);
-  }
-  document["reference_point"] = position_json(profile.reference_point);
-  for (const Reading& reading : readings()) {
-    document["readings"][std::string(reading.name)] = profile.readings.get(reading.key);
-  }
-  document["alarm_timing"] = profile.alarm_timing == AlarmTiming::block ? "block" : "program";
-  document["block_skip"] = profile.block_skip;
-  return document;
-}
-
-// Drops what `base` says too, key by key, one level deep.
-Json without_defaults(const Json& document, const Json& base) {
-  Json kept = Json::object();
-  for (const auto& [name, value] : document.items()) {
-    if (!base.contains(name)) {
-      kept[name] = value;
-    } else if (value.is_object()) {
-      Json inner = without_defaults(value, base[name]);
-      if (!inner.empty()) kept[name] = inner;
-    } else if (value != base[name]) {
-      kept[name] = value;
-    }
-  }
-  return kept;
-}
-
 template <typename Read>
 ProfileResult guarded(Read read) {
   try {
@@ -306,11 +273,6 @@ ProfileResult profile_from_toml(std::string_view text) {
 
 ProfileResult profile_from_json(std::string_view text) {
   return guarded([&] { return parse_json_once(text); });
-}
-
-std::string profile_json(const Profile& profile) {
-  Profile base = std::get<Profile>(default_profile(profile.dialect));
-  return without_defaults(whole_json(profile), whole_json(base)).dump();
 }
 
 }  // namespace gonogo::reference

@@ -4,12 +4,20 @@
 #include <algorithm>
 
 #include "reference/catalog/gsk988ta_readings.hpp"
+#include "reference/catalog/hnc21t_readings.hpp"
+#include "reference/catalog/rs274_readings.hpp"
 
 namespace gonogo::reference {
 namespace {
 
 const std::vector<Reading>& table() {
-  static const std::vector<Reading> kTable = catalog::gsk988ta_readings();
+  static const std::vector<Reading> kTable = [] {
+    std::vector<Reading> all = catalog::gsk988ta_readings();
+    for (const auto& more : {catalog::hnc21t_readings(), catalog::rs274_readings()}) {
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+  }();
   return kTable;
 }
 

@@ -50,8 +50,26 @@ enum class ReadingKey : std::uint8_t {
   arc_tolerance_zero,
   g50_initial_plane,
   rotary_feed_inch,
+  hnc_missing_axis,
+  hnc_peck_from,
+  hnc_peck_withdraw,
+  hnc_peck_clamp,
+  hnc_g75_i,
+  hnc_g75_steps,
+  hnc_g75_end,
+  hnc_g75_mode3,
+  hnc_g75_depth_scale,
+  hnc_g82_exit,
+  hnc_g82_e_scale,
+  hnc_g82_starts,
+  hnc_modal_f,
+  hnc_offset_initial,
+  hnc_lead_unit,
+  hnc_arc_zero_radius,
+  ngc_arc_tolerance,
+  ngc_full_circle_words,
 };
-inline constexpr std::size_t kReadings = 32;
+inline constexpr std::size_t kReadings = 50;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

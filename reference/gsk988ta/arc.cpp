@@ -3,75 +3,37 @@
 // GSK-COM-05, G02 and G03: an arc by its radius or by its centre; with the depth axis, a helix.
 #include <fmt/format.h>
 
+#include "reference/arc_centre.hpp"
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-// The start, the end and the chord of an arc in its plane.
-struct Arc {
-  PlaneAxes axes;
-  Number start_p, start_q;
-  Number end_p, end_q;
-  Number dp, dq;   // end - start
-  Number chord_2;  // squared
+using Centre = std::optional<std::array<Number, 2>>;
 
-  Arc(const PlaneAxes& plane_axes, const Position& from, const Position& to)
-      : axes(plane_axes),
-        start_p(from[axes.p]),
-        start_q(from[axes.q]),
-        end_p(to[axes.p]),
-        end_q(to[axes.q]),
-        dp(end_p - start_p),
-        dq(end_q - start_q),
-        chord_2(dp * dp + dq * dq) {}
-};
-
-// The address of the centre's offset along an axis: I with X, J with Y, K with Z.
-constexpr char offset_address(Axis axis) {
-  return "IJK"[index(axis)];
-}
-
-// The centre from R: on the right of the chord for a short clockwise arc; a negative R asks for the
-// long one. Nothing when the rules are broken.
-std::optional<std::array<Number, 2>> centre_from_radius(BlockContext& block, const Arc& arc,
-                                                        int sense) {
-  const Number radius = block.words.length('R').value();
-  if (arc.chord_2.sign() == 0) {
+// Nothing when the rules are broken.
+Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
+  if (ends.closed()) {
     block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, 'R',
                 "An arc given by R cannot end where it starts.");
     return std::nullopt;
   }
-  const Number height_2 = radius * radius / arc.chord_2 - Number(1) / 4;  // in chords squared
-  if (height_2.sign() < 0) {
+  const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
+  if (!centre) {
     block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, 'R',
                 "Twice the radius is less than the chord.");
-    return std::nullopt;
   }
-  const int side = -sense * radius.sign();  // +1: right of the chord
-  const Number height = sqrt(height_2) * side;
-  return {{(arc.start_p + arc.end_p) / 2 + height * arc.dq,
-           (arc.start_q + arc.end_q) / 2 - height * arc.dp}};
-}
-
-// Whether abs(sqrt(a) - sqrt(b)) <= limit, without roots: a + b - limit^2 <= 2 sqrt(a b).
-bool roots_agree(const Number& a, const Number& b, const Number& limit) {
-  const Number left = a + b - limit * limit;
-  return left.sign() <= 0 || left * left <= a * b * 4;
+  return centre;
 }
 
 // The centre from I J K: kept as given; the radii at start and end may differ by parameter 3410.
-std::optional<std::array<Number, 2>> centre_from_offsets(BlockContext& block, const Arc& arc) {
-  const Number offset_p = block.words.length(offset_address(arc.axes.p)).value_or(0);
-  const Number offset_q = block.words.length(offset_address(arc.axes.q)).value_or(0);
-  const std::array<Number, 2> centre = {arc.start_p + offset_p, arc.start_q + offset_q};
-  const Number start_2 = offset_p * offset_p + offset_q * offset_q;
-  const Number end_p = arc.end_p - centre[0];
-  const Number end_q = arc.end_q - centre[1];
-  const Number end_2 = end_p * end_p + end_q * end_q;
-  if (start_2.sign() == 0 && end_2.sign() == 0) {
+Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEnds& ends) {
+  const char address = offset_address(axes.p);
+  const OffsetCentre arc(ends, block.words.length(address).value_or(0),
+                         block.words.length(offset_address(axes.q)).value_or(0));
+  if (arc.is_point()) {
     if (block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
-      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, offset_address(arc.axes.p),
+      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
                   "The radius of the arc is zero.");
     }
     return std::nullopt;
@@ -80,16 +42,16 @@ std::optional<std::array<Number, 2>> centre_from_offsets(BlockContext& block, co
   const bool checked =
       limit.sign() > 0 ||
       (limit.sign() == 0 && block.readings.is(ReadingKey::arc_tolerance_zero, "exact"));
-  if (checked && !roots_agree(start_2, end_2, limit)) {
-    if (start_2.sign() == 0 && block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
-      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, offset_address(arc.axes.p),
+  if (checked && !arc.radii_agree(limit)) {
+    if (arc.begins_at_centre() && block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
+      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
                   "The arc begins at its centre.");
     }
-    block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, offset_address(arc.axes.p),
+    block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, address,
                 fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
     return std::nullopt;
   }
-  return centre;
+  return arc.centre;
 }
 
 }  // namespace
@@ -108,22 +70,15 @@ void run_arc(BlockContext& block, int sense) {
     block.missing("GSK-COM-05"_clause, 'R');
     return;
   }
-  const Arc arc(axes, machine.position, to);
-  const auto centre =
-      by_radius ? centre_from_radius(block, arc, sense) : centre_from_offsets(block, arc);
+  const ArcEnds ends(axes, machine.position, to);
+  const Centre centre =
+      by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, axes, ends);
   if (!centre) {
     // Under gsk.arc.zero-radius = none only the axes outside the plane have a way to go.
     if (block.out.alarms.empty() && to != machine.position) run_straight_feed(block);
     return;
   }
-  Record record = block.motion(RecordKind::arc, "GSK-COM-05"_clause, {});
-  record.plane = machine.plane;
-  record.centre = *centre;
-  record.rot = sense;
-  record.axes = named | AxisSet{axes.p, axes.q};
-  record.to = to;
-  machine.position = to;
-  block.put(std::move(record));
+  block.arc("GSK-COM-05"_clause, named, to, *centre, sense);
 }
 
 }  // namespace gonogo::reference::gsk988ta

@@ -1,61 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// GSK-COM-05 without arcs: G00, G01, G04, G28, G50; and the motions that every cycle is made of.
-#include <fmt/format.h>
-
+// GSK-COM-05 without arcs: G00, G01, G04, G28, G50.
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
 
-void BlockContext::alarm(AlarmClass alarm, ClauseId clause, char address, std::string message) {
-  grammar::Span where;
-  if (address != 0 && words.has(address)) {
-    where = words.word(address)->where;
-  } else if (!words.block().words.empty()) {
-    where.begin = where.end = words.block().words.back().where.end;
-  }
-  out.alarms.push_back({alarm, clause, address, where, std::move(message)});
-}
-
-void BlockContext::missing(ClauseId clause, char address) {
-  alarm(AlarmClass::missing_word, clause, address, fmt::format("The word {} is missing.", address));
-}
-
 void BlockContext::need_feed() {
-  if (machine.feed.sign() > 0) return;
-  alarm(AlarmClass::feed_missing, "GSK-COM-04"_clause, 'F',
-        "The block cuts, but no feed is in force.");
-}
-
-void BlockContext::not_covered(int code, char address, std::string message) {
-  grammar::Span where;
-  if (words.has(address)) where = words.word(address)->where;
-  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message), where};
-}
-
-Record BlockContext::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
-  Record record;
-  record.kind = kind;
-  record.block = line;
-  record.clause = clause;
-  for (const auto& [axis, value] : to) {
-    machine.position[axis] = value;
-    record.axes.add(axis);
-    record.to[axis] = value;
-  }
-  if (kind != RecordKind::rapid) {
-    record.feed = machine.feed;
-    record.feed_mode = machine.feed_mode;
-  }
-  return record;
-}
-
-void BlockContext::rapid(ClauseId clause, std::initializer_list<AxisValue> to) {
-  put(motion(RecordKind::rapid, clause, to));
-}
-
-void BlockContext::feed(ClauseId clause, std::initializer_list<AxisValue> to) {
-  put(motion(RecordKind::feed, clause, to));
+  BlockBase::need_feed("GSK-COM-04"_clause);
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {
@@ -72,14 +23,6 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
 
 namespace {
 
-// Whether only rotary axes have a way to go.
-bool turns_alone(const Machine& machine, const Position& to) {
-  for (Axis axis : kLinearAxes) {
-    if (to[axis] != machine.position[axis]) return false;
-  }
-  return to != machine.position;
-}
-
 // F of a rotary axis that moves alone: written under G20 it is scaled like a length, or in degrees.
 Number rotary_feed(const BlockContext& block) {
   const Machine& machine = block.machine;
@@ -95,13 +38,9 @@ void move_to_end_point(BlockContext& block, RecordKind kind) {
   AxisSet axes = commanded_end_point(block, to);
   if (axes.empty()) return;
   if (kind == RecordKind::feed) block.need_feed();
-  Record record = block.motion(kind, "GSK-COM-05"_clause, {});
-  record.axes = axes;
-  record.to = to;
-  if (kind == RecordKind::feed && turns_alone(block.machine, to)) {
-    record.feed = rotary_feed(block);
-  }
-  block.machine.position = to;
+  const bool rotary = kind == RecordKind::feed && block.turns_alone(to);
+  Record record = block.motion_to(kind, "GSK-COM-05"_clause, axes, to);
+  if (rotary) record.feed = rotary_feed(block);
   block.put(std::move(record));
 }
 
@@ -144,13 +83,11 @@ void run_reference_point(BlockContext& block) {
   Position to;
   AxisSet axes = commanded_end_point(block, to);
   if (axes.empty()) return;
-  Record record = block.motion(RecordKind::rapid, "GSK-MOD-08"_clause, {});
-  record.axes = axes;
+  to = block.machine.position;
   for (Axis axis : kAllAxes) {
-    if (axes.has(axis)) block.machine.position[axis] = block.profile.reference_point[axis];
+    if (axes.has(axis)) to[axis] = block.profile.reference_point[axis];
   }
-  record.to = block.machine.position;
-  block.put(std::move(record));
+  block.put(block.motion_to(RecordKind::rapid, "GSK-MOD-08"_clause, axes, to));
 }
 
 // G50 (GSK-MOD-08): the position gets a new name; nothing moves.
@@ -165,10 +102,7 @@ void run_rename_position(BlockContext& block) {
       block.readings.is(ReadingKey::g50_initial_plane, "shifted")) {
     machine.milling.initial_plane += shift;
   }
-  Renaming renaming{block.line, {}};
-  for (Axis axis : kAllAxes) renaming.shift[axis] = to[axis] - machine.position[axis];
-  machine.position = to;
-  block.out.items.emplace_back(std::move(renaming));
+  block.rename(to);
 }
 
 }  // namespace gonogo::reference::gsk988ta

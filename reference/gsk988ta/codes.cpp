@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gsk988ta/codes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
-#include "grammar/parser.hpp"
 #include "reference/clause.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
 
 using enum Treatment;
+using Code = GCode<Group>;
 
 // In ascending order. GSK-COM-05 for those that are read or have no effect; the others are codes
 // that the control has and the gauge does not read.
@@ -92,122 +90,34 @@ constexpr auto kCodes = std::to_array<Code>({
 });
 static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
-// 10 times the value, when that is a whole number below 10,000.
-std::optional<int> tenths_of(const grammar::Decimal& value) {
-  if (!value.long_digits.empty() || (value.negative && value.magnitude != 0)) return std::nullopt;
-  std::uint64_t scaled = value.magnitude;
-  if (value.scale == 0) {
-    if (scaled > 1000) return std::nullopt;
-    return static_cast<int>(scaled * 10);
-  }
-  for (std::uint32_t place = 1; place < value.scale; ++place) {
-    if (scaled % 10 != 0) return std::nullopt;
-    scaled /= 10;
-  }
-  return scaled > 10'000 ? std::nullopt : std::optional<int>(static_cast<int>(scaled));
-}
-
-int* slot_of(BlockCodes& codes, Group group) {
-  switch (group) {
-    case Group::once:
-      return &codes.once;
-    case Group::motion:
-      return &codes.motion;
-    case Group::cycle:
-      return &codes.cycle;
-    case Group::feed_mode:
-      return &codes.feed_mode;
-    case Group::units:
-      return &codes.units;
-    case Group::plane:
-      return &codes.plane;
-    default:
-      return nullptr;
-  }
-}
+// GSK-COM-02, GSK-COM-08 (a code with decimals); GSK-COM-07.
+constexpr GCodeTable<Group> kTable{kCodes, "GSK-COM-02"_clause, "GSK-COM-07"_clause};
 
 }  // namespace
 
-const Code* find_code(const grammar::Decimal& value) {
-  std::optional<int> tenths = tenths_of(value);
-  if (!tenths) return nullptr;
-  auto found = std::ranges::lower_bound(kCodes, *tenths, {}, &Code::tenths);
-  return found != kCodes.end() && found->tenths == *tenths ? &*found : nullptr;
-}
-
-std::string code_name(int tenths) {
-  return tenths % 10 == 0 ? fmt::format("G{:02}", tenths / 10)
-                          : fmt::format("G{}.{}", tenths / 10, tenths % 10);
-}
-
 bool repeats_group(const grammar::Block& block) {
-  std::uint32_t seen = 0;
-  for (const grammar::Word& word : block.words) {
-    const Code* code = word.address == 'G' ? find_code(word.value) : nullptr;
-    if (code == nullptr) continue;
-    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(code->group);
-    if ((seen & bit) != 0) return true;
-    seen |= bit;
-  }
-  return false;
+  return kTable.repeats_group(block);
 }
 
 void read_codes(const grammar::Block& block, bool last_wins, CodeReading& reading) {
-  std::uint32_t groups_seen = 0;
-  for (const grammar::Word& word : block.words) {
-    if (word.address != 'G') continue;
-    const Code* code = find_code(word.value);
-    if (code == nullptr) {
-      // GSK-COM-02; GSK-COM-08 for a code with decimals.
-      std::string written = "G";
-      grammar::print(word.value, written);
-      reading.alarms.push_back({AlarmClass::undefined_code, "GSK-COM-02"_clause, 'G', word.where,
-                                fmt::format("The control has no code {}.", written)});
-      continue;
-    }
-    std::uint32_t group_bit = std::uint32_t{1} << static_cast<unsigned>(code->group);
-    if ((groups_seen & group_bit) != 0 && !last_wins) {
-      reading.alarms.push_back({AlarmClass::duplicate_word, "GSK-COM-07"_clause, 'G', word.where,
-                                fmt::format("{} is the second code of its group in the block.",
-                                            code_name(code->tenths))});
-    }
-    groups_seen |= group_bit;
-    if (code->treatment == outside && !reading.not_covered) {
-      reading.not_covered =
-          NotCovered{0, code_name(code->tenths),
-                     fmt::format("{} ({}) is a code of the control that the gauge does not read.",
-                                 code_name(code->tenths), code->title),
-                     word.where};
-    }
-    if (int* slot = slot_of(reading.codes, code->group)) *slot = code->tenths / 10;
-  }
+  kTable.read(block, last_wins, reading);
+  reading.codes = {.once = reading.of(Group::once),
+                   .motion = reading.of(Group::motion),
+                   .cycle = reading.of(Group::cycle),
+                   .feed_mode = reading.of(Group::feed_mode),
+                   .units = reading.of(Group::units),
+                   .plane = reading.of(Group::plane)};
 }
 
-}  // namespace gonogo::reference::gsk988ta
-
-namespace gonogo::reference {
-
-std::span<const OutsideCode> outside_codes(std::string_view dialect) {
-  static const std::vector<OutsideCode> kOutside = [] {
-    static std::vector<std::string> names;
-    std::vector<OutsideCode> codes;
-    names.reserve(gsk988ta::kCodes.size());
-    for (const gsk988ta::Code& code : gsk988ta::kCodes) {
-      if (code.treatment != gsk988ta::Treatment::outside) continue;
-      names.push_back(gsk988ta::code_name(code.tenths));
-      codes.push_back({names.back(), code.title});
-    }
-    return codes;
-  }();
-  if (dialect != "gsk988ta") return {};
+std::span<const OutsideCode> outside_codes() {
+  static const std::vector<OutsideCode> kOutside = kTable.outside();
   return kOutside;
 }
 
-std::span<const std::string_view> codes_without_effect(std::string_view dialect) {
+std::span<const std::string_view> codes_without_effect() {
   static constexpr auto kNames =
       std::to_array<std::string_view>({"G40", "G54", "G61", "G64", "G96", "G97", "M", "S", "T"});
-  if (dialect != "gsk988ta") return {};
   return kNames;
 }
 
-}  // namespace gonogo::reference
+}  // namespace gonogo::reference::gsk988ta

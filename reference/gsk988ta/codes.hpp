@@ -5,11 +5,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "grammar/ast.hpp"
-#include "reference/outcome.hpp"
+#include "reference/g_codes.hpp"
 
 namespace gonogo::reference::gsk988ta {
 
@@ -29,19 +30,6 @@ enum class Group : std::uint8_t {
   macro,
 };
 
-enum class Treatment : std::uint8_t { read, without_effect, outside };
-
-struct Code {
-  int tenths;  // 10 times the code: G7.1 is 71, G94 is 940
-  Group group;
-  Treatment treatment;
-  std::string_view title;
-};
-
-// The code, or nothing when the control lacks it.
-const Code* find_code(const grammar::Decimal& value);
-std::string code_name(int tenths);
-
 // The codes of one block, by group.
 struct BlockCodes {
   int once = -1;       // 4, 28, 50
@@ -52,14 +40,14 @@ struct BlockCodes {
   int plane = -1;      // 17, 18, 19
 };
 
-// Reads the G words of a block. Undefined codes and two codes of one group become alarms
-// (`last_wins`: the later of two holds); a code that is not read ends the program for the gauge.
-struct CodeReading {
+// The G words of a block; `last_wins`: the later of two codes of a group holds.
+struct CodeReading : GCodeReading {
   BlockCodes codes;
-  std::vector<Alarm> alarms;
-  std::optional<NotCovered> not_covered;
 };
 void read_codes(const grammar::Block& block, bool last_wins, CodeReading& reading);
+// The codes that the gauge does not read, and those that it passes over.
+std::span<const OutsideCode> outside_codes();
+std::span<const std::string_view> codes_without_effect();
 // Whether two codes of one group stand in the block.
 bool repeats_group(const grammar::Block& block);
 

@@ -25,15 +25,13 @@ struct Pocket {
 // The depth of a layer: k Q below the R plane, the last one at the bottom.
 Number layer_depth(const Pocket& pocket, const Number& k) {
   const MillingSite& site = pocket.site;
-  const Number below = min(k * pocket.infeed, site.depth());
-  return site.bottom < site.r_plane ? site.r_plane - below : site.r_plane + below;
+  return site.below_r_plane(min(k * pocket.infeed, site.depth()));
 }
 
-// GSK-G110-11: abs(P) above the last depth, never beyond the R plane.
-Number approach_depth(const Pocket& pocket, const Number& last_depth) {
-  const MillingSite& site = pocket.site;
-  const Number above = min(pocket.clearance, abs(last_depth - site.r_plane));
-  return site.bottom < site.r_plane ? last_depth + above : last_depth - above;
+// GSK-G110-11: abs(P) above layer k, never beyond the R plane.
+Number approach_depth(const Pocket& pocket, const Number& k) {
+  const Number last = k * pocket.infeed;
+  return pocket.site.below_r_plane(last - min(pocket.clearance, last));
 }
 
 Generator<Item> mill(Pocket pocket) {
@@ -52,8 +50,7 @@ Generator<Item> mill(Pocket pocket) {
   for (Number k = 1; k <= layers; k += 1) {  // GSK-G110-12
     const Number depth = layer_depth(pocket, k);
     if (k > 1) {
-      co_yield site.rapid_depth("GSK-G110-11"_clause,
-                                approach_depth(pocket, layer_depth(pocket, k - 1)));
+      co_yield site.rapid_depth("GSK-G110-11"_clause, approach_depth(pocket, k - 1));
     }
     co_yield site.feed_depth(k > 1 ? "GSK-G110-11"_clause : "GSK-G110-08"_clause, depth);
     pocket.level.depth = depth;

@@ -88,6 +88,7 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   thread.centre = site.plane_centre();
   thread.r_plane = site.r_plane;
   thread.bottom = site.bottom;
+  thread.travel = site.travel;
   thread.initial_plane = site.initial_plane;
   thread.lead = *words.lead;
   thread.height = *words.height;

@@ -90,7 +90,6 @@ void run_g92(BlockContext& block) {
   block.rapid("GSK-G92-02"_clause, {{plane.q, c_q + block.machine.cut.taper}});
   Record thread =
       block.motion(RecordKind::thread, "GSK-G92-03"_clause, {{plane.p, c_p}, {plane.q, c_q}});
-  thread.feed = 0;
   thread.lead = lead;
   block.put(std::move(thread));
   block.rapid("GSK-G92-04"_clause, {{plane.q, a[plane.q]}});

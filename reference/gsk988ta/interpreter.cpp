@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
@@ -222,35 +220,14 @@ void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t lin
                                   BlockOutput& out) const {
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
-    std::optional<std::int64_t> number = to_number(word.value).to_int64();
-    if (!number || *number < 0 || *number > 9999) {
-      out.alarms.push_back({number ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
-                            "GSK-COM-05"_clause, 'M', word.where,
-                            "An M function is a whole number from 0 to 9999."});
-      continue;
-    }
-    if (*number == 98 || *number == 99) {
-      out.not_covered = NotCovered{line, fmt::format("M{}", *number),
-                                   fmt::format("M{} (subprogram) is a code of the control that the "
-                                               "gauge does not read.",
-                                               *number),
-                                   word.where};
-      continue;
-    }
-    Record record;
-    record.kind = RecordKind::m;
-    record.clause = "GSK-COM-05"_clause;
-    record.block = line;
-    record.m = static_cast<std::int32_t>(*number);
-    if (*number == 35) {
+    std::optional<Record> record = read_m_function(word, line, "GSK-COM-05"_clause, out);
+    if (!record) continue;
+    if (record->m == 35) {
       // The C axis is clamped before the tool cuts.
-      record.before_cut = true;
-      if (machine_.milling.family() == CycleFamily::helix) record.clause = "GSK-G112-01"_clause;
+      record->before_cut = true;
+      if (machine_.milling.family() == CycleFamily::helix) record->clause = "GSK-G112-01"_clause;
     }
-    const bool ends_program = *number == 2 || *number == 17 || *number == 30;
-    const bool after = ends_program || *number == 0 || *number == 1 || *number == 5 || *number == 9;
-    (after ? out.after : out.items).emplace_back(std::move(record));
-    if (ends_program) out.program_end = true;
+    put_m_function(*std::move(record), out);
   }
 }
 
@@ -265,9 +242,6 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     return;
   }
   if (block.words.empty()) return;
-  reading_.codes = {};
-  reading_.alarms.clear();
-  reading_.not_covered.reset();
   read_codes(block, last_wins(block), reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
@@ -281,20 +255,15 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   const bool round = codes.once != 4 && has_fine_words(block, profile_, machine_.units) &&
                      readings_.is(ReadingKey::decimals, "nearest");
   BlockWords words(block, profile_, machine_.units, round);
-  BlockContext context{machine_, words, codes, profile_, readings_, open_paths_, line, out};
+  BlockContext context{
+      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};
   take_motion_code(context);
   take_cycle_code(context);
   put_m_functions(block, line, out);
   check_words(words, codes, out);
   take_feed(words);
   run_code(context);
-  // In the order of their words; few of them, and std::stable_sort warns under clang-19.
-  for (std::size_t i = 1; i < out.alarms.size(); ++i) {
-    for (std::size_t k = i; k > 0 && out.alarms[k].where.begin < out.alarms[k - 1].where.begin;
-         --k) {
-      std::swap(out.alarms[k], out.alarms[k - 1]);
-    }
-  }
+  sort_by_place(out.alarms);
 }
 
 }  // namespace

@@ -3,10 +3,9 @@
 // The modal state of a GSK 988TA, and what a block sees of it.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 
-#include "reference/expander.hpp"
+#include "reference/block_base.hpp"
 #include "reference/gsk988ta/codes.hpp"
 #include "reference/gsk988ta/words.hpp"
 
@@ -51,12 +50,8 @@ struct MillingMode {
   CycleFamily family() const { return family_of(code); }
 };
 
-struct Machine {
-  Position position;
-  Plane plane = Plane::g18;
+struct Machine : MotionState {
   Units units = Units::mm;
-  FeedMode feed_mode = FeedMode::per_minute;
-  Number feed;                // 0: none in force
   bool feed_in_inch = false;  // F was written under G20
   int motion = 0;             // group 01: 0, 1, 2, 3, 90, 92, 94
   RetainedCut cut;
@@ -65,35 +60,18 @@ struct Machine {
   MillingMode milling;
 };
 
-using AxisValue = std::pair<Axis, Number>;
-
 // One block in the hands of the file that carries its code.
-struct BlockContext {
+struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
-  const Profile& profile;
-  const ReadingsInUse& readings;
   OpenPaths open_paths;
-  std::uint64_t line;
-  BlockOutput& out;
   bool entered_cycle = false;  // the mode of a milling cycle begins with this block
   bool entered_cut = false;    // G90, G92 or G94 begins with this block
   bool changed_pair = false;   // G110 to G111, G112 to G113 or back
 
-  // A broken rule. `address` names the word; a missing word has its place past the line's end.
-  void alarm(AlarmClass alarm, ClauseId clause, char address, std::string message);
-  void missing(ClauseId clause, char address);
   // GSK-COM-04: an alarm when no feed is in force.
   void need_feed();
-
-  // Motions from where the machine stands; they move it.
-  void rapid(ClauseId clause, std::initializer_list<AxisValue> to);
-  void feed(ClauseId clause, std::initializer_list<AxisValue> to);
-  Record motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to);
-  // The program ends here for the gauge: `address` has a value that is not read.
-  void not_covered(int code, char address, std::string message);
-  void put(Record record) { out.items.emplace_back(std::move(record)); }
 };
 
 // GSK-COM-05, in basic_motion.cpp and arc.cpp.

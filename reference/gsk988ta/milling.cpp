@@ -92,8 +92,13 @@ MillingSite place_site(BlockContext& block, const Number& r, bool depth_from_ini
   const bool diameter =
       site.axes.d != Axis::x || block.readings.is(ReadingKey::x_depth, "diameter");
   const AxisWord depth = block.words.axis_word(site.axes.d, diameter).value();
-  const Number& from = depth_from_initial ? site.initial_plane : site.r_plane;
-  site.bottom = depth.incremental ? from + depth.value : depth.value;
+  if (depth.incremental) {
+    site.travel = depth_from_initial ? depth.value - r : depth.value;
+    site.bottom = site.r_plane + site.travel;
+  } else {
+    site.bottom = depth.value;
+    site.travel = site.bottom - site.r_plane;
+  }
   return site;
 }
 
@@ -118,7 +123,7 @@ void position_only(BlockContext& block) {
 
 void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause) {
   const Number r = site.r_plane - site.initial_plane;
-  if (r.sign() * (site.bottom - site.r_plane).sign() >= 0) return;
+  if (r.sign() * site.travel.sign() >= 0) return;
   block.alarm(AlarmClass::direction_conflict, clause, 'R',
               "R leads away from the bottom to be milled.");
 }

@@ -20,10 +20,15 @@ struct MillingSite {
   Number initial_plane;
   Number r_plane;
   Number bottom;
+  Number travel;  // bottom - r_plane; exact also where the planes are only enclosed
   Number feed;
   FeedMode feed_mode = FeedMode::per_minute;
 
-  Number depth() const { return abs(bottom - r_plane); }
+  Number depth() const { return abs(travel); }
+  // The coordinate so far below the R plane, towards the bottom.
+  Number below_r_plane(const Number& length) const {
+    return travel.sign() < 0 ? r_plane - length : r_plane + length;
+  }
   std::array<Number, 2> plane_centre() const { return {centre[axes.p], centre[axes.q]}; }
 
   Record motion(RecordKind kind, ClauseId clause) const;

@@ -106,7 +106,7 @@ Record helix(const MillingSite& site, const ThreadMilling& thread, const Number&
 }  // namespace
 
 Number turns_of(const ThreadMilling& thread) {
-  return abs(thread.bottom - thread.r_plane) / thread.lead;
+  return abs(thread.travel) / thread.lead;
 }
 
 Number safe_radius(const ThreadMilling& thread) {

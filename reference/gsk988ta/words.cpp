@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "grammar/parser.hpp"
-
 namespace gonogo::reference::gsk988ta {
 namespace {
 
@@ -16,12 +14,6 @@ constexpr std::string_view kUnsignedWords = "ILQDEJ";
 
 bool contains(std::string_view set, char address) {
   return set.find(address) != std::string_view::npos;
-}
-
-std::string text_of(const grammar::Word& word) {
-  std::string text(1, word.address);
-  grammar::print(word.value, text);
-  return text;
 }
 
 // GSK-COM-06, the tables of the manual: 999999.999 mm or 99999.9999 inch in ISB, a tenth of that
@@ -33,12 +25,6 @@ Number upper_end(const Profile& profile, Units units) {
 }
 
 }  // namespace
-
-Number to_number(const grammar::Decimal& value) {
-  if (value.long_digits.empty())
-    return Number::decimal(value.negative, value.magnitude, value.scale);
-  return Number::decimal(value.negative, std::string_view(value.long_digits), value.scale);
-}
 
 std::uint32_t decimals_of(const Profile& profile, Units units) {
   return (units == Units::inch ? 4U : 3U) + (profile.increment == Increment::isc ? 1U : 0U);
@@ -52,15 +38,7 @@ const AxisAddresses& addresses_of(Axis axis) {
 }
 
 BlockWords::BlockWords(const grammar::Block& block, const Profile& profile, Units units, bool round)
-    : block_(block), profile_(profile), units_(units), round_(round) {
-  for (const grammar::Word& word : block.words) {
-    by_address_[static_cast<std::size_t>(word.address - 'A')] = &word;
-  }
-}
-
-Number BlockWords::written(char address) const {
-  return to_number(word(address)->value);
-}
+    : WordTable(block), profile_(profile), units_(units), round_(round) {}
 
 std::optional<Number> BlockWords::length(char address) const {
   const grammar::Word* found = word(address);
@@ -88,43 +66,17 @@ std::optional<AxisWord> BlockWords::axis_word(Axis axis, bool diameter) const {
   return AxisWord{incremental, value};
 }
 
-bool BlockWords::has_axis_word(Axis axis) const {
-  const AxisAddresses& addresses = addresses_of(axis);
-  return has(addresses.absolute) || has(addresses.increment);
-}
-
 bool BlockWords::has_any_axis_word() const {
   for (const AxisAddresses& addresses : kAxisAddresses) {
-    if (has(addresses.absolute) || has(addresses.increment)) return true;
+    if (has(addresses)) return true;
   }
   return false;
 }
 
 void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_axes,
                  std::vector<Alarm>& alarms) {
-  if (!last_wins) {
-    std::uint32_t seen = 0;
-    for (const grammar::Word& word : words.block().words) {
-      if (word.address == 'G') continue;  // several G codes of different groups may stand together
-      std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
-      if ((seen & bit) != 0) {
-        alarms.push_back({AlarmClass::duplicate_word, "GSK-COM-07"_clause, word.address, word.where,
-                          fmt::format("The address {} stands twice in the block.", word.address)});
-      }
-      seen |= bit;
-    }
-  }
-  if (!axis_words_are_axes) return;
-  for (const AxisAddresses& addresses : kAxisAddresses) {
-    if (!words.has(addresses.absolute) || !words.has(addresses.increment)) continue;
-    const grammar::Word& increment = *words.word(addresses.increment);
-    const grammar::Word& absolute = *words.word(addresses.absolute);
-    const grammar::Word& later =
-        increment.where.begin > absolute.where.begin ? increment : absolute;
-    alarms.push_back(
-        {AlarmClass::conflicting_words, "GSK-COM-01"_clause, later.address, later.where,
-         fmt::format("{} and {} command the same axis.", addresses.absolute, addresses.increment)});
-  }
+  if (!last_wins) check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
+  if (axis_words_are_axes) check_axis_letters(words, kAxisAddresses, "GSK-COM-01"_clause, alarms);
 }
 
 namespace {
@@ -145,17 +97,6 @@ bool has_fine_words(const grammar::Block& block, const Profile& profile, Units u
   const std::uint32_t decimals = decimals_of(profile, units);
   return std::ranges::any_of(
       block.words, [&](const grammar::Word& word) { return is_too_fine(word, decimals); });
-}
-
-bool repeats_address(const grammar::Block& block) {
-  std::uint32_t seen = 0;
-  for (const grammar::Word& word : block.words) {
-    if (word.address == 'G') continue;
-    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
-    if ((seen & bit) != 0) return true;
-    seen |= bit;
-  }
-  return false;
 }
 
 void check_decimals(const BlockWords& words, const Profile& profile, Units units,
@@ -210,10 +151,7 @@ void check_run_out_angle(const BlockWords& words, bool full_turn, const Profile&
 }
 
 void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms) {
-  const grammar::Word* word = words.word('F');
-  if (word == nullptr || to_number(word->value).sign() >= 0) return;
-  alarms.push_back({AlarmClass::value_sign, "GSK-COM-08"_clause, 'F', word->where,
-                    fmt::format("The feed {} is negative.", text_of(*word))});
+  check_feed_sign(words, "GSK-COM-08"_clause, alarms);
 }
 
 void check_code_groups(const BlockWords& words, const BlockCodes& codes,

@@ -10,21 +10,11 @@
 #include "reference/axis.hpp"
 #include "reference/gsk988ta/codes.hpp"
 #include "reference/profile.hpp"
+#include "reference/words.hpp"
 
 namespace gonogo::reference::gsk988ta {
 
-// An axis word, mm as a true length or degrees.
-struct AxisWord {
-  bool incremental = false;
-  Number value;
-};
-
 // X and U, Y and V, Z and W, C and H.
-struct AxisAddresses {
-  Axis axis;
-  char absolute;
-  char increment;
-};
 inline constexpr std::array<AxisAddresses, 4> kAxisAddresses = {
     {{Axis::x, 'X', 'U'}, {Axis::y, 'Y', 'V'}, {Axis::z, 'Z', 'W'}, {Axis::c, 'C', 'H'}}};
 const AxisAddresses& addresses_of(Axis axis);
@@ -32,33 +22,23 @@ const AxisAddresses& addresses_of(Axis axis);
 // The milling cycles by what their words mean. Each pair is one mode (GSK-MOD-01, GSK-MOD-04).
 enum class CycleFamily : std::uint8_t { none, pocket, helix, thread };
 
-class BlockWords {
+class BlockWords : public WordTable {
  public:
   // Takes the words of a block; `units` and `profile` say how lengths are written.
   // `round` is the reading gsk.decimals = nearest.
   BlockWords(const grammar::Block& block, const Profile& profile, Units units, bool round);
 
-  bool any() const { return !block_.words.empty(); }
-  bool has(char address) const { return word(address) != nullptr; }
-  const grammar::Word* word(char address) const {
-    return by_address_[static_cast<std::size_t>(address - 'A')];
-  }
-  // The number as written. REQUIRES: has(address).
-  Number written(char address) const;
   // As a length in mm. X and U are diameters here only through axis_word().
   std::optional<Number> length(char address) const;
   // The axis word, absolute or incremental; X and U halved when they are diameters.
   std::optional<AxisWord> axis_word(Axis axis, bool diameter = true) const;
-  bool has_axis_word(Axis axis) const;
+  bool has_axis_word(Axis axis) const { return has(addresses_of(axis)); }
   bool has_any_axis_word() const;
-  const grammar::Block& block() const { return block_; }
 
  private:
-  const grammar::Block& block_;
   const Profile& profile_;
   Units units_;
   bool round_;
-  std::array<const grammar::Word*, 26> by_address_{};
 };
 
 // Rules that hold for the words of any block; what they break is appended.
@@ -83,13 +63,10 @@ void check_feed_word(const BlockWords& words, std::vector<Alarm>& alarms);
 void check_code_groups(const BlockWords& words, const BlockCodes& codes,
                        std::vector<Alarm>& alarms);
 
-// Whether the readings of fine decimals and of repeated addresses matter for the block.
+// Whether the reading of fine decimals matters for the block.
 bool has_fine_words(const grammar::Block& block, const Profile& profile, Units units);
-bool repeats_address(const grammar::Block& block);
 
 // Decimals that a length may have: 3 or 4 in mm, 4 or 5 in inch (ISB, ISC).
 std::uint32_t decimals_of(const Profile& profile, Units units);
-
-Number to_number(const grammar::Decimal& value);
 
 }  // namespace gonogo::reference::gsk988ta

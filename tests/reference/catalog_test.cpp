@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "reference/clause.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::reference {
 namespace {
@@ -29,7 +29,7 @@ std::string read(const fs::path& path) {
 
 // All ids of the form GSK-G94-02 that a file speaks of, in code or comments.
 std::set<std::string> ids_in(const std::string& text) {
-  static const std::regex kId(R"(\bGSK-[A-Z]+[0-9]*-[0-9]{2}\b)");
+  static const std::regex kId(R"(\b[A-Z]{3}-[A-Z]+[0-9]*-[0-9]{2}\b)");
   std::set<std::string> ids;
   for (std::sregex_iterator it(text.begin(), text.end(), kId), end; it != end; ++it) {
     ids.insert(it->str());
@@ -105,23 +105,41 @@ TEST(Catalog, ALevelSaysHowFirmlyAClauseStands) {
   EXPECT_EQ(clause("GSK-G110-13"_clause).level, ClauseLevel::open);
 }
 
-TEST(Catalog, ACodeIsEitherOutsideOrWithoutEffect) {
+std::set<std::string_view> codes_beside_the_readable(const Dialect& dialect) {
   std::set<std::string_view> names;
-  for (const OutsideCode& code : outside_codes("gsk988ta")) {
+  for (const OutsideCode& code : dialect.outside_codes()) {
     EXPECT_TRUE(names.insert(code.code).second) << code.code;
     EXPECT_FALSE(code.title.empty()) << code.code;
   }
-  for (std::string_view code : codes_without_effect("gsk988ta")) {
+  for (std::string_view code : dialect.codes_without_effect()) {
     EXPECT_TRUE(names.insert(code).second) << code;
   }
-  EXPECT_TRUE(names.contains("G71"));
-  EXPECT_TRUE(names.contains("G83"));
-  EXPECT_TRUE(names.contains("G40"));
+  return names;
 }
 
-TEST(Catalog, AnotherDialectHasNoCodesHere) {
-  EXPECT_TRUE(outside_codes("fanuc").empty());
-  EXPECT_TRUE(codes_without_effect("fanuc").empty());
+TEST(Catalog, ACodeIsEitherOutsideOrWithoutEffect) {
+  for (const Dialect& dialect : dialects()) codes_beside_the_readable(dialect);
+  const auto gsk = codes_beside_the_readable(*find_dialect("gsk988ta"));
+  EXPECT_TRUE(gsk.contains("G71") && gsk.contains("G83") && gsk.contains("G40"));
+  const auto hnc = codes_beside_the_readable(*find_dialect("hnc21t"));
+  EXPECT_TRUE(hnc.contains("G71") && hnc.contains("G76") && hnc.contains("G97"));
+}
+
+TEST(Catalog, AnotherDialectIsNotFound) {
+  EXPECT_EQ(find_dialect("fanuc"), nullptr);
+}
+
+TEST(Catalog, TheClausesOfADialectBeginWithOneMaker) {
+  std::size_t all = 0;
+  for (const Dialect& dialect : dialects()) {
+    const std::string_view maker = dialect.clauses.front().id.substr(0, 4);
+    for (const Clause& clause : dialect.clauses) {
+      EXPECT_TRUE(clause.id.starts_with(maker)) << clause.id;
+    }
+    EXPECT_TRUE(clause_name(dialect.syntax_clause).starts_with(maker));
+    all += dialect.clauses.size();
+  }
+  EXPECT_EQ(all, clauses().size());
 }
 
 }  // namespace

@@ -180,6 +180,14 @@ TEST(Profile, AnUnknownKeyIsRefusedWithTheKnownOnes) {
   json_refused(R"({"tools":{"10":{"diameter":"5"}}})", "tools.10.diameter", {"radius"});
 }
 
+TEST(Profile, AnOffsetAToolAndAParameterThatTheDialectLacksAreRefused) {
+  toml_refused("[offsets.G60]\nz = \"1\"", "offsets.G60", {"G54", "G59"});
+  toml_refused("[tools.T10]\nradius = \"5\"", "tools.T10", {"digits"});
+  toml_refused("[tools.10]\nradius = \"-5\"", "tools.10.radius", {"negative"});
+  json_refused(R"({"parameters":{"9999":"1"}})", "parameters.9999", {"3410", "5921"});
+  json_refused(R"({"dialect":"hnc21t","parameters":{"5920":"1"}})", "parameters.5920", {"3410"});
+}
+
 TEST(Profile, AFloatIsRefusedWithWhatToWrite) {
   toml_refused("resolution = 0.001", "resolution", {"\"0.001\"", "quotes"});
   toml_refused("[initial]\nx = 1.5", "initial.x", {"quotes"});

@@ -65,6 +65,14 @@ struct Look {
     std::sort(seen.alarms.begin(), seen.alarms.end());
     return seen;
   }
+  Seen operator()(const Renaming& renaming) const {
+    Seen seen;
+    seen.block = renaming.block;
+    seen.named = {true, true, true};
+    const PlaneAxes axes = axes_of(plane);
+    seen.to = {renaming.shift[axes.p], renaming.shift[axes.q], renaming.shift[axes.d]};
+    return seen;
+  }
   template <typename Other>
   Seen operator()(const Other&) const {
     ADD_FAILURE() << "no item of these programs";

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The centre of an arc in its plane, from its radius or from the offsets I J K. Pure geometry: what
+// a dialect makes of a fault is the dialect's.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "reference/axis.hpp"
+
+namespace gonogo::reference {
+
+// The address of the centre's offset along an axis: I with X, J with Y, K with Z.
+constexpr char offset_address(Axis axis) {
+  return "IJK"[index(axis)];
+}
+
+// The start, the end and the chord of an arc in its plane. Squares here are of micrometres: those
+// of 1e-6 mm are then numbers of 64 bits.
+struct ArcEnds {
+  Number start_p, start_q;
+  Number end_p, end_q;
+  Number dp, dq;   // end - start
+  Number chord_2;  // squared, um^2
+
+  ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to);
+  bool closed() const { return dp.sign() == 0 && dq.sign() == 0; }
+  std::array<Number, 2> middle() const;
+  // Whether the chord is no longer than this, mm.
+  bool chord_within(const Number& length) const;
+};
+
+// The centre from R: on the right of the chord for a short clockwise arc (`sense` -1); a negative R
+// asks for the long one. Nothing when twice the radius is less than the chord.
+// REQUIRES: !ends.closed().
+std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
+                                                        int sense);
+
+// The centre at an offset from the start, and the squares of the radii at start and end.
+struct OffsetCentre {
+  std::array<Number, 2> centre;
+  Number start_2;  // um^2
+  Number end_2;    // um^2
+  Number reach;    // um, not above the sum of the radii
+
+  OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q);
+  bool begins_at_centre() const { return start_2.sign() == 0; }
+  // Start, end and centre are one point.
+  bool is_point() const { return begins_at_centre() && end_2.sign() == 0; }
+  // Whether the radii differ by no more than `limit`, mm; than the root of `limit_2`, mm^2; than
+  // this part of the larger one, 0 to 1.
+  bool radii_agree(const Number& limit) const;
+  bool radii_agree_squared(const Number& limit_2) const;
+  bool radii_agree_in_part(const Number& part) const;
+  // Whether a radius is less than `length`, mm.
+  bool radius_below(const Number& length) const;
+};
+
+}  // namespace gonogo::reference

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/block_base.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference {
+
+void BlockBase::alarm(AlarmClass alarm, ClauseId clause, char address, std::string message) {
+  grammar::Span where;
+  if (address != 0 && table.has(address)) {
+    where = table.word(address)->where;
+  } else if (!table.block().words.empty()) {
+    where.begin = where.end = table.block().words.back().where.end;
+  }
+  out.alarms.push_back({alarm, clause, address, where, std::move(message)});
+}
+
+void BlockBase::missing(ClauseId clause, char address) {
+  alarm(AlarmClass::missing_word, clause, address, fmt::format("The word {} is missing.", address));
+}
+
+void BlockBase::need_feed(ClauseId clause) {
+  if (state.feed.sign() > 0) return;
+  alarm(AlarmClass::feed_missing, clause, 'F', "The block cuts, but no feed is in force.");
+}
+
+bool BlockBase::turns_alone(const Position& to) const {
+  for (Axis axis : kLinearAxes) {
+    if (to[axis] != state.position[axis]) return false;
+  }
+  return to != state.position;
+}
+
+void BlockBase::not_covered(int code, char address, std::string message) {
+  grammar::Span where;
+  if (table.has(address)) where = table.word(address)->where;
+  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message), where};
+}
+
+Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
+  Record record;
+  record.kind = kind;
+  record.block = line;
+  record.clause = clause;
+  for (const auto& [axis, value] : to) {
+    state.position[axis] = value;
+    record.axes.add(axis);
+    record.to[axis] = value;
+  }
+  if (kind == RecordKind::feed || kind == RecordKind::arc) {
+    record.feed = state.feed;
+    record.feed_mode = state.feed_mode;
+  }
+  return record;
+}
+
+Record BlockBase::motion_to(RecordKind kind, ClauseId clause, AxisSet named, const Position& to) {
+  Record record = motion(kind, clause, {});
+  record.axes = named;
+  record.to = to;
+  state.position = to;
+  return record;
+}
+
+void BlockBase::rapid(ClauseId clause, std::initializer_list<AxisValue> to) {
+  put(motion(RecordKind::rapid, clause, to));
+}
+
+void BlockBase::feed(ClauseId clause, std::initializer_list<AxisValue> to) {
+  put(motion(RecordKind::feed, clause, to));
+}
+
+void BlockBase::arc(ClauseId clause, AxisSet named, const Position& to,
+                    const std::array<Number, 2>& centre, int sense) {
+  const PlaneAxes axes = axes_of(state.plane);
+  Record record = motion_to(RecordKind::arc, clause, named | AxisSet{axes.p, axes.q}, to);
+  record.plane = state.plane;
+  record.centre = centre;
+  record.rot = sense;
+  put(std::move(record));
+}
+
+void BlockBase::rename(const Position& to) {
+  Renaming renaming{line, {}};
+  for (Axis axis : kAllAxes) renaming.shift[axis] = to[axis] - state.position[axis];
+  state.position = to;
+  out.items.emplace_back(std::move(renaming));
+}
+
+NotCovered construct_outside(const grammar::Block& block, std::uint64_t line) {
+  const grammar::OutsideConstruct& construct = block.outside.value();
+  return {line, construct.name,
+          fmt::format("The block has a construct of the control that the gauge does not read: {}.",
+                      construct.name),
+          construct.where};
+}
+
+NotCovered m_function_outside(std::int64_t number, std::string_view title,
+                              const grammar::Word& word, std::uint64_t line) {
+  return {
+      line, fmt::format("M{}", number),
+      fmt::format("M{} ({}) is a code of the control that the gauge does not read.", number, title),
+      word.where};
+}
+
+std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
+                                      ClauseId clause, BlockOutput& out) {
+  const std::optional<std::int64_t> number = to_number(word.value).to_int64();
+  if (!number || *number < 0 || *number > 9999) {
+    out.alarms.push_back({number ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
+                          clause, 'M', word.where,
+                          "An M function is a whole number from 0 to 9999."});
+    return std::nullopt;
+  }
+  if (*number == 98 || *number == 99) {
+    out.not_covered = m_function_outside(*number, "subprogram", word, line);
+    return std::nullopt;
+  }
+  Record record;
+  record.kind = RecordKind::m;
+  record.clause = clause;
+  record.block = line;
+  record.m = static_cast<std::int32_t>(*number);
+  return record;
+}
+
+void put_m_function(Record record, BlockOutput& out) {
+  const std::int32_t m = record.m;
+  const bool ends_program = m == 2 || m == 17 || m == 30;
+  const bool after = ends_program || m == 0 || m == 1 || m == 5 || m == 9;
+  (after ? out.after : out.items).emplace_back(std::move(record));
+  if (ends_program) out.program_end = true;
+}
+
+}  // namespace gonogo::reference

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the code of every dialect does with a block: it reports broken rules, and it puts out
+// motions from where the machine stands.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+#include "reference/expander.hpp"
+#include "reference/words.hpp"
+
+namespace gonogo::reference {
+
+using AxisValue = std::pair<Axis, Number>;
+
+// The modal state that motions need.
+struct MotionState {
+  Position position;
+  Plane plane = Plane::g18;
+  FeedMode feed_mode = FeedMode::per_minute;
+  Number feed;  // 0: none in force
+};
+
+struct BlockBase {
+  MotionState& state;
+  const WordTable& table;
+  const Profile& profile;
+  const ReadingsInUse& readings;
+  std::uint64_t line;
+  BlockOutput& out;
+
+  // A broken rule. `address` names the word; a missing word has its place past the line's end.
+  void alarm(AlarmClass alarm, ClauseId clause, char address, std::string message);
+  void missing(ClauseId clause, char address);
+  // An alarm when no feed is in force.
+  void need_feed(ClauseId clause);
+  // Whether only rotary axes have a way to go.
+  bool turns_alone(const Position& to) const;
+  // The program ends here for the gauge: `address` has a value that is not read.
+  void not_covered(int code, char address, std::string message);
+
+  // Motions from where the machine stands; they move it.
+  void rapid(ClauseId clause, std::initializer_list<AxisValue> to);
+  void feed(ClauseId clause, std::initializer_list<AxisValue> to);
+  Record motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to);
+  // One motion to `to` along the axes that are named.
+  Record motion_to(RecordKind kind, ClauseId clause, AxisSet named, const Position& to);
+  // Names both axes of the plane, whichever are named.
+  void arc(ClauseId clause, AxisSet named, const Position& to, const std::array<Number, 2>& centre,
+           int sense);
+  void put(Record record) { out.items.emplace_back(std::move(record)); }
+  // The position gets a new name; nothing moves.
+  void rename(const Position& to);
+};
+
+// A block whose construct is not read. REQUIRES: there is one.
+NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
+
+// The M functions of a block are passed on: those that stop or end something after the motion, the
+// others before.
+// The record of an M word; nothing for one that is no M function (an alarm), or that is not read.
+std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
+                                      ClauseId clause, BlockOutput& out);
+void put_m_function(Record record, BlockOutput& out);
+// A code of the control that the gauge does not read.
+NotCovered m_function_outside(std::int64_t number, std::string_view title,
+                              const grammar::Word& word, std::uint64_t line);
+
+}  // namespace gonogo::reference

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The readings of RS274/NGC: where its interpreters differ. In the order of ReadingKey.
+#pragma once
+
+#include <vector>
+
+#include "reference/reading.hpp"
+
+namespace gonogo::reference::catalog {
+
+inline std::vector<Reading> rs274_readings() {
+  return {
+      {ReadingKey::ngc_arc_tolerance,
+       "ngc.arc-tolerance",
+       "rs274",
+       {"nist", "linuxcnc"},
+       "nist",
+       false,
+       false,
+       "NGC-ARC-03"_clause,
+       "how far an arc's end may miss its circle: as NIST's interpreter has it, or as LinuxCNC's"},
+      {ReadingKey::ngc_full_circle_words,
+       "ngc.full-circle-words",
+       "rs274",
+       {"free", "needed"},
+       "free",
+       false,
+       false,
+       "NGC-ARC-04"_clause,
+       "an arc by its centre without an axis word of the plane: a full circle, or an alarm"},
+  };
+}
+
+}  // namespace gonogo::reference::catalog

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/dialect.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "reference/gsk988ta/codes.hpp"
+#include "reference/gsk988ta/interpreter.hpp"
+#include "reference/hnc21t/codes.hpp"
+#include "reference/hnc21t/interpreter.hpp"
+#include "reference/rs274/codes.hpp"
+#include "reference/rs274/interpreter.hpp"
+
+namespace gonogo::reference {
+
+namespace {
+
+constexpr auto kOffsets =
+    std::to_array<std::string_view>({"G54", "G55", "G56", "G57", "G58", "G59"});
+constexpr auto kGskParameters =
+    std::to_array<std::string_view>({"3403.6", "3410", "5130", "5920", "5921"});
+constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});
+
+void keeps_defaults(Profile&) {}
+
+void mills(Profile& profile) {
+  profile.x_diameter = false;
+  profile.dialect_resolution = Number::millionths(100);
+  profile.initial.plane = Plane::g17;
+  profile.initial.motion = kNoMotion;
+}
+
+}  // namespace
+
+std::span<const Dialect> dialects() {
+  static const auto kDialects = std::to_array<Dialect>({
+      {"gsk988ta", grammar::Dialect::gsk988ta, catalog::kGsk988ta, "GSK-COM-02"_clause, true,
+       gsk988ta::make_interpreter, gsk988ta::outside_codes, gsk988ta::codes_without_effect,
+       kOffsets, kGskParameters, keeps_defaults,
+       "M98, M99 (subprograms), variables (#), expressions ([ ]) and control statements"},
+      {"hnc21t", grammar::Dialect::hnc21t, catalog::hnc21t::kClauses, "HNC-COM-01"_clause, true,
+       hnc21t::make_interpreter, hnc21t::outside_codes, hnc21t::codes_without_effect, kOffsets,
+       kHncParameters, keeps_defaults,
+       "M98, M99 (subprograms), Y and V outside the cycles (programs for mills), variables (#), "
+       "expressions ([ ]) and control statements"},
+      {"rs274",
+       grammar::Dialect::rs274,
+       catalog::rs274::kClauses,
+       "NGC-COM-01"_clause,
+       false,
+       rs274::make_interpreter,
+       rs274::outside_codes,
+       rs274::codes_without_effect,
+       {},
+       {},
+       mills,
+       "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, O words, "
+       "variables (#) and expressions ([ ])"},
+  });
+  return kDialects;
+}
+
+const Dialect* find_dialect(std::string_view name) {
+  const auto all = dialects();
+  const auto found = std::ranges::find(all, name, &Dialect::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string dialect_names() {
+  std::string names;
+  for (const Dialect& dialect : dialects()) {
+    if (!names.empty()) names += ", ";
+    names += dialect.name;
+  }
+  return names;
+}
+
+}  // namespace gonogo::reference

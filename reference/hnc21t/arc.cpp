@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// HNC-COM-01, G02 and G03: an arc in the plane of Z and X, by its radius or by its centre.
+#include "reference/arc_centre.hpp"
+
+#include <fmt/format.h>
+
+#include "reference/hnc21t/machine.hpp"
+
+namespace gonogo::reference::hnc21t {
+namespace {
+
+using Centre = std::optional<std::array<Number, 2>>;
+
+// Nothing when the rules are broken.
+Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
+  if (ends.closed()) {
+    block.alarm(AlarmClass::arc_end_point, "HNC-COM-01"_clause, 'R',
+                "An arc given by R cannot end where it starts.");
+    return std::nullopt;
+  }
+  const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
+  if (!centre) {
+    block.alarm(AlarmClass::arc_radius, "HNC-COM-01"_clause, 'R',
+                "Twice the radius is less than the chord.");
+  }
+  return centre;
+}
+
+void refuse_zero_radius(BlockContext& block, std::string message) {
+  if (!block.readings.is(ReadingKey::hnc_arc_zero_radius, "alarm")) return;
+  block.alarm(AlarmClass::arc_radius, "HNC-COM-01"_clause, block.words.has('K') ? 'K' : 'I',
+              std::move(message));
+}
+
+// The centre from I and K, increments from the start and true lengths. The radii at start and end
+// may differ by parameter 3410; a negative one allows any difference.
+Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
+  const OffsetCentre arc(ends, block.words.length('K').value_or(0),
+                         block.words.length('I').value_or(0));
+  if (arc.is_point()) {
+    refuse_zero_radius(block, "The radius of the arc is zero.");
+    return std::nullopt;
+  }
+  const Number limit = block.profile.parameter("3410").value_or(Number::millionths(10'000));
+  if (limit.sign() >= 0 && !arc.radii_agree(limit)) {
+    if (arc.begins_at_centre()) refuse_zero_radius(block, "The arc begins at its centre.");
+    block.alarm(AlarmClass::arc_end_point, "HNC-COM-01"_clause, block.words.has('K') ? 'K' : 'I',
+                fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
+    return std::nullopt;
+  }
+  return arc.centre;
+}
+
+}  // namespace
+
+void run_arc(BlockContext& block, int sense) {
+  const BlockWords& words = block.words;
+  const bool by_radius = words.has('R');
+  const bool by_centre = words.has('I') || words.has('K');
+  Position to;
+  const AxisSet named = commanded_end_point(block, to);
+  if (named.empty() && !by_radius && !by_centre) return;
+  block.need_feed();
+  if (!by_radius && !by_centre) {
+    block.missing("HNC-COM-01"_clause, 'R');
+    return;
+  }
+  const ArcEnds ends(axes_of(block.machine.plane), block.machine.position, to);
+  const Centre centre =
+      by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, ends);
+  // Under hnc.arc.zero-radius = none there is no way to go.
+  if (centre) block.arc("HNC-COM-01"_clause, named, to, *centre, sense);
+}
+
+}  // namespace gonogo::reference::hnc21t

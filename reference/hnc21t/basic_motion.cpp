@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// HNC-COM-01 without arcs: G00, G01, G04, G32, G92, and the work offsets.
+#include "reference/hnc21t/machine.hpp"
+
+namespace gonogo::reference::hnc21t {
+
+void BlockContext::need_feed() {
+  // HNC-MOD-04: whether F of a cycle is the ordinary feed matters only where the two differ.
+  const Number own =
+      is_cycle(machine.motion) ? machine.command.feed.value_or(0) : machine.plain_feed;
+  const bool same = own == machine.latest_feed;
+  machine.feed = same || readings.is(ReadingKey::hnc_modal_f, "feed") ? machine.latest_feed : own;
+  BlockBase::need_feed("HNC-COM-01"_clause);
+}
+
+Number BlockContext::offset(Axis axis) const {
+  if (machine.offset >= 0) return machine.offsets[static_cast<std::size_t>(machine.offset)][axis];
+  const Number& first = machine.offsets.front()[axis];
+  if (first.sign() == 0) return 0;
+  return readings.is(ReadingKey::hnc_offset_initial, "G54") ? first : Number(0);
+}
+
+std::optional<Number> BlockContext::commanded(const AxisAddresses& axis) const {
+  const std::optional<AxisWord> word = words.axis_word(axis);
+  if (!word) return std::nullopt;
+  return word->value + (word->incremental ? state.position[axis.axis] : offset(axis.axis));
+}
+
+Number BlockContext::lead() const {
+  const Lead& lead = machine.command.lead.value();
+  if (!lead.in_units || readings.is(ReadingKey::hnc_lead_unit, "mm")) return lead.value;
+  return inches(lead.value);
+}
+
+AxisSet commanded_end_point(const BlockContext& block, Position& to) {
+  AxisSet axes;
+  to = block.machine.position;
+  for (const AxisAddresses& addresses : kAxisAddresses) {
+    std::optional<Number> end = block.commanded(addresses);
+    if (!end) continue;
+    axes.add(addresses.axis);
+    to[addresses.axis] = *std::move(end);
+  }
+  return axes;
+}
+
+void run_positioning(BlockContext& block) {
+  Position to;
+  const AxisSet axes = commanded_end_point(block, to);
+  if (axes.empty()) return;
+  block.put(block.motion_to(RecordKind::rapid, "HNC-COM-01"_clause, axes, to));
+}
+
+void run_straight_feed(BlockContext& block) {
+  Position to;
+  const AxisSet axes = commanded_end_point(block, to);
+  if (axes.empty()) return;
+  block.need_feed();
+  block.put(block.motion_to(RecordKind::feed, "HNC-COM-01"_clause, axes, to));
+}
+
+// G32: one thread pass, straight or taper. Its run-out and its starts are not in the text.
+void run_thread(BlockContext& block) {
+  for (char address : {'R', 'E', 'P', 'C', 'Q', 'K', 'I'}) {
+    if (!block.words.has(address) || block.words.written(address).sign() == 0) continue;
+    block.not_covered(32, address,
+                      "G32 with a run-out, a start angle or several starts is a form of the code "
+                      "that the gauge does not read.");
+    return;
+  }
+  Position to;
+  const AxisSet axes = commanded_end_point(block, to);
+  if (axes.empty()) return;
+  if (!block.machine.command.lead) {
+    block.alarm(AlarmClass::lead_missing, "HNC-MOD-04"_clause, 'F',
+                "The block cuts a thread, but no lead is in force.");
+    return;
+  }
+  Record thread = block.motion_to(RecordKind::thread, "HNC-COM-01"_clause, axes, to);
+  thread.lead = block.lead();
+  block.put(std::move(thread));
+}
+
+// G04: P in milliseconds.
+void run_dwell(BlockContext& block) {
+  if (!block.words.has('P')) {
+    block.missing("HNC-COM-01"_clause, 'P');
+    return;
+  }
+  Record record;
+  record.kind = RecordKind::dwell;
+  record.block = block.line;
+  record.clause = "HNC-COM-01"_clause;
+  record.seconds = block.words.written('P') / 1000;
+  if (record.seconds.sign() < 0) {
+    block.alarm(AlarmClass::value_sign, "HNC-COM-01"_clause, 'P', "A dwell cannot be negative.");
+  }
+  block.put(std::move(record));
+}
+
+// G92: the position gets new work coordinates; X and Z are absolute, under G91 too.
+void run_rename_position(BlockContext& block) {
+  Position to = block.machine.position;
+  for (const AxisAddresses& addresses : kAxisAddresses) {
+    const std::optional<AxisWord> word = block.words.axis_word(addresses);
+    if (!word) continue;
+    const Axis axis = addresses.axis;
+    const bool absolute = block.words.has(addresses.absolute);
+    to[axis] = word->value + (absolute ? block.offset(axis) : to[axis]);
+  }
+  block.rename(to);
+}
+
+}  // namespace gonogo::reference::hnc21t

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/hnc21t/cycle.hpp"
+
+namespace gonogo::reference::hnc21t {
+
+void take_command_words(BlockContext& block) {
+  const BlockWords& words = block.words;
+  CommandWords& command = block.machine.command;
+  auto take = [&](char address, std::optional<Number>& into) {
+    if (words.has(address)) into = words.written(address);
+  };
+  auto take_scaled = [&](char address, std::optional<ScaledLength>& into) {
+    if (auto value = words.length(address)) into = {*value, words.modes().diameter};
+  };
+  take('C', command.c);
+  take('P', command.p);
+  take_scaled('R', command.r);
+  take_scaled('E', command.e);
+  take_scaled('Q', command.q);
+  if (auto k = words.length('K')) command.k = k;
+  if (block.machine.motion == 75) {
+    take('I', command.i);
+  } else if (auto i = words.length('I')) {
+    command.i = i;
+  }
+}
+
+std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& axis) {
+  std::optional<Number>& last = block.machine.command.end(axis.axis);
+  if (auto word = block.commanded(axis)) {
+    last = word;
+  } else if (block.readings.is(ReadingKey::hnc_missing_axis, "none")) {
+    last = block.machine.position[axis.axis];
+  } else if (!last || !block.readings.is(ReadingKey::hnc_missing_axis, "keep")) {
+    block.missing("HNC-MOD-03"_clause, axis.absolute);
+    return std::nullopt;
+  }
+  return last;
+}
+
+std::optional<EndPoint> cycle_end_point(BlockContext& block) {
+  std::optional<Number> x = cycle_end_point(block, kX);
+  std::optional<Number> z = cycle_end_point(block, kZ);
+  if (!x || !z) return std::nullopt;
+  return EndPoint{*std::move(x), *std::move(z)};
+}
+
+namespace {
+
+Record along(RecordKind kind, std::uint64_t block, ClauseId clause, Axis axis, const Number& to) {
+  Record record;
+  record.kind = kind;
+  record.block = block;
+  record.clause = clause;
+  record.axes.add(axis);
+  record.to[axis] = to;
+  return record;
+}
+
+}  // namespace
+
+Record CycleMotions::rapid(ClauseId clause, Axis axis, const Number& to) const {
+  return along(RecordKind::rapid, block, clause, axis, to);
+}
+
+Record CycleMotions::feed(ClauseId clause, Axis axis, const Number& to) const {
+  Record record = along(RecordKind::feed, block, clause, axis, to);
+  record.feed = feed_in_force;
+  record.feed_mode = feed_mode;
+  return record;
+}
+
+}  // namespace gonogo::reference::hnc21t

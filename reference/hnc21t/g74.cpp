@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G74, deep drilling of the face: from A, where the tool stands, along Z to the bottom of the hole
+// and back. HNC-G74-04: X and U have no effect; of the three ways that the text announces it
+// describes two.
+#include "reference/hnc21t/pecking.hpp"
+
+namespace gonogo::reference::hnc21t {
+
+void run_g74(BlockContext& block) {
+  // HNC-G74-02, HNC-G74-03: pecks with withdrawals, or straight to the bottom.
+  constexpr PlungeClauses kClauses{"HNC-G74-01"_clause, "HNC-G74-02"_clause, "HNC-G74-03"_clause};
+  check_peck_words(block, "HNC-G74-01"_clause);
+  if (!block.words.has_axis_word()) return;
+  const std::optional<Number> bottom = cycle_end_point(block, kZ);
+  block.need_feed();
+  const Plunge plunge =
+      plan_plunge(block, Axis::z, bottom.value_or(block.machine.position[Axis::z]), kClauses);
+  if (!block.out.alarms.empty()) return;
+  block.out.cycle = run_plunge(plunge);
+}
+
+}  // namespace gonogo::reference::hnc21t

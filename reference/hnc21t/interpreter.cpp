@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One block: its codes change the modal state, then the code in force runs. HNC-MOD-05: words that
+// a code does not use have no effect.
+#include "reference/hnc21t/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/hnc21t/cycle.hpp"
+
+namespace gonogo::reference::hnc21t {
+namespace {
+
+class Interpreter : public BlockInterpreter {
+ public:
+  Interpreter(const Profile& profile, const ReadingsInUse& readings);
+
+  void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  const Position& position() const override { return machine_.position; }
+  void stand_at(const Position& position) override { machine_.position = position; }
+
+ private:
+  void take_modes(const BlockCodes& codes);
+  void take_motion_code(const BlockCodes& codes);
+  void take_feed(const BlockWords& words);
+  void take_lead(const BlockWords& words);
+  bool in_cycle(const BlockCodes& codes) const {
+    return codes.once < 0 && is_cycle(machine_.motion);
+  }
+  void check_mill_words(const BlockWords& words, const BlockCodes& codes, std::uint64_t line,
+                        BlockOutput& out) const;
+  void check_words(const BlockWords& words, const BlockCodes& codes, BlockOutput& out) const;
+  void check_lead_words(const BlockWords& words, std::vector<Alarm>& alarms) const;
+  void run_code(BlockContext& block) const;
+
+  const Profile& profile_;
+  const ReadingsInUse& readings_;
+  Machine machine_;
+  CodeReading reading_;
+};
+
+Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
+    : profile_(profile), readings_(readings) {
+  machine_.position = profile.initial.at;
+  machine_.latest_feed = machine_.plain_feed = profile.initial.feed;
+  machine_.motion = profile.initial.motion;
+  machine_.modes = {profile.units == Units::inch, profile.x_diameter, false};
+  for (std::size_t i = 0; i < machine_.offsets.size(); ++i) {
+    const auto found = profile.offsets.find(fmt::format("G{}", 54 + i));
+    if (found != profile.offsets.end()) machine_.offsets[i] = found->second;
+  }
+}
+
+// Units, scales and offsets hold from their block on.
+void Interpreter::take_modes(const BlockCodes& codes) {
+  WordModes& modes = machine_.modes;
+  if (codes.units >= 0) modes.inch = codes.units == 20;
+  if (codes.diameter >= 0) modes.diameter = codes.diameter == 36;
+  if (codes.distance >= 0) modes.incremental = codes.distance == 91;
+  if (codes.offset >= 0) machine_.offset = codes.offset - 54;
+  if (codes.feed_mode >= 0) {
+    machine_.feed_mode = codes.feed_mode == 95 ? FeedMode::per_revolution : FeedMode::per_minute;
+  }
+}
+
+// HNC-MOD-02: without a code the one in force goes on, and any other motion code ends a cycle.
+void Interpreter::take_motion_code(const BlockCodes& codes) {
+  if (codes.motion < 0 || codes.motion == machine_.motion) return;  // HNC-MOD-05
+  machine_.motion = codes.motion;
+  machine_.command = {};  // HNC-MOD-01: its words are forgotten
+}
+
+// HNC-MOD-04
+void Interpreter::take_feed(const BlockWords& words) {
+  if (cuts_thread(machine_.motion)) return take_lead(words);
+  const std::optional<Number> feed = words.length('F');
+  if (!feed) return;
+  machine_.latest_feed = *feed;
+  if (is_cycle(machine_.motion)) {
+    machine_.command.feed = feed;
+  } else {
+    machine_.plain_feed = *feed;
+  }
+}
+
+// HNC-G82-08: a later one replaces the one in force. J is in inches always.
+void Interpreter::take_lead(const BlockWords& words) {
+  if (words.has('F')) machine_.command.lead = Lead{words.written('F'), machine_.modes.inch};
+  if (words.has('J')) machine_.command.lead = Lead{inches(words.written('J')), false};
+}
+
+// HNC-MOD-05: Y and V are no words of the cycles; anywhere else they are those of a mill program.
+void Interpreter::check_mill_words(const BlockWords& words, const BlockCodes& codes,
+                                   std::uint64_t line, BlockOutput& out) const {
+  for (const grammar::Word& word : words.block().words) {
+    if (word.address != 'Y' && word.address != 'V') continue;
+    if (in_cycle(codes)) {
+      out.alarms.push_back({AlarmClass::undefined_code, "HNC-MOD-05"_clause, word.address,
+                            word.where, fmt::format("A lathe has no address {}.", word.address)});
+    } else if (!out.not_covered) {
+      out.not_covered = NotCovered{
+          line, std::string(1, word.address),
+          fmt::format("The word {} belongs to a program for a mill, which the gauge does not read.",
+                      word.address),
+          word.where};
+    }
+  }
+}
+
+// HNC-G82-07, HNC-G82-08
+void Interpreter::check_lead_words(const BlockWords& words, std::vector<Alarm>& alarms) const {
+  for (char address : {'F', 'J'}) {
+    const grammar::Word* word = words.word(address);
+    if (word == nullptr || to_number(word->value).sign() > 0) continue;
+    alarms.push_back({AlarmClass::value_sign, "HNC-G82-08"_clause, address, word->where,
+                      fmt::format("The lead {} is not above zero.", text_of(*word))});
+  }
+  if (!words.has('F') || !words.has('J')) return;
+  const bool f_first = words.word('F')->where.begin < words.word('J')->where.begin;
+  const grammar::Word& later = *words.word(f_first ? 'J' : 'F');
+  alarms.push_back({AlarmClass::conflicting_words, "HNC-G82-07"_clause, later.address, later.where,
+                    "F and J exclude each other as the lead of a thread."});
+}
+
+// HNC-COM-01
+void Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
+                              BlockOutput& out) const {
+  const ClauseId clause = "HNC-COM-01"_clause;
+  check_repeated_addresses(words, clause, out.alarms);
+  if (codes.once != 4) check_axis_letters(words, kAxisAddresses, clause, out.alarms);
+  if (cuts_thread(machine_.motion)) {
+    check_lead_words(words, out.alarms);
+  } else {
+    check_feed_sign(words, clause, out.alarms);
+  }
+  if (codes.plane < 0 || codes.plane == 18) return;
+  for (const grammar::Word& word : words.block().words) {
+    if (word.address != 'G' || to_number(word.value) != Number(codes.plane)) continue;
+    out.alarms.push_back({AlarmClass::plane_not_allowed, "HNC-MOD-05"_clause, 'G', word.where,
+                          fmt::format("A lathe has no plane G{}.", codes.plane)});
+  }
+}
+
+void Interpreter::run_code(BlockContext& block) const {
+  if (block.codes.once == 4) return run_dwell(block);
+  if (block.codes.once == 92) return run_rename_position(block);
+  if (is_cycle(machine_.motion)) take_command_words(block);
+  switch (machine_.motion) {
+    case 0:
+      return run_positioning(block);
+    case 1:
+      return run_straight_feed(block);
+    case 2:
+      return run_arc(block, -1);
+    case 3:
+      return run_arc(block, +1);
+    case 32:
+      return run_thread(block);
+    case 74:
+      return run_g74(block);
+    case 75:
+      return run_g75(block);
+    case 80:
+      return run_g80(block);
+    case 81:
+      return run_g81(block);
+    case 82:
+      return run_g82(block);
+    default:
+      return;
+  }
+}
+
+void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (block.outside) {
+    out.not_covered =
+        NotCovered{line, block.outside->name,
+                   fmt::format("The block has a construct of the control that the gauge does not "
+                               "read: {}.",
+                               block.outside->name),
+                   block.outside->where};
+    return;
+  }
+  if (block.words.empty()) return;
+  read_codes(block, reading_);
+  if (reading_.not_covered) {
+    out.not_covered = std::move(reading_.not_covered);
+    out.not_covered->block = line;
+    return;
+  }
+  const BlockCodes& codes = reading_.codes;
+  out.alarms = std::move(reading_.alarms);
+  take_modes(codes);
+  take_motion_code(codes);
+  const BlockWords words(block, machine_.modes);
+  check_mill_words(words, codes, line, out);
+  for (const grammar::Word& word : block.words) {
+    if (word.address != 'M') continue;
+    if (auto record = read_m_function(word, line, "HNC-COM-01"_clause, out)) {
+      put_m_function(*std::move(record), out);
+    }
+  }
+  auto is_undefined = [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::undefined_code && alarm.word == 'G';
+  };
+  if (std::ranges::any_of(out.alarms, is_undefined)) {
+    // HNC-COM-01: a block with an unknown code is not checked further.
+    std::erase_if(out.alarms, [&](const Alarm& alarm) { return !is_undefined(alarm); });
+  } else if (!out.not_covered) {
+    BlockContext context{{machine_, words, profile_, readings_, line, out}, machine_, words, codes};
+    check_words(words, codes, out);
+    take_feed(words);
+    run_code(context);
+  }
+  // What is not covered goes before what is wrong.
+  if (out.not_covered) out.alarms.clear();
+  sort_by_place(out.alarms);
+}
+
+}  // namespace
+
+std::unique_ptr<BlockInterpreter> make_interpreter(const Profile& profile,
+                                                   const ReadingsInUse& readings,
+                                                   OpenPaths open_paths) {
+  static_cast<void>(open_paths);  // no path of this dialect is open
+  return std::make_unique<Interpreter>(profile, readings);
+}
+
+}  // namespace gonogo::reference::hnc21t

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The modal state of an HNC-21T lathe, and what a block sees of it.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "reference/block_base.hpp"
+#include "reference/hnc21t/codes.hpp"
+#include "reference/hnc21t/words.hpp"
+
+namespace gonogo::reference::hnc21t {
+
+constexpr bool is_cycle(int motion) {
+  return motion == 74 || motion == 75 || (motion >= 80 && motion <= 82);
+}
+// Those whose F is a lead.
+constexpr bool cuts_thread(int motion) {
+  return motion == 32 || motion == 82;
+}
+
+// A length along X that a reading may call a diameter: mm, and whether G36 was in force.
+struct ScaledLength {
+  Number value;
+  bool diameter = false;
+};
+
+// F or J of G32 and G82, mm; `in_units` where it is an F that was written under G20.
+struct Lead {
+  Number value;
+  bool in_units = false;
+};
+
+// HNC-MOD-01: what the command in force retains, forgotten when the command changes.
+struct CommandWords {
+  std::optional<Number> i;  // a length, but the count as written in G75
+  std::optional<Number> k;
+  std::optional<Number> c;
+  std::optional<Number> p;
+  std::optional<ScaledLength> r;
+  std::optional<ScaledLength> e;
+  std::optional<ScaledLength> q;
+  std::optional<Lead> lead;
+  std::optional<Number> feed;  // F of G74, G75, G80, G81
+  // C of the last block that ran, in the base frame.
+  std::optional<Number> end_x;
+  std::optional<Number> end_z;
+
+  std::optional<Number>& end(Axis axis) { return axis == Axis::x ? end_x : end_z; }
+};
+
+// Positions are in the base frame: the work offset in force is added to absolute words.
+struct Machine : MotionState {
+  WordModes modes;
+  std::array<Position, 6> offsets;  // G54 to G59
+  int offset = -1;                  // its place; -1: none commanded yet
+  int motion = 0;                   // 0, 1, 2, 3, 32, 74, 75, 80, 81, 82
+  CommandWords command;
+  // HNC-MOD-04: the last F that is no lead, and the last of those outside the cycles.
+  Number latest_feed;
+  Number plain_feed;
+};
+
+// One block in the hands of the file that carries its code.
+struct BlockContext : BlockBase {
+  Machine& machine;
+  const BlockWords& words;
+  const BlockCodes& codes;
+
+  // HNC-COM-01, HNC-MOD-04: the feed in force; an alarm when there is none. Motions take it from
+  // here.
+  void need_feed();
+  // The work offset in force along an axis.
+  Number offset(Axis axis) const;
+  // The commanded coordinate; nothing without a word of the axis.
+  std::optional<Number> commanded(const AxisAddresses& axis) const;
+  // HNC-MOD-04: the lead in force. REQUIRES: there is one.
+  Number lead() const;
+};
+
+// HNC-COM-01, in basic_motion.cpp and arc.cpp.
+void run_dwell(BlockContext& block);
+void run_rename_position(BlockContext& block);
+void run_positioning(BlockContext& block);
+void run_straight_feed(BlockContext& block);
+void run_thread(BlockContext& block);
+void run_arc(BlockContext& block, int sense);
+// The axis words of the block as an end point; the axes that it names.
+AxisSet commanded_end_point(const BlockContext& block, Position& to);
+
+// The cycles, one file each.
+void run_g74(BlockContext& block);
+void run_g75(BlockContext& block);
+void run_g80(BlockContext& block);
+void run_g81(BlockContext& block);
+void run_g82(BlockContext& block);
+
+}  // namespace gonogo::reference::hnc21t

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/hnc21t/pecking.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::hnc21t {
+namespace {
+
+bool is_positive(const std::optional<ScaledLength>& word) {
+  return word && word->value.sign() > 0;
+}
+
+// e and dK as true lengths.
+struct PeckLengths {
+  Number withdrawal;
+  Number step;
+};
+
+PeckLengths halved(const ScaledLength& e, const ScaledLength& step) {
+  return {e.diameter ? e.value / 2 : e.value, step.diameter ? step.value / 2 : step.value};
+}
+
+// HNC-G75-01: along X radii, or diameters as a reading says. `depth`: what a peck of at least that
+// depth reaches in one, however it is meant.
+PeckLengths lengths_of(const BlockContext& block, Axis axis, const Number& depth) {
+  const CommandWords& command = block.machine.command;
+  const ScaledLength e = command.r.value_or(ScaledLength{});
+  const ScaledLength& step = *command.q;
+  const PeckLengths as_diameters = halved(e, step);
+  const bool matters =
+      axis == Axis::x && (e.diameter || step.diameter) && as_diameters.step < depth;
+  if (matters && block.readings.is(ReadingKey::hnc_g75_depth_scale, "diameter")) {
+    return as_diameters;
+  }
+  return {e.value, step.value};
+}
+
+// Where the depth of a peck counts from; matters only where the second peck does not end at the
+// bottom both ways.
+bool counts_from_withdrawn(const BlockContext& block, const Plunge& plunge, const Number& depth) {
+  if (depth <= plunge.step * 2 - plunge.withdrawal) return false;
+  return block.readings.is(ReadingKey::hnc_peck_from, "withdrawn");
+}
+
+// Pecks and withdrawals to the depth.
+void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clauses) {
+  const Number depth = abs(plunge.bottom - plunge.top);
+  const PeckLengths lengths = lengths_of(block, plunge.axis, depth);
+  plunge.clause = clauses.pecks;
+  plunge.step = lengths.step;
+  plunge.withdrawal = lengths.withdrawal;
+  if (depth <= plunge.step) return;  // one peck, and no withdrawal
+  plunge.pecks = (depth / plunge.step).ceil();
+  plunge.from_withdrawn = counts_from_withdrawn(block, plunge, depth);
+  if (plunge.from_withdrawn) {
+    const Number gain = plunge.step - plunge.withdrawal;
+    if (gain.sign() <= 0) {
+      block.alarm(AlarmClass::value_out_of_range, clauses.pecks, 'R',
+                  fmt::format("Withdrawals of {} mm between pecks of {} mm never reach the bottom.",
+                              plunge.withdrawal.text(), plunge.step.text()));
+      return;
+    }
+    plunge.pecks = ((depth - plunge.withdrawal) / gain).ceil();
+  }
+  // HNC-G74-04: the first withdrawal is the one that may pass A.
+  plunge.clamped =
+      plunge.withdrawal > plunge.step && block.readings.is(ReadingKey::hnc_peck_clamp, "start");
+  plunge.withdraws_at_feed = block.readings.is(ReadingKey::hnc_peck_withdraw, "feed");
+}
+
+// A traverse to X and dK further at the feed.
+void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& clauses) {
+  if (!is_positive(block.machine.command.q) ||
+      !block.readings.is(ReadingKey::hnc_g75_mode3, "on")) {
+    return;
+  }
+  if (plunge.direction == 0) {
+    block.alarm(AlarmClass::direction_conflict, clauses.straight, 'X',
+                "X is where the tool stands: there is no direction to plunge in.");
+    return;
+  }
+  const CommandWords& command = block.machine.command;
+  const bool halves =
+      command.q->diameter && block.readings.is(ReadingKey::hnc_g75_depth_scale, "diameter");
+  const Number step = halves ? command.q->value / 2 : command.q->value;
+  plunge.approach = plunge.bottom;
+  plunge.bottom += step * plunge.direction;
+}
+
+void check_sign(BlockContext& block, ClauseId clause, char address, int least, const char* what) {
+  if (!block.words.has(address) || block.words.written(address).sign() >= least) return;
+  block.alarm(AlarmClass::value_sign, clause, address,
+              fmt::format("{} is not a valid {}.", text_of(*block.words.word(address)), what));
+}
+
+}  // namespace
+
+Number Plunge::depth_of_peck(const Number& k) const {
+  return from_withdrawn ? k * step - (k - 1) * withdrawal : k * step;
+}
+
+Number Plunge::end_of_peck(const Number& k) const {
+  return top + depth_of_peck(k) * direction;
+}
+
+Number Plunge::withdrawn_after(const Number& k) const {
+  const Number depth = depth_of_peck(k) - withdrawal;
+  return top + (clamped ? max(depth, 0) : depth) * direction;
+}
+
+void check_peck_words(BlockContext& block, ClauseId clause) {
+  check_sign(block, clause, 'R', 0, "withdrawal");
+  check_sign(block, clause, 'Q', 1, "depth of a peck");
+}
+
+Plunge plan_plunge(BlockContext& block, Axis axis, const Number& bottom,
+                   const PlungeClauses& clauses) {
+  const Number& top = block.machine.position[axis];
+  Plunge plunge{.motions = CycleMotions(block),
+                .clause = clauses.straight,
+                .axis = axis,
+                .top = top,
+                .bottom = bottom,
+                .direction = (bottom - top).sign(),
+                .pecks = 1,
+                .step = {},
+                .withdrawal = {},
+                .approach = {}};
+  const CommandWords& command = block.machine.command;
+  if (!is_positive(command.r)) {
+    if (axis == Axis::x) plan_approach(block, plunge, clauses);
+  } else if (!command.q) {
+    block.missing(clauses.words, 'Q');
+  } else if (is_positive(command.q)) {
+    plan_pecks(block, plunge, clauses);
+  }
+  return plunge;
+}
+
+Generator<Item> run_plunge(Plunge plunge) {
+  const CycleMotions& motions = plunge.motions;
+  if (plunge.approach) co_yield motions.rapid(plunge.clause, plunge.axis, *plunge.approach);
+  for (Number k = 1; k < plunge.pecks; k += 1) {
+    co_yield motions.feed(plunge.clause, plunge.axis, plunge.end_of_peck(k));
+    Record withdrawal = plunge.withdraws_at_feed
+                            ? motions.feed(plunge.clause, plunge.axis, plunge.withdrawn_after(k))
+                            : motions.rapid(plunge.clause, plunge.axis, plunge.withdrawn_after(k));
+    co_yield withdrawal;
+  }
+  co_yield motions.feed(plunge.clause, plunge.axis, plunge.bottom);
+  co_yield motions.rapid(plunge.clause, plunge.axis, plunge.top);
+}
+
+}  // namespace gonogo::reference::hnc21t

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// NGC-ARC-01, G2 and G3: an arc in the plane in force, by its centre or by its radius; with the
+// third axis, a helix.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "reference/arc_centre.hpp"
+#include "reference/rs274/machine.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+using Centre = std::optional<std::array<Number, 2>>;
+
+// ngc.arc-tolerance = linuxcnc: half the chord may be longer than R by this much, and a radius
+// below it is zero. 0.00005 inch.
+const Number kForgiven = Number::millionths(1270);
+
+struct Arc {
+  PlaneAxes axes;
+  AxisSet named;
+  ArcEnds ends;
+  int sense;  // sign of rot
+  bool names_plane() const { return named.has(axes.p) || named.has(axes.q); }
+};
+
+bool is_linuxcnc(const BlockContext& block) {
+  return block.readings.is(ReadingKey::ngc_arc_tolerance, "linuxcnc");
+}
+
+constexpr char axis_address(Axis axis) {
+  return "XYZAC"[index(axis)];
+}
+
+// NGC-ARC-05: how many turns are begun. Nothing when the rules are broken.
+std::optional<std::int32_t> turns_of(BlockContext& block) {
+  if (!block.p_is_turns) return 1;
+  const ClauseId clause = "NGC-ARC-05"_clause;
+  const Number turns = block.words.written('P');
+  const std::optional<std::int64_t> whole = turns.to_int64();
+  if (turns.sign() <= 0) {
+    block.alarm(AlarmClass::value_sign, clause, 'P', "The number of turns is not above zero.");
+  }
+  if (!whole) {
+    block.alarm(AlarmClass::not_an_integer, clause, 'P', "The number of turns is not whole.");
+  } else if (*whole > std::numeric_limits<std::int32_t>::max()) {
+    block.alarm(AlarmClass::value_out_of_range, clause, 'P', "The number of turns is too large.");
+  } else if (*whole > 0) {
+    return static_cast<std::int32_t>(*whole);
+  }
+  return std::nullopt;
+}
+
+// NGC-ARC-04. Nothing when the rules are broken.
+Centre centre_by_radius(BlockContext& block, const Arc& arc) {
+  const ClauseId clause = "NGC-ARC-04"_clause;
+  if (!arc.names_plane()) {
+    block.missing(clause, axis_address(arc.axes.p));
+    return std::nullopt;
+  }
+  if (arc.ends.closed()) {
+    block.alarm(AlarmClass::arc_end_point, clause, 'R',
+                "An arc given by R cannot end where it starts.");
+    return std::nullopt;
+  }
+  const Number radius = block.words.length('R').value();
+  Centre centre = centre_from_radius(arc.ends, radius, arc.sense);
+  if (centre) return centre;
+  if (arc.ends.chord_within((abs(radius) + kForgiven) * 2) && is_linuxcnc(block)) {
+    return arc.ends.middle();
+  }
+  block.alarm(AlarmClass::arc_radius, clause, 'R', "Twice the radius is less than the chord.");
+  return std::nullopt;
+}
+
+// NGC-ARC-03: what is wrong with the radii at start and end.
+struct RadiusFaults {
+  bool zero = false;
+  bool apart = false;
+  friend bool operator==(const RadiusFaults&, const RadiusFaults&) = default;
+};
+
+Number limit_of_nist(bool inch) {
+  return Number::millionths(inch ? 5080 : 2000);
+}
+
+RadiusFaults faults_by_nist(const OffsetCentre& arc, bool inch) {
+  return {arc.begins_at_centre(), !arc.radii_agree(limit_of_nist(inch))};
+}
+
+// LinuxCNC's limits are those of its messages times the root of two: 2 mm and 0.02 mm, 0.2 inch and
+// 0.002 inch; squared here. Between the two, 0.001 of the larger radius is allowed.
+RadiusFaults faults_by_linuxcnc(const OffsetCentre& arc, bool inch) {
+  const Number most = inch ? inches(inches(Number::millionths(80'000))) : Number(8);
+  const Number least = inch ? inches(inches(Number::millionths(8))) : Number::millionths(800);
+  const bool agree =
+      arc.radii_agree_squared(least) ||
+      (arc.radii_agree_squared(most) && arc.radii_agree_in_part(Number::millionths(1000)));
+  return {arc.radius_below(kForgiven), !agree};
+}
+
+void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
+  const bool inch = block.words.modes().inch;
+  // No alarm under either reading.
+  if (arc.radii_agree(limit_of_nist(inch)) && !arc.radius_below(kForgiven)) return;
+  RadiusFaults faults = faults_by_nist(arc, inch);
+  const RadiusFaults other = faults_by_linuxcnc(arc, inch);
+  if (faults != other && is_linuxcnc(block)) faults = other;
+  const ClauseId clause = "NGC-ARC-03"_clause;
+  if (faults.zero) {
+    block.alarm(AlarmClass::arc_radius, clause, address, "The radius of the arc is zero.");
+  }
+  if (faults.apart) {
+    block.alarm(AlarmClass::arc_end_point, clause, address,
+                "The radii at start and end differ by more than the tolerance.");
+  }
+}
+
+// NGC-DIS-01: offsets from the start, or under G90.1 the centre itself, which needs both words.
+std::optional<OffsetCentre> offset_centre(BlockContext& block, const Arc& arc) {
+  const std::optional<Number> p = block.words.length(offset_address(arc.axes.p));
+  const std::optional<Number> q = block.words.length(offset_address(arc.axes.q));
+  if (!block.machine.modes.absolute_centre) {
+    return OffsetCentre(arc.ends, p.value_or(0), q.value_or(0));
+  }
+  if (!p) block.missing("NGC-ARC-02"_clause, offset_address(arc.axes.p));
+  if (!q) block.missing("NGC-ARC-02"_clause, offset_address(arc.axes.q));
+  if (!p || !q) return std::nullopt;
+  return OffsetCentre(arc.ends, *p - arc.ends.start_p, *q - arc.ends.start_q);
+}
+
+// NGC-ARC-02. Nothing when the rules are broken.
+Centre centre_by_offsets(BlockContext& block, const Arc& arc) {
+  if (!arc.names_plane() && block.readings.is(ReadingKey::ngc_full_circle_words, "needed")) {
+    block.missing("NGC-ARC-04"_clause, axis_address(arc.axes.p));
+  }
+  const std::optional<OffsetCentre> found = offset_centre(block, arc);
+  if (!found) return std::nullopt;
+  const char p = offset_address(arc.axes.p);
+  const char address = block.words.has(p) ? p : offset_address(arc.axes.q);
+  check_radii(block, *found, address);
+  return found->centre;
+}
+
+// NGC-ARC-02, NGC-COM-01: which words an arc has. Whether it can be worked out.
+bool check_words(BlockContext& block, const PlaneAxes& axes) {
+  const BlockWords& words = block.words;
+  const char third = offset_address(axes.d);
+  const bool by_centre = words.has(offset_address(axes.p)) || words.has(offset_address(axes.q));
+  if (words.has(third)) {
+    block.alarm(AlarmClass::axis_not_in_plane, "NGC-ARC-02"_clause, third,
+                fmt::format("{} is no offset along an axis of the plane.", third));
+  }
+  if (words.has('R') && words.has_offset()) {
+    block.alarm(AlarmClass::conflicting_words, "NGC-COM-01"_clause, 'R',
+                "R and I J K exclude each other in an arc.");
+    return false;
+  }
+  if (!words.has('R') && !by_centre) {
+    block.missing("NGC-ARC-02"_clause, 'R');
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void run_arc(BlockContext& block, int sense) {
+  const PlaneAxes axes = axes_of(block.machine.plane);
+  block.need_feed("NGC-G0-01"_clause);
+  const std::optional<std::int32_t> turns = turns_of(block);
+  if (!check_words(block, axes)) return;
+  Position to;
+  const AxisSet named = commanded_end_point(block, to);
+  const Arc arc{axes, named, ArcEnds(axes, block.machine.position, to), sense};
+  const bool by_radius = block.words.has('R');
+  const Centre centre = by_radius ? centre_by_radius(block, arc) : centre_by_offsets(block, arc);
+  if (!centre || !turns) return;
+  const bool winds = named.has(axes.d) || *turns > 1;
+  const ClauseId clause = winds       ? "NGC-ARC-05"_clause
+                          : by_radius ? "NGC-ARC-04"_clause
+                                      : "NGC-ARC-02"_clause;
+  block.arc(clause, named, to, *centre, sense * *turns);
+}
+
+}  // namespace gonogo::reference::rs274

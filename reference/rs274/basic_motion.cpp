@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G0, G1 and G4.
+#include "reference/rs274/machine.hpp"
+
+namespace gonogo::reference::rs274 {
+
+AxisSet commanded_end_point(const BlockContext& block, Position& to) {
+  AxisSet axes;
+  to = block.machine.position;
+  for (const AxisLetter& letter : kAxisLetters) {
+    const std::optional<Number> value = block.words.along(letter);
+    if (!value) continue;
+    axes.add(letter.axis);
+    to[letter.axis] = block.machine.modes.incremental ? to[letter.axis] + *value : *value;
+  }
+  return axes;
+}
+
+// NGC-G0-01. Without an axis word nothing moves.
+void run_traverse(BlockContext& block) {
+  Position to;
+  const AxisSet axes = commanded_end_point(block, to);
+  if (axes.empty()) return;
+  block.put(block.motion_to(RecordKind::rapid, "NGC-G0-01"_clause, axes, to));
+}
+
+// NGC-G0-01
+void run_straight_feed(BlockContext& block) {
+  Position to;
+  const AxisSet axes = commanded_end_point(block, to);
+  if (axes.empty()) return;
+  block.need_feed("NGC-G0-01"_clause);
+  const bool rotary = block.turns_alone(to);
+  Record record = block.motion_to(RecordKind::feed, "NGC-G0-01"_clause, axes, to);
+  if (rotary) record.feed = block.machine.rotary_feed;
+  block.put(std::move(record));
+}
+
+// NGC-G4-01
+void run_dwell(BlockContext& block) {
+  if (!block.words.has('P')) {
+    block.missing("NGC-G4-01"_clause, 'P');
+    return;
+  }
+  Record record;
+  record.kind = RecordKind::dwell;
+  record.block = block.line;
+  record.clause = "NGC-G4-01"_clause;
+  record.seconds = block.words.written('P');
+  if (record.seconds.sign() < 0) {
+    block.alarm(AlarmClass::value_sign, "NGC-G4-01"_clause, 'P', "A dwell cannot be negative.");
+  }
+  block.put(std::move(record));
+}
+
+}  // namespace gonogo::reference::rs274

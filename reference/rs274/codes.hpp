@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The G and M codes of RS274/NGC: their groups, and what the gauge makes of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "reference/g_codes.hpp"
+
+namespace gonogo::reference::rs274 {
+
+// Modal groups by what they govern; the codes of `once` hold for their block.
+enum class Group : std::uint8_t {
+  once,
+  motion,
+  plane,
+  units,
+  diameter,
+  compensation,
+  tool_length,
+  offset,
+  scaling,
+  path_mode,
+  distance,
+  arc_distance,
+  feed_mode,
+  speed,
+  retract,
+};
+
+// The codes of one block, by group; -1: none.
+struct BlockCodes {
+  int once = -1;          // 4
+  int motion = -1;        // 0, 1, 2, 3, 80
+  int plane = -1;         // 17, 18, 19
+  int units = -1;         // 20, 21
+  int path_mode = -1;     // 61, 64
+  int distance = -1;      // 90, 91
+  int arc_distance = -1;  // 90, 91: G90.1, G91.1
+};
+
+struct CodeReading : GCodeReading {
+  BlockCodes codes;
+};
+void read_codes(const grammar::Block& block, CodeReading& reading);
+
+// The codes that the gauge does not read, and those that it passes over.
+std::span<const OutsideCode> outside_codes();
+std::span<const std::string_view> codes_without_effect();
+
+// What the gauge makes of M functions.
+enum class MFunction : std::uint8_t {
+  undefined,
+  before_motion,
+  after_motion,
+  ends_program,
+  outside,
+};
+MFunction m_function(std::int64_t number);
+// Whether the function takes a P of its own: the saving of modes, outputs and inputs.
+bool takes_p(std::int64_t m_number);
+
+}  // namespace gonogo::reference::rs274

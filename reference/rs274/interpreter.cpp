@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One block. NGC-MOD-01: whatever their order on the line, its words act in this one: feed, M
+// functions, dwell, plane, units, distance, motion, and the M functions that stop the program.
+#include "reference/rs274/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/rs274/machine.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+class Interpreter : public BlockInterpreter {
+ public:
+  Interpreter(const Profile& profile, const ReadingsInUse& readings);
+
+  void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  const Position& position() const override { return machine_.position; }
+  void stand_at(const Position& position) override { machine_.position = position; }
+
+ private:
+  void take_feed(const BlockWords& words);
+  void take_modes(const BlockCodes& codes);
+  void run_block(BlockContext& block) const;
+  void run_motion(BlockContext& block) const;
+
+  const Profile& profile_;
+  const ReadingsInUse& readings_;
+  Machine machine_;
+  CodeReading reading_;
+  bool has_begun_ = false;  // a block with words was there
+};
+
+Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
+    : profile_(profile), readings_(readings) {
+  machine_.position = profile.initial.at;
+  machine_.feed = machine_.rotary_feed = profile.initial.feed;
+  machine_.plane = profile.initial.plane;
+  machine_.motion = profile.initial.motion;
+  machine_.modes.inch = profile.units == Units::inch;
+}
+
+// NGC-MOD-01: the feed comes before the units of its own block.
+void Interpreter::take_feed(const BlockWords& words) {
+  if (!words.has('F')) return;
+  machine_.rotary_feed = words.written('F');
+  machine_.feed = *words.length('F');
+}
+
+void Interpreter::take_modes(const BlockCodes& codes) {
+  WordModes& modes = machine_.modes;
+  if (codes.plane >= 0) machine_.plane = static_cast<Plane>(codes.plane - 17);
+  if (codes.units >= 0) modes.inch = codes.units == 20;  // NGC-UNI-01
+  // NGC-DIS-01
+  if (codes.distance >= 0) modes.incremental = codes.distance == 91;
+  if (codes.arc_distance >= 0) modes.absolute_centre = codes.arc_distance == 90;
+  if (codes.motion >= 0) machine_.motion = codes.motion == 80 ? kNoMotion : codes.motion;
+}
+
+// NGC-COM-01: the axes that the records do not have.
+void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& out) {
+  for (const grammar::Word& word : block.words) {
+    const char address = word.address;
+    if (address != 'B' && address != 'U' && address != 'V' && address != 'W') continue;
+    out.not_covered = NotCovered{
+        line, std::string(1, address),
+        fmt::format("The axis {} is one that the gauge does not read.", address), word.where};
+    return;
+  }
+}
+
+// NGC-COM-01
+void take_m_function(const grammar::Word& word, std::uint64_t line, BlockOutput& out) {
+  const ClauseId clause = "NGC-COM-01"_clause;
+  const std::optional<std::int64_t> number = to_number(word.value).to_int64();
+  if (!number) {
+    out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
+                          "The number of an M function is whole."});
+    return;
+  }
+  const MFunction function = m_function(*number);
+  if (function == MFunction::undefined) {
+    out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
+                          fmt::format("The control has no function {}.", text_of(word))});
+    return;
+  }
+  if (function == MFunction::outside) {
+    if (!out.not_covered) {
+      out.not_covered = m_function_outside(
+          *number, *number >= 100 ? "program of the user" : "subprogram", word, line);
+    }
+    return;
+  }
+  Record record;
+  record.kind = RecordKind::m;
+  record.clause = clause;
+  record.block = line;
+  record.m = static_cast<std::int32_t>(*number);
+  const bool before = function == MFunction::before_motion;
+  (before ? out.items : out.after).emplace_back(std::move(record));
+  if (function == MFunction::ends_program) out.program_end = true;
+}
+
+// P belongs to the motion where no other code of the block takes it.
+bool p_is_turns(const BlockWords& words, const BlockCodes& codes) {
+  if (!words.has('P') || codes.once == 4 || codes.path_mode == 64) return false;
+  return std::ranges::none_of(words.block().words, [](const grammar::Word& word) {
+    return word.address == 'M' && takes_p(to_number(word.value).to_int64().value_or(0));
+  });
+}
+
+// NGC-MOD-01: the motion in force; axis words and words of an arc ask for one.
+void Interpreter::run_motion(BlockContext& block) const {
+  const BlockWords& words = block.words;
+  const bool has_words =
+      words.has_axis_word() || words.has_offset() || words.has('R') || block.p_is_turns;
+  const bool is_asked_for = has_words || block.codes.motion >= 0;
+  switch (machine_.motion) {
+    case 0:
+      return run_traverse(block);
+    case 1:
+      return run_straight_feed(block);
+    case 2:
+      if (is_asked_for) run_arc(block, -1);
+      return;
+    case 3:
+      if (is_asked_for) run_arc(block, +1);
+      return;
+    default:
+      if (has_words) block.missing("NGC-MOD-01"_clause, 'G');
+  }
+}
+
+void Interpreter::run_block(BlockContext& block) const {
+  const ClauseId clause = "NGC-COM-01"_clause;
+  check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
+  check_feed_sign(block.words, clause, block.out.alarms);
+  if (block.codes.once == 4) run_dwell(block);
+  run_motion(block);
+}
+
+void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (block.tape_mark) out.program_end = has_begun_;  // NGC-COM-01: the second of a pair
+  if (block.outside) {
+    out.not_covered = construct_outside(block, line);
+    return;
+  }
+  if (block.words.empty()) return;
+  has_begun_ = true;
+  read_codes(block, reading_);
+  if (reading_.not_covered) {
+    out.not_covered = std::move(reading_.not_covered);
+    out.not_covered->block = line;
+    return;
+  }
+  const BlockCodes& codes = reading_.codes;
+  const bool has_undefined_code = std::ranges::any_of(reading_.alarms, [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::undefined_code;
+  });
+  check_axes(block, line, out);
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'M') take_m_function(word, line, out);
+  }
+  if (out.not_covered) {
+    // What is not covered goes before what is wrong.
+    out.alarms.clear();
+    return;
+  }
+  if (has_undefined_code) {
+    // A block with an unknown code is not checked further.
+    out.alarms = std::move(reading_.alarms);
+    std::erase_if(out.alarms,
+                  [](const Alarm& alarm) { return alarm.alarm != AlarmClass::undefined_code; });
+    return;
+  }
+  out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
+  const BlockWords words(block, machine_.modes);
+  take_feed(words);
+  take_modes(codes);
+  BlockContext context{{machine_, words, profile_, readings_, line, out},
+                       machine_,
+                       words,
+                       codes,
+                       p_is_turns(words, codes)};
+  run_block(context);
+  sort_by_place(out.alarms);
+}
+
+}  // namespace
+
+std::unique_ptr<BlockInterpreter> make_interpreter(const Profile& profile,
+                                                   const ReadingsInUse& readings,
+                                                   OpenPaths open_paths) {
+  static_cast<void>(open_paths);  // no path of this dialect is open
+  return std::make_unique<Interpreter>(profile, readings);
+}
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/words.hpp"
+
+#include <algorithm>
+
+namespace gonogo::reference::rs274 {
+
+// NGC-UNI-01
+std::optional<Number> BlockWords::length(char address) const {
+  if (!has(address)) return std::nullopt;
+  return modes_.inch ? inches(written(address)) : written(address);
+}
+
+// NGC-UNI-01: degrees have no units.
+std::optional<Number> BlockWords::along(const AxisLetter& axis) const {
+  if (is_linear(axis.axis)) return length(axis.address);
+  if (!has(axis.address)) return std::nullopt;
+  return written(axis.address);
+}
+
+bool BlockWords::has_axis_word() const {
+  return std::ranges::any_of(kAxisLetters,
+                             [&](const AxisLetter& axis) { return has(axis.address); });
+}
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words of one block: exact, in mm and degrees.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "reference/words.hpp"
+
+namespace gonogo::reference::rs274 {
+
+struct AxisLetter {
+  Axis axis;
+  char address;
+};
+inline constexpr std::array<AxisLetter, kAxes> kAxisLetters = {
+    {{Axis::x, 'X'}, {Axis::y, 'Y'}, {Axis::z, 'Z'}, {Axis::a, 'A'}, {Axis::c, 'C'}}};
+
+// How words are meant: G20, G91, G90.1.
+struct WordModes {
+  bool inch = false;
+  bool incremental = false;
+  bool absolute_centre = false;
+};
+
+class BlockWords : public WordTable {
+ public:
+  // `modes` may change while the block is read.
+  BlockWords(const grammar::Block& block, const WordModes& modes)
+      : WordTable(block), modes_(modes) {}
+
+  // As a length in mm.
+  std::optional<Number> length(char address) const;
+  // As an axis word: mm, or degrees as written.
+  std::optional<Number> along(const AxisLetter& axis) const;
+  bool has_axis_word() const;
+  bool has_offset() const { return has('I') || has('J') || has('K'); }
+  const WordModes& modes() const { return modes_; }
+
+ private:
+  const WordModes& modes_;
+};
+
+}  // namespace gonogo::reference::rs274

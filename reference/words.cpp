@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/words.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "grammar/parser.hpp"
+
+namespace gonogo::reference {
+namespace {
+
+constexpr std::uint32_t bit_of(const grammar::Word& word) {
+  return std::uint32_t{1} << static_cast<unsigned>(word.address - 'A');
+}
+
+}  // namespace
+
+std::string text_of(const grammar::Word& word) {
+  std::string text(1, word.address);
+  grammar::print(word.value, text);
+  return text;
+}
+
+bool repeats_address(const grammar::Block& block) {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'G') continue;
+    if ((seen & bit_of(word)) != 0) return true;
+    seen |= bit_of(word);
+  }
+  return false;
+}
+
+void check_repeated_addresses(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms,
+                              std::string_view may_repeat) {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : words.block().words) {
+    if ((seen & bit_of(word)) != 0 && may_repeat.find(word.address) == std::string_view::npos) {
+      alarms.push_back({AlarmClass::duplicate_word, clause, word.address, word.where,
+                        fmt::format("The address {} stands twice in the block.", word.address)});
+    }
+    seen |= bit_of(word);
+  }
+}
+
+void check_axis_letters(const WordTable& words, std::span<const AxisAddresses> axes,
+                        ClauseId clause, std::vector<Alarm>& alarms) {
+  for (const AxisAddresses& addresses : axes) {
+    if (!words.has(addresses.absolute) || !words.has(addresses.increment)) continue;
+    const grammar::Word& increment = *words.word(addresses.increment);
+    const grammar::Word& absolute = *words.word(addresses.absolute);
+    const grammar::Word& later =
+        increment.where.begin > absolute.where.begin ? increment : absolute;
+    alarms.push_back(
+        {AlarmClass::conflicting_words, clause, later.address, later.where,
+         fmt::format("{} and {} command the same axis.", addresses.absolute, addresses.increment)});
+  }
+}
+
+void check_feed_sign(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms) {
+  const grammar::Word* word = words.word('F');
+  if (word == nullptr || to_number(word->value).sign() >= 0) return;
+  alarms.push_back({AlarmClass::value_sign, clause, 'F', word->where,
+                    fmt::format("The feed {} is negative.", text_of(*word))});
+}
+
+void sort_by_place(std::vector<Alarm>& alarms) {
+  // Few of them, and std::stable_sort warns under clang-19.
+  for (std::size_t i = 1; i < alarms.size(); ++i) {
+    for (std::size_t k = i; k > 0 && alarms[k].where.begin < alarms[k - 1].where.begin; --k) {
+      std::swap(alarms[k], alarms[k - 1]);
+    }
+  }
+}
+
+}  // namespace gonogo::reference

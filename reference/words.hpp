@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The words of one block by their address letter, and the rules about them that every dialect has.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grammar/ast.hpp"
+#include "reference/axis.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::reference {
+
+// The exact value of a number as written.
+inline Number to_number(const grammar::Decimal& value) {
+  return value.long_digits.empty()
+             ? Number::decimal(value.negative, value.magnitude, value.scale)
+             : Number::decimal(value.negative, std::string_view(value.long_digits), value.scale);
+}
+inline Number inches(const Number& count) {
+  return count * Number::millionths(25'400'000);
+}
+// A word as it is quoted in messages.
+std::string text_of(const grammar::Word& word);
+
+// An axis word, mm as a true length or degrees.
+struct AxisWord {
+  bool incremental = false;
+  Number value;
+};
+
+// The letters of an axis: X and U, Y and V, Z and W, C and H.
+struct AxisAddresses {
+  Axis axis;
+  char absolute;
+  char increment;
+};
+
+// Of an address that stands several times, the last word.
+class WordTable {
+ public:
+  explicit WordTable(const grammar::Block& block) : block_(block) {
+    for (const grammar::Word& word : block.words) {
+      by_address_[static_cast<std::size_t>(word.address - 'A')] = &word;
+    }
+  }
+
+  bool any() const { return !block_.words.empty(); }
+  bool has(char address) const { return word(address) != nullptr; }
+  bool has(const AxisAddresses& axis) const { return has(axis.absolute) || has(axis.increment); }
+  const grammar::Word* word(char address) const {
+    return by_address_[static_cast<std::size_t>(address - 'A')];
+  }
+  // The number as written. REQUIRES: has(address).
+  Number written(char address) const { return to_number(word(address)->value); }
+  const grammar::Block& block() const { return block_; }
+
+ private:
+  const grammar::Block& block_;
+  std::array<const grammar::Word*, 26> by_address_{};
+};
+
+// Whether an address other than G stands twice.
+bool repeats_address(const grammar::Block& block);
+// An alarm for each word whose address stands before it, but for those that may stand twice.
+void check_repeated_addresses(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms,
+                              std::string_view may_repeat = "G");
+// An alarm where both letters of an axis stand in the block, at the later one.
+void check_axis_letters(const WordTable& words, std::span<const AxisAddresses> axes,
+                        ClauseId clause, std::vector<Alarm>& alarms);
+// A negative F.
+void check_feed_sign(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms);
+
+// In the order of their words.
+void sort_by_place(std::vector<Alarm>& alarms);
+
+}  // namespace gonogo::reference

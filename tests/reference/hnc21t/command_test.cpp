@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// HNC-MOD-01 to HNC-MOD-05: what holds from block to block.
+#include <gtest/gtest.h>
+
+#include "hnc_expanding.hpp"
+
+namespace gonogo::reference::testing::hnc {
+namespace {
+
+TEST(Command, AnotherCycleForgetsItsWords) {
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG81 X20 Z-10\nG80 X20 Z-10").at(8), "rapid x10");
+  EXPECT_EQ(path("G74 Z-10 R1 Q5 F50\nG75 X-20").at(4), "feed x-10 f50");
+  EXPECT_EQ(path("G74 Z-10 R1 Q5 F50\nG75 X-20").size(), 6U);
+}
+
+TEST(Command, AMotionCodeEndsACycleAndForgetsItsWords) {
+  for (const char* code : {"G00", "G01", "G02", "G03"}) {
+    const Lines got = path("G80 X20 Z-10 I-5 F100\n" + std::string(code) + "\nG80 X20 Z-10 F100");
+    EXPECT_EQ(got.at(4), "rapid x10") << code;
+  }
+  EXPECT_EQ(path("G80 X20 Z-10 F100\nG32 F2\nX40 Z1").at(4), "thread x20 z1 lead2 start0");
+  EXPECT_EQ(path("G80 X20 Z-10 F100\nG00 X40 Z1\nX30 Z2").at(5), "rapid x15 z2");
+}
+
+TEST(Command, TheSameCodeAgainIsNoChange) {
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG80 X20 Z-10").at(4), "rapid x5");
+}
+
+TEST(Command, BlocksWithoutAxisWordsDoNotRepeatACycle) {
+  EXPECT_EQ(path("G80 X20 Z-10 F100\nM08\nS300\nT0101\nF50\nI5").size(), 4U);
+  EXPECT_EQ(path("G80 X20 Z-10 F100\nF50\nX18 Z-10").at(5), "feed x9 z-10 f50");
+}
+
+TEST(Command, ADwellLeavesTheCycle) {
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000 X99 I99\nX20 Z-10").at(4), "dwell 1");
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000 X99 I99\nX20 Z-10").at(5), "rapid x5");
+}
+
+TEST(Command, FOfACycleIsTheFeed) {
+  EXPECT_EQ(path("F70\nG80 X20 Z-10").at(1), "feed x10 z-10 f70");
+  EXPECT_EQ(path("G80 X20 Z-10 F80\nG81 X20 Z-10").at(5), "feed x10 z-10 f80");
+  EXPECT_EQ(path("G80 X20 Z-10 F80\nG01 X50").back(), "feed x25 f80");
+}
+
+TEST(Command, FOfACycleIsForgottenUnderItsReading) {
+  const Profile forgotten = hnc({{"hnc.modal.f", "forgotten"}});
+  EXPECT_EQ(ending_of("F70\nG80 X20 Z-10", forgotten), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G80 X20 Z-10 F80\nG81 X20 Z-10", forgotten), "alarm b2 feed-missing");
+  EXPECT_EQ(path("G80 X20 Z-10 F80\nX18 Z-10", forgotten).at(5), "feed x9 z-10 f80");
+  EXPECT_EQ(ending_of("G80 X20 Z-10 F80\nG01 X50", forgotten), "alarm b2 feed-missing");
+  EXPECT_EQ(path("F70\nG80 X20 Z-10 F80\nG01 X50", forgotten).back(), "feed x25 f70");
+}
+
+TEST(Command, AsksForTheFeedOnlyWhereItMatters) {
+  EXPECT_EQ(touched("F70\nG80 X20 Z-10 F80"), Lines{});
+  EXPECT_EQ(touched("F70\nG80 X20 Z-10"), Lines{"hnc.modal.f"});
+  EXPECT_EQ(touched("F70\nG80 X20 Z-10 F80\nG01 X5"), Lines{"hnc.modal.f"});
+  EXPECT_EQ(touched("F70\nG80 X20 Z-10 F70\nG01 X5"), Lines{});
+  EXPECT_EQ(touched("G01 X1 F70\nG80 X20 Z-10 F80\nG01 X5 F60"), Lines{});
+}
+
+TEST(Command, ALeadIsNoFeedAndAFeedNoLead) {
+  EXPECT_EQ(ending_of("G82 X20 Z-10 F3\nG01 X5"), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G32 Z-10 F3\nG01 X5"), "alarm b2 feed-missing");
+  EXPECT_EQ(ending_of("G01 X5 F100\nG32 Z-5"), "alarm b2 lead-missing");
+  EXPECT_EQ(ending_of("G80 X20 Z-10 F80\nG82 X20 Z-10"), "alarm b2 lead-missing");
+  EXPECT_EQ(path("F70\nG82 X20 Z-10 F3\nG01 X5").back(), "feed x2.5 f70");
+}
+
+TEST(Command, YAndVAreNoWordsOfACycle) {
+  EXPECT_EQ(ending_of("G80 X20 Z-10 Y5 F100"), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G74 Z-10 V5 F100"), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G82 F2\nY5"), "alarm b2 undefined-code");
+  EXPECT_EQ(ending_of("G80 X20 Y5 F-1"),
+            "alarm b1 undefined-code value-sign feed-missing missing-word");
+}
+
+TEST(Command, OutsideACycleTheyBelongToAMill) {
+  EXPECT_EQ(ending_of("G00 X20 Y5"), "not-covered b1 Y");
+  EXPECT_EQ(ending_of("G80 X20 Z-1 F100\nG01 V5 X1 U1"), "not-covered b2 V");
+}
+
+}  // namespace
+}  // namespace gonogo::reference::testing::hnc

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Codes that the language has and lacks, and words that stand twice.
+#include <gtest/gtest.h>
+
+#include "ngc_expanding.hpp"
+
+namespace gonogo::reference::testing::ngc {
+namespace {
+
+TEST(NgcCodes, ThoseWithoutEffectArePassedOver) {
+  EXPECT_EQ(path("G40 G49 G54 G64 G94 G97 G98\nG99\nG61\nG61.1\nT1 M6\nS500 H1 D2 L3 Q4 E5\nG0 X1"),
+            Lines{"rapid x1"});
+}
+
+TEST(NgcCodes, ThoseOfOtherPartsOfTheLanguageAreNotCovered) {
+  for (const char* code :
+       {"G07",   "G08", "G10",   "G17.1", "G28",   "G28.1", "G30",   "G33",   "G38.2",
+        "G38.5", "G41", "G42",   "G41.1", "G42.1", "G43",   "G43.1", "G43.2", "G50",
+        "G51",   "G52", "G53",   "G55",   "G59",   "G59.3", "G73",   "G76",   "G81",
+        "G89",   "G92", "G92.3", "G93",   "G95",   "G96"}) {
+    EXPECT_EQ(ending_of(std::string("G0 X1\nX2 ") + code), std::string("not-covered b2 ") + code);
+    EXPECT_EQ(path(std::string("G0 X1\nX2 ") + code).size(), 2U) << code;
+  }
+  EXPECT_EQ(ending_of("G5 X1"), "not-covered b1 G05");
+}
+
+TEST(NgcCodes, AnyOtherCodeIsUndefined) {
+  for (const char* code : {"G6", "G11", "G22", "G34", "G44", "G60", "G62", "G77", "G79", "G100",
+                           "G0.1", "G64.1", "G59.4", "G-1", "G1.05"}) {
+    EXPECT_EQ(ending_of(std::string("G1 X1 F1\n") + code), "alarm b2 undefined-code") << code;
+  }
+}
+
+TEST(NgcCodes, ABlockWithAnUndefinedCodeIsNotCheckedFurther) {
+  EXPECT_EQ(ending_of("G77 X1 X2 F-1 G2 G3 M10"), "alarm b1 undefined-code");
+}
+
+TEST(NgcCodes, WhatIsNotCoveredGoesBeforeWhatIsWrong) {
+  EXPECT_EQ(ending_of("G77 G81"), "not-covered b1 G81");
+  EXPECT_EQ(ending_of("G77 B1"), "not-covered b1 B");
+  EXPECT_EQ(ending_of("X1 X2 F-1 M98"), "not-covered b1 M98");
+}
+
+TEST(NgcCodes, TwoCodesOfAGroupAreADuplicate) {
+  EXPECT_EQ(ending_of("G0 G1 X1 F1"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G1 G80"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G17 G18"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G20 G21"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G90 G91"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G90.1 G91.1"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G61 G64"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G4 G4 P1"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G90 G91.1 G17 G21 G0 G4 P1"), "end x0 y0 z0 a0 c0");
+}
+
+TEST(NgcCodes, AnyLetterButGAndMTwiceIsADuplicate) {
+  EXPECT_EQ(ending_of("G0 X1 X1"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G0 X1 x2"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("S1 S2"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("F1 F2"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("G4 P1 P2"), "alarm b1 duplicate-word");
+  EXPECT_EQ(ending_of("M3 M8"), "end x0 y0 z0 a0 c0");
+}
+
+TEST(NgcCodes, MFunctionsAreKnownOrNot) {
+  for (int m : {0, 1, 3, 4, 5, 6, 7, 8, 9, 48, 49, 50, 53, 60, 61, 73}) {
+    EXPECT_EQ(lines("M" + std::to_string(m), ngc()), Lines{"m" + std::to_string(m)});
+  }
+  for (int m : {10, 29, 31, 47, 54, 59, 74, 97, 200, 99999}) {
+    EXPECT_EQ(ending_of("M" + std::to_string(m)), "alarm b1 undefined-code") << m;
+  }
+  for (int m : {98, 99, 100, 199}) {
+    EXPECT_EQ(ending_of("M" + std::to_string(m)), "not-covered b1 M" + std::to_string(m));
+  }
+  EXPECT_EQ(ending_of("M3.5"), "alarm b1 not-an-integer");
+}
+
+TEST(NgcCodes, TheMacroLanguageIsNotCovered) {
+  EXPECT_EQ(ending_of("#1=5"), "not-covered b1 variable");
+  EXPECT_EQ(ending_of("G0 X[1+2]"), "not-covered b1 expression");
+  EXPECT_EQ(ending_of("G0 X#<depth>"), "not-covered b1 variable");
+  EXPECT_EQ(ending_of("G0 X sin[30]"), "not-covered b1 expression");
+  EXPECT_EQ(ending_of("o100 sub"), "not-covered b1 o-word");
+}
+
+TEST(NgcCodes, ALineThatCannotBeReadIsASyntaxAlarm) {
+  EXPECT_EQ(ending_of("G1 X"), "alarm b1 syntax");
+  EXPECT_EQ(clauses("G1 X"), Lines{"NGC-COM-01"});
+}
+
+}  // namespace
+}  // namespace gonogo::reference::testing::ngc
