@@ -5,27 +5,65 @@
 
 #include "expanders/gsk/faults.hpp"
 #include "expanders/gsk/subject.hpp"
+#include "expanders/hnc/faults.hpp"
+#include "expanders/hnc/subject.hpp"
+#include "expanders/ngc/faults.hpp"
+#include "expanders/ngc/subject.hpp"
 
 namespace gonogo::expanders {
+namespace {
+
+/// One maker's expander: fault 0 is none, fault i + 1 that of descriptions()[i].
+struct Maker {
+  std::string_view name;
+  std::span<const FaultDescription> (*descriptions)();
+  const gonogo_subject_v1& (*subject)(std::size_t fault);
+};
+
+constexpr std::array<Maker, 3> kMakers = {{
+    {"gsk", &gsk::fault_descriptions,
+     [](std::size_t fault) -> const gonogo_subject_v1& {
+       return gsk::subject(static_cast<gsk::Fault>(fault));
+     }},
+    {"hnc", &hnc::fault_descriptions,
+     [](std::size_t fault) -> const gonogo_subject_v1& {
+       return hnc::subject(static_cast<hnc::Fault>(fault));
+     }},
+    {"ngc", &ngc::fault_descriptions,
+     [](std::size_t fault) -> const gonogo_subject_v1& {
+       return ngc::subject(static_cast<ngc::Fault>(fault));
+     }},
+}};
+
+const Maker* maker_of(std::string_view name) {
+  for (const Maker& maker : kMakers) {
+    if (maker.name == name) return &maker;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 std::span<const std::string_view> names() {
-  static constexpr std::array<std::string_view, 1> kNames = {"gsk"};
+  static constexpr std::array<std::string_view, 3> kNames = {kMakers[0].name, kMakers[1].name,
+                                                             kMakers[2].name};
   return kNames;
 }
 
 const gonogo_subject_v1* find(std::string_view name, std::string_view fault) {
-  if (name != "gsk") return nullptr;
-  if (fault.empty()) return &gsk::subject(gsk::Fault::kNone);
-  const std::span<const FaultDescription> known = gsk::fault_descriptions();
+  const Maker* maker = maker_of(name);
+  if (maker == nullptr) return nullptr;
+  if (fault.empty()) return &maker->subject(0);
+  const std::span<const FaultDescription> known = maker->descriptions();
   for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i].name == fault) return &gsk::subject(gsk::fault_at(i));
+    if (known[i].name == fault) return &maker->subject(i + 1);
   }
   return nullptr;
 }
 
 std::span<const FaultDescription> faults(std::string_view name) {
-  if (name == "gsk") return gsk::fault_descriptions();
-  return {};
+  const Maker* maker = maker_of(name);
+  return maker == nullptr ? std::span<const FaultDescription>{} : maker->descriptions();
 }
 
 }  // namespace gonogo::expanders

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
+#include "expanders/common/tracer.hpp"
 
 namespace gonogo::expanders::gsk {
 
@@ -28,11 +28,6 @@ enum class AlarmKind {
 };
 
 /// The controller's own number and the class that the gauge knows the alarm by.
-struct AlarmText {
-  std::string_view native;
-  std::string_view klass;
-};
-
 AlarmText text_of(AlarmKind kind);
 
 /// An alarm and the address of the word at fault; 0: none.

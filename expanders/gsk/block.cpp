@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/gsk/block.hpp"
 
-#include "expanders/gsk/tokenizer.hpp"
+#include "expanders/common/tokenizer.hpp"
 
 namespace gonogo::expanders::gsk {
 

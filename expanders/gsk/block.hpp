@@ -3,32 +3,15 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 
+#include "expanders/common/address_set.hpp"
+#include "expanders/common/fixed.hpp"
 #include "expanders/gsk/alarms.hpp"
 #include "expanders/gsk/codes.hpp"
-#include "expanders/gsk/fixed.hpp"
 
 namespace gonogo::expanders::gsk {
-
-/// A set of addresses.
-class AddressSet {
- public:
-  constexpr AddressSet() = default;
-  explicit constexpr AddressSet(std::string_view addresses) {
-    for (const char address : addresses) add(address);
-  }
-  constexpr void add(char address) { bits_ |= 1u << (address - 'A'); }
-  constexpr bool has(char address) const { return (bits_ >> (address - 'A') & 1u) != 0; }
-  constexpr bool any_of(AddressSet other) const { return (bits_ & other.bits_) != 0; }
-  constexpr bool empty() const { return bits_ == 0; }
-  constexpr std::uint32_t bits() const { return bits_; }
-
- private:
-  std::uint32_t bits_ = 0;
-};
 
 /// One block, its words sorted by address. Fixed size: reading it allocates nothing.
 class Block {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "expanders/gsk/fixed.hpp"
+#include "expanders/common/fixed.hpp"
 
 namespace gonogo::expanders::gsk {
 

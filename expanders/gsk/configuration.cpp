@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/gsk/configuration.hpp"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace gonogo::expanders::gsk {
 namespace {
 
-using Json = nlohmann::json;
-
-// A choice with two outcomes, both implemented.
-struct Choice {
-  const char* key;
-  const char* standard;
-  const char* other;
-  bool Configuration::*option;
-};
-
-constexpr Choice kChoices[] = {
+constexpr Choice<Configuration> kChoices[] = {
     {"gsk.pocket.end", "initial", "r-plane", &Configuration::pocket_ends_at_r_plane},
     {"gsk.g94.rewrite", "keep", "clear", &Configuration::g94_rewrite_clears},
     {"gsk.g94.after-00", "stays", "cancelled", &Configuration::g94_cancelled_by_00},
@@ -70,80 +58,22 @@ std::string_view name_of(RunOut run_out) {
   return kNames[static_cast<std::size_t>(run_out)];
 }
 
-class Reader {
+class Reader : public ProfileReader {
  public:
   Reader(Configuration& configuration, std::string& message)
-      : configuration_(configuration), message_(message) {}
-
-  bool document(const Json& json);
+      : ProfileReader("gsk988ta", message), configuration_(configuration) {}
 
  private:
-  bool profile(const Json& json);
+  bool profile(const Json& json) override;
+  bool reading(const std::string& key, const Json& json) override;
   bool setting(const std::string& key, const Json& value);
   bool initial(const Json& json);
   bool parameters(const Json& json);
-  bool reference_point(const Json& json);
-  bool readings(const Json& json);
-  bool reading(const std::string& key, const Json& json);
-  bool decimal(const std::string& key, const Json& json, Fixed& value);
-  bool axis(const std::string& key, const Json& json, Point& point);
-  bool code(const std::string& key, const Json& json, int lowest, int highest, int& value);
-  bool boolean(const std::string& key, const Json& json, bool& value);
-  bool word(const std::string& key, const Json& json, const char* no, const char* yes, bool& value);
-
-  bool refuse(const std::string& key, const Json& value) {
-    message_ = "The profile's " + key + " = " + value.dump() + " is not implemented.";
-    return false;
-  }
 
   Configuration& configuration_;
-  std::string& message_;
 };
 
-std::string text_of(const Json& json) {
-  return json.is_string() ? json.get<std::string>() : json.dump();
-}
-
-// A decimal with an optional exponent; nothing else can be a machine parameter.
-std::optional<Fixed> fixed_of(const std::string& text) {
-  const char* cursor = text.data();
-  const char* end = cursor + text.size();
-  Decimal number;
-  if (!read_decimal(cursor, end, number) || number.overflow) return std::nullopt;
-  Wide value = number.value;
-  if (cursor != end && (*cursor == 'e' || *cursor == 'E')) {
-    ++cursor;
-    if (cursor != end && *cursor == '+') ++cursor;
-    int exponent = 0;
-    const auto [stop, error] = std::from_chars(cursor, end, exponent);
-    if (error != std::errc{} || exponent < -18 || exponent > 18) return std::nullopt;
-    cursor = stop;
-    for (; exponent > 0; --exponent) value *= 10;
-    // A profile's numbers are exact: what is finer than a count is refused.
-    for (; exponent < 0; ++exponent) {
-      if (value % 10 != 0) return std::nullopt;
-      value /= 10;
-    }
-  }
-  if (cursor != end || number.finer || !fits(value)) return std::nullopt;
-  return static_cast<Fixed>(value);
-}
-
-bool Reader::document(const Json& json) {
-  for (const auto& [key, value] : json.items()) {
-    if (key == "dialect") {
-      if (value != "gsk988ta") return refuse(key, value);
-    } else if (key == "profile") {
-      if (!value.is_null() && !profile(value)) return false;
-    } else if (key != "cmd") {
-      return refuse(key, value);
-    }
-  }
-  return true;
-}
-
 bool Reader::profile(const Json& json) {
-  if (!json.is_object()) return refuse("profile", json);
   for (const auto& [key, value] : json.items()) {
     if (key != "parameters" && !setting(key, value)) return false;
   }
@@ -153,7 +83,7 @@ bool Reader::profile(const Json& json) {
 
 bool Reader::setting(const std::string& key, const Json& value) {
   Fixed resolution = 0;
-  if (key == "dialect") return value == "gsk988ta" || refuse(key, value);
+  if (key == "dialect") return dialect(value);
   if (key == "increment") return word(key, value, "ISB", "ISC", configuration_.fine);
   if (key == "units") return word(key, value, "mm", "inch", configuration_.inch);
   // The gauge's tolerance follows from it; the output here is finer than any.
@@ -162,7 +92,7 @@ bool Reader::setting(const std::string& key, const Json& value) {
   if (key == "block_skip") return boolean(key, value, configuration_.block_skip);
   if (key == "alarm_timing") return value == "block" || refuse(key, value);
   if (key == "initial") return initial(value);
-  if (key == "reference_point") return reference_point(value);
+  if (key == "reference_point") return point(key, value, configuration_.reference_point);
   if (key == "readings") return readings(value);
   const bool nothing = value.is_object() && value.empty();
   if ((key == "offsets" || key == "tools") && nothing) return true;
@@ -209,7 +139,7 @@ bool Reader::parameters(const Json& json) {
       read = word(key, value, "0", "1", alarms);
       configuration_.later_wins = !alarms;
     } else if (key == "reference_point") {
-      read = reference_point(value);
+      read = point(key, value, configuration_.reference_point);
     } else {
       return refuse(key, value);
     }
@@ -218,27 +148,11 @@ bool Reader::parameters(const Json& json) {
   return true;
 }
 
-bool Reader::reference_point(const Json& json) {
-  if (!json.is_object()) return refuse("reference_point", json);
-  for (const auto& [key, value] : json.items()) {
-    if (!axis(key, value, configuration_.reference_point)) return false;
-  }
-  return true;
-}
-
-bool Reader::readings(const Json& json) {
-  if (!json.is_object()) return refuse("readings", json);
-  for (const auto& [key, value] : json.items()) {
-    if (!reading(key, value)) return false;
-  }
-  return true;
-}
-
 bool Reader::reading(const std::string& key, const Json& json) {
   const std::string value = text_of(json);
   // "any" admits the standard outcome, which is then the one taken.
   const bool any = value == "any";
-  for (const Choice& choice : kChoices) {
+  for (const Choice<Configuration>& choice : kChoices) {
     if (key != choice.key) continue;
     return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
   }
@@ -258,59 +172,11 @@ bool Reader::reading(const std::string& key, const Json& json) {
   return refuse(key, json);
 }
 
-bool Reader::decimal(const std::string& key, const Json& json, Fixed& value) {
-  const std::optional<Fixed> number = fixed_of(text_of(json));
-  if (!number) return refuse(key, json);
-  value = *number;
-  return true;
-}
-
-bool Reader::axis(const std::string& key, const Json& json, Point& point) {
-  static constexpr std::string_view kNames = "xyzac";  // in the order of gonogo_axis
-  if (key.size() != 1 || kNames.find(key[0]) == std::string_view::npos) return refuse(key, json);
-  return decimal(key, json, point[kNames.find(key[0])]);
-}
-
-// A G code as "G18", "18" or 18.
-bool Reader::code(const std::string& key, const Json& json, int lowest, int highest, int& value) {
-  const std::string text = text_of(json);
-  const char* first = text.data();
-  const char* last = first + text.size();
-  if (first != last && (*first == 'G' || *first == 'g')) ++first;
-  int number = -1;
-  const auto [stop, error] = std::from_chars(first, last, number);
-  if (error != std::errc{} || stop != last || number < lowest || number > highest) {
-    return refuse(key, json);
-  }
-  value = number;
-  return true;
-}
-
-bool Reader::boolean(const std::string& key, const Json& json, bool& value) {
-  if (!json.is_boolean()) return refuse(key, json);
-  value = json.get<bool>();
-  return true;
-}
-
-bool Reader::word(const std::string& key, const Json& json, const char* no, const char* yes,
-                  bool& value) {
-  const std::string text = text_of(json);
-  if (text != no && text != yes) return refuse(key, json);
-  value = text == yes;
-  return true;
-}
-
 }  // namespace
 
 ConfigurationResult read_configuration(std::string_view json, Configuration& configuration,
                                        std::string& message) {
-  const Json document = Json::parse(json.begin(), json.end(), nullptr, false);
-  if (document.is_discarded() || !document.is_object()) {
-    message = "The configuration is no JSON object.";
-    return ConfigurationResult::kMalformed;
-  }
-  return Reader(configuration, message).document(document) ? ConfigurationResult::kRead
-                                                           : ConfigurationResult::kUnsupported;
+  return Reader(configuration, message).read(json);
 }
 
 }  // namespace gonogo::expanders::gsk

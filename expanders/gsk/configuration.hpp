@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 
-#include "expanders/gsk/fixed.hpp"
-#include "gonogo/subject.h"
+#include "expanders/common/axes.hpp"
+#include "expanders/common/profile_reader.hpp"
 
 namespace gonogo::expanders::gsk {
-
-using Point = std::array<Fixed, GONOGO_AXES>;
 
 enum class Decimals { kKeep, kNearest, kAlarm };
 
@@ -66,8 +63,6 @@ struct Configuration {
   Decimals decimals = Decimals::kKeep;      ///< gsk.decimals
   RunOut run_out = RunOut::kOwn;            ///< gsk.thread.runout
 };
-
-enum class ConfigurationResult { kRead, kUnsupported, kMalformed };
 
 /// Reads {"dialect", "profile"}. When it cannot, `message` says what is not implemented or wrong.
 ConfigurationResult read_configuration(std::string_view json, Configuration& configuration,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "expanders/gsk/fixed.hpp"
+#include "expanders/common/fixed.hpp"
 
 namespace gonogo::expanders::gsk {
 

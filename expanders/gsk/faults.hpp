@@ -112,12 +112,8 @@ enum class Fault {
   kFeedSurvivesReset
 };
 
-/// One description for each fault but kNone.
+/// One description for each fault but kNone: that of Fault(i + 1) has the index i.
 std::span<const FaultDescription> fault_descriptions();
-/// The fault of fault_descriptions()[index].
-constexpr Fault fault_at(std::size_t index) {
-  return static_cast<Fault>(index + 1);
-}
 inline constexpr std::size_t kFaults = static_cast<std::size_t>(Fault::kFeedSurvivesReset);
 
 }  // namespace gonogo::expanders::gsk

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "expanders/gsk/tokenizer.hpp"
+#include "expanders/common/tokenizer.hpp"
 
 namespace gonogo::expanders::gsk {
 namespace {
@@ -13,10 +13,6 @@ Counting counting_of(const Machine& machine) {
   if (machine.has(Fault::kBlankLinesNotCounted)) return Counting::kWithoutBlank;
   if (machine.has(Fault::kPairsCountedTwice)) return Counting::kPairTwice;
   return Counting::kAll;
-}
-
-bool ends_program(Fixed m) {
-  return m == 2 || m == 17 || m == 30;
 }
 
 Motion motion_of(const Code& code) {
@@ -30,11 +26,6 @@ Motion motion_of(const Code& code) {
     default:
       return static_cast<Motion>(code.number / 10);
   }
-}
-
-// Stops and switch-offs run after the motion of their block, all else before (GSK-G112-01).
-bool runs_after_motion(Fixed m) {
-  return ends_program(m) || m == 0 || m == 1 || m == 5 || m == 9;
 }
 
 }  // namespace
@@ -290,6 +281,7 @@ Flow Interpreter::run_functions(bool before) {
   const Fixed m = block_.number('M').value / kOne;
   const bool clamp = m == 35 && machine_.state.cycle != Cycle::kNone;
   if (clamp && machine_.has(Fault::kClampDropped)) return Flow::kContinue;
+  // GSK-G112-01
   const bool after = runs_after_motion(m) || (clamp && machine_.has(Fault::kClampLate));
   if (after == before) return Flow::kContinue;
   if (!machine_.trace.function(static_cast<int>(m))) return Flow::kStopped;

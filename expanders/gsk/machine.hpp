@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "expanders/common/flow.hpp"
 #include "expanders/gsk/block.hpp"
 #include "expanders/gsk/faults.hpp"
 #include "expanders/gsk/state.hpp"
 #include "expanders/gsk/trace.hpp"
 
 namespace gonogo::expanders::gsk {
-
-/// How a step of a program went.
-enum class Flow {
-  kContinue,
-  kAlarm,        // Machine::alarm says which
-  kUnsupported,  // a note was sent
-  kStopped,      // by the sink
-  kEnd           // of the program
-};
 
 /// What every code works on.
 struct Machine {

@@ -5,32 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "expanders/common/axes.hpp"
 #include "expanders/gsk/configuration.hpp"
-#include "expanders/gsk/fixed.hpp"
 
 namespace gonogo::expanders::gsk {
-
-/// The axes of a plane: first, second, and the one normal to it (indices into Point).
-struct Plane {
-  int number;
-  std::size_t p;
-  std::size_t q;
-  std::size_t d;
-};
-
-inline constexpr Plane kPlanes[] = {{17, GONOGO_X, GONOGO_Y, GONOGO_Z},
-                                    {18, GONOGO_Z, GONOGO_X, GONOGO_Y},
-                                    {19, GONOGO_Y, GONOGO_Z, GONOGO_X}};
-
-inline constexpr const Plane& plane_of(int number) {
-  return kPlanes[number - 17];
-}
-
-/// A set of axes, one bit each.
-using Axes = unsigned;
-inline constexpr Axes axis_bit(std::size_t axis) {
-  return 1u << axis;
-}
 
 /// Modal code of group 01; the last three are the turning cycles G90, G92 and G94.
 enum class Motion {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "expanders/gsk/fixed.hpp"
+#include "expanders/common/fixed.hpp"
 
 namespace gonogo::expanders::gsk {
 namespace {

@@ -26,6 +26,11 @@ std::string to_of(const gonogo_record_v1& record) {
   return text;
 }
 
+std::string dialect_of(std::string_view maker) {
+  if (maker == "gsk") return "gsk988ta";
+  return maker == "hnc" ? "hnc21t" : "rs274";
+}
+
 std::string describe(const gonogo_record_v1& record) {
   switch (record.kind) {
     case GONOGO_RAPID:
@@ -93,7 +98,8 @@ void Session::take_note(void* context, int, gonogo_text message) {
   static_cast<Session*>(context)->outcome_.note.assign(message.data, message.size);
 }
 
-Session::Session(std::string_view profile, std::string_view fault) : subject_(find("gsk", fault)) {
+Session::Session(std::string_view profile, std::string_view fault, std::string_view maker)
+    : subject_(find(maker, fault)) {
   if (subject_ == nullptr) throw std::logic_error("no such subject");
   sink_.struct_size = sizeof sink_;
   sink_.context = this;
@@ -101,7 +107,7 @@ Session::Session(std::string_view profile, std::string_view fault) : subject_(fi
   sink_.alarm = &take_alarm;
   sink_.note = &take_note;
   const std::string configuration =
-      R"({"dialect":"gsk988ta","profile":)" + std::string(profile) + "}";
+      R"({"dialect":")" + dialect_of(maker) + R"(","profile":)" + std::string(profile) + "}";
   outcome_.create =
       subject_->create({configuration.data(), configuration.size()}, &sink_, &handle_);
 }
@@ -120,6 +126,14 @@ Outcome Session::run(std::string_view program, std::size_t most) {
 
 Outcome run(std::string_view program, std::string_view profile, std::string_view fault) {
   return Session(profile, fault).run(program);
+}
+
+Outcome run_hnc(std::string_view program, std::string_view profile, std::string_view fault) {
+  return Session(profile, fault, "hnc").run(program);
+}
+
+Outcome run_ngc(std::string_view program, std::string_view profile, std::string_view fault) {
+  return Session(profile, fault, "ngc").run(program);
 }
 
 }  // namespace gonogo::expanders::testing

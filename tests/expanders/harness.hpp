@@ -35,8 +35,9 @@ struct Outcome {
 /// A subject in use, with a sink that collects.
 class Session {
  public:
-  /// `profile` is the JSON of the profile.
-  explicit Session(std::string_view profile = "{}", std::string_view fault = {});
+  /// `profile` is the JSON of the profile, `maker` a name of the registry.
+  explicit Session(std::string_view profile = "{}", std::string_view fault = {},
+                   std::string_view maker = "gsk");
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -44,6 +45,7 @@ class Session {
   /// Stops after `most` records.
   Outcome run(std::string_view program, std::size_t most = 100'000);
   int reset() { return subject_->reset(handle_); }
+  /// Of `create`, or of the last run.
   const Outcome& outcome() const { return outcome_; }
 
  private:
@@ -60,6 +62,14 @@ class Session {
 
 /// One program in a session of its own.
 Outcome run(std::string_view program, std::string_view profile = "{}", std::string_view fault = {});
+
+/// The same with the expander of hnc21t.
+Outcome run_hnc(std::string_view program, std::string_view profile = "{}",
+                std::string_view fault = {});
+
+/// The same with the expander of rs274.
+Outcome run_ngc(std::string_view program, std::string_view profile = "{}",
+                std::string_view fault = {});
 
 /// `lines` with a line end after each.
 std::string joined(const std::vector<std::string>& lines);

@@ -17,8 +17,14 @@ TEST(Registry, KnowsItsNames) {
   EXPECT_NE(find("gsk"), nullptr);
   EXPECT_NE(find("gsk", "taper-sign"), nullptr);
   EXPECT_EQ(find("gsk", "no-such-fault"), nullptr);
-  EXPECT_EQ(find("hnc"), nullptr);
-  EXPECT_TRUE(faults("hnc").empty());
+  EXPECT_NE(find("hnc"), nullptr);
+  EXPECT_NE(find("hnc", "g80-taper-sign"), nullptr);
+  EXPECT_EQ(find("hnc", "taper-sign"), nullptr);
+  EXPECT_NE(find("ngc"), nullptr);
+  EXPECT_NE(find("ngc", "helix-flat"), nullptr);
+  EXPECT_EQ(find("acme"), nullptr);
+  EXPECT_TRUE(faults("acme").empty());
+  EXPECT_EQ(names().size(), 3u);
 }
 
 TEST(Subject, DescribesItself) {

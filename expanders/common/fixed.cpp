@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expanders/gsk/fixed.hpp"
+#include "expanders/common/fixed.hpp"
 
 #include <charconv>
 #include <cmath>
 
-namespace gonogo::expanders::gsk {
+namespace gonogo::expanders {
 namespace {
 
 constexpr int kDecimals = 9;
@@ -95,4 +95,4 @@ Wide floor_root(Wide square) {
   return root;
 }
 
-}  // namespace gonogo::expanders::gsk
+}  // namespace gonogo::expanders

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace gonogo::expanders::gsk {
+namespace gonogo::expanders {
 
 /// The controller's number: 64-bit fixed point, one count = 1e-9 of a millimetre, degree, second or
 /// millimetre a minute. Every input increment, its half (diameters) and its inch value are whole
@@ -47,4 +47,4 @@ inline bool fits(Wide value) {
   return value <= kLargest && value >= -kLargest;
 }
 
-}  // namespace gonogo::expanders::gsk
+}  // namespace gonogo::expanders

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expanders/gsk/tokenizer.hpp"
+#include "expanders/common/tokenizer.hpp"
 
 #include <cstring>
 
-namespace gonogo::expanders::gsk {
+namespace gonogo::expanders {
 
 bool LineReader::next(std::string_view& line) {
   if (rest_.empty()) return false;
@@ -37,8 +37,14 @@ bool Tokenizer::skip_blanks() {
   return true;
 }
 
+void Tokenizer::skip_digits() {
+  while (cursor_ != end_ && *cursor_ >= '0' && *cursor_ <= '9') ++cursor_;
+}
+
 Token Tokenizer::next(Word& word) {
-  if (!skip_blanks()) return Token::kSyntax;
+  const bool closed = skip_blanks();
+  token_ = cursor_;
+  if (!closed) return Token::kSyntax;
   if (cursor_ == end_ || *cursor_ == ';') return Token::kEnd;
   const char c = *cursor_++;
   if (c == '/') return Token::kSkip;
@@ -54,4 +60,4 @@ Token Tokenizer::next(Word& word) {
   return read_decimal(cursor_, end_, word.number) ? Token::kWord : Token::kSyntax;
 }
 
-}  // namespace gonogo::expanders::gsk
+}  // namespace gonogo::expanders

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "expanders/gsk/fixed.hpp"
+#include "expanders/common/fixed.hpp"
 
-namespace gonogo::expanders::gsk {
+namespace gonogo::expanders {
 
 /// Longer lines are refused.
 inline constexpr std::size_t kLongestLine = std::size_t{1} << 20;
@@ -44,15 +44,20 @@ enum class Token { kWord, kSkip, kTapeMark, kEnd, kSyntax };
 class Tokenizer {
  public:
   explicit Tokenizer(std::string_view line)
-      : cursor_(line.data()), end_(line.data() + line.size()) {}
+      : cursor_(line.data()), token_(cursor_), end_(line.data() + line.size()) {}
 
   Token next(Word& word);
+  /// The line from the first byte of the token that was read last.
+  std::string_view from_token() const { return {token_, static_cast<std::size_t>(end_ - token_)}; }
+  /// Passes over the digits that follow the token.
+  void skip_digits();
 
  private:
   bool skip_blanks();
 
   const char* cursor_;
+  const char* token_;
   const char* end_;
 };
 
-}  // namespace gonogo::expanders::gsk
+}  // namespace gonogo::expanders

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// G02 and G03, in the plane of Z and X.
+#include "expanders/common/circle.hpp"
+#include "expanders/hnc/motion.hpp"
+
+namespace gonogo::expanders::hnc {
+namespace {
+
+void centre_from_r(Machine& machine, const Block& block, const Chord& chord, bool counterclockwise,
+                   Chord& centre) {
+  const Fixed radius = length_of(machine, block, 'R');
+  switch (centre_from_radius(chord, radius, counterclockwise, radius < 0, centre)) {
+    case CircleDefect::kNoChord:
+      return machine.complain(AlarmKind::kArcEndPoint, 'R', block);
+    case CircleDefect::kRadiusTooShort:
+      return machine.complain(AlarmKind::kArcRadius, 'R', block);
+    case CircleDefect::kNone:
+      return;
+  }
+}
+
+// I and K count from the start and are true lengths.
+void centre_from_words(Machine& machine, const Block& block, const Chord& chord, Chord& centre) {
+  const char first = block.position('K') < block.position('I') ? 'K' : 'I';
+  if (!block.has(first)) return machine.complain(AlarmKind::kMissingWord, 'R', kNowhere);
+  centre.p = block.has('K') ? length_of(machine, block, 'K') : 0;
+  centre.q = block.has('I') ? length_of(machine, block, 'I') : 0;
+  if (machine.has(Fault::kCentreAsDiameter) && machine.state.diameter) centre.q /= 2;
+  const Wide start_square = centre.square();
+  const Wide end_square = Chord{chord.p - centre.p, chord.q - centre.q}.square();
+  if (start_square == 0 && !machine.configuration.zero_radius_allowed) {
+    machine.complain(AlarmKind::kArcRadius, first, block);
+  }
+  const Fixed tolerance = machine.configuration.radius_tolerance;
+  if (tolerance >= 0 && !radii_agree(start_square, end_square, tolerance)) {
+    machine.complain(AlarmKind::kArcEndPoint, first, block);
+  }
+}
+
+}  // namespace
+
+void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
+  static constexpr AddressSet kShape{"RIK"};
+  Arc arc;
+  arc.rot = machine.state.motion == Motion::kArcClockwise ? -1 : 1;
+  arc.to = commanded_point(machine, block, arc.axes);
+  if (arc.axes == 0 && !block.has_any(kShape)) return;
+  const Plane& plane = plane_of(18);
+  const Point& from = machine.state.position;
+  const Chord chord{arc.to[plane.p] - from[plane.p], arc.to[plane.q] - from[plane.q]};
+  if (machine.state.feed == 0) machine.complain(AlarmKind::kFeedMissing);
+  Chord centre;
+  if (block.has('R')) {
+    centre_from_r(machine, block, chord, arc.rot > 0, centre);
+  } else {
+    centre_from_words(machine, block, chord, centre);
+  }
+  if (machine.in_alarm()) return;
+  const Wide p = static_cast<Wide>(from[plane.p]) + centre.p;
+  const Wide q = static_cast<Wide>(from[plane.q]) + centre.q;
+  if (!fits(p) || !fits(q)) return machine.complain(AlarmKind::kValueOutOfRange);
+  // Reading hnc.arc.zero-radius = none: a circle of no size.
+  if (centre.square() == 0 && chord.square() == 0) return;
+  arc.centre_p = static_cast<Fixed>(p);
+  arc.centre_q = static_cast<Fixed>(q);
+  plan = arc;
+}
+
+bool perform(Machine& machine, const Arc& arc) {
+  return machine.tracer.arc(plane_of(18), arc.centre_p, arc.centre_q, arc.rot, arc.to, arc.axes,
+                            feed_in_force(machine));
+}
+
+}  // namespace gonogo::expanders::hnc

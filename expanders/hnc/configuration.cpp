@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/hnc/configuration.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "expanders/hnc/codes.hpp"
+
+namespace gonogo::expanders::hnc {
+namespace {
+
+constexpr Choice<Configuration> kChoices[] = {
+    {"hnc.g75.i", "I", "P", &Configuration::count_in_p},
+    {"hnc.g75.steps", "i-plus-1", "i", &Configuration::one_place_less},
+    {"hnc.g75.end", "start", "last", &Configuration::groove_ends_at_last},
+    {"hnc.g75.mode3", "off", "on", &Configuration::approach_mode},
+    {"hnc.g75.depth-scale", "radius", "diameter", &Configuration::groove_depth_diameter},
+    {"hnc.peck.from", "last-bottom", "withdrawn", &Configuration::peck_from_withdrawn},
+    {"hnc.peck.withdraw", "rapid", "feed", &Configuration::withdraw_at_feed},
+    {"hnc.peck.clamp", "none", "start", &Configuration::withdrawal_clamped},
+    {"hnc.g82.exit", "rapid", "feed", &Configuration::thread_out_to_start},
+    {"hnc.g82.e-scale", "radius", "diameter", &Configuration::run_out_diameter},
+    {"hnc.g82.starts", "all", "one", &Configuration::one_start_a_block},
+    {"hnc.modal.f", "feed", "forgotten", &Configuration::cycle_feed_forgotten},
+    {"hnc.offset.initial", "G54", "none", &Configuration::no_initial_frame},
+    {"hnc.lead.unit", "mm", "units", &Configuration::lead_in_units},
+    {"hnc.arc.zero-radius", "alarm", "none", &Configuration::zero_radius_allowed},
+};
+
+class Reader : public ProfileReader {
+ public:
+  Reader(Configuration& configuration, std::string& message)
+      : ProfileReader("hnc21t", message), configuration_(configuration) {}
+
+ private:
+  bool profile(const Json& json) override;
+  bool reading(const std::string& key, const Json& json) override;
+  bool setting(const std::string& key, const Json& value);
+  bool initial(const Json& json);
+  bool motion(const Json& value);
+  bool offsets(const Json& json);
+  bool parameters(const Json& json);
+
+  Configuration& configuration_;
+};
+
+bool Reader::profile(const Json& json) {
+  for (const auto& [key, value] : json.items()) {
+    if (!setting(key, value)) return false;
+  }
+  return true;
+}
+
+bool Reader::setting(const std::string& key, const Json& value) {
+  Fixed resolution = 0;
+  if (key == "dialect") return dialect(value);
+  if (key == "units") return word(key, value, "mm", "inch", configuration_.inch);
+  // Another maker's; here it can only be the default.
+  if (key == "increment") return value == "ISB" || refuse(key, value);
+  // The gauge's tolerance follows from it; the output here is finer than any.
+  if (key == "resolution") return decimal(key, value, resolution);
+  if (key == "x_diameter") return boolean(key, value, configuration_.x_diameter);
+  if (key == "block_skip") return boolean(key, value, configuration_.block_skip);
+  if (key == "alarm_timing") return value == "block" || refuse(key, value);
+  if (key == "initial") return initial(value);
+  if (key == "offsets") return offsets(value);
+  if (key == "parameters") return parameters(value);
+  if (key == "readings") return readings(value);
+  if (key == "tools" && value.is_object() && value.empty()) return true;
+  return refuse(key, value);
+}
+
+bool Reader::initial(const Json& json) {
+  if (!json.is_object()) return refuse("initial", json);
+  for (const auto& [key, value] : json.items()) {
+    bool read = false;
+    if (key == "f") {
+      read = decimal(key, value, configuration_.feed);
+      if (read && configuration_.feed < 0) return refuse(key, value);
+    } else if (key == "plane") {
+      int plane = 0;
+      read = code(key, value, 18, 18, plane);
+    } else if (key == "motion") {
+      read = motion(value);
+    } else if (key == "spindle") {
+      read = true;  // no cycle here looks at it
+    } else {
+      read = axis(key, value, configuration_.position);
+    }
+    if (!read) return false;
+  }
+  return true;
+}
+
+bool Reader::motion(const Json& value) {
+  if (!code("motion", value, 0, 99, configuration_.motion)) return false;
+  Decimal number;
+  number.value = configuration_.motion * kOne;
+  const Code* found = find_code(number);
+  const bool moves = found != nullptr && found->group == Group::kMotion;
+  return (moves && found->support == Support::kFull) || refuse("motion", value);
+}
+
+bool Reader::offsets(const Json& json) {
+  if (!json.is_object()) return refuse("offsets", json);
+  for (const auto& [key, value] : json.items()) {
+    int frame = 0;
+    if (!code(key, key, 54, 59, frame)) return false;
+    if (!point(key, value, configuration_.offsets[static_cast<std::size_t>(frame - 54)])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Reader::parameters(const Json& json) {
+  if (!json.is_object()) return refuse("parameters", json);
+  for (const auto& [key, value] : json.items()) {
+    if (key != "3410") return refuse(key, value);
+    if (!decimal(key, value, configuration_.radius_tolerance)) return false;
+  }
+  return true;
+}
+
+bool Reader::reading(const std::string& key, const Json& json) {
+  const std::string value = text_of(json);
+  // "any" admits the standard outcome, which is then the one taken.
+  const bool any = value == "any";
+  for (const Choice<Configuration>& choice : kChoices) {
+    if (key != choice.key) continue;
+    return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
+  }
+  if (key != "hnc.missing-axis") return refuse(key, json);
+  if (any || value == "reject") {
+    configuration_.missing_axis = MissingAxis::kReject;
+  } else if (value == "keep") {
+    configuration_.missing_axis = MissingAxis::kKeep;
+  } else if (value == "none") {
+    configuration_.missing_axis = MissingAxis::kNone;
+  } else {
+    return refuse(key, json);
+  }
+  return true;
+}
+
+}  // namespace
+
+ConfigurationResult read_configuration(std::string_view json, Configuration& configuration,
+                                       std::string& message) {
+  return Reader(configuration, message).read(json);
+}
+
+}  // namespace gonogo::expanders::hnc

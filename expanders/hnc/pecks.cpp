@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pecks of G74 and G75: at multiples of dK from A, counted in whole counts.
+#include <algorithm>
+#include <cmath>
+
+#include "expanders/hnc/cycle.hpp"
+
+namespace gonogo::expanders::hnc {
+namespace {
+
+// A way down along one axis; depths count from where it begins.
+class Descent {
+ public:
+  Descent(Machine& machine, const Pecks& pecks)
+      : machine_(machine),
+        pecks_(pecks),
+        start_(machine.state.position[pecks.axis]),
+        down_(sign_of(pecks.bottom - start_)),
+        depth_(magnitude(pecks.bottom - start_)) {}
+
+  bool run();
+  bool run_summed();
+
+ private:
+  Wide count() const;
+  Wide depth_of(Wide peck) const;
+  bool feed_to(Wide depth);
+  bool withdraw_from(Wide depth);
+
+  Machine& machine_;
+  const Pecks& pecks_;
+  Fixed start_;
+  int down_;
+  Fixed depth_;
+};
+
+// From one peck to the next it gets deeper by this much.
+Fixed net_infeed(const Machine& machine, const Pecks& pecks) {
+  const bool net = machine.configuration.peck_from_withdrawn;
+  return net ? pecks.infeed - pecks.withdrawal : pecks.infeed;
+}
+
+// HNC-G74-02: as many as it takes to reach the bottom.
+Wide Descent::count() const {
+  if (depth_ == 0) return 0;
+  const Wide net = net_infeed(machine_, pecks_);
+  const Wide after_first = static_cast<Wide>(depth_) - pecks_.infeed;
+  if (machine_.has(Fault::kExtraPeckAtMultiple)) return 2 + std::max<Wide>(after_first, 0) / net;
+  if (after_first <= 0) return 1;
+  return 1 + (after_first + net - 1) / net;
+}
+
+Wide Descent::depth_of(Wide peck) const {
+  constexpr Fixed kHundredth = kOne / 100;
+  const Wide net = net_infeed(machine_, pecks_);
+  const bool stuck = machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kHundredth;
+  const Wide depth = pecks_.infeed + (stuck ? 0 : (peck - 1) * net);
+  if (machine_.has(Fault::kLastPeckOvershoots)) return depth;
+  return std::min<Wide>(depth, depth_);
+}
+
+bool Descent::feed_to(Wide depth) {
+  return machine_.tracer.feed_axis(pecks_.axis, static_cast<Fixed>(start_ + down_ * depth),
+                                   pecks_.feed);
+}
+
+bool Descent::withdraw_from(Wide depth) {
+  Wide left = depth - pecks_.withdrawal;
+  if (machine_.has(Fault::kWithdrawalTwice)) left -= pecks_.withdrawal;
+  if (machine_.configuration.withdrawal_clamped && left < 0) left = 0;  // HNC-G74-04
+  const bool at_feed =
+      machine_.configuration.withdraw_at_feed != machine_.has(Fault::kWithdrawalAtFeed);
+  if (at_feed) return feed_to(left);
+  return machine_.tracer.rapid_axis(pecks_.axis, static_cast<Fixed>(start_ + down_ * left));
+}
+
+bool Descent::run() {
+  const Wide pecks = count();
+  const bool endless = machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kOne / 100;
+  for (Wide peck = 1; peck <= pecks || endless; ++peck) {
+    const Wide depth = depth_of(peck);
+    if (!feed_to(depth)) return false;
+    const bool last = peck == pecks && !endless;
+    if (last && !machine_.has(Fault::kWithdrawalAtBottom)) break;
+    if (!withdraw_from(depth)) return false;
+  }
+  return true;
+}
+
+// The fault of that name.
+bool Descent::run_summed() {
+  constexpr auto kScale = static_cast<double>(kOne);
+  const double bottom = static_cast<double>(depth_) / kScale;
+  const double infeed = static_cast<double>(pecks_.infeed) / kScale;
+  double sum = 0;
+  while (sum < bottom) {
+    sum += infeed;
+    const Wide depth = std::min<Wide>(std::llround(sum * kScale), depth_);
+    if (!feed_to(depth)) return false;
+    if (sum < bottom && !withdraw_from(depth)) return false;
+  }
+  return true;
+}
+
+void halve(bool halved, Retained& length) {
+  if (halved) length.value = static_cast<Fixed>(scaled(length.value, 1, 2));
+}
+
+}  // namespace
+
+void take_pecks(Machine& machine, const Block& block, bool halved) {
+  CycleStore& store = machine.state.store;
+  if (block.has('R')) {
+    take_length(machine, block, 'R', store.withdrawal);
+    halve(halved, store.withdrawal);
+    if (machine.has(Fault::kWithdrawalSignUnchecked)) {
+      store.withdrawal.value = magnitude(store.withdrawal.value);
+    }
+    if (store.withdrawal.value < 0) machine.complain(AlarmKind::kValueSign, 'R', block);
+  }
+  if (block.has('Q')) {
+    take_length(machine, block, 'Q', store.infeed);
+    halve(halved, store.infeed);
+    if (store.infeed.value <= 0) machine.complain(AlarmKind::kValueSign, 'Q', block);
+  }
+}
+
+void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks) {
+  const CycleStore& store = machine.state.store;
+  pecks.feed = cycle_feed(machine);
+  pecks.withdrawal = store.withdrawal.value;
+  if (pecks.withdrawal <= 0) return;  // HNC-G74-03, HNC-G75-03
+  if (!store.infeed.present) return machine.complain(AlarmKind::kMissingWord, 'Q', kNowhere);
+  pecks.infeed = store.infeed.value;
+  // Reading hnc.peck.from: it would never arrive.
+  if (machine.configuration.peck_from_withdrawn && pecks.withdrawal >= pecks.infeed) {
+    machine.complain(AlarmKind::kValueOutOfRange, 'R', block);
+  }
+}
+
+bool perform_pecks(Machine& machine, const Pecks& pecks) {
+  if (pecks.withdrawal == 0) {
+    return machine.tracer.feed_axis(pecks.axis, pecks.bottom, pecks.feed);
+  }
+  Descent descent(machine, pecks);
+  return machine.has(Fault::kPeckRunningSum) ? descent.run_summed() : descent.run();
+}
+
+}  // namespace gonogo::expanders::hnc

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/ngc/codes.hpp"
+
+#include <array>
+
+namespace gonogo::expanders::ngc {
+namespace {
+
+constexpr Support kFull = Support::kFull;
+constexpr Support kNone = Support::kNoEffect;
+constexpr Support kOut = Support::kOutside;
+
+constexpr std::array kCodes{
+    Code{0, Group::kMotion, kFull},        Code{10, Group::kMotion, kFull},
+    Code{20, Group::kMotion, kFull},       Code{30, Group::kMotion, kFull},
+    Code{40, Group::kOnce, kFull},         Code{50, Group::kMotion, kOut},
+    Code{70, Group::kLathe, kOut},         Code{80, Group::kLathe, kOut},
+    Code{100, Group::kOnce, kOut},         Code{170, Group::kPlane, kFull},
+    Code{171, Group::kPlane, kOut},        Code{180, Group::kPlane, kFull},
+    Code{181, Group::kPlane, kOut},        Code{190, Group::kPlane, kFull},
+    Code{191, Group::kPlane, kOut},        Code{200, Group::kUnits, kFull},
+    Code{210, Group::kUnits, kFull},       Code{280, Group::kOnce, kOut},
+    Code{281, Group::kOnce, kOut},         Code{300, Group::kOnce, kOut},
+    Code{301, Group::kOnce, kOut},         Code{330, Group::kMotion, kOut},
+    Code{382, Group::kMotion, kOut},       Code{383, Group::kMotion, kOut},
+    Code{384, Group::kMotion, kOut},       Code{385, Group::kMotion, kOut},
+    Code{400, Group::kCutter, kNone},      Code{410, Group::kCutter, kOut},
+    Code{411, Group::kCutter, kOut},       Code{420, Group::kCutter, kOut},
+    Code{421, Group::kCutter, kOut},       Code{430, Group::kLength, kOut},
+    Code{431, Group::kLength, kOut},       Code{432, Group::kLength, kOut},
+    Code{490, Group::kLength, kNone},      Code{500, Group::kScale, kOut},
+    Code{510, Group::kScale, kOut},        Code{520, Group::kOnce, kOut},
+    Code{530, Group::kOnce, kOut},         Code{540, Group::kFrame, kNone},
+    Code{550, Group::kFrame, kOut},        Code{560, Group::kFrame, kOut},
+    Code{570, Group::kFrame, kOut},        Code{580, Group::kFrame, kOut},
+    Code{590, Group::kFrame, kOut},        Code{591, Group::kFrame, kOut},
+    Code{592, Group::kFrame, kOut},        Code{593, Group::kFrame, kOut},
+    Code{610, Group::kControl, kNone},     Code{611, Group::kControl, kNone},
+    Code{640, Group::kControl, kNone},     Code{730, Group::kMotion, kOut},
+    Code{760, Group::kMotion, kOut},       Code{800, Group::kMotion, kFull},
+    Code{810, Group::kMotion, kOut},       Code{820, Group::kMotion, kOut},
+    Code{830, Group::kMotion, kOut},       Code{840, Group::kMotion, kOut},
+    Code{850, Group::kMotion, kOut},       Code{860, Group::kMotion, kOut},
+    Code{870, Group::kMotion, kOut},       Code{880, Group::kMotion, kOut},
+    Code{890, Group::kMotion, kOut},       Code{900, Group::kDistance, kFull},
+    Code{901, Group::kArcDistance, kFull}, Code{910, Group::kDistance, kFull},
+    Code{911, Group::kArcDistance, kFull}, Code{920, Group::kOnce, kOut},
+    Code{921, Group::kOnce, kOut},         Code{922, Group::kOnce, kOut},
+    Code{923, Group::kOnce, kOut},         Code{930, Group::kFeedMode, kOut},
+    Code{940, Group::kFeedMode, kNone},    Code{950, Group::kFeedMode, kOut},
+    Code{960, Group::kSpindle, kOut},      Code{970, Group::kSpindle, kNone},
+    Code{980, Group::kReturn, kNone},      Code{990, Group::kReturn, kNone},
+};
+
+// 1 + the index into kCodes; 0: no such code.
+constexpr std::array<std::uint8_t, 1000> make_index() {
+  std::array<std::uint8_t, 1000> index{};
+  for (std::size_t i = 0; i < kCodes.size(); ++i) {
+    index[kCodes[i].tenths] = static_cast<std::uint8_t>(i + 1);
+  }
+  return index;
+}
+constexpr std::array<std::uint8_t, 1000> kIndex = make_index();
+
+}  // namespace
+
+const Code* find_code(const Decimal& number) {
+  constexpr Fixed kTenth = kOne / 10;
+  if (number.overflow || number.finer || number.value < 0 || number.value % kTenth != 0) {
+    return nullptr;
+  }
+  const auto tenths = static_cast<std::uint64_t>(number.value / kTenth);
+  if (tenths >= kIndex.size() || kIndex[tenths] == 0) return nullptr;
+  return &kCodes[kIndex[tenths] - 1u];
+}
+
+Function find_function(Fixed m) {
+  if (m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
+  const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) || (m >= 60 && m <= 73);
+  return known ? Function::kKnown : Function::kUnknown;
+}
+
+}  // namespace gonogo::expanders::ngc

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/ngc/interpreter.hpp"
+
+#include <cstdio>
+
+namespace gonogo::expanders::ngc {
+namespace {
+
+bool is_end(Fixed m) {
+  return m == 2 || m == 30;
+}
+
+// Stops; every other function runs before the motion of its block.
+bool is_after_motion(Fixed m) {
+  return is_end(m) || m == 0 || m == 1 || m == 60;
+}
+
+bool is_whole(const Decimal& number) {
+  return !number.overflow && !number.finer && number.value % kOne == 0;
+}
+
+}  // namespace
+
+gonogo_answer Interpreter::run(std::string_view program) {
+  switch (run_blocks(program)) {
+    case Flow::kAlarm: {
+      const Alarm& alarm = machine_.alarm();
+      const std::uint64_t line =
+          machine_.state.line + (machine_.has(Fault::kAlarmNextBlock) ? 1 : 0);
+      machine_.tracer.alarm(text_of(alarm.kind), alarm.word, line);
+      return GONOGO_ALARM;
+    }
+    case Flow::kUnsupported:
+      return GONOGO_UNSUPPORTED;
+    case Flow::kStopped:
+      return GONOGO_STOPPED;
+    case Flow::kContinue:
+    case Flow::kEnd:
+      break;
+  }
+  return machine_.tracer.end() ? GONOGO_OK : GONOGO_STOPPED;
+}
+
+Flow Interpreter::run_blocks(std::string_view program) {
+  const bool pairs_twice = machine_.has(Fault::kCrLfCountedTwice);
+  LineReader lines(program, pairs_twice ? Counting::kPairTwice : Counting::kAll);
+  std::string_view line;
+  while (lines.next(line)) {
+    machine_.state.line = lines.number();
+    const Flow flow = run_line(line);
+    if (flow != Flow::kContinue) return flow;
+  }
+  return Flow::kContinue;
+}
+
+Flow Interpreter::run_line(std::string_view line) {
+  const bool deletes =
+      machine_.configuration.block_delete || machine_.has(Fault::kBlockDeleteAlways);
+  switch (block_.read(line, {deletes, machine_.has(Fault::kCapitalsOnly)})) {
+    case Block::Reading::kSyntax:
+      machine_.complain(AlarmKind::kSyntax, block_.last_address(), 0);
+      return Flow::kAlarm;
+    case Block::Reading::kMacro:
+      return unsupported(block_.macro());
+    case Block::Reading::kTapeMark:
+      return any_block_ && !machine_.has(Fault::kTapeMarkIgnored) ? Flow::kEnd : Flow::kContinue;
+    case Block::Reading::kSkipped:
+      return Flow::kContinue;
+    case Block::Reading::kWords:
+      break;
+  }
+  if (block_.empty()) return Flow::kContinue;
+  any_block_ = true;
+  return run_block();
+}
+
+Flow Interpreter::run_block() {
+  const Flow covered = check_coverage();
+  if (covered != Flow::kContinue) return covered;
+  check_block();
+  if (machine_.in_alarm()) return Flow::kAlarm;
+  Plan plan;
+  prepare(plan);
+  return machine_.in_alarm() ? Flow::kAlarm : perform_plan(plan);
+}
+
+Flow Interpreter::unsupported(std::string_view what) {
+  char message[64];
+  const int size = std::snprintf(message, sizeof message, "%.*s is not implemented.",
+                                 static_cast<int>(what.size()), what.data());
+  machine_.tracer.note(GONOGO_NOTE_ERROR, {message, static_cast<std::size_t>(size)});
+  return Flow::kUnsupported;
+}
+
+Flow Interpreter::unsupported(char letter, unsigned tenths) {
+  char code[24];
+  const char* form = tenths % 10 == 0 ? "%c%u" : "%c%u.%u";
+  const int size = std::snprintf(code, sizeof code, form, letter, tenths / 10, tenths % 10);
+  return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
+}
+
+// What the control can do and this expander cannot; it goes before every alarm of the block.
+Flow Interpreter::check_coverage() {
+  if (const Code* code = block_.outside()) return unsupported('G', code->tenths);
+  for (const char address : {'B', 'U', 'V', 'W'}) {
+    if (block_.has(address)) return unsupported({&address, 1});
+  }
+  for (const FunctionWord& word : block_.functions()) {
+    const Fixed m = word.number.value / kOne;
+    if (is_whole(word.number) && find_function(m) == Function::kOutside) {
+      return unsupported('M', static_cast<unsigned>(m * 10));
+    }
+  }
+  return Flow::kContinue;
+}
+
+// What can be said of the block before any word takes effect.
+void Interpreter::check_block() {
+  if (block_.unknown_code()) return machine_.complain(AlarmKind::kUndefinedCode, 'G', 0);
+  if (!check_functions()) return;
+  if (block_.duplicate() != 0) {
+    return machine_.complain(AlarmKind::kDuplicateWord, block_.duplicate(),
+                             block_.duplicate_position());
+  }
+  check_sizes(machine_, block_);
+}
+
+bool Interpreter::check_functions() {
+  for (const FunctionWord& word : block_.functions()) {
+    const bool known =
+        !word.number.overflow && find_function(word.number.value / kOne) == Function::kKnown;
+    if (known && word.number.value >= 0 && is_whole(word.number)) continue;
+    const bool fraction = !word.number.overflow && !is_whole(word.number);
+    machine_.complain(fraction ? AlarmKind::kNotAnInteger : AlarmKind::kUndefinedCode, 'M',
+                      word.position);
+    return false;
+  }
+  return true;
+}
+
+// NGC-MOD-01: in a fixed order, whatever that of the line.
+void Interpreter::prepare(Plan& plan) {
+  const bool feed_last = machine_.has(Fault::kFeedAfterMotion);
+  const bool plane_last = machine_.has(Fault::kPlaneAfterMotion);
+  const int plane = machine_.state.plane;
+  if (!feed_last) take_feed();
+  if (block_.has_dwell()) prepare_dwell(machine_, block_, plan);
+  take_modes();
+  const int coming = machine_.state.plane;
+  if (plane_last) machine_.state.plane = plane;
+  take_distance();
+  take_motion();
+  prepare_motion(plan);
+  machine_.state.plane = coming;
+  if (feed_last) take_feed();
+  if (machine_.has(Fault::kMotionLostAfterDwell) && block_.has_dwell()) {
+    machine_.state.motion = Motion::kNone;
+  }
+}
+
+// F counts in the units of the block before: G20 and G21 act later.
+void Interpreter::take_feed() {
+  if (!block_.has('F')) return;
+  const Fixed written = block_.number('F').value;
+  if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
+  const bool unscaled = machine_.has(Fault::kInchFeedUnscaled);
+  machine_.state.feed.linear = unscaled ? written : length_of(machine_, block_, 'F');
+  machine_.state.feed.rotary = written;
+}
+
+void Interpreter::take_modes() {
+  State& state = machine_.state;
+  if (const Code* code = block_.code(Group::kPlane)) state.plane = code->tenths / 10;
+  if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 200;
+}
+
+void Interpreter::take_distance() {
+  State& state = machine_.state;
+  if (const Code* code = block_.code(Group::kDistance)) {
+    const bool latched = machine_.has(Fault::kG91IgnoredAfterG90) && state.seen_absolute;
+    state.incremental = code->tenths == 910 && !latched;
+    state.seen_absolute = state.seen_absolute || code->tenths == 900;
+  }
+  if (const Code* code = block_.code(Group::kArcDistance)) {
+    state.absolute_centre = code->tenths == 901;
+  }
+}
+
+void Interpreter::take_motion() {
+  const Code* code = block_.code(Group::kMotion);
+  if (code == nullptr) return;
+  const Motion motion = motion_of(code->tenths / 10);
+  if (motion == Motion::kNone && machine_.has(Fault::kG80KeepsMotion)) return;
+  machine_.state.motion = motion;
+}
+
+// Words that ask for a motion; P is that of G4 where there is one.
+void Interpreter::prepare_motion(Plan& plan) {
+  static constexpr AddressSet kWords{"XYZACIJKR"};
+  const bool asked = block_.has_any(kWords) || (block_.has('P') && !block_.has_dwell());
+  switch (machine_.state.motion) {
+    case Motion::kNone:
+      if (asked) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);
+      return;
+    case Motion::kRapid:
+    case Motion::kLine:
+      return prepare_line(machine_, block_, plan);
+    case Motion::kArcClockwise:
+    case Motion::kArcCounterclockwise:
+      if (asked || block_.code(Group::kMotion) != nullptr) prepare_arc(machine_, block_, plan);
+      return;
+  }
+}
+
+Flow Interpreter::perform_plan(const Plan& plan) {
+  const Flow before = run_functions(true);
+  if (before != Flow::kContinue) return before;
+  if (!machine_.tracer.dwell(plan.dwell)) return Flow::kStopped;
+  const bool goes_on =
+      std::visit([&](const auto& motion) { return perform(machine_, motion); }, plan.motion);
+  return goes_on ? run_functions(false) : Flow::kStopped;
+}
+
+// The M functions of the block that run before or after its motion, and the end of the program.
+Flow Interpreter::run_functions(bool before) {
+  for (const FunctionWord& word : block_.functions()) {
+    const Fixed m = word.number.value / kOne;
+    if (is_after_motion(m) == before) continue;
+    if (!machine_.tracer.function(static_cast<int>(m))) return Flow::kStopped;
+    if (is_end(m) && !machine_.has(Fault::kEndIgnored)) return Flow::kEnd;
+  }
+  return Flow::kContinue;
+}
+
+}  // namespace gonogo::expanders::ngc

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/ngc/plan.hpp"
+
+namespace gonogo::expanders::ngc {
+namespace {
+
+bool moves_straight(const Point& from, const Point& to) {
+  return from[GONOGO_X] != to[GONOGO_X] || from[GONOGO_Y] != to[GONOGO_Y] ||
+         from[GONOGO_Z] != to[GONOGO_Z];
+}
+
+}  // namespace
+
+// NGC-G0-01, NGC-DIS-01
+void prepare_line(Machine& machine, const Block& block, Plan& plan) {
+  const State& state = machine.state;
+  Line line;
+  line.to = commanded_point(machine, block, line.axes);
+  if (line.axes == 0) return;
+  line.cut = state.motion == Motion::kLine;
+  if (line.cut && state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
+  const bool linear =
+      moves_straight(state.position, line.to) || machine.has(Fault::kRotaryFeedScaled);
+  line.feed.value = linear ? state.feed.linear : state.feed.rotary;
+  plan.motion = line;
+}
+
+bool perform(Machine&, const Idle&) {
+  return true;
+}
+
+bool perform(Machine& machine, const Line& line) {
+  return line.cut ? machine.tracer.feed(line.to, line.axes, line.feed)
+                  : machine.tracer.rapid(line.to, line.axes);
+}
+
+}  // namespace gonogo::expanders::ngc

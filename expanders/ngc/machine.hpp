@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "expanders/common/flow.hpp"
+#include "expanders/common/tracer.hpp"
+#include "expanders/ngc/alarms.hpp"
+#include "expanders/ngc/block.hpp"
+#include "expanders/ngc/faults.hpp"
+#include "expanders/ngc/state.hpp"
+
+namespace gonogo::expanders::ngc {
+
+/// What every code works on.
+class Machine {
+ public:
+  Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink, Fault planted)
+      : configuration(machine_configuration),
+        state(machine_configuration),
+        tracer(sink, state.position, state.line),
+        fault_(planted) {}
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  const Configuration& configuration;
+  State state;
+  Tracer tracer;
+
+  bool has(Fault planted) const { return fault_ == planted; }
+
+  /// Notes a broken rule. The block goes on being checked; of several the one is reported whose
+  /// word stands first.
+  void complain(AlarmKind kind, char word, Position position) {
+    if (in_alarm_ && position >= position_) return;
+    in_alarm_ = true;
+    alarm_ = {kind, word};
+    position_ = position;
+  }
+  void complain(AlarmKind kind, char word, const Block& block) {
+    complain(kind, word, block.position(word));
+  }
+  void complain(AlarmKind kind) { complain(kind, 0, kNowhere); }
+  bool in_alarm() const { return in_alarm_; }
+  const Alarm& alarm() const { return alarm_; }
+
+ private:
+  Fault fault_;
+  bool in_alarm_ = false;
+  Alarm alarm_;
+  Position position_ = kNowhere;
+};
+
+/// In the order of gonogo_axis.
+inline constexpr char kAxisAddress[] = "XYZAC";
+inline constexpr Axes kLinearAxes = axis_bit(GONOGO_X) | axis_bit(GONOGO_Y) | axis_bit(GONOGO_Z);
+
+/// Point that the axis words of the block command, by G90 or G91; `axes` are those with a word.
+/// Complains when it is out of reach.
+Point commanded_point(Machine& machine, const Block& block, Axes& axes);
+
+/// The length of `address` in mm, by the units in force; the word must be there.
+Fixed length_of(const Machine& machine, const Block& block, char address);
+
+/// Whether the number of `address` is not whole; the word must be there.
+bool has_fraction(const Block& block, char address);
+
+/// Complains about numbers that are too large to reckon with.
+void check_sizes(Machine& machine, const Block& block);
+
+}  // namespace gonogo::expanders::ngc

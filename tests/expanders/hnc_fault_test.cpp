@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every planted fault of the expander of hnc21t shows on the program that is meant for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "expanders/registry.hpp"
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+struct Exhibit {
+  const char* fault;
+  const char* program;
+  const char* profile = "{}";
+};
+
+void PrintTo(const Exhibit& exhibit, std::ostream* out) {
+  *out << exhibit.fault;
+}
+
+// Ten times 0.1 summed in binary64 stays below 1.
+constexpr const char* kTenths = "G74 Z-1 R0.05 Q0.1 F9\n";
+constexpr const char* kUneven = "G74 Z-5 R1 Q2 F9\n";
+constexpr const char* kThirds = "G75 X-2 Z-1 I3 F9\n";
+constexpr const char* kTurn = "G80 X-4 Z-5 I-1 F9\n";
+constexpr const char* kFace = "G81 X-4 Z-5 K-1 F9\n";
+constexpr const char* kRunOut = "G82 X-4 Z-5 R-1 E2 F2\n";
+constexpr const char* kStarts = "G82 X-4 Z-5 C3 P100 F2\n";
+constexpr const char* kOffset = R"({"offsets":{"G54":{"x":"1","z":"2"}}})";
+
+const Exhibit kExhibits[] = {
+    {"peck-running-sum", kTenths},
+    {"withdrawal-twice", kUneven},
+    {"extra-peck-at-multiple", "G74 Z-4 R1 Q2 F9\n"},
+    {"last-peck-overshoots", kUneven},
+    {"withdrawal-at-bottom", kUneven},
+    {"withdrawal-at-feed", kUneven},
+    {"endless-pecks", "G74 Z-1 R0.001 Q0.002 F9\n"},
+    {"withdrawal-sign-unchecked", "G74 Z-5 R-1 Q2 F9\n"},
+    {"drill-takes-x", "G74 X4 Z-5 F9\n"},
+    {"groove-depth-diameter", "G75 X-8 R1 Q2 F9\n"},
+    {"groove-step-short", kThirds},
+    {"groove-ends-at-last", kThirds},
+    {"groove-running-sum", kThirds},
+    {"groove-count-unchecked", "G75 X-2 Z-1 I1.5 F9\n"},
+    {"g80-taper-diameter", kTurn},
+    {"g80-taper-sign", kTurn},
+    {"g80-as-g81", kTurn},
+    {"g80-rapid-retract", kTurn},
+    {"g80-taper-lost", "G80 X-4 Z-5 I-1 F9\nX-6 Z-5\n"},
+    {"g81-taper-ignored", kFace},
+    {"g81-taper-sign", kFace},
+    {"run-out-before-end", kRunOut},
+    {"run-out-diameter", kRunOut},
+    {"run-out-sign", kRunOut},
+    {"ratio-equality-refused", "G82 X-4 Z-5 R-1 E20 F2\n"},
+    {"ratio-unchecked", "G82 X-4 Z-5 R-1 E20.001 F2\n"},
+    {"pair-unchecked", "G82 X-4 Z-5 R-1 F2\n"},
+    {"starts-from-circle", kStarts},
+    {"starts-at-zero", kStarts},
+    {"start-short", kStarts},
+    {"threads-out", kStarts},
+    {"inch-lead-as-millimetres", "G82 X-4 Z-5 J2\n"},
+    {"lead-leaks-into-feed", "G82 X-4 Z-5 F2\nG01 X1\n"},
+    {"feed-serves-as-lead", "G01 X1 F9\nG82 X-4 Z-5\n"},
+    {"taper-leaks-past-rapid", "G80 X-4 Z-5 I-1 F9\nG00 X0\nG80 X-4 Z-5\n"},
+    {"withdrawal-leaks-into-groove", "G74 Z-5 R1 Q2 F9\nG75 X-8\n"},
+    {"cycle-survives-rapid", "G80 X-4 Z-5 F9\nG00 X2 Z2\n"},
+    {"cycle-feed-stuck", "G80 X-4 Z-5 F9\nX-6 Z-5 F8\n"},
+    {"thread-lead-forgotten", "G32 Z-5 F2\nZ-9\n"},
+    {"offset-ignored-in-cycle", kTurn, kOffset},
+    {"rename-ignores-offset", "G92 X8\nG91 G00 X1\n", kOffset},
+    {"incremental-z-ignored", "G00 Z3\nG91 G80 X-4 Z-5 F9\n"},
+    {"increment-as-radius", "G00 U2\n"},
+    {"increment-as-diameter", "G37 G00 U2\n"},
+    {"centre-as-diameter", "G02 X10 Z5 I5 F9\n"},
+    {"revolution-ignored", "G95 G01 X2 F0.1\n"},
+    {"dwell-in-seconds", "G04 P500\n"},
+    {"inch-feed", "G20 G01 X1 F9\n"},
+    {"late-alarm", "G82 X-4 Z-5 R-1 E21 F2\n"},
+    {"alarm-next-block", "G999\n"},
+    {"blank-lines-not-counted", "\nG00 X1\n"},
+    {"feed-survives-reset", "G01 X1 F9\n"},
+};
+
+class PlantedHncFault : public ::testing::TestWithParam<Exhibit> {};
+
+TEST_P(PlantedHncFault, Shows) {
+  const Exhibit& exhibit = GetParam();
+  Session sound(exhibit.profile, {}, "hnc");
+  Session faulty(exhibit.profile, exhibit.fault, "hnc");
+  std::string want = sound.run(exhibit.program).all();
+  std::string got = faulty.run(exhibit.program, 10'000).all();
+  // Once more after a reset, without a feed of its own.
+  sound.reset();
+  faulty.reset();
+  want += sound.run("G01 Z1\n").all();
+  got += faulty.run("G01 Z1\n").all();
+  EXPECT_NE(got, want);
+}
+
+std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
+  std::string name = exhibit.param.fault;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Hnc, PlantedHncFault, ::testing::ValuesIn(kExhibits), test_name);
+
+TEST(PlantedHncFaults, EachHasItsProgram) {
+  std::set<std::string_view> shown;
+  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  std::set<std::string_view> known;
+  for (const FaultDescription& fault : faults("hnc")) {
+    known.insert(fault.name);
+    EXPECT_FALSE(fault.what.empty() || fault.clause.empty() || fault.models.empty());
+  }
+  EXPECT_EQ(shown, known);
+  EXPECT_EQ(known.size(), faults("hnc").size());
+}
+
+// The names stand beside an enumeration: a wrong order would give a name to another's defect.
+TEST(PlantedHncFaults, NamesBelongToTheirDefects) {
+  const auto faulty = [](const char* program, const char* fault) {
+    return run_hnc(program, "{}", fault);
+  };
+  // An eleventh peck: withdrawn from the bottom and down again.
+  EXPECT_EQ(faulty(kTenths, "peck-running-sum").records.size(), 23u);
+  EXPECT_EQ(faulty(kUneven, "withdrawal-twice").records[1], "rapid z=0");
+  EXPECT_EQ(faulty("G74 Z-4 R1 Q2 F9\n", "extra-peck-at-multiple").motions(),
+            "feed z=-2 f=9\nrapid z=-1\nfeed z=-4 f=9\nrapid z=-3\nfeed z=-4 f=9\nrapid z=0\n");
+  EXPECT_EQ(faulty(kUneven, "last-peck-overshoots").records[4], "feed z=-6 f=9");
+  EXPECT_EQ(faulty(kUneven, "withdrawal-at-bottom").records[5], "rapid z=-4");
+  EXPECT_EQ(faulty(kUneven, "withdrawal-at-feed").records[1], "feed z=-1 f=9");
+  EXPECT_EQ(Session("{}", "endless-pecks", "hnc").run("G74 Z-1 R0.001 Q0.002 F9\n", 9'000).answer,
+            GONOGO_STOPPED);
+  EXPECT_EQ(faulty("G74 X4 Z-5 F9\n", "drill-takes-x").records[0], "rapid x=2");
+  EXPECT_EQ(faulty("G75 X-8 R1 Q2 F9\n", "groove-depth-diameter").records[0], "feed x=-1 f=9");
+  EXPECT_EQ(faulty(kThirds, "groove-running-sum").records[8], "rapid z=-0.999");
+  EXPECT_EQ(faulty(kThirds, "groove-step-short").records.size(), 10u);
+  EXPECT_EQ(faulty(kTurn, "g80-taper-diameter").records[0], "rapid x=-2.5");
+  EXPECT_EQ(faulty(kTurn, "g80-taper-sign").records[0], "rapid x=-1");
+  EXPECT_EQ(faulty(kTurn, "g80-as-g81").records[0], "rapid z=-6");
+  EXPECT_EQ(faulty(kFace, "g81-taper-sign").records[0], "rapid z=-4");
+  EXPECT_EQ(faulty(kRunOut, "run-out-before-end").records[1], "thread x=-2 z=-4 lead=2 start=0");
+  EXPECT_EQ(faulty(kRunOut, "run-out-before-end").records[2], "thread x=0 z=-5 lead=2 start=0");
+  EXPECT_EQ(faulty("G82 X-4 Z-5 R-1 E20 F2\n", "ratio-equality-refused").alarm, "retract-ratio");
+  EXPECT_EQ(faulty(kStarts, "starts-from-circle").records[5], "thread x=-2 z=-5 lead=2 start=120");
+  EXPECT_EQ(faulty(kStarts, "start-short").records.size(), 9u);
+  EXPECT_EQ(faulty("G82 X-4 Z-5 F2\nG01 X1\n", "lead-leaks-into-feed").records[4],
+            "feed x=0.5 f=2");
+  EXPECT_EQ(faulty("G82 X-4 Z-5 R-1 E21 F2\n", "late-alarm").motions(), "rapid x=-2\n");
+  EXPECT_EQ(faulty("G999\n", "alarm-next-block").alarm_block, 2u);
+  EXPECT_EQ(faulty("G37 G00 U2\n", "increment-as-diameter").motions(), "rapid x=1\n");
+  EXPECT_EQ(faulty("G04 P500\n", "dwell-in-seconds").motions(), "dwell 500\n");
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Alarms of the expander of rs274, and what it does not cover.
+#include <gtest/gtest.h>
+
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+std::string alarm(const std::string& block, const char* profile = "{}") {
+  return run_ngc("F9\n" + block + "\n", profile).alarm;
+}
+
+TEST(NgcAlarm, AnAxisWordNeedsAMotionCode) {
+  for (const char* block : {"X1", "A1", "I1", "R1", "P1", "G80 X1", "G4 P1 X1", "G1\nG80\nY1"}) {
+    EXPECT_EQ(alarm(block), "missing-word") << block;
+  }
+}
+
+TEST(NgcAlarm, AFeed) {
+  EXPECT_EQ(alarm("F0 G1 X1"), "feed-missing");
+  EXPECT_EQ(alarm("F0 G2 X2 I1"), "feed-missing");
+  EXPECT_EQ(alarm("F-1"), "value-sign");
+  EXPECT_EQ(run_ngc("G1 X0\n").alarm, "feed-missing");
+  EXPECT_EQ(run_ngc("G1\nG0 X1\n").motions(), "rapid x=1\n");
+}
+
+TEST(NgcAlarm, UnknownCodes) {
+  for (const char* block : {"G6", "G1.1", "G100", "G-1", "G5.1", "G38", "G999 X1 X2", "M10", "M17",
+                            "M74", "M200", "M-1"}) {
+    EXPECT_EQ(alarm(block), "undefined-code") << block;
+  }
+}
+
+TEST(NgcAlarm, Twice) {
+  for (const char* block : {"G1 X1 X2", "G0 G1 X1", "G17 G18", "G90 G91", "G20 G21", "G2 G80",
+                            "G4 G4 P1", "F1 F2", "S1 S2", "G61 G64", "G90.1 G91.1", "G54 G54"}) {
+    EXPECT_EQ(alarm(block), "duplicate-word") << block;
+  }
+  EXPECT_EQ(alarm("M3 M8"), "");
+  EXPECT_EQ(alarm("G90 G90.1"), "");
+}
+
+TEST(NgcAlarm, WordsOfAnArc) {
+  EXPECT_EQ(alarm("G2 X2 R1 I1"), "conflicting-words");
+  EXPECT_EQ(alarm("G2 X2"), "missing-word");
+  EXPECT_EQ(alarm("G2"), "missing-word");
+  EXPECT_EQ(alarm("G2 Z1 R1"), "missing-word");
+  EXPECT_EQ(alarm("G2 R1"), "missing-word");
+  EXPECT_EQ(alarm("G2 X2 K1"), "axis-not-in-plane");
+  EXPECT_EQ(alarm("G18 G2 X2 I1 J1"), "axis-not-in-plane");
+  EXPECT_EQ(alarm("G19 G2 Y2 I1"), "axis-not-in-plane");
+  EXPECT_EQ(alarm("G90.1 G2 X2 I1"), "missing-word");
+  EXPECT_EQ(alarm("G2 X0 R1"), "arc-end-point");
+  EXPECT_EQ(alarm("G2 X3 R1"), "arc-radius");
+}
+
+TEST(NgcAlarm, FullCirclesMayNeedAWord) {
+  constexpr const char* kNeeded = R"({"readings":{"ngc.full-circle-words":"needed"}})";
+  EXPECT_EQ(alarm("G2 I1", kNeeded), "missing-word");
+  EXPECT_EQ(alarm("G2 Z1 I1", kNeeded), "missing-word");
+  EXPECT_EQ(alarm("G2 Y0 I1", kNeeded), "");
+  EXPECT_EQ(alarm("G2 I1"), "");
+}
+
+TEST(NgcAlarm, Turns) {
+  EXPECT_EQ(alarm("G2 X2 I1 P0"), "value-sign");
+  EXPECT_EQ(alarm("G2 X2 I1 P-1"), "value-sign");
+  EXPECT_EQ(alarm("G2 X2 I1 P1.5"), "not-an-integer");
+  EXPECT_EQ(alarm("G2 X2 R1 P0.5"), "not-an-integer");
+}
+
+TEST(NgcAlarm, Dwell) {
+  EXPECT_EQ(alarm("G4"), "missing-word");
+  EXPECT_EQ(alarm("G4 P-1"), "value-sign");
+}
+
+TEST(NgcAlarm, TooLarge) {
+  EXPECT_EQ(alarm("G0 X99999999999999999999"), "value-out-of-range");
+  EXPECT_EQ(alarm("G91 G0 X3000000000\nX3000000000"), "value-out-of-range");
+  EXPECT_EQ(alarm("G0 X2000000000\nG2 X0 R3000000000 Y4000000000"), "value-out-of-range");
+}
+
+TEST(NgcAlarm, NothingOfTheBlockMoves) {
+  EXPECT_EQ(run_ngc("G0 X1\nG4 P1 M3 G1 X2\nX3\n").all(),
+            "answer 1\n1 rapid x=1\nalarm feed-missing in 2\n");
+}
+
+TEST(NgcCoverage, OutsideGoesBeforeAlarms) {
+  for (const char* block :
+       {"G5 X1",     "G33 Z1", "G38.2 Z1", "G81 X1 X2", "G17.1", "G93",      "G95",   "G41",
+        "G42.1",     "G43 H1", "G55",      "G59.3",     "G96",   "G10 L2",   "G28",   "G30.1",
+        "G53 G0 X1", "G92 X0", "G92.2",    "G51",       "G7",    "G73 G999", "G0 B1", "U1",
+        "V1 F-1",    "W1",     "M98 P1",   "M99",       "M100",  "M199"}) {
+    const Outcome outcome = run_ngc(std::string("G0 X1\n") + block + "\n");
+    EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << block;
+    EXPECT_EQ(outcome.motions(), "rapid x=1\n") << block;
+    EXPECT_EQ(outcome.alarms, 0u) << block;
+  }
+}
+
+TEST(NgcCoverage, NamesTheCode) {
+  EXPECT_EQ(run_ngc("G38.2\n").note, "G38.2 is not implemented.");
+  EXPECT_EQ(run_ngc("G81\n").note, "G81 is not implemented.");
+  EXPECT_EQ(run_ngc("B1\n").note, "B is not implemented.");
+  EXPECT_EQ(run_ngc("M98\n").note, "M98 is not implemented.");
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every planted fault of the expander of rs274 shows on the program that is meant for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "expanders/registry.hpp"
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+struct Exhibit {
+  const char* fault;
+  const char* program;
+  const char* want;  ///< what the faulty expander does, as Outcome::all() without its `end`
+};
+
+void PrintTo(const Exhibit& exhibit, std::ostream* out) {
+  *out << exhibit.fault;
+}
+
+// What each fault must lead to follows from its description and the program by hand.
+const Exhibit kExhibits[] = {
+    {"g18-sense-flipped", "G18 G2 Z4 K2 F9\nG17 G2 X4 I2\n",
+     "1 arc18 c=2,0 rot=1 x=0 z=4 f=9\n2 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"g3-clockwise", "G3 X4 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"radius-sign-ignored", "G2 X6 R-5 F9\n", "1 arc17 c=3,-4 rot=-1 x=6 y=0 f=9\n"},
+    {"radius-centre-left", "G2 X6 R5 F9\nG3 X0 R5\n",
+     "1 arc17 c=3,4 rot=-1 x=6 y=0 f=9\n2 arc17 c=3,-4 rot=1 x=0 y=0 f=9\n"},
+    {"short-radius-forgiven", "G2 X6 R2 F9\n", "1 arc17 c=3,0 rot=-1 x=6 y=0 f=9\n"},
+    {"offsets-absolute", "G0 X2\nG2 X6 I4 J0 F9\n",
+     "1 rapid x=2\n2 arc17 c=4,0 rot=-1 x=6 y=0 f=9\n"},
+    {"absolute-centre-ignored", "G0 X2\nG90.1 G2 X6 I2 J0 F9\n",
+     "1 rapid x=2\n2 arc17 c=4,0 rot=-1 x=6 y=0 f=9\n"},
+    {"g18-offsets-swapped", "G18 G2 Z4 I2 F9\n", "1 arc18 c=2,0 rot=-1 x=0 z=4 f=9\n"},
+    {"full-circle-dropped", "G2 I2 F9\n", ""},
+    {"end-point-unchecked", "G2 X9 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=9 y=0 f=9\n"},
+    {"end-point-equality-refused", "G2 X4.002 I2 F9\n", "alarm arc-end-point in 1\n"},
+    {"inch-tolerance-millimetres", "G20 G2 X2.0001 I1 F9\n", "alarm arc-end-point in 1\n"},
+    {"end-onto-circle", "G2 X4.001 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"helix-flat", "G2 X4 Z5 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 z=0 f=9\n"},
+    {"helix-z-in-g18", "G18 G2 Z4 Y5 K2 F9\n", "1 arc18 c=2,0 rot=-1 x=0 y=0 z=5 f=9\n"},
+    {"arc-rotary-dropped", "G2 X4 I2 A5 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"turns-ignored", "G2 X4 I2 P3 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"turn-extra", "G3 X4 I2 P3 F9\n", "1 arc17 c=2,0 rot=4 x=4 y=0 f=9\n"},
+    {"turns-unchecked", "G2 X4 I2 P1.5 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"g91-ignored-after-g90", "G91 G0 X1\nX1\nG90 X3\nG91 X1\n",
+     "1 rapid x=1\n2 rapid x=2\n3 rapid x=3\n4 rapid x=1\n"},
+    {"inch-feed-unscaled", "G20\nG1 X1 F9\n", "2 feed x=25.4 f=9\n"},
+    {"inch-offsets-unscaled", "G20\nG2 I2 F9\n", "2 arc17 c=2,0 rot=-1 x=0 y=0 f=228.6\n"},
+    {"inch-rotary-scaled", "G20\nG0 A1\n", "2 rapid a=25.4\n"},
+    {"rotary-feed-scaled", "G20\nG1 A1 F9\n", "2 feed a=1 f=228.6\n"},
+    {"g80-keeps-motion", "G0 X1\nG80\nX2\n", "1 rapid x=1\n3 rapid x=2\n"},
+    {"motion-lost-after-dwell", "G0 X1\nG4 P1\nX2\n",
+     "1 rapid x=1\n2 dwell 1\nalarm missing-word in 3\n"},
+    {"feed-after-motion", "F5\nG1 X1 F9\nX2\n", "2 feed x=1 f=5\n3 feed x=2 f=9\n"},
+    {"plane-after-motion", "G18 G2 X4 I2 F9\nG2 I1\n",
+     "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n2 arc18 c=0,5 rot=-1 x=4 z=0 f=9\n"},
+    {"dwell-in-milliseconds", "G4 P2\n", "1 dwell 0.002\n"},
+    {"block-delete-always", "G0 X1\n/X2\n", "1 rapid x=1\n"},
+    {"capitals-only", "G0 X1\nx2\n", "1 rapid x=1\nalarm syntax in 2\n"},
+    {"tape-mark-ignored", "%\nG0 X1\n%\nX2\n", "2 rapid x=1\n4 rapid x=2\n"},
+    {"end-ignored", "G0 X1 M2\nX2\n", "1 rapid x=1\n1 m 2\n2 rapid x=2\n"},
+    {"alarm-next-block", "G999\n", "alarm undefined-code in 2\n"},
+    {"cr-lf-counted-twice", "G0\r\nX1\r\n", "4 rapid x=1\n"},
+    {"feed-survives-reset", "G1 X1 F9\n", "1 feed x=1 f=9\n"},
+};
+
+/// The answer and the closing `end` left out.
+std::string trace(const Outcome& outcome) {
+  std::string text;
+  for (std::size_t i = 0; i < outcome.records.size(); ++i) {
+    if (outcome.records[i].starts_with("end")) continue;
+    text += std::to_string(outcome.blocks[i]) + " " + outcome.records[i] + "\n";
+  }
+  if (outcome.alarms != 0) {
+    text += "alarm " + outcome.alarm + " in " + std::to_string(outcome.alarm_block) + "\n";
+  }
+  return text;
+}
+
+class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
+
+TEST_P(PlantedNgcFault, Shows) {
+  const Exhibit& exhibit = GetParam();
+  Session sound("{}", {}, "ngc");
+  Session faulty("{}", exhibit.fault, "ngc");
+  std::string want = sound.run(exhibit.program).all();
+  std::string got = faulty.run(exhibit.program).all();
+  // Once more after a reset, without a feed of its own.
+  sound.reset();
+  faulty.reset();
+  want += sound.run("G1 Z1\n").all();
+  got += faulty.run("G1 Z1\n").all();
+  EXPECT_NE(got, want);
+}
+
+TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
+  const Exhibit& exhibit = GetParam();
+  EXPECT_EQ(trace(run_ngc(exhibit.program, "{}", exhibit.fault)), exhibit.want);
+}
+
+std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
+  std::string name = exhibit.param.fault;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kExhibits), test_name);
+
+TEST(PlantedNgcFaults, EachHasItsProgram) {
+  std::set<std::string_view> shown;
+  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  std::set<std::string_view> known;
+  for (const FaultDescription& fault : faults("ngc")) {
+    known.insert(fault.name);
+    EXPECT_FALSE(fault.what.empty() || fault.clause.empty() || fault.models.empty());
+  }
+  EXPECT_EQ(shown, known);
+  EXPECT_EQ(known.size(), faults("ngc").size());
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing
