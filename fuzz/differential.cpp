@@ -17,12 +17,14 @@ oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile
 
 std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,
                        std::string_view program) {
+  constexpr std::size_t kMost = 10'000;  // a faulty subject may never end
   std::string text;
+  std::size_t records = 0;
   subject.configure(profile);
   subject.run("generated", program, [&](const oracle::Record& record) {
     append_json(record, text);
     text += '\n';
-    return true;
+    return ++records < kMost;
   });
   return text;
 }

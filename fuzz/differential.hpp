@@ -13,10 +13,10 @@ namespace gonogo::fuzz {
 oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile& profile,
                               std::string_view program);
 
-// The verdict, the program and how to see it again, for a failed run.
-// The subject's records, a JSON line each.
+// The subject's records, a JSON line each; the first ten thousand.
 std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,
                        std::string_view program);
+// The verdict, the program and how to see it again, for a failed run.
 std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
                          std::string_view program);
 

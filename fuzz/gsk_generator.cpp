@@ -20,15 +20,7 @@ void GskWriter::make_profile() {
   if (choices_.one_in(12)) profile_.block_skip = true;
   // Any other choice than the default, of any reading but those that the settings leave out.
   if (choices_.one_in(3)) {
-    const auto readings = reference::readings();
-    const reference::Reading& reading =
-        readings[choices_.below(static_cast<std::uint32_t>(readings.size()))];
-    const auto count_of = static_cast<std::uint32_t>(reading.alternatives.size());
-    const std::string value = reading.is_length
-                                  ? fmt::format("0.{}", choices_.below(10))
-                                  : std::string(reading.alternatives[choices_.below(count_of)]);
-    profile_.readings.set(reading.key, value);
-    count(fmt::format("reading {}={}", reading.name, reading.is_length ? "length" : value));
+    count("reading " + choose_reading(choices_, profile_));
   }
   if (choices_.one_in(4)) {
     profile_.parameters["5920"] = reference::Number(choices_.between(0, 360));

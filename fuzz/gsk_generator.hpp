@@ -3,11 +3,7 @@
 // Programs of the GSK 988TA, valid and nearly valid.
 #pragma once
 
-#include <map>
-#include <string>
-
-#include "fuzz/choices.hpp"
-#include "reference/profile.hpp"
+#include "fuzz/generator.hpp"
 
 namespace gonogo::fuzz {
 
@@ -20,15 +16,6 @@ struct GskSettings {
   bool arcs = true;
   bool pockets = true;
 };
-
-// A program and the machine that it is for.
-struct GeneratedProgram {
-  reference::Profile profile;
-  std::string text;
-};
-
-// Counts what the generated programs hold, by name ("g94 entry", "plane G19", "fault: sign", ...).
-using Distribution = std::map<std::string, std::size_t>;
 
 // REQUIRES: the dialect gsk988ta. Avoids what the manual and the reading leave undecided.
 GeneratedProgram generate_gsk(Choices& choices, const GskSettings& settings,

@@ -5,27 +5,23 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 #include "fuzz/gsk_generator.hpp"
+#include "fuzz/program_writer.hpp"
 
 namespace gonogo::fuzz {
 
-class GskWriter {
+class GskWriter final : ProgramWriter {
  public:
   GskWriter(Choices& choices, const GskSettings& settings, Distribution* distribution)
-      : choices_(choices), settings_(settings), distribution_(distribution) {}
+      : ProgramWriter(choices, settings.fault_one_in, distribution), settings_(settings) {}
 
   GeneratedProgram run();
 
  private:
   // The cycle in force, as far as the writer knows.
   enum class Mode { basic, turning, pocket, helix, thread };
-  using Words = std::vector<std::string>;
 
-  void count(const std::string& name) {
-    if (distribution_ != nullptr) ++(*distribution_)[name];
-  }
   void make_profile();
   void make_head();
   void make_block();
@@ -45,31 +41,21 @@ class GskWriter {
   void mode_block();
 
   // Words; lengths are in least increments.
-  std::int64_t length(std::int64_t most_mm);
-  std::string word(char address, std::int64_t increments) const;
   std::string axis_word(std::size_t axis, std::int64_t most_mm);
-  std::string feed_word();
-  int decimals() const;
-  std::int64_t unit() const;  // increments of one mm or inch
+  int decimals() const override;
+  std::string stray_word() override;
+  bool may_have(Fault fault, const std::string& word) const override;
   std::array<std::size_t, 3> plane_axes() const;
   // A word of axis 0 is a diameter where X is: twice the length.
   std::int64_t scaled(std::size_t axis, std::int64_t value) const {
     return axis == 0 && profile_.x_diameter ? value * 2 : value;
   }
 
-  // Writes the block, now and then with one thing put wrong.
-  void put(Words words);
-  void spoil(Words& words);
-
-  Choices& choices_;
   const GskSettings& settings_;
-  Distribution* distribution_;
-  reference::Profile profile_;
   reference::Units units_ = reference::Units::mm;
   reference::Plane plane_ = reference::Plane::g18;
   Mode mode_ = Mode::basic;
   int turning_code_ = 0;  // 90, 92 or 94 in Mode::turning
-  std::string text_;
 };
 
 }  // namespace gonogo::fuzz

@@ -12,7 +12,7 @@
 
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
-#include "fuzz/gsk_generator.hpp"
+#include "fuzz/generator.hpp"
 
 namespace {
 
@@ -52,6 +52,7 @@ int soak(const SoakOptions& options) {
     fmt::print(stderr, "There is no built-in expander {}.\n", options.subject);
     return 2;
   }
+  const fuzz::Generator& generator = *fuzz::find_generator(options.subject.substr(0, plus));
   auto subject = oracle::make_interface_subject(*table);
   fuzz::Distribution distribution;
   const auto start = std::chrono::steady_clock::now();
@@ -59,7 +60,7 @@ int soak(const SoakOptions& options) {
     // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
     fuzz::Choices choices(options.seed + i);
     const fuzz::GeneratedProgram program =
-        fuzz::generate_gsk(choices, {}, options.distribution ? &distribution : nullptr);
+        generator.generate(choices, options.distribution ? &distribution : nullptr);
     const oracle::Verdict verdict = fuzz::run_and_judge(*subject, program.profile, program.text);
     ++distribution[fmt::format("verdict {}", name(verdict.kind))];
     if (decision(verdict.kind) == oracle::Decision::go) continue;

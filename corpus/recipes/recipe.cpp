@@ -44,9 +44,9 @@ std::vector<std::string> texts(const Json& table, const char* key) {
   return table.value(key, std::vector<std::string>{});
 }
 
-reference::Profile profile_of(const Json& group) {
+reference::Profile profile_of(const Json& group, const std::string& dialect) {
   Json keys = group.value("profile", Json::object());
-  keys["dialect"] = "gsk988ta";
+  keys["dialect"] = dialect;
   auto result = reference::profile_from_json(keys.dump());
   if (auto* error = std::get_if<reference::ProfileError>(&result)) {
     throw CorpusError(error->message);
@@ -173,7 +173,7 @@ std::vector<RecipeCase> read_recipe(const std::string& path) {
       common.group = group.at("gid").get<std::string>();
       common.features = texts(group, "features");
       common.clauses = texts(group, "clauses");
-      common.profile = profile_of(group);
+      common.profile = profile_of(group, common.dialect);
       for (const Json& entry : group.at("case")) cases.push_back(case_of(entry, common));
     }
     return cases;

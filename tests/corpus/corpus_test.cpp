@@ -16,7 +16,7 @@ const std::string kRecipes = corpus_folder() + "/recipes";
 
 TEST(CheckedInCorpus, HasItsVersionAndAHash) {
   const oracle::Corpus corpus(corpus_folder());
-  EXPECT_EQ(corpus.version(), "2026.2.0");
+  EXPECT_EQ(corpus.version(), kCorpusVersion);
   EXPECT_EQ(corpus.sha256().size(), 64U);
 }
 

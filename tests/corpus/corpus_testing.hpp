@@ -12,6 +12,9 @@
 
 namespace gonogo::testing {
 
+// Raised with every change of the corpus (corpus/recipes/corpus.toml).
+inline constexpr const char* kCorpusVersion = "2026.3.0";
+
 // Of the checkout.
 std::string corpus_folder();
 

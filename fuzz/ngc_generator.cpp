@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/ngc_generator.hpp"
+
+#include "fuzz/ngc_writer.hpp"
+
+namespace gonogo::fuzz {
+
+using reference::Number;
+using reference::Units;
+
+void NgcWriter::make_profile() {
+  profile_.dialect = "rs274";
+  profile_.x_diameter = false;
+  profile_.resolution = Number::millionths(100);
+  profile_.initial.motion = reference::kNoMotion;
+  if (choices_.one_in(8)) profile_.units = Units::inch;
+  if (choices_.one_in(12)) profile_.block_skip = true;
+  for (const auto axis : reference::kAllAxes) {
+    if (choices_.one_in(3)) {
+      profile_.initial.at[axis] = Number::millionths(choices_.between(-500'000, 500'000) * 100);
+    }
+  }
+  if (choices_.one_in(8)) profile_.initial.feed = choices_.between(1, 500);
+  if (choices_.one_in(8)) profile_.initial.motion = choices_.one_in(2) ? 1 : 0;
+  if (choices_.one_in(8)) {
+    profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
+  }
+  // Any other choice than the default, of any reading; now and then of several.
+  while (choices_.one_in(2) && !choices_.exhausted()) {
+    count("reading " + choose_reading(choices_, profile_));
+  }
+  inch_ = profile_.units == Units::inch;
+  motion_ = profile_.initial.motion;
+  plane_ = plane_code(profile_.initial.plane);
+}
+
+void NgcWriter::make_head() {
+  if (choices_.one_in(4)) text_ += choices_.pick({"%\n", "%\n(part 7)\n", "(part 7)\n\n%\n"});
+  if (choices_.one_in(3)) {
+    text_ += choices_.pick(
+        {"G17 G21 G40 G49 G80 G90 G94\n", "T1 M3 S500\n", "G54 G64 M3\n", "g40 g49 g90\n"});
+    if (text_.find("G17") != std::string::npos) {
+      plane_ = 17;
+      motion_ = -1;
+      inch_ = false;
+    }
+  }
+  Words words;
+  enter(words, 0);
+  for (const Axis axis : {x, y, z}) words.push_back(axis_word(axis, 50));
+  if (choices_.below(10) != 0) words.push_back(feed_word());
+  arrive();
+  write(std::move(words));
+}
+
+void NgcWriter::make_block() {
+  const std::uint32_t kind = choices_.below(20);
+  if (kind < 5) return line_block();
+  if (kind < 6) return rotary_block();
+  if (kind < 16) return arc_block();
+  mode_block();
+}
+
+GeneratedProgram NgcWriter::run() {
+  make_profile();
+  make_head();
+  const std::int64_t blocks = choices_.between(1, settings_.blocks);
+  for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
+  if (choices_.one_in(2)) {
+    text_ += choices_.pick({"M30\n", "M5\nM2\n", "m2\n", "M2\n%\n", "%\n", "%\nG0 X99\n"});
+  }
+  return {std::move(profile_), std::move(text_)};
+}
+
+GeneratedProgram generate_ngc(Choices& choices, const NgcSettings& settings,
+                              Distribution* distribution) {
+  return NgcWriter(choices, settings, distribution).run();
+}
+
+}  // namespace gonogo::fuzz

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traverses and feeds, and what every motion is written with.
+#include <fmt/format.h>
+
+#include "fuzz/ngc_writer.hpp"
+
+namespace gonogo::fuzz {
+
+std::string NgcWriter::code(int number) {
+  return choices_.one_in(4) ? fmt::format("G{:02}", number) : fmt::format("G{}", number);
+}
+
+std::string NgcWriter::axis_word(Axis axis, std::int64_t most_units) {
+  const std::int64_t value = any_sign(length(most_units));
+  if (!incremental_) {
+    target_[axis] = value;
+  } else if (target_[axis]) {
+    *target_[axis] += value;
+  }
+  return word("XYZAC"[axis], value);
+}
+
+std::string NgcWriter::travel_word(Axis axis, std::int64_t value) {
+  if (at_[axis]) target_[axis] = *at_[axis] + value;
+  return word("XYZAC"[axis], incremental_ ? value : *at_[axis] + value);
+}
+
+void NgcWriter::enter(Words& words, int motion) {
+  has_code_ = motion != motion_ || choices_.one_in(3);
+  if (has_code_) words.push_back(code(motion));
+  count(fmt::format("G{} {}", motion, motion == motion_ ? "repeated" : "entry"));
+  motion_ = motion;
+}
+
+void NgcWriter::feed_words(Words& words) {
+  if (choices_.one_in(5)) words.push_back(choices_.one_in(20) ? "F0" : feed_word());
+  if (choices_.one_in(16)) words.push_back(choices_.pick({"M3", "M9", "M0", "M60"}));
+}
+
+void NgcWriter::line_block() {
+  Words words;
+  mode_words(words);
+  enter(words, choices_.one_in(2) ? 1 : 0);
+  const std::uint32_t without = choices_.below(4);
+  for (const Axis axis : {x, y, z}) {
+    if (axis != without) words.push_back(axis_word(axis, 50));
+  }
+  // Whose feed holds where the linear axes happen not to move is undecided in inches.
+  if (!inch_ && choices_.one_in(6)) words.push_back(axis_word(choices_.one_in(2) ? a : c, 360));
+  feed_words(words);
+  if (choices_.one_in(30)) words.push_back("P2");
+  arrive();
+  write(std::move(words));
+}
+
+void NgcWriter::rotary_block() {
+  count("rotary alone");
+  Words words;
+  mode_words(words);
+  enter(words, choices_.one_in(2) ? 1 : 0);
+  const std::uint32_t without = choices_.below(3);
+  if (without != 0) words.push_back(axis_word(a, 360));
+  if (without != 1) words.push_back(axis_word(c, 360));
+  feed_words(words);
+  arrive();
+  rotary_ = true;
+  write(std::move(words));
+  rotary_ = false;
+}
+
+void NgcWriter::write(Words words) {
+  put(std::move(words));
+  target_ = at_;
+}
+
+std::string NgcWriter::stray_word() {
+  if (choices_.one_in(20)) return word(choices_.pick({'B', 'U', 'V', 'W'}), length(20));
+  if (rotary_ && inch_) return axis_word(choices_.one_in(2) ? a : c, 90);
+  return axis_word(
+      inch_ || choices_.below(4) != 0 ? choices_.pick({x, y, z}) : choices_.pick({a, c}), 20);
+}
+
+bool NgcWriter::may_have(Fault fault, const std::string& word) const {
+  const char address = word[0];
+  const bool is_code = address == 'G' || address == 'M';
+  // Undecided: the words of an arc or a dwell where neither is asked for; two functions of one
+  // kind.
+  if (fault == Fault::missing) return address != 'G' && (has_code_ || motion_ < 2);
+  if (fault == Fault::twice) return address != 'M';
+  if (fault == Fault::far) return is_code || address == 'X' || address == 'Y' || address == 'Z';
+  // Also undecided: an R of nil for an arc that ends where it starts.
+  if (fault == Fault::zero) return address != 'R';
+  return address != 'S' && address != 'T';
+}
+
+// Letters in either case; a blank may stand between a letter and its number.
+std::string NgcWriter::printed(const std::string& word) {
+  if (word.empty()) return word;
+  std::string text = word;
+  if (choices_.one_in(20)) text[0] = static_cast<char>(text[0] - 'A' + 'a');
+  if (choices_.one_in(30)) text.insert(1, " ");
+  return text;
+}
+
+}  // namespace gonogo::fuzz

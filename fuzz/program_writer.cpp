@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/program_writer.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::fuzz {
+namespace {
+
+// A length in least increments, written with its decimals: 12500 -> "12.5".
+std::string decimal(std::int64_t increments, int decimals) {
+  const bool negative = increments < 0;
+  std::string digits = std::to_string(negative ? -increments : increments);
+  while (static_cast<int>(digits.size()) <= decimals) digits.insert(0, "0");
+  digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
+  while (digits.back() == '0') digits.pop_back();
+  if (digits.back() == '.') digits.pop_back();
+  return (negative ? "-" : "") + digits;
+}
+
+bool is_code(const std::string& word) {
+  return word[0] == 'G' || word[0] == 'M';
+}
+
+}  // namespace
+
+std::int64_t ProgramWriter::unit() const {
+  std::int64_t value = 1;
+  for (int i = 0; i < decimals(); ++i) value *= 10;
+  return value;
+}
+
+std::string ProgramWriter::word(char address, std::int64_t increments) const {
+  return address + decimal(increments, decimals());
+}
+
+std::string ProgramWriter::feed_word() {
+  return fmt::format("F{}", 50 + choices_.below(500));
+}
+
+// Small whole numbers, tenths, single increments: where boundaries lie close together.
+std::int64_t ProgramWriter::length(std::int64_t most_units) {
+  switch (choices_.below(4)) {
+    case 0:
+      return choices_.between(0, most_units) * unit();
+    case 1:
+      return choices_.between(0, most_units * 10) * (unit() / 10);
+    case 2:
+      return choices_.between(0, most_units) * unit() + choices_.between(-1, 1);
+    default:
+      return choices_.between(0, most_units * unit());
+  }
+}
+
+void ProgramWriter::put(Words words) {
+  if (fault_one_in_ != 0 && choices_.one_in(fault_one_in_)) {
+    spoil(words);
+    on_fault();
+  }
+  std::string line;
+  if (choices_.one_in(40)) line += '/';
+  if (choices_.one_in(10)) line += fmt::format("N{} ", choices_.below(9999));
+  const bool together = choices_.one_in(6);
+  for (const std::string& item : words) {
+    line += printed(item);
+    if (!together) line += ' ';
+  }
+  if (choices_.one_in(12)) line += "(comment \xE5\x88\x80)";
+  if (choices_.one_in(10)) line += ";";
+  text_ += line + (choices_.one_in(30) ? "\r\n" : "\n");
+  if (choices_.one_in(30)) text_ += "\n";
+}
+
+// What is left may alarm, or may not.
+void ProgramWriter::spoil(Words& words) {
+  static constexpr Fault kFaults[] = {Fault::missing, Fault::twice, Fault::sign,
+                                      Fault::zero,    Fault::stray, Fault::far};
+  if (words.empty()) return;
+  std::string& victim = words[choices_.below(static_cast<std::uint32_t>(words.size()))];
+  const Fault fault = kFaults[choices_.below(6)];
+  if (!may_have(fault, victim)) return;
+  switch (fault) {
+    case Fault::missing:
+      count("fault: word missing");
+      victim.clear();
+      break;
+    case Fault::twice:
+      count("fault: word twice");
+      words.push_back(std::string(victim));
+      break;
+    case Fault::sign:
+      count("fault: sign");
+      // Whether -0 has a sign is undecided.
+      if (!is_code(victim) && victim.find_first_of("123456789") != std::string::npos) {
+        victim = victim[1] == '-' ? victim.substr(0, 1) + victim.substr(2)
+                                  : fmt::format("{}-{}", victim[0], victim.substr(1));
+      }
+      break;
+    case Fault::zero:
+      count("fault: zero");
+      if (!is_code(victim) && victim[0] != 'F') victim = victim.substr(0, 1) + "0";
+      break;
+    case Fault::stray:
+      count("fault: another axis");
+      words.push_back(stray_word());
+      break;
+    case Fault::far:
+      count("fault: far out");
+      if (!is_code(victim) && victim[0] != 'F') victim = victim.substr(0, 1) + "1000000";
+      break;
+  }
+}
+
+}  // namespace gonogo::fuzz
