@@ -19,6 +19,21 @@ std::span<const Feature> feature_vocabulary() {
       {"gsk988ta", "g112", "the helical circular pocket G112 and G113"},
       {"gsk988ta", "g114", "external thread milling G114 and G115"},
       {"gsk988ta", "g116", "internal thread milling G116 and G117"},
+      {"hnc21t", "basic", "G00, G01, G04, units, diameters, work offsets, G90 to G95"},
+      {"hnc21t", "arc", "G02 and G03"},
+      {"hnc21t", "g32", "thread cutting G32"},
+      {"hnc21t", "g74", "deep drilling of the face G74"},
+      {"hnc21t", "g75", "grooving of the diameter G75"},
+      {"hnc21t", "g80", "the diameter cutting cycle G80"},
+      {"hnc21t", "g81", "the face cutting cycle G81"},
+      {"hnc21t", "g82", "the thread cutting cycle G82"},
+      {"rs274", "basic", "G0, G1, G4, G80, units, G90 and G91"},
+      {"rs274", "arc", "G2 and G3 by their centre in G17"},
+      {"rs274", "arc-r", "G2 and G3 by their radius"},
+      {"rs274", "planes", "G2 and G3 in G18 and G19"},
+      {"rs274", "helix", "G2 and G3 with the third axis"},
+      {"rs274", "arc-distance", "G90.1 and G91.1"},
+      {"rs274", "turns", "G2 and G3 with P turns"},
   });
   return kVocabulary;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/clearance.hpp"
 
+#include <cstdlib>
 #include <vector>
 
 #include "oracle/region/arc.hpp"
@@ -80,6 +81,36 @@ Clearance halve(const region::Arc& arc, const Keep& keep) {
   return {};
 }
 
+// Whether a motion from `from` to `to` about the origin, of less than a turn more than its whole
+// turns, passes the direction v. `sense`: +1 counterclockwise.
+bool passes(const PlanePoint& from, const PlanePoint& to, const PlanePoint& v, int rot) {
+  const int sense = rot < 0 ? -1 : 1;
+  if (std::abs(rot) > 1 || from == to) return true;
+  const int after_from = cross(from, v).sign() * sense;
+  const int before_to = cross(v, to).sign() * sense;
+  const bool less_than_half = cross(from, to).sign() * sense >= 0;
+  return less_than_half ? after_from >= 0 && before_to >= 0 : after_from >= 0 || before_to >= 0;
+}
+
+// For an arc too flat for the intervals: it leaves the circle of its start by no more than its two
+// radii differ, and on a circle the point nearest to the origin, or farthest from it, is known.
+bool is_clear_as_circle(const region::LevelMotion& arc, const Keep& keep) {
+  const PlanePoint from = arc.from - arc.centre;
+  const PlanePoint to = arc.to - arc.centre;
+  const Number radius = exact::sqrt(norm_squared(from));
+  const Number spiral = abs(exact::sqrt(norm_squared(to)) - radius);
+  const Number centre = exact::sqrt(norm_squared(arc.centre));
+  const Number bound =
+      keep.outside ? keep.radius - keep.slack + spiral : keep.radius + keep.slack - spiral;
+  for (const PlanePoint& end : {arc.from, arc.to}) {
+    const Number distance = exact::sqrt(norm_squared(end));
+    if (keep.outside ? distance < bound : distance > bound) return false;
+  }
+  const PlanePoint towards{-arc.centre.p, -arc.centre.q};
+  if (!passes(from, to, keep.outside ? towards : arc.centre, arc.rot)) return true;
+  return keep.outside ? abs(radius - centre) >= bound : radius + centre <= bound;
+}
+
 }  // namespace
 
 Clearance clearance_of_line(const PlanePoint& from, const PlanePoint& to, const Keep& keep) {
@@ -110,7 +141,9 @@ Clearance clearance_of_arc(const region::LevelMotion& motion, const Keep& keep) 
   if (motion.from == motion.centre || motion.to == motion.centre) {
     return {Clearance::Kind::undecided, {}, {}};
   }
-  return halve(region::make_arc(motion, {Number(0), Number(0)}), keep);
+  Clearance clearance = halve(region::make_arc(motion, {Number(0), Number(0)}), keep);
+  if (clearance.kind == Clearance::Kind::undecided && is_clear_as_circle(motion, keep)) return {};
+  return clearance;
 }
 
 }  // namespace gonogo::oracle

@@ -111,70 +111,87 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
   return true;
 }
 
-void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) {
+namespace {
+
+region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge,
+                                const Number& tolerance) {
+  region::CircularLevel circle;
+  circle.centre = {level.centre[0], level.centre[1]};
+  circle.pocket_radius = level.pocket_radius;
+  circle.tool_radius = level.tool_radius;
+  circle.step = level.step;
+  circle.sense = level.sense;
+  circle.plunge = plane_point(plunge, axes_of(level.plane));
+  circle.tolerance = tolerance;
+  return circle;
+}
+
+}  // namespace
+
+Verdict ProgramJudge::level_fault(const PocketLevel& level, const region::Finding& finding,
+                                  const Position& here) const {
   const PlaneAxes axes = axes_of(level.plane);
+  Position witness = here;
+  witness[axes.p] = finding.witness.p;
+  witness[axes.q] = finding.witness.q;
+  witness[axes.d] = level.depth;
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_region;
+  verdict.clause = level.clause;
+  verdict.block = level.block;
+  verdict.record = finding.record;
+  verdict.want = level_text(level);
+  for (std::size_t i = 0; i < level_motions_.size(); ++i) {
+    if (finding.record == level_motions_[i].record) verdict.got = record_text(level_records_[i]);
+  }
+  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
+  if (finding.deviation.sign() != 0) {
+    verdict.deviation_exact = exact_text(finding.deviation);
+    verdict.deviation_mm = millimetres_text(finding.deviation);
+  }
+  verdict.message = sentence(finding.rule);
+  return verdict;
+}
+
+bool ProgramJudge::is_known_level(const PocketLevel& level) const {
+  const PlaneAxes axes = axes_of(level.plane);
+  return last_level_ && same_level(*last_level_, level) &&
+         plunge_[axes.p] == last_plunge_[axes.p] && plunge_[axes.q] == last_plunge_[axes.q] &&
+         std::equal(level_motions_.begin(), level_motions_.end(), last_motions_.begin(),
+                    last_motions_.end(), same_motion);
+}
+
+void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) {
   if (level_motions_.empty()) plunge_ = here;
-  const bool known = last_level_ && same_level(*last_level_, level) &&
-                     plunge_[axes.p] == last_plunge_[axes.p] &&
-                     plunge_[axes.q] == last_plunge_[axes.q] &&
-                     std::equal(level_motions_.begin(), level_motions_.end(), last_motions_.begin(),
-                                last_motions_.end(), same_motion);
-  // Levels no farther apart than the tolerance are one level, and this one is cleared.
+  // Equal levels are judged once. Levels no farther apart than the tolerance are one level, and
+  // this one is cleared.
+  const bool known = is_known_level(level);
   const bool cleared = level_motions_.empty() && last_level_ && same_level(*last_level_, level) &&
                        agree(last_level_->depth, level.depth, terms_.tolerance);
-  region::LevelVerdict answer;
   if (!known && !cleared) {
-    region::CircularLevel circle;
-    circle.centre = {level.centre[0], level.centre[1]};
-    circle.pocket_radius = level.pocket_radius;
-    circle.tool_radius = level.tool_radius;
-    circle.step = level.step;
-    circle.sense = level.sense;
-    circle.plunge = plane_point(plunge_, axes);
-    circle.tolerance = terms_.tolerance;
-    answer = region::judge_level(circle, level_motions_);
-  }
-  if (answer.kind == region::LevelVerdict::Kind::gap) {
-    decide_gap(answer.gap);
-    return;
-  }
-  if (answer.kind == region::LevelVerdict::Kind::no_go) {
-    const region::Finding& finding = answer.finding.value();
-    Position witness = here;
-    witness[axes.p] = finding.witness.p;
-    witness[axes.q] = finding.witness.q;
-    witness[axes.d] = level.depth;
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_region;
-    verdict.clause = level.clause;
-    verdict.block = level.block;
-    verdict.record = finding.record;
-    verdict.want = level_text(level);
-    for (std::size_t i = 0; i < level_motions_.size(); ++i) {
-      if (finding.record == level_motions_[i].record) verdict.got = record_text(level_records_[i]);
+    const region::LevelVerdict answer =
+        region::judge_level(circle_of(level, plunge_, terms_.tolerance), level_motions_);
+    if (answer.kind == region::LevelVerdict::Kind::gap) return decide_gap(answer.gap);
+    if (answer.kind == region::LevelVerdict::Kind::no_go) {
+      return decide(level_fault(level, answer.finding.value(), here));
     }
-    verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
-    if (finding.deviation.sign() != 0) {
-      verdict.deviation_exact = exact_text(finding.deviation);
-      verdict.deviation_mm = millimetres_text(finding.deviation);
-    }
-    verdict.message = sentence(finding.rule);
-    decide(std::move(verdict));
-    return;
-  }
-  if (!known && !cleared) {
     last_level_ = level;
     last_motions_ = level_motions_;
     last_plunge_ = plunge_;
   }
-  // The reference goes on from where the subject left the level, at the level's exact depth.
+  if (known) last_level_->depth = level.depth;
+  go_on_below(level);
+}
+
+// The reference goes on from where the subject left the level, at the level's exact depth.
+void ProgramJudge::go_on_below(const PocketLevel& level) {
+  const PlaneAxes axes = axes_of(level.plane);
   Position at = level_motions_.empty() ? plunge_ : reference_.position();
   if (!level_motions_.empty()) {
     at[axes.p] = level_motions_.back().to.p;
     at[axes.q] = level_motions_.back().to.q;
   }
   at[axes.d] = level.depth;
-  if (known) last_level_->depth = level.depth;
   level_motions_.clear();
   level_records_.clear();
   reference_.go_on_from(at);

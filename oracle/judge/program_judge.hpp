@@ -77,6 +77,10 @@ class ProgramJudge {
   bool collect(const Motion& motion, const reference::PocketLevel& level);
   // `here` is where the subject stands after the level.
   void finish_level(const reference::PocketLevel& level, const Position& here);
+  Verdict level_fault(const reference::PocketLevel& level, const region::Finding& finding,
+                      const Position& here) const;
+  bool is_known_level(const reference::PocketLevel& level) const;
+  void go_on_below(const reference::PocketLevel& level);
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);
 

@@ -8,14 +8,6 @@ namespace gonogo::oracle {
 using reference::ThreadRunOut;
 using reference::operator""_clause;
 
-namespace {
-
-Similarity after(const Similarity& second, const Similarity& first) {
-  return {second.a * first.a - second.b * first.b, second.a * first.b + second.b * first.a};
-}
-
-}  // namespace
-
 ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, const Position& start,
                          const JudgeTerms& terms)
     : item_(item),
@@ -213,84 +205,6 @@ OpenPathAnswer ThreadJudge::take_helix(const Motion& motion) {
   const MatchResult result = match_helix(motion);
   if (result.departure == Departure::none) return {};
   return no_helix(motion, result);
-}
-
-OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
-  const Number rise = (motion.to()[axes_.d] - item_.bottom) * up_;
-  if (!is_cut(motion.record.kind) || rise > terms_.tolerance) {
-    if (std::optional<Verdict> verdict = finish_run_out(motion)) {
-      return OpenPathAnswer::decide(*std::move(verdict));
-    }
-    OpenPathAnswer answer = take_way_back(motion);
-    if (phase_ == Phase::run_out) phase_ = Phase::way_back;
-    return answer;
-  }
-  if (rise < -terms_.tolerance) {
-    return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
-                 "The tool cuts below the bottom of the thread.");
-  }
-  const Clearance clear = clearance(motion, radius(), false);
-  if (clear.kind != Clearance::Kind::clear) {
-    return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
-  }
-  // What is left of a helix that ended within the tolerance of its end.
-  const bool remainder = !ran_out_ && !nearly_full_turn(motion) &&
-                         helix_.front().starts().admits(to_end_, from_axis(motion.to()));
-  if (remainder) return {};
-  ran_out_ = true;
-  if (!is_straight_run_out(motion)) {
-    return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
-                 "The run-out is not the straight line of its reading.");
-  }
-  return {};
-}
-
-// Under the readings radial and tangent the run-out is one straight line.
-bool ThreadJudge::is_straight_run_out(const Motion& motion) {
-  if (item_.runout != ThreadRunOut::radial && item_.runout != ThreadRunOut::tangent) return true;
-  if (item_.runout_length.sign() == 0) return true;
-  if (!line_) {
-    const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
-    line_want_ = helix_.front().want();
-    line_want_.record.kind = RecordKind::feed;
-    line_want_.from = helix_end_;
-    line_want_.record.to[axes_.p] = item_.centre[0] + end.p;
-    line_want_.record.to[axes_.q] = item_.centre[1] + end.q;
-    line_.emplace(line_want_, loose_);
-  }
-  const MatchResult result = line_->match(motion);
-  return result.departure == Departure::none || result.departure == Departure::feed;
-}
-
-// GSK-G114-11 from the start of the helix: first to its end, then J over K degrees as read.
-Similarity ThreadJudge::run_out_map() const {
-  const Number r = radius();
-  const Number& k = item_.runout_angle;
-  if (item_.runout == ThreadRunOut::polar) {
-    const Number end = (item_.external ? r + item_.runout_length : r - item_.runout_length) / r;
-    const Similarity turn = turn_by(k * item_.sense);
-    return after({end * turn.a, end * turn.b}, to_end_);
-  }
-  const Number from_normal = item_.runout == ThreadRunOut::radial ? k : Number(90) - k;
-  const Number angle = item_.external ? from_normal : Number(180) - from_normal;
-  const Similarity turn = turn_by(angle * item_.sense);
-  const Number length = item_.runout_length / r;
-  return after({Number(1) + length * turn.a, length * turn.b}, to_end_);
-}
-
-std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
-  if (item_.runout == ThreadRunOut::open || item_.runout_length.sign() == 0) return std::nullopt;
-  const Similarity map = run_out_map();
-  if (helix_.front().starts().admits(map, from_axis(motion.from))) return std::nullopt;
-  Motion at = motion;
-  at.record.to = motion.from;
-  OpenPathAnswer answer =
-      fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, at,
-            ran_out_ ? "The run-out ends at another point." : "The run-out is missing.");
-  const PlaneVector want = apply(map, from_axis(helix_.front().want().from));
-  const PlaneVector got = from_axis(motion.from);
-  set_deviation(answer.verdict, max(abs(want.p - got.p), abs(want.q - got.q)));
-  return std::move(answer.verdict);
 }
 
 // GSK-G114-10: with J >= t_n all of it keeps off the material, else off what is deeper than r_n.

@@ -42,7 +42,7 @@ class ThreadJudge {
   // The path of the reading gsk.thread.path = arc, where it is named.
   enum class Step { entry, infeed, helix, away, over };
   OpenPathAnswer take_named(const Motion& motion);
-  bool prepare_named();  // false where the step moves nothing
+  bool prepare_named(const Position& from);  // false where the step moves nothing
 
   HelixShape shape() const;  // of the helix of the pass
   // Follows the motion along every helix that may have begun, or begins with it.

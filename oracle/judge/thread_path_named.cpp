@@ -11,10 +11,12 @@ namespace gonogo::oracle {
 
 using reference::operator""_clause;
 
-bool ThreadJudge::prepare_named() {
+// `from`: where the subject stands, which may be elsewhere than its last motion that was not too
+// small to see ended.
+bool ThreadJudge::prepare_named(const Position& from) {
   Motion& want = line_want_;
   want = Motion{};
-  want.from = position_;
+  want.from = from;
   want.from[axes_.d] = item_.r_plane;
   Record& record = want.record;
   record.to = want.from;
@@ -45,7 +47,7 @@ bool ThreadJudge::prepare_named() {
       p = item_.centre[0] + reference::gsk988ta::safe_radius(item_);
       break;
   }
-  if (agree(position_, want.to(), terms_.tolerance)) return false;
+  if (agree(from, want.to(), terms_.tolerance)) return false;
   line_.emplace(want, terms_);
   return true;
 }
@@ -62,7 +64,7 @@ OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
   while (true) {
     if (step_ == Step::over) return OpenPathAnswer::end(motion.from);
     if (step_ == Step::helix) return take_above(motion);
-    if (!line_ && !prepare_named()) {
+    if (!line_ && !prepare_named(motion.from)) {
       next();
       continue;
     }

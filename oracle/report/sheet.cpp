@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "oracle/report/sheet_parts.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -133,7 +134,8 @@ Extent extent_of(const Sheet& sheet) {
 }  // namespace
 
 bool is_lathe(std::string_view dialect) {
-  return dialect == "gsk988ta" || dialect == "hnc21t";
+  const reference::Dialect* known = reference::find_dialect(dialect);
+  return known != nullptr && known->lathe;
 }
 
 std::string svg_sheet(const Sheet& sheet) {

@@ -2,10 +2,9 @@
 #include "oracle/report/summary.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "oracle/report/json_value.hpp"
-#include "reference/reading.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -14,14 +13,10 @@ std::string maker_of(std::string_view clause) {
   return std::string(clause.substr(0, clause.find('-')));
 }
 
-// GSK of gsk988ta, SIE of sinumerik840d: the beginning of its clauses' ids.
+// GSK of gsk988ta: the beginning of its clauses' ids. Empty for a dialect that is not read.
 std::string maker_of_dialect(const std::string& dialect) {
-  if (dialect.starts_with("sinumerik")) return "SIE";
-  if (dialect == "rs274") return "NGC";
-  std::string maker = dialect.substr(0, 3);
-  std::ranges::transform(maker, maker.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return maker;
+  const reference::Dialect* known = reference::find_dialect(dialect);
+  return known == nullptr ? std::string() : maker_of(known->clauses.front().id);
 }
 
 Json clause_json(const reference::Clause& clause) {
@@ -165,7 +160,9 @@ Json Summary::not_checked(const Json& header) const {
   }
   Json outside = Json::object();
   for (const auto& [dialect, judged] : judged_) {
-    for (const reference::OutsideCode& code : reference::outside_codes(dialect)) {
+    const reference::Dialect* known = reference::find_dialect(dialect);
+    if (known == nullptr) continue;
+    for (const reference::OutsideCode& code : known->outside_codes()) {
       outside[dialect].push_back({{"code", code.code}, {"title", code.title}});
     }
   }

@@ -61,6 +61,27 @@ TEST(ThreadReturn, ADiveBelowTheBottomIsNoGo) {
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G114-06");
 }
 
+// Under the path as arcs, with an infeed and a J of the size of the tolerance: the traverse to the
+// safe position at 18.511 is too small to see, but the arc from there to 18.509 is not (a soak run
+// found the false NO-GO, seed 767485). Two passes at 18.508 and 18.507, J 0.002.
+TEST(ThreadReturn, AnArcIsFollowedFromWhereTheToolStands) {
+  constexpr std::string_view kShallow =
+      "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J0.002 K0 E30 P0.002 Q0.001 D3.509 F900\n"
+      "G0 X70\n";
+  TraceText trace(1, 900);
+  trace.rapid({{'x', 35}, {'y', 20}, {'z', 70}}).block(3, 900);
+  trace.rapid({{'x', 0}, {'z', 0}}).rapid({{'y', 15}});
+  trace.arc("G18", {{'x', 0}, {'z', 9.2545}}, -1, {{'x', 0}, {'z', 18.509}}).feed({{'z', 18.508}});
+  trace.arc("G18", {{'x', 0}, {'z', 0}}, -4, {{'x', 0}, {'z', 18.508}, {'y', -5}});
+  trace.feed({{'z', 18.51}}).rapid({{'y', 15}}).rapid({{'z', 18.511}});
+  trace.arc("G18", {{'x', 0}, {'z', 18.51}}, -1, {{'x', 0}, {'z', 18.509}}).feed({{'z', 18.507}});
+  trace.arc("G18", {{'x', 0}, {'z', 0}}, -4, {{'x', 0}, {'z', 18.507}, {'y', -5}});
+  trace.feed({{'z', 18.509}}).rapid({{'y', 15}}).rapid({{'z', 18.511}}).rapid({{'y', 20}});
+  trace.block(4, 900).rapid({{'x', 35}});
+  const Verdict verdict = judge_trace(kShallow, trace.text(), "gsk.thread.path=arc");
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
 TEST(ThreadReturn, AnotherWayToTheInitialPlaneIsNoGo) {
   const TraceText diagonal = to_the_run_out().rapid({{'y', 15}}).feed({{'y', 20}, {'z', 50}});
   const TraceText overshoot =
