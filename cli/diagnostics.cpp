@@ -31,15 +31,14 @@ void report_not_covered(const reference::NotCovered& outside, std::string_view f
   fmt::print(stderr, "{}", grammar::render(message, outside.where, file, outside.block, line));
 }
 
-void report_further_syntax_errors(grammar::LineSource& lines, std::string_view file,
-                                  bool first_was_syntax) {
-  if (!first_was_syntax) return;
+void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
+                                  std::string_view file) {
   grammar::Line line;
   grammar::Block block;
   int count = 0;
   while (count < kFurtherSyntaxErrors && lines.next(line)) {
     auto error = line.too_long ? std::optional(grammar::line_too_long())
-                               : grammar::parse_block(grammar::Dialect::gsk988ta, line.text, block);
+                               : grammar::parse_block(dialect, line.text, block);
     if (!error) continue;
     fmt::print(stderr, "{}", grammar::render(*error, file, line.number, line.text));
     ++count;

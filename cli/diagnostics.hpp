@@ -18,7 +18,7 @@ void report_alarms(const reference::AlarmReport& report, std::string_view file,
 void report_not_covered(const reference::NotCovered& outside, std::string_view file,
                         std::string_view line);
 // Reads on in check-only mode: the next syntax errors, at most kFurtherSyntaxErrors.
-void report_further_syntax_errors(grammar::LineSource& lines, std::string_view file,
-                                  bool first_was_syntax);
+void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
+                                  std::string_view file);
 
 }  // namespace gonogo::cli

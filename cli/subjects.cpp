@@ -48,4 +48,11 @@ oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits
                   text));
 }
 
+std::vector<std::string> declared_dialects(const oracle::SubjectMaker& maker) {
+  const std::unique_ptr<oracle::Subject> subject = maker();
+  std::vector<std::string> names;
+  for (const auto& [dialect, features] : subject->info().dialects) names.push_back(dialect);
+  return names;
+}
+
 }  // namespace gonogo::cli

@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -19,9 +21,13 @@
 #include "cli/version.hpp"
 #include "expanders/registry.hpp"
 #include "oracle/report/html.hpp"
+#include "reference/reading.hpp"
 
 namespace gonogo::cli {
 namespace {
+
+// An unknown reading is refused in the same words by every dialect.
+constexpr std::string_view kAnyDialect = "gsk988ta";
 
 struct CertifyOptions {
   std::string subject;
@@ -58,8 +64,11 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   campaign.only = options.only;
   campaign.case_id = options.case_id;
   campaign.readings = options.readings;
-  // Every reading must exist and admit its value in one of the dialects.
-  if (!options.readings.empty()) load_profile({"gsk988ta", "", options.readings});
+  // Every reading must exist and admit its value in the dialect that it belongs to.
+  for (const std::string& choice : options.readings) {
+    const reference::Reading* known = reference::find_reading(choice.substr(0, choice.find('=')));
+    load_profile({std::string(known != nullptr ? known->dialect : kAnyDialect), "", {choice}});
+  }
   if (!options.profile.empty()) {
     campaign.profile = load_profile({"", options.profile, {}});
   }
@@ -155,14 +164,30 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   return summary.exit_code();
 }
 
+// The options, narrowed to the dialects that a built-in expander has; nothing when none is left.
+std::optional<CertifyOptions> with_own_dialects(const CertifyOptions& options,
+                                                const std::string& subject) {
+  CertifyOptions own = options;
+  own.dialects.clear();
+  for (const std::string& dialect : declared_dialects(subject_maker(subject, {}))) {
+    const bool asked = options.dialects.empty() ||
+                       std::ranges::find(options.dialects, dialect) != options.dialects.end();
+    if (asked) own.dialects.push_back(dialect);
+  }
+  if (own.dialects.empty()) return std::nullopt;
+  return own;
+}
+
 int certify(const CertifyOptions& options) {
   const std::string report = options.report.empty() ? "report" : options.report;
   if (!options.subject.empty()) return certify_one(options, options.subject, report);
   // The main job: every built-in expander, each with its own report.
   int exit_code = kGo;
   for (std::string_view name : expanders::names()) {
-    const int one =
-        certify_one(options, fmt::format("builtin:{}", name), fmt::format("{}/{}", report, name));
+    const std::string subject = fmt::format("builtin:{}", name);
+    std::optional<CertifyOptions> own = with_own_dialects(options, subject);
+    if (!own) continue;
+    const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;
   }
   return exit_code;

@@ -10,7 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "reference/expander.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -29,6 +29,7 @@ void warn_about_empty_program(const ProgramFile& file) {
 
 int expand(const ExpandOptions& options) {
   const reference::Profile profile = load_profile(options.profile);
+  const grammar::Dialect dialect = reference::find_dialect(profile.dialect)->grammar;
   ProgramFile file(options.program);
   warn_about_empty_program(file);
   grammar::LineSource lines(file.bytes());
@@ -44,12 +45,13 @@ int expand(const ExpandOptions& options) {
       format->alarm(*alarms, output.text());
       output.flush();
       report_alarms(*alarms, file.name(), expander.failed_line());
-      report_further_syntax_errors(lines, file.name(), alarms->syntax.has_value());
+      if (alarms->syntax) report_further_syntax_errors(dialect, lines, file.name());
       exit_code = kNoGo;
     } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
       format->not_covered(*outside, output.text());
       output.flush();
       report_not_covered(*outside, file.name(), expander.failed_line());
+      report_further_syntax_errors(dialect, lines, file.name());
       exit_code = kUndecided;
     }
   }

@@ -48,7 +48,9 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec) {
     if (kills.first.empty() || result.id < kills.first) kills.first = result.id;
     kills.verdicts.emplace(name(result.verdict.kind));
   };
-  run_campaign(corpus, campaign, subject_maker(spec, campaign.limits), take, nullptr);
+  const oracle::SubjectMaker maker = subject_maker(spec, campaign.limits);
+  campaign.dialects = declared_dialects(maker);
+  run_campaign(corpus, campaign, maker, take, nullptr);
   return kills;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "oracle/features.hpp"
+#include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -24,9 +25,9 @@ void append_features(std::string& out) {
   }
 }
 
-void append_clauses(std::string& out) {
+void append_clauses(const reference::Dialect& dialect, std::string& out) {
   std::string_view source;
-  for (const reference::Clause& clause : reference::clauses()) {
+  for (const reference::Clause& clause : dialect.clauses) {
     if (clause.source != source) {
       source = clause.source;
       out += fmt::format("\n{}\n", source);
@@ -51,14 +52,14 @@ void append_readings(std::string_view dialect, std::string& out) {
   }
 }
 
-void append_outside(std::string_view dialect, std::string& out) {
+void append_outside(const reference::Dialect& dialect, std::string& out) {
   out += "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
-  for (const reference::OutsideCode& code : reference::outside_codes(dialect)) {
+  for (const reference::OutsideCode& code : dialect.outside_codes()) {
     out += fmt::format("  {:<6} {}\n", code.code, code.title);
   }
-  out += "  M98, M99 (subprograms), variables (#), expressions ([ ]) and control statements\n";
+  out += fmt::format("  {}\n", dialect.outside_constructs);
   out += "\nPassed over: codes without effect on the path\n ";
-  for (std::string_view code : reference::codes_without_effect(dialect)) {
+  for (std::string_view code : dialect.codes_without_effect()) {
     out += fmt::format(" {}", code);
   }
   out += '\n';
@@ -71,12 +72,14 @@ int spec(const SpecOptions& options) {
     output.flush();
     return kGo;
   }
-  const std::string dialect = options.dialect.empty() ? "gsk988ta" : options.dialect;
-  load_profile({dialect, "", {}});  // an unknown dialect is wrong use
-  output.text() += fmt::format("Dialect {}\n", dialect);
-  append_clauses(output.text());
-  append_readings(dialect, output.text());
-  append_outside(dialect, output.text());
+  if (!options.dialect.empty()) load_profile({options.dialect, "", {}});  // unknown: wrong use
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    if (!options.dialect.empty() && options.dialect != dialect.name) continue;
+    output.text() += fmt::format("Dialect {}\n", dialect.name);
+    append_clauses(dialect, output.text());
+    append_readings(dialect.name, output.text());
+    append_outside(dialect, output.text());
+  }
   output.flush();
   return kGo;
 }
@@ -86,7 +89,7 @@ int spec(const SpecOptions& options) {
 void add_spec(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SpecOptions>();
   CLI::App* command = app.add_subcommand("spec", "Print the clauses and readings of a dialect");
-  command->add_option("--dialect", options->dialect, "dialect: gsk988ta");
+  command->add_option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
   command->add_flag("--features", options->features,
                     "the words by which a subject declares what it has");
   command->callback([options, &exit_code] { exit_code = spec(*options); });
