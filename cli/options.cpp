@@ -6,7 +6,8 @@
 namespace gonogo::cli {
 
 void add_profile_options(CLI::App& command, ProfileOptions& options) {
-  command.add_option("--dialect", options.dialect, "dialect of the program: " + reference::dialect_names());
+  command.add_option("--dialect", options.dialect,
+                     "dialect of the program: " + reference::dialect_names());
   command.add_option("--profile", options.file, "machine profile (TOML, or JSON by its ending)");
   command.add_option("--reading", options.readings, "one reading as key=value; may be repeated")
       ->allow_extra_args(false);

@@ -44,8 +44,7 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
              : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
   }
   put("witness", verdict.witness);
-  if (!verdict.reading.empty())
-    put("would be GO", fmt::format("under --reading {}", verdict.reading));
+  if (!verdict.reading.empty()) put("GO under", fmt::format("--reading {}", verdict.reading));
   return text;
 }
 
@@ -80,6 +79,10 @@ std::string summary_text(const oracle::CampaignSummary& summary, const std::stri
   }
   if (summary.left_out > 0) {
     text += fmt::format("  {} cases contradict the profile and were left out\n", summary.left_out);
+  }
+  for (const std::string& entry : summary.stale) {
+    text += fmt::format(
+        "  The entry \"{}\" of the subject's files is stale: nothing answers to it.\n", entry);
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
   if (summary.judged_nothing) text += "  There is a dialect in which no case was judged.\n";

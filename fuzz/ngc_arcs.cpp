@@ -30,7 +30,7 @@ NgcWriter::Pair NgcWriter::turned(Pair from) {
 
 // By how much an end misses its circle: nothing, or near one of the limits.
 std::int64_t NgcWriter::beside(std::int64_t radius) {
-  if (choices_.below(3) != 0) return 0;
+  if (choices_.below(6) != 0) return 0;
   switch (choices_.below(4)) {
     case 0:
       return any_sign(choices_.between(18, 22));  // 0.002 mm
@@ -62,7 +62,7 @@ void NgcWriter::radius_words(Words& words) {
   const auto half = static_cast<std::int64_t>(chord / 2);
   std::int64_t radius = half + 1 + length(20);
   // About half the chord; 0.00127 mm is forgiven by one reading.
-  if (choices_.one_in(3)) radius = half + choices_.between(-14, 2);
+  if (choices_.one_in(8)) radius = half + choices_.between(-14, 6);
   if (radius <= 0) radius = unit();
   end_words(words, travel);
   words.push_back(word('R', choices_.one_in(3) ? -radius : radius));

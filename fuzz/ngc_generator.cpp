@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/ngc_generator.hpp"
 
+#include <variant>
+
 #include "fuzz/ngc_writer.hpp"
 
 namespace gonogo::fuzz {
@@ -9,10 +11,7 @@ using reference::Number;
 using reference::Units;
 
 void NgcWriter::make_profile() {
-  profile_.dialect = "rs274";
-  profile_.x_diameter = false;
-  profile_.resolution = Number::millionths(100);
-  profile_.initial.motion = reference::kNoMotion;
+  profile_ = std::get<reference::Profile>(reference::default_profile("rs274"));
   if (choices_.one_in(8)) profile_.units = Units::inch;
   if (choices_.one_in(12)) profile_.block_skip = true;
   for (const auto axis : reference::kAllAxes) {
@@ -48,7 +47,7 @@ void NgcWriter::make_head() {
   Words words;
   enter(words, 0);
   for (const Axis axis : {x, y, z}) words.push_back(axis_word(axis, 50));
-  if (choices_.below(10) != 0) words.push_back(feed_word());
+  if (choices_.below(20) != 0) words.push_back(feed_word());
   arrive();
   write(std::move(words));
 }
@@ -67,7 +66,8 @@ GeneratedProgram NgcWriter::run() {
   const std::int64_t blocks = choices_.between(1, settings_.blocks);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
   if (choices_.one_in(2)) {
-    text_ += choices_.pick({"M30\n", "M5\nM2\n", "m2\n", "M2\n%\n", "%\n", "%\nG0 X99\n"});
+    text_ +=
+        choices_.pick({"M30\n", "M5\nM2\n", "m2\n", "M2\n%\n", "%\n", "%\nG0 X99\n", "M30\nX99\n"});
   }
   return {std::move(profile_), std::move(text_)};
 }

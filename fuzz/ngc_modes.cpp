@@ -74,11 +74,15 @@ void NgcWriter::dwell_block() {
   Words words = {code(4), fmt::format("P{}.{}", choices_.below(9), choices_.below(10))};
   if (choices_.one_in(3)) {
     enter(words, choices_.one_in(2) ? 1 : 0);
+    // The block that set the mode may have been skipped.
+    if (profile_.block_skip && !has_code_) words.push_back(code(motion_));
     words.push_back(axis_word(choices_.pick({x, y, z}), 30));
     arrive();
   }
   if (choices_.one_in(8)) words.push_back("M3");
+  dwells_ = true;
   write(std::move(words));
+  dwells_ = false;
 }
 
 // Where a program ends.

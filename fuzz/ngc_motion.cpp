@@ -84,9 +84,10 @@ std::string NgcWriter::stray_word() {
 bool NgcWriter::may_have(Fault fault, const std::string& word) const {
   const char address = word[0];
   const bool is_code = address == 'G' || address == 'M';
-  // Undecided: the words of an arc or a dwell where neither is asked for; two functions of one
-  // kind.
+  // Undecided: words of an arc or a dwell without its code; two M functions of one kind.
   if (fault == Fault::missing) return address != 'G' && (has_code_ || motion_ < 2);
+  // Also whose P it is where a dwell meets an arc.
+  if (fault == Fault::stray && dwells_) return motion_ < 2 && !profile_.block_skip;
   if (fault == Fault::twice) return address != 'M';
   if (fault == Fault::far) return is_code || address == 'X' || address == 'Y' || address == 'Z';
   // Also undecided: an R of nil for an arc that ends where it starts.
@@ -97,9 +98,10 @@ bool NgcWriter::may_have(Fault fault, const std::string& word) const {
 // Letters in either case; a blank may stand between a letter and its number.
 std::string NgcWriter::printed(const std::string& word) {
   if (word.empty()) return word;
-  std::string text = word;
-  if (choices_.one_in(20)) text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  if (choices_.one_in(30)) text.insert(1, " ");
+  const bool small = choices_.one_in(20);
+  std::string text(1, small ? static_cast<char>(word[0] - 'A' + 'a') : word[0]);
+  if (choices_.one_in(30)) text += ' ';
+  text += word.substr(1);
   return text;
 }
 

@@ -86,6 +86,7 @@ class NgcWriter final : ProgramWriter {
   int plane_ = 17;
   int motion_ = -1;        // code of the motion group; -1: none
   bool has_code_ = false;  // the block has a code of the motion group
+  bool dwells_ = false;    // the block has a G4
   bool rotary_ = false;    // the block turns a rotary axis alone
   // Where the tool stands and where the block leads, as words would say it, as far as known.
   Place at_;

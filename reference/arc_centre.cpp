@@ -25,37 +25,40 @@ ArcEnds::ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to
       chord_2(square(fine(dp)) + square(fine(dq))) {}
 
 std::array<Number, 2> ArcEnds::middle() const {
-  return {(start_p + end_p) / 2, (start_q + end_q) / 2};
+  const Number half = Number::millionths(500'000);
+  return {(start_p + end_p) * half, (start_q + end_q) * half};
 }
 
 bool ArcEnds::chord_within(const Number& length) const {
   return chord_2 <= square(fine(length));
 }
 
+// The centre stands off the middle of the chord by sqrt(R^2 - (chord/2)^2): in chords,
+// sqrt((4 R^2 - chord^2) / (4 chord^2)).
 std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
                                                         int sense) {
-  const Number height_2 = square(fine(radius)) / ends.chord_2 - Number(1) / 4;  // in chords squared
-  if (height_2.sign() < 0) return std::nullopt;
+  const Number rest = square(fine(radius)) * 4 - ends.chord_2;
+  if (rest.sign() < 0) return std::nullopt;
   const int side = -sense * radius.sign();  // +1: right of the chord
-  const Number height = sqrt(height_2) * side;
-  return {{(ends.start_p + ends.end_p) / 2 + height * ends.dq,
-           (ends.start_q + ends.end_q) / 2 - height * ends.dp}};
+  return Number::roots(ends.middle(), {ends.dq * side, ends.dp * -side}, rest, ends.chord_2 * 4);
 }
 
 OffsetCentre::OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q)
     : centre{ends.start_p + offset_p, ends.start_q + offset_q} {
-  const Number start_p = fine(offset_p);
-  const Number start_q = fine(offset_q);
-  const Number end_p = fine(ends.end_p - centre[0]);
-  const Number end_q = fine(ends.end_q - centre[1]);
-  start_2 = square(start_p) + square(start_q);
-  end_2 = square(end_p) + square(end_q);
-  reach = max(abs(start_p), abs(start_q)) + max(abs(end_p), abs(end_q));
+  from_centre = {fine(offset_p), fine(offset_q), fine(ends.end_p - centre[0]),
+                 fine(ends.end_q - centre[1])};
+  start_2 = square(from_centre[0]) + square(from_centre[1]);
+  end_2 = square(from_centre[2]) + square(from_centre[3]);
 }
 
 bool OffsetCentre::radii_agree(const Number& limit) const {
-  // Nearly always enough: the radii differ by the difference of their squares over their sum.
-  if (abs(start_2 - end_2) <= fine(limit) * reach) return true;
+  // Nearly always enough: the radii differ by the difference of their squares over their sum, which
+  // is at least `reach`. Not for enclosures: whether equal ones are equal is not decided.
+  if (end_2.is_rational()) {
+    const Number reach = max(abs(from_centre[0]), abs(from_centre[1])) +
+                         max(abs(from_centre[2]), abs(from_centre[3]));
+    if (abs(start_2 - end_2) <= fine(limit) * reach) return true;
+  }
   return radii_agree_squared(square(limit));
 }
 

@@ -40,9 +40,9 @@ std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, con
 // The centre at an offset from the start, and the squares of the radii at start and end.
 struct OffsetCentre {
   std::array<Number, 2> centre;
-  Number start_2;  // um^2
-  Number end_2;    // um^2
-  Number reach;    // um, not above the sum of the radii
+  Number start_2;                     // um^2
+  Number end_2;                       // um^2
+  std::array<Number, 4> from_centre;  // um: to the start and to the end, along p and q
 
   OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q);
   bool begins_at_centre() const { return start_2.sign() == 0; }

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -41,6 +41,8 @@ struct CertifyOptions {
   std::string shard = "1/1";
   int jobs = 0;
   bool fail_fast = false;
+  std::string known_failures;
+  std::string alarm_map;
   LimitOptions limits;
   std::vector<std::string> argv;
 };
@@ -55,6 +57,28 @@ void parse_shard(const std::string& text, oracle::CampaignOptions& campaign) {
   }
   campaign.shard = shard;
   campaign.shards = shards;
+}
+
+template <typename Result>
+Result checked(std::variant<Result, oracle::FileFault> read, const std::string& path) {
+  if (auto* fault = std::get_if<oracle::FileFault>(&read)) {
+    throw UsageError(fmt::format("{}: {}", path, fault->message));
+  }
+  return std::get<Result>(std::move(read));
+}
+
+// What the files of the subject say of it.
+void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& campaign) {
+  if (!options.known_failures.empty()) {
+    const std::string text = read_file(options.known_failures);
+    campaign.known_failures =
+        checked(oracle::known_failures_from_toml(text), options.known_failures);
+  }
+  if (!options.alarm_map.empty()) {
+    const std::string text = read_file(options.alarm_map);
+    campaign.alarm_map = std::make_shared<const oracle::AlarmMap>(
+        checked(oracle::alarm_map_from_toml(text), options.alarm_map));
+  }
 }
 
 oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
@@ -80,6 +104,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   campaign.fail_fast = options.fail_fast;
   campaign.limits = options.limits.limits();
   parse_shard(options.shard, campaign);
+  read_subject_files(options, campaign);
   return campaign;
 }
 
@@ -213,6 +238,10 @@ void add_certify(CLI::App& app, int& exit_code) {
   command->add_option("--shard", options->shard, "part i of n: i/n");
   command->add_option("--jobs", options->jobs, "subjects that run at the same time")
       ->check(CLI::Range(1, 256));
+  command->add_option("--known-failures", options->known_failures,
+                      "TOML file of cases that the subject is known to fail");
+  command->add_option("--alarm-map", options->alarm_map,
+                      "TOML file of what the subject's own alarms mean");
   command->add_flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
   add_limit_options(*command, options->limits);
   options->argv = arguments();

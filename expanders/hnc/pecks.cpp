@@ -132,8 +132,10 @@ void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks) {
   if (pecks.withdrawal <= 0) return;  // HNC-G74-03, HNC-G75-03
   if (!store.infeed.present) return machine.complain(AlarmKind::kMissingWord, 'Q', kNowhere);
   pecks.infeed = store.infeed.value;
-  // Reading hnc.peck.from: it would never arrive.
-  if (machine.configuration.peck_from_withdrawn && pecks.withdrawal >= pecks.infeed) {
+  // Reading hnc.peck.from: what one peck does not reach is never reached.
+  const Fixed depth = magnitude(pecks.bottom - machine.state.position[pecks.axis]);
+  if (machine.configuration.peck_from_withdrawn && pecks.withdrawal >= pecks.infeed &&
+      depth > pecks.infeed) {
     machine.complain(AlarmKind::kValueOutOfRange, 'R', block);
   }
 }

@@ -38,7 +38,7 @@ int sense_of(const Machine& machine, bool counterclockwise) {
 
 // NGC-ARC-05
 int turns_of(Machine& machine, const Block& block) {
-  if (!block.has('P') || machine.has(Fault::kTurnsIgnored)) return 1;
+  if (!block.has_turns() || machine.has(Fault::kTurnsIgnored)) return 1;
   const Fixed count = block.number('P').value / kOne;
   const bool unchecked = machine.has(Fault::kTurnsUnchecked);
   if (block.number('P').value <= 0 && !unchecked) {

@@ -58,6 +58,11 @@ class Block {
     const Code* once = code(Group::kOnce);
     return once != nullptr && once->tenths == 40;
   }
+  /// P of an arc; G4 and G64 take it for themselves.
+  bool has_turns() const {
+    const Code* control = code(Group::kControl);
+    return has('P') && !has_dwell() && (control == nullptr || control->tenths != 640);
+  }
   bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
 
   /// The first code that is not implemented; null: none.

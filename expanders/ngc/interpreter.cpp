@@ -194,10 +194,10 @@ void Interpreter::take_motion() {
   machine_.state.motion = motion;
 }
 
-// Words that ask for a motion; P is that of G4 where there is one.
+// Words that ask for a motion.
 void Interpreter::prepare_motion(Plan& plan) {
   static constexpr AddressSet kWords{"XYZACIJKR"};
-  const bool asked = block_.has_any(kWords) || (block_.has('P') && !block_.has_dwell());
+  const bool asked = block_.has_any(kWords) || block_.has_turns();
   switch (machine_.state.motion) {
     case Motion::kNone:
       if (asked) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);

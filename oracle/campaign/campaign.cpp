@@ -81,7 +81,10 @@ bool selected(const CampaignOptions& options, const Case& test) {
 class Run {
  public:
   Run(const CampaignOptions& options, const ResultSink& results, const Progress& progress)
-      : options_(options), results_(results), progress_(progress) {}
+      : options_(options),
+        results_(results),
+        progress_(progress),
+        known_failures_(options.known_failures) {}
 
   void select(const Corpus& corpus);
   void work(const SubjectMaker& make_subject);
@@ -97,6 +100,7 @@ class Run {
   const CampaignOptions& options_;
   const ResultSink& results_;
   const Progress& progress_;
+  KnownFailures known_failures_;
   std::vector<Case> cases_;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> stop_ = false;
@@ -110,6 +114,7 @@ class Run {
 
 void Run::select(const Corpus& corpus) {
   corpus.for_each([&](const Case& test) {
+    known_failures_.note_case(test.id);
     if (!selected(options_, test)) return true;
     if (auto merged = under(options_, test)) {
       judged_by_dialect_[merged->dialect];
@@ -125,6 +130,8 @@ void Run::select(const Corpus& corpus) {
 void Run::finish_case(CaseResult result, SessionVerdict session) {
   std::lock_guard lock(mutex_);
   ++done_;
+  known_failures_.apply(result);
+  if (result.verdict.kind == VerdictKind::xfail) session = {};  // explains no reading
   const Decision answer = decision(result.verdict.kind);
   if (answer == Decision::no_go) {
     ++summary_.no_go;
@@ -190,6 +197,12 @@ CampaignSummary Run::summary() {
       judged_by_dialect_.empty() ||
       std::ranges::any_of(judged_by_dialect_, [](const auto& entry) { return entry.second == 0; });
   std::ranges::sort(summary_.failures, {}, &CaseResult::id);
+  summary_.stale = known_failures_.of_no_case();
+  if (options_.alarm_map && options_.is_whole()) {
+    for (std::string& native : options_.alarm_map->unused()) {
+      summary_.stale.push_back(std::move(native));
+    }
+  }
   return std::move(summary_);
 }
 
@@ -203,7 +216,7 @@ unsigned shard_of(std::string_view id, unsigned shards) {
 }
 
 int CampaignSummary::exit_code() const {
-  if (no_go > 0) return 1;
+  if (no_go > 0 || !stale.empty()) return 1;
   if (!complete || judged_nothing || oracle_errors > 0 || unexpected_gaps > 0) return 3;
   return 0;
 }

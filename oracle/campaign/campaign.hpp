@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results.hpp"
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/judge/judge_session.hpp"
@@ -30,6 +31,14 @@ struct CampaignOptions {
   unsigned shards = 1;
   bool fail_fast = false;
   Limits limits;
+  std::vector<KnownFailure> known_failures;
+  std::shared_ptr<const AlarmMap> alarm_map;  // null: the subject's classes are taken as they are
+
+  // Every case of the dialects is asked for.
+  bool is_whole() const {
+    return only.empty() && case_id.empty() && shards == 1 && !profile && readings.empty() &&
+           !fail_fast;
+  }
 };
 
 struct CampaignSummary {
@@ -41,7 +50,10 @@ struct CampaignSummary {
   std::size_t unexpected_gaps = 0;
   std::size_t oracle_errors = 0;
   bool complete = true;
-  bool judged_nothing = false;   // a dialect in which no case was judged
+  bool judged_nothing = false;  // a dialect in which no case was judged
+  // Known failures that are of no case in the corpus, and alarms of the map that a run over all
+  // cases of the dialects never met.
+  std::vector<std::string> stale;
   std::string reading_conflict;  // the readings that no single assignment explains
 
   // Exit code of a run, design section 6: 1, 3 or 0.

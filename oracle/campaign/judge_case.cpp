@@ -26,7 +26,8 @@ class CaseJudge {
       : test_(test),
         subject_(subject),
         terms_(make_terms(subject.info(), test.profile, options.tolerance, options.chord)),
-        limits_(options.limits) {}
+        limits_(options.limits),
+        alarm_map_(options.alarm_map.get()) {}
 
   CaseResult judge(SessionVerdict& session);
 
@@ -42,6 +43,7 @@ class CaseJudge {
   Subject& subject_;
   JudgeTerms terms_;
   Limits limits_;
+  const AlarmMap* alarm_map_;
 };
 
 // A feature that was not declared is `skip`, without a run.
@@ -87,6 +89,11 @@ Attempt CaseJudge::run() {
       }
       return session.record(record);
     });
+    if (attempt.end.kind == RunEnd::Kind::alarm && alarm_map_ != nullptr) {
+      if (auto known = alarm_map_->class_of(attempt.end.alarm.native)) {
+        attempt.end.alarm.alarm_class = *known;
+      }
+    }
     attempt.session = session.finish(attempt.end);
     interpret_skip(attempt);
   } catch (const SubjectUnusable&) {

@@ -213,6 +213,7 @@ bool ProgramJudge::process_step(Motion& motion) {
     return true;
   }
   if (std::holds_alternative<reference::Renaming>(step)) {
+    if (nothing) return true;
     decide_gap("A motion of the subject spans a renaming of the position.");
     return true;
   }

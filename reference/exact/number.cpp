@@ -147,6 +147,13 @@ Number Number::root(const Number& a, const Number& b, const Number& c) {
   return number_of(make_root(require_rational(a), std::move(factor), radicand));
 }
 
+std::array<Number, 2> Number::roots(const std::array<Number, 2>& a, const std::array<Number, 2>& b,
+                                    const Number& c, const Number& d) {
+  if (auto small = small_roots(a, b, c, d)) return *std::move(small);
+  const Number square_root = sqrt(c / d);
+  return {a[0] + b[0] * square_root, a[1] + b[1] * square_root};
+}
+
 Number Number::between(const Number& low, const Number& high) {
   if (!low.is_rational() || !high.is_rational() || high < low) {
     throw std::invalid_argument("exact: between takes two rationals in order");

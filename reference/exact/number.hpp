@@ -55,6 +55,10 @@ class Number {
   // a + b*sqrt(c), rational arguments. A rational when sqrt(c) is. Throws std::domain_error when
   // c < 0, std::invalid_argument when an argument is not rational.
   static Number root(const Number& a, const Number& b, const Number& c);
+  // a[i] + b[i]*sqrt(c/d): two numbers of one root, made together because that is far cheaper.
+  // REQUIRES: c >= 0, d > 0, all of them rational.
+  static std::array<Number, 2> roots(const std::array<Number, 2>& a, const std::array<Number, 2>& b,
+                                     const Number& c, const Number& d);
   // Known only to lie in [low, high], rational arguments: cannot be refined, so that a comparison
   // that the interval does not decide throws Undecided at once. std::invalid_argument when
   // high < low. Rational when they are equal.

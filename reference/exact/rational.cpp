@@ -12,14 +12,6 @@ static_assert(sizeof(long) == sizeof(std::int64_t), "GMP's long carries the smal
 
 namespace {
 
-mpq_class rational_of_millionths(std::int64_t count) {
-  const std::int64_t common = std::gcd(count % detail::kUnit, detail::kUnit);
-  mpq_class value;
-  mpz_set_si(mpq_numref(value.get_mpq_t()), count / common);
-  mpz_set_si(mpq_denref(value.get_mpq_t()), detail::kUnit / common);
-  return value;
-}
-
 // The count of 1e-6 where the value is one.
 std::optional<std::int64_t> small_form(const mpq_class& value) {
   const mpz_class& denominator = value.get_den();
@@ -41,6 +33,14 @@ Number scaled(mpz_class magnitude, bool negative, std::uint32_t scale) {
 }
 
 }  // namespace
+
+mpq_class rational_of_millionths(std::int64_t count) {
+  const std::int64_t common = std::gcd(count % detail::kUnit, detail::kUnit);
+  mpq_class value;
+  mpz_set_si(mpq_numref(value.get_mpq_t()), count / common);
+  mpz_set_si(mpq_denref(value.get_mpq_t()), detail::kUnit / common);
+  return value;
+}
 
 const mpq_class& rational_of(const Number& value, mpq_class& scratch) {
   if (const Node* node = NumberAccess::node(value)) {

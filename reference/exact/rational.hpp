@@ -18,6 +18,8 @@ struct RationalNode final : Node {
   const mpq_class value;  // lowest terms, not of the small form
 };
 
+// count * 1e-6.
+mpq_class rational_of_millionths(std::int64_t count);
 // The value of a rational number; the reference is to the node's, or to `scratch`.
 const mpq_class& rational_of(const Number& value, mpq_class& scratch);
 // REQUIRES: value.is_rational().

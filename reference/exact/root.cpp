@@ -2,16 +2,62 @@
 #include "reference/exact/root.hpp"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 
 namespace gonogo::exact {
 namespace {
 
-constexpr std::array<unsigned long, 25> kSmallPrimes = {
-    2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
+using Word = unsigned long;
+
+constexpr std::array<Word, 25> kSmallPrimes = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
+                                               43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
+
+std::optional<Word> whole_sqrt(Word value) {
+  auto root = static_cast<Word>(std::sqrt(static_cast<double>(value)));
+  // The rounding of the conversions is less than one unit of the root.
+  for (Word near : {root, root + 1, root == 0 ? 0 : root - 1}) {
+    if (near <= UINT32_MAX && near * near == value) return near;
+  }
+  return std::nullopt;
+}
+
+// take_out_squares() of a word; the primes are constants, so that no division is one.
+Word take_out_squares(Word& radicand) {
+  Word square_root = 1;
+  Word rest = radicand;
+  Word small_part = 1;
+  const auto take_out = [&](auto prime) {
+    unsigned power = 0;
+    for (; rest % prime() == 0; ++power) {
+      rest /= prime();
+      if (power % 2 == 1) square_root *= prime();
+    }
+    if (power % 2 == 1) small_part *= prime();
+  };
+  [&]<std::size_t... place>(std::index_sequence<place...>) {
+    (take_out(std::integral_constant<Word, kSmallPrimes[place]>{}), ...);
+  }
+  (std::make_index_sequence<kSmallPrimes.size()>{});
+  if (const std::optional<Word> root = whole_sqrt(rest)) {
+    square_root *= *root;
+    rest = 1;
+  }
+  radicand = small_part * rest;
+  return square_root;
+}
 
 // radicand = square_root^2 * what is left of it. Squares of small primes are taken out, and the
 // rest when it is a square: enough for short texts. Equality never relies on it (see unify).
 mpz_class take_out_squares(mpz_class& radicand) {
+  if (radicand.fits_ulong_p()) {
+    Word word = radicand.get_ui();
+    mpz_class square_root = take_out_squares(word);
+    radicand = word;
+    return square_root;
+  }
   mpz_class square_root = 1;
   mpz_class rest = radicand;
   mpz_class small_part = 1;
@@ -29,6 +75,26 @@ mpz_class take_out_squares(mpz_class& radicand) {
   }
   radicand = small_part * rest;
   return square_root;
+}
+
+// The factor of a small number b in b*sqrt(c/d), in lowest terms. False where it is too long.
+struct Fraction {
+  Word numerator;
+  Word denominator;
+  bool multiply(std::int64_t millionths) {
+    const auto bits = static_cast<Word>(millionths);
+    const Word count = millionths < 0 ? 0 - bits : bits;
+    constexpr Word kParts = detail::kUnit;
+    const Word common = std::gcd(count, kParts);
+    const Word across = std::gcd(count / common, denominator);
+    const Word other = std::gcd(numerator, kParts / common);
+    return !__builtin_mul_overflow(numerator / other, count / common / across, &numerator) &&
+           !__builtin_mul_overflow(denominator / across, kParts / common / other, &denominator);
+  }
+};
+
+bool is_small(const std::array<Number, 2>& pair) {
+  return NumberAccess::node(pair[0]) == nullptr && NumberAccess::node(pair[1]) == nullptr;
 }
 
 bool is_rational(const Root& x) {
@@ -89,6 +155,40 @@ Root make_root(mpq_class a, mpq_class b, const mpq_class& c) {
   inner *= outer;  // coprime, so no square arises
   if (inner == 1) return {a + b, 0, 0};
   return {std::move(a), std::move(b), std::move(inner)};
+}
+
+std::optional<std::array<Number, 2>> small_roots(const std::array<Number, 2>& a,
+                                                 const std::array<Number, 2>& b, const Number& c,
+                                                 const Number& d) {
+  if (!is_small(a) || !is_small(b) || !is_small({c, d}) || c.sign() <= 0) return std::nullopt;
+  // In lowest terms; sqrt(p/q) = sqrt(p*q)/q, and no square arises in p*q.
+  Word inner = static_cast<Word>(NumberAccess::millionths(c));
+  Word outer = static_cast<Word>(NumberAccess::millionths(d));
+  const Word common = std::gcd(inner, outer);
+  inner /= common;
+  outer /= common;
+  const Word outer_root = take_out_squares(outer);
+  const Word inner_root = take_out_squares(inner);
+  if (inner == 1 && outer == 1) return std::nullopt;
+  std::array<Number, 2> found;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::int64_t factor = NumberAccess::millionths(b[i]);
+    if (factor == 0) {
+      found[i] = a[i];
+      continue;
+    }
+    Fraction fraction{inner_root, outer_root * outer};
+    if (!fraction.multiply(factor)) return std::nullopt;
+    mpq_class multiple;
+    mpz_set_ui(mpq_numref(multiple.get_mpq_t()), fraction.numerator);
+    mpz_set_ui(mpq_denref(multiple.get_mpq_t()), fraction.denominator);
+    if (factor < 0) mpq_neg(multiple.get_mpq_t(), multiple.get_mpq_t());
+    mpz_class radicand = inner;
+    radicand *= outer;
+    found[i] = NumberAccess::adopt(
+        new RootNode(NumberAccess::millionths(a[i]), std::move(multiple), std::move(radicand)));
+  }
+  return found;
 }
 
 std::optional<Root> add(const Root& x, const Root& y) {

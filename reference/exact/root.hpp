@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <optional>
 
 #include "reference/exact/rational.hpp"
@@ -20,6 +21,9 @@ struct Root {
 
 struct RootNode final : Node {
   explicit RootNode(Root its_value) : Node(Number::Form::root), value(std::move(its_value)) {}
+  RootNode(std::int64_t a_millionths, mpq_class b, mpz_class c)
+      : Node(Number::Form::root),
+        value{rational_of_millionths(a_millionths), std::move(b), std::move(c)} {}
   const Root value;  // b != 0
 };
 
@@ -28,6 +32,12 @@ Root root_of(const Number& value);
 Number number_of(Root value);
 // a + b*sqrt(c) of any rational c >= 0, brought to the form above.
 Root make_root(mpq_class a, mpq_class b, const mpq_class& c);
+
+// Number::roots without GMP but for its result; nothing where 64 bits do not suffice for that, or
+// where the result is rational.
+std::optional<std::array<Number, 2>> small_roots(const std::array<Number, 2>& a,
+                                                 const std::array<Number, 2>& b, const Number& c,
+                                                 const Number& d);
 
 // Nothing where the result is no single root.
 std::optional<Root> add(const Root& x, const Root& y);

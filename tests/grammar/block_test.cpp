@@ -51,7 +51,7 @@ TEST(Block, OIsTheProgramNumberAndMayCarryAComment) {
   Block want;
   want.program_number = decimal(1234);
   want.comments = {comment("O1234")};
-  EXPECT_EQ(parsed("O1234(O1234)"), want);
+  EXPECT_EQ(parsed(kLathes, "O1234(O1234)"), want);
 }
 
 TEST(Block, ASlashAtTheHeadAsksForSkipping) {
@@ -76,7 +76,8 @@ TEST(Block, InHncAPercentSignWithANumberIsAProgramHeadAsOIs) {
     EXPECT_EQ(parsed(Dialect::hnc21t, line), want) << line;
   }
   for (const char* tail : {"(part)", "G90 X1;top", "#1=5"}) {
-    EXPECT_EQ(parsed(Dialect::hnc21t, std::string("%7") + tail), parsed(std::string("O7") + tail));
+    EXPECT_EQ(parsed(Dialect::hnc21t, std::string("%7") + tail),
+              parsed(kLathes, std::string("O7") + tail));
   }
 }
 
@@ -138,7 +139,8 @@ TEST(Comment, StandsAnywhereBetweenWords) {
 
 TEST(Comment, EndsAtTheFirstClosingParenthesis) {
   EXPECT_EQ(parsed("(a (b)").comments[0].text, "a (b");
-  EXPECT_EQ(fault("(a (b) c)").where.begin, 7U);  // the lower case c
+  EXPECT_EQ(fault(kLathes, "(a (b) c)").where.begin, 7U);         // the lower case c
+  EXPECT_EQ(fault(Dialect::rs274, "(a (b) c)").where.begin, 8U);  // an address without a number
 }
 
 TEST(Comment, HoldsTextOfAnyEncoding) {
@@ -187,11 +189,41 @@ TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
                              {"G1 F[25.4/2] X1", "expression", 1, {3, 15}},
                              {"G1 X-[[1]+[2]];tail", "expression", 1, {3, 14}},
                              {"G90 G1 X1 Z2 F[#3]", "expression", 4, {13, 18}},
-                             {"IF[#1EQ2]GOTO20", "control-statement", 0, {0, 15}},
+                             {"M98 P[#100]", "expression", 1, {4, 11}}});
+  }
+}
+
+TEST(Outside, OfTheLathesAreControlStatements) {
+  for (const Dialect dialect : kLathes) {
+    expect_outside(dialect, {{"IF[#1EQ2]GOTO20", "control-statement", 0, {0, 15}},
                              {"N10 WHILE [#1 LT 5]", "control-statement", 0, {4, 19}},
                              {"ELSE", "control-statement", 0, {0, 4}},
-                             {"M99 GOTO 5", "control-statement", 1, {4, 10}},
-                             {"M98 P[#100]", "expression", 1, {4, 11}}});
+                             {"M99 GOTO 5", "control-statement", 1, {4, 10}}});
+  }
+}
+
+TEST(Outside, OfRs274AreOWordsAndFunctionsAndNames) {
+  expect_outside(Dialect::rs274, {{"o100 sub", "o-word", 0, {0, 8}},
+                                  {"N5 O<drill> call [1] [2]", "o-word", 0, {3, 24}},
+                                  {"O1 while [#1 lt 5]", "o-word", 0, {0, 18}},
+                                  {"O1234 (name)", "o-word", 0, {0, 12}},
+                                  {"g1 x#<_depth> y5", "variable", 1, {3, 16}},
+                                  {"#<a>=[sin[30]] ;b", "variable", 0, {0, 14}},
+                                  {"G1 X2 #1=5", "variable", 2, {6, 10}},
+                                  {"g1 x sin[30]", "expression", 1, {3, 12}},
+                                  {"G1 X-Atan[1]/[2]", "expression", 1, {3, 16}},
+                                  {"G0 X[1+exists[#<q>]]", "expression", 1, {3, 20}}});
+}
+
+TEST(Block, InRs274LettersStandInEitherCase) {
+  Block want = block_of({word('G', 1), word('X', -15, 1), word('F', 200)});
+  want.sequence_number = decimal(10);
+  want.comments = {comment("Kept")};
+  EXPECT_EQ(parsed(Dialect::rs274, "n10 g1x-1.5(Kept)f 200"), want);
+  for (char letter = 'a'; letter <= 'z'; ++letter) {
+    if (letter == 'n' || letter == 'o') continue;
+    const char capital = static_cast<char>(letter - 'a' + 'A');
+    EXPECT_EQ(parsed(Dialect::rs274, std::string{letter} + "7"), block_of({word(capital, 7)}));
   }
 }
 

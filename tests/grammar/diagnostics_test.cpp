@@ -43,12 +43,17 @@ TEST(Fault, AnAddressWithoutANumber) {
                  {"X N10", code, {2, 3}},
                  {"N", code, {1, 1}},
                  {"N-5", code, {1, 2}},
-                 {"N#5", code, {1, 2}},
-                 {"O.5", code, {1, 2}}});
+                 {"N#5", code, {1, 2}}});
+  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"O.5", code, {1, 2}}});
+  expect_faults(Dialect::rs274, {{"x", code, {1, 1}},
+                                 {"g1 x z5", code, {5, 6}},
+                                 {"xsine[1]", code, {1, 2}},
+                                 {"nx", code, {1, 2}}});
 }
 
 TEST(Fault, TheMissingNumberIsNamedAfterItsAddress) {
   EXPECT_EQ(fault("G1 X- Z5").expected, "a number after X");
+  EXPECT_EQ(fault(Dialect::rs274, "g1 x- z5").expected, "a number after x");
   EXPECT_EQ(fault("N G1").expected, "a whole number without a sign after N");
 }
 
@@ -62,10 +67,10 @@ TEST(Fault, ACharacterThatMayNotStandWhereItStands) {
                  {"N10/G1", code, {3, 4}},
                  {"//X1", code, {1, 2}},
                  {"X1)", code, {2, 3}},
-                 {"G1 #1=5", code, {3, 4}},
                  {"G1 %", code, {3, 4}},
                  {"/%", code, {1, 2}},
                  {"[1]", code, {0, 1}}});
+  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"G1 #1=5", code, {3, 4}}});
 }
 
 TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
@@ -78,8 +83,10 @@ TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
                             {"%O1", code, {1, 2}},
                             {" % x", code, {3, 4}}});
   }
-  expect_faults(Dialect::gsk988ta, {{"%1234", code, {1, 2}}});
-  EXPECT_EQ(fault(Dialect::gsk988ta, "%G1").expected, "the end of the line after '%'");
+  for (const Dialect dialect : {Dialect::gsk988ta, Dialect::rs274}) {
+    expect_faults(dialect, {{"%1234", code, {1, 2}}});
+    EXPECT_EQ(fault(dialect, "%G1").expected, "the end of the line after '%'");
+  }
   EXPECT_EQ(fault(Dialect::hnc21t, "%G1").expected,
             "a program number or the end of the line after '%'");
 }
@@ -128,12 +135,12 @@ TEST(Fault, ACharacterThatNoBlockHas) {
 
 TEST(Fault, LowerCaseAsksForTheCapitalLetter) {
   for (const char* line : {"g1", "Xx", "X1 z5", "X[sin[1]]"}) {
-    const SyntaxError error = fault(line);
+    const SyntaxError error = fault(kLathes, line);
     EXPECT_EQ(error.code, SyntaxCode::unexpected_character) << line;
     EXPECT_NE(error.expected.find("capital letter"), std::string::npos) << line;
   }
-  EXPECT_NE(fault("X1 z5").expected.find("'Z'"), std::string::npos);
-  EXPECT_EQ(fault("X1 z5").where, (Span{3, 4}));
+  EXPECT_NE(fault(kLathes, "X1 z5").expected.find("'Z'"), std::string::npos);
+  EXPECT_EQ(fault(kLathes, "X1 z5").where, (Span{3, 4}));
 }
 
 struct LookalikeCase {
@@ -197,12 +204,12 @@ TEST(Fault, AnUnclosedCommentSpansTheRestOfTheLine) {
 
 TEST(Fault, NumberWordsBehindTheHead) {
   const auto code = SyntaxCode::misplaced_number_word;
-  expect_faults({{"G1 N10", code, {3, 4}},
-                 {"X1O5", code, {2, 3}},
-                 {"N1 N2", code, {3, 4}},
-                 {"N1 O2", code, {3, 4}},
-                 {"O2 N1", code, {3, 4}},
-                 {"(c) N1", code, {4, 5}}});
+  expect_faults({{"G1 N10", code, {3, 4}}, {"N1 N2", code, {3, 4}}, {"(c) N1", code, {4, 5}}});
+  for (const Dialect dialect : kLathes) {
+    expect_faults(dialect,
+                  {{"X1O5", code, {2, 3}}, {"N1 O2", code, {3, 4}}, {"O2 N1", code, {3, 4}}});
+  }
+  expect_faults(Dialect::rs274, {{"g1 n10", code, {3, 4}}});
 }
 
 TEST(Fault, OutsideConstructsCloseTheirBrackets) {

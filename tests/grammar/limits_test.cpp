@@ -16,12 +16,21 @@ TEST(EveryByte, AloneInALine) {
   for (int value = 0; value < 256; ++value) {
     const std::string line(1, static_cast<char>(value));
     const bool capital = value >= 'A' && value <= 'Z';
+    const bool lower_case = value >= 'a' && value <= 'z';
     if (std::string_view(" \t%/;#").find(line[0]) != std::string_view::npos) {
       parsed(line);
-    } else {
-      const SyntaxError error = fault(line);
-      EXPECT_EQ(error.where.begin, capital ? 1U : 0U) << value;
-      EXPECT_EQ(error.code, capital        ? SyntaxCode::number_expected
+      continue;
+    }
+    for (const Dialect dialect : kDialects) {
+      const bool any_case = dialect == Dialect::rs274;
+      if (any_case && (value == 'o' || value == 'O')) {
+        EXPECT_TRUE(parsed(dialect, line).outside);
+        continue;
+      }
+      const bool letter = capital || (any_case && lower_case);
+      const SyntaxError error = fault(dialect, line);
+      EXPECT_EQ(error.where.begin, letter ? 1U : 0U) << value;
+      EXPECT_EQ(error.code, letter         ? SyntaxCode::number_expected
                             : value == '(' ? SyntaxCode::unclosed_comment
                                            : SyntaxCode::unexpected_character)
           << value;
@@ -48,7 +57,10 @@ TEST(EveryByte, BehindAnAddressIsANumberOrLocated) {
     if (number) {
       parsed(line);
     } else {
-      EXPECT_EQ(fault(line).where.begin, value == '[' ? 3U : 1U) << value;  // X[5 lacks its bracket
+      for (const Dialect dialect : kDialects) {
+        const SyntaxError error = fault(dialect, line);
+        EXPECT_EQ(error.where.begin, value == '[' ? 3U : 1U) << value;  // X[5 lacks its bracket
+      }
     }
   }
 }
@@ -90,7 +102,7 @@ TEST(Allocation, ABlockThatIsReusedAllocatesNothing) {
   const auto run = [&block](Dialect dialect) {
     bool good = true;
     for (const char* line : {"N10 G01 X12.345 Z-6.789 F200", "/G110 X50 Z50 Y20 R-5 (short)", "",
-                             "O1234 ; tail", "%", "X0000000000000000000001.5"}) {
+                             "N1234 ; tail", "%", "X0000000000000000000001.5"}) {
       good = !parse_block(dialect, line, block) && good;
     }
     return good;

@@ -26,7 +26,7 @@ Picture picture(const SyntaxError& error, std::string_view line) {
 }
 
 Picture picture(std::string_view line) {
-  return picture(fault(line), line);
+  return picture(fault(kLathes, line), line);
 }
 
 std::string carets(std::size_t cells) {

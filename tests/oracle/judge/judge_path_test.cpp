@@ -96,5 +96,18 @@ TEST(PathJudge, ARenamedPositionHoldsForBothSides) {
   EXPECT_EQ(judge_trace(program, trace).kind, VerdictKind::pass_exact);
 }
 
+// Found by generated programs: the arc of 0.001 mm is too small to see, and so is the feed to where
+// the subject stands already; what is renamed after it is not in question.
+TEST(PathJudge, AMotionTooSmallToSeeMayStandBeforeARenaming) {
+  constexpr std::string_view kProgram =
+      "G00 X20 Z10\nG01 Z9.9995 F100\nG02 Z10.0005 U0 R4.8\nG01 Z10.0005\nG50 Z20\nG00 X60\n";
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 10}, {'z', 10}}).block(3, 100);
+  trace.arc("G18", {{'x', 5.2}, {'z', 10}}, -1, {{'x', 10}, {'z', 10.001}}).block(4, 100);
+  trace.feed({{'z', 10.001}}).block(6, 100).rapid({{'x', 30}});
+  const Verdict verdict = judge_trace(kProgram, trace.text());
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "reference/exact/number.hpp"
 #include "tests/reference/exact/exact_testing.hpp"
 
@@ -148,6 +150,32 @@ TEST(Root, BoundsAreAsCloseAsAskedFor) {
     EXPECT_LE(high - low, Number::binary(1, -bits));
     EXPECT_LE(low * low, Number(2));
     EXPECT_GE(high * high, Number(2));
+  }
+}
+
+// Small and large, reduced and not, rational in the end or not: the same number, written the same.
+TEST(Root, TwoOfOneRootAreWhatEachIsAlone) {
+  const Number huge = num("123456789012345678901234567890");
+  const std::array<Number, 6> radicands = {0, 8, 12, num("0.04"), num("1234.567891"), huge};
+  for (const Number& c : radicands) {
+    for (const Number& d : {Number(1), Number(18), num("0.000007"), huge}) {
+      for (const Number& b : {Number(0), num("-2.5"), num("0.000001"), num("1/3"), huge}) {
+        const auto both = Number::roots({num("1.5"), -7}, {b, 49}, c, d);
+        EXPECT_EQ(both[0].text(), Number::root(num("1.5"), b, c / d).text());
+        EXPECT_EQ(both[1].text(), Number::root(-7, 49, c / d).text());
+      }
+    }
+  }
+}
+
+// 2^31 - 1 is a prime; the squares of it and of its neighbours but one are at the end of a word.
+TEST(Root, SquaresOfLongNumbersAreTakenOut) {
+  for (const std::int64_t root : {2'147'483'647LL, 3'037'000'499LL, 94'906'267LL}) {
+    const Number square = Number(root) * Number(root);
+    EXPECT_EQ(sqrt(square), Number(root));
+    EXPECT_EQ(sqrt(square * 101 * 101), Number(root) * 101);
+    EXPECT_EQ(Number::root(0, 1, square * 2).text(), Number(root).text() + "*sqrt(2)");
+    EXPECT_EQ((Number::root(0, 1, square - 1) * Number::root(0, 1, square - 1)), square - 1);
   }
 }
 

@@ -212,6 +212,16 @@ TEST(Arc, InInchesRAndTheOffsetsAreInInches) {
   EXPECT_EQ(lines("G20 G17 G0 X2 Y0\nG3 X0 Y1 I-1 F10"), want);
 }
 
+// Found by generated programs (seed 307643): after a thread that ends at an angle the position is an
+// enclosure, of which equal radii cannot be told to be equal; that they agree can.
+TEST(Arc, ItsRadiiAreComparedAlsoWhereThePositionIsOnlyEnclosed) {
+  const std::string thread =
+      "G17 G0 X20 Y0 Z6 F100\nG117 X51 Y39.71 W-0.512 I1.024 E40.72 P1.975 D5.001 Q0.988 J0.725 "
+      "K250\n";
+  EXPECT_TRUE(ending(thread + "G03 I2 U4 V2").starts_with("end"));
+  EXPECT_EQ(ending(thread + "G03 I2 U4 V2.1"), "alarm b3 arc-end-point");
+}
+
 TEST(Arc, InFeedPerRevolution) {
   EXPECT_EQ(lines("G17 G0 X20 Y0\nG99 G3 X0 Y10 R10 F0.2")[1], "arc x0 y10 c0,0 rot1 f0.2/rev");
 }

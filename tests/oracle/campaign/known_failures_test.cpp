@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/campaign/known_failures.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::string_view kOneEntry =
+    "[[failure]]\ncases = \"ngc.arc.*\"\nverdict = \"fail.geometry\"\nreason = \"a known bug\"\n";
+
+KnownFailures known(std::string_view toml) {
+  auto read = known_failures_from_toml(toml);
+  EXPECT_TRUE(std::holds_alternative<std::vector<KnownFailure>>(read));
+  return KnownFailures(std::get<std::vector<KnownFailure>>(std::move(read)));
+}
+
+CaseResult result(std::string id, VerdictKind kind, std::string deviation = {}) {
+  CaseResult made;
+  made.id = std::move(id);
+  made.verdict.kind = kind;
+  made.verdict.deviation_exact = std::move(deviation);
+  return made;
+}
+
+VerdictKind after(const KnownFailures& failures, CaseResult made) {
+  failures.apply(made);
+  return made.verdict.kind;
+}
+
+std::string fault_of(std::string_view toml) {
+  auto read = known_failures_from_toml(toml);
+  auto* fault = std::get_if<FileFault>(&read);
+  return fault == nullptr ? "" : fault->message;
+}
+
+TEST(KnownFailures, AFailureAsKnownIsExpected) {
+  CaseResult made = result("ngc.arc.000001", VerdictKind::fail_geometry);
+  known(kOneEntry).apply(made);
+  EXPECT_EQ(made.verdict.kind, VerdictKind::xfail);
+  EXPECT_NE(made.verdict.message.find("a known bug"), std::string::npos);
+  EXPECT_NE(made.verdict.message.find("fail.geometry"), std::string::npos);
+}
+
+TEST(KnownFailures, AnotherFailureStays) {
+  const KnownFailures failures = known(kOneEntry);
+  EXPECT_EQ(after(failures, result("ngc.arc.000001", VerdictKind::fail_feed)),
+            VerdictKind::fail_feed);
+  EXPECT_EQ(after(failures, result("ngc.basic.000001", VerdictKind::fail_geometry)),
+            VerdictKind::fail_geometry);
+}
+
+TEST(KnownFailures, AKnownFailureThatPassesIsAFinding) {
+  const KnownFailures failures = known(kOneEntry);
+  EXPECT_EQ(after(failures, result("ngc.arc.000001", VerdictKind::pass_exact)), VerdictKind::xpass);
+  EXPECT_EQ(after(failures, result("ngc.basic.000001", VerdictKind::pass_exact)),
+            VerdictKind::pass_exact);
+}
+
+TEST(KnownFailures, ACaseThatWasNotJudgedSaysNothing) {
+  const KnownFailures failures = known(kOneEntry);
+  for (VerdictKind kind : {VerdictKind::skip, VerdictKind::oracle_gap}) {
+    EXPECT_EQ(after(failures, result("ngc.arc.000001", kind)), kind);
+  }
+}
+
+TEST(KnownFailures, ADeviationHasToBeExactlyTheKnownOne) {
+  const KnownFailures failures = known(
+      "[[failure]]\ncases = \"a\"\nverdict = \"fail.geometry\"\ndeviation = \"1/3\"\n"
+      "reason = \"off by a third\"\n");
+  EXPECT_EQ(after(failures, result("a", VerdictKind::fail_geometry, "1/3")), VerdictKind::xfail);
+  EXPECT_EQ(after(failures, result("a", VerdictKind::fail_geometry, "2/3")),
+            VerdictKind::fail_geometry);
+}
+
+TEST(KnownFailures, AnEntryOfNoCaseIsStale) {
+  KnownFailures failures = known(kOneEntry);
+  failures.note_case("ngc.basic.000001");
+  EXPECT_EQ(failures.of_no_case(), std::vector<std::string>{"ngc.arc.*"});
+  failures.note_case("ngc.arc.000007");
+  EXPECT_TRUE(failures.of_no_case().empty());
+}
+
+TEST(KnownFailures, AnEntryThatCannotBeUsedIsRefusedWithItsLine) {
+  EXPECT_NE(fault_of("x = 1\n").find("line 1"), std::string::npos);
+  EXPECT_NE(fault_of("[[failure]]\ncases = \"a\"\nverdict = \"fail.geometry\"\n").find("reason"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[[failure]]\ncases = \"a\"\nverdict = \"pass-exact\"\nreason = \"r\"\n")
+                .find("pass-exact"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[[failure]]\ncase = \"a\"\n").find("no key `case`"), std::string::npos);
+  EXPECT_NE(fault_of("[[failure]\n").find("line 1"), std::string::npos);
+}
+
+TEST(AlarmMap, MapsTheSubjectsOwnTexts) {
+  auto read = alarm_map_from_toml(
+      "[alarms]\n\"PS0061\" = \"value-sign\"\n\"Zero-radius*\" = \"arc-radius\"\n");
+  const AlarmMap map(std::get<std::vector<AlarmMap::Entry>>(std::move(read)));
+  EXPECT_EQ(map.class_of("PS0061"), "value-sign");
+  EXPECT_EQ(map.unused(), std::vector<std::string>{"Zero-radius*"});
+  EXPECT_EQ(map.class_of("Zero-radius arc: start=(X1)"), "arc-radius");
+  EXPECT_EQ(map.class_of("PS0062"), std::nullopt);
+  EXPECT_TRUE(map.unused().empty());
+}
+
+TEST(AlarmMap, AClassThatDoesNotExistIsRefused) {
+  auto read = alarm_map_from_toml("[alarms]\n\"PS0061\" = \"sign\"\n");
+  ASSERT_TRUE(std::holds_alternative<FileFault>(read));
+  EXPECT_NE(std::get<FileFault>(read).message.find("sign"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
