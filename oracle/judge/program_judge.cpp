@@ -262,8 +262,22 @@ bool ProgramJudge::match_motion(const Motion& motion, const Motion& want) {
     return false;
   }
   if (means_nothing(motion, *want_)) return true;
-  report_departure(result, motion, *want_);
+  if (!goes_on_outside(motion, *want_)) report_departure(result, motion, *want_);
   return true;
+}
+
+// Without line numbers a motion may be joined to those of a block that is not covered: then its end
+// says nothing. Goes on in the reference where it may be so.
+bool ProgramJudge::goes_on_outside(const Motion& motion, const Motion& want) {
+  if (terms_.compare_blocks || !agree(motion.from, want.from, terms_.tolerance)) return false;
+  Motion covered = want;
+  Motion rest = motion;
+  rest.from = want.to();
+  if (!join(covered, rest)) return false;
+  reference_.advance();
+  auto* outside = std::get_if<reference::NotCovered>(&reference_.current());
+  if (outside != nullptr) decide_gap(outside->message);
+  return outside != nullptr;
 }
 
 // Whether a motion of the reference is done where the subject stands.

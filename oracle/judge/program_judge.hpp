@@ -65,6 +65,7 @@ class ProgramJudge {
   bool match_motion(const Motion& motion, const Motion& want);
   bool reached(const Motion& want, const Position& at) const;
   bool means_nothing(const Motion& motion, const Motion& want) const;
+  bool goes_on_outside(const Motion& motion, const Motion& want);
   void take_dwell(const Record& record);
   void take_m_functions();
   // Follows the renamings of the position that come before a record of `block` (0: not known).

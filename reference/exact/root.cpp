@@ -2,7 +2,6 @@
 #include "reference/exact/root.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -16,12 +15,11 @@ constexpr std::array<Word, 25> kSmallPrimes = {2,  3,  5,  7,  11, 13, 17, 19, 2
                                                43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
 
 std::optional<Word> whole_sqrt(Word value) {
-  auto root = static_cast<Word>(std::sqrt(static_cast<double>(value)));
-  // The rounding of the conversions is less than one unit of the root.
-  for (Word near : {root, root + 1, root == 0 ? 0 : root - 1}) {
-    if (near <= UINT32_MAX && near * near == value) return near;
-  }
-  return std::nullopt;
+  if (value == 0) return 0;
+  const mp_limb_t square = value;
+  mp_limb_t root = 0;
+  if (mpn_sqrtrem(&root, nullptr, &square, 1) != 0) return std::nullopt;
+  return root;
 }
 
 // take_out_squares() of a word; the primes are constants, so that no division is one.

@@ -109,5 +109,20 @@ TEST(PathJudge, AMotionTooSmallToSeeMayStandBeforeARenaming) {
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
 }
 
+// Without line numbers the traverse of block 4, after a code that is not covered, is one with those
+// before it.
+TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
+  constexpr std::string_view kProgram = "G00 X20\nX30\nG55\nX60\n";
+  Judging judging;
+  judging.blocks = false;
+  const auto to = [&](double x) {
+    return judge_trace(kProgram, TraceText(1).rapid({{'x', x}}).text(), judging).kind;
+  };
+  EXPECT_EQ(to(30), VerdictKind::oracle_gap);
+  EXPECT_EQ(to(15), VerdictKind::oracle_gap);
+  EXPECT_EQ(decision(to(14)), Decision::no_go);
+  EXPECT_EQ(decision(to(-1)), Decision::no_go);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
