@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "expanders/common/tokenizer.hpp"
+#include "expanders/common/program_loop.hpp"
 
 namespace gonogo::expanders::gsk {
 namespace {
@@ -31,32 +31,12 @@ Motion motion_of(const Code& code) {
 }  // namespace
 
 gonogo_answer Interpreter::run(std::string_view program) {
-  switch (run_blocks(program)) {
-    case Flow::kAlarm: {
-      const bool next = machine_.has(Fault::kAlarmNextBlock);
-      machine_.trace.alarm(machine_.alarm, machine_.state.line + (next ? 1 : 0));
-      return GONOGO_ALARM;
-    }
-    case Flow::kUnsupported:
-      return GONOGO_UNSUPPORTED;
-    case Flow::kStopped:
-      return GONOGO_STOPPED;
-    case Flow::kContinue:
-    case Flow::kEnd:
-      break;
-  }
-  return machine_.trace.end() ? GONOGO_OK : GONOGO_STOPPED;
-}
-
-Flow Interpreter::run_blocks(std::string_view program) {
-  LineReader lines(program, counting_of(machine_));
-  std::string_view line;
-  while (lines.next(line)) {
-    machine_.state.line = lines.number();
-    const Flow flow = run_line(line);
-    if (flow != Flow::kContinue) return flow;
-  }
-  return Flow::kContinue;
+  std::uint64_t& line = machine_.state.line;
+  const Flow flow = run_lines(program, counting_of(machine_), line,
+                              [this](std::string_view text) { return run_line(text); });
+  const unsigned late = machine_.has(Fault::kAlarmNextBlock) ? 1 : 0;
+  auto send_alarm = [&] { machine_.trace.alarm(machine_.alarm, line + late); };
+  return close_program(flow, send_alarm, [this] { return machine_.trace.end(); });
 }
 
 Flow Interpreter::run_line(std::string_view line) {

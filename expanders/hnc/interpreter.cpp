@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "expanders/common/tokenizer.hpp"
+#include "expanders/common/program_loop.hpp"
 
 namespace gonogo::expanders::hnc {
 
@@ -28,35 +28,16 @@ Motion motion_of(int code) {
 }
 
 gonogo_answer Interpreter::run(std::string_view program) {
-  switch (run_blocks(program)) {
-    case Flow::kAlarm: {
-      const Alarm& alarm = machine_.alarm();
-      const std::uint64_t line =
-          machine_.state.line + (machine_.has(Fault::kAlarmNextBlock) ? 1 : 0);
-      machine_.tracer.alarm(text_of(alarm.kind), alarm.word, line);
-      return GONOGO_ALARM;
-    }
-    case Flow::kUnsupported:
-      return GONOGO_UNSUPPORTED;
-    case Flow::kStopped:
-      return GONOGO_STOPPED;
-    case Flow::kContinue:
-    case Flow::kEnd:
-      break;
-  }
-  return machine_.tracer.end() ? GONOGO_OK : GONOGO_STOPPED;
-}
-
-Flow Interpreter::run_blocks(std::string_view program) {
   const bool blanks_lost = machine_.has(Fault::kBlankLinesNotCounted);
-  LineReader lines(program, blanks_lost ? Counting::kWithoutBlank : Counting::kAll);
-  std::string_view line;
-  while (lines.next(line)) {
-    machine_.state.line = lines.number();
-    const Flow flow = run_line(line);
-    if (flow != Flow::kContinue) return flow;
-  }
-  return Flow::kContinue;
+  const Counting counting = blanks_lost ? Counting::kWithoutBlank : Counting::kAll;
+  std::uint64_t& line = machine_.state.line;
+  const Flow flow =
+      run_lines(program, counting, line, [this](std::string_view text) { return run_line(text); });
+  const unsigned late = machine_.has(Fault::kAlarmNextBlock) ? 1 : 0;
+  auto send_alarm = [&] {
+    machine_.tracer.alarm(text_of(machine_.alarm().kind), machine_.alarm().word, line + late);
+  };
+  return close_program(flow, send_alarm, [this] { return machine_.tracer.end(); });
 }
 
 Flow Interpreter::run_line(std::string_view line) {

@@ -20,7 +20,6 @@ class Interpreter {
   Machine& machine() { return machine_; }
 
  private:
-  Flow run_blocks(std::string_view program);
   Flow run_line(std::string_view line);
   Flow run_block();
   Flow check_coverage();

@@ -3,8 +3,6 @@
 // One block: its codes change the modal state, then the code in force runs.
 #include "reference/gsk988ta/interpreter.hpp"
 
-#include <fmt/format.h>
-
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
@@ -131,7 +129,7 @@ void Interpreter::take_feed(const BlockWords& words) {
   }
   machine_.feed_in_inch = machine_.units == Units::inch;
   machine_.feed = words.written('F');
-  if (machine_.feed_in_inch) machine_.feed = machine_.feed * Number::millionths(25'400'000);
+  if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
 }
 
 bool Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
@@ -233,12 +231,7 @@ void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t lin
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   if (block.outside) {
-    out.not_covered =
-        NotCovered{line, block.outside->name,
-                   fmt::format("The block has a construct of the control that the gauge does not "
-                               "read: {}.",
-                               block.outside->name),
-                   block.outside->where};
+    out.not_covered = construct_outside(block, line);
     return;
   }
   if (block.words.empty()) return;

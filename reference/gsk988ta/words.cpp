@@ -51,7 +51,7 @@ std::optional<Number> BlockWords::length(char address) const {
     Number magnitude = (abs(value) * scale + Number(1) / 2).floor() / scale;
     value = value.sign() < 0 ? -magnitude : magnitude;
   }
-  if (units_ == Units::inch) value = value * Number::millionths(25'400'000);
+  if (units_ == Units::inch) value = inches(value);
   return value;
 }
 

@@ -175,12 +175,7 @@ void Interpreter::run_code(BlockContext& block) const {
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   if (block.outside) {
-    out.not_covered =
-        NotCovered{line, block.outside->name,
-                   fmt::format("The block has a construct of the control that the gauge does not "
-                               "read: {}.",
-                               block.outside->name),
-                   block.outside->where};
+    out.not_covered = construct_outside(block, line);
     return;
   }
   if (block.words.empty()) return;

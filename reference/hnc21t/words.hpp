@@ -24,10 +24,6 @@ struct WordModes {
   bool incremental = false;
 };
 
-inline Number inches(const Number& count) {
-  return count * Number::millionths(25'400'000);
-}
-
 class BlockWords : public WordTable {
  public:
   BlockWords(const grammar::Block& block, const WordModes& modes)
