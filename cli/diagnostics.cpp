@@ -25,6 +25,12 @@ void report_alarms(const reference::AlarmReport& report, std::string_view file,
   }
 }
 
+void report_warning(const reference::Warning& warning, std::string_view file,
+                    const grammar::Line& line) {
+  const std::string message = fmt::format("warning: {}", warning.message);
+  fmt::print(stderr, "{}", grammar::render(message, warning.where, file, line.number, line.text));
+}
+
 void report_not_covered(const reference::NotCovered& outside, std::string_view file,
                         std::string_view line) {
   const std::string message = fmt::format("not covered: {}", outside.message);

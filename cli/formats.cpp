@@ -170,7 +170,7 @@ void append_alarm_json(const reference::AlarmReport& report, std::string& out) {
   const reference::Alarm& first = report.alarms.front();
   out += fmt::format("{{\"k\":\"alarm\",\"class\":\"{}\",\"b\":{}", reference::name(first.alarm),
                      report.block);
-  if (first.word != 0) out += fmt::format(",\"word\":\"{}\"", first.word);
+  if (!first.word.empty()) out += fmt::format(",\"word\":\"{}\"", first.word.text());
   out += fmt::format(",\"clause\":\"{}\"}}", reference::clause_name(first.clause));
 }
 

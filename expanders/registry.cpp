@@ -9,6 +9,8 @@
 #include "expanders/hnc/subject.hpp"
 #include "expanders/ngc/faults.hpp"
 #include "expanders/ngc/subject.hpp"
+#include "expanders/sinumerik/faults.hpp"
+#include "expanders/sinumerik/subject.hpp"
 
 namespace gonogo::expanders {
 namespace {
@@ -20,7 +22,7 @@ struct Maker {
   const gonogo_subject_v1& (*subject)(std::size_t fault);
 };
 
-constexpr std::array<Maker, 3> kMakers = {{
+constexpr std::array<Maker, 4> kMakers = {{
     {"gsk", &gsk::fault_descriptions,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return gsk::subject(static_cast<gsk::Fault>(fault));
@@ -32,6 +34,10 @@ constexpr std::array<Maker, 3> kMakers = {{
     {"ngc", &ngc::fault_descriptions,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
+     }},
+    {"sinumerik", &sinumerik::fault_descriptions,
+     [](std::size_t fault) -> const gonogo_subject_v1& {
+       return sinumerik::subject(static_cast<sinumerik::Fault>(fault));
      }},
 }};
 
@@ -45,8 +51,8 @@ const Maker* maker_of(std::string_view name) {
 }  // namespace
 
 std::span<const std::string_view> names() {
-  static constexpr std::array<std::string_view, 3> kNames = {kMakers[0].name, kMakers[1].name,
-                                                             kMakers[2].name};
+  static constexpr std::array<std::string_view, 4> kNames = {kMakers[0].name, kMakers[1].name,
+                                                             kMakers[2].name, kMakers[3].name};
   return kNames;
 }
 

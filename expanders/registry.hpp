@@ -12,8 +12,8 @@ namespace gonogo::expanders {
 /// The names of the built-in expanders.
 std::span<const std::string_view> names();
 
-/// The built-in expander `name` ("gsk", "hnc", "ngc") with the planted fault `fault`; empty:
-/// fault-free. Null when either is unknown. The subject lives as long as the process.
+/// The built-in expander `name` ("gsk", "hnc", "ngc", "sinumerik") with the planted fault `fault`;
+/// empty: fault-free. Null when either is unknown. The subject lives as long as the process.
 const gonogo_subject_v1* find(std::string_view name, std::string_view fault = {});
 
 /// The planted faults of the expander `name`; empty when there is no such expander.

@@ -10,6 +10,7 @@
 #include "fuzz/gsk_generator.hpp"
 #include "fuzz/hnc_generator.hpp"
 #include "fuzz/ngc_generator.hpp"
+#include "fuzz/sinumerik_generator.hpp"
 
 namespace gonogo::fuzz {
 
@@ -27,6 +28,10 @@ std::span<const Generator> generators() {
        [](Choices& choices, Distribution* distribution) {
          return generate_ngc(choices, {}, distribution);
        }},
+      {"sinumerik840d", "sinumerik",
+       [](Choices& choices, Distribution* distribution) {
+         return generate_sinumerik(choices, {}, distribution);
+       }},
   });
   return kGenerators;
 }
@@ -39,7 +44,7 @@ const Generator* find_generator(std::string_view expander) {
 std::string choose_reading(Choices& choices, reference::Profile& profile) {
   std::vector<const reference::Reading*> own;
   for (const reference::Reading& reading : reference::readings()) {
-    if (reading.dialect == profile.dialect) own.push_back(&reading);
+    if (reading.belongs_to(profile.dialect)) own.push_back(&reading);
   }
   const reference::Reading& reading = *own[choices.below(static_cast<std::uint32_t>(own.size()))];
   const auto count = static_cast<std::uint32_t>(reading.alternatives.size());

@@ -51,21 +51,41 @@ std::int64_t ProgramWriter::length(std::int64_t most_units) {
   }
 }
 
+std::string ProgramWriter::head() {
+  std::string text;
+  if (choices_.one_in(40)) text += '/';
+  if (choices_.one_in(10)) text += fmt::format("N{} ", choices_.below(9999));
+  return text;
+}
+
+std::string ProgramWriter::tail() {
+  std::string text;
+  if (choices_.one_in(12)) text += "(comment \xE5\x88\x80)";
+  if (choices_.one_in(10)) text += ";";
+  return text;
+}
+
+std::string ProgramWriter::negated(const std::string& word) const {
+  return word[1] == '-' ? word.substr(0, 1) + word.substr(2)
+                        : fmt::format("{}-{}", word[0], word.substr(1));
+}
+
+std::string ProgramWriter::with_value(const std::string& word, const char* value) const {
+  return word.substr(0, 1) + value;
+}
+
 void ProgramWriter::put(Words words) {
   if (fault_one_in_ != 0 && choices_.one_in(fault_one_in_)) {
     spoil(words);
     on_fault();
   }
-  std::string line;
-  if (choices_.one_in(40)) line += '/';
-  if (choices_.one_in(10)) line += fmt::format("N{} ", choices_.below(9999));
+  std::string line = head();
   const bool together = choices_.one_in(6);
   for (const std::string& item : words) {
     line += printed(item);
     if (!together) line += ' ';
   }
-  if (choices_.one_in(12)) line += "(comment \xE5\x88\x80)";
-  if (choices_.one_in(10)) line += ";";
+  line += tail();
   text_ += line + (choices_.one_in(30) ? "\r\n" : "\n");
   if (choices_.one_in(30)) text_ += "\n";
 }
@@ -91,13 +111,12 @@ void ProgramWriter::spoil(Words& words) {
       count("fault: sign");
       // Whether -0 has a sign is undecided.
       if (!is_code(victim) && victim.find_first_of("123456789") != std::string::npos) {
-        victim = victim[1] == '-' ? victim.substr(0, 1) + victim.substr(2)
-                                  : fmt::format("{}-{}", victim[0], victim.substr(1));
+        victim = negated(victim);
       }
       break;
     case Fault::zero:
       count("fault: zero");
-      if (!is_code(victim) && victim[0] != 'F') victim = victim.substr(0, 1) + "0";
+      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, "0");
       break;
     case Fault::stray:
       count("fault: another axis");
@@ -105,7 +124,7 @@ void ProgramWriter::spoil(Words& words) {
       break;
     case Fault::far:
       count("fault: far out");
-      if (!is_code(victim) && victim[0] != 'F') victim = victim.substr(0, 1) + "1000000";
+      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, "1000000");
       break;
   }
 }

@@ -36,6 +36,12 @@ class ProgramWriter {
   virtual bool may_have(Fault fault, const std::string& word) const = 0;
   // A word as it stands in the text.
   virtual std::string printed(const std::string& word) { return word; }
+  // What stands before and behind the words of a block: a slash and a number, comments.
+  virtual std::string head();
+  virtual std::string tail();
+  // The word with the sign of its value turned, or with another value.
+  virtual std::string negated(const std::string& word) const;
+  virtual std::string with_value(const std::string& word, const char* value) const;
 
   void count(const std::string& name) {
     if (distribution_ != nullptr) ++(*distribution_)[name];

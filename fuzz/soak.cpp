@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <string>
 
 #include "expanders/registry.hpp"
@@ -44,6 +45,18 @@ bool parse(int argc, char** argv, SoakOptions& options) {
   return true;
 }
 
+// An error of the oracle's own names its program.
+oracle::Verdict judged(oracle::Subject& subject, const fuzz::GeneratedProgram& program,
+                       std::uint64_t seed) {
+  try {
+    return fuzz::run_and_judge(subject, program.profile, program.text);
+  } catch (const std::exception& error) {
+    fmt::print("--seed {} --programs 1 throws: {}\nprofile: {}\nprogram:\n{}", seed, error.what(),
+               reference::profile_json(program.profile), program.text);
+    throw;
+  }
+}
+
 int soak(const SoakOptions& options) {
   const std::size_t plus = options.subject.find('+');
   const std::string fault = plus == std::string::npos ? "" : options.subject.substr(plus + 1);
@@ -61,7 +74,7 @@ int soak(const SoakOptions& options) {
     fuzz::Choices choices(options.seed + i);
     const fuzz::GeneratedProgram program =
         generator.generate(choices, options.distribution ? &distribution : nullptr);
-    const oracle::Verdict verdict = fuzz::run_and_judge(*subject, program.profile, program.text);
+    const oracle::Verdict verdict = judged(*subject, program, options.seed + i);
     ++distribution[fmt::format("verdict {}", name(verdict.kind))];
     if (decision(verdict.kind) == oracle::Decision::go) continue;
     if (verdict.kind == oracle::VerdictKind::oracle_gap &&

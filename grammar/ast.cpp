@@ -9,6 +9,8 @@ void Block::clear() {
   sequence_number.reset();
   program_number.reset();
   words.clear();
+  named.clear();
+  terms.clear();
   comments.clear();
   outside.reset();
 }

@@ -12,8 +12,9 @@
 namespace gonogo::grammar {
 
 // The dialects that the grammar reads.
-enum class Dialect { gsk988ta, hnc21t, rs274 };
-inline constexpr Dialect kDialects[] = {Dialect::gsk988ta, Dialect::hnc21t, Dialect::rs274};
+enum class Dialect { gsk988ta, hnc21t, rs274, sinumerik };
+inline constexpr Dialect kDialects[] = {Dialect::gsk988ta, Dialect::hnc21t, Dialect::rs274,
+                                        Dialect::sinumerik};
 
 // Bytes [begin, end) of the line, counted from 0. A column for people is begin + 1.
 struct Span {
@@ -42,6 +43,53 @@ struct Word {
   }
 };
 
+// One step of an expression of SINUMERIK in postfix order: 1 2 add is 1+2.
+enum class TermKind : std::uint8_t {
+  number,     // pushes `number`
+  parameter,  // pushes the value of R`number`
+  negate,
+  sin,  // of degrees
+  cos,
+  tan,
+  sqrt,
+  abs,
+  add,
+  subtract,
+  multiply,
+  divide,
+};
+
+struct Term {
+  TermKind kind = TermKind::number;
+  Decimal number;
+  Span where;
+  friend bool operator==(const Term& a, const Term& b) {
+    return a.kind == b.kind && a.number == b.number;
+  }
+};
+
+// How the value of an end point or a centre is meant: as the mode in force says, =AC(...),
+// =IC(...).
+enum class Dimension : std::uint8_t { as_in_force, absolute, incremental };
+
+// One item of a block of SINUMERIK, whose addresses have names: X10, CR=5.23, I1=AC(2), R101=R1+2,
+// G2, LCYC75, MSG("...").
+struct NamedWord {
+  std::string name;                    // in capitals: "X", "CR", "R", "LCYC75", "MSG"
+  std::optional<std::uint64_t> index;  // of I1=, R101=, H5=: the number before '='
+  bool has_equals = false;
+  bool is_call = false;  // name(...): what stands between the brackets is not kept
+  Dimension dimension = Dimension::as_in_force;
+  std::uint32_t first_term = 0;  // its value, in Block::terms
+  std::uint32_t terms = 0;       // 0: a name without a value
+  Span where;
+  friend bool operator==(const NamedWord& a, const NamedWord& b) {
+    return a.name == b.name && a.index == b.index && a.has_equals == b.has_equals &&
+           a.is_call == b.is_call && a.dimension == b.dimension && a.first_term == b.first_term &&
+           a.terms == b.terms;
+  }
+};
+
 // The bytes of a comment, whatever their encoding, without its delimiters.
 struct Comment {
   std::string text;
@@ -55,7 +103,8 @@ struct Comment {
 // Something that the maker's language has and the gauge does not read: a variable, an expression, a
 // jump. The block is well formed as far as can be told; its meaning is not covered.
 struct OutsideConstruct {
-  std::string name;  // stable: "variable", "expression", "control-statement", "file-name", "o-word"
+  // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string".
+  std::string name;
   Span where;
   friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {
     return a.name == b.name;
@@ -69,6 +118,8 @@ struct Block {
   std::optional<Decimal> sequence_number;  // N
   std::optional<Decimal> program_number;   // O, in HNC also %
   std::vector<Word> words;
+  std::vector<NamedWord> named;  // SINUMERIK, in place of `words`, in the order written
+  std::vector<Term> terms;       // the values of `named`, one after the other
   std::vector<Comment> comments;
   std::optional<OutsideConstruct> outside;
 

@@ -58,7 +58,9 @@ constexpr char capital_of(char letter) {
 }
 
 // What may stand somewhere outside a comment in a block that is read.
-inline constexpr ByteSet kProgram = kBlank | kDigit | kCapital | kSign | ByteSet{".()/;%#[]"};
+template <Letters letters>
+inline constexpr ByteSet kProgram = kBlank | kDigit | kSign | ByteSet{".()/;%#[]"} |
+                                    (letters == Letters::capital ? kCapital : kLetter);
 
 // What may stand in an outside construct, without the bytes that open or close something.
 template <Letters letters>

@@ -30,6 +30,21 @@ constexpr Expectation kExpectations[] = {
     {"tape-mark-end", SyntaxCode::unexpected_character, "the end of the line after '%'"},
     {"percent-sign-end", SyntaxCode::unexpected_character,
      "a program number or the end of the line after '%'"},
+    {"program-name-end", SyntaxCode::unexpected_character,
+     "the name of the program or the end of the line after '%'"},
+    {"colon-number", SyntaxCode::number_expected, "a whole number without a sign after ':'"},
+    {"number-or-equals", SyntaxCode::number_expected, "a number or '=' after @"},
+    {"value", SyntaxCode::number_expected, "a number, an R parameter, a function or '('"},
+    {"equals", SyntaxCode::unexpected_character, "'=' after @"},
+    {"parameter-equals", SyntaxCode::unexpected_character, "'=' after the R parameter"},
+    {"open-bracket", SyntaxCode::unexpected_character, "'(' after @"},
+    {"close-bracket", SyntaxCode::unexpected_character, "')'"},
+    {"close-quote", SyntaxCode::unexpected_character, "'\"' at the end of the string"},
+    {"own-value", SyntaxCode::unexpected_character,
+     "a value without AC() and IC(), which are only the whole value of an axis, I J K, I1 J1 K1 or "
+     "AP"},
+    {"nesting", SyntaxCode::unexpected_character, "a value of at most 64 brackets in each other"},
+    {"word-end", SyntaxCode::unexpected_character, "a word, a comment or the end of the block"},
 };
 
 // A code, its stable name and its sentence; '@' stands for what was expected.
@@ -83,10 +98,18 @@ std::size_t behind_number_start(std::string_view line, std::size_t offset) {
   return offset;
 }
 
-// The address that stands before `offset`.
+// The address that stands before `offset`, with all its letters.
 std::string_view address_before(std::string_view line, std::size_t offset) {
   while (offset > 0 && !kLetter.contains(line[offset - 1])) --offset;
-  return offset == 0 ? std::string_view{} : line.substr(offset - 1, 1);
+  std::size_t begin = offset;
+  while (begin > 0 && kLetter.contains(line[begin - 1])) --begin;
+  return line.substr(begin, offset - begin);
+}
+
+// N, or ':' in its place with a number.
+bool begins_number_word(std::string_view line, std::size_t offset) {
+  if (capital_of(line[offset]) == 'N') return true;
+  return line[offset] == ':' && offset + 1 < line.size() && kDigit.contains(line[offset + 1]);
 }
 
 // A character that has no place in any block, outside comments.
@@ -100,19 +123,23 @@ SyntaxError foreign_character(std::string_view line, std::size_t offset, std::st
 }  // namespace
 
 SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset,
-                     Letters letters) {
+                     const ByteSet& program) {
   const Expectation& expectation = expectation_of(key);
   if (expectation.code == SyntaxCode::unclosed_comment) {
     return {expectation.code, span(offset - 1, line.size()), std::string(expectation.phrase)};
   }
-  if (key == "number") offset = behind_number_start(line, offset);
+  if (key == "number" || key == "number-or-equals") offset = behind_number_start(line, offset);
   std::string phrase = insert(expectation.phrase, address_before(line, offset));
   if (offset == line.size()) return {expectation.code, span(offset, offset), std::move(phrase)};
-  const char byte = letters == Letters::any_case ? capital_of(line[offset]) : line[offset];
-  if (!kProgram.contains(byte)) return foreign_character(line, offset, std::move(phrase));
-  if (key == "block-end" && (byte == 'N' || byte == 'O')) {
+  const char byte = line[offset];
+  if (!program.contains(byte)) return foreign_character(line, offset, std::move(phrase));
+  const char capital = capital_of(byte);
+  if (key == "block-end" && (capital == 'N' || capital == 'O')) {
     return {SyntaxCode::misplaced_number_word, span(offset, offset + 1),
             "an address other than N and O"};
+  }
+  if (key == "word-end" && begins_number_word(line, offset)) {
+    return {SyntaxCode::misplaced_number_word, span(offset, offset + 1), "a word other than N"};
   }
   return {expectation.code, span(offset, offset + 1), std::move(phrase)};
 }

@@ -12,8 +12,9 @@
 namespace gonogo::grammar {
 
 // `key` is the name of the rule that was expected at `offset` of `line`; one table maps the keys to
-// codes and phrases. An unknown key is a fault of the grammar and aborts.
+// codes and phrases. An unknown key is a fault of the grammar and aborts. `program` are the bytes
+// that the dialect has outside comments.
 SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset,
-                     Letters letters);
+                     const ByteSet& program);
 
 }  // namespace gonogo::grammar

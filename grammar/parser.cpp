@@ -5,6 +5,7 @@
 #include "grammar/x3/gsk988ta.hpp"
 #include "grammar/x3/hnc21t.hpp"
 #include "grammar/x3/rs274.hpp"
+#include "grammar/x3/sinumerik.hpp"
 
 namespace gonogo::grammar {
 
@@ -18,6 +19,8 @@ std::optional<SyntaxError> parse_block(Dialect dialect, std::string_view line, B
       return hnc21t::parse_line(line, block);
     case Dialect::rs274:
       return rs274::parse_line(line, block);
+    case Dialect::sinumerik:
+      return sinumerik::parse_line(line, block);
   }
   __builtin_unreachable();
 }

@@ -22,11 +22,12 @@ namespace gonogo::grammar {
 // the beginning of such a line (Line::too_long).
 SyntaxError line_too_long();
 
-// Writes a block so that parse_block of its dialect reads the same tree again: words first, then
-// comments, a program number as O, and for an outside construct, whose text is not in the tree, a
-// short one of the same name, which every dialect that has the construct reads. The tree
-// is one that parse_block can give (no ')' in a comment, one comment to the end of the line, ...).
-std::string print(const Block& block);
+// Writes a block so that parse_block of the same dialect reads the same tree again: words first,
+// then comments, a program number as O, and for an outside construct, whose text is not in the
+// tree, a short one of the same name. Values are written with the fewest brackets, calls without
+// their arguments. The tree is one that parse_block of that dialect can give (no ')' in a comment,
+// one comment to the end of the line, ...).
+std::string print(Dialect dialect, const Block& block);
 // Appends the number: -12.50.
 void print(const Decimal& value, std::string& out);
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grammar/parser.hpp"
+#include "grammar/print_sinumerik.hpp"
 
 namespace gonogo::grammar {
 namespace {
@@ -12,16 +13,20 @@ struct StandIn {
   std::string_view text;
 };
 
-// The text of an outside construct is not in the tree; any text of the same name stands for it in
-// every dialect that has the construct.
+// The text of an outside construct is not in the tree; any text of the same name stands for it.
 constexpr StandIn kStandIns[] = {{"variable", "X#1"},
                                  {"expression", "X[1]"},
                                  {"control-statement", "GOTO 1"},
                                  {"file-name", "P[T1]"},
                                  {"o-word", "O1 SUB"}};
+constexpr StandIn kSinumerikStandIns[] = {{"variable", "X=$A"},
+                                          {"expression", "X=POT(1)"},
+                                          {"control-statement", "GOTOF A"},
+                                          {"string", "T=\"A\""}};
 
-std::string_view stand_in(std::string_view name) {
-  for (const StandIn& entry : kStandIns) {
+template <std::size_t size>
+std::string_view stand_in(std::string_view name, const StandIn (&list)[size]) {
+  for (const StandIn& entry : list) {
     if (entry.name == name) return entry.text;
   }
   std::abort();  // a name that no grammar gives
@@ -48,9 +53,9 @@ void print(const Decimal& value, std::string& out) {
   }
 }
 
-std::string print(const Block& block) {
-  if (block.tape_mark) return "%";
+std::string print(Dialect dialect, const Block& block) {
   std::string out;
+  if (block.tape_mark) out.push_back('%');
   if (block.skip) out.push_back('/');
   if (block.sequence_number) {
     out.push_back('N');
@@ -65,6 +70,10 @@ std::string print(const Block& block) {
     out.push_back(word.address);
     print(word.value, out);
   }
+  for (const NamedWord& word : block.named) {
+    blank(out);
+    print(word, block, out);
+  }
   for (const Comment& comment : block.comments) {
     if (comment.to_end_of_line) continue;
     blank(out);
@@ -72,7 +81,9 @@ std::string print(const Block& block) {
   }
   if (block.outside) {
     blank(out);
-    out += stand_in(block.outside->name);
+    const std::string_view name = block.outside->name;
+    out += dialect == Dialect::sinumerik ? stand_in(name, kSinumerikStandIns)
+                                         : stand_in(name, kStandIns);
   }
   for (const Comment& comment : block.comments) {
     if (comment.to_end_of_line) out.append(";").append(comment.text);

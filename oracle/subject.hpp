@@ -44,7 +44,7 @@ struct SubjectAlarm {
   std::string native;
   std::string alarm_class;  // empty when only native was given
   std::uint64_t block = 0;  // 0: not given
-  char word = 0;
+  reference::WordName word;
 };
 
 // How a run of one program ended, apart from the records.

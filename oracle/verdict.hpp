@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "reference/record.hpp"
+#include "reference/word_name.hpp"
 
 namespace gonogo::oracle {
 
@@ -54,7 +55,7 @@ struct Verdict {
   std::string reading;                // another reading under which the answer would be GO: "k=v"
   std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0
-  char word = 0;
+  reference::WordName word;
   std::string want;             // the reference's record, level or alarm
   std::string got;              // the subject's
   std::string deviation_exact;  // mm, as in a record; empty: none

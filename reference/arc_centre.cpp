@@ -24,6 +24,13 @@ ArcEnds::ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to
       dq(end_q - start_q),
       chord_2(square(fine(dp)) + square(fine(dq))) {}
 
+ArcEnds::ArcEnds(const Number& along_p, const Number& along_q)
+    : end_p(along_p),
+      end_q(along_q),
+      dp(along_p),
+      dq(along_q),
+      chord_2(square(fine(dp)) + square(fine(dq))) {}
+
 std::array<Number, 2> ArcEnds::middle() const {
   const Number half = Number::millionths(500'000);
   return {(start_p + end_p) * half, (start_q + end_q) * half};
@@ -35,18 +42,22 @@ bool ArcEnds::chord_within(const Number& length) const {
 
 // The centre stands off the middle of the chord by sqrt(R^2 - (chord/2)^2): in chords,
 // sqrt((4 R^2 - chord^2) / (4 chord^2)).
+std::optional<std::array<Number, 2>> centre_off_middle(const ArcEnds& ends, const Number& radius_2,
+                                                       int side) {
+  const Number rest = radius_2 * 4 - ends.chord_2;
+  if (rest.sign() < 0) return std::nullopt;
+  return Number::roots(ends.middle(), {ends.dq * side, ends.dp * -side}, rest, ends.chord_2 * 4);
+}
+
 std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
                                                         int sense) {
-  const Number rest = square(fine(radius)) * 4 - ends.chord_2;
-  if (rest.sign() < 0) return std::nullopt;
-  const int side = -sense * radius.sign();  // +1: right of the chord
-  return Number::roots(ends.middle(), {ends.dq * side, ends.dp * -side}, rest, ends.chord_2 * 4);
+  return centre_off_middle(ends, square(fine(radius)), -sense * radius.sign());
 }
 
 OffsetCentre::OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q)
     : centre{ends.start_p + offset_p, ends.start_q + offset_q} {
-  from_centre = {fine(offset_p), fine(offset_q), fine(ends.end_p - centre[0]),
-                 fine(ends.end_q - centre[1])};
+  from_centre = {fine(offset_p), fine(offset_q), fine(ends.dp - offset_p),
+                 fine(ends.dq - offset_q)};
   start_2 = square(from_centre[0]) + square(from_centre[1]);
   end_2 = square(from_centre[2]) + square(from_centre[3]);
 }
@@ -71,6 +82,12 @@ bool OffsetCentre::radii_agree_squared(const Number& limit_2) const {
 // sqrt(b) >= (1 - part) sqrt(a), where b is the smaller one.
 bool OffsetCentre::radii_agree_in_part(const Number& part) const {
   return min(start_2, end_2) >= square(Number(1) - part) * max(start_2, end_2);
+}
+
+// (1 - part) sqrt(a) <= sqrt(b) <= (1 + part) sqrt(a), where a is at the start.
+bool OffsetCentre::radii_agree_in_part_of_start(const Number& part) const {
+  const bool not_short = part >= Number(1) || end_2 >= square(Number(1) - part) * start_2;
+  return not_short && end_2 <= square(Number(1) + part) * start_2;
 }
 
 bool OffsetCentre::radius_below(const Number& length) const {

@@ -25,6 +25,8 @@ struct ArcEnds {
   Number chord_2;  // squared, um^2
 
   ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to);
+  // Seen from the start: the chord alone.
+  ArcEnds(const Number& along_p, const Number& along_q);
   bool closed() const { return dp.sign() == 0 && dq.sign() == 0; }
   std::array<Number, 2> middle() const;
   // Whether the chord is no longer than this, mm.
@@ -36,6 +38,12 @@ struct ArcEnds {
 // REQUIRES: !ends.closed().
 std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
                                                         int sense);
+
+// The centre off the middle of the chord where the circle of this radius (squared, um^2) runs
+// through both ends: `side` +1 is right of the chord, -1 left. Nothing when twice the radius is
+// less than the chord. REQUIRES: !ends.closed().
+std::optional<std::array<Number, 2>> centre_off_middle(const ArcEnds& ends, const Number& radius_2,
+                                                       int side);
 
 // The centre at an offset from the start, and the squares of the radii at start and end.
 struct OffsetCentre {
@@ -53,6 +61,8 @@ struct OffsetCentre {
   bool radii_agree(const Number& limit) const;
   bool radii_agree_squared(const Number& limit_2) const;
   bool radii_agree_in_part(const Number& part) const;
+  // The same of the radius at the start, any part.
+  bool radii_agree_in_part_of_start(const Number& part) const;
   // Whether a radius is less than `length`, mm.
   bool radius_below(const Number& length) const;
 };

@@ -5,18 +5,14 @@
 
 namespace gonogo::reference {
 
-void BlockBase::alarm(AlarmClass alarm, ClauseId clause, char address, std::string message) {
-  grammar::Span where;
-  if (address != 0 && table.has(address)) {
-    where = table.word(address)->where;
-  } else if (!table.block().words.empty()) {
-    where.begin = where.end = table.block().words.back().where.end;
-  }
+void BlockBase::alarm(AlarmClass alarm, ClauseId clause, WordName address, std::string message) {
+  const grammar::Span where = places.place_of(address).value_or(places.behind());
   out.alarms.push_back({alarm, clause, address, where, std::move(message)});
 }
 
-void BlockBase::missing(ClauseId clause, char address) {
-  alarm(AlarmClass::missing_word, clause, address, fmt::format("The word {} is missing.", address));
+void BlockBase::missing(ClauseId clause, WordName address) {
+  alarm(AlarmClass::missing_word, clause, address,
+        fmt::format("The word {} is missing.", address.text()));
 }
 
 void BlockBase::need_feed(ClauseId clause) {
@@ -32,9 +28,8 @@ bool BlockBase::turns_alone(const Position& to) const {
 }
 
 void BlockBase::not_covered(int code, char address, std::string message) {
-  grammar::Span where;
-  if (table.has(address)) where = table.word(address)->where;
-  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message), where};
+  out.not_covered = NotCovered{line, fmt::format("G{}", code), std::move(message),
+                               places.place_of(address).value_or(grammar::Span{})};
 }
 
 Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list<AxisValue> to) {
@@ -47,7 +42,7 @@ Record BlockBase::motion(RecordKind kind, ClauseId clause, std::initializer_list
     record.axes.add(axis);
     record.to[axis] = value;
   }
-  if (kind == RecordKind::feed || kind == RecordKind::arc) {
+  if (kind == RecordKind::feed || kind == RecordKind::arc || kind == RecordKind::arc3) {
     record.feed = state.feed;
     record.feed_mode = state.feed_mode;
   }

@@ -25,15 +25,15 @@ struct MotionState {
 
 struct BlockBase {
   MotionState& state;
-  const WordTable& table;
+  const WordPlaces& places;
   const Profile& profile;
   const ReadingsInUse& readings;
   std::uint64_t line;
   BlockOutput& out;
 
   // A broken rule. `address` names the word; a missing word has its place past the line's end.
-  void alarm(AlarmClass alarm, ClauseId clause, char address, std::string message);
-  void missing(ClauseId clause, char address);
+  void alarm(AlarmClass alarm, ClauseId clause, WordName address, std::string message);
+  void missing(ClauseId clause, WordName address);
   // An alarm when no feed is in force.
   void need_feed(ClauseId clause);
   // Whether only rotary axes have a way to go.

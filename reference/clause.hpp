@@ -12,6 +12,8 @@
 #include "reference/catalog/gsk988ta.hpp"
 #include "reference/catalog/hnc21t.hpp"
 #include "reference/catalog/rs274.hpp"
+#include "reference/catalog/sinumerik.hpp"
+#include "reference/catalog/sinumerik802s.hpp"
 
 namespace gonogo::reference {
 namespace catalog {
@@ -25,7 +27,8 @@ consteval auto joined(const Catalog&... catalogs) {
   return all;
 }
 
-inline constexpr auto kAll = joined(kGsk988ta, hnc21t::kClauses, rs274::kClauses);
+inline constexpr auto kAll = joined(kGsk988ta, hnc21t::kClauses, rs274::kClauses,
+                                    sinumerik::kPathClauses, sinumerik::kCycleClauses);
 
 }  // namespace catalog
 

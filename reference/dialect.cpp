@@ -10,6 +10,8 @@
 #include "reference/hnc21t/interpreter.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/interpreter.hpp"
+#include "reference/sinumerik/codes.hpp"
+#include "reference/sinumerik/interpreter.hpp"
 
 namespace gonogo::reference {
 
@@ -19,15 +21,25 @@ constexpr auto kOffsets =
     std::to_array<std::string_view>({"G54", "G55", "G56", "G57", "G58", "G59"});
 constexpr auto kGskParameters =
     std::to_array<std::string_view>({"3403.6", "3410", "5130", "5920", "5921"});
+constexpr auto kSinumerikParameters =
+    std::to_array<std::string_view>({"CIRCLE_ERROR_CONST", "CIRCLE_ERROR_FACTOR"});
 constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});
+
+// The 802S has the path commands of the 840D, and more.
+constexpr auto kClauses802s =
+    catalog::joined(catalog::sinumerik::kPathClauses, catalog::sinumerik::kCycleClauses);
 
 void keeps_defaults(Profile&) {}
 
 void mills(Profile& profile) {
   profile.x_diameter = false;
-  profile.dialect_resolution = Number::millionths(100);
   profile.initial.plane = Plane::g17;
   profile.initial.motion = kNoMotion;
+}
+
+void mills_finely(Profile& profile) {
+  mills(profile);
+  profile.dialect_resolution = Number::millionths(100);
 }
 
 }  // namespace
@@ -53,9 +65,35 @@ std::span<const Dialect> dialects() {
        rs274::codes_without_effect,
        {},
        {},
-       mills,
+       mills_finely,
        "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, O words, "
        "variables (#) and expressions ([ ])"},
+      {"sinumerik840d",
+       grammar::Dialect::sinumerik,
+       catalog::sinumerik::kPathClauses,
+       "SIE-LEX-01"_clause,
+       false,
+       sinumerik::make_interpreter_840d,
+       sinumerik::outside_codes,
+       sinumerik::codes_without_effect,
+       {},
+       kSinumerikParameters,
+       mills,
+       "subprograms (L, P, calls), the axes B U V W and those with a number, R[ ] and $ variables, "
+       "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},
+      {"sinumerik802s",
+       grammar::Dialect::sinumerik,
+       kClauses802s,
+       "SIE-LEX-01"_clause,
+       false,
+       sinumerik::make_interpreter_802s,
+       sinumerik::outside_codes,
+       sinumerik::codes_without_effect,
+       {},
+       kSinumerikParameters,
+       mills,
+       "subprograms (L, P, calls), the axes B U V W and those with a number, R[ ] and $ variables, "
+       "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},
   });
   return kDialects;
 }

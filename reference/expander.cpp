@@ -10,6 +10,7 @@ void BlockOutput::clear() {
   cycle = {};
   after.clear();
   alarms.clear();
+  warnings.clear();
   not_covered.reset();
   program_end = false;
 }
@@ -61,6 +62,9 @@ const Item* Expander::next() {
     }
     if (block_.skip && profile_.block_skip) continue;
     interpreter_->run(line_.number, block_, out_);
+    if (warn_) {
+      for (const Warning& warning : out_.warnings) warn_(warning, line_);
+    }
     if (!out_.alarms.empty() || out_.not_covered) {
       // None of the motion of the alarming block.
       out_.items.clear();

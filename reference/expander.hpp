@@ -7,6 +7,7 @@
 // number of blocks or of motions of a block.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct BlockOutput {
   Generator<Item> cycle;
   std::vector<Item> after;
   std::vector<Alarm> alarms;
+  std::vector<Warning> warnings;
   std::optional<NotCovered> not_covered;
   bool program_end = false;
 
@@ -63,6 +65,9 @@ class Expander {
   void stand_at(const Position& position) { interpreter_->stand_at(position); }
 
   const ReadingsInUse& readings() const { return readings_; }
+  // Is told of every warning, with its line. A judge does without.
+  using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
+  void on_warning(WarningSink sink) { warn_ = std::move(sink); }
   // After a syntax alarm: the text of its line, for a diagnostic.
   std::string_view failed_line() const { return line_.text; }
 
@@ -77,6 +82,7 @@ class Expander {
   grammar::Line line_;
   grammar::Block block_;
   BlockOutput out_;
+  WarningSink warn_;
   std::size_t next_item_ = 0;
   std::size_t next_after_ = 0;
   Item last_;

@@ -55,7 +55,16 @@ struct GCodeReading {
   std::array<int, 16> by_group{};  // the code of each group; -1: none
   std::vector<Alarm> alarms;
   std::optional<NotCovered> not_covered;
+  std::uint32_t seen = 0;  // the groups
 
+  // Whether the group was not there before.
+  template <typename Group>
+  bool is_first_of(Group group) {
+    const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(group);
+    const bool first = (seen & bit) == 0;
+    seen |= bit;
+    return first;
+  }
   template <typename Group>
   int of(Group group) const {
     return by_group[static_cast<std::size_t>(group)];
@@ -65,6 +74,7 @@ struct GCodeReading {
     by_group.fill(-1);
     alarms.clear();
     not_covered.reset();
+    seen = 0;
   }
 };
 
@@ -107,23 +117,25 @@ class GCodeTable {
   // `last_wins`: the later of two codes of a group holds, and is no alarm.
   void read(const grammar::Block& block, bool last_wins, GCodeReading& reading) const {
     reading.clear();
-    std::uint32_t seen = 0;
     for (const grammar::Word& word : block.words) {
-      if (word.address != 'G') continue;
-      const GCode<Group>* code = find(word.value);
-      if (code == nullptr) {
-        reading.alarms.push_back(undefined_code(word, undefined_));
-        continue;
-      }
-      if ((seen & bit_of(*code)) != 0 && !last_wins) {
-        reading.alarms.push_back(second_of_group(code->tenths, word, repeated_));
-      }
-      seen |= bit_of(*code);
-      if (code->treatment == Treatment::outside && !reading.not_covered) {
-        reading.not_covered = code_outside(code->tenths, code->title, word);
-      }
-      reading.by_group[static_cast<std::size_t>(code->group)] = code->tenths / 10;
+      if (word.address == 'G') read_word(word, last_wins, reading);
     }
+  }
+
+  // The same for one G word, after those before it.
+  void read_word(const grammar::Word& word, bool last_wins, GCodeReading& reading) const {
+    const GCode<Group>* code = find(word.value);
+    if (code == nullptr) {
+      reading.alarms.push_back(undefined_code(word, undefined_));
+      return;
+    }
+    if (!reading.is_first_of(code->group) && !last_wins) {
+      reading.alarms.push_back(second_of_group(code->tenths, word, repeated_));
+    }
+    if (code->treatment == Treatment::outside && !reading.not_covered) {
+      reading.not_covered = code_outside(code->tenths, code->title, word);
+    }
+    reading.by_group[static_cast<std::size_t>(code->group)] = code->tenths / 10;
   }
 
   // The codes that the gauge does not read. The names live as long as the program.

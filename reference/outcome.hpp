@@ -11,6 +11,7 @@
 
 #include "grammar/ast.hpp"
 #include "reference/record.hpp"
+#include "reference/word_name.hpp"
 
 namespace gonogo::reference {
 
@@ -27,7 +28,7 @@ std::span<const std::string_view> alarm_class_names();
 struct Alarm {
   AlarmClass alarm = AlarmClass::syntax;
   ClauseId clause = kNoClause;
-  char word = 0;        // the address at fault or missing; 0: none
+  WordName word;        // the address at fault or missing; empty: none
   grammar::Span where;  // of the word; past the line's end when it is missing
   std::string message;  // a sentence with the values
 };
@@ -45,6 +46,12 @@ struct NotCovered {
   std::uint64_t block = 0;
   std::string code;
   std::string message;
+  grammar::Span where;
+};
+
+// Something of a block that the gauge passes over, and that a reader should know of.
+struct Warning {
+  std::string message;  // a sentence
   grammar::Span where;
 };
 
@@ -118,6 +125,45 @@ struct HelixPocket {
   FeedMode feed_mode = FeedMode::per_minute;
 };
 
+// How the depth of a pocket is divided into levels.
+enum class Levels : std::uint8_t {
+  equal,     // equal infeeds, as few as R121 allows
+  max_rest,  // whole infeeds, and what is left
+  open,      // strictly falling, the first not below the reference plane less R121, no step above
+             // R121, the last on the floor
+};
+
+// The milling of one pocket of LCYC75, whose path the manual leaves open (reading
+// sie.pocket.path): everything between the arrival at the clearance above the centre and the
+// arrival at R101 above the centre. mm as true lengths, in base coordinates; lengths of the pocket
+// are its own.
+struct PocketMilling {
+  std::uint64_t block = 0;
+  ClauseId clause = kNoClause;
+  Plane plane = Plane::g17;
+  std::array<Number, 2> centre;     // along p and q
+  std::array<Number, 2> direction;  // of its length: cosine and sine from p toward q
+  Number clearance;                 // coordinate of d where the milling begins: R103 + R102
+  Number reference_plane;           // coordinate of d: R103
+  Number retract;                   // coordinate of d where it ends: R101
+  Number floor;                     // coordinate of d of the last level
+  Number rough_floor;               // finishing: coordinate of d that roughing left
+  Number length, width;  // of what the tool may touch: R118 and R119, less twice R124 in roughing
+  Number corner_radius;  // of that, not below the tool's radius
+  Number allowance;      // finishing: R124, the strip that roughing left; else 0
+  Number tool_radius;
+  Number infeed;  // R121
+  Levels levels = Levels::open;
+  bool levels_from_clearance = false;  // equal and max_rest: from R103 + R102, not from R103
+  bool finishing = false;
+  bool contour_only = false;  // finishing: the floor is not milled
+  bool one_level = false;     // finishing: one level at the floor is admissible whatever R121 says
+  int sense = -1;             // sign of rot of the pass along the border
+  Number depth_feed;          // R122
+  Number plane_feed;          // R123
+  FeedMode feed_mode = FeedMode::per_minute;
+};
+
 // The position got a new name (G50): nothing moves and no record says so, but the records that
 // follow are in the new coordinates.
 struct Renaming {
@@ -125,7 +171,7 @@ struct Renaming {
   Position shift;  // new coordinate less old one
 };
 
-using Item = std::variant<Record, PocketLevel, HelixPocket, ThreadMilling, Renaming, AlarmReport,
-                          NotCovered>;
+using Item = std::variant<Record, PocketLevel, HelixPocket, ThreadMilling, PocketMilling, Renaming,
+                          AlarmReport, NotCovered>;
 
 }  // namespace gonogo::reference

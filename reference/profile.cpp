@@ -34,7 +34,7 @@ std::optional<ProfileError> set_reading(Profile& profile, std::string_view name,
                                         std::string_view value) {
   const Reading* found = find_reading(name);
   std::string key = fmt::format("readings.{}", name);
-  if (found == nullptr || found->dialect != profile.dialect) {
+  if (found == nullptr || !found->belongs_to(profile.dialect)) {
     return ProfileError{key, fmt::format("There is no reading \"{}\" in dialect {}. `gonogo spec "
                                          "--dialect {}` lists them.",
                                          name, profile.dialect, profile.dialect)};

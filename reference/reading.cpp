@@ -6,6 +6,7 @@
 #include "reference/catalog/gsk988ta_readings.hpp"
 #include "reference/catalog/hnc21t_readings.hpp"
 #include "reference/catalog/rs274_readings.hpp"
+#include "reference/catalog/sinumerik_readings.hpp"
 
 namespace gonogo::reference {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 const std::vector<Reading>& table() {
   static const std::vector<Reading> kTable = [] {
     std::vector<Reading> all = catalog::gsk988ta_readings();
-    for (const auto& more : {catalog::hnc21t_readings(), catalog::rs274_readings()}) {
+    for (const auto& more : {catalog::hnc21t_readings(), catalog::rs274_readings(),
+                             catalog::sinumerik_readings()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;
@@ -34,6 +36,10 @@ const Reading& reading(ReadingKey key) {
 const Reading* find_reading(std::string_view name) {
   auto found = std::ranges::find(table(), name, &Reading::name);
   return found == table().end() ? nullptr : &*found;
+}
+
+bool Reading::belongs_to(std::string_view name_of_dialect) const {
+  return dialect == name_of_dialect || also == name_of_dialect;
 }
 
 bool admits(const Reading& reading, std::string_view value) {

@@ -68,8 +68,21 @@ enum class ReadingKey : std::uint8_t {
   hnc_arc_zero_radius,
   ngc_arc_tolerance,
   ngc_full_circle_words,
+  sie_arc_correct,
+  sie_cr_tolerance,
+  sie_spindle,
+  sie_initial_motion,
+  sie_g70_f,
+  sie_g158,
+  sie_rpl_equals,
+  sie_g258,
+  sie_infeed,
+  sie_infeed_from,
+  sie_finish_levels,
+  sie_corner,
+  sie_pocket_path,
 };
-inline constexpr std::size_t kReadings = 50;
+inline constexpr std::size_t kReadings = 63;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }
@@ -83,7 +96,10 @@ struct Reading {
   bool by_properties = false;  // "any" is judged by what the path does, not by paths
   bool is_length = false;      // any decimal (mm) is an alternative
   ClauseId clause = kNoClause;
-  std::string_view text;  // what the choice is about
+  std::string_view text;       // what the choice is about
+  std::string_view also = {};  // a second dialect that has the reading
+
+  bool belongs_to(std::string_view name_of_dialect) const;
 };
 
 std::span<const Reading> readings();

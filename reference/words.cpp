@@ -32,6 +32,18 @@ bool repeats_address(const grammar::Block& block) {
   return false;
 }
 
+std::optional<grammar::Span> WordTable::place_of(const WordName& name) const {
+  const std::string_view text = name.text();
+  if (text.size() != 1 || !has(text[0])) return std::nullopt;
+  return word(text[0])->where;
+}
+
+grammar::Span WordTable::behind() const {
+  if (block_.words.empty()) return {};
+  const std::uint32_t end = block_.words.back().where.end;
+  return {end, end};
+}
+
 void check_repeated_addresses(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms,
                               std::string_view may_repeat) {
   std::uint32_t seen = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,8 +41,19 @@ struct AxisAddresses {
   char increment;
 };
 
+// Where the words of a block stand on its line: what alarms need of them.
+class WordPlaces {
+ public:
+  virtual std::optional<grammar::Span> place_of(const WordName& name) const = 0;
+  // Behind the last word, where a missing one would stand.
+  virtual grammar::Span behind() const = 0;
+
+ protected:
+  ~WordPlaces() = default;
+};
+
 // Of an address that stands several times, the last word.
-class WordTable {
+class WordTable : public WordPlaces {
  public:
   explicit WordTable(const grammar::Block& block) : block_(block) {
     for (const grammar::Word& word : block.words) {
@@ -58,6 +70,11 @@ class WordTable {
   // The number as written. REQUIRES: has(address).
   Number written(char address) const { return to_number(word(address)->value); }
   const grammar::Block& block() const { return block_; }
+  std::optional<grammar::Span> place_of(const WordName& name) const override;
+  grammar::Span behind() const override;
+
+ protected:
+  ~WordTable() = default;
 
  private:
   const grammar::Block& block_;

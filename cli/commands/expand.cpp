@@ -34,6 +34,9 @@ int expand(const ExpandOptions& options) {
   warn_about_empty_program(file);
   grammar::LineSource lines(file.bytes());
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
+  expander.on_warning([&file](const reference::Warning& warning, const grammar::Line& line) {
+    report_warning(warning, file.name(), line);
+  });
   Output output;
   std::unique_ptr<RecordFormat> format = make_record_format(options.format, profile, file.name());
   int exit_code = kGo;

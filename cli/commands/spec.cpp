@@ -40,7 +40,7 @@ void append_clauses(const reference::Dialect& dialect, std::string& out) {
 void append_readings(std::string_view dialect, std::string& out) {
   out += "\nReadings (default first)\n";
   for (const reference::Reading& reading : reference::readings()) {
-    if (reading.dialect != dialect) continue;
+    if (!reading.belongs_to(dialect)) continue;
     std::string choices(reading.fallback);
     for (std::string_view alternative : reading.alternatives) {
       if (alternative != reading.fallback) choices += fmt::format(" | {}", alternative);

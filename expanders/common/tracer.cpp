@@ -85,6 +85,17 @@ bool Tracer::arc(const Plane& plane, Fixed centre_p, Fixed centre_q, int rot, co
   return send(record);
 }
 
+bool Tracer::space_arc(const Point& via, const Point& to, Axes axes, const Feed& feed) {
+  gonogo_record_v1 record = make(GONOGO_ARC3);
+  for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z}) {
+    record.via[axis] = number(via[axis]);
+  }
+  put_point(record, to, axes);
+  put_feed(record, feed);
+  position_ = to;
+  return send(record);
+}
+
 bool Tracer::dwell(Fixed seconds) {
   if (seconds == 0) return true;
   gonogo_record_v1 record = make(GONOGO_DWELL);

@@ -49,6 +49,8 @@ class Tracer {
   /// plane axes and `axes`.
   bool arc(const Plane& plane, Fixed centre_p, Fixed centre_q, int rot, const Point& to, Axes axes,
            const Feed& feed);
+  /// Arc in space through `via`, by X, Y and Z; `axes` are named in the record.
+  bool space_arc(const Point& via, const Point& to, Axes axes, const Feed& feed);
   bool dwell(Fixed seconds);
   bool function(int number);
   /// Closes the trace with the position of all axes.

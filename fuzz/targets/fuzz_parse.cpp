@@ -24,7 +24,7 @@ void check(grammar::Dialect dialect, const grammar::Line& line, grammar::Block& 
     grammar::render(*error, "fuzz", line.number, line.text);
     return;
   }
-  const std::string printed = grammar::print(block);
+  const std::string printed = grammar::print(dialect, block);
   if (grammar::parse_block(dialect, printed, again) || !(again == block)) {
     fuzz::fail("the printed block is another one", printed);
   }

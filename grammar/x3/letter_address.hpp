@@ -130,7 +130,7 @@ constexpr auto block(const Head& head, const Construct& construct) {
 
 // Reads one line of text into a block that is empty. `line` is the parser of a dialect.
 // GSK-COM-02, HNC-COM-01, NGC-COM-01: unreadable text is an error with its column.
-template <Letters letters = Letters::capital, typename Line>
+template <const ByteSet& program = kProgram<Letters::capital>, typename Line>
 std::optional<SyntaxError> read_line(const Line& line, std::string_view text, Block& into) {
   Iterator first = text.data();
   const Iterator last = first + text.size();
@@ -139,7 +139,7 @@ std::optional<SyntaxError> read_line(const Line& line, std::string_view text, Bl
     spirit::parse(first, last, spirit::with<TargetTag>(target)[line]);
   } catch (const spirit::expectation_failure<Iterator>& failure) {
     return diagnose(text, failure.which(), static_cast<std::size_t>(failure.where() - text.data()),
-                    letters);
+                    program);
   }
   return std::nullopt;
 }

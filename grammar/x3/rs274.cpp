@@ -51,7 +51,7 @@ constexpr auto line =
 }  // namespace
 
 std::optional<SyntaxError> parse_line(std::string_view text, Block& into) {
-  return read_line<kCase>(line, text, into);
+  return read_line<kProgram<kCase>>(line, text, into);
 }
 
 }  // namespace gonogo::grammar::rs274

@@ -81,7 +81,9 @@ function run(program, emit) {
   });
   const parser = new Parser(0);
   for (const command of parser.lines2commands(program.toString('utf8').split('\n'))) {
-    if (typeof command?.params?.f === 'number') feed = command.params.f;
+    // The first word of a line is a command to it, never a parameter.
+    const first = /^f(.+)$/.exec(command?.gcode ?? '')?.[1];
+    feed = command?.params?.f ?? (isDecimal(first) ? Number(first) : feed);
     rapid = /^g0?0$/.test(command?.gcode ?? '');
     commands.splice(0, commands.length, command);
     render();

@@ -23,13 +23,14 @@ class Unsupported(Exception):
 
 
 class Canon:
-    """The callbacks of one program."""
+    """The callbacks of one program. `feed` is the one of the profile, in mm/min and degrees/min."""
 
-    def __init__(self, emit, folder, block_delete):
+    def __init__(self, emit, folder, block_delete, feed):
         self.emit, self.block_delete = emit, block_delete
         self.parameter_file = os.path.join(folder, "rs274ngc.var")
-        self.line, self.feed, self.plane, self.per_turn = 0, None, 1, False
-        self.state_feed, self.fault = Fraction(0), None
+        self.line, self.plane, self.per_turn = 0, 1, False
+        self.feed = self.rotary_feed = feed
+        self.inch, self.at, self.fault = False, (0, 0, 0), None
 
     def __getattr__(self, name):
         # The interpreter calls back for spindles, coolant, comments and more: no motion, no record.
@@ -39,8 +40,7 @@ class Canon:
 
     def next_line(self, state):
         self.line = state.sequence_number
-        # Feeds are in the program's units here, 200 is G20.
-        self.state_feed = Fraction(state.feed_rate) * (MM if state.units == 200 else 1)
+        self.inch = state.units == 200  # G20, in force when the block's F is read
 
     def comment(self, text):
         # The only word about the feed mode that comes before the motion of the same line.
@@ -48,18 +48,23 @@ class Canon:
             self.per_turn = text.endswith("units per revolution")
 
     def set_feed_rate(self, feed):
+        # In inches, even where it is one of degrees. So under G21 the module has divided the degrees
+        # by 25.4.
         if self.line:
             self.feed = Fraction(feed) * MM
+            self.rotary_feed = Fraction(feed) if self.inch else self.feed
 
     def set_plane(self, plane):
         self.plane = plane
 
-    def _feeds(self):
-        # Before the first F, LinuxCNC runs with the feed that it believes the machine has.
-        return {"f": self.state_feed if self.feed is None else self.feed,
+    def _feeds(self, xyz=None):
+        # A change of units leaves the last bits of the place changed.
+        turns_only = xyz and all(abs(to - at) < 1e-12 for to, at in zip(xyz, self.at))
+        return {"f": self.rotary_feed if turns_only else self.feed,
                 "fm": "rev" if self.per_turn else None}
 
     def _put(self, kind, to, others, **fields):
+        self.at = (to["x"], to["y"], to["z"])
         if not self.line:
             return  # the way to the profile's initial position
         a, b, c, *uvw = others
@@ -83,7 +88,8 @@ class Canon:
         self._put("rapid", {"x": x, "y": y, "z": z}, others)
 
     def straight_feed(self, x, y, z, *others):
-        self._put("feed", {"x": x, "y": y, "z": z}, others, **self._feeds())
+        feeds = self._feeds((x, y, z))
+        self._put("feed", {"x": x, "y": y, "z": z}, others, **feeds)
 
     def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *others):
         plane, (first, second, third) = PLANES[self.plane]
@@ -129,7 +135,7 @@ class LinuxcncGcode(Subject):
         os.chdir(self.folder.name)  # where programs look for subroutines and write their logs
 
     def configure(self, dialect, profile):
-        at = {"initial." + axis: _is_plain for axis in "xyzac"}
+        at = {"initial." + word: _is_plain for word in "xyzacf"}
         refused = refusal(dialect, profile, {
             **linuxcnc.READINGS, **at, "units": one_of("mm", "inch"),
             "block_skip": one_of(False, True), "initial.plane": one_of("G17", "G18", "G19"),
@@ -140,22 +146,20 @@ class LinuxcncGcode(Subject):
         axes = "".join(" %s%s" % (axis.upper(), initial[axis])
                        for axis in "xyzac" if axis in initial)
         self.place = "G21" + (" G0" + axes if axes else "")
+        self.feed = initial.get("f", 0)  # without an F the module begins with F1
         # G80 forgets the G0 of the way there.
         units = "G20" if profile.get("units") == "inch" else "G21"
-        self.modes = "%s %s%s" % (units, initial.get("plane", "G17"), " G80" if axes else "")
+        self.modes = "F%s %s %s%s" % (self.feed, units, initial.get("plane", "G17"),
+                                      " G80" if axes else "")
         self.block_skip = bool(profile.get("block_skip"))
         return None
 
     def run(self, program, emit):
-        path = os.path.join(self.folder.name, "program.ngc")
-        with open(path, "wb") as file:
-            file.write(linuxcnc.completed(program))
-        canon = Canon(emit, self.folder.name, self.block_skip)
-        # What programs leave behind in the parameter file would be the next one's start.
-        with open(canon.parameter_file, "w"):
-            pass
+        canon = Canon(emit, self.folder.name, self.block_skip, Fraction(self.feed))
         try:
-            result, _ = self.gcode.parse(path, canon, self.place, self.modes)
+            # A tool length offset outlives M2 and would be the next program's start.
+            self._parse(b"G49\n", Canon(_nowhere, self.folder.name, False, 0), "G21", "G17")
+            result = self._parse(program, canon, self.place, self.modes)
         except Exception:
             if isinstance(canon.fault, Unsupported):
                 return skip("axes", str(canon.fault))
@@ -166,6 +170,19 @@ class LinuxcncGcode(Subject):
         # next_line is called for the line at fault too; the number that parse returns is one too
         # high when that line could not be read.
         return alarm(message, linuxcnc.class_of(message), b=canon.line)
+
+    def _parse(self, program, canon, *start):
+        path = os.path.join(self.folder.name, "program.ngc")
+        with open(path, "wb") as file:
+            file.write(linuxcnc.completed(program))
+        # What programs leave behind in the parameter file would be the next one's start.
+        with open(canon.parameter_file, "w"):
+            pass
+        return self.gcode.parse(path, canon, *start)[0]
+
+
+def _nowhere(*_arguments, **_fields):
+    pass
 
 
 def _is_plain(value):

@@ -19,6 +19,7 @@ from rs274_profile import one_of, refusal  # noqa: E402
 CALL = re.compile(r"^\s*\d+\s+N(?:\.*|\d*)\s*([A-Z]\w*)\((.*)\)\s*$")
 PLANES = {"CANON_PLANE_XY": ("G17", "xyz"), "CANON_PLANE_XZ": ("G18", "zxy"),
           "CANON_PLANE_YZ": ("G19", "yzx")}
+HALF_A_DIGIT = Decimal("0.00005")
 UNITS = {"CANON_UNITS_MM": Decimal(1), "CANON_UNITS_INCHES": Decimal("25.4")}
 
 
@@ -32,6 +33,8 @@ class Calls:
     def __init__(self, emit):
         self.emit = emit
         self.scale, self.feed, self.per_turn = Decimal(1), Decimal(0), False
+        self.rotary_feed = Decimal(0)
+        self.at, self.slack = [Decimal(0)] * 3, Decimal(0)
         self.plane = PLANES["CANON_PLANE_XY"]
 
     def take(self, line):
@@ -41,7 +44,10 @@ class Calls:
             handler(*[part.strip() for part in call.group(2).split(",")])
 
     def use_length_units(self, units):
-        self.scale = UNITS[units]
+        # Where the tool stands is printed in the new units from here on; it was rounded in the old.
+        factor, self.scale = self.scale / UNITS[units], UNITS[units]
+        self.at = [word * factor for word in self.at]
+        self.slack = HALF_A_DIGIT * (factor + 1) if factor != 1 else self.slack
 
     def select_plane(self, plane):
         if plane not in PLANES:
@@ -49,7 +55,8 @@ class Calls:
         self.plane = PLANES[plane]
 
     def set_feed_rate(self, feed):
-        self.feed = Decimal(feed) * self.scale
+        # A feed of degrees has no unit of length.
+        self.rotary_feed, self.feed = Decimal(feed), Decimal(feed) * self.scale
 
     def set_feed_mode(self, _spindle, mode):
         self.per_turn = mode == "1"
@@ -61,7 +68,10 @@ class Calls:
         self.emit("rapid", to=self._position("xyz", words[:3], words[3:]))
 
     def straight_feed(self, *words):
-        self.emit("feed", to=self._position("xyz", words[:3], words[3:]), **self._feeds())
+        turns_only = all(abs(Decimal(word) - at) <= self.slack
+                         for word, at in zip(words, self.at))
+        self.emit("feed", to=self._position("xyz", words[:3], words[3:]),
+                  **self._feeds(turns_only))
 
     def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *rotary):
         plane, axes = self.plane
@@ -70,14 +80,17 @@ class Calls:
         self.emit("arc", to=self._position(axes, (end1, end2, axial), rotary), plane=plane,
                   c=centre, rot=int(turn), **self._feeds())
 
-    def _feeds(self):
-        return {"f": self.feed, "fm": "rev" if self.per_turn else None}
+    def _feeds(self, turns_only=False):
+        return {"f": self.rotary_feed if turns_only else self.feed,
+                "fm": "rev" if self.per_turn else None}
 
     def _position(self, axes, words, rotary):
         a, b, c = (Decimal(word) for word in rotary[:3])
         if b:
             raise Unsupported("The axis B has no place in a record.")
-        to = {axis: Decimal(word) * self.scale for axis, word in zip(axes, words)}
+        place = {axis: Decimal(word) for axis, word in zip(axes, words)}
+        self.at, self.slack = [place[axis] for axis in "xyz"], Decimal(0)
+        to = {axis: word * self.scale for axis, word in place.items()}
         return {**to, "a": a, "c": c}
 
 

@@ -58,7 +58,7 @@ std::optional<Case> under(const CampaignOptions& options, const Case& test) {
   for (const std::string& choice : options.readings) {
     const std::size_t equals = choice.find('=');
     const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
-    if (reading == nullptr || reading->dialect != test.dialect) continue;
+    if (reading == nullptr || !reading->belongs_to(test.dialect)) continue;
     const std::string value = choice.substr(equals + 1);
     const std::string& own = merged.profile.readings.get(reading->key);
     if (own != reading->fallback && own != value) return std::nullopt;

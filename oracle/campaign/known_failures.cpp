@@ -5,6 +5,8 @@
 #include <fnmatch.h>
 #include <toml++/toml.h>
 
+#include <set>
+
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
@@ -29,25 +31,74 @@ std::string text_of(const toml::table& table, std::string_view key, bool needed)
   fail(*node, fmt::format("The value of `{}` must be a text in quotes.", key));
 }
 
-KnownFailure entry_of(const toml::table& table) {
+void refuse_other_keys(const toml::table& table, const std::set<std::string_view>& keys) {
   for (const auto& [key, value] : table) {
-    const std::string_view name = key.str();
-    if (name != "cases" && name != "verdict" && name != "deviation" && name != "reason") {
-      fail(value,
-           fmt::format("There is no key `{}`. Write cases, verdict, deviation or reason.", name));
-    }
+    if (keys.contains(key.str())) continue;
+    fail(value, fmt::format("There is no key `{}`. Write {}.", key.str(), fmt::join(keys, ", ")));
   }
+}
+
+// The globs of `cases`: a text, or a list of texts.
+std::vector<std::string> globs_of(const toml::table& table) {
+  const toml::array* list = table["cases"].as_array();
+  if (list == nullptr) return {text_of(table, "cases", true)};
+  std::vector<std::string> globs;
+  for (const toml::node& node : *list) {
+    auto text = node.value_exact<std::string>();
+    if (!text) fail(node, "The list `cases` holds texts in quotes only.");
+    globs.push_back(*std::move(text));
+  }
+  if (globs.empty()) fail(*list, "The list `cases` is empty.");
+  return globs;
+}
+
+// What a failure says besides its reason, once for each of its globs.
+void add_failures(const toml::table& table, const std::string& reason,
+                  std::vector<KnownFailure>& entries) {
   KnownFailure entry;
-  entry.cases = text_of(table, "cases", true);
   entry.deviation = text_of(table, "deviation", false);
-  entry.reason = text_of(table, "reason", true);
+  entry.got = text_of(table, "got", false);
+  entry.reason = reason;
   const std::string verdict = text_of(table, "verdict", true);
   const std::optional<VerdictKind> kind = verdict_kind(verdict);
   if (!kind || decision(*kind) != Decision::no_go) {
     fail(table, fmt::format("\"{}\" is no verdict of a failure.", verdict));
   }
   entry.verdict = *kind;
-  return entry;
+  for (std::string& glob : globs_of(table)) {
+    entry.cases = std::move(glob);
+    entries.push_back(entry);
+  }
+}
+
+// The tables of a list of tables, each given to `take`.
+template <typename Take>
+void each_table(const toml::node& node, std::string_view sentence, Take take) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) fail(node, std::string(sentence));
+  for (const toml::node& item : *list) {
+    if (item.as_table() == nullptr) fail(item, std::string(sentence));
+    take(*item.as_table());
+  }
+}
+
+void add_lone_failure(const toml::table& table, std::vector<KnownFailure>& entries) {
+  refuse_other_keys(table, {"cases", "verdict", "deviation", "got", "reason", "program"});
+  text_of(table, "program", false);
+  add_failures(table, text_of(table, "reason", true), entries);
+}
+
+void add_cause(const toml::table& cause, std::vector<KnownFailure>& entries) {
+  refuse_other_keys(cause, {"reason", "program", "failure"});
+  text_of(cause, "program", false);
+  const std::string reason = text_of(cause, "reason", true);
+  const toml::node* failures = cause.get("failure");
+  if (failures == nullptr) fail(cause, "The cause has no [[cause.failure]].");
+  each_table(*failures, "The failures of a cause are [[cause.failure]].",
+             [&](const toml::table& failure) {
+               refuse_other_keys(failure, {"cases", "verdict", "deviation", "got"});
+               add_failures(failure, reason, entries);
+             });
 }
 
 template <typename Result, typename Read>
@@ -61,20 +112,24 @@ std::variant<Result, FileFault> read_toml(std::string_view text, Read read) {
   }
 }
 
+bool is_as_known(const Verdict& verdict, const KnownFailure& entry) {
+  return verdict.kind == entry.verdict &&
+         (entry.deviation.empty() || entry.deviation == verdict.deviation_exact) &&
+         (entry.got.empty() || entry.got == verdict.got);
+}
+
 }  // namespace
 
 std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std::string_view text) {
   return read_toml<std::vector<KnownFailure>>(text, [](const toml::table& document) {
+    constexpr std::string_view kSentence = "The file holds [[cause]] and [[failure]] entries only.";
     std::vector<KnownFailure> entries;
     for (const auto& [key, value] : document) {
-      const toml::array* list = value.as_array();
-      if (key.str() != "failure" || list == nullptr) {
-        fail(value, "The file holds [[failure]] entries only.");
-      }
-      for (const toml::node& node : *list) {
-        if (node.as_table() == nullptr) fail(node, "The file holds [[failure]] entries only.");
-        entries.push_back(entry_of(*node.as_table()));
-      }
+      const bool is_cause = key.str() == "cause";
+      if (!is_cause && key.str() != "failure") fail(value, std::string(kSentence));
+      each_table(value, kSentence, [&](const toml::table& table) {
+        is_cause ? add_cause(table, entries) : add_lone_failure(table, entries);
+      });
     }
     return entries;
   });
@@ -116,9 +171,7 @@ void KnownFailures::apply(CaseResult& result) const {
                                     name(entry.verdict), entry.reason);
       return;
     }
-    const bool same_deviation =
-        entry.deviation.empty() || entry.deviation == verdict.deviation_exact;
-    if (verdict.kind != entry.verdict || !same_deviation) continue;
+    if (!is_as_known(verdict, entry)) continue;
     verdict.message =
         fmt::format("Known: {} ({}: {})", entry.reason, name(verdict.kind), verdict.message);
     verdict.kind = VerdictKind::xfail;

@@ -22,15 +22,20 @@ struct FileFault {
   std::string message;
 };
 
-//   [[failure]]
-//   cases = "ngc.arc-r.0000*"       a glob over case ids
-//   verdict = "fail.alarm-missing"
-//   deviation = "1/1000"            optional: exactly this, as results.jsonl has it
+//   [[cause]]
 //   reason = "chords above 2 R are taken for half circles"
+//   program = "G2 X30 R5 F100"      optional, for the reader: the smallest program that shows it
+//   [[cause.failure]]
+//   cases = ["ngc.arc-r.00004[5-7]", "ngc.arc-r.000051"]   globs over case ids, or one
+//   verdict = "fail.geometry"
+//   deviation = "1/1000"            optional: exactly this, as results.jsonl has it
+//   got = '{"k":"dwell","s":"-1"}'  optional, likewise
+// or all keys of one failure in a [[failure]]. A KnownFailure is one glob of it.
 struct KnownFailure {
   std::string cases;
   VerdictKind verdict = VerdictKind::fail_geometry;
   std::string deviation;
+  std::string got;
   std::string reason;
 };
 std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std::string_view text);

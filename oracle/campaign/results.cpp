@@ -73,7 +73,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   if (!verdict.reading.empty()) line["reading"] = verdict.reading;
   if (verdict.block != 0) line["b"] = verdict.block;
   if (verdict.record) line["record"] = *verdict.record;
-  if (verdict.word != 0) line["word"] = std::string(1, verdict.word);
+  if (!verdict.word.empty()) line["word"] = verdict.word.text();
   if (!verdict.want.empty()) line["want"] = verdict.want;
   if (!verdict.got.empty()) line["got"] = verdict.got;
   if (!verdict.deviation_exact.empty()) {

@@ -21,7 +21,7 @@ namespace gonogo::oracle {
 struct ExpectedAlarm {
   reference::AlarmClass alarm = reference::AlarmClass::syntax;
   std::uint64_t block = 0;
-  char word = 0;
+  reference::WordName word;
   friend bool operator==(const ExpectedAlarm&, const ExpectedAlarm&) = default;
 };
 

@@ -171,8 +171,10 @@ ExpectedAlarm FileReader::alarm_of(const JsonPlace& place) const {
   alarm.block = static_cast<std::uint64_t>(block);
   if (place.has("word")) {
     const std::string word = place.member("word").text();
-    if (word.size() != 1) place.member("word").fail("A word is named by one letter.");
-    alarm.word = word[0];
+    if (word.empty() || word.size() > 7) {
+      place.member("word").fail("A word is named by its address: X, CR, R101.");
+    }
+    alarm.word = reference::WordName(word);
   }
   return alarm;
 }

@@ -49,7 +49,7 @@ std::string program_json(std::string_view program) {
 
 std::string alarm_json(const ExpectedAlarm& alarm) {
   std::string out = fmt::format(R"({{"class":"{}","b":{})", name(alarm.alarm), alarm.block);
-  if (alarm.word != 0) out += fmt::format(R"(,"word":"{}")", alarm.word);
+  if (!alarm.word.empty()) out += fmt::format(R"(,"word":"{}")", alarm.word.text());
   return out + "}";
 }
 

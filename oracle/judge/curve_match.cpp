@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/curve_match.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "oracle/approximate.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -14,6 +12,8 @@ using reference::PlaneAxes;
 
 // Differences of less than this are no difference of whole turns.
 constexpr double kQuarterTurn = 0.25;
+
+constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 
 MatchResult departs(Departure departure, std::string reason) {
   return {departure, false, std::move(reason)};
@@ -63,7 +63,12 @@ Axis longest_axis(const Motion& motion) {
 }
 
 bool is_too_small_to_see(const Motion& motion, const Number& tolerance) {
-  return agree(motion.from, motion.to(), tolerance) && !nearly_full_turn(motion);
+  return agree(motion.from, motion.to(), tolerance) && !goes_round(motion, tolerance);
+}
+
+bool moves_one_axis(const Motion& motion, const Number& tolerance) {
+  const AxisSet moved = moved_axes(motion, tolerance);
+  return std::ranges::count_if(kAllAxes, [&](Axis axis) { return moved.has(axis); }) == 1;
 }
 
 // Whether `got` is the exact value, or that correctly rounded.
@@ -85,7 +90,9 @@ bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerm
 
 CurveMatch::CurveMatch(const Motion& reference, const JudgeTerms& terms,
                        std::optional<OpenArc> open)
-    : reference_(reference), terms_(terms), open_(std::move(open)) {}
+    : reference_(reference), terms_(terms), open_(std::move(open)) {
+  if (is_round(reference.record.kind)) round_.emplace(reference_, open_);
+}
 
 MatchResult CurveMatch::match(const Motion& subject) {
   const Record& want = reference_.record;
@@ -93,25 +100,17 @@ MatchResult CurveMatch::match(const Motion& subject) {
   if (terms_.compare_blocks && want.block != got.block) {
     return departs(Departure::block, "The motion belongs to another block.");
   }
-  const bool chord =
-      want.kind == RecordKind::arc && got.kind == RecordKind::feed && terms_.chord.sign() > 0;
-  if (want.kind != got.kind && !chord) {
-    return departs(Departure::kind, "The motion is of another kind.");
-  }
-  MatchResult result;
-  switch (want.kind) {
-    case RecordKind::rapid:
-      return match_rapid(subject);
-    case RecordKind::feed:
-      result = match_line(subject);
-      break;
-    case RecordKind::arc:
-      result = chord ? match_chord(subject) : match_arc(subject);
-      break;
-    case RecordKind::thread:
-      return match_thread(subject);
-    default:
-      return departs(Departure::undecided, "No rule compares this kind of motion.");
+  MatchResult result = departs(Departure::kind, "The motion is of another kind.");
+  if (round_) {
+    if (got.kind == RecordKind::arc) result = match_arc(subject);
+    if (got.kind == RecordKind::arc3) result = match_arc3(subject);
+    if (got.kind == RecordKind::feed && terms_.chord.sign() > 0) result = match_chord(subject);
+  } else if (want.kind == RecordKind::feed && got.kind == RecordKind::arc3) {
+    result = match_flat(subject);
+  } else if (want.kind == got.kind) {
+    if (want.kind == RecordKind::rapid) return match_rapid(subject);
+    if (want.kind == RecordKind::thread) return match_thread(subject);
+    result = match_line(subject);
   }
   if (result.departure == Departure::none && !feeds_agree(want, got, terms_)) {
     return departs(Departure::feed, "The feed differs.");
@@ -158,7 +157,11 @@ MatchResult CurveMatch::match_rapid(const Motion& subject) {
 MatchResult CurveMatch::match_line(const Motion& subject) {
   const Span01 start = agreeing_parameters(reference_, subject.from, terms_.tolerance);
   const Span01 end = agreeing_parameters(reference_, subject.to(), terms_.tolerance);
-  if (start.empty()) return departs(Departure::geometry, "The cut does not start on the line.");
+  // Or where the reference stood before what it dropped, and the subject may not have.
+  const bool stood = reference_.stood && agree(subject.from, *reference_.stood, terms_.tolerance);
+  if (start.empty() && !stood) {
+    return departs(Departure::geometry, "The cut does not start on the line.");
+  }
   if (end.empty()) return departs(Departure::geometry, "The cut does not end on the line.");
   const Axis axis = longest_axis(reference_);
   const int direction = (reference_.to()[axis] - reference_.from[axis]).sign();
@@ -170,9 +173,19 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
 }
 
+// An arc in space that nothing tells from its chord.
+MatchResult CurveMatch::match_flat(const Motion& subject) {
+  const Position via = via_of(subject);
+  if (!ThreePoints(subject).is_flat(terms_.tolerance) ||
+      agreeing_parameters(reference_, via, terms_.tolerance).empty()) {
+    return departs(Departure::kind, "The cut goes along an arc instead of a straight line.");
+  }
+  return match_line(subject);
+}
+
 bool CurveMatch::ends_at(const Position& point) const {
   if (!open_) return agree(point, reference_.to(), terms_.tolerance);
-  const PlaneAxes axes = reference::axes_of(reference_.record.plane);
+  const PlaneAxes axes = reference::axes_of(round_->arc()->record.plane);
   for (Axis axis : kAllAxes) {
     if (axis == axes.p || axis == axes.q) continue;
     if (!agree(point[axis], reference_.to()[axis], terms_.tolerance)) return false;
@@ -182,7 +195,7 @@ bool CurveMatch::ends_at(const Position& point) const {
 }
 
 bool CurveMatch::centre_agrees(const Record& arc) const {
-  const std::array<Number, 2>& want = reference_.record.centre;
+  const std::array<Number, 2>& want = round_->arc()->record.centre;
   if (!open_) {
     return agree(want[0], arc.centre[0], terms_.tolerance) &&
            agree(want[1], arc.centre[1], terms_.tolerance);
@@ -191,78 +204,37 @@ bool CurveMatch::centre_agrees(const Record& arc) const {
                                {arc.centre[0] - open_->origin.p, arc.centre[1] - open_->origin.q});
 }
 
-// Whether the circle about the reference's centre passes through the box round the point: the box's
-// nearest and farthest distances from the centre enclose the radius.
-bool CurveMatch::on_circle(const Position& point, Number tolerance) const {
-  const PlaneVector v = from_centre(reference_.record, point);
-  const PlaneVector a = from_centre(reference_.record, reference_.from);
-  const PlaneVector b = from_centre(reference_.record, reference_.to());
-  Number start_2 = a.p * a.p + a.q * a.q;
-  Number end_2 = b.p * b.p + b.q * b.q;
-  if (open_) {
-    start_2 = end_2 = open_->radius * open_->radius;
-    tolerance += open_->slack;
-  }
-  const Number p = abs(v.p);
-  const Number q = abs(v.q);
-  const Number near_p = max(p - tolerance, 0);
-  const Number near_q = max(q - tolerance, 0);
-  const Number far_p = p + tolerance;
-  const Number far_q = q + tolerance;
-  return near_p * near_p + near_q * near_q <= max(start_2, end_2) &&
-         far_p * far_p + far_q * far_q >= min(start_2, end_2);
-}
-
-// The sweep is estimated, so a band round the tolerance is left undecided: the estimate's own
-// error, and the height that the helix gains over a tolerance's length of arc.
-int CurveMatch::on_helix(const Position& point, double turns) const {
-  constexpr double kEstimate = 1e-7;  // mm
-  const PlaneAxes axes = reference::axes_of(reference_.record.plane);
-  const double whole = approximate_turns(reference_);
-  const double tolerance = approximate(terms_.tolerance);
-  const PlaneVector start = from_centre(reference_.record, reference_.from);
-  const double radius = std::hypot(approximate(start.p), approximate(start.q));
-  int answer = 1;
-  for (Axis axis : kAllAxes) {
-    if (axis == axes.p || axis == axes.q) continue;
-    const Number travel = reference_.to()[axis] - reference_.from[axis];
-    if (travel.sign() == 0) {
-      if (!agree(point[axis], reference_.from[axis], terms_.tolerance)) return -1;
-      continue;
-    }
-    const double height = approximate(travel);
-    const double slope = std::abs(height) / (2 * std::numbers::pi * radius * whole);
-    const double want = approximate(reference_.from[axis]) + turns / whole * height;
-    const double difference = std::abs(want - approximate(point[axis]));
-    if (difference > tolerance + 2 * slope * tolerance + kEstimate) return -1;
-    if (difference > tolerance - kEstimate) answer = 0;
-  }
-  return answer;
+Departure CurveMatch::on_curve(const Position& point, double turns, const Number& tolerance) const {
+  if (!round_->on_circle(point, tolerance)) return Departure::geometry;
+  const int height = round_->on_helix(point, turns, tolerance, true);
+  if (height == 0) return Departure::undecided;
+  return height < 0 ? Departure::geometry : Departure::none;
 }
 
 // The end of a piece that sweeps `turns`: at the end of the arc, or on the way to it.
 MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
-  const double whole = approximate_turns(reference_);
+  const double whole = round_->whole();
   const double progress = arc_progress_ + turns;
-  if (ends_at(subject.to()) && std::abs(progress - whole) < kQuarterTurn) {
+  if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
     arc_progress_ = progress;
     return {Departure::none, true, {}};
   }
   if (progress >= whole) return departs(Departure::geometry, "The arc goes beyond its end.");
-  const int height = on_helix(subject.to(), progress);
-  if (!on_circle(subject.to(), terms_.tolerance) || height < 0) {
+  const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
+  if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0) {
     return departs(Departure::geometry, "The arc ends off the curve.");
   }
-  if (height == 0) return departs(Departure::undecided, "The height of the helix is too close.");
+  if (height == 0) return departs(Departure::undecided, kHelixTooClose);
   arc_progress_ = progress;
   return {};
 }
 
 MatchResult CurveMatch::match_arc(const Motion& subject) {
-  const Record& want = reference_.record;
   const Record& got = subject.record;
-  if (want.plane != got.plane)
+  if (round_->arc() == nullptr || round_->arc()->record.plane != got.plane) {
     return departs(Departure::geometry, "The arc lies in another plane.");
+  }
+  const Record& want = round_->arc()->record;
   if ((want.rot < 0) != (got.rot < 0)) {
     return departs(Departure::sense, "The arc turns the wrong way.");
   }
@@ -291,37 +263,133 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
 // A straight cut as a chord of the arc: its ends on the curve, and the sagitta within the chord
 // tolerance that the certifier granted.
 MatchResult CurveMatch::match_chord(const Motion& subject) {
-  if (!on_circle(subject.to(), terms_.tolerance + terms_.chord)) {
+  const Number granted = terms_.tolerance + terms_.chord;
+  if (!round_->on_circle(subject.to(), granted)) {
     return departs(Departure::geometry, "The chord ends off the arc.");
   }
-  Motion arc = subject;
-  arc.record.kind = RecordKind::arc;
-  arc.record.plane = reference_.record.plane;
-  arc.record.centre = reference_.record.centre;
-  arc.record.rot = reference_.record.rot < 0 ? -1 : 1;
-  const double turns = approximate_turns(arc);
+  const double turns = round_->part_of_turn(subject.from, subject.to());
   if (turns > 0.5) return departs(Departure::geometry, "The chord goes back along the arc.");
   // The middle of the chord is its farthest point from the arc.
   Position middle;
   for (Axis axis : kAllAxes) middle[axis] = (subject.from[axis] + subject.to()[axis]) / 2;
-  if (!on_circle(middle, terms_.tolerance + terms_.chord)) {
+  if (!round_->on_circle(middle, granted)) {
     return departs(Departure::geometry, "The chord leaves the arc by more than was granted.");
   }
-  const double whole = approximate_turns(reference_);
+  const double whole = round_->whole();
   const double progress = arc_progress_ + turns;
-  const Number granted = terms_.tolerance + terms_.chord;
-  if (ends_at(subject.to()) && std::abs(progress - whole) < kQuarterTurn) {
+  if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
     arc_progress_ = progress;
     return {Departure::none, true, {}};
   }
   if (progress >= whole && !agree(subject.to(), reference_.to(), granted)) {
     return departs(Departure::geometry, "The chord goes beyond the end of the arc.");
   }
-  const int height = on_helix(subject.to(), progress);
+  const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
   if (height < 0) return departs(Departure::geometry, "The chord ends off the helix.");
-  if (height == 0) return departs(Departure::undecided, "The height of the helix is too close.");
+  if (height == 0) return departs(Departure::undecided, kHelixTooClose);
   arc_progress_ = progress;
   return {};
+}
+
+// A record of an arc in space has no centre: its three points stand for it. They agree with points
+// of the reference's curve in their order, and the arc turns in its sense. The middles of its two
+// parts agree with points of it too, to within twice the tolerance: that much may come of rounding
+// three points that are well apart, while an intermediate point near an end that makes another
+// circle of it shows there. What nothing tells from its chord has no sense of its own, and follows
+// the curve forward as a chord does.
+MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const {
+  const ThreePoints points(subject);
+  const Number& tau = terms_.tolerance;
+  if (!points.circle) {
+    return departs(Departure::geometry, "The three points of the arc lie in line.");
+  }
+  const bool flat = points.is_flat(tau);
+  if (!flat && !round_->same_sense(points.circle->normal)) {
+    return departs(Departure::sense, "The arc turns the wrong way.");
+  }
+  // About its own axis whole turns are sure, about the reference's the parts are those that count.
+  const double to_end = flat ? 0 : points.turns();
+  const double to_via = flat ? 0 : part_of_turn(*points.circle, points.from.at, points.via.at);
+  const auto sweep_to = [&](const Position& point, double own) {
+    const double part = round_->part_of_turn(subject.from, point);
+    return part + std::round(own - part);
+  };
+  turns = sweep_to(subject.to(), to_end);
+  if (turns < 0 && !agree(subject.from, subject.to(), tau)) {
+    return departs(Departure::geometry, "The arc goes back along the curve.");
+  }
+  turns = std::max(turns, 0.0);
+  const auto off = [](Departure departure) {
+    return departure == Departure::undecided
+               ? departs(departure, kHelixTooClose)
+               : departs(departure, "The arc leaves the curve between its ends.");
+  };
+  const auto departure_at = [&](const Position& point, double own, const Number& tolerance) {
+    return on_curve(point, arc_progress_ + sweep_to(point, own), tolerance);
+  };
+  const Position via = via_of(subject);
+  if (const Departure at = departure_at(via, to_via, tau); at != Departure::none) return off(at);
+  // Rationals in place of other numbers move a middle by far less than this.
+  const Number slack = points.exact() ? Number(0) : Number::binary(1, -20);
+  for (const bool first : {true, false}) {
+    const SpacePoint middle = first ? middle_seen_from(points.to.at, points.from.at, points.via.at)
+                                    : middle_seen_from(points.from.at, points.via.at, points.to.at);
+    Position point = subject.from;
+    for (Axis axis : reference::kLinearAxes) point[axis] = middle[reference::index(axis)];
+    const double own = first ? to_via / 2 : (to_via + to_end) / 2;
+    const Departure at = departure_at(point, own, tau * 2 - slack);
+    if (at == Departure::none) continue;
+    if (slack.sign() == 0 || departure_at(point, own, tau * 2 + slack) == at) return off(at);
+    return departs(Departure::undecided, "The width of an enclosure decides about an arc.");
+  }
+  return {};
+}
+
+MatchResult CurveMatch::match_arc3(const Motion& subject) {
+  double turns = 0;
+  MatchResult result = follow_arc3(subject, turns);
+  return result.departure == Departure::none ? end_of_piece(subject, turns) : result;
+}
+
+bool CurveMatch::goes_beyond(const Motion& subject) const {
+  const bool cut = reference_.record.kind != RecordKind::rapid;
+  if (cut && !feeds_agree(reference_.record, subject.record, terms_)) return false;
+  if (round_) return is_round(subject.record.kind) && arc_goes_beyond(subject);
+  return reference_.record.kind == subject.record.kind && line_goes_beyond(subject);
+}
+
+bool CurveMatch::line_goes_beyond(const Motion& subject) const {
+  const Number& tau = terms_.tolerance;
+  // Traverses are joined along a single axis only.
+  const bool traverse = reference_.record.kind == RecordKind::rapid;
+  if (traverse &&
+      (!moves_one_axis(subject, tau) || moved_axes(reference_, tau) != moved_axes(subject, tau))) {
+    return false;
+  }
+  return !agreeing_parameters(reference_, subject.from, tau).empty() &&
+         !agreeing_parameters(subject, reference_.to(), tau).empty();
+}
+
+// Only arcs without height are joined.
+bool CurveMatch::arc_goes_beyond(const Motion& subject) const {
+  const Number& tau = terms_.tolerance;
+  double turns = 0;
+  if (subject.record.kind == RecordKind::arc3) {
+    if (follow_arc3(subject, turns).departure != Departure::none) return false;
+  } else {
+    const Motion* arc = round_->arc();
+    if (arc == nullptr || arc->record.plane != subject.record.plane ||
+        (arc->record.rot < 0) != (subject.record.rot < 0) || !centre_agrees(subject.record)) {
+      return false;
+    }
+    const PlaneAxes axes = reference::axes_of(arc->record.plane);
+    for (Axis axis : kAllAxes) {
+      if (axis == axes.p || axis == axes.q) continue;
+      if (!agree(subject.to()[axis], reference_.from[axis], tau)) return false;
+    }
+    turns = approximate_turns(subject);
+  }
+  return round_->on_circle(subject.to(), tau) && arc_progress_ + turns >= round_->whole();
 }
 
 }  // namespace gonogo::oracle

@@ -8,6 +8,32 @@ namespace gonogo::oracle {
 
 using reference::kAllAxes;
 
+namespace {
+
+// Whether a point lies on the circle of a flat arc or an arc3; false where that takes more than
+// rationals.
+bool is_exactly_on(const Motion& round, const Position& point) {
+  const SpacePoint from = space_point(round.from);
+  const SpacePoint at = space_point(point);
+  if (!is_rational(from) || !is_rational(at)) return false;
+  if (round.record.kind == RecordKind::arc) {
+    const Axis d = reference::axes_of(round.record.plane).d;
+    const PlaneVector a = from_centre(round.record, round.from);
+    const PlaneVector b = from_centre(round.record, point);
+    if (!a.p.is_rational() || !a.q.is_rational() || round.to()[d] != round.from[d]) return false;
+    return point[d] == round.from[d] && a.p * a.p + a.q * a.q == b.p * b.p + b.q * b.q;
+  }
+  const SpacePoint via = space_point(round.record.via);
+  const SpacePoint to = space_point(round.to());
+  if (!is_rational(via) || !is_rational(to)) return false;
+  const auto circle = circle_through(from, via, to);
+  if (!circle) return false;
+  const SpacePoint v = at - circle->centre;
+  return dot(v, circle->normal).sign() == 0 && dot(v, v) == circle->radius_2;
+}
+
+}  // namespace
+
 // Whether the motion is one that the reference makes later on.
 bool ProgramJudge::fits_later(const Motion& motion) {
   constexpr int kLookAhead = 200;
@@ -67,8 +93,18 @@ void ProgramJudge::note_match(const Motion& motion, const Motion& want) {
     rounded_ = rounded_ && (terms_.binary64 ? nearest : half);
   };
   for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);
-  if (motion.record.kind != RecordKind::arc) return;
-  for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], want.record.centre[i]);
+  if (motion.record.kind == RecordKind::arc) {
+    const std::optional<Motion> arc =
+        want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
+    for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], arc->record.centre[i]);
+  } else if (motion.record.kind == RecordKind::arc3 && !is_exactly_on(want, via_of(motion))) {
+    if (want.record.kind == RecordKind::arc3) {
+      for (Axis axis : reference::kLinearAxes)
+        compare(motion.record.via[axis], want.record.via[axis]);
+    } else {
+      exact_ = rounded_ = false;
+    }
+  }
 }
 
 }  // namespace gonogo::oracle

@@ -82,6 +82,17 @@ std::string helix_text(const reference::HelixPocket& pocket) {
                     {"f", &pocket.feed}});
 }
 
+std::string pocket_text(const reference::PocketMilling& pocket) {
+  return item_text(pocket.finishing ? "pocket-finish" : "pocket-rough", pocket, pocket.floor,
+                   {{"length", &pocket.length},
+                    {"width", &pocket.width},
+                    {"corner_radius", &pocket.corner_radius},
+                    {"tool_radius", &pocket.tool_radius},
+                    {"infeed", &pocket.infeed},
+                    {"depth_f", &pocket.depth_feed},
+                    {"f", &pocket.plane_feed}});
+}
+
 namespace {
 
 template <typename... Cases>
@@ -98,6 +109,7 @@ std::string step_text(const ReferenceStep& step) {
                [](const reference::PocketLevel& level) { return level_text(level); },
                [](const reference::HelixPocket& pocket) { return helix_text(pocket); },
                [](const reference::ThreadMilling& thread) { return thread_text(thread, 1); },
+               [](const reference::PocketMilling& pocket) { return pocket_text(pocket); },
                [](const reference::AlarmReport& report) { return alarms_text(report); },
                [](const auto&) { return std::string(); }},
       step);
@@ -109,6 +121,7 @@ reference::ClauseId clause_of(const ReferenceStep& step) {
                              [](const reference::PocketLevel& level) { return level.clause; },
                              [](const reference::HelixPocket& pocket) { return pocket.clause; },
                              [](const reference::ThreadMilling& thread) { return thread.clause; },
+                             [](const reference::PocketMilling& pocket) { return pocket.clause; },
                              [](const auto&) { return reference::kNoClause; }},
                     step);
 }
@@ -132,7 +145,7 @@ std::string alarm_text(const SubjectAlarm& alarm) {
   if (alarm.block != 0) text["b"] = alarm.block;
   if (!alarm.alarm_class.empty()) text["class"] = alarm.alarm_class;
   if (!alarm.native.empty()) text["native"] = alarm.native;
-  if (alarm.word != 0) text["word"] = std::string(1, alarm.word);
+  if (!alarm.word.empty()) text["word"] = alarm.word.text();
   return text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

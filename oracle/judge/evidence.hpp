@@ -16,6 +16,7 @@ std::string level_text(const reference::PocketLevel& level);
 // A thread with the pass that is due.
 std::string thread_text(const reference::ThreadMilling& thread, const Number& pass);
 std::string helix_text(const reference::HelixPocket& pocket);
+std::string pocket_text(const reference::PocketMilling& pocket);
 std::string alarms_text(const reference::AlarmReport& report);
 std::string alarm_text(const SubjectAlarm& alarm);
 // What a step of the reference says, its clause and its block; nothing for those that need none.

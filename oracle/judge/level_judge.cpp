@@ -65,6 +65,9 @@ void ProgramJudge::depart_from_level(VerdictKind kind, const Motion& motion,
 }
 
 bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
+  if (motion.record.kind == RecordKind::arc3) {
+    if (const std::optional<Motion> arc = as_arc(motion)) return collect(*arc, level);
+  }
   const PlaneAxes axes = axes_of(level.plane);
   const Number& tau = terms_.tolerance;
   const Record& record = motion.record;

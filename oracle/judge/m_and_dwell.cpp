@@ -25,6 +25,13 @@ void ProgramJudge::take_dwell(const Record& record) {
       take_m_functions();
       continue;
     }
+    // A motion too small to see, which the subject has passed without one of its own.
+    auto* motion = std::get_if<Motion>(&step);
+    if (motion != nullptr && reached(*motion, position_)) {
+      match_.reset();
+      reference_.advance();
+      continue;
+    }
     if (std::holds_alternative<reference::NotCovered>(step)) {
       decide_gap(std::get<reference::NotCovered>(step).message);
       return;

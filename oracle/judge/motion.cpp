@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "oracle/approximate.hpp"
+#include "oracle/judge/space_circle.hpp"
 
 namespace gonogo::oracle {
 
@@ -23,8 +24,15 @@ void shift(Position& position, const Position& by) {
 }
 
 bool agree(const Number& a, const Number& b, const Number& tolerance) {
-  // Not by abs(): the sign of a difference that is zero cannot be decided for enclosures.
   const Number difference = a - b;
+  if (difference.form() == Number::Form::enclosure) {
+    // The bounds that it has already decide nearly always.
+    constexpr int kBits = 40;
+    const auto [low, high] = difference.bounds(kBits);
+    if (low > tolerance || high < -tolerance) return false;
+    if (high <= tolerance && low >= -tolerance) return true;
+  }
+  // Not by abs(): the sign of a difference that is zero cannot be decided for enclosures.
   return difference <= tolerance && -difference <= tolerance;
 }
 
@@ -60,11 +68,28 @@ PlaneVector from_centre(const Record& arc, const Position& point) {
 
 namespace {
 
+// Whether two numbers are different as far as can be seen; exactly, unless one is an enclosure.
+bool differ(const Number& a, const Number& b) {
+  constexpr int kBits = 100;
+  const Number difference = a - b;
+  if (difference.form() != Number::Form::enclosure) return difference.sign() != 0;
+  const auto [low, high] = difference.bounds(kBits);
+  return low.sign() > 0 || high.sign() < 0;
+}
+
+// -1, 0 or 1; 0 also where an enclosure leaves it open.
+int visible_sign(const Number& a) {
+  return differ(a, 0) ? a.sign() : 0;
+}
+
 // Vectors of [0, 180) degrees from the origin come before those of [180, 360).
 struct TurnedVector {
   Number along;   // times the origin's length
   Number across;  // positive on the side to which the arc turns
-  bool second_half() const { return across.sign() < 0 || (across.sign() == 0 && along.sign() < 0); }
+  bool second_half() const {
+    const int side = visible_sign(across);
+    return side < 0 || (side == 0 && along.sign() < 0);
+  }
 };
 
 TurnedVector turned(const PlaneVector& origin, const PlaneVector& v, int sense) {
@@ -79,11 +104,11 @@ int compare_angles(const PlaneVector& origin, const PlaneVector& a, const PlaneV
   const TurnedVector ta = turned(origin, a, sense);
   const TurnedVector tb = turned(origin, b, sense);
   if (ta.second_half() != tb.second_half()) return ta.second_half() ? 1 : -1;
-  return -(ta.along * tb.across - ta.across * tb.along).sign();
+  return -visible_sign(ta.along * tb.across - ta.across * tb.along);
 }
 
 bool same_direction(const PlaneVector& a, const PlaneVector& b) {
-  return (a.p * b.q - a.q * b.p).sign() == 0 && (a.p * b.p + a.q * b.q).sign() > 0;
+  return visible_sign(a.p * b.q - a.q * b.p) == 0 && (a.p * b.p + a.q * b.q).sign() > 0;
 }
 
 bool makes_full_turn(const Motion& motion) {
@@ -93,13 +118,20 @@ bool makes_full_turn(const Motion& motion) {
   return motion.from[axes.p] == motion.to()[axes.p] && motion.from[axes.q] == motion.to()[axes.q];
 }
 
+// Of an enclosure by the bounds that it has already: any more digits would evaluate it anew.
+double estimate(const Number& value) {
+  constexpr int kBits = 60;
+  const bool enclosed = value.form() == Number::Form::enclosure;
+  return approximate(enclosed ? value.bounds(kBits)[0] : value);
+}
+
 double approximate_turns(const Motion& arc) {
   const PlaneVector a = from_centre(arc.record, arc.from);
   const PlaneVector b = from_centre(arc.record, arc.to());
   const int sense = arc.record.rot < 0 ? -1 : 1;
   const TurnedVector t = turned(a, b, sense);
-  const double along = approximate(t.along);
-  const double across = approximate(t.across);
+  const double along = estimate(t.along);
+  const double across = estimate(t.across);
   // Far from a whole turn nothing has to be decided, which enclosures of equal values could not be;
   // near it their equality is looked at first, which shows for one and the same expression.
   constexpr double kNear = 1e-6;
@@ -114,6 +146,54 @@ bool nearly_full_turn(const Motion& motion) {
   return motion.record.kind == RecordKind::arc && approximate_turns(motion) > 0.5;
 }
 
+bool goes_round(const Motion& motion, const Number& tolerance) {
+  if (motion.record.kind != RecordKind::arc3) return nearly_full_turn(motion);
+  const Position via = via_of(motion);
+  if (!agree(via, motion.from, tolerance) && !agree(via, motion.to(), tolerance)) return true;
+  // Three points near each other: the small way, unless they lie nearly in line and the middle one
+  // not in the middle.
+  const auto circle =
+      circle_through(space_point(motion.from), space_point(via), space_point(motion.to()));
+  return circle && is_over_half(motion) && circle->radius_2 > tolerance * tolerance;
+}
+
+Motion straightened(Motion motion) {
+  if (motion.record.kind != RecordKind::arc3) return motion;
+  const SpacePoint from = space_point(motion.from);
+  const SpacePoint via = space_point(motion.record.via);
+  const SpacePoint to = space_point(motion.to());
+  const bool between = dot(via - from, to - via).sign() >= 0;
+  if (between && !circle_through(from, via, to)) motion.record.kind = RecordKind::feed;
+  return motion;
+}
+
+std::optional<Motion> as_arc(const Motion& arc3) {
+  for (reference::Plane plane :
+       {reference::Plane::g17, reference::Plane::g18, reference::Plane::g19}) {
+    const reference::PlaneAxes axes = reference::axes_of(plane);
+    const Number& depth = arc3.from[axes.d];
+    if (arc3.record.via[axes.d] != depth || arc3.to()[axes.d] != depth) continue;
+    const auto from_start = [&](const Position& point) {
+      return PlaneVector{point[axes.p] - arc3.from[axes.p], point[axes.q] - arc3.from[axes.q]};
+    };
+    const PlaneVector u = from_start(arc3.record.via);
+    const PlaneVector v = from_start(arc3.to());
+    const Number across = u.p * v.q - u.q * v.p;
+    const int sense = across.sign();
+    if (sense == 0) return std::nullopt;
+    const Number u_2 = u.p * u.p + u.q * u.q;
+    const Number v_2 = v.p * v.p + v.q * v.q;
+    Motion arc = arc3;
+    arc.record.kind = RecordKind::arc;
+    arc.record.plane = plane;
+    arc.record.rot = sense;
+    arc.record.centre = {arc3.from[axes.p] + (v.q * u_2 - u.q * v_2) / (across * 2),
+                         arc3.from[axes.q] + (u.p * v_2 - v.p * u_2) / (across * 2)};
+    return arc;
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 bool same_terms(const Record& a, const Record& b) {
@@ -125,7 +205,7 @@ bool same_terms(const Record& a, const Record& b) {
 std::optional<std::pair<Axis, int>> single_direction(const Motion& motion) {
   std::optional<std::pair<Axis, int>> found;
   for (Axis axis : kAllAxes) {
-    const int sign = (motion.to()[axis] - motion.from[axis]).sign();
+    const int sign = visible_sign(motion.to()[axis] - motion.from[axis]);
     if (sign == 0) continue;
     if (found) return std::nullopt;
     found = {axis, sign};
@@ -137,11 +217,11 @@ bool same_line(const Motion& a, const Motion& b) {
   for (std::size_t i = 0; i < reference::kAxes; ++i) {
     const Number ai = a.to().at[i] - a.from.at[i];
     const Number bi = b.to().at[i] - b.from.at[i];
-    if (ai.sign() != bi.sign()) return false;
+    if (visible_sign(ai) != visible_sign(bi)) return false;
     for (std::size_t j = i + 1; j < reference::kAxes; ++j) {
       const Number aj = a.to().at[j] - a.from.at[j];
       const Number bj = b.to().at[j] - b.from.at[j];
-      if (ai * bj != aj * bi) return false;
+      if (differ(ai * bj, aj * bi)) return false;
     }
   }
   return true;
@@ -150,18 +230,48 @@ bool same_line(const Motion& a, const Motion& b) {
 // The same circle, both flat: helices are matched piece by piece instead.
 bool same_circle(const Motion& a, const Motion& b) {
   if (a.record.plane != b.record.plane || (a.record.rot < 0) != (b.record.rot < 0)) return false;
-  if (a.record.centre != b.record.centre) return false;
+  if (differ(a.record.centre[0], b.record.centre[0]) ||
+      differ(a.record.centre[1], b.record.centre[1])) {
+    return false;
+  }
   const reference::PlaneAxes axes = reference::axes_of(a.record.plane);
   for (Axis axis : kAllAxes) {
     if (axis == axes.p || axis == axes.q) continue;
-    if (a.from[axis] != a.to()[axis] || b.from[axis] != b.to()[axis]) return false;
+    if (differ(a.from[axis], a.to()[axis]) || differ(b.from[axis], b.to()[axis])) return false;
   }
   const PlaneVector start = from_centre(a.record, a.from);
   const PlaneVector middle = from_centre(a.record, a.to());
   const PlaneVector end = from_centre(a.record, b.to());
   const Number radius_2 = start.p * start.p + start.q * start.q;
-  return radius_2 == middle.p * middle.p + middle.q * middle.q &&
-         radius_2 == end.p * end.p + end.q * end.q && radius_2.sign() > 0;
+  return !differ(radius_2, middle.p * middle.p + middle.q * middle.q) &&
+         !differ(radius_2, end.p * end.p + end.q * end.q) && visible_sign(radius_2) > 0;
+}
+
+// The same circle in space in the same sense, less than a full turn together. Where an enclosure
+// enters they stay two: nothing is lost, since each is matched for itself.
+bool same_space_circle(const Motion& a, const Motion& b) {
+  for (Axis axis : kAllAxes) {
+    if (!reference::is_linear(axis) &&
+        (differ(a.from[axis], a.to()[axis]) || differ(b.from[axis], b.to()[axis]))) {
+      return false;
+    }
+  }
+  const SpacePoint start = space_point(a.from);
+  const SpacePoint middle = space_point(a.to());
+  const SpacePoint via = space_point(b.record.via);
+  const SpacePoint end = space_point(b.to());
+  if (!is_rational(start) || !is_rational(space_point(a.record.via)) || !is_rational(middle) ||
+      !is_rational(via) || !is_rational(end)) {
+    return false;
+  }
+  const auto circle = circle_through(start, space_point(a.record.via), middle);
+  const auto next = circle_through(middle, via, end);
+  if (!circle || !next || circle->centre != next->centre || circle->radius_2 != next->radius_2) {
+    return false;
+  }
+  const SpacePoint tilt = cross(circle->normal, next->normal);
+  return dot(tilt, tilt).sign() == 0 && dot(circle->normal, next->normal).sign() > 0 &&
+         dot(cross(middle - start, end - start), circle->normal).sign() > 0;
 }
 
 // The sign and number of turns of two arcs of one circle run through in one go. With the parts of a
@@ -195,6 +305,9 @@ bool join(Motion& motion, const Motion& next) {
     case RecordKind::arc:
       if (!same_circle(motion, next)) return false;
       motion.record.rot = joined_rot(motion, next);
+      break;
+    case RecordKind::arc3:
+      if (!same_space_circle(motion, next)) return false;
       break;
     default:
       return false;

@@ -21,9 +21,15 @@ struct Motion {
   Record record;  // `to` holds every axis
   Position from;
   std::size_t number = 0;  // place of its (first) record in the trace, from 0
+  // Of the reference: where it stood before motions too small to see that were dropped just before.
+  std::optional<Position> stood = {};
 
   const Position& to() const { return record.to; }
 };
+
+constexpr bool is_round(RecordKind kind) {
+  return kind == RecordKind::arc || kind == RecordKind::arc3;
+}
 
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);
@@ -56,11 +62,25 @@ bool same_direction(const PlaneVector& a, const PlaneVector& b);
 bool makes_full_turn(const Motion& motion);
 // An arc of more than half a turn is no small motion, however near its ends are.
 bool nearly_full_turn(const Motion& motion);
+// Whether a motion whose ends agree within the tolerance goes round nevertheless: an arc of more
+// than half a turn, a circle in space whose intermediate point lies elsewhere.
+bool goes_round(const Motion& motion, const Number& tolerance);
+// As a double, for estimates: to 2^-60, or the width of an interval of which no more is known.
+double estimate(const Number& value);
 // Sweep of an arc in turns, for choosing between whole numbers of turns only.
 double approximate_turns(const Motion& arc);
 
+// The same motion, but an `arc3` whose points lie in line, the intermediate one between the ends,
+// is its chord.
+Motion straightened(Motion motion);
+// An `arc3` in a plane parallel to a coordinate plane as `arc`; nothing where it is not, or where
+// its points lie in line.
+std::optional<Motion> as_arc(const Motion& arc3);
+
 // Joins `next` to `motion` when they are of equal kind, feed and block and continue the same line
 // in the same direction, or the same circle in the same sense; rapids, along one axis alone.
+// Circles in space, as long as they are less than a full turn together. What an enclosure leaves
+// open counts as the same line or circle: it is so for all that can be seen.
 bool join(Motion& motion, const Motion& next);
 
 }  // namespace gonogo::oracle

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ProgramJudge's part for open paths: threads and helical pockets, each with a judge of its own.
+// ProgramJudge's part for open paths: threads, helical pockets and pockets of LCYC75, each with a
+// judge of its own.
 #include "oracle/judge/program_judge.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {
 
 using reference::HelixPocket;
+using reference::PocketMilling;
 using reference::ThreadMilling;
+using reference::operator""_clause;
 
 ThreadJudge& ProgramJudge::thread_judge(const ThreadMilling& thread) {
   if (!thread_) thread_.emplace(thread, reference_.position(), terms_);
@@ -17,6 +20,26 @@ ThreadJudge& ProgramJudge::thread_judge(const ThreadMilling& thread) {
 HelixPocketJudge& ProgramJudge::helix_pocket_judge(const HelixPocket& pocket) {
   if (!helix_pocket_) helix_pocket_.emplace(pocket, terms_);
   return *helix_pocket_;
+}
+
+PocketMillingJudge& ProgramJudge::pocket_judge(const PocketMilling& pocket) {
+  if (!pocket_) pocket_.emplace(pocket, terms_);
+  return *pocket_;
+}
+
+// SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is the pocket's to judge.
+bool ProgramJudge::dives_into_pocket(Motion& motion) {
+  const bool is_approach = want_->record.clause == "SIE-LC75-04"_clause;
+  if (!is_approach || motion.record.kind != RecordKind::rapid || !match_->goes_beyond(motion)) {
+    return false;
+  }
+  reference_.advance();
+  if (!std::holds_alternative<PocketMilling>(reference_.current())) return false;
+  for (const Axis axis : reference::kLinearAxes) {
+    if (moved_axes(motion, 0).has(axis)) motion.from[axis] = want_->to()[axis];
+  }
+  match_.reset();
+  return true;
 }
 
 bool ProgramJudge::follow_open_path(const OpenPathAnswer& answer, Motion& motion) {
@@ -60,6 +83,14 @@ bool ProgramJudge::end_open_path(const Position& here) {
     at[axes.d] = pocket->bottom;  // above the centre, as before it
     helix_pocket_.reset();
     reference_.go_on_from(at);
+  } else if (auto* milling = std::get_if<PocketMilling>(&step)) {
+    if (!pocket_judge(*milling).complete()) return false;
+    const reference::PlaneAxes axes = reference::axes_of(milling->plane);
+    at[axes.p] = milling->centre[0];
+    at[axes.q] = milling->centre[1];
+    at[axes.d] = milling->retract;  // SIE-LC75-13
+    pocket_.reset();
+    reference_.go_on_from(at);
   } else {
     return false;
   }
@@ -74,8 +105,10 @@ void ProgramJudge::end_open_path_before(std::uint64_t block) {
   const ReferenceStep& step = reference_.current();
   auto* thread = std::get_if<ThreadMilling>(&step);
   auto* pocket = std::get_if<HelixPocket>(&step);
-  const bool later =
-      (thread != nullptr && block > thread->block) || (pocket != nullptr && block > pocket->block);
+  auto* milling = std::get_if<PocketMilling>(&step);
+  const bool later = (thread != nullptr && block > thread->block) ||
+                     (pocket != nullptr && block > pocket->block) ||
+                     (milling != nullptr && block > milling->block);
   if (later) end_open_path(position_);
 }
 
@@ -86,6 +119,8 @@ std::optional<Verdict> ProgramJudge::unfinished_open_path() {
     verdict = thread_judge(*thread).incomplete(position_);
   } else if (auto* pocket = std::get_if<HelixPocket>(&step)) {
     verdict = helix_pocket_judge(*pocket).incomplete(position_);
+  } else if (auto* milling = std::get_if<PocketMilling>(&step)) {
+    verdict = pocket_judge(*milling).incomplete(position_);
   }
   if (verdict) verdict->record = records_;
   return verdict;

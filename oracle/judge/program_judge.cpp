@@ -11,14 +11,16 @@ namespace gonogo::oracle {
 
 using reference::HelixPocket;
 using reference::PocketLevel;
+using reference::PocketMilling;
 using reference::ThreadMilling;
 
 namespace {
 
 // Whether a motion whose ends agree may be meant as none: all but an arc that goes round, unless
 // the reference had an arc as small there.
-bool may_mean_nil(const Motion& motion, bool reference_dropped_arc) {
-  return !nearly_full_turn(motion) || (reference_dropped_arc && std::abs(motion.record.rot) == 1);
+bool may_mean_nil(const Motion& motion, const Number& tolerance, bool reference_dropped_arc) {
+  return !goes_round(motion, tolerance) ||
+         (reference_dropped_arc && std::abs(motion.record.rot) == 1);
 }
 
 }  // namespace
@@ -145,7 +147,7 @@ void ProgramJudge::follow_renamings(std::uint64_t block) {
 void ProgramJudge::take_motion(const Record& record) {
   follow_renamings(terms_.compare_blocks ? record.block : 0);
   if (verdict_) return;
-  Motion motion = motion_from(position_, record, records_ - 1);
+  Motion motion = straightened(motion_from(position_, record, records_ - 1));
   if (!terms_.compare_blocks) {
     motion.record.block = 0;
   } else if (record.block == 0) {
@@ -160,14 +162,17 @@ void ProgramJudge::take_motion(const Record& record) {
   position_ = motion.to();
   moved_ = true;
   if (record.kind != RecordKind::rapid) cut_block_ = record.block;
+  if (pending_ && join(*pending_, motion)) {
+    anchor_ = position_;
+    return;
+  }
   // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
   // cannot add up unseen. Arcs stay: they may mean a full turn.
   if (record.kind != RecordKind::arc && agree(motion.from, anchor_, terms_.tolerance) &&
-      agree(motion.to(), anchor_, terms_.tolerance)) {
+      agree(motion.to(), anchor_, terms_.tolerance) && !goes_round(motion, terms_.tolerance)) {
     return;
   }
-  anchor_ = motion.to();
-  if (pending_ && join(*pending_, motion)) return;
+  anchor_ = position_;
   flush_pending();
   if (!verdict_) pending_ = std::move(motion);
 }
@@ -201,8 +206,11 @@ bool ProgramJudge::process_step(Motion& motion) {
     const OpenPathAnswer answer = helix_pocket_judge(*pocket).take(motion);
     return follow_open_path(answer, motion);
   }
-  const bool nothing = agree(motion.from, motion.to(), terms_.tolerance) &&
-                       may_mean_nil(motion, reference_.dropped_arc());
+  if (auto* pocket = std::get_if<PocketMilling>(&step)) {
+    const OpenPathAnswer answer = pocket_judge(*pocket).take(motion);
+    return follow_open_path(answer, motion);
+  }
+  const bool nothing = means_nothing(motion, step);
   if (std::holds_alternative<reference::AlarmReport>(step)) {
     if (nothing) return true;
     after_alarm_ = motion;
@@ -241,7 +249,7 @@ bool ProgramJudge::process_step(Motion& motion) {
   return true;
 }
 
-bool ProgramJudge::match_motion(const Motion& motion, const Motion& want) {
+bool ProgramJudge::match_motion(Motion& motion, const Motion& want) {
   if (!match_) {
     want_ = want;
     match_.emplace(*want_, terms_);
@@ -261,19 +269,16 @@ bool ProgramJudge::match_motion(const Motion& motion, const Motion& want) {
     reference_.advance();
     return false;
   }
-  if (means_nothing(motion, *want_)) return true;
-  if (!goes_on_outside(motion, *want_)) report_departure(result, motion, *want_);
+  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from))) return true;
+  if (dives_into_pocket(motion)) return false;
+  if (!goes_on_outside(motion)) report_departure(result, motion, *want_);
   return true;
 }
 
 // Without line numbers a motion may be joined to those of a block that is not covered: then its end
 // says nothing. Goes on in the reference where it may be so.
-bool ProgramJudge::goes_on_outside(const Motion& motion, const Motion& want) {
-  if (terms_.compare_blocks || !agree(motion.from, want.from, terms_.tolerance)) return false;
-  Motion covered = want;
-  Motion rest = motion;
-  rest.from = want.to();
-  if (!join(covered, rest)) return false;
+bool ProgramJudge::goes_on_outside(const Motion& motion) {
+  if (terms_.compare_blocks || !match_->goes_beyond(motion)) return false;
   reference_.advance();
   auto* outside = std::get_if<reference::NotCovered>(&reference_.current());
   if (outside != nullptr) decide_gap(outside->message);
@@ -282,16 +287,29 @@ bool ProgramJudge::goes_on_outside(const Motion& motion, const Motion& want) {
 
 // Whether a motion of the reference is done where the subject stands.
 bool ProgramJudge::reached(const Motion& want, const Position& at) const {
-  return agree(at, want.to(), terms_.tolerance) && !nearly_full_turn(want);
+  return agree(at, want.to(), terms_.tolerance) && !goes_round(want, terms_.tolerance);
 }
 
-// Whether a motion of the subject stays where the reference stands.
-bool ProgramJudge::means_nothing(const Motion& motion, const Motion& want) const {
-  if (!agree(motion.from, want.from, terms_.tolerance) ||
-      !agree(motion.to(), want.from, terms_.tolerance)) {
-    return false;
+bool ProgramJudge::means_nothing(const Motion& motion, const Position& here,
+                                 const Position& stood) const {
+  const auto stays = [&](const Position& point) {
+    return agree(point, here, terms_.tolerance) || agree(point, stood, terms_.tolerance);
+  };
+  if (!stays(motion.from) || !stays(motion.to())) return false;
+  if (motion.record.kind == RecordKind::arc3 && !stays(via_of(motion))) return false;
+  return may_mean_nil(motion, terms_.tolerance, reference_.dropped_arc());
+}
+
+bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step) const {
+  Position here = reference_.position();
+  Position stood = reference_.anchor();
+  if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
+    for (Axis axis : reference::kAllAxes) {  // the subject has not followed it yet
+      here[axis] -= renaming->shift[axis];
+      stood[axis] -= renaming->shift[axis];
+    }
   }
-  return may_mean_nil(motion, reference_.dropped_arc());
+  return means_nothing(motion, here, stood);
 }
 
 }  // namespace gonogo::oracle

@@ -11,6 +11,7 @@
 
 #include "oracle/judge/curve_match.hpp"
 #include "oracle/judge/helix_pocket_judge.hpp"
+#include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/reference_stream.hpp"
 #include "oracle/judge/thread_judge.hpp"
 #include "oracle/region/level.hpp"
@@ -62,10 +63,15 @@ class ProgramJudge {
   // One step of the reference against one motion; true when the motion is used up. A path that ends
   // within the motion leaves the rest of it.
   bool process_step(Motion& motion);
-  bool match_motion(const Motion& motion, const Motion& want);
+  bool match_motion(Motion& motion, const Motion& want);
   bool reached(const Motion& want, const Position& at) const;
-  bool means_nothing(const Motion& motion, const Motion& want) const;
-  bool goes_on_outside(const Motion& motion, const Motion& want);
+  // Whether a motion stays at one of two points: where the reference stands, and where it stood
+  // before motions too small to see. They are no farther apart than the tolerance, so that many
+  // such motions cannot lead away.
+  bool means_nothing(const Motion& motion, const Position& here, const Position& stood) const;
+  // The same at a step that is no motion.
+  bool means_nothing(const Motion& motion, const ReferenceStep& step) const;
+  bool goes_on_outside(const Motion& motion);
   void take_dwell(const Record& record);
   void take_m_functions();
   // Follows the renamings of the position that come before a record of `block` (0: not known).
@@ -85,9 +91,12 @@ class ProgramJudge {
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);
 
-  // Threads and helical pockets, in open_path_steps.cpp.
+  // Threads, helical pockets and pockets of LCYC75, in open_path_steps.cpp.
   ThreadJudge& thread_judge(const reference::ThreadMilling& thread);
   HelixPocketJudge& helix_pocket_judge(const reference::HelixPocket& pocket);
+  PocketMillingJudge& pocket_judge(const reference::PocketMilling& pocket);
+  // A traverse that leads above a pocket and on into it; from then on its rest.
+  bool dives_into_pocket(Motion& motion);
   bool follow_open_path(const OpenPathAnswer& answer, Motion& motion);
   // Goes on after the current open path, which ends `here`; false when it is none or incomplete.
   bool end_open_path(const Position& here);
@@ -131,6 +140,7 @@ class ProgramJudge {
 
   std::optional<ThreadJudge> thread_;  // while the reference's step is one
   std::optional<HelixPocketJudge> helix_pocket_;
+  std::optional<PocketMillingJudge> pocket_;
 
   std::deque<Record> want_m_;
   struct GotM {

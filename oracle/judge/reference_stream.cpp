@@ -54,14 +54,22 @@ void ReferenceStream::take_motion(const Record& record) {
   Motion motion = motion_from(position_, record, items_);
   position_ = motion.to();
   if (!terms_.compare_blocks) motion.record.block = 0;
-  // Dropped: it stays where the last kept motion ended, and makes no turn.
-  if (agree(motion.from, anchor_, terms_.tolerance) &&
-      agree(motion.to(), anchor_, terms_.tolerance) && !nearly_full_turn(motion)) {
-    dropped_arc_ = dropped_arc_ || record.kind == RecordKind::arc;
+  // Joined before anything is dropped: what goes on in the same way belongs to the motion, however
+  // small it is.
+  if (pending_ && join(*pending_, motion)) {
+    anchor_ = position_;
     return;
   }
-  anchor_ = motion.to();
-  if (pending_ && join(*pending_, motion)) return;
+  // Dropped: it stays where the last kept motion ended, and makes no turn.
+  if (agree(motion.from, anchor_, terms_.tolerance) &&
+      agree(motion.to(), anchor_, terms_.tolerance) && !goes_round(motion, terms_.tolerance)) {
+    dropped_ = true;
+    dropped_arc_ = dropped_arc_ || is_round(record.kind);
+    return;
+  }
+  if (dropped_) motion.stood = anchor_;
+  dropped_ = false;
+  anchor_ = position_;
   flush();
   pending_ = std::move(motion);
 }

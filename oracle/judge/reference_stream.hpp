@@ -17,7 +17,8 @@ struct JudgeTerms;
 
 // What the subject has to do next. M functions come as they are met.
 using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
-                                   reference::ThreadMilling, reference::Renaming,
+                                   reference::ThreadMilling, reference::PocketMilling,
+                                   reference::Renaming,
                                    reference::AlarmReport, reference::NotCovered>;
 
 class ReferenceStream {
@@ -34,12 +35,18 @@ class ReferenceStream {
 
   // After a level the reference goes on from where the subject left it: the cycle says where it
   // ends in the plane.
-  void go_on_from(const Position& position) { position_ = anchor_ = position; }
+  void go_on_from(const Position& position) {
+    position_ = anchor_ = position;
+    dropped_ = false;
+  }
   // After a path that is open the reference stands where the subject left it; blocks that follow
   // start from there in the plane. Only while that step is the current one: nothing of a later
   // block has been asked for then.
   void stand_at(const Position& position);
   const Position& position() const { return position_; }
+  // Where it stood before motions too small to see that were dropped since the last one that was
+  // kept: `position()` where there are none. Of the current step, unless that is a motion.
+  const Position& anchor() const { return anchor_; }
   // Whether an arc too small to see was dropped since the last motion. Only then may an arc of the
   // subject that closes within the tolerance mean nothing at all.
   bool dropped_arc() const { return dropped_arc_; }
@@ -62,6 +69,7 @@ class ReferenceStream {
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
+  bool dropped_ = false;      // a motion, since the last one that was kept
   bool dropped_arc_ = false;
 };
 

@@ -57,6 +57,8 @@ std::optional<Arc> joined(const Arc& first, const Arc& second, bool counterclock
   // Together a whole turn when the late one comes by the start of the early one.
   arc.full = first.full || second.full || contains(late.sweep, early.sweep.a);
   arc.sweep = make_sweep(early.sweep.a, late.sweep.b);
+  arc.capped_a = early.capped_a;
+  arc.capped_b = late.capped_b;
   add_enclosures(arc);
   return arc;
 }

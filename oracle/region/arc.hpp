@@ -51,6 +51,9 @@ struct Arc {
   bool round = false;  // both radii equal
   bool full = false;   // a whole circle (round only)
   std::size_t record = 0;
+  // A line of the path begins or ends at the arc's end: its band holds the disc about it.
+  bool capped_a = false;
+  bool capped_b = false;
 
   IntervalVector c;
   IntervalVector ua;  // unit directions of the ends

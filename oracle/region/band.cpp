@@ -8,6 +8,9 @@ namespace gonogo::oracle::region {
 namespace {
 
 const Number kZero;
+// The band of a shorter line is left to the discs about its ends: its direction is too uncertain,
+// and what they lack is less than its length squared. In mm.
+constexpr double kShortestLine = 1e-6;
 
 struct Fit {
   IntervalVector o;  // centre, a point
@@ -100,6 +103,18 @@ class BandMaker {
     add(band);
   }
 
+  void add_line(const Line& line) {
+    Band band;
+    band.shape = Band::Shape::capsule;
+    band.c = line.a;
+    band.to = line.b;
+    band.ua = line.u;
+    band.length = line.length;
+    band.outer = reach_;
+    band.line = &line;
+    add(band);
+  }
+
   // False when the bands are too many.
   bool add_spiral(const Arc& arc) {
     std::vector<Stretch> open{whole(arc)};
@@ -175,25 +190,39 @@ class BandMaker {
   double width_;
 };
 
+// The points about which the path has a disc.
+std::vector<PlanePoint> points_of(const Path& path) {
+  std::vector<PlanePoint> points = path.points;
+  const auto add = [&points](const PlanePoint& end) {
+    // Neighbours share their joint.
+    const std::size_t known = points.size();
+    if (known > 0 && points[known - 1] == end) return;
+    if (known > 1 && points[known - 2] == end) return;
+    points.push_back(end);
+  };
+  for (const Arc& arc : path.arcs) {
+    if (arc.full) continue;
+    if (!arc.capped_a) add(arc.end_a());
+    if (!arc.capped_b) add(arc.end_b());
+  }
+  for (const Line& line : path.lines) {
+    if (line.length.lo > kShortestLine) continue;
+    add(line.from);
+    add(line.to);
+  }
+  return points;
+}
+
 }  // namespace
 
 std::optional<Bands> make_bands(const Path& path, const Number& reach, double width) {
   std::optional<Bands> result(std::in_place);
-  std::vector<PlanePoint>& points = result->points;
-  points = path.points;
-  points.reserve(points.size() + 2 * path.arcs.size());
-  for (const Arc& arc : path.arcs) {
-    if (arc.full) continue;
-    for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
-      // Neighbours share their joint.
-      const std::size_t known = points.size();
-      if (known > 0 && points[known - 1] == end) continue;
-      if (known > 1 && points[known - 2] == end) continue;
-      points.push_back(end);
-    }
-  }
+  result->points = points_of(path);
   BandMaker maker(*result, reach, width);
-  for (const PlanePoint& point : points) maker.add_point(point);
+  for (const PlanePoint& point : result->points) maker.add_point(point);
+  for (const Line& line : path.lines) {
+    if (line.length.lo > kShortestLine) maker.add_line(line);
+  }
   for (const Arc& arc : path.arcs) {
     if (arc.round) {
       maker.add_round(arc);
@@ -204,7 +233,33 @@ std::optional<Bands> make_bands(const Path& path, const Number& reach, double wi
   return result;
 }
 
+void add_cleared(Bands& bands, const Cleared& cleared) {
+  Band band;
+  band.shape = Band::Shape::rectangle;
+  band.outer = cleared.enclosed.radius;
+  band.outer2 = cleared.enclosed.radius2;
+  band.cleared = &cleared;
+  bands.bands.push_back(band);
+}
+
+namespace {
+
+double distance_to_line(const Band& band, double x, double y) {
+  const double dx = x - band.c.x.middle();
+  const double dy = y - band.c.y.middle();
+  const double ux = band.ua.x.middle();
+  const double uy = band.ua.y.middle();
+  const double along = std::clamp(dx * ux + dy * uy, 0.0, band.length.hi);
+  const double px = dx - along * ux;
+  const double py = dy - along * uy;
+  return std::sqrt(px * px + py * py);
+}
+
+}  // namespace
+
 double rough_distance(const Band& band, double x, double y) {
+  if (band.shape == Band::Shape::capsule) return distance_to_line(band, x, y) - band.outer.lo;
+  if (band.shape == Band::Shape::rectangle) return rough_distance(band.rectangle(), x, y);
   const double dx = x - band.c.x.middle();
   const double dy = y - band.c.y.middle();
   const double d = std::sqrt(dx * dx + dy * dy);

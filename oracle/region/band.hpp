@@ -1,35 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The closed sets within reach of the path, as discs and sectors of rings: what must cover the
-// disc. The band of a round arc is its sector and the discs about its ends, exactly; a spiral is
-// cut into sectors that lie within reach of it, and the discs about the joints.
+// The closed sets within reach of the path, as discs, sectors of rings and capsules: what must
+// cover the target. The band of a line is its capsule, that of a round arc its sector and the discs
+// about its ends, exactly; a spiral is cut into sectors that lie within reach of it, and the discs
+// about the joints. What an earlier level cleared is a band of its own, a rounded rectangle.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "oracle/region/distance.hpp"
+#include "oracle/region/rectangle.hpp"
 
 namespace gonogo::oracle::region {
 
+// What an earlier level cleared.
+struct Cleared {
+  RoundedRectangle exact;
+  EnclosedRectangle enclosed;
+};
+
 struct Band {
-  enum class Shape : std::uint8_t { disc, ring, sector } shape = Shape::disc;
+  enum class Shape : std::uint8_t { disc, ring, sector, capsule, rectangle } shape = Shape::disc;
   bool wide = false;  // sector: more than 180 degrees
-  IntervalVector c;
-  Interval inner;  // radii; without a hole: 0 or less
-  Interval outer;
-  IntervalVector ua;  // sector: its directions, counterclockwise
+  IntervalVector c;   // capsule: where its line begins
+  Interval inner;     // radii; without a hole: 0 or less
+  Interval outer;     // capsule: half its width; rectangle: the radius of its corners
+  IntervalVector ua;  // sector: its directions, counterclockwise; capsule: the line's
   IntervalVector ub;
+  IntervalVector to;  // capsule: where its line ends
+  Interval length;    // of that line
   // The exact middle line, a circle (a point: radius 0). The centre is null for the joints of
   // spirals, the squared radius for all their parts. Owned by the path, the points, or static.
   const PlanePoint* centre = nullptr;
   const Number* radius2 = nullptr;
-  const Sweep* sweep = nullptr;  // sector of a round arc
+  const Sweep* sweep = nullptr;      // sector of a round arc
+  const Line* line = nullptr;        // capsule
+  const Cleared* cleared = nullptr;  // rectangle
 
   Interval inner2;
   Interval outer2;
 
   bool has_hole() const { return inner.hi > 0; }
+  const EnclosedRectangle& rectangle() const { return cleared->enclosed; }
 };
 
 // The path's end points, so that bands may refer to them; and the bands.
@@ -43,6 +56,9 @@ inline constexpr std::size_t kMaximumBands = 400'000;
 // The bands of the path. A spiral is cut until the radius changes by no more than `width` in a
 // part. Nothing when that takes more than kMaximumBands.
 std::optional<Bands> make_bands(const Path& path, const Number& reach, double width);
+
+// Adds what was cleared before, which must outlive the bands.
+void add_cleared(Bands& bands, const Cleared& cleared);
 
 // About how far the point is outside the band (negative: inside). Doubles: a hint only.
 double rough_distance(const Band& band, double x, double y);

@@ -81,6 +81,42 @@ Polygon sector(const CircleShape& shape, const Point& centre) {
   return polygon;
 }
 
+Polygon capsule(const CapsuleShape& shape) {
+  const Point a = to_point(shape.from);
+  const Point b = to_point(shape.to);
+  const Real radius = to_real(shape.radius);
+  const PlanePoint& n = shape.normal;
+  const PlanePoint opposite{-n.p, -n.q};
+  const Point a_left = on_circle(a, n, radius);
+  const Point b_left = on_circle(b, n, radius);
+  const Point a_right = on_circle(a, opposite, radius);
+  const Point b_right = on_circle(b, opposite, radius);
+  Polygon polygon;
+  append(polygon, Curve(a_right, b_right));
+  append_arc(polygon, b, radius, true, b_right, b_left);
+  append(polygon, Curve(b_left, a_left));
+  append_arc(polygon, a, radius, true, a_left, a_right);
+  return polygon;
+}
+
+Polygon rectangle(const RoundedRectangle& shape) {
+  const Real p = to_real(shape.core_p);
+  const Real q = to_real(shape.core_q);
+  const Real r = to_real(shape.radius);
+  if (shape.core_p.sign() == 0 && shape.core_q.sign() == 0) return disc(Point(0, 0), r);
+  const Point corners[] = {{p, q}, {-p, q}, {-p, -q}, {p, -q}};
+  const CGAL::Vector_2<Kernel> axes[] = {{r, 0}, {0, r}, {-r, 0}, {0, -r}};
+  Polygon polygon;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point begin = corners[k] + axes[k];
+    const Point end = corners[k] + axes[(k + 1) % 4];
+    const Point next = corners[(k + 1) % 4] + axes[(k + 1) % 4];
+    append_arc(polygon, corners[k], r, true, begin, end);
+    if (end != next) append(polygon, Curve(end, next));
+  }
+  return polygon;
+}
+
 Polygon square(const Window& window) {
   const Point centre = to_point(window.centre);
   const Real half = to_real(window.half);
@@ -93,10 +129,14 @@ Polygon square(const Window& window) {
   return polygon;
 }
 
-Set united(const std::vector<CircleShape>& shapes) {
+// What a union is made of.
+struct Parts {
   std::vector<Polygon> polygons;
   std::vector<HoledPolygon> holed;
-  for (const CircleShape& shape : shapes) {
+
+  void add(const RoundedRectangle& shape) { polygons.push_back(rectangle(shape)); }
+  void add(const CapsuleShape& shape) { polygons.push_back(capsule(shape)); }
+  void add(const CircleShape& shape) {
     const Point centre = to_point(shape.centre);
     if (shape.sweep) {
       polygons.push_back(sector(shape, centre));
@@ -108,9 +148,16 @@ Set united(const std::vector<CircleShape>& shapes) {
       holed.push_back(ring);
     }
   }
+};
+
+Set united(const std::vector<Shape>& shapes) {
+  Parts parts;
+  for (const Shape& shape : shapes) {
+    std::visit([&parts](const auto& one) { parts.add(one); }, shape);
+  }
   Set set;
   // The range overload unites by halves: much faster than one after the other.
-  set.join(polygons.begin(), polygons.end(), holed.begin(), holed.end());
+  set.join(parts.polygons.begin(), parts.polygons.end(), parts.holed.begin(), parts.holed.end());
   return set;
 }
 
@@ -138,10 +185,10 @@ void append_samples(const Polygon& border, std::vector<Sample>& out) {
   }
 }
 
-Remainder remainder_of(const Number& radius, const std::optional<Window>& window,
-                       const std::vector<CircleShape>& shapes) {
+Remainder remainder_of(const RoundedRectangle& area, const std::optional<Window>& window,
+                       const std::vector<Shape>& shapes) {
   Set rest;
-  rest.insert(disc(Point(0, 0), to_real(radius)));
+  rest.insert(rectangle(area));
   if (window) rest.intersection(square(*window));
   rest.difference(united(shapes));
   Remainder result;
@@ -160,10 +207,10 @@ Remainder remainder_of(const Number& radius, const std::optional<Window>& window
 
 }  // namespace
 
-Remainder uncovered_remainder(const Number& radius, const std::optional<Window>& window,
-                              const std::vector<CircleShape>& shapes) {
+Remainder uncovered_remainder(const RoundedRectangle& area, const std::optional<Window>& window,
+                              const std::vector<Shape>& shapes) {
   try {
-    return remainder_of(radius, window, shapes);
+    return remainder_of(area, window, shapes);
   } catch (const CGAL::Failure_exception& error) {
     throw CircleSetsError(std::string("The exact decision failed: ") + error.what());
   }

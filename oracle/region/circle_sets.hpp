@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include "oracle/region/level.hpp"
@@ -21,13 +22,25 @@ struct CircleShape {
   std::optional<std::array<PlanePoint, 2>> sweep;
 };
 
+// Within a capsule: the points on the left and the right of a line, seen along the normal, and half
+// discs about its ends. The capsule itself when the normal is perpendicular to the line.
+struct CapsuleShape {
+  PlanePoint from;
+  PlanePoint to;
+  PlanePoint normal;  // unit, nearly perpendicular, to the left
+  Number radius;      // > 0
+};
+
+// A rounded rectangle has a radius above 0 here.
+using Shape = std::variant<CircleShape, CapsuleShape, RoundedRectangle>;
+
 // The upright square that a local question is asked for.
 struct Window {
   PlanePoint centre;
   Number half;
 };
 
-// What is left of the disc about the origin (in the window) when all shapes are taken away.
+// What is left of the area (in the window) when all shapes are taken away.
 struct Remainder {
   bool empty = true;
   std::vector<std::array<double, 2>> samples;  // points that may lie in it
@@ -39,7 +52,7 @@ class CircleSetsError : public std::runtime_error {
 };
 
 // Throws CircleSetsError when CGAL gives up.
-Remainder uncovered_remainder(const Number& radius, const std::optional<Window>& window,
-                              const std::vector<CircleShape>& shapes);
+Remainder uncovered_remainder(const RoundedRectangle& area, const std::optional<Window>& window,
+                              const std::vector<Shape>& shapes);
 
 }  // namespace gonogo::oracle::region

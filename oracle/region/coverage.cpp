@@ -30,18 +30,23 @@ Coverage undecided(std::string why) {
 
 class Decision {
  public:
-  Decision(const Path& path, const Disc& disc, const Bands& bands)
+  Decision(const Path& path, const Target& target, const Bands& bands)
       : path_(path),
-        disc_(disc),
+        target_(target),
         bands_(bands.bands),
-        radius_(enclose(disc.radius).lo),
-        reach_(enclose(disc.reach).middle()),
-        grid_(bands_, enclose(disc.radius).hi, reach_) {}
+        area_(enclose(target.area)),
+        reach_(enclose(target.reach).middle()),
+        grid_(bands_, half_side(), reach_) {}
 
   Coverage by_filter();
   Coverage by_circle_sets();
 
  private:
+  double half_side() const { return std::max(area_.core_p.hi, area_.core_q.hi) + area_.radius.hi; }
+  bool is_asked_for(const PlanePoint& point) const {
+    if (!contains(target_.area, point)) return false;
+    return !target_.cleared || !contains(*target_.cleared, point);
+  }
   double clearance(double x, double y) const;
   std::array<double, 2> climb(double x, double y) const;
   std::optional<Coverage> refute(double x, double y) const;
@@ -49,16 +54,16 @@ class Decision {
   Coverage settle(const std::vector<std::uint32_t>& near, const std::optional<Window>& window);
 
   const Path& path_;
-  const Disc& disc_;
+  const Target& target_;
   std::span<const Band> bands_;
-  double radius_;
+  EnclosedRectangle area_;
   double reach_;
   Grid grid_;
 };
 
-// About how far the point is from the nearest band near it; negative: covered, or outside the disc.
+// About how far the point is from the nearest band near it; negative: covered, or outside the area.
 double Decision::clearance(double x, double y) const {
-  if (x * x + y * y > radius_ * radius_) return -1;
+  if (rough_distance(area_, x, y) > 0) return -1;
   double least = 2 * reach_;
   for (const std::uint32_t band : grid_.near(x, y)) {
     least = std::min(least, rough_distance(bands_[band], x, y));
@@ -102,8 +107,8 @@ std::optional<Coverage> Decision::refute(double x, double y) const {
       return Number(count) / Number(static_cast<std::int64_t>(step));
     };
     const PlanePoint point{rounded(px), rounded(py)};
-    if (norm_squared(point) > disc_.radius * disc_.radius) continue;
-    if (const auto far = excess(path_, point, disc_.reach)) {
+    if (!is_asked_for(point)) continue;
+    if (const auto far = excess(path_, point, target_.reach + target_.margin)) {
       Coverage result;
       result.kind = Coverage::Kind::uncovered;
       result.witness = point;
@@ -115,7 +120,7 @@ std::optional<Coverage> Decision::refute(double x, double y) const {
 }
 
 Coverage Decision::by_filter() {
-  BorderFilter filter(bands_, grid_, disc_);
+  BorderFilter filter(bands_, grid_, target_);
   int attempts = 0;
   while (attempts < kMaximumAttempts && filter.find_hole()) {
     ++attempts;
@@ -123,7 +128,7 @@ Coverage Decision::by_filter() {
   }
   if (attempts == kMaximumAttempts) return undecided("No place that seems uncovered proves to be.");
   if (filter.covered()) return {};
-  // A path that nowhere comes near the disc: its middle is as good a place as any.
+  // A path that nowhere comes near the area: its middle is as good a place as any.
   if (!filter.only_open_spots()) {
     if (auto hole = refute(0, 0)) return *hole;
     return undecided("The budget of the certified subdivision ran out.");
@@ -152,9 +157,13 @@ Coverage Decision::settle(const std::vector<Spot>& open) {
 
 Coverage Decision::settle(const std::vector<std::uint32_t>& near,
                           const std::optional<Window>& window) {
-  std::vector<CircleShape> shapes;
+  const RoundedRectangle& area = target_.area;
+  if (!area.core_p.is_rational() || !area.core_q.is_rational() || !area.radius.is_rational()) {
+    return undecided("The exact decision needs a rational area.");
+  }
+  std::vector<Shape> shapes;
   for (const std::uint32_t band : near) {
-    if (!append_shapes(bands_[band], disc_.reach, shapes)) {
+    if (!append_shapes(bands_[band], target_.reach, shapes)) {
       return undecided("The exact decision needs rational coordinates.");
     }
   }
@@ -162,7 +171,7 @@ Coverage Decision::settle(const std::vector<std::uint32_t>& near,
   Coverage result;
   result.by_filter = false;
   try {
-    const Remainder remainder = uncovered_remainder(disc_.radius, window, shapes);
+    const Remainder remainder = uncovered_remainder(target_.area, window, shapes);
     if (remainder.empty) return result;
     for (const auto& [x, y] : remainder.samples) {
       if (auto hole = refute(x, y)) {
@@ -184,15 +193,18 @@ Coverage Decision::by_circle_sets() {
 
 }  // namespace
 
-Coverage check_coverage(const Path& path, const Disc& disc, const Number& tolerance,
+Coverage check_coverage(const Path& path, const Target& target, const Number& tolerance,
                         Method method) {
+  std::optional<Cleared> cleared;
+  if (target.cleared) cleared = Cleared{*target.cleared, enclose(*target.cleared)};
   const bool spirals =
       std::any_of(path.arcs.begin(), path.arcs.end(), [](const Arc& arc) { return !arc.round; });
   Coverage result;
   for (const double cuts : kCuts) {
-    const auto bands = make_bands(path, disc.reach, enclose(tolerance).lo / cuts);
+    auto bands = make_bands(path, target.reach, enclose(tolerance).lo / cuts);
     if (!bands) return undecided("The spirals of the level have too many parts.");
-    Decision decision(path, disc, *bands);
+    if (cleared) add_cleared(*bands, *cleared);
+    Decision decision(path, target, *bands);
     result = method == Method::filter_first ? decision.by_filter() : decision.by_circle_sets();
     if (!spirals || result.kind != Coverage::Kind::undecided) break;
   }

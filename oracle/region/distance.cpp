@@ -129,6 +129,17 @@ struct Nearest {
     distances.push_back(exact::sqrt(d2));
     return true;
   }
+  bool take(const Line& line) {
+    const Interval distance = square_root(squared_distance(line, approximate));
+    if (distance.hi < limit.lo) return false;
+    const bool clear = distance.lo > limit.hi;
+    if (clear && distance.lo > upper) return true;
+    upper = std::min(upper, distance.hi);
+    const Number d2 = squared_distance(line, point);
+    if (!clear && d2 <= reach * reach) return false;
+    distances.push_back(exact::sqrt(d2));
+    return true;
+  }
 };
 
 }  // namespace
@@ -137,6 +148,9 @@ std::optional<Number> excess(const Path& path, const PlanePoint& point, const Nu
   Nearest nearest{point, reach};
   for (const PlanePoint& visited : path.points) {
     if (!nearest.take(visited)) return std::nullopt;
+  }
+  for (const Line& line : path.lines) {
+    if (!nearest.take(line)) return std::nullopt;
   }
   for (const Arc& arc : path.arcs) {
     if (!nearest.take(arc)) return std::nullopt;

@@ -7,14 +7,16 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/region/arc.hpp"
+#include "oracle/region/line.hpp"
 
 namespace gonogo::oracle::region {
 
-// What clears a level: its arcs, the single points that it visits, and the plunge point.
+// What clears a level: its arcs, its lines where they count, the single points that it visits, and
+// the plunge point.
 struct Path {
   std::vector<Arc> arcs;
   std::vector<PlanePoint> points;
+  std::vector<Line> lines = {};
 };
 
 // By how much the point is farther than `reach` from the whole path; nothing when it is not, or

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/gouge.hpp"
 
-#include <vector>
-
 namespace gonogo::oracle::region {
 namespace {
 
@@ -13,48 +11,104 @@ Reach outside(const PlanePoint& witness, const Number& beyond) {
   return {Reach::Kind::outside, witness, beyond};
 }
 
-// The point of the round arc farthest from the origin, when it is not an end: straight away from
-// the origin through the arc's centre.
-Reach farthest_of_round(const Arc& arc, const Number& limit) {
-  const PlanePoint& c = arc.centre;
+// On a round arc the distance from the core, a convex function, is largest at an end or where it
+// grows straight away from the arc's centre. There its gradient, the direction from the nearest
+// point of the core, is the direction from the centre: that nearest point is a corner, and the
+// arc's centre lies beyond it or on it; or it is inside a side, and the point an extreme one.
+//
+// The first: straight away from a corner through the centre of the arc.
+Reach farthest_from_corner(const Arc& arc, const Corner& corner, const RoundedRectangle& limit) {
+  const PlanePoint c = arc.centre - corner.at;
   const Number c2 = norm_squared(c);
-  // About the origin itself all points are equally far: the ends have decided.
-  if (c2.sign() == 0) return {};
+  // About the corner itself all points are equally far: others decide.
+  if (c2.sign() == 0 || !leads_away(limit, corner.sp, corner.sq, c)) return {};
   if (!arc.full && !contains(arc.sweep, c)) return {};
   // sqrt(c2) + sqrt(a2) <= limit, squared twice.
-  const Number room = limit * limit - c2 - arc.a2;
+  const Number room = limit.radius * limit.radius - c2 - arc.a2;
   if (room.sign() >= 0 && Number(4) * c2 * arc.a2 <= room * room) return {};
-  const Number ratio = arc.a2 / c2;
-  const PlanePoint far{c.p + c.p * exact::sqrt(ratio), c.q + c.q * exact::sqrt(ratio)};
-  return outside(far, exact::sqrt(c2) + exact::sqrt(arc.a2) - limit);
+  const Number ratio = exact::sqrt(arc.a2 / c2);
+  const PlanePoint far = arc.centre + PlanePoint{c.p * ratio, c.q * ratio};
+  return outside(far, exact::sqrt(c2) + exact::sqrt(arc.a2) - limit.radius);
 }
 
-// The squared distance from the origin over the stretch.
-Interval squared_distance(const Arc& arc, const Stretch& stretch) {
+// The second: the extreme point in a direction along one axis, given as the unit vector.
+Reach farthest_from_side(const Arc& arc, const PlanePoint& axis, const RoundedRectangle& limit) {
+  if (!arc.full && !contains(arc.sweep, axis)) return {};
+  const bool along_p = axis.p.sign() != 0;
+  const Number& aside = along_p ? arc.centre.q : arc.centre.p;
+  if (exact::abs(aside) > (along_p ? limit.core_q : limit.core_p)) return {};
+  // dot(c, axis) + sqrt(a2) <= half + limit.
+  const Number room =
+      (along_p ? limit.core_p : limit.core_q) + limit.radius - dot(arc.centre, axis);
+  if (room.sign() >= 0 && arc.a2 <= room * room) return {};
+  const Number radius = exact::sqrt(arc.a2);
+  return outside(arc.centre + PlanePoint{radius * axis.p, radius * axis.q}, radius - room);
+}
+
+Reach farthest_of_round(const Arc& arc, const RoundedRectangle& limit) {
+  for (const Corner& corner : corners_of(limit)) {
+    Reach reach = farthest_from_corner(arc, corner, limit);
+    if (reach.kind != Reach::Kind::inside) return reach;
+  }
+  if (limit.core_p.sign() == 0 && limit.core_q.sign() == 0) return {};
+  for (const PlanePoint& axis :
+       {PlanePoint{1, 0}, PlanePoint{0, 1}, PlanePoint{-1, 0}, PlanePoint{0, -1}}) {
+    Reach reach = farthest_from_side(arc, axis, limit);
+    if (reach.kind != Reach::Kind::inside) return reach;
+  }
+  return {};
+}
+
+class SpiralReach {
+ public:
+  SpiralReach(const Arc& arc, const RoundedRectangle& limit)
+      : arc_(arc), limit_(enclose(limit)), corners_(corners_of(limit)) {}
+
+  Reach farthest() const;
+
+ private:
+  double squared_distance(const Stretch& stretch) const;
+
+  const Arc& arc_;
+  EnclosedRectangle limit_;
+  std::vector<Corner> corners_;
+};
+
+// An upper bound of the squared distance from the core over the stretch.
+double SpiralReach::squared_distance(const Stretch& stretch) const {
   const Interval radius = hull(stretch.ra, stretch.rb);
   if (stretch.turns > 0 || stretch.wide || !(dot(stretch.ua, stretch.ub).lo > 0)) {
-    const Interval far = norm(arc.c) + radius;
-    return {0, square(far).hi};
+    return square(square_root(squared_distance_to_core(limit_, arc_.c)) + radius).hi;
   }
-  const Interval along = projection(stretch.ua, stretch.ub, arc.c);
-  return norm_squared(arc.c) + square(radius) + Interval{2, 2} * radius * along;
+  const auto along = [&stretch](const IntervalVector& d) {
+    return projection(stretch.ua, stretch.ub, d);
+  };
+  double least = std::numeric_limits<double>::infinity();
+  // No point is farther from the core than from a corner of it.
+  for (const Corner& corner : corners_) {
+    const IntervalVector c = arc_.c - enclose(corner.at);
+    const Interval d2 = norm_squared(c) + square(radius) + Interval{2, 2} * radius * along(c);
+    least = std::min(least, d2.hi);
+  }
+  if (limit_.is_disc()) return least;
+  const IntervalVector box{arc_.c.x + radius * along(exactly(1, 0)),
+                           arc_.c.y + radius * along(exactly(0, 1))};
+  return std::min(least, squared_distance_to_core(limit_, box).hi);
 }
 
-Reach farthest_of_spiral(const Arc& arc, const Number& limit) {
-  const Interval bound = enclose(limit);
-  const Interval bound2 = square(bound);
-  std::vector<Stretch> open{whole(arc)};
+Reach SpiralReach::farthest() const {
+  std::vector<Stretch> open{whole(arc_)};
   bool undecided = false;
   for (int budget = kMaximumStretches; !open.empty() && budget > 0; --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
-    if (squared_distance(arc, stretch).hi <= bound2.lo) continue;
+    if (squared_distance(stretch) <= limit_.radius2.lo) continue;
     const auto parts = halves(stretch);
-    const IntervalVector point = arc.c + parts[0].rb * parts[0].ub;
-    const Interval distance = norm(point);
-    if (distance.lo > bound.hi) {
+    const IntervalVector point = arc_.c + parts[0].rb * parts[0].ub;
+    const Interval distance = square_root(squared_distance_to_core(limit_, point));
+    if (distance.lo > limit_.radius.hi) {
       const PlanePoint witness{to_number(point.x.middle()), to_number(point.y.middle())};
-      return outside(witness, to_number((distance - bound).lo));
+      return outside(witness, to_number((distance - limit_.radius).lo));
     }
     if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < 1e-10 && !stretch.wide &&
         stretch.turns == 0) {
@@ -69,23 +123,25 @@ Reach farthest_of_spiral(const Arc& arc, const Number& limit) {
 
 }  // namespace
 
-Reach reach_of_point(const PlanePoint& point, const Number& limit) {
-  const Number d2 = norm_squared(point);
-  if (d2 <= limit * limit) return {};
-  return outside(point, exact::sqrt(d2) - limit);
+Reach reach_of_point(const PlanePoint& point, const RoundedRectangle& limit) {
+  const Number d2 = squared_distance_to_core(limit, point);
+  if (d2 <= limit.radius * limit.radius) return {};
+  return outside(point, exact::sqrt(d2) - limit.radius);
 }
 
-Reach reach_of_arc(const Arc& arc, const Number& limit) {
+Reach reach_of_arc(const Arc& arc, const RoundedRectangle& limit) {
   const Interval radius = hull(arc.ra, arc.rb);
-  if ((norm(arc.c) + radius).hi <= enclose(limit).lo) return {};
+  const EnclosedRectangle around = enclose(limit);
+  const Interval centre = square_root(squared_distance_to_core(around, arc.c));
+  if ((centre + radius).hi <= around.radius.lo) return {};
   for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
     Reach reach = reach_of_point(end, limit);
     if (reach.kind != Reach::Kind::inside) return reach;
   }
   if (arc.round) return farthest_of_round(arc, limit);
-  // About the origin the distance is the radius, which is largest at an end.
-  if (norm_squared(arc.centre).sign() == 0) return {};
-  return farthest_of_spiral(arc, limit);
+  // About the origin of a disc the distance is the radius, which is largest at an end.
+  if (around.is_disc() && norm_squared(arc.centre).sign() == 0) return {};
+  return SpiralReach(arc, limit).farthest();
 }
 
 }  // namespace gonogo::oracle::region

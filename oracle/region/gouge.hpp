@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a motion stays within a disc about the middle of the pocket.
+// Whether a motion stays within a rounded rectangle (a disc) about the middle of the pocket.
 #pragma once
 
-#include "oracle/region/arc.hpp"
+#include "oracle/region/rectangle.hpp"
 
 namespace gonogo::oracle::region {
 
@@ -13,10 +13,8 @@ struct Reach {
   Number beyond;       // how far it lies outside the limit (of a spiral: at least so far)
 };
 
-// Whether a point lies at most `limit` from the origin.
-Reach reach_of_point(const PlanePoint& point, const Number& limit);
-// Whether all of the arc does. Exact for round arcs; a spiral that just touches the limit between
-// its ends may stay undecided.
-Reach reach_of_arc(const Arc& arc, const Number& limit);
+Reach reach_of_point(const PlanePoint& point, const RoundedRectangle& limit);
+// Exact for round arcs; a spiral that just touches the limit between its ends may stay undecided.
+Reach reach_of_arc(const Arc& arc, const RoundedRectangle& limit);
 
 }  // namespace gonogo::oracle::region

@@ -12,5 +12,7 @@ namespace gonogo::oracle::region {
 
 LevelVerdict judge_level_by(Method method, const CircularLevel& level,
                             std::span<const LevelMotion> motions);
+LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
+                            std::span<const LevelMotion> motions);
 
 }  // namespace gonogo::oracle::region

@@ -33,6 +33,19 @@ struct LevelMotion {
   std::size_t record = 0;  // which record of the subject, for the finding
 };
 
+// A core rectangle about the origin, sides along the axes, grown by a disc: a rectangle with
+// rounded corners; with a core that is a line a slot, with a core that is a point a circle. Lengths
+// in mm.
+struct RoundedRectangle {
+  Number core_p;  // half the core's sides, >= 0
+  Number core_q;
+  Number radius;  // of the disc, >= 0
+};
+
+// From half the length and half the width. REQUIRES: 0 <= corner_radius <= both.
+RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half_width,
+                                   const Number& corner_radius);
+
 // What a level of a circular pocket (GSK G110/G111) must satisfy.
 //   gouge: no motion more than `tolerance` outside E, the disc of radius pocket_radius -
 //   tool_radius cover: every point of the disc of radius pocket_radius lies within tool_radius +
@@ -48,6 +61,28 @@ struct CircularLevel {
   int sense = -1;      // the sign that rot must have
   PlanePoint plunge;   // where the tool came down
   Number tolerance;    // > 0
+};
+
+// What a level of a pocket with rounded corners (SINUMERIK LCYC75) must satisfy. The motions are in
+// the pocket's own frame: its centre is the origin, its length runs along p, its width along q.
+//   sense: motions along the border of E, lines too, go round the centre as `sense` says; a border
+//          that is a point or a line has no direction, nor has one no more than the tolerance wide
+//   gouge: no motion more than `tolerance` outside E, the points whose tool disc lies in `area`
+//   cover: every point of `area` that is not in `cleared` lies within tool_radius + tolerance of
+//          the motions or the plunge point
+// A motion that runs no more than the tolerance beside the border runs along it, if it is longer
+// than four times the tolerance.
+struct RectangularLevel {
+  RoundedRectangle area;                    // its radius is at least the tool's
+  std::optional<RoundedRectangle> cleared;  // by an earlier level: the rest is a strip
+  Number tool_radius;                       // > 0
+  int sense = -1;                           // the sign of the turn about the centre: + is CCW
+  PlanePoint plunge;                        // where the tool came down
+  Number tolerance;                         // > 0
+  // How far a point of a motion may lie from where it truly is, because the frame turns it by a
+  // rational rotation near the true one (frame.hpp). GO then holds with tolerance - slack, NO-GO
+  // with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
+  Number slack;
 };
 
 enum class Rule { gouge, cover, step, sense };
@@ -73,5 +108,6 @@ inline constexpr std::size_t kMaximumLevelMotions = 50'000;
 
 // The first rule broken in the order sense, gouge, cover, step.
 LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions);
+LevelVerdict judge_level(const RectangularLevel& level, std::span<const LevelMotion> motions);
 
 }  // namespace gonogo::oracle::region

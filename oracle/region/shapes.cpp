@@ -30,7 +30,7 @@ PlanePoint direction_inside(const IntervalVector& u, double side) {
 
 // Sectors of at most 90 degrees and a little; a and b are the rational directions of the ends.
 void append_sectors(const CircleShape& ring, const PlanePoint& a, const PlanePoint& b, bool wide,
-                    std::vector<CircleShape>& out) {
+                    std::vector<Shape>& out) {
   if (!wide && dot(a, b) >= Number(0)) {
     if (cross(a, b).sign() <= 0) return;  // too narrow for rational directions inside it
     CircleShape shape = ring;
@@ -45,7 +45,7 @@ void append_sectors(const CircleShape& ring, const PlanePoint& a, const PlanePoi
 }
 
 void append_round(const Band& band, const CircleShape& ring, const Number& radius,
-                  std::vector<CircleShape>& out) {
+                  std::vector<Shape>& out) {
   if (!band.sweep) {
     out.push_back(ring);
     return;
@@ -58,7 +58,7 @@ void append_round(const Band& band, const CircleShape& ring, const Number& radiu
 
 // Within the band, by what the enclosures leave open.
 void append_within(const Band& band, const PlanePoint& centre, double unsure,
-                   std::vector<CircleShape>& out) {
+                   std::vector<Shape>& out) {
   const Interval shift{unsure, unsure};
   const double outer = (band.outer - shift).lo;
   const double inner = band.has_hole() ? (band.inner + shift).hi : 0;
@@ -75,7 +75,7 @@ void append_within(const Band& band, const PlanePoint& centre, double unsure,
 }
 
 // A band whose centre is known as an enclosure only.
-void append_enclosed(const Band& band, std::vector<CircleShape>& out) {
+void append_enclosed(const Band& band, std::vector<Shape>& out) {
   const double x = band.c.x.middle();
   const double y = band.c.y.middle();
   const bool exact = band.c.x.lo == band.c.x.hi && band.c.y.lo == band.c.y.hi;
@@ -83,9 +83,26 @@ void append_enclosed(const Band& band, std::vector<CircleShape>& out) {
   append_within(band, {to_number(x), to_number(y)}, unsure, out);
 }
 
+// With the exact normal where the line's length is rational, else with one 2^-40 beside it.
+bool append_capsule(const Line& line, const Number& reach, std::vector<Shape>& out) {
+  if (!is_rational(line.from) || !is_rational(line.to) || !reach.is_rational()) return false;
+  const PlanePoint d = line.to - line.from;
+  const Number length = exact::sqrt(norm_squared(d));
+  const PlanePoint normal = length.is_rational()
+                                ? PlanePoint{-d.q / length, d.p / length}
+                                : rational_direction(-line.u.y.middle(), line.u.x.middle(), 40);
+  out.push_back(CapsuleShape{line.from, line.to, normal, reach});
+  return true;
+}
+
 }  // namespace
 
-bool append_shapes(const Band& band, const Number& reach, std::vector<CircleShape>& out) {
+bool append_shapes(const Band& band, const Number& reach, std::vector<Shape>& out) {
+  if (band.shape == Band::Shape::capsule) return append_capsule(*band.line, reach, out);
+  if (band.shape == Band::Shape::rectangle) {
+    out.push_back(band.cleared->exact);
+    return true;
+  }
   if (!band.centre) {
     append_enclosed(band, out);
     return true;

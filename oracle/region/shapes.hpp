@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The bands as rational shapes for the exact decision: equal to the band where its radius is
-// rational, else within it.
+// rational (a line's band: where its length is), else within it.
 #pragma once
 
 #include <vector>
@@ -12,6 +12,6 @@
 namespace gonogo::oracle::region {
 
 // Appends the shapes of the band. False when a centre or the reach is irrational.
-bool append_shapes(const Band& band, const Number& reach, std::vector<CircleShape>& out);
+bool append_shapes(const Band& band, const Number& reach, std::vector<Shape>& out);
 
 }  // namespace gonogo::oracle::region

@@ -16,7 +16,7 @@ using reference::Axis;
 std::string json_of(const reference::AlarmReport& report) {
   const reference::Alarm& alarm = report.alarms.front();
   Json line = {{"k", "alarm"}, {"class", name(alarm.alarm)}, {"b", report.block}};
-  if (alarm.word != 0) line["word"] = std::string(1, alarm.word);
+  if (!alarm.word.empty()) line["word"] = alarm.word.text();
   line["message"] = alarm.message;
   if (alarm.clause != reference::kNoClause) line["clause"] = reference::clause_name(alarm.clause);
   for (std::size_t i = 1; i < report.alarms.size(); ++i) {
@@ -33,6 +33,7 @@ struct AddItem {
   bool operator()(const reference::PocketLevel&) const { return true; }
   bool operator()(const reference::HelixPocket&) const { return true; }
   bool operator()(const reference::ThreadMilling&) const { return true; }
+  bool operator()(const reference::PocketMilling&) const { return true; }
   bool operator()(const reference::Renaming& renaming) const {
     sampler.rename(renaming.shift);
     return true;

@@ -72,11 +72,13 @@ bool PathSampler::add(const Record& record, std::string text) {
     drawn.points = {here_};
     return true;
   }
+  Position end = at_;
   for (Axis axis : reference::kAllAxes) {
-    if (record.axes.has(axis)) at_[axis] = record.to[axis];
+    if (record.axes.has(axis)) end[axis] = record.to[axis];
   }
-  const Point3 to = approximate(at_);
+  const Point3 to = approximate(end);
   drawn.points = sample(record, to);
+  at_ = end;
   segments_left_ -= std::min(segments_left_, drawn.points.size() - 1);
   here_ = to;
   return true;

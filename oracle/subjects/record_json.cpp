@@ -235,8 +235,7 @@ SubjectAlarm alarm_of(const Fields& fields) {
   if (fields.has(Key::alarm_class)) alarm.alarm_class = fields.text(Key::alarm_class);
   if (fields.has(Key::native)) alarm.native = fields.text(Key::native);
   if (fields.has(Key::word)) {
-    const std::string_view word = fields.text(Key::word);
-    if (!word.empty()) alarm.word = word.front();
+    alarm.word = reference::WordName(fields.text(Key::word));
   }
   if (alarm.alarm_class.empty() && alarm.native.empty()) {
     fail("An alarm needs \"class\" or \"native\".");

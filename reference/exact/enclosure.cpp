@@ -32,6 +32,11 @@ std::uint64_t hash_of(const Number& value) {
   return mix(mix(hash_of(root.a), hash_of(root.b)), hash_of(root.c));
 }
 
+std::uint32_t depth_of(const Number& value) {
+  const EnclosureNode* node = enclosure_node(value);
+  return node == nullptr ? 0 : node->depth;
+}
+
 Interval interval_of_leaf(const Number& value, mpfr_prec_t bits) {
   if (value.is_rational()) {
     mpq_class scratch;
@@ -67,6 +72,8 @@ Interval evaluate(Operation operation, const Interval& x, const Interval& y, mpf
       return sin_of_degrees(x, bits);
     case Operation::atan_degrees:
       return atan_in_degrees(x, bits);
+    case Operation::radians:
+      return in_radians(x, bits);
   }
   __builtin_unreachable();
 }
@@ -107,6 +114,30 @@ mpfr_exp_t magnitude_bits(const Interval& interval) {
   return bits;
 }
 
+// What is left of a sum or difference when a term of it cancels out: (a + b) - a, x - (x + b), ...
+std::optional<Number> cancelled(Operation operation, const Number& x, const Number& y) {
+  const bool adds = operation == Operation::add;
+  const EnclosureNode* const left = enclosure_node(x);
+  const EnclosureNode* const right = enclosure_node(y);
+  if (left != nullptr && left->operation == Operation::add && !adds) {
+    if (same_expression(left->left, y)) return left->right;
+    if (same_expression(left->right, y)) return left->left;
+  }
+  if (left != nullptr && left->operation == Operation::subtract) {
+    if (adds && same_expression(left->right, y)) return left->left;
+    if (!adds && same_expression(left->left, y)) return -left->right;
+  }
+  if (right != nullptr && right->operation == Operation::add && !adds) {
+    if (same_expression(right->left, x)) return -right->right;
+    if (same_expression(right->right, x)) return -right->left;
+  }
+  if (right != nullptr && right->operation == Operation::subtract) {
+    if (adds && same_expression(right->right, x)) return right->left;
+    if (!adds && same_expression(right->left, x)) return right->right;
+  }
+  return std::nullopt;
+}
+
 // x op y without a node, where that holds for every value of the operands.
 std::optional<Number> simplified(Operation operation, const Number& x, const Number& y) {
   const auto is = [](const Number& value, int wanted) {
@@ -120,12 +151,12 @@ std::optional<Number> simplified(Operation operation, const Number& x, const Num
     case Operation::add:
       if (is(x, 0)) return y;
       if (is(y, 0)) return x;
-      break;
+      return cancelled(operation, x, y);
     case Operation::subtract:
       if (is(y, 0)) return x;
       if (is(x, 0)) return -y;
       if (same_expression(x, y)) return Number(0);
-      break;
+      return cancelled(operation, x, y);
     case Operation::multiply:
       if (is(x, 0) || is(y, 0)) return Number(0);
       if (is(x, 1)) return y;
@@ -154,6 +185,7 @@ EnclosureNode::EnclosureNode(Operation its_operation, Number its_left, Number it
       operation(its_operation),
       refinable(its_operation != Operation::between && is_refinable(its_left) &&
                 is_refinable(its_right)),
+      depth(1 + std::max(depth_of(its_left), depth_of(its_right))),
       left(std::move(its_left)),
       right(std::move(its_right)),
       hash(mix(mix(static_cast<std::uint64_t>(its_operation) + 11, hash_of(left)), hash_of(right))),

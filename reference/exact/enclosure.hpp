@@ -23,13 +23,15 @@ enum class Operation : std::uint8_t {
   cos_degrees,
   sin_degrees,
   atan_degrees,  // the angle in (-90, 90) whose tangent is `left`
+  radians,       // of degrees
 };
 
 struct EnclosureNode final : Node {
   EnclosureNode(Operation its_operation, Number its_left, Number its_right);
   const Operation operation;
-  const bool refinable;  // no `between` in it
-  Number left;           // given up only by destroy_enclosure
+  const bool refinable;       // no `between` in it
+  const std::uint32_t depth;  // of the tree of operations: 1 + that of the deeper operand
+  Number left;                // given up only by destroy_enclosure
   Number right;
   const std::uint64_t hash;  // of the structure
   const Interval base;       // at kBaseBits

@@ -226,4 +226,8 @@ Interval atan_in_degrees(const Interval& x, mpfr_prec_t bits) {
                 bits);
 }
 
+Interval in_radians(const Interval& x, mpfr_prec_t bits) {
+  return divide(multiply(x, half_turn_in_radians(bits), bits), half_turn_in_degrees(bits), bits);
+}
+
 }  // namespace gonogo::exact

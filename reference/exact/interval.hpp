@@ -54,5 +54,6 @@ Interval sqrt_of(const Interval& x, mpfr_prec_t bits);
 Interval cos_of_degrees(const Interval& x, mpfr_prec_t bits);
 Interval sin_of_degrees(const Interval& x, mpfr_prec_t bits);
 Interval atan_in_degrees(const Interval& x, mpfr_prec_t bits);
+Interval in_radians(const Interval& x, mpfr_prec_t bits);  // of degrees
 
 }  // namespace gonogo::exact

@@ -24,6 +24,10 @@ class GcodePreview(Lines, AdapterCase):
         records = self.run_program("G3 X6 Y0 R5 F60\n")["records"]
         self.assertChordsOfCircle(records, (3, 4), 5, 0.0811, {"x": 6, "y": 0})
 
+    def test_a_feed_on_a_line_of_its_own(self):
+        self.assertRecords("F30\nG1 X1\nF(c)\nG1 X2 F40\n", [
+            {"k": "feed", "to": {"x": 1}, "f": 30}, {"k": "feed", "to": {"x": 2}, "f": 40}])
+
     def test_initial_position(self):
         self.assertRecords("G1 Y2\n", [{"k": "feed", "to": {"x": 5, "y": 2, "z": -1}, "f": 3}],
                            {"initial": {"x": "5", "z": "-1", "f": "3"}})

@@ -42,6 +42,20 @@ class Linuxcnc(Lines, Distances, Arcs):
             {"k": "feed", "b": 3, "to": {"x": 2}, "f": "0.2", "fm": "rev"},
             {"k": "feed", "b": 4, "to": {"x": 3}, "f": 5}])
 
+    def test_the_feed_of_a_rotary_axis_alone_is_one_of_degrees_in_either_unit(self):
+        self.assertRecords("G20\nG1 A90 F10\nX1\nA0\nG21 A90\nX0 A0\nF20 A90\n", [
+            {"k": "feed", "b": 2, "to": {"x": 0, "a": 90}, "f": 10},
+            {"k": "feed", "b": 3, "to": {"x": "25.4"}, "f": 254},
+            {"k": "feed", "b": 4, "to": {"a": 0}, "f": 10},
+            {"k": "feed", "b": 5, "to": {"a": 90}, "f": 10},
+            {"k": "feed", "b": 6, "to": {"x": 0, "a": 0}, "f": 254},
+            {"k": "feed", "b": 7, "to": {"a": 90}, "f": 20}])
+
+    def test_a_change_of_units_moves_no_linear_axis(self):
+        # 0.12345 in is printed with four decimals, and again, otherwise rounded, as millimetres.
+        self.assertRecords("G20\nG1 X0.12345 F10\nG21 A90\nG20 A0\n", [
+            {"k": "feed", "f": 254}, {"k": "feed", "f": 10}, {"k": "feed", "f": 10}])
+
     def test_block_delete(self):
         for skip, ends in ((False, [1, 2, 3]), (True, [1, 3])):
             self.assertRecords("G0 X1\n/G0 X2\nG0 X3\n",
@@ -95,6 +109,10 @@ class Linuxcnc(Lines, Distances, Arcs):
         self.run_program("G20 G91 G18 G90.1\nG0 Q\n")
         self.assertRecords("G2 X10 I5 F10\n", [
             {"k": "arc", "plane": "G17", "c": {"x": 5, "y": 0}, "to": {"x": 10}, "f": 10}])
+
+    def test_nothing_is_left_of_a_tool_length_offset(self):
+        self.run_program("G43.1 Z1\n")
+        self.assertRecords("G49\nG0 X1\n", [{"k": "rapid", "to": {"x": 1, "z": 0}}])
 
     def test_an_axis_that_no_record_has_is_skipped(self):
         self.assertEqual(self.run_program("G0 B1\n")["outcome"], "skip")

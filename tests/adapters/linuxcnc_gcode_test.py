@@ -30,9 +30,10 @@ class LinuxcncGcode(Linuxcnc, AdapterCase):
         reply = self.run_program("X1\n", {"initial": {"x": "5"}})
         self.assertEqual(reply["alarm"]["class"], "missing-word")
 
-    def test_without_f_the_machine_s_own_feed_comes_out(self):
-        # LinuxCNC's module begins with F1: the missing alarm is its own.
-        self.assertRecords("G1 X1\nG20 G1 X1\n", [{"k": "feed", "f": 1}, {"k": "feed"}])
+    def test_initial_feed(self):
+        self.assertAlarm("G1 X1\n", "feed-missing", 1, "Cannot do g1 with zero feed rate")
+        self.assertRecords("G1 X1\nA90\nG20 X1\nA0\n", 4 * [{"k": "feed", "f": 50}],
+                           {"initial": {"f": "50"}})
 
 
 if __name__ == "__main__":

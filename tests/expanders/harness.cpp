@@ -28,6 +28,8 @@ std::string to_of(const gonogo_record_v1& record) {
 
 std::string dialect_of(std::string_view maker) {
   if (maker == "gsk") return "gsk988ta";
+  if (maker == "sinumerik") return "sinumerik840d";
+  if (maker == "sinumerik802s") return "sinumerik802s";
   return maker == "hnc" ? "hnc21t" : "rs274";
 }
 
@@ -41,6 +43,9 @@ std::string describe(const gonogo_record_v1& record) {
       return "arc" + std::to_string(record.plane) + " c=" + text_of(record.centre[0]) + "," +
              text_of(record.centre[1]) + " rot=" + std::to_string(record.rot) + to_of(record) +
              feed_of(record);
+    case GONOGO_ARC3:
+      return "arc3 via=" + text_of(record.via[0]) + "," + text_of(record.via[1]) + "," +
+             text_of(record.via[2]) + to_of(record) + feed_of(record);
     case GONOGO_THREAD:
       return "thread" + to_of(record) + " lead=" + text_of(record.lead) +
              " start=" + text_of(record.start);
@@ -99,7 +104,7 @@ void Session::take_note(void* context, int, gonogo_text message) {
 }
 
 Session::Session(std::string_view profile, std::string_view fault, std::string_view maker)
-    : subject_(find(maker, fault)) {
+    : subject_(find(maker == "sinumerik802s" ? "sinumerik" : maker, fault)) {
   if (subject_ == nullptr) throw std::logic_error("no such subject");
   sink_.struct_size = sizeof sink_;
   sink_.context = this;
@@ -134,6 +139,15 @@ Outcome run_hnc(std::string_view program, std::string_view profile, std::string_
 
 Outcome run_ngc(std::string_view program, std::string_view profile, std::string_view fault) {
   return Session(profile, fault, "ngc").run(program);
+}
+
+Outcome run_sinumerik(std::string_view program, std::string_view profile, std::string_view fault) {
+  return Session(profile, fault, "sinumerik").run(program);
+}
+
+Outcome run_sinumerik802s(std::string_view program, std::string_view profile,
+                          std::string_view fault) {
+  return Session(profile, fault, "sinumerik802s").run(program);
 }
 
 }  // namespace gonogo::expanders::testing

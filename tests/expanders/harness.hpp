@@ -12,8 +12,8 @@ namespace gonogo::expanders::testing {
 
 /// What a run gave, as text. A record is one line without its block, in this form:
 ///   rapid x=1 z=2 | feed x=1 f=200 | arc18 c=50,50 rot=-1 x=50 z=53 f=800 |
-///   thread z=-9 lead=2 start=0 | dwell 0.5 | m 3 | end x=0 y=0 z=0 a=0 c=0            (`/rev`
-///   follows f in mm per revolution)
+///   arc3 via=1,2,3 x=4 y=5 z=6 f=9 | thread z=-9 lead=2 start=0 | dwell 0.5 | m 3 |
+///   end x=0 y=0 z=0 a=0 c=0            (`/rev` follows f in mm per revolution)
 struct Outcome {
   int create = GONOGO_OK;
   int answer = GONOGO_ERROR;
@@ -35,7 +35,7 @@ struct Outcome {
 /// A subject in use, with a sink that collects.
 class Session {
  public:
-  /// `profile` is the JSON of the profile, `maker` a name of the registry.
+  /// `profile` is the JSON of the profile, `maker` a name of the registry or `sinumerik802s`.
   explicit Session(std::string_view profile = "{}", std::string_view fault = {},
                    std::string_view maker = "gsk");
   ~Session();
@@ -70,6 +70,14 @@ Outcome run_hnc(std::string_view program, std::string_view profile = "{}",
 /// The same with the expander of rs274.
 Outcome run_ngc(std::string_view program, std::string_view profile = "{}",
                 std::string_view fault = {});
+
+/// The same with the expander of sinumerik840d.
+Outcome run_sinumerik(std::string_view program, std::string_view profile = "{}",
+                      std::string_view fault = {});
+
+/// The same as sinumerik802s.
+Outcome run_sinumerik802s(std::string_view program, std::string_view profile = "{}",
+                          std::string_view fault = {});
 
 /// `lines` with a line end after each.
 std::string joined(const std::vector<std::string>& lines);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lines that are well formed, and their trees; in every dialect where the name does not tell.
+// Lines of letter-address programs that are well formed, and their trees; in every such dialect
+// where the name does not tell.
 #include "tests/grammar/trees.hpp"
 
 namespace gonogo::grammar {
@@ -89,7 +90,7 @@ TEST(Block, NothingAndBlanksAreBlocksWithoutWords) {
 }
 
 TEST(Block, AnEarlierBlockLeavesNothingBehind) {
-  for (const Dialect dialect : kDialects) {
+  for (const Dialect dialect : kLetterAddress) {
     Block block;
     for (const char* line : {"/N1 G1 X1 (a) ;b", "O5 X#1", "%", ""}) {
       EXPECT_FALSE(parse_block(dialect, line, block)) << line;
@@ -180,7 +181,7 @@ void expect_outside(Dialect dialect, const std::vector<OutsideCase>& cases) {
 }
 
 TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
-  for (const Dialect dialect : kDialects) {
+  for (const Dialect dialect : kLetterAddress) {
     expect_outside(dialect, {{"#100=5", "variable", 0, {0, 6}},
                              {"N1 #100=[#1+2]*3 ", "variable", 0, {3, 16}},
                              {"(depth) #100=5", "variable", 0, {8, 14}},

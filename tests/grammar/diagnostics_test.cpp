@@ -75,7 +75,7 @@ TEST(Fault, ACharacterThatMayNotStandWhereItStands) {
 
 TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
   const auto code = SyntaxCode::unexpected_character;
-  for (const Dialect dialect : kDialects) {
+  for (const Dialect dialect : kLetterAddress) {
     expect_faults(dialect, {{"% (c)", code, {2, 3}},
                             {"%;", code, {1, 2}},
                             {"%%", code, {1, 2}},

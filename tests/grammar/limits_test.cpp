@@ -21,7 +21,7 @@ TEST(EveryByte, AloneInALine) {
       parsed(line);
       continue;
     }
-    for (const Dialect dialect : kDialects) {
+    for (const Dialect dialect : kLetterAddress) {
       const bool any_case = dialect == Dialect::rs274;
       if (any_case && (value == 'o' || value == 'O')) {
         EXPECT_TRUE(parsed(dialect, line).outside);
@@ -57,7 +57,7 @@ TEST(EveryByte, BehindAnAddressIsANumberOrLocated) {
     if (number) {
       parsed(line);
     } else {
-      for (const Dialect dialect : kDialects) {
+      for (const Dialect dialect : kLetterAddress) {
         const SyntaxError error = fault(dialect, line);
         EXPECT_EQ(error.where.begin, value == '[' ? 3U : 1U) << value;  // X[5 lacks its bracket
       }
@@ -107,7 +107,7 @@ TEST(Allocation, ABlockThatIsReusedAllocatesNothing) {
     }
     return good;
   };
-  for (const Dialect dialect : kDialects) {
+  for (const Dialect dialect : kLetterAddress) {
     ASSERT_TRUE(run(dialect));
     const std::size_t before = allocation_count();
     const bool good = run(dialect);

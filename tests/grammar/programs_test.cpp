@@ -242,7 +242,7 @@ TEST(HncPrograms, FormsOfMilling) {
 }
 
 TEST(Programs, ABadLineDoesNotTouchTheNext) {
-  for (const Dialect dialect : kDialects) {
+  for (const Dialect dialect : kLetterAddress) {
     MemorySource bytes("G1 X1\nG1 (X\nG1 X2\n");
     LineSource lines(bytes);
     std::vector<bool> good;

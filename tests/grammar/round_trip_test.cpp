@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Properties of parse_block and print over generated trees and texts.
+// Properties of parse_block and print over generated trees and texts of letter-address programs.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -13,7 +13,9 @@ namespace gonogo::grammar {
 
 // For counterexamples.
 void showValue(const Block& block, std::ostream& out) {
-  out << '"' << print(block) << '"';
+  out << '"';
+  PrintTo(block, &out);
+  out << '"';
 }
 
 namespace {
@@ -61,7 +63,8 @@ rc::Gen<Comment> any_comment() {
 }
 
 rc::Gen<Dialect> any_dialect() {
-  return rc::gen::elementOf(std::vector<Dialect>(std::begin(kDialects), std::end(kDialects)));
+  return rc::gen::elementOf(
+      std::vector<Dialect>(std::begin(kLetterAddress), std::end(kLetterAddress)));
 }
 
 // A tree that lines of the dialect can have.

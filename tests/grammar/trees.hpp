@@ -34,15 +34,24 @@ inline Block block_of(std::vector<Word> words) {
   return block;
 }
 
+// Those whose words are a letter and a number.
+inline constexpr Dialect kLetterAddress[] = {Dialect::gsk988ta, Dialect::hnc21t, Dialect::rs274};
+
+// The text of a letter-address block.
+inline std::string print(const Block& block) {
+  return print(Dialect::rs274, block);
+}
+
 // For the messages of GoogleTest and RapidCheck.
 inline void PrintTo(const Block& block, std::ostream* out) {
-  *out << print(block);
+  const bool sinumerik = !block.named.empty() || (block.outside && block.outside->name == "string");
+  *out << print(sinumerik ? Dialect::sinumerik : Dialect::rs274, block);
 }
 inline void PrintTo(const SyntaxError& error, std::ostream* out) {
   *out << name(error.code) << " at " << error.where.begin << ": " << message(error);
 }
 inline std::string_view name(Dialect dialect) {
-  constexpr std::string_view kNames[] = {"gsk988ta", "hnc21t", "rs274"};
+  constexpr std::string_view kNames[] = {"gsk988ta", "hnc21t", "rs274", "sinumerik"};
   return kNames[static_cast<std::size_t>(dialect)];
 }
 // Those whose letters are capitals, with program numbers and control statements.
@@ -64,9 +73,9 @@ Block parsed(const Dialect (&dialects)[size], std::string_view line) {
   }
   return block;
 }
-// In every dialect.
+// In every dialect of letters and numbers.
 inline Block parsed(std::string_view line) {
-  return parsed(kDialects, line);
+  return parsed(kLetterAddress, line);
 }
 
 // The error of a line that is not well formed in a dialect.
@@ -85,9 +94,9 @@ SyntaxError fault(const Dialect (&dialects)[size], std::string_view line) {
   }
   return error;
 }
-// In every dialect.
+// In every dialect of letters and numbers.
 inline SyntaxError fault(std::string_view line) {
-  return fault(kDialects, line);
+  return fault(kLetterAddress, line);
 }
 
 }  // namespace gonogo::grammar

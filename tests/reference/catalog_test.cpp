@@ -129,17 +129,18 @@ TEST(Catalog, AnotherDialectIsNotFound) {
   EXPECT_EQ(find_dialect("fanuc"), nullptr);
 }
 
+// Two dialects of a maker may share clauses.
 TEST(Catalog, TheClausesOfADialectBeginWithOneMaker) {
-  std::size_t all = 0;
+  std::set<std::string_view> all;
   for (const Dialect& dialect : dialects()) {
     const std::string_view maker = dialect.clauses.front().id.substr(0, 4);
     for (const Clause& clause : dialect.clauses) {
       EXPECT_TRUE(clause.id.starts_with(maker)) << clause.id;
+      all.insert(clause.id);
     }
     EXPECT_TRUE(clause_name(dialect.syntax_clause).starts_with(maker));
-    all += dialect.clauses.size();
   }
-  EXPECT_EQ(all, clauses().size());
+  EXPECT_EQ(all.size(), clauses().size());
 }
 
 }  // namespace

@@ -164,6 +164,20 @@ TEST(Profile, AnEmptyOneIsThePowerOnState) {
   }
 }
 
+TEST(Profile, ASinumerikMillsInMicrometres) {
+  const Profile profile = json(R"({"dialect":"sinumerik840d"})");
+  EXPECT_EQ(profile.resolution(), num("0.001"));
+  EXPECT_FALSE(profile.x_diameter);
+  EXPECT_EQ(profile.initial.plane, Plane::g17);
+  EXPECT_EQ(profile.initial.motion, kNoMotion);
+  json(R"({"dialect":"sinumerik840d","parameters":{"CIRCLE_ERROR_CONST":"0.02"}})");
+  json(R"({"dialect":"sinumerik840d","readings":{"sie.arc.correct":"project"}})");
+  json_refused(R"({"dialect":"sinumerik840d","parameters":{"3410":"1"}})", "parameters.3410",
+               {"CIRCLE_ERROR_FACTOR"});
+  json_refused(R"({"dialect":"rs274","readings":{"sie.arc.correct":"project"}})",
+               "readings.sie.arc.correct", {"rs274"});
+}
+
 TEST(Profile, TheLeastIncrementFollowsTheIncrementSystem) {
   EXPECT_EQ(toml("").resolution(), num("0.001"));
   EXPECT_EQ(toml("increment = \"ISB\"").resolution(), num("0.001"));

@@ -42,12 +42,18 @@ TEST(Reading, EachIsAChoiceBetweenTwoAtLeast) {
   }
 }
 
+// "any" by default where a property judges, and where the reading of the manual says so.
 TEST(Reading, EachDefaultIsOneOfItsChoices) {
+  std::set<std::string_view> named_open;
   for (const Reading& entry : readings()) {
     EXPECT_TRUE(admits(entry, entry.fallback)) << entry.name;
-    // "any" by default only where a property judges; else the default is an alternative.
-    EXPECT_EQ(entry.fallback == "any", entry.by_properties) << entry.name;
+    if (entry.by_properties) {
+      EXPECT_EQ(entry.fallback, "any") << entry.name;
+    } else if (entry.fallback == "any") {
+      named_open.insert(entry.name);
+    }
   }
+  EXPECT_EQ(named_open, (std::set<std::string_view>{"sie.arc.correct", "sie.infeed-from"}));
 }
 
 TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {
@@ -55,12 +61,24 @@ TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {
     const Dialect* dialect = find_dialect(entry.dialect);
     ASSERT_NE(dialect, nullptr) << entry.name;
     // gsk.pocket.end of gsk988ta cites a clause GSK-..., ngc.arc-tolerance of rs274 one NGC-...
-    const std::string_view maker = entry.dialect == "rs274" ? "ngc" : entry.dialect.substr(0, 3);
+    const std::string_view maker = entry.dialect == "rs274" ? "ngc"
+                                   : entry.dialect.starts_with("sinumerik")
+                                       ? "sie"
+                                       : entry.dialect.substr(0, 3);
     EXPECT_EQ(entry.name.substr(0, entry.name.find('.')), maker) << entry.name;
     EXPECT_EQ(clause(entry.clause).id.substr(0, 4), dialect->clauses.front().id.substr(0, 4))
         << entry.name;
     EXPECT_FALSE(entry.text.empty()) << entry.name;
+    EXPECT_TRUE(entry.also.empty() || find_dialect(entry.also) != nullptr) << entry.name;
   }
+}
+
+TEST(Reading, TheReadingsOfThe840DAreThoseOfThe802SToo) {
+  const Reading& correct = reading(ReadingKey::sie_arc_correct);
+  EXPECT_TRUE(correct.belongs_to("sinumerik840d"));
+  EXPECT_TRUE(correct.belongs_to("sinumerik802s"));
+  EXPECT_FALSE(correct.belongs_to("rs274"));
+  EXPECT_FALSE(correct.belongs_to(""));
 }
 
 TEST(Reading, AnAlternativeIsWrittenAsItStands) {

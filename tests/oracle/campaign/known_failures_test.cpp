@@ -73,6 +73,59 @@ TEST(KnownFailures, ADeviationHasToBeExactlyTheKnownOne) {
             VerdictKind::fail_geometry);
 }
 
+TEST(KnownFailures, WhatCameHasToBeExactlyWhatIsKnown) {
+  const KnownFailures failures = known(
+      "[[failure]]\ncases = \"a\"\nverdict = \"fail.feed\"\ngot = '{\"f\":\"1\"}'\n"
+      "reason = \"the power-on feed\"\n");
+  CaseResult made = result("a", VerdictKind::fail_feed);
+  made.verdict.got = R"({"f":"1"})";
+  EXPECT_EQ(after(failures, made), VerdictKind::xfail);
+  made.verdict.got = R"({"f":"2"})";
+  EXPECT_EQ(after(failures, made), VerdictKind::fail_feed);
+}
+
+constexpr std::string_view kOneCause =
+    "[[cause]]\nreason = \"R is a diameter\"\nprogram = \"G2 X20 R5 F100\"\n"
+    "[[cause.failure]]\ncases = [\"ngc.arc-r.00000[1-3]\", \"ngc.helix.000007\"]\n"
+    "verdict = \"fail.geometry\"\ndeviation = \"5\"\n"
+    "[[cause.failure]]\ncases = \"ngc.arc-r.000004\"\nverdict = \"fail.alarm-missing\"\n";
+
+TEST(KnownFailures, ACauseHasManyFailures) {
+  const KnownFailures failures = known(kOneCause);
+  for (const char* id : {"ngc.arc-r.000001", "ngc.arc-r.000003", "ngc.helix.000007"}) {
+    EXPECT_EQ(after(failures, result(id, VerdictKind::fail_geometry, "5")), VerdictKind::xfail);
+    EXPECT_EQ(after(failures, result(id, VerdictKind::fail_geometry, "6")),
+              VerdictKind::fail_geometry);
+  }
+  EXPECT_EQ(after(failures, result("ngc.arc-r.000004", VerdictKind::fail_alarm_missing)),
+            VerdictKind::xfail);
+  EXPECT_EQ(after(failures, result("ngc.arc-r.000004", VerdictKind::fail_geometry, "5")),
+            VerdictKind::fail_geometry);
+  CaseResult made = result("ngc.helix.000007", VerdictKind::fail_geometry, "5");
+  failures.apply(made);
+  EXPECT_NE(made.verdict.message.find("R is a diameter"), std::string::npos);
+}
+
+TEST(KnownFailures, EveryGlobOfAListHasToHaveACase) {
+  KnownFailures failures = known(kOneCause);
+  for (const char* id : {"ngc.arc-r.000002", "ngc.arc-r.000004"}) failures.note_case(id);
+  EXPECT_EQ(failures.of_no_case(), std::vector<std::string>{"ngc.helix.000007"});
+}
+
+TEST(KnownFailures, ACauseThatCannotBeUsedIsRefused) {
+  const std::string head = "[[cause]]\nreason = \"r\"\n";
+  const std::string failure = "[[cause.failure]]\nverdict = \"fail.feed\"\n";
+  EXPECT_NE(fault_of(head).find("[[cause.failure]]"), std::string::npos);
+  EXPECT_NE(fault_of(head + "failure = 1\n").find("line 3"), std::string::npos);
+  EXPECT_NE(fault_of(head + failure).find("`cases`"), std::string::npos);
+  EXPECT_NE(fault_of(head + failure + "cases = []\n").find("empty"), std::string::npos);
+  EXPECT_NE(fault_of(head + failure + "cases = [1]\n").find("line 5"), std::string::npos);
+  EXPECT_NE(fault_of(head + failure + "cases = \"a\"\nreason = \"r\"\n").find("no key `reason`"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[[cause]]\n" + failure + "cases = \"a\"\n").find("reason"),
+            std::string::npos);
+}
+
 TEST(KnownFailures, AnEntryOfNoCaseIsStale) {
   KnownFailures failures = known(kOneEntry);
   failures.note_case("ngc.basic.000001");

@@ -17,7 +17,8 @@ Verdict judge_trace(std::string_view program, std::string_view trace, std::strin
 }
 
 Verdict judge_trace(std::string_view program, std::string_view trace, const Judging& judging) {
-  reference::Profile profile;
+  reference::Profile profile =
+      std::get<reference::Profile>(reference::default_profile(judging.dialect));
   const std::string_view reading = judging.reading;
   if (!reading.empty()) {
     const std::size_t equals = reading.find('=');

@@ -18,6 +18,7 @@ struct Judging {
   std::string chord = {};       // mm
   std::string resolution = {};  // declared, mm
   bool binary64 = false;
+  std::string_view dialect = "gsk988ta";
 };
 
 // A trace in JSON lines, judged under the default profile with one reading changed ("k=v") or none.

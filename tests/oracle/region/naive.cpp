@@ -8,14 +8,16 @@
 
 #include <fmt/format.h>
 
+#include "tests/oracle/region/naive.hpp"
 #include "tests/oracle/region/paths.hpp"
 
 namespace gonogo::oracle::region {
-namespace {
 
 double approximate(const Number& value) {
   return std::stod(value.decimal_text(15));
 }
+
+namespace {
 
 // In doubles, relative to the pocket's centre.
 struct PlainArc {
@@ -102,6 +104,8 @@ bool swept(const LevelMotion& motion, const Number& p, const Number& q) {
   return (v.p * b.q - v.q * b.p).sign() >= 0;
 }
 
+}  // namespace
+
 Number exact_distance(const LevelMotion& motion, const PlanePoint& point) {
   const Number p = point.p - motion.centre.p;
   const Number q = point.q - motion.centre.q;
@@ -122,6 +126,12 @@ bool is_round(const LevelMotion& motion) {
   };
   return radius2(motion.from) == radius2(motion.to);
 }
+
+std::function<double(double x, double y)> rough_distance_to_arc(const LevelMotion& motion) {
+  return [arc = plain(motion, {})](double x, double y) { return arc.distance(x, y); };
+}
+
+namespace {
 
 std::string flaw_of_hole(const Job& job, const Finding& finding) {
   const CircularLevel& level = job.level;

@@ -35,7 +35,9 @@ struct LineOf {
     if (record.kind == RecordKind::arc) {
       text += centre_text(record.centre) + fmt::format(" rot{}", record.rot);
     }
-    if (record.kind == RecordKind::feed || record.kind == RecordKind::arc) {
+    if (record.kind == RecordKind::arc3) text += " via" + axes_text(record.via_axes, record.via);
+    if (record.kind == RecordKind::feed || record.kind == RecordKind::arc ||
+        record.kind == RecordKind::arc3) {
       text += feed_text(record.feed, record.feed_mode);
     }
     return text;
@@ -62,6 +64,16 @@ struct LineOf {
                        thread.runout_length.text(), thread.runout_angle.text(), thread.sense,
                        feed_text(thread.feed, thread.feed_mode));
   }
+  // milling d2..-17 c60,40 60x40 R8 r4 Q4 +1 depth f150 plane f300: where it begins and ends along
+  // the depth, the pocket that the tool may touch, R of its corners, r of the tool, the infeed.
+  std::string operator()(const PocketMilling& pocket) const {
+    return fmt::format("milling d{}..{}{} {}x{} R{} r{} Q{} {:+} depth{} plane{}",
+                       pocket.clearance.text(), pocket.floor.text(), centre_text(pocket.centre),
+                       pocket.length.text(), pocket.width.text(), pocket.corner_radius.text(),
+                       pocket.tool_radius.text(), pocket.infeed.text(), pocket.sense,
+                       feed_text(pocket.depth_feed, pocket.feed_mode),
+                       feed_text(pocket.plane_feed, pocket.feed_mode));
+  }
   std::string operator()(const Renaming& renaming) const {
     return "rename" + axes_text(kEveryAxis, renaming.shift);
   }
@@ -80,6 +92,7 @@ struct ClauseOf {
   ClauseId operator()(const PocketLevel& level) const { return level.clause; }
   ClauseId operator()(const HelixPocket& pocket) const { return pocket.clause; }
   ClauseId operator()(const ThreadMilling& thread) const { return thread.clause; }
+  ClauseId operator()(const PocketMilling& pocket) const { return pocket.clause; }
   ClauseId operator()(const Renaming&) const { return kNoClause; }
   ClauseId operator()(const AlarmReport& report) const { return report.alarms.front().clause; }
   ClauseId operator()(const NotCovered&) const { return kNoClause; }

@@ -33,9 +33,11 @@ std::vector<Item> expand(std::string_view program, const Profile& profile = {},
 //   rapid x35 z70            axes in the order x y z a c, true lengths
 //   feed x0 f200             f200/rev under feed per revolution
 //   arc x25 z51.5 c50.75,25 rot-1 f800       the centre along p and q
+//   arc3 x10 y0 z0 via x5 y3 z4 f100
 //   thread x29.35 z-28 lead3 start0
 //   dwell 1.5 | m35 | end x0 y0 z0 a0 c0
 //   level d40 c50,25 R16 r4 L3 -1 f800       an open level of a pocket
+//   milling d2..-17 c60,40 60x40 R8 r4 Q4 +1 depth f150 plane f300   an open LCYC75
 //   rename x0 y0 z-5 a0 c0                   the shift
 //   alarm b3 tool-too-large step-too-large   classes in the order of their words
 //   not-covered b2 G71

@@ -29,7 +29,7 @@ TEST(G110Rules, Clause02NamesEachMissingWord) {
   std::string missing;
   for (const Alarm& alarm : std::get<AlarmReport>(items.back()).alarms) {
     EXPECT_EQ(alarm.alarm, AlarmClass::missing_word);
-    missing += alarm.word;
+    missing += alarm.word.text();
   }
   EXPECT_EQ(missing, "ILQD");
 }

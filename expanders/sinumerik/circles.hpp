@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Circles through two points of a plane. Places are counted from the start of the arc. What decides
+// is reckoned in whole numbers, what is put out in binary64.
+#pragma once
+
+#include "expanders/common/circle.hpp"
+
+namespace gonogo::expanders::sinumerik {
+
+/// A place or direction in the plane, counts.
+struct Vector {
+  double p = 0;
+  double q = 0;
+};
+inline constexpr Vector vector_of(const Chord& chord) {
+  return {static_cast<double>(chord.p), static_cast<double>(chord.q)};
+}
+
+inline constexpr Wide cross(const Chord& a, const Chord& b) {
+  return static_cast<Wide>(a.p) * b.q - static_cast<Wide>(a.q) * b.p;
+}
+inline constexpr Wide dot(const Chord& a, const Chord& b) {
+  return static_cast<Wide>(a.p) * b.p + static_cast<Wide>(a.q) * b.q;
+}
+
+/// The centre that lies `side` half chords to the left of the middle of the chord. All circles
+/// through start and end are of this form.
+Vector on_bisector(const Chord& chord, double side);
+
+/// The side of the centre for a radius with this square: of the two the one not to the right. A
+/// radius below half the chord gives the middle.
+double side_of_radius(const Chord& chord, Wide radius_square);
+
+/// The side of the centre of a counterclockwise arc over `degrees`, above 0 and below 360.
+double side_of_angle(double degrees);
+
+/// The side of `centre` moved square onto the bisector.
+double side_of_projection(const Chord& chord, const Chord& centre);
+
+/// Whether the directions from the start to the two centres are more than sqrt(0.001) rad apart.
+bool too_far_turned(const Vector& programmed, const Vector& corrected);
+
+/// Lengths from angles and roots are right to a count or two: differences up to this are none.
+inline constexpr Fixed kRounding = 4;
+
+enum class Agreement {
+  kEqual,
+  kWithin,  ///< the tolerance
+  kApart
+};
+
+/// How far the radii at the start and at the end of an arc may be apart.
+struct RadiusTolerance {
+  Fixed constant = 0;   ///< mm
+  Fixed factor = 0;     ///< of `reference_square`'s root
+  bool strict = false;  ///< a difference of just the tolerance is too much
+};
+
+/// Compares radii by their squares. `rounded`: they are known to kRounding only.
+Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_square,
+                        const RadiusTolerance& tolerance, bool rounded);
+
+enum class ChordFit { kShorter, kDiameter, kLonger };
+
+/// A chord against twice the radius; up to `tolerance` above it counts as equal.
+ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool rounded);
+
+}  // namespace gonogo::expanders::sinumerik

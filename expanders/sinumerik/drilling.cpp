@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LCYC82, and what it has in common with LCYC75.
+#include "expanders/sinumerik/cycles.hpp"
+
+namespace gonogo::expanders::sinumerik {
+
+Fixed CycleParameters::operator()(int number) {
+  const Decimal value = to_counts(machine_.state.parameters[static_cast<std::size_t>(number)]);
+  if (value.overflow || !in_reach(value.value)) {
+    complain(AlarmKind::kValueOutOfRange, number);
+    return 0;
+  }
+  rounded_ = rounded_ || value.finer;
+  return value.value;
+}
+
+void CycleParameters::complain(AlarmKind kind, int number) {
+  machine_.complain(kind, 'R', static_cast<Position>(number));
+}
+
+void CycleParameters::check_planes() {
+  CycleParameters& r = *this;
+  const Fixed start = r(103) + r(102);
+  const bool strict = machine_.has(Fault::kPlaneEqualityRefused);
+  if (r(101) < start || (strict && r(101) == start)) complain(AlarmKind::kReferencePlane, 101);
+  if (r(104) >= r(103)) complain(AlarmKind::kReferencePlane, 104);
+  check_not_negative(102);
+}
+
+void CycleParameters::check_not_negative(int number) {
+  if ((*this)(number) < 0) complain(AlarmKind::kValueSign, number);
+}
+
+// SIE-LC82-03
+bool stands_alone(Machine& machine, const Block& block) {
+  if (block.items() == 1) return true;
+  machine.complain(AlarmKind::kConflictingWords);
+  return false;
+}
+
+Heading heading_along_depth(const Plane& plane) {
+  Heading heading;
+  heading.along[plane.d] = 1;
+  heading.exact = true;
+  return heading;
+}
+
+// SIE-LC82-01
+void prepare_drilling(Machine& machine, const Block& block, Plan& plan) {
+  if (!stands_alone(machine, block)) return;
+  const State& state = machine.state;
+  const Plane& plane = plane_of(state.plane);
+  CycleParameters r(machine);
+  r.check_planes();
+  r.check_not_negative(105);
+  Drilling drilling;
+  drilling.axis = plane.d;
+  drilling.start = r(103) + r(102);
+  drilling.depth = r(104);
+  drilling.seconds = r(105);
+  if (machine.has(Fault::kDrillDwellMilliseconds)) drilling.seconds /= 1000;
+  if (machine.has(Fault::kDrillDwellForgotten)) drilling.seconds = 0;
+  Target& target = drilling.target;
+  target = {state.position, axis_bit(plane.d), state.rounded & ~axis_bit(plane.d)};
+  target.to[plane.d] = machine.has(Fault::kDrillRetractToClearance) ? drilling.start : r(101);
+  if (r.rounded()) target.rounded |= axis_bit(plane.d);
+  Point bottom = target.to;
+  bottom[plane.d] = drilling.depth;
+  drilling.feed = cutting_feed(machine, bottom, true);
+  plan.heading = heading_along_depth(plane);
+  plan.motion = drilling;
+}
+
+bool perform(Machine& machine, const Drilling& drilling) {
+  Tracer& tracer = machine.tracer;
+  const Axes axes = axis_bit(drilling.axis);
+  Point place = machine.state.position;
+  place[drilling.axis] = drilling.start;
+  if (!tracer.rapid(machine.frame.to_machine(place), axes)) return false;
+  place[drilling.axis] = drilling.depth;
+  if (!tracer.feed(machine.frame.to_machine(place), axes, drilling.feed)) return false;
+  if (!tracer.dwell(drilling.seconds)) return false;
+  return tracer.rapid(machine.frame.to_machine(drilling.target.to), axes);
+}
+
+}  // namespace gonogo::expanders::sinumerik

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expanders/sinumerik/expression.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+namespace gonogo::expanders::sinumerik {
+namespace {
+
+// A result of cancellation that is smaller than this part of its operands is zero.
+constexpr double kZeroPart = 4 * std::numeric_limits<double>::epsilon();
+
+double without_residue(double value, double left, double right) {
+  const double size = std::fmax(std::fabs(left), std::fabs(right));
+  return std::fabs(value) <= kZeroPart * size ? 0 : value;
+}
+
+// The quarter turns nearest to `degrees`, 0 to 3, and what is left, -45 to 45 degrees.
+int split_quarters(double degrees, double& rest) {
+  const double turn = std::fmod(degrees, 360);
+  const double quarters = std::nearbyint(turn / 90);
+  rest = turn - 90 * quarters;
+  if (std::fabs(rest) <= 90 * kZeroPart) rest = 0;
+  return static_cast<int>(quarters) & 3;
+}
+
+}  // namespace
+
+void skip_blanks(const char*& cursor, const char* end) {
+  while (cursor != end && (*cursor == ' ' || *cursor == '\t')) ++cursor;
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+bool is_name_part(char c) {
+  return is_letter(c) || is_digit(c) || c == '_';
+}
+
+char capital(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+Decimal to_counts(double value) {
+  Decimal number;
+  constexpr double kMost = static_cast<double>(kLargest / kOne);
+  if (!(std::fabs(value) <= kMost)) {
+    number.overflow = true;
+    return number;
+  }
+  const double counts = value * static_cast<double>(kOne);
+  number.value = std::llround(counts);
+  const double rest = std::fabs(counts - static_cast<double>(number.value));
+  number.finer = rest > 1e-3 + 1e-15 * std::fabs(counts);
+  return number;
+}
+
+Direction2 direction_of(double degrees) {
+  double rest = 0;
+  const int quarters = split_quarters(degrees, rest);
+  const double radians = rest * (std::numbers::pi / 180);
+  const double cosine = std::cos(radians);
+  const double sine = std::sin(radians);
+  switch (quarters) {
+    case 0:
+      return {cosine, sine};
+    case 1:
+      return {-sine, cosine};
+    case 2:
+      return {-cosine, -sine};
+    default:
+      return {sine, -cosine};
+  }
+}
+
+bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index) {
+  if (cursor == end || !is_digit(*cursor)) return false;
+  index = 0;
+  for (; cursor != end && is_digit(*cursor); ++cursor) {
+    if (index < most) index = index * 10 + static_cast<std::size_t>(*cursor - '0');
+  }
+  if (index > most) index = most;
+  return true;
+}
+
+bool at_exponent(const char* cursor, const char* end) {
+  if (end - cursor < 3 || capital(cursor[0]) != 'E' || capital(cursor[1]) != 'X') return false;
+  const char c = cursor[2];
+  return is_digit(c) || c == '-' || c == '+';
+}
+
+Scan Expression::read() {
+  return sum(value_);
+}
+
+// The operator that follows, or 0.
+char Expression::next_operator() {
+  skip_blanks(cursor_, end_);
+  if (cursor_ == end_) return 0;
+  const char c = *cursor_;
+  return c == '+' || c == '-' || c == '*' || c == '/' ? c : '\0';
+}
+
+double Expression::apply(char sign, double left, double right) {
+  switch (sign) {
+    case '+':
+      return without_residue(left + right, left, right);
+    case '-':
+      return without_residue(left - right, left, right);
+    case '*':
+      return left * right;
+    default:
+      if (right != 0) return left / right;
+      undefined_ = true;
+      return 0;
+  }
+}
+
+Scan Expression::sum(double& value) {
+  Scan step = product(value);
+  while (step == Scan::kRead) {
+    const char sign = next_operator();
+    // Fault: all operators bind alike, so that here products are met as well.
+    if (sign == 0 || (!left_to_right_ && sign != '+' && sign != '-')) break;
+    ++cursor_;
+    double right = 0;
+    step = product(right);
+    if (step == Scan::kRead) value = apply(sign, value, right);
+  }
+  return step;
+}
+
+Scan Expression::product(double& value) {
+  Scan step = signed_operand(value);
+  while (step == Scan::kRead && !left_to_right_) {
+    const char sign = next_operator();
+    if (sign != '*' && sign != '/') break;
+    ++cursor_;
+    double right = 0;
+    step = signed_operand(right);
+    if (step == Scan::kRead) value = apply(sign, value, right);
+  }
+  return step;
+}
+
+Scan Expression::signed_operand(double& value) {
+  bool negative = false;
+  for (;;) {
+    skip_blanks(cursor_, end_);
+    if (cursor_ == end_ || (*cursor_ != '+' && *cursor_ != '-')) break;
+    if (*cursor_++ == '-') negative = !negative;
+  }
+  const Scan step = operand(value);
+  if (negative) value = -value;
+  return step;
+}
+
+Scan Expression::operand(double& value) {
+  if (cursor_ == end_) return Scan::kSyntax;
+  const char c = *cursor_;
+  if (is_digit(c) || c == '.') return number(value);
+  if (c == '(') return brackets(value);
+  if (c == '$' || c == '"') return Scan::kOutside;
+  return is_letter(c) ? named(value) : Scan::kSyntax;
+}
+
+Scan Expression::number(double& value) {
+  const char* first = cursor_;
+  Decimal unused;
+  if (!read_decimal(cursor_, end_, unused)) return Scan::kSyntax;
+  if (at_exponent(cursor_, end_)) return Scan::kOutside;
+  // A number that is beyond binary64 has no digits that matter.
+  if (std::from_chars(first, cursor_, value, std::chars_format::fixed).ec != std::errc{}) {
+    value = unused.overflow ? std::numeric_limits<double>::infinity() : 0;
+  }
+  return Scan::kRead;
+}
+
+Scan Expression::brackets(double& value) {
+  if (++depth_ > kDeepestBrackets) return Scan::kSyntax;
+  ++cursor_;
+  const Scan step = sum(value);
+  --depth_;
+  if (step != Scan::kRead) return step;
+  skip_blanks(cursor_, end_);
+  if (cursor_ == end_ || *cursor_ != ')') return Scan::kSyntax;
+  ++cursor_;
+  return Scan::kRead;
+}
+
+// R parameters.
+Scan Expression::parameter(double& value) {
+  ++cursor_;
+  skip_blanks(cursor_, end_);
+  if (cursor_ != end_ && (*cursor_ == '[' || *cursor_ == '=')) return Scan::kOutside;
+  std::size_t index = 0;
+  if (!read_index(cursor_, end_, parameters_.size(), index)) return Scan::kSyntax;
+  if (index == parameters_.size()) {
+    undefined_ = true;
+  } else {
+    value = parameters_[index];
+  }
+  return Scan::kRead;
+}
+
+Scan Expression::named(double& value) {
+  const char* stop = cursor_;
+  char name[5] = {};
+  std::size_t size = 0;
+  for (; stop != end_ && is_letter(*stop); ++stop) {
+    if (size < sizeof name) name[size++] = capital(*stop);
+  }
+  const std::string_view text(name, size);
+  if (text == "R") return parameter(value);
+  if (text == "AC" || text == "IC") return Scan::kSyntax;
+  const bool known =
+      text == "SIN" || text == "COS" || text == "TAN" || text == "SQRT" || text == "ABS";
+  if (!known || (stop != end_ && is_name_part(*stop))) return Scan::kOutside;
+  cursor_ = stop;
+  skip_blanks(cursor_, end_);
+  if (cursor_ == end_ || *cursor_ != '(') return Scan::kSyntax;
+  const Scan step = brackets(value);
+  if (step != Scan::kRead) return step;
+  if (text == "ABS") {
+    value = std::fabs(value);
+  } else if (text == "SQRT") {
+    undefined_ = undefined_ || value < 0;
+    value = value < 0 ? 0 : std::sqrt(value);
+  } else {
+    const Direction2 direction = direction_of(value);
+    if (text == "SIN") value = direction.sine;
+    if (text == "COS") value = direction.cosine;
+    if (text == "TAN") value = apply('/', direction.sine, direction.cosine);
+  }
+  return step;
+}
+
+}  // namespace gonogo::expanders::sinumerik

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values behind `=`: the controller reckons in binary64 and puts lengths down in counts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "expanders/common/fixed.hpp"
+
+namespace gonogo::expanders::sinumerik {
+
+/// The R parameters, R0 to R999.
+using Parameters = std::array<double, 1000>;
+
+/// Brackets nested deeper are refused.
+inline constexpr int kDeepestBrackets = 64;
+
+/// Blanks and tabs.
+void skip_blanks(const char*& cursor, const char* end);
+bool is_digit(char c);
+bool is_letter(char c);
+/// Letters, digits and the underscore.
+bool is_name_part(char c);
+char capital(char c);
+
+enum class Scan {
+  kRead,
+  kSyntax,
+  kOutside  ///< something that the control has and this expander does not
+};
+
+/// `value` in counts. One that is no whole number of them is marked as finer.
+Decimal to_counts(double value);
+
+/// Cosine and sine of an angle in degrees; exact for whole quarter turns.
+struct Direction2 {
+  double cosine;
+  double sine;
+};
+Direction2 direction_of(double degrees);
+
+/// Reads one expression: numbers, R parameters, + - * /, brackets, SIN COS TAN SQRT ABS.
+class Expression {
+ public:
+  Expression(const char* cursor, const char* end, std::span<const double> parameters,
+             bool left_to_right)
+      : cursor_(cursor), end_(end), parameters_(parameters), left_to_right_(left_to_right) {}
+
+  Scan read();
+  const char* cursor() const { return cursor_; }
+  double value() const { return value_; }
+  /// Whether it has no value: a division by zero, a root of less than 0, a parameter that is none.
+  bool undefined() const { return undefined_; }
+
+ private:
+  using Step = Scan;
+  Step sum(double& value);
+  Step product(double& value);
+  Step signed_operand(double& value);
+  Step operand(double& value);
+  Step number(double& value);
+  Step parameter(double& value);
+  Step brackets(double& value);
+  Step named(double& value);
+  char next_operator();
+  double apply(char sign, double left, double right);
+
+  const char* cursor_;
+  const char* end_;
+  std::span<const double> parameters_;  // those that the control has
+  bool left_to_right_;
+  int depth_ = 0;
+  double value_ = 0;
+  bool undefined_ = false;
+};
+
+/// Reads a whole number without sign at `cursor`; too large ones become `most`.
+bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index);
+
+/// Whether an exponent (`EX3`, `EX-3`) follows.
+bool at_exponent(const char* cursor, const char* end);
+
+}  // namespace gonogo::expanders::sinumerik

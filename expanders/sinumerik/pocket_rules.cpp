@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// LCYC75: its rules, and what the parameters ask for.
+#include <algorithm>
+
+#include "expanders/sinumerik/cycles.hpp"
+
+namespace gonogo::expanders::sinumerik {
+namespace {
+
+constexpr int kRoughing = 1;
+constexpr int kFinishing = 2;
+
+// A radius of the tool in force; 0: none.
+Fixed tool_radius(const Machine& machine) {
+  const State& state = machine.state;
+  const auto& tools = machine.configuration.tools;
+  const auto tool = state.has_edge ? tools.find(state.tool) : tools.end();
+  return tool == tools.end() || state.tool == 0 ? 0 : tool->second;
+}
+
+// R`number` as one of two whole numbers, or 0.
+int selected(CycleParameters& r, int number, int first, int second) {
+  const Fixed value = r(number);
+  if (value == first * kOne) return first;
+  return value == second * kOne ? second : 0;
+}
+
+struct Sides {
+  Fixed length;
+  Fixed width;
+};
+
+Sides sides_of(const Machine& machine, CycleParameters& r) {
+  const bool swapped = machine.has(Fault::kLengthWidthSwapped) && machine.state.plane != 17;
+  return swapped ? Sides{r(119), r(118)} : Sides{r(118), r(119)};
+}
+
+// SIE-LC75-09: of each number alone.
+void check_numbers(CycleParameters& r) {
+  for (const int number : {118, 119}) {
+    if (r(number) <= 0) r.complain(AlarmKind::kPocketSize, number);
+  }
+  for (const int number : {120, 124, 125}) r.check_not_negative(number);
+  if (r(121) <= 0) r.complain(AlarmKind::kValueSign, 121);
+  for (const int number : {122, 123}) {
+    if (r(number) <= 0) r.complain(AlarmKind::kFeedMissing, number);
+  }
+  if (selected(r, 126, 2, 3) == 0) r.complain(AlarmKind::kDirectionParameter, 126);
+  if (selected(r, 127, kRoughing, kFinishing) == 0) r.complain(AlarmKind::kMachiningType, 127);
+}
+
+// SIE-LC75-03, SIE-LC75-08
+void check_tool(Machine& machine, CycleParameters& r, int type) {
+  constexpr Position kBehindParameters = 1000;
+  const Fixed radius = tool_radius(machine);
+  if (radius == 0) return machine.complain(AlarmKind::kNoTool, 'T', kBehindParameters);
+  if (r(124) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 124);
+  if (type == 0 || machine.has(Fault::kToolUnchecked)) return;
+  const Fixed reach = radius + (type == kRoughing ? r(124) : 0);
+  const Fixed room = machine.has(Fault::kToolEqualityRefused) ? 2 * reach + 1 : 2 * reach;
+  for (const int number : {118, 119}) {
+    if (room > r(number)) r.complain(AlarmKind::kToolTooLarge, number);
+  }
+}
+
+// SIE-LC75-09
+void check_pocket(Machine& machine, CycleParameters& r, int type) {
+  r.check_planes();
+  check_numbers(r);
+  check_tool(machine, r, type);
+  const State& state = machine.state;
+  if (!state.spindle_turns || !state.speed_given) {
+    machine.complain(AlarmKind::kSpindleStopped);
+  }
+  if (type == kRoughing && r(125) >= r(103) - r(104)) {
+    r.complain(AlarmKind::kAllowanceTooLarge, 125);
+  }
+  const bool refused = machine.configuration.large_corners_refused;
+  if (refused && 2 * r(120) > std::min(r(118), r(119))) {
+    r.complain(AlarmKind::kPocketSize, 120);
+  }
+}
+
+// SIE-LC75-08, SIE-LC75-10
+void take_area(const Machine& machine, CycleParameters& r, int type, Pocket& pocket) {
+  const Sides sides = sides_of(machine, r);
+  const bool rough = type == kRoughing;
+  const bool keeps_off =
+      (rough && !machine.has(Fault::kPlaneAllowanceForgotten)) || machine.has(Fault::kStripLeft);
+  const auto allowance = static_cast<double>(keeps_off ? r(124) : 0);
+  const double off = allowance + pocket.radius;
+  const auto length = static_cast<double>(sides.length);
+  const auto width = static_cast<double>(sides.width);
+  const double corner = std::min({static_cast<double>(r(120)), length / 2, width / 2});
+  Area& area = pocket.area;
+  area.half_length = std::max(length / 2 - off, 0.);
+  area.half_width = std::max(width / 2 - off, 0.);
+  double less = off;
+  if (machine.has(Fault::kCornerGouged)) less += pocket.radius;
+  if (machine.has(Fault::kCornerLeft)) less -= pocket.radius;
+  const double most = std::min(area.half_length, area.half_width);
+  area.corner = std::clamp(corner - less, 0., most);
+  if (area.corner < static_cast<double>(kOne) * 1e-6) area.corner = 0;
+  // What roughing has left reaches farthest into sharp corners, where it has left an arc.
+  const auto left = static_cast<double>(r(124));
+  const bool sharp = corner - left < pocket.radius;
+  const bool all = 2 * (left + pocket.radius) > std::min(length, width);
+  pocket.wide_strip = all || left - (sharp ? 0.7 : 1.) * pocket.radius > pocket.radius;
+}
+
+// SIE-LC75-05, SIE-LC75-06, SIE-LC75-11
+void take_levels(const Machine& machine, CycleParameters& r, int type, Levels& levels) {
+  const Configuration& configuration = machine.configuration;
+  const bool from_clearance =
+      configuration.infeeds_from_clearance || machine.has(Fault::kDepthFromClearance);
+  const bool rough = type == kRoughing && !machine.has(Fault::kDepthAllowanceForgotten);
+  levels.from = r(103) + (from_clearance ? r(102) : 0);
+  levels.floor = r(104) + (rough ? r(125) : 0);
+  levels.most = r(121);
+  levels.equal = !configuration.infeeds_with_rest;
+  levels.count_levels(r.rounded());
+  if (machine.has(Fault::kInfeedsRoundedDown)) {
+    levels.count = std::max<Fixed>(1, (levels.from - levels.floor) / levels.most);
+  }
+}
+
+// SIE-LC75-12
+int sense_of(const Machine& machine, CycleParameters& r, int type) {
+  const int sense = selected(r, 126, 2, 3) == 2 ? -1 : 1;
+  if (type == kFinishing && machine.has(Fault::kFinishingSenseIgnored)) return 1;
+  return machine.has(Fault::kPocketSenseFlipped) ? -sense : sense;
+}
+
+void take_centre(const Machine& machine, CycleParameters& r, Pocket& pocket) {
+  const Plane& plane = plane_of(pocket.plane);
+  pocket.centre_p = r(116);
+  pocket.centre_q = r(117);
+  if (!machine.has(Fault::kCentreInBase)) return;
+  Point place = machine.frame.to_machine(machine.state.position);
+  place[plane.p] = r(116);
+  place[plane.q] = r(117);
+  place = machine.frame.to_workpiece(place);
+  pocket.centre_p = place[plane.p];
+  pocket.centre_q = place[plane.q];
+}
+
+Target end_of(const Machine& machine, const Pocket& pocket, bool rounded) {
+  const Plane& plane = plane_of(pocket.plane);
+  const Axes axes = plane_axes(plane) | axis_bit(plane.d);
+  Target target{machine.state.position, axes, machine.state.rounded & ~axes};
+  if (rounded) target.rounded |= axes;
+  target.to[plane.p] = pocket.centre_p;
+  target.to[plane.q] = pocket.centre_q;
+  target.to[plane.d] =
+      machine.has(Fault::kPocketRetractToClearance) ? pocket.start : pocket.retract;
+  if (machine.has(Fault::kEndsOffCentre)) {
+    target.to[plane.q] += static_cast<Fixed>(pocket.area.half_width);
+  }
+  return target;
+}
+
+}  // namespace
+
+// SIE-LC75-01
+void prepare_pocket(Machine& machine, const Block& block, Plan& plan) {
+  if (!stands_alone(machine, block)) return;
+  CycleParameters r(machine);
+  const int type = selected(r, 127, kRoughing, kFinishing);
+  check_pocket(machine, r, type);
+  Pocket pocket;
+  pocket.plane = machine.state.plane;
+  pocket.retract = r(101);
+  pocket.start = r(103) + r(102);
+  take_centre(machine, r, pocket);
+  if (machine.in_alarm()) return;
+  pocket.radius = static_cast<double>(tool_radius(machine));
+  take_area(machine, r, type, pocket);
+  take_levels(machine, r, type, pocket.levels);
+  pocket.strip_only = type == kFinishing;
+  // SIE-LC75-07
+  const bool walls = r(124) > 0 || machine.has(Fault::kContourOnlyByDepth);
+  pocket.contour_only = type == kFinishing && walls && r(125) == 0;
+  pocket.sense = sense_of(machine, r, type);
+  const bool per_revolution = machine.state.feed_per_revolution;
+  pocket.depth_feed = {r(122), per_revolution};
+  pocket.plane_feed = {r(123), per_revolution};
+  if (machine.has(Fault::kCycleFeedsSwapped)) std::swap(pocket.depth_feed, pocket.plane_feed);
+  plan.heading = heading_along_depth(plane_of(pocket.plane));
+  plan.motion = Pocketing{pocket, end_of(machine, pocket, r.rounded())};
+}
+
+}  // namespace gonogo::expanders::sinumerik

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the words of a block command: targets, lengths, feeds.
+#include <bit>
+
+#include "expanders/sinumerik/machine.hpp"
+
+namespace gonogo::expanders::sinumerik {
+namespace {
+
+// Of the others any number of digits will do.
+constexpr Addresses kMeasured = ~addresses(Address::kTurn, Address::kTool, Address::kCuttingEdge,
+                                           Address::kSpindle, Address::kRotation);
+
+Fixed to_millimetres(Fixed inches) {
+  return static_cast<Fixed>(scaled(inches, 254, 10));
+}
+
+// SIE-MOD-04
+bool is_scaled(const Machine& machine, std::size_t axis) {
+  const bool rotary = (kLinearAxes & axis_bit(axis)) == 0;
+  return !rotary || machine.has(Fault::kInchRotaryScaled);
+}
+
+}  // namespace
+
+// SIE-ADDR-01
+bool is_incremental(const State& state, Value::Mode mode) {
+  return mode == Value::Mode::kPlain ? state.incremental : mode == Value::Mode::kIncremental;
+}
+
+Fixed length_of(const Machine& machine, const Block& block, Address address) {
+  const Fixed written = block.value(address).number.value;
+  return machine.state.inch ? to_millimetres(written) : written;
+}
+
+bool has_fraction(const Block& block, Address address) {
+  const Decimal& number = block.value(address).number;
+  return number.finer || number.value % kOne != 0;
+}
+
+Axes axes_of(const Block& block) {
+  Axes axes = 0;
+  for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
+    if (block.has(axis_address(axis))) axes |= axis_bit(axis);
+  }
+  return axes;
+}
+
+// SIE-G1-01, SIE-G1-03
+Target cartesian_target(Machine& machine, const Block& block) {
+  const State& state = machine.state;
+  Target target{state.position, axes_of(block), state.rounded};
+  for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
+    const Address address = axis_address(axis);
+    if (!block.has(address)) continue;
+    const Value& value = block.value(address);
+    Wide place = is_scaled(machine, axis) ? length_of(machine, block, address) : value.number.value;
+    const bool incremental = is_incremental(state, value.mode);
+    if (incremental) place += state.position[axis];
+    if (!incremental) target.rounded &= ~axis_bit(axis);
+    if (value.number.finer) target.rounded |= axis_bit(axis);
+    if (in_reach(place)) {
+      target.to[axis] = static_cast<Fixed>(place);
+    } else {
+      machine.complain(AlarmKind::kValueOutOfRange, address, block);
+    }
+  }
+  return target;
+}
+
+void check_sizes(Machine& machine, const Block& block) {
+  for (Addresses bits = block.words() & kMeasured; bits != 0; bits &= bits - 1) {
+    const auto address = static_cast<Address>(std::countr_zero(bits));
+    const Decimal& number = block.value(address).number;
+    // In inches no number grows by more than that.
+    if (number.overflow || !in_reach(scaled(number.value, 254, 10))) {
+      machine.complain(AlarmKind::kValueOutOfRange, address, block);
+    }
+  }
+}
+
+Feed cutting_feed(Machine& machine, const Point& to, bool curved) {
+  const State& state = machine.state;
+  if (state.feed == 0) machine.complain(AlarmKind::kFeedMissing);
+  // SIE-G1-02
+  const bool turning = state.spindle_turns && state.speed_given;
+  if (machine.configuration.spindle_checked && !turning) {
+    machine.complain(AlarmKind::kSpindleStopped);
+  }
+  const Point& from = state.position;
+  const bool linear = curved || from[GONOGO_X] != to[GONOGO_X] || from[GONOGO_Y] != to[GONOGO_Y] ||
+                      from[GONOGO_Z] != to[GONOGO_Z];
+  const bool inches =
+      linear ? machine.configuration.feed_in_inches || machine.has(Fault::kInchFeedScaled)
+             : machine.has(Fault::kRotaryFeedScaled);
+  const Fixed speed = inches && state.inch ? to_millimetres(state.feed) : state.feed;
+  return {speed, state.feed_per_revolution};
+}
+
+void refuse(Machine& machine, const Block& block, Addresses unwanted) {
+  for (Addresses bits = block.words() & unwanted; bits != 0; bits &= bits - 1) {
+    machine.complain(AlarmKind::kConflictingWords, static_cast<Address>(std::countr_zero(bits)),
+                     block);
+  }
+}
+
+}  // namespace gonogo::expanders::sinumerik

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/pocket_milling_judge.hpp"
+
+#include <algorithm>
+
+#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/region/gouge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::Levels;
+using reference::operator""_clause;
+
+namespace {
+
+region::RoundedRectangle area_of(const Number& length, const Number& width, const Number& corner) {
+  return region::rounded_rectangle(length / 2, width / 2, corner);
+}
+
+bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
+  return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
+         (!a.is_arc || a.centre == b.centre);
+}
+
+std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
+  switch (rule) {
+    case region::Rule::gouge:
+      return {"SIE-LC75-08"_clause, "The tool cuts into the wall of the pocket."};
+    case region::Rule::sense:
+      return {"SIE-LC75-12"_clause, "The pass along the border goes round the wrong way."};
+    default:
+      return {"SIE-LC75-10"_clause, "The tool leaves material in the pocket."};
+  }
+}
+
+}  // namespace
+
+PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item,
+                                       const JudgeTerms& terms)
+    : item_(item),
+      terms_(terms),
+      axes_(reference::axes_of(item.plane)),
+      area_(area_of(item.length, item.width, item.corner_radius)),
+      frame_(region::make_frame({item.centre[0], item.centre[1]}, item.direction[0],
+                                item.direction[1])),
+      slack_(region::slack_of(frame_, area_)),
+      reach_(region::eroded(area_, item.tool_radius).value()),
+      rough_reach_(reach_),
+      cleared_{item.clearance, item.clearance},
+      last_depth_(item.clearance),
+      depth_(item.clearance) {
+  // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
+  const Number narrower = min(item.length, item.width) - item.allowance * 2;
+  if (!item.finishing || narrower < item.tool_radius * 2) return;
+  const Number twice = item.allowance * 2;
+  const Number corner = max(item.corner_radius - item.allowance, item.tool_radius);
+  rough_area_ = area_of(item.length - twice, item.width - twice, corner);
+  rough_reach_ = region::eroded(*rough_area_, item.tool_radius).value();
+  cleared_.rough = item.rough_floor;
+}
+
+Verdict PocketMillingJudge::incomplete(const Position& position) const {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = floor_done_ ? "SIE-LC75-13"_clause : item_.clause;
+  verdict.block = item_.block;
+  verdict.want = pocket_text(item_);
+  verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
+  verdict.message = floor_done_ ? "The cycle does not end above the centre at the retract plane."
+                                : "The pocket is not milled to its floor.";
+  return verdict;
+}
+
+OpenPathAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
+                                           const Motion& motion, std::string message) const {
+  Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
+  verdict.block = item_.block;
+  return OpenPathAnswer::decide(std::move(verdict));
+}
+
+OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
+  if (over_) return OpenPathAnswer::end(motion.from);
+  if (terms_.compare_blocks && motion.record.block != item_.block) {
+    if (milling_) {
+      const OpenPathAnswer answer = finish_level(motion);
+      if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    }
+    return OpenPathAnswer::decide(incomplete(motion.from));
+  }
+  const RecordKind kind = motion.record.kind;
+  if (turns_rotary_axis(motion, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, item_.clause, motion,
+                   "A rotary axis moves in a pocket.");
+  }
+  if (kind != RecordKind::rapid && !is_cut(kind)) {
+    return departs(VerdictKind::fail_geometry, item_.clause, motion,
+                   "The motion is none of milling a pocket.");
+  }
+  if (kind == RecordKind::arc && motion.record.plane != item_.plane) {
+    return departs(VerdictKind::fail_region, item_.clause, motion,
+                   "The arc lies in another plane.");
+  }
+  take_slack_of(motion);
+  const Number& from = motion.from[axes_.d];
+  const Number& to = motion.to()[axes_.d];
+  if (agree(from, to, terms_.tolerance)) return take_in_plane(motion);
+  if (milling_ && !(motions_.empty() && to < from)) {
+    const OpenPathAnswer answer = finish_level(motion);
+    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  }
+  return to < from ? take_down(motion) : take_travel(motion);
+}
+
+// At one depth: the cuts of a level, or travel.
+OpenPathAnswer PocketMillingJudge::take_in_plane(const Motion& motion) {
+  const Number& depth = motion.to()[axes_.d];
+  const bool is_a_cut = is_cut(motion.record.kind);
+  const bool below = depth < cleared_.everywhere - terms_.tolerance;
+  const bool in_air = item_.finishing && depth >= item_.reference_plane - terms_.tolerance;
+  if (!below || in_air) return take_travel(motion);
+  if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
+  const bool deep = depth < cleared_.rough - terms_.tolerance;
+  if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
+    return OpenPathAnswer::take();
+  }
+  // Anything else comes after the level: what is cleared by now is all of it.
+  if (milling_) {
+    const OpenPathAnswer answer = finish_level(motion);
+    const bool decided = answer.kind == OpenPathAnswer::Kind::decided;
+    if (!decided) return take_travel(motion);
+    if (!is_a_cut) return answer;
+  }
+  if (!is_a_cut) return take_travel(motion);
+  return departs(VerdictKind::fail_feed, "SIE-LC75-04"_clause, motion,
+                 "The feed in the plane differs.");
+}
+
+OpenPathAnswer PocketMillingJudge::take_cut(const Motion& motion) {
+  if (!milling_) {
+    depth_ = motion.from[axes_.d];
+    const OpenPathAnswer answer = check_level_depth(motion);
+    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    milling_ = true;
+    plunge_ = own(motion.from);
+  } else if (motions_.empty()) {
+    const OpenPathAnswer answer = check_level_depth(motion);
+    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  }
+  if (!agree(motion.to()[axes_.d], depth_, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
+                   "The cut leaves the level's depth.");
+  }
+  motions_.push_back(own(motion));
+  records_.push_back(motion.record);
+  if (motions_.size() > region::kMaximumLevelMotions) {
+    return OpenPathAnswer::gap("A level of more than 50,000 motions is not judged.");
+  }
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::take_down(const Motion& motion) {
+  const Number& to = motion.to()[axes_.d];
+  const bool is_last = is_point() && is_floor(to) && !floor_done_;
+  const bool cuts = is_last || to < min(cleared_.everywhere, cleared_.rough) - terms_.tolerance;
+  arrival_ = motion;
+  if (!cuts) return take_travel(motion);
+  const OpenPathAnswer answer = check_plunge(motion);
+  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  milling_ = true;
+  depth_ = to;
+  plunge_ = own(motion.to());
+  return OpenPathAnswer::take();
+}
+
+// SIE-LC75-04: every infeed is at the centre with R122. SIE-LC75-11: of finishing the last.
+OpenPathAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
+  const reference::ClauseId clause = item_.finishing ? "SIE-LC75-11"_clause : "SIE-LC75-04"_clause;
+  if (motion.record.kind == RecordKind::rapid) {
+    return departs(VerdictKind::fail_region, clause, motion, "The tool traverses into the part.");
+  }
+  if (motion.record.kind != RecordKind::feed || !above_centre(motion.from) ||
+      !above_centre(motion.to())) {
+    return departs(VerdictKind::fail_geometry, clause, motion,
+                   "The infeed is not at the centre of the pocket.");
+  }
+  if (!has_feed(motion, item_.depth_feed)) {
+    return departs(VerdictKind::fail_feed, clause, motion, "The feed of the infeed differs.");
+  }
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::check_level_depth(const Motion& motion) const {
+  if (!admits_depth(depth_)) {
+    return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion,
+                   "The depth of the level is none that the infeed admits.");
+  }
+  if (!item_.finishing || !is_floor(depth_)) return OpenPathAnswer::take();
+  if (!arrival_) {
+    return departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
+                   "The last level has no infeed at the centre.");
+  }
+  return check_plunge(*arrival_);
+}
+
+// Whether the motion may go where it goes: what is cleared, by this path or by roughing.
+OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
+  const Number& tau = terms_.tolerance;
+  const Number lowest = min(motion.from[axes_.d], motion.to()[axes_.d]);
+  // What is finished was cleared down to the reference plane: above it is air.
+  const Number free =
+      item_.finishing ? min(cleared_.everywhere, item_.reference_plane) : cleared_.everywhere;
+  const bool above = lowest >= free - tau;
+  if (!above && lowest < cleared_.rough - tau) {
+    // Up where the tool stands, out of what it has just cut.
+    const bool straight_up = motion.from[axes_.d] < motion.to()[axes_.d] &&
+                             agree(motion.from[axes_.p], motion.to()[axes_.p], tau) &&
+                             agree(motion.from[axes_.q], motion.to()[axes_.q], tau);
+    if (straight_up) return OpenPathAnswer::take();
+    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+                   "The tool travels where nothing is cleared.");
+  }
+  const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
+  if (!inside) return OpenPathAnswer::gap("A motion is too close to the wall to decide.");
+  if (*inside) return OpenPathAnswer::take();
+  return departs(
+      VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+      above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
+}
+
+OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+  const OpenPathAnswer answer = check_travel(motion);
+  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {
+    return OpenPathAnswer::take();
+  }
+  // SIE-LC75-13: the end is above the centre at R101.
+  const Number& from = motion.from[axes_.d];
+  const Number& to = motion.to()[axes_.d];
+  if (agree(to, item_.retract, terms_.tolerance)) {
+    over_ = true;
+  } else if (!terms_.compare_blocks && above_centre(motion.from) && from < item_.retract &&
+             item_.retract < to) {
+    // Without line numbers the traverse is joined with what comes after the cycle.
+    over_ = true;
+    Position here = motion.to();
+    here[axes_.d] = item_.retract;
+    return OpenPathAnswer::end(here);
+  }
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::finish_level(const Motion& next) {
+  milling_ = false;
+  if (motions_.empty()) {
+    // An infeed alone: the level is a point, or nothing of it was milled.
+    const OpenPathAnswer depth = check_level_depth(next);
+    if (depth.kind == OpenPathAnswer::Kind::decided) return depth;
+  }
+  const OpenPathAnswer answer = judge_level(next);
+  motions_.clear();
+  records_.clear();
+  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  next_level_ = place_of(depth_).value_or(next_level_) + 1;
+  last_depth_ = depth_;
+  first_ = false;
+  // Below what roughing left a strip opens nothing but itself.
+  const Number open = level_at(depth_).cleared ? max(depth_, cleared_.rough) : depth_;
+  cleared_.everywhere = min(cleared_.everywhere, open);
+  cleared_.rough = min(cleared_.rough, open);
+  floor_done_ = floor_done_ || is_floor(depth_);
+  return OpenPathAnswer::take();
+}
+
+region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const {
+  region::RectangularLevel level;
+  level.area = area_;
+  // SIE-LC75-07, SIE-LC75-10: the strip that roughing left, and at the last level the floor.
+  const bool whole = !item_.finishing || (is_floor(depth) && !item_.contour_only);
+  if (!whole) level.cleared = rough_area_;
+  level.tool_radius = item_.tool_radius;
+  level.sense = item_.sense;
+  level.plunge = plunge_;
+  level.tolerance = terms_.tolerance;
+  level.slack = slack_;
+  return level;
+}
+
+OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
+  const region::RectangularLevel level = level_at(depth_);
+  const bool whole = !level.cleared;
+  const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
+                     std::ranges::equal(judged_->motions, motions_, same_motion);
+  if (known) return OpenPathAnswer::take();
+  const region::LevelVerdict answer = region::judge_level(level, motions_);
+  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::no_go) {
+    return level_fault(answer.finding.value(), next.from);
+  }
+  judged_ = Judged{motions_, plunge_, whole};
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
+                                               const Position& at) const {
+  const auto [clause, message] = meaning_of(finding.rule);
+  const region::PlanePoint place = region::out_of(frame_, finding.witness);
+  Position witness = at;
+  witness[axes_.p] = place.p;
+  witness[axes_.q] = place.q;
+  witness[axes_.d] = depth_;
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_region;
+  verdict.clause = clause;
+  verdict.block = item_.block;
+  verdict.record = finding.record;
+  verdict.want = pocket_text(item_);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
+  }
+  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
+  set_deviation(verdict, finding.deviation);
+  verdict.message = message;
+  return OpenPathAnswer::decide(std::move(verdict));
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of a pocket whose path the manual leaves open (LCYC75): plunges at the centre, levels
+// judged by what they clear, free travel in what is cleared, and the end above the centre.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "oracle/judge/open_path.hpp"
+#include "oracle/region/frame.hpp"
+#include "oracle/region/rectangle.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+class PocketMillingJudge {
+ public:
+  // `item` and `terms` must outlive the judge. The tool stands at the clearance above the centre.
+  PocketMillingJudge(const reference::PocketMilling& item, const JudgeTerms& terms);
+  PocketMillingJudge(const PocketMillingJudge&) = delete;
+
+  // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
+  OpenPathAnswer take(const Motion& motion);
+  bool complete() const { return over_; }
+  Verdict incomplete(const Position& position) const;
+
+ private:
+  // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
+  struct Cleared {
+    Number everywhere;
+    Number rough;
+  };
+
+  OpenPathAnswer take_in_plane(const Motion& motion);
+  OpenPathAnswer take_cut(const Motion& motion);
+  OpenPathAnswer take_down(const Motion& motion);
+  OpenPathAnswer take_travel(const Motion& motion);
+  OpenPathAnswer check_travel(const Motion& motion) const;
+  OpenPathAnswer check_plunge(const Motion& motion) const;
+  OpenPathAnswer check_level_depth(const Motion& motion) const;
+  OpenPathAnswer finish_level(const Motion& next);
+  OpenPathAnswer judge_level(const Motion& next);
+  OpenPathAnswer level_fault(const region::Finding& finding, const Position& at) const;
+  OpenPathAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+                         std::string message) const;
+
+  bool is_floor(const Number& depth) const;
+  bool admits_depth(const Number& depth) const;
+  bool is_named(const Number& depth) const;
+  Number depth_of(const Number& place) const;
+  std::optional<Number> place_of(const Number& depth) const;
+  bool has_strip() const { return item_.finishing && item_.allowance.sign() > 0; }
+  bool above_centre(const Position& at) const;
+  bool has_feed(const Motion& motion, const Number& feed) const;
+  // Whether the motion stays where the tool's centre may be; nothing when that is undecided.
+  std::optional<bool> stays_in(const Motion& motion, const region::RoundedRectangle& area) const;
+  // Whether the tool can only go up and down in the pocket.
+  bool is_point() const;
+  // Where coordinates are only enclosed, rational ones near them stand for them.
+  void take_slack_of(const Motion& motion);
+  // In the pocket's own frame.
+  region::PlanePoint own(const Position& at) const;
+  region::LevelMotion own(const Motion& motion) const;
+  region::RectangularLevel level_at(const Number& depth) const;
+
+  const reference::PocketMilling& item_;
+  const JudgeTerms& terms_;
+  reference::PlaneAxes axes_;
+  region::RoundedRectangle area_;  // what the tool may touch
+  region::Frame frame_;
+  Number slack_;  // of the frame, over the area, and of coordinates that are only enclosed
+  bool is_blurred_ = false;
+  region::RoundedRectangle reach_;                      // where its centre may be
+  std::optional<region::RoundedRectangle> rough_area_;  // finishing: what roughing cleared
+  region::RoundedRectangle rough_reach_;                // and where the tool fits in it
+  Cleared cleared_;
+  bool first_ = true;              // no level is finished
+  Number next_level_ = 1;          // place of the next one in the list that the reading names
+  Number last_depth_;              // of the level before, at first the clearance
+  std::optional<Motion> arrival_;  // what brought the tool down to where it is
+  bool milling_ = false;           // a level is being collected
+  Number depth_;                   // of it
+  std::vector<region::LevelMotion> motions_;
+  std::vector<Record> records_;
+  region::PlanePoint plunge_;
+  bool floor_done_ = false;
+  bool over_ = false;
+  struct Judged {
+    std::vector<region::LevelMotion> motions;
+    region::PlanePoint plunge;
+    bool whole = false;
+  };
+  std::optional<Judged> judged_;  // the level before, GO
+};
+
+}  // namespace gonogo::oracle

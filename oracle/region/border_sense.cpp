@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/border_sense.hpp"
+
+#include <cmath>
+
+#include "oracle/region/gouge.hpp"
+
+namespace gonogo::oracle::region {
+namespace {
+
+// Halvings of one motion before it is called undecided.
+constexpr int kMaximumPieces = 20'000;
+// A piece no longer than this that is still open leaves the motion undecided, mm.
+constexpr double kShortestPiece = 1e-9;
+
+}  // namespace
+
+// What the direction is told from, in doubles: the sine between a motion of four times the width
+// and the border that it runs along is at most 1/2, so the sign of its progress is never close.
+struct BorderSense::Track {
+  double x, y;    // the motion's middle
+  double dx, dy;  // from its begin to its end
+};
+
+// A border no more than the width across has no direction: whatever runs in it, runs along all of
+// it. Motions no longer than four times the width have none either: both their ends may be off by
+// the tolerance on each axis, so that a way along the border or across it may come out backward.
+BorderSense::BorderSense(const RoundedRectangle& border, int sense, const Number& width)
+    : sense_(sense),
+      border_(enclose(border)),
+      outer_(with_radius(border, border.radius + width)),
+      shortest_(4 * enclose(width).hi) {
+  if (inner_radius(border) > width) inner_ = eroded(border, width);
+  if (inner_) enclosed_inner_ = enclose(*inner_);
+}
+
+bool BorderSense::is_nearly_inside(const IntervalVector& point) const {
+  if (inner_->radius.sign() > 0) {
+    return squared_distance_to_core(enclosed_inner_, point).hi < enclosed_inner_.radius2.lo;
+  }
+  return absolute(point.x).hi < enclosed_inner_.core_p.lo &&
+         absolute(point.y).hi < enclosed_inner_.core_q.lo;
+}
+
+bool BorderSense::goes_against(const Track& track) const {
+  // Straight out of the area: from the core's nearest point or, within it, through the nearest
+  // side.
+  const double depth_p = std::fabs(track.x) - border_.core_p.middle();
+  const double depth_q = std::fabs(track.y) - border_.core_q.middle();
+  double nx = std::copysign(std::max(0.0, depth_p), track.x);
+  double ny = std::copysign(std::max(0.0, depth_q), track.y);
+  if (depth_p <= 0 && depth_q <= 0) {
+    nx = depth_p >= depth_q ? std::copysign(1.0, track.x) : 0.0;
+    ny = depth_p >= depth_q ? 0.0 : std::copysign(1.0, track.y);
+  }
+  const double progress = (nx * track.dy - ny * track.dx) * sense_;
+  return progress < -0.5 * std::hypot(nx, ny) * std::hypot(track.dx, track.dy);
+}
+
+// Whether the line lies on the far side of one straight side of the inner area. Exactly.
+bool BorderSense::is_beside(const Line& line) const {
+  const Number p = inner_->core_p + inner_->radius;
+  const Number q = inner_->core_q + inner_->radius;
+  return (line.from.p >= p && line.to.p >= p) || (line.from.p <= -p && line.to.p <= -p) ||
+         (line.from.q >= q && line.to.q >= q) || (line.from.q <= -q && line.to.q <= -q);
+}
+
+Against BorderSense::along(const LinePiece& whole_line) const {
+  std::vector<LinePiece> open{whole_line};
+  Against result = Against::yes;
+  for (int budget = kMaximumPieces; !open.empty(); --budget) {
+    const LinePiece piece = open.back();
+    open.pop_back();
+    if (lies_outside(piece, enclosed_inner_)) continue;
+    const IntervalVector middle = Interval{0.5, 0.5} * (piece.a + piece.b);
+    if (is_nearly_inside(middle)) return Against::no;
+    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kShortestPiece)) {
+      result = Against::undecided;
+      continue;
+    }
+    open.push_back({piece.a, middle});
+    open.push_back({middle, piece.b});
+  }
+  return result;
+}
+
+Against BorderSense::of_line(const Line& line) const {
+  if (!inner_ || !(line.length.lo > shortest_)) return Against::no;
+  if (is_nearly_inside(line.a) || is_nearly_inside(line.b)) return Against::no;
+  const IntervalVector d = line.b - line.a;
+  const IntervalVector m = Interval{0.5, 0.5} * (line.a + line.b);
+  if (!goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()})) return Against::no;
+  if (!contains(outer_, line.from) || !contains(outer_, line.to)) return Against::no;
+  if (is_beside(line)) return Against::yes;
+  return along(LinePiece{line.a, line.b});
+}
+
+Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
+  Against result = Against::yes;
+  for (int budget = kMaximumPieces; !open.empty(); --budget) {
+    const Stretch stretch = open.back();
+    open.pop_back();
+    const bool short_enough =
+        stretch.turns == 0 && !stretch.wide && dot(stretch.ua, stretch.ub).lo > 0;
+    // A spiral's stretch as all circles between its radii.
+    const CirclePiece piece{arc.c, hull(stretch.ra, stretch.rb), stretch.ua, stretch.ub};
+    if (short_enough && lies_outside(piece, enclosed_inner_)) continue;
+    const auto parts = halves(stretch);
+    if (is_nearly_inside(arc.c + parts[0].rb * parts[0].ub)) return Against::no;
+    const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi;
+    if (budget <= 0 || (short_enough && !(size > kShortestPiece))) {
+      result = Against::undecided;
+      continue;
+    }
+    open.insert(open.end(), parts.begin(), parts.end());
+  }
+  return result;
+}
+
+Against BorderSense::of_arc(const Arc& arc, bool counterclockwise) const {
+  if (!inner_) return Against::no;
+  const IntervalVector a = arc.c + arc.ra * arc.ua;
+  const IntervalVector b = arc.c + arc.rb * arc.ub;
+  if (is_nearly_inside(a) || is_nearly_inside(b)) return Against::no;
+  const Stretch stretch = whole(arc);
+  if (arc.turns > 0 || arc.full || stretch.wide) {
+    // More than half round the border: it goes as it turns.
+    if (!(2 * std::min(arc.ra.lo, arc.rb.lo) > shortest_)) return Against::no;
+    if (counterclockwise == (sense_ > 0)) return Against::no;
+  } else {
+    const IntervalVector d = counterclockwise ? b - a : a - b;
+    if (!(norm(d).lo > shortest_)) return Against::no;
+    const IntervalVector m = arc.c + halves(stretch)[0].rb * halves(stretch)[0].ub;
+    if (!goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()})) {
+      return Against::no;
+    }
+  }
+  const Reach reach = reach_of_arc(arc, outer_);
+  if (reach.kind == Reach::Kind::outside) return Against::no;
+  const Against result = along({stretch}, arc);
+  const bool open = reach.kind == Reach::Kind::undecided && result == Against::yes;
+  return open ? Against::undecided : result;
+}
+
+}  // namespace gonogo::oracle::region

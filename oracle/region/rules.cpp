@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/rules.hpp"
+
+#include <utility>
+
+#include "oracle/region/border_sense.hpp"
+#include "oracle/region/gouge.hpp"
+
+namespace gonogo::oracle::region {
+namespace {
+
+LevelVerdict gap(std::string why) {
+  LevelVerdict verdict;
+  verdict.kind = LevelVerdict::Kind::gap;
+  verdict.gap = std::move(why);
+  return verdict;
+}
+
+LevelVerdict broken(Rule rule, std::optional<std::size_t> record, PlanePoint witness,
+                    Number deviation) {
+  LevelVerdict verdict;
+  verdict.kind = LevelVerdict::Kind::no_go;
+  verdict.finding = Finding{rule, record, std::move(witness), std::move(deviation)};
+  return verdict;
+}
+
+// An arc that moves: not a turn of radius 0.
+bool moves(const LevelMotion& motion) {
+  if (!motion.is_arc) return false;
+  return !(motion.from == motion.to && motion.from == motion.centre);
+}
+
+// Ends no farther apart than the tolerance on either axis, but not the same point: rounding may
+// have made this of no motion at all or of a whole turn.
+bool is_ambiguous(const LevelMotion& motion, const Number& tolerance) {
+  if (motion.rot == 0 || whole_turns(motion.rot) > 0 || motion.from == motion.to) return false;
+  return exact::abs(motion.from.p - motion.to.p) <= tolerance &&
+         exact::abs(motion.from.q - motion.to.q) <= tolerance;
+}
+
+class LevelJudge {
+ public:
+  LevelJudge(const Terms& terms, std::span<const LevelMotion> motions, Method method)
+      : terms_(terms),
+        motions_(motions),
+        method_(method),
+        border_(terms.border()),
+        limit_(with_radius(border_, border_.radius + terms.tolerance)),
+        surely_(border_, terms.sense, terms.tolerance - terms.slack),
+        perhaps_(border_, terms.sense, terms.tolerance + terms.slack) {}
+
+  LevelVerdict judge();
+
+ private:
+  std::optional<LevelVerdict> sense();
+  Against against(const LevelMotion& motion) const;
+  bool is_against(const Arc& arc, bool counterclockwise) const {
+    if (terms_.by_border) return surely_.of_arc(arc, counterclockwise) != Against::no;
+    return counterclockwise != (terms_.sense > 0);
+  }
+  std::optional<LevelVerdict> gouge();
+  std::optional<LevelVerdict> gouge_of_line(const LevelMotion& motion);
+  std::optional<LevelVerdict> gouge_of_arc(const LevelMotion& motion);
+  template <class Part>
+  Reach reach_of(const Part& part) const;
+  std::optional<LevelVerdict> within(const LevelMotion& motion, const Reach& reach);
+  std::optional<LevelVerdict> covers(Rule rule, const RoundedRectangle& area, const Number& reach);
+  void clear_with(Arc arc, bool counterclockwise);
+  void clear_with(const Line& line);
+  void clear_with_ends(const LevelMotion& motion);
+  void doubt(const char* why) {
+    if (doubt_.empty()) doubt_ = why;
+  }
+
+  const Terms& terms_;
+  std::span<const LevelMotion> motions_;
+  Method method_;
+  RoundedRectangle border_;
+  RoundedRectangle limit_;
+  BorderSense surely_;
+  BorderSense perhaps_;
+  Path path_;
+  std::optional<PlanePoint> line_end_;  // where the last motion ended, if it was a line that clears
+  std::string doubt_;                   // the first thing that stayed undecided
+  bool by_filter_ = true;
+};
+
+LevelVerdict LevelJudge::judge() {
+  if (auto verdict = sense()) return *verdict;
+  if (auto verdict = gouge()) return *verdict;
+  path_.points.push_back(terms_.plunge - terms_.middle);
+  // A strip of no width needs nothing.
+  if (!terms_.cleared || !(*terms_.cleared == terms_.area)) {
+    if (auto verdict = covers(Rule::cover, terms_.area, terms_.tool_radius)) return *verdict;
+  }
+  if (terms_.step) {
+    if (auto verdict = covers(Rule::step, border_, *terms_.step / Number(2))) return *verdict;
+  }
+  if (!doubt_.empty()) return gap(doubt_);
+  LevelVerdict verdict;
+  verdict.by_filter = by_filter_;
+  return verdict;
+}
+
+// Against the sense along the border: only what is so whichever way the slack falls.
+Against LevelJudge::against(const LevelMotion& motion) const {
+  const auto by = [&](const BorderSense& border) {
+    if (!motion.is_arc) return border.of_line(make_line(motion.from, motion.to));
+    return border.of_arc(make_arc(motion, terms_.middle), motion.rot > 0);
+  };
+  if (motion.is_arc) {
+    const bool about_end = motion.from == motion.centre || motion.to == motion.centre;
+    if (motion.rot == 0 || about_end) return Against::no;
+  } else if (motion.from == motion.to) {
+    return Against::no;
+  }
+  const Against surely = by(surely_);
+  if (terms_.slack.sign() == 0) return surely;
+  return surely == by(perhaps_) ? surely : Against::undecided;
+}
+
+std::optional<LevelVerdict> LevelJudge::sense() {
+  for (const LevelMotion& motion : motions_) {
+    if (motion.is_arc && (!moves(motion) || is_ambiguous(motion, terms_.tolerance))) continue;
+    if (terms_.by_border) {
+      // SIE-LC75-12: of all motions, those along the border.
+      const Against answer = against(motion);
+      if (answer == Against::undecided) doubt("Whether a motion follows the border is undecided.");
+      if (answer != Against::yes) continue;
+    } else {
+      // GSK-G110-09: by arcs turning the commanded way.
+      if (!motion.is_arc) continue;
+      if (motion.rot != 0 && (motion.rot > 0) == (terms_.sense > 0)) continue;
+      if (motion.rot == 0 && motion.from == motion.to) continue;
+    }
+    return broken(Rule::sense, motion.record, motion.from, Number());
+  }
+  return std::nullopt;
+}
+
+std::optional<LevelVerdict> LevelJudge::gouge() {
+  for (const LevelMotion& motion : motions_) {
+    const bool is_curve = moves(motion) && motion.rot != 0;
+    if (auto verdict = is_curve ? gouge_of_arc(motion) : gouge_of_line(motion)) return verdict;
+  }
+  return std::nullopt;
+}
+
+// A line, or an arc that goes nowhere: the border is convex.
+std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion) {
+  for (const PlanePoint& end : {motion.from, motion.to}) {
+    if (auto verdict = within(motion, reach_of(end - terms_.middle))) return verdict;
+  }
+  if (!terms_.by_border) return std::nullopt;
+  if (motion.is_arc && motion.rot == 0 && !(motion.from == motion.to)) {
+    doubt("An arc has no direction.");
+  }
+  if (motion.is_arc || motion.from == motion.to) {
+    clear_with_ends(motion);
+  } else {
+    clear_with(make_line(motion.from - terms_.middle, motion.to - terms_.middle));
+  }
+  return std::nullopt;
+}
+
+std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) {
+  const bool counterclockwise = motion.rot > 0;
+  const bool ambiguous = is_ambiguous(motion, terms_.tolerance);
+  if (motion.from == motion.centre || motion.to == motion.centre) {
+    doubt("An arc begins or ends on its own centre.");
+    clear_with_ends(motion);
+    return std::nullopt;
+  }
+  Arc arc = make_arc(motion, terms_.middle);
+  if (ambiguous && !arc.sweep.wide) {
+    arc.turns = 1;  // the end is just past the start
+    arc.full = arc.round;
+  }
+  if (ambiguous && is_against(arc, counterclockwise)) {
+    clear_with_ends(motion);  // it can only be meant as no motion
+    return std::nullopt;
+  }
+  const Reach reach = reach_of(arc);
+  if (ambiguous && reach.kind != Reach::Kind::inside) {
+    for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
+      if (auto verdict = within(motion, reach_of(end))) return verdict;
+    }
+    clear_with_ends(motion);
+    return std::nullopt;
+  }
+  if (auto verdict = within(motion, reach)) return verdict;
+  clear_with(arc, counterclockwise);
+  return std::nullopt;
+}
+
+Reach reach_within(const PlanePoint& point, const RoundedRectangle& limit) {
+  return reach_of_point(point, limit);
+}
+Reach reach_within(const Arc& arc, const RoundedRectangle& limit) {
+  return reach_of_arc(arc, limit);
+}
+
+// Inside the limit, or outside it, whichever way the slack falls.
+template <class Part>
+Reach LevelJudge::reach_of(const Part& part) const {
+  if (terms_.slack.sign() == 0) return reach_within(part, limit_);
+  Reach reach = reach_within(part, with_radius(limit_, limit_.radius - terms_.slack));
+  if (reach.kind != Reach::Kind::outside) return reach;
+  reach = reach_within(part, with_radius(limit_, limit_.radius + terms_.slack));
+  if (reach.kind == Reach::Kind::inside) reach.kind = Reach::Kind::undecided;
+  return reach;
+}
+
+std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const Reach& reach) {
+  if (reach.kind == Reach::Kind::undecided) {
+    doubt("Whether a motion stays within the pocket could not be decided.");
+  }
+  if (reach.kind != Reach::Kind::outside) return std::nullopt;
+  return broken(Rule::gouge, motion.record, reach.witness + terms_.middle, reach.beyond);
+}
+
+// Pieces of one circle, one after the other, count as one arc.
+void LevelJudge::clear_with(Arc arc, bool counterclockwise) {
+  if (line_end_) {
+    const bool begins = *line_end_ == (counterclockwise ? arc.end_a() : arc.end_b());
+    (counterclockwise ? arc.capped_a : arc.capped_b) = begins;
+  }
+  line_end_.reset();
+  if (!path_.arcs.empty()) {
+    if (const auto both = joined(path_.arcs.back(), arc, counterclockwise)) {
+      path_.arcs.back() = *both;
+      return;
+    }
+  }
+  path_.arcs.push_back(arc);
+}
+
+// Pieces of one straight line likewise.
+void LevelJudge::clear_with(const Line& line) {
+  if (!path_.arcs.empty()) {
+    Arc& arc = path_.arcs.back();
+    if (arc.end_a() == line.from) arc.capped_a = true;
+    if (arc.end_b() == line.from) arc.capped_b = true;
+  }
+  line_end_ = line.to;
+  if (!path_.lines.empty()) {
+    if (const auto both = joined(path_.lines.back(), line)) {
+      path_.lines.back() = *both;
+      return;
+    }
+  }
+  path_.lines.push_back(line);
+}
+
+void LevelJudge::clear_with_ends(const LevelMotion& motion) {
+  path_.points.push_back(motion.from - terms_.middle);
+  path_.points.push_back(motion.to - terms_.middle);
+}
+
+std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle& area,
+                                               const Number& reach) {
+  const std::optional<RoundedRectangle> none;
+  const Target target{area, rule == Rule::cover ? terms_.cleared : none,
+                      reach + terms_.tolerance - terms_.slack, Number(2) * terms_.slack};
+  const Coverage coverage = check_coverage(path_, target, terms_.tolerance, method_);
+  by_filter_ = by_filter_ && coverage.by_filter;
+  if (coverage.kind == Coverage::Kind::covered) return std::nullopt;
+  if (coverage.kind == Coverage::Kind::undecided) {
+    doubt(coverage.why.c_str());
+    return std::nullopt;
+  }
+  auto verdict = broken(rule, std::nullopt, coverage.witness + terms_.middle, coverage.excess);
+  verdict.by_filter = coverage.by_filter;
+  return verdict;
+}
+
+}  // namespace
+
+LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
+                            Method method) {
+  if (motions.size() > kMaximumLevelMotions) return gap("The level has more than 50,000 motions.");
+  try {
+    return LevelJudge(terms, motions, method).judge();
+  } catch (const exact::Undecided& error) {
+    return gap(error.what());
+  }
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rules of a level, for every kind of pocket.
+#pragma once
+
+#include "oracle/region/coverage.hpp"
+
+namespace gonogo::oracle::region {
+
+// What the two kinds of level have in common.
+struct Terms {
+  PlanePoint middle;
+  RoundedRectangle area;  // about the middle
+  std::optional<RoundedRectangle> cleared;
+  std::optional<Number> step;
+  bool by_border = false;  // lines clear like arcs, and only what runs along the border has a sense
+  Number tool_radius;
+  int sense;
+  PlanePoint plunge;
+  Number tolerance;
+  Number slack;
+
+  // Where the tool's centre may be.
+  RoundedRectangle border() const { return with_radius(area, area.radius - tool_radius); }
+};
+
+// The first rule broken in the order sense, gouge, cover, step.
+LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
+                            Method method);
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The centre of an arc whose end misses its circle: how far it may, and what is done about it.
+#include "reference/exact/radians.hpp"
+#include "reference/sinumerik/arc.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+constexpr ClauseId kCorrected = "SIE-ARC-08"_clause;
+const Number kHalf = Number::millionths(500'000);
+const Number kPerMille = Number::millionths(1000);
+
+// um^2 of mm^2, as OffsetCentre has them.
+Number fine_2(const Number& mm_2) {
+  return mm_2 * 1'000'000;
+}
+
+// SIE-ARC-07: the larger of the two limits decides, so either will do.
+bool radii_agree(const BlockContext& block, const OffsetCentre& radii) {
+  const Number most =
+      block.profile.parameter("CIRCLE_ERROR_CONST").value_or(Number::millionths(10'000));
+  const Number part = block.profile.parameter("CIRCLE_ERROR_FACTOR").value_or(kPerMille);
+  return radii.radii_agree_squared(most * most) || radii.radii_agree_in_part_of_start(part);
+}
+
+Number cross(const PlanePoint& a, const PlanePoint& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+Number dot(const PlanePoint& a, const PlanePoint& b) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+// On the perpendicular bisector at the radius of the start, on the side of the programmed centre;
+// for one on the chord itself on the side of the shorter arc. A chord above twice that radius has
+// its centre in its middle.
+PlanePoint at_start_radius(const ArcCommand& arc, const ArcEnds& ends, const OffsetCentre& radii,
+                           const PlanePoint& programmed) {
+  const int left = cross({ends.dp, ends.dq}, programmed).sign();
+  const int side = left != 0 ? -left : -arc.sense;  // +1: right of the chord
+  return centre_off_middle(ends, radii.start_2, side).value_or(ends.middle());
+}
+
+PlanePoint projected(const ArcEnds& ends, const PlanePoint& programmed) {
+  const Number chord_2 = ends.dp * ends.dp + ends.dq * ends.dq;
+  const Number off = cross({ends.dp, ends.dq}, programmed) / chord_2;
+  return {ends.dp * kHalf - ends.dq * off, ends.dq * kHalf + ends.dp * off};
+}
+
+// Whether the angle at the start between the two centres is at most the root of 0.001 radians. Its
+// tangent is algebraic and that of the root is not: they are never equal, and enough digits decide.
+bool is_near(const PlanePoint& programmed, const PlanePoint& found) {
+  const Number along = dot(programmed, found);
+  if (along.sign() <= 0) return false;
+  const Number across = cross(programmed, found);
+  // The tangent is above the angle.
+  if (across * across <= along * along * kPerMille) return true;
+  const Number angle = exact::radians(exact::angle_degrees(along, exact::abs(across)));
+  return angle <= exact::sqrt(kPerMille);
+}
+
+}  // namespace
+
+std::optional<Number> known_start(const Machine& machine, const ArcCommand& arc,
+                                  const ArcCentre& centre) {
+  const bool is_known = machine.mark && machine.mark->plane == arc.plane &&
+                        surely_equal(machine.mark->centre, centre.at);
+  return is_known ? std::optional<Number>(machine.mark->radius_2) : std::nullopt;
+}
+
+std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& arc,
+                                        const ArcCentre& centre, WordName word) {
+  const ArcEnds ends = arc.ends();
+  OffsetCentre radii(ends, centre.offset[0], centre.offset[1]);
+  if (const auto known = known_start(block.machine, arc, centre)) radii.start_2 = fine_2(*known);
+  const PlanePoint to_end = from_centre_to_end(arc.axes, centre.at, centre.offset, arc.end);
+  radii.end_2 = fine_2(centre.end_2.value_or(dot(to_end, to_end)));
+  if (radii.begins_at_centre()) {
+    block.alarm(AlarmClass::arc_radius, kCorrected, word, "The centre is the start.");
+    return std::nullopt;
+  }
+  FoundArc found{centre.at, centre.offset, std::nullopt, false};
+  // SIE-ARC-03: a full circle ends on itself.
+  if (arc.closed()) return found;
+  if (radii.start_2 == radii.end_2) {
+    found.mark = PlaceMark{arc.plane, centre.at, radii.end_2 / Number(1'000'000), std::nullopt};
+    if (arc.end.mark) found.mark = arc.end.mark;
+    return found;
+  }
+  if (!radii_agree(block, radii)) {
+    block.alarm(AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
+                "The radii at start and end differ by more than the tolerance.");
+    return std::nullopt;
+  }
+  found.is_corrected = true;
+  const ReadingsInUse& readings = block.readings;
+  if (readings.is(ReadingKey::sie_arc_correct, "programmed")) return found;
+  const bool projects = readings.is(ReadingKey::sie_arc_correct, "project");
+  found.offset =
+      projects ? projected(ends, centre.offset) : at_start_radius(arc, ends, radii, centre.offset);
+  const PlanePoint start = block.position_in(arc.axes);
+  found.centre = {start[0] + found.offset[0], start[1] + found.offset[1]};
+  if (!is_near(centre.offset, found.offset)) {
+    block.alarm(AlarmClass::arc_end_point, kCorrected, word,
+                "The centre would move too far, seen from the start.");
+    return std::nullopt;
+  }
+  return found;
+}
+
+}  // namespace gonogo::reference::sinumerik

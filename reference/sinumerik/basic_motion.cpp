@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G0, G1 and G4, and how motions are put out.
+#include <fmt/format.h>
+
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+// Whether only rotary axes have a way to go.
+bool turns_alone(const EndPoint& end) {
+  if (!end.named.has(Axis::a) && !end.named.has(Axis::c)) return false;
+  return !any_nonzero({end.by[Axis::x], end.by[Axis::y], end.by[Axis::z]});
+}
+
+// SIE-MOD-04: F is millimetres, or under G70 and that reading inches; degrees where rotary axes
+// turn alone.
+Number feed_of(const BlockContext& block, const EndPoint& end, RecordKind kind) {
+  const Number& written = block.machine.feed;
+  if (!block.machine.modes.inch || (kind == RecordKind::feed && turns_alone(end))) return written;
+  return block.readings.is(ReadingKey::sie_g70_f, "inch") ? inches(written) : written;
+}
+
+// What was known of a place in a plane, as long as no axis of the plane moves.
+void keep_mark(Machine& machine, const EndPoint& end) {
+  if (end.mark) {
+    machine.mark = end.mark;
+    return;
+  }
+  if (!machine.mark) return;
+  const PlaneAxes axes = axes_of(machine.mark->plane);
+  for (const Axis axis : {axes.p, axes.q}) {
+    const Number& by = end.by[axis];
+    if (!by.is_rational() || by.sign() != 0) machine.mark.reset();
+    if (!machine.mark) return;
+  }
+}
+
+// SIE-CT-02: of a straight motion the way that it goes; one without a length is none.
+void remember_line(Machine& machine, const EndPoint& end) {
+  LastMotion last;
+  for (const Axis axis : kLinearAxes) last.direction[axis] = end.by[axis];
+  try {
+    if (!any_nonzero({end.by[Axis::x], end.by[Axis::y], end.by[Axis::z]})) return;
+  } catch (const exact::Undecided&) {
+    last.undecided = true;
+  }
+  machine.last = std::move(last);
+}
+
+// SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
+void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const PlanePoint radius = from_centre_to_end(axes, arc.centre, arc.offset, end);
+  const Number sense = arc.rot > 0 ? 1 : -1;
+  LastMotion last;
+  last.direction[axes.p] = -(sense * radius[1]);
+  last.direction[axes.q] = sense * radius[0];
+  if (end.named.has(axes.d)) {
+    last.climb = Climb{axes.d,
+                       end.by[axes.d],
+                       {-arc.offset[0], -arc.offset[1]},
+                       radius,
+                       end.closed.value_or(false),
+                       arc.rot};
+  }
+  machine.last = std::move(last);
+}
+
+}  // namespace
+
+void refuse_words(BlockContext& block, std::initializer_list<Address> addresses) {
+  for (const Address address : addresses) {
+    if (!block.words.has(address)) continue;
+    const ClauseId clause = address == Address::turn ? "SIE-ARC-13"_clause : "SIE-COM-01"_clause;
+    block.alarm(AlarmClass::conflicting_words, clause, name_of(address),
+                fmt::format("{} has no meaning for the motion in force.", name_of(address).text()));
+  }
+}
+
+// SIE-COM-01, SIE-G1-02
+void need_cutting(BlockContext& block) {
+  block.need_feed("SIE-COM-01"_clause);
+  need_spindle(block);
+}
+
+bool spindle_turns(const Machine& machine) {
+  return machine.spindle != 5 && (machine.speed_given || machine.speed.sign() > 0);
+}
+
+void need_spindle(BlockContext& block) {
+  if (spindle_turns(block.machine) || !block.readings.is(ReadingKey::sie_spindle, "alarm")) return;
+  block.alarm(AlarmClass::spindle_stopped, "SIE-G1-02"_clause, 'S',
+              "The block cuts, but the spindle does not turn.");
+}
+
+namespace {
+
+// The axes of the rotated plane along which nothing moves: their base coordinates stay the numbers
+// that they are, so that a full circle is seen to end where it began.
+AxisSet standing_axes(const Machine& machine, const EndPoint& end) {
+  if (!machine.frame.is_rotated()) return {};
+  const PlaneAxes axes = axes_of(machine.frame.plane());
+  for (const Axis axis : {axes.p, axes.q}) {
+    if (!end.by[axis].is_rational() || end.by[axis].sign() != 0) return {};
+  }
+  return {axes.p, axes.q};
+}
+
+}  // namespace
+
+void put_motion(BlockContext& block, const EndPoint& end, Record record) {
+  if (record.kind != RecordKind::rapid) record.feed = feed_of(block, end, record.kind);
+  keep_mark(block.machine, end);
+  put_in_base(block, std::move(record), end.to, standing_axes(block.machine, end));
+}
+
+void put_in_base(BlockContext& block, Record record, const Position& end, AxisSet standing) {
+  Machine& machine = block.machine;
+  Record in_base = machine.frame.to_base(std::move(record), end);
+  for (const Axis axis : kAllAxes) {
+    if (in_base.axes.has(axis) && !standing.has(axis)) machine.base[axis] = in_base.to[axis];
+  }
+  in_base.to = machine.base;
+  block.put(std::move(in_base));
+}
+
+void put_line(BlockContext& block, RecordKind kind, ClauseId clause, const EndPoint& end) {
+  Record record = block.motion_to(kind, clause, end.named, end.to);
+  remember_line(block.machine, end);
+  put_motion(block, end, std::move(record));
+}
+
+void put_arc(BlockContext& block, const ArcPath& arc, const EndPoint& end) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  Record record =
+      block.motion_to(RecordKind::arc, arc.clause, end.named | AxisSet{axes.p, axes.q}, end.to);
+  record.plane = arc.plane;
+  record.centre = arc.centre;
+  record.rot = arc.rot;
+  remember_arc(block.machine, arc, end);
+  put_motion(block, end, std::move(record));
+}
+
+// SIE-G1-01
+void run_line(BlockContext& block, RecordKind kind) {
+  refuse_words(block, {Address::i, Address::j, Address::k, Address::i1, Address::j1, Address::k1,
+                       Address::cr, Address::ar, Address::turn});
+  const std::optional<EndPoint> end = end_point(block);
+  if (!end || end->named.empty()) return;
+  if (kind == RecordKind::feed) need_cutting(block);
+  put_line(block, kind, "SIE-G1-01"_clause, *end);
+}
+
+// SIE-MOD-03
+void run_dwell(BlockContext& block) {
+  const ClauseId clause = "SIE-MOD-03"_clause;
+  const BlockWords& words = block.words;
+  if (words.has(Address::f) && words.has(Address::s)) {
+    block.alarm(AlarmClass::conflicting_words, clause, 'S', "A dwell is of F or of S.");
+    return;
+  }
+  const Address address = words.has(Address::s) ? Address::s : Address::f;
+  if (!words.has(address)) {
+    block.missing(clause, 'F');
+    return;
+  }
+  const Number& amount = words.written(address);
+  if (amount.sign() < 0) {
+    block.alarm(AlarmClass::value_sign, clause, name_of(address), "A dwell cannot be negative.");
+  }
+  Record record;
+  record.kind = RecordKind::dwell;
+  record.block = block.line;
+  record.clause = clause;
+  if (address == Address::f) {
+    record.seconds = amount;
+  } else if (block.machine.speed.sign() > 0) {
+    record.seconds = amount * 60 / block.machine.speed;
+  } else {
+    block.alarm(AlarmClass::spindle_stopped, clause, 'S',
+                "A dwell of revolutions needs a spindle that turns.");
+  }
+  block.put(std::move(record));
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The G codes and the names of SINUMERIK: their groups, and what the gauge makes of them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "reference/g_codes.hpp"
+
+namespace gonogo::reference::sinumerik {
+
+// Which control it is. The 802S shares the path commands of the 840D.
+enum class Control : std::uint8_t { sinumerik840d, sinumerik802s };
+
+// Modal groups by what they govern; the codes of `once` hold for their block.
+enum class Group : std::uint8_t {
+  once,
+  motion,
+  plane,
+  compensation,
+  frame,
+  offset,
+  path_mode,
+  exact_window,
+  exact_stop,
+  units,
+  dimension,
+  feed_mode,
+  approach,
+  corner,
+  language,
+};
+
+// SIE-MOD-01: one modal group, two of them by name.
+enum class Motion : std::uint8_t {
+  traverse,          // G0
+  line,              // G1
+  clockwise,         // G2
+  counterclockwise,  // G3
+  intermediate,      // CIP
+  tangent,           // CT
+};
+
+// A name that calls a cycle of the 802S.
+enum class Cycle : std::uint8_t { none, lcyc75, lcyc82 };
+
+// The codes of one block, by group; -1: none.
+struct BlockCodes {
+  int once = -1;  // 4, 110, 111, 112; of the 802S 158, 258, 259
+  bool several_once = false;
+  Cycle cycle = Cycle::none;
+  std::optional<Motion> motion;
+  int plane = -1;      // 17, 18, 19
+  int units = -1;      // 70, 71
+  int dimension = -1;  // 90, 91
+  int feed_mode = -1;  // 94, 95
+};
+
+struct CodeReading : GCodeReading {
+  BlockCodes codes;
+  std::vector<Warning> warnings;  // of names that are passed over
+};
+// What the names and G codes of a block are. Names that the control lacks become alarms as well as
+// codes that it lacks.
+void read_codes(Control control, const grammar::Block& block, CodeReading& reading);
+
+// The codes and names that the gauge does not read, and those that it passes over.
+std::span<const OutsideCode> outside_codes();
+// A name that calls a cycle; `none` for others.
+Cycle cycle_of(const grammar::NamedWord& word);
+std::span<const std::string_view> codes_without_effect();
+
+}  // namespace gonogo::reference::sinumerik

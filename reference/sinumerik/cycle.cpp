@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/sinumerik/cycle.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::sinumerik {
+
+void CycleCall::alarm(AlarmClass alarm, ClauseId clause, WordName word, std::string message) const {
+  grammar::Span where;
+  for (const grammar::NamedWord& name : block.words.block().named) {
+    if (cycle_of(name) != Cycle::none) where = name.where;
+  }
+  block.out.alarms.push_back({alarm, clause, word, where, std::move(message)});
+}
+
+void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,
+                                std::string message) const {
+  this->alarm(alarm, clause, WordName(fmt::format("R{}", number)), std::move(message));
+}
+
+void check_planes(const CycleCall& call) {
+  const ClauseId clause = "SIE-LC82-02"_clause;
+  if (call.retract() < call.clearance()) {
+    call.parameter_alarm(
+        AlarmClass::reference_plane, clause, 101,
+        fmt::format("The retract plane R101 = {} lies below the clearance {} above the "
+                    "reference plane.",
+                    call.retract().text(), call.clearance().text()));
+  }
+  if (call.parameter(102).sign() < 0) {
+    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-03"_clause, 102,
+                         "The safety clearance R102 is below zero.");
+  }
+  if (call.parameter(104) >= call.parameter(103)) {
+    call.parameter_alarm(AlarmClass::reference_plane, clause, 104,
+                         "The depth R104 is not below the reference plane R103.");
+  }
+}
+
+void put_cycle_motion(const CycleCall& call, RecordKind kind, ClauseId clause,
+                      std::initializer_list<AxisValue> to, const Number& feed) {
+  Machine& machine = call.block.machine;
+  Record record = call.block.motion(kind, clause, to);
+  if (kind != RecordKind::rapid) record.feed = feed;
+  put_in_base(call.block, std::move(record), machine.position);
+}
+
+void end_cycle(BlockContext& block) {
+  const PlaneAxes axes = block.plane_axes();
+  LastMotion last;
+  last.direction[axes.d] = 1;
+  block.machine.last = std::move(last);
+  // What is known of the place in the plane stays known where only the depth axis has moved.
+  std::optional<PlaceMark>& mark = block.machine.mark;
+  if (mark && mark->plane != block.machine.plane) mark.reset();
+}
+
+void order_by_parameter(std::vector<Alarm>& alarms) {
+  const auto goes_before = [](const Alarm& a, const Alarm& b) {
+    const bool a_is_parameter = a.word.text().starts_with('R');
+    const bool b_is_parameter = b.word.text().starts_with('R');
+    // Their numbers have three digits.
+    return a_is_parameter && (!b_is_parameter || a.word.text() < b.word.text());
+  };
+  for (std::size_t i = 1; i < alarms.size(); ++i) {
+    for (std::size_t k = i; k > 0 && goes_before(alarms[k], alarms[k - 1]); --k) {
+      std::swap(alarms[k], alarms[k - 1]);
+    }
+  }
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G158, G258 and G259, and what they make of coordinates.
+#include "reference/sinumerik/frame.hpp"
+
+#include <fmt/format.h>
+
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+
+std::array<Number, 2> Frame::direction_in(Plane plane) const {
+  if (plane != plane_) return {1, 0};
+  return {cos_, sin_};
+}
+
+void Frame::clear() {
+  *this = Frame();
+}
+
+void Frame::translate(const Position& by) {
+  const Position way = turned(by);
+  for (const Axis axis : kLinearAxes) translation_[axis] += way[axis];
+  is_translated_ = true;
+}
+
+void Frame::set_rotation(Plane plane, const Number& degrees) {
+  plane_ = plane;
+  angle_ = degrees - (degrees / 360).floor() * 360;
+  const auto [cosine, sine] = exact::cos_sin_degrees(angle_);
+  cos_ = cosine;
+  sin_ = sine;
+}
+
+Position Frame::turned_by(const Position& way, const Number& sine) const {
+  if (!is_rotated()) return way;
+  const PlaneAxes axes = axes_of(plane_);
+  Position out = way;
+  out[axes.p] = cos_ * way[axes.p] - sine * way[axes.q];
+  out[axes.q] = sine * way[axes.p] + cos_ * way[axes.q];
+  return out;
+}
+
+Position Frame::to_base(const Position& workpiece) const {
+  Position out = turned(workpiece);
+  for (const Axis axis : kLinearAxes) out[axis] += translation_[axis];
+  return out;
+}
+
+Position Frame::to_workpiece(const Position& base) const {
+  Position out = base;
+  for (const Axis axis : kLinearAxes) out[axis] -= translation_[axis];
+  return turned_back(out);
+}
+
+Record Frame::to_base(Record record, const Position& end) const {
+  record.to = to_base(end);
+  const PlaneAxes turned_axes = axes_of(plane_);
+  const auto name_both = [&](AxisSet& axes) {
+    if (is_rotated() && (axes.has(turned_axes.p) || axes.has(turned_axes.q))) {
+      axes = axes | AxisSet{turned_axes.p, turned_axes.q};
+    }
+  };
+  name_both(record.axes);
+  if (record.kind == RecordKind::arc) {
+    const PlaneAxes axes = axes_of(record.plane);
+    Position centre;
+    centre[axes.p] = record.centre[0];
+    centre[axes.q] = record.centre[1];
+    centre = to_base(centre);
+    record.centre = {centre[axes.p], centre[axes.q]};
+  } else if (record.kind == RecordKind::arc3) {
+    record.via = to_base(record.via);
+    name_both(record.via_axes);
+  }
+  return record;
+}
+
+namespace {
+
+// SIE-CT-02: the direction of the motion before turns along. A helix goes on climbing along its
+// axis where that does not turn.
+void turn_last_motion(LastMotion& last, const Frame& old, const Frame& next) {
+  const auto tilts = [&](const Frame& frame) {
+    return frame.is_rotated() && axes_of(frame.plane()).d != last.climb->axis;
+  };
+  if (last.climb && (tilts(old) || tilts(next))) {
+    last.direction = whole_direction(last);
+    last.climb.reset();
+  }
+  last.direction = next.turned_back(old.turned(last.direction));
+}
+
+// SIE-FRM-04: what stood in the old frame stands in the new one, and nothing moves.
+void stand_in(Machine& machine, const Frame& next) {
+  machine.position = next.to_workpiece(machine.base);
+  machine.mark.reset();
+  if (machine.last) turn_last_motion(*machine.last, machine.frame, next);
+  machine.frame = next;
+}
+
+// SIE-FRM-04: no word of an axis or of an angle where it does not belong.
+bool refuse(BlockContext& block, std::initializer_list<Address> addresses) {
+  bool refused = false;
+  for (const Address address : addresses) {
+    if (!block.words.has(address)) continue;
+    refused = true;
+    block.alarm(
+        AlarmClass::conflicting_words, "SIE-FRM-04"_clause, name_of(address),
+        fmt::format("{} does not stand beside G{}.", name_of(address).text(), block.codes.once));
+  }
+  return refused;
+}
+
+// SIE-FRM-03: RPL45. Whether the angle may be read.
+bool admits_rpl(BlockContext& block) {
+  const grammar::NamedWord& word = *block.words.word(Address::rpl);
+  if (word.has_equals) return true;
+  if (block.readings.is(ReadingKey::sie_rpl_equals, "required")) {
+    block.alarm(AlarmClass::syntax, "SIE-FRM-03"_clause, WordName("RPL"),
+                "RPL and its angle need an '=' between them.");
+    return false;
+  }
+  block.out.warnings.push_back(
+      {"RPL stands without '='; it is read as if it had one.", word.where});
+  return true;
+}
+
+}  // namespace
+
+// SIE-FRM-01
+void run_translation(BlockContext& block) {
+  if (refuse(block, {Address::a, Address::c, Address::rpl})) return;
+  Machine& machine = block.machine;
+  Position by;
+  bool any = false;
+  for (const Axis axis : kLinearAxes) {
+    const Address address = address_of(axis);
+    if (!block.words.has(address)) continue;
+    if (block.words.dimension(address) != grammar::Dimension::as_in_force) {
+      block.alarm(AlarmClass::conflicting_words, "SIE-FRM-04"_clause, name_of(address),
+                  "AC and IC have no meaning for a translation.");
+      return;
+    }
+    by[axis] = block.words.length(address);
+    any = true;
+  }
+  Frame next = machine.frame;
+  if (!any) {
+    next.clear();
+  } else if ((next.is_translated() || next.is_rotated()) &&
+             block.readings.is(ReadingKey::sie_g158, "additive")) {
+    next.translate(by);
+  } else {
+    next.clear();
+    next.set_translation(by);
+  }
+  stand_in(machine, next);
+}
+
+// SIE-FRM-02, SIE-FRM-04
+void run_rotation(BlockContext& block) {
+  if (refuse(block, {Address::x, Address::y, Address::z, Address::a, Address::c})) return;
+  Machine& machine = block.machine;
+  const bool adds = block.codes.once == 259;
+  Frame next = machine.frame;
+  if (!adds) {
+    // Touched where it can matter only.
+    const bool keeps =
+        machine.frame.is_translated() && block.readings.is(ReadingKey::sie_g258, "rotation-only");
+    if (keeps) {
+      next.set_rotation(machine.plane, 0);
+    } else {
+      next.clear();
+    }
+  }
+  if (block.words.has(Address::rpl)) {
+    if (!admits_rpl(block)) return;
+    const Number base = adds ? next.angle() : Number(0);
+    next.set_rotation(machine.plane, base + block.words.written(Address::rpl));
+  } else if (adds) {
+    block.missing("SIE-FRM-04"_clause, WordName("RPL"));
+    return;
+  }
+  stand_in(machine, next);
+}
+
+bool admits_plane(BlockContext& block, Plane plane, WordName word) {
+  const Frame& frame = block.machine.frame;
+  if (!frame.is_rotated() || frame.plane() == plane) return true;
+  block.alarm(AlarmClass::plane_not_allowed, "SIE-FRM-04"_clause, word,
+              fmt::format("A rotation in G{} is in force.", plane_code(frame.plane())));
+  return false;
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One block: its codes, the values of its words from left to right, its modes, its motion.
+#include "reference/sinumerik/interpreter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/sinumerik/cycle.hpp"
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+constexpr ClauseId kCommon = "SIE-COM-01"_clause;
+constexpr std::int64_t kLastM = 99;
+
+class Interpreter : public BlockInterpreter {
+ public:
+  Interpreter(const Profile& profile, const ReadingsInUse& readings, Control control,
+              OpenPaths open_paths);
+
+  void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  const Position& position() const override { return machine_.base; }
+  void stand_at(const Position& position) override;
+
+ private:
+  bool take_codes(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
+  bool take_values(std::uint64_t line, BlockWords& words, BlockOutput& out);
+  void take_m(std::uint64_t line, const grammar::NamedWord& word, const Number& value,
+              BlockOutput& out);
+  void take_modes(BlockContext& block);
+  void take_tool(const BlockWords& words);
+  void run_once(BlockContext& block);
+  void run_cycle(BlockContext& block);
+  void run_motion(BlockContext& block);
+  Motion motion_in_force() const;
+
+  const Profile& profile_;
+  const ReadingsInUse& readings_;
+  OpenPaths open_paths_;
+  Machine machine_;
+  Calculator calculator_;
+  CodeReading reading_;
+};
+
+Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings, Control control,
+                         OpenPaths open_paths)
+    : profile_(profile),
+      readings_(readings),
+      open_paths_(open_paths),
+      calculator_(control == Control::sinumerik802s ? kParameters802s : kParameters) {
+  machine_.control = control;
+  machine_.position = machine_.base = profile.initial.at;
+  machine_.feed = profile.initial.feed;
+  machine_.plane = profile.initial.plane;
+  if (profile.initial.motion != kNoMotion) {
+    machine_.motion = static_cast<Motion>(profile.initial.motion);
+  }
+  machine_.spindle = profile.initial.spindle;
+  machine_.speed_given = machine_.spindle != 5;
+  machine_.modes.inch = profile.units == Units::inch;
+}
+
+void Interpreter::stand_at(const Position& position) {
+  machine_.base = position;
+  machine_.position = machine_.frame.to_workpiece(position);
+}
+
+// Whether the block is read on: what is not covered goes before what is wrong, and a block with an
+// unknown code is not checked further.
+bool Interpreter::take_codes(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  read_codes(machine_.control, block, reading_);
+  if (reading_.not_covered) {
+    out.not_covered = std::move(reading_.not_covered);
+    out.not_covered->block = line;
+    return false;
+  }
+  const auto is_undefined = [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::undefined_code;
+  };
+  const bool has_undefined = std::ranges::any_of(reading_.alarms, is_undefined);
+  for (const Alarm& alarm : reading_.alarms) {
+    if (!has_undefined || is_undefined(alarm)) out.alarms.push_back(alarm);
+  }
+  out.warnings.insert(out.warnings.end(), reading_.warnings.begin(), reading_.warnings.end());
+  return !has_undefined;
+}
+
+// SIE-MOD-02: the M functions that stop or end something come after the motion.
+void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, const Number& value,
+                         BlockOutput& out) {
+  const ClauseId clause = "SIE-MOD-02"_clause;
+  if (value != value.floor()) {
+    out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
+                          "The number of an M function is whole."});
+    return;
+  }
+  if (value.sign() < 0 || value > Number(kLastM)) {
+    out.alarms.push_back({AlarmClass::value_out_of_range, clause, 'M', word.where,
+                          "An M function is from 0 to 99."});
+    return;
+  }
+  Record record;
+  record.kind = RecordKind::m;
+  record.clause = clause;
+  record.block = line;
+  record.m = static_cast<std::int32_t>(*value.to_int64());
+  const std::int32_t m = record.m;
+  const bool ends_program = m == 2 || m == 17 || m == 30;
+  const bool after = ends_program || m == 0 || m == 1;
+  (after ? out.after : out.items).emplace_back(std::move(record));
+  if (ends_program) out.program_end = true;
+  if (m >= 3 && m <= 5) machine_.spindle = m;
+}
+
+// SIE-PAR-01: from left to right, each assignment at once. SIE-COM-01: no address twice. Whether
+// all words have values.
+bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
+  const grammar::Block& block = words.block();
+  const ClauseId clause = "SIE-PAR-01"_clause;
+  bool complete = true;
+  for (const grammar::NamedWord& word : block.named) {
+    const std::optional<Address> address = address_of(word);
+    if (!address || *address == Address::g) continue;
+    const bool repeats = *address == Address::r || *address == Address::m || *address == Address::h;
+    const WordName name =
+        *address == Address::r ? WordName(fmt::format("R{}", *word.index)) : name_of(*address);
+    if (!repeats && words.has(*address)) {
+      out.alarms.push_back({AlarmClass::duplicate_word, kCommon, name, word.where,
+                            fmt::format("The address {} stands twice in the block.", name.text())});
+    }
+    NoValue problem;
+    std::optional<Number> value = calculator_.value(block, word, problem);
+    if (value && *address == Address::r && *word.index >= calculator_.count()) {
+      problem = {word.where,
+                 fmt::format("The R parameters are R0 to R{}.", calculator_.count() - 1), false};
+      value.reset();
+    }
+    if (!value && problem.is_too_long) {
+      out.not_covered = NotCovered{line, "expression", problem.message, problem.where};
+      return false;
+    }
+    if (!value) {
+      complete = false;
+      out.alarms.push_back(
+          {AlarmClass::value_out_of_range, clause, name, word.where, problem.message});
+    } else if (*address == Address::r) {
+      calculator_.assign(*word.index, *std::move(value));
+    } else if (*address == Address::m) {
+      take_m(line, word, *value, out);
+    } else {
+      words.take(*address, word, *std::move(value));
+    }
+  }
+  return complete;
+}
+
+// SIE-LC75-03: T0 and D0 are no tool.
+void Interpreter::take_tool(const BlockWords& words) {
+  if (words.has(Address::t)) {
+    const Number& tool = words.written(Address::t);
+    machine_.tool = tool.sign() == 0 ? std::nullopt : std::optional(tool);
+    machine_.edge = 1;
+  }
+  if (words.has(Address::d)) machine_.edge = words.written(Address::d);
+}
+
+// F and S of a dwell are its own. G90, G70 and the plane hold for their own block.
+void Interpreter::take_modes(BlockContext& block) {
+  const BlockCodes& codes = block.codes;
+  const BlockWords& words = block.words;
+  if (codes.once != 4) {
+    for (const Address address : {Address::f, Address::s}) {
+      if (!words.has(address)) continue;
+      if (words.written(address).sign() < 0) {
+        block.alarm(AlarmClass::value_sign, kCommon, name_of(address),
+                    fmt::format("{} is below zero.", name_of(address).text()));
+      }
+      (address == Address::f ? machine_.feed : machine_.speed) = words.written(address);
+      if (address == Address::s) machine_.speed_given = false;
+    }
+  }
+  if (codes.units >= 0) machine_.modes.inch = codes.units == 70;
+  if (codes.dimension >= 0) machine_.modes.incremental = codes.dimension == 91;
+  if (codes.feed_mode >= 0) {
+    machine_.feed_mode = codes.feed_mode == 95 ? FeedMode::per_revolution : FeedMode::per_minute;
+  }
+  if (codes.plane >= 0) {
+    const auto plane = static_cast<Plane>(codes.plane - 17);
+    if (admits_plane(block, plane, 'G')) take_plane(machine_, plane);
+  }
+  take_tool(words);
+  if (codes.motion) machine_.motion = codes.motion;
+}
+
+// SIE-MOD-02
+Motion Interpreter::motion_in_force() const {
+  if (machine_.motion) return *machine_.motion;
+  return readings_.is(ReadingKey::sie_initial_motion, "g0") ? Motion::traverse : Motion::line;
+}
+
+// Whether words of the block ask for a motion. Those of an arc do, so that they are checked.
+bool asks_for_motion(const BlockWords& words) {
+  constexpr auto kLast = index(Address::turn);
+  for (std::size_t i = 0; i <= kLast; ++i) {
+    if (words.has(static_cast<Address>(i))) return true;
+  }
+  return false;
+}
+
+void Interpreter::run_motion(BlockContext& block) {
+  if (block.words.has(Address::rpl)) {
+    block.alarm(AlarmClass::conflicting_words, "SIE-FRM-04"_clause, WordName("RPL"),
+                "RPL is the angle of G258 and G259.");
+  }
+  if (!asks_for_motion(block.words)) return;
+  switch (motion_in_force()) {
+    case Motion::traverse:
+      return run_line(block, RecordKind::rapid);
+    case Motion::line:
+      return run_line(block, RecordKind::feed);
+    case Motion::clockwise:
+      return run_arc(block, -1);
+    case Motion::counterclockwise:
+      return run_arc(block, +1);
+    case Motion::intermediate:
+      return run_intermediate(block);
+    case Motion::tangent:
+      return run_tangent(block);
+  }
+}
+
+// SIE-MOD-03, SIE-POL-02, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
+ClauseId alone_by(int once) {
+  switch (once) {
+    case 4:
+      return "SIE-MOD-03"_clause;
+    case 158:
+    case 258:
+    case 259:
+      return "SIE-FRM-04"_clause;
+    default:
+      return "SIE-POL-02"_clause;
+  }
+}
+
+void refuse_beside(BlockContext& block, const grammar::NamedWord& word, ClauseId clause,
+                   std::string_view code) {
+  const std::string name = word.index ? fmt::format("{}{}", word.name, *word.index) : word.name;
+  block.out.alarms.push_back({AlarmClass::conflicting_words, clause, WordName(name), word.where,
+                              fmt::format("{} does not stand beside {}.", name, code)});
+}
+
+// Whether nothing else does.
+bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own) {
+  bool alone = true;
+  const grammar::Block& text = block.words.block();
+  for (const grammar::NamedWord& word : text.named) {
+    const std::optional<Address> address = address_of(word);
+    if (address && std::ranges::find(its_own, *address) != its_own.end()) continue;
+    if (address == Address::g &&
+        Number(block.codes.once) == to_number(text.terms[word.first_term].number)) {
+      continue;
+    }
+    alone = false;
+    refuse_beside(block, word, alone_by(block.codes.once), fmt::format("G{}", block.codes.once));
+  }
+  return alone;
+}
+
+void Interpreter::run_once(BlockContext& block) {
+  if (block.codes.several_once) return;  // which of them is meant is not known
+  const PlaneAxes axes = block.plane_axes();
+  switch (block.codes.once) {
+    case 4:
+      if (stands_alone(block, {Address::f, Address::s})) run_dwell(block);
+      return;
+    case 158:
+    case 258:
+    case 259:
+      if (!stands_alone(
+              block, {Address::x, Address::y, Address::z, Address::a, Address::c, Address::rpl})) {
+        return;
+      }
+      return block.codes.once == 158 ? run_translation(block) : run_rotation(block);
+    default:
+      if (stands_alone(block, {address_of(axes.p), address_of(axes.q), Address::ap, Address::rp})) {
+        run_pole(block);
+      }
+  }
+}
+
+// SIE-LC82-03: a cycle stands alone in its block.
+void Interpreter::run_cycle(BlockContext& block) {
+  bool alone = true;
+  bool called = false;
+  for (const grammar::NamedWord& word : block.words.block().named) {
+    if (cycle_of(word) != Cycle::none && !called) {
+      called = true;
+      continue;
+    }
+    alone = false;
+    refuse_beside(block, word, "SIE-LC82-03"_clause, "the call of a cycle");
+  }
+  if (!alone) return;
+  const CycleCall call{block, calculator_, open_paths_};
+  block.codes.cycle == Cycle::lcyc82 ? run_lcyc82(call) : run_lcyc75(call);
+}
+
+void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (block.outside) {
+    out.not_covered = construct_outside(block, line);
+    return;
+  }
+  if (block.named.empty() || !take_codes(line, block, out)) return;
+  BlockWords words(block, machine_.modes);
+  BlockContext context{
+      {machine_, words, profile_, readings_, line, out}, machine_, words, reading_.codes};
+  const bool complete = take_values(line, words, out);
+  if (out.not_covered) {
+    out.alarms.clear();
+    return;
+  }
+  if (complete) {
+    take_modes(context);
+    if (reading_.codes.cycle != Cycle::none) {
+      run_cycle(context);
+    } else if (reading_.codes.once >= 0) {
+      run_once(context);
+    } else {
+      run_motion(context);
+    }
+  }
+  sort_by_place(out.alarms);
+}
+
+}  // namespace
+
+std::unique_ptr<BlockInterpreter> make_interpreter_840d(const Profile& profile,
+                                                        const ReadingsInUse& readings,
+                                                        OpenPaths open_paths) {
+  return std::make_unique<Interpreter>(profile, readings, Control::sinumerik840d, open_paths);
+}
+
+std::unique_ptr<BlockInterpreter> make_interpreter_802s(const Profile& profile,
+                                                        const ReadingsInUse& readings,
+                                                        OpenPaths open_paths) {
+  return std::make_unique<Interpreter>(profile, readings, Control::sinumerik802s, open_paths);
+}
+
+}  // namespace gonogo::reference::sinumerik

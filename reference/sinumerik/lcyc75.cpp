@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// LCYC75: rectangular and circular pockets and slots.
+#include "reference/sinumerik/lcyc75.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+// SIE-LC75-01: where the pocket lies, in base coordinates.
+void place(const CycleCall& call, PocketMilling& pocket) {
+  const Machine& machine = call.block.machine;
+  const PlaneAxes axes = call.block.plane_axes();
+  Position centre = machine.position;
+  centre[axes.p] = call.parameter(116);
+  centre[axes.q] = call.parameter(117);
+  centre[axes.d] = 0;
+  const Position base = machine.frame.to_base(centre);
+  const Number& zero = base[axes.d];
+  pocket.plane = machine.plane;
+  pocket.centre = {base[axes.p], base[axes.q]};
+  pocket.direction = machine.frame.direction_in(machine.plane);
+  pocket.clearance = zero + call.clearance();
+  pocket.reference_plane = zero + call.parameter(103);
+  pocket.retract = zero + call.retract();
+  pocket.floor = zero + call.parameter(104);
+}
+
+// SIE-LC75-05, SIE-LC75-07, SIE-LC75-08, SIE-LC75-10, SIE-LC75-11: what is left to the path.
+// SIE-LC75-02: slots and circles are rectangles with the largest corners that fit.
+void size(const CycleCall& call, const Number& tool_radius, PocketMilling& pocket) {
+  const Number corner = corner_radius(call);
+  const Number& allowance = call.parameter(124);
+  const Number& allowance_in_depth = call.parameter(125);
+  pocket.tool_radius = tool_radius;
+  pocket.finishing = call.parameter(127) == Number(2);
+  if (pocket.finishing) {
+    pocket.length = call.parameter(118);
+    pocket.width = call.parameter(119);
+    pocket.corner_radius = max(corner, tool_radius);
+    pocket.allowance = allowance;
+    pocket.contour_only = allowance.sign() > 0 && allowance_in_depth.sign() == 0;
+    pocket.rough_floor = min(pocket.floor + allowance_in_depth, pocket.reference_plane);
+    pocket.one_level = !call.block.readings.is(ReadingKey::sie_finish_levels, "split");
+  } else {
+    pocket.length = call.parameter(118) - allowance * 2;
+    pocket.width = call.parameter(119) - allowance * 2;
+    pocket.corner_radius = max(corner - allowance, tool_radius);
+    pocket.floor = pocket.floor + allowance_in_depth;
+    pocket.rough_floor = pocket.floor;
+  }
+}
+
+// SIE-LC75-06
+void divide(const CycleCall& call, PocketMilling& pocket) {
+  const ReadingsInUse& readings = call.block.readings;
+  pocket.infeed = call.parameter(121);
+  pocket.levels = readings.is(ReadingKey::sie_infeed, "equal")      ? Levels::equal
+                  : readings.is(ReadingKey::sie_infeed, "max-rest") ? Levels::max_rest
+                                                                    : Levels::open;
+  if (pocket.levels == Levels::open) return;
+  pocket.levels_from_clearance = readings.is(ReadingKey::sie_infeed_from, "clearance");
+}
+
+}  // namespace
+
+void run_lcyc75(const CycleCall& call) {
+  BlockContext& block = call.block;
+  const std::optional<Number> tool_radius = check_pocket(call);
+  if (!tool_radius) return;
+  const ClauseId clause = "SIE-LC75-04"_clause;
+  PocketMilling pocket;
+  pocket.block = block.line;
+  pocket.clause = clause;
+  place(call, pocket);
+  size(call, *tool_radius, pocket);
+  divide(call, pocket);
+  pocket.sense = call.parameter(126) == Number(2) ? -1 : 1;
+  pocket.depth_feed = call.parameter(122);
+  pocket.plane_feed = call.parameter(123);
+  pocket.feed_mode = block.machine.feed_mode;
+  // SIE-LC75-13: the approach is one traverse, then one down to the clearance.
+  const PlaneAxes axes = block.plane_axes();
+  put_cycle_motion(
+      call, RecordKind::rapid, clause,
+      {{axes.p, call.parameter(116)}, {axes.q, call.parameter(117)}, {axes.d, call.retract()}});
+  put_cycle_motion(call, RecordKind::rapid, clause, {{axes.d, call.clearance()}});
+  const bool named = block.readings.is(ReadingKey::sie_pocket_path, "contour-parallel");
+  if (call.open_paths == OpenPaths::shown || named) {
+    block.out.cycle = contour_parallel(pocket);
+  } else {
+    block.put_item(pocket);
+  }
+  // SIE-LC75-13: it ends above the centre at R101.
+  block.machine.position[axes.d] = call.retract();
+  block.machine.base[axes.d] = pocket.retract;
+  block.machine.mark.reset();
+  end_cycle(block);
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One path that LCYC75 admits (reading sie.pocket.path): every level from the centre outwards,
+// along the border of what the tool can reach, moved inwards by whole radii of the tool.
+#include "reference/sinumerik/lcyc75.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+// A pass: the rectangle that the tool's centre runs round, with corners of a radius.
+struct Pass {
+  Number half_length;
+  Number half_width;
+  Number radius;
+};
+
+// A motion of a pass in the pocket's own frame, its centre the origin.
+struct Segment {
+  Number to_u;
+  Number to_v;
+  bool is_arc = false;
+  Number centre_u;
+  Number centre_v;
+};
+
+Record record_of(const PocketMilling& pocket, RecordKind kind) {
+  Record record;
+  record.kind = kind;
+  record.block = pocket.block;
+  record.clause = pocket.clause;
+  record.plane = pocket.plane;
+  record.feed_mode = pocket.feed_mode;
+  return record;
+}
+
+std::array<Number, 2> to_base(const PocketMilling& pocket, const Number& u, const Number& v) {
+  const auto& [cosine, sine] = pocket.direction;
+  return {pocket.centre[0] + u * cosine - v * sine, pocket.centre[1] + u * sine + v * cosine};
+}
+
+Record in_plane(const PocketMilling& pocket, const Segment& segment) {
+  const PlaneAxes axes = axes_of(pocket.plane);
+  Record record = record_of(pocket, segment.is_arc ? RecordKind::arc : RecordKind::feed);
+  record.axes = {axes.p, axes.q};
+  const std::array<Number, 2> to = to_base(pocket, segment.to_u, segment.to_v);
+  record.to[axes.p] = to[0];
+  record.to[axes.q] = to[1];
+  record.feed = pocket.plane_feed;
+  if (segment.is_arc) {
+    record.centre = to_base(pocket, segment.centre_u, segment.centre_v);
+    record.rot = pocket.sense;
+  }
+  return record;
+}
+
+Record in_depth(const PocketMilling& pocket, RecordKind kind, const Number& depth) {
+  const PlaneAxes axes = axes_of(pocket.plane);
+  Record record = record_of(pocket, kind);
+  record.axes = {axes.d};
+  record.to[axes.d] = depth;
+  if (kind != RecordKind::rapid) record.feed = pocket.depth_feed;
+  return record;
+}
+
+// SIE-LC75-12: the motions of a pass from (half_length, 0) round the centre, counterclockwise or
+// clockwise.
+std::vector<Segment> round(const Pass& pass, int sense) {
+  const Number& a = pass.half_length;
+  const Number& b = pass.half_width;
+  const Number& r = pass.radius;
+  const Number side = sense;  // of the first corner: +v counterclockwise
+  std::vector<Segment> segments;
+  const auto line = [&](const Number& u, const Number& v) {
+    segments.push_back({u, side * v, false, 0, 0});
+  };
+  const auto corner = [&](const Number& u, const Number& v, const Number& at_u,
+                          const Number& at_v) {
+    if (r.sign() > 0) segments.push_back({u, side * v, true, at_u, side * at_v});
+  };
+  line(a, b - r);
+  corner(a - r, b, a - r, b - r);
+  line(r - a, b);
+  corner(-a, b - r, r - a, b - r);
+  line(-a, r - b);
+  corner(r - a, -b, r - a, r - b);
+  line(a - r, -b);
+  corner(a, r - b, a - r, r - b);
+  line(a, 0);
+  return segments;
+}
+
+// How far the innermost pass is moved inwards, in radii of the tool: until the tool clears what is
+// inside it, or what roughing left.
+Number innermost(const PocketMilling& pocket, const Number& narrowest, bool whole) {
+  const Number all = (narrowest / pocket.tool_radius).floor();
+  if (whole) return all;
+  const Number strip = (pocket.allowance / pocket.tool_radius).ceil() - 1;
+  return min(max(strip, 0), all);
+}
+
+bool moves(const Segment& segment, const Number& u, const Number& v) {
+  return segment.is_arc || segment.to_u != u || segment.to_v != v;
+}
+
+// SIE-LC75-10: a level. It begins and ends at the centre.
+Generator<Item> clear_level(PocketMilling pocket, bool whole) {
+  const Number half_length = pocket.length / 2 - pocket.tool_radius;
+  const Number half_width = pocket.width / 2 - pocket.tool_radius;
+  const Number corner = pocket.corner_radius - pocket.tool_radius;
+  Number u = 0;
+  Number v = 0;
+  for (Number k = innermost(pocket, min(half_length, half_width), whole); k.sign() >= 0; k -= 1) {
+    const Number inset = k * pocket.tool_radius;
+    const Pass pass{half_length - inset, half_width - inset, max(corner - inset, 0)};
+    std::vector<Segment> segments = round(pass, pocket.sense);
+    segments.insert(segments.begin(), Segment{pass.half_length, 0, false, 0, 0});
+    for (const Segment& segment : segments) {
+      if (!moves(segment, u, v)) continue;
+      u = segment.to_u;
+      v = segment.to_v;
+      const Item item = in_plane(pocket, segment);
+      co_yield item;
+    }
+  }
+  const Segment home{0, 0, false, 0, 0};
+  if (moves(home, u, v)) {
+    const Item item = in_plane(pocket, home);
+    co_yield item;
+  }
+}
+
+}  // namespace
+
+Generator<Item> contour_parallel(PocketMilling pocket) {
+  const Number count = level_count(pocket);
+  for (Number k = 1; k <= count; k += 1) {
+    const Item plunge = in_depth(pocket, RecordKind::feed, depth_of_level(pocket, k));
+    co_yield plunge;
+    // SIE-LC75-07, SIE-LC75-11
+    const bool whole = !pocket.finishing || (k == count && !pocket.contour_only);
+    if (!whole && pocket.allowance.sign() == 0) continue;
+    Generator<Item> level = clear_level(pocket, whole);
+    while (const Item* item = level.next()) co_yield *item;
+  }
+  const Item retract = in_depth(pocket, RecordKind::rapid, pocket.retract);
+  co_yield retract;
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// SIE-LC75-03, SIE-LC75-08, SIE-LC75-09: what LCYC75 needs, in the order of its parameters.
+#include <fmt/format.h>
+
+#include "reference/sinumerik/lcyc75.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+constexpr ClauseId kRanges = "SIE-LC75-09"_clause;
+
+bool roughs(const CycleCall& call) {
+  return call.parameter(127) == Number(1);
+}
+bool finishes(const CycleCall& call) {
+  return call.parameter(127) == Number(2);
+}
+
+// SIE-LC75-03: the tool in force; nothing where there is none.
+std::optional<Number> tool_radius(const CycleCall& call) {
+  const Machine& machine = call.block.machine;
+  if (machine.tool && machine.edge.sign() != 0) {
+    const auto& tools = call.block.profile.tools;
+    const auto found = tools.find(machine.tool->text());
+    if (found != tools.end() && found->second.sign() > 0) return found->second;
+  }
+  return std::nullopt;
+}
+
+void check_tool(const CycleCall& call, const std::optional<Number>& radius) {
+  const ClauseId clause = "SIE-LC75-03"_clause;
+  if (!radius) {
+    call.alarm(AlarmClass::no_tool, clause, 'T', "No tool that the profile describes is in force.");
+  }
+  if (!spindle_turns(call.block.machine)) {
+    call.alarm(AlarmClass::spindle_stopped, clause, 'S', "The spindle does not turn.");
+  }
+}
+
+void need_not_negative(const CycleCall& call, std::uint64_t number) {
+  if (call.parameter(number).sign() >= 0) return;
+  call.parameter_alarm(AlarmClass::value_sign, kRanges, number,
+                       fmt::format("R{} is below zero.", number));
+}
+
+void check_sizes(const CycleCall& call) {
+  for (const std::uint64_t number : {118U, 119U}) {
+    if (call.parameter(number).sign() > 0) continue;
+    call.parameter_alarm(AlarmClass::pocket_size, kRanges, number,
+                         fmt::format("R{} is not above zero.", number));
+  }
+  need_not_negative(call, 120);
+  const Number widest = min(call.parameter(118), call.parameter(119)) / 2;
+  if (call.parameter(120) > widest && widest.sign() > 0 &&
+      call.block.readings.is(ReadingKey::sie_corner, "reject")) {
+    call.parameter_alarm(AlarmClass::pocket_size, kRanges, 120,
+                         "The corner radius R120 is larger than half the pocket.");
+  }
+  if (call.parameter(121).sign() <= 0) {
+    call.parameter_alarm(AlarmClass::value_sign, kRanges, 121,
+                         "The infeed R121 is not above zero.");
+  }
+}
+
+void check_feeds(const CycleCall& call) {
+  for (const std::uint64_t number : {122U, 123U}) {
+    if (call.parameter(number).sign() > 0) continue;
+    call.parameter_alarm(AlarmClass::feed_missing, kRanges, number,
+                         fmt::format("The feed R{} is not above zero.", number));
+  }
+}
+
+void check_allowances(const CycleCall& call, const std::optional<Number>& radius) {
+  need_not_negative(call, 124);
+  if (radius && call.parameter(124) >= *radius * 2) {
+    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 124,
+                         "The allowance R124 is not smaller than the tool.");
+  }
+  need_not_negative(call, 125);
+  const Number depth = call.parameter(103) - call.parameter(104);
+  if (roughs(call) && depth.sign() > 0 && call.parameter(125) >= depth) {
+    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
+                         "The allowance R125 leaves nothing to be roughed.");
+  }
+}
+
+// SIE-LC75-08: the tool between the walls; equality passes.
+void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
+  if (!radius || (!roughs(call) && !finishes(call))) return;
+  const Number needs = roughs(call) ? *radius + call.parameter(124) : *radius;
+  for (const std::uint64_t number : {118U, 119U}) {
+    const Number& size = call.parameter(number);
+    if (size.sign() <= 0 || needs * 2 <= size) continue;
+    call.parameter_alarm(AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
+                         fmt::format("The tool does not fit into R{}.", number));
+  }
+}
+
+}  // namespace
+
+std::optional<Number> check_pocket(const CycleCall& call) {
+  const std::optional<Number> radius = tool_radius(call);
+  check_planes(call);
+  check_sizes(call);
+  check_fit(call, radius);
+  check_feeds(call);
+  check_allowances(call, radius);
+  const Number& direction = call.parameter(126);
+  if (direction != Number(2) && direction != Number(3)) {
+    call.parameter_alarm(AlarmClass::direction_parameter, kRanges, 126, "R126 is neither 2 nor 3.");
+  }
+  if (!roughs(call) && !finishes(call)) {
+    call.parameter_alarm(AlarmClass::machining_type, kRanges, 127, "R127 is neither 1 nor 2.");
+  }
+  check_tool(call, radius);
+  order_by_parameter(call.block.out.alarms);
+  return call.block.out.alarms.empty() ? radius : std::nullopt;
+}
+
+Number corner_radius(const CycleCall& call) {
+  return min(call.parameter(120), min(call.parameter(118), call.parameter(119)) / 2);
+}
+
+}  // namespace gonogo::reference::sinumerik

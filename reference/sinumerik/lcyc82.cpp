@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// LCYC82: drilling and counterboring with a dwell, where the tool stands.
+#include "reference/sinumerik/cycle.hpp"
+
+namespace gonogo::reference::sinumerik {
+
+void run_lcyc82(const CycleCall& call) {
+  BlockContext& block = call.block;
+  const ClauseId clause = "SIE-LC82-01"_clause;
+  check_planes(call);
+  // SIE-LC82-03
+  const Number& dwell = call.parameter(105);
+  if (dwell.sign() < 0) {
+    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-03"_clause, 105,
+                         "The dwell R105 is below zero.");
+  }
+  if (block.machine.feed.sign() == 0) {
+    call.alarm(AlarmClass::feed_missing, "SIE-LC82-03"_clause, 'F', "No feed is in force.");
+  }
+  need_spindle(block);
+  if (!block.out.alarms.empty()) return;
+  const Axis d = block.plane_axes().d;
+  put_cycle_motion(call, RecordKind::rapid, clause, {{d, call.clearance()}});
+  put_cycle_motion(call, RecordKind::feed, clause, {{d, call.parameter(104)}}, block.machine.feed);
+  if (dwell.sign() > 0) {
+    Record record;
+    record.kind = RecordKind::dwell;
+    record.block = block.line;
+    record.clause = clause;
+    record.seconds = dwell;
+    block.put(std::move(record));
+  }
+  put_cycle_motion(call, RecordKind::rapid, clause, {{d, call.retract()}});
+  end_cycle(block);
+}
+
+}  // namespace gonogo::reference::sinumerik

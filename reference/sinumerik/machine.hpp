@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The modal state of a SINUMERIK, and what a block sees of it. Positions and poles are in workpiece
+// coordinates; records are in base coordinates, which put_motion() makes of them by the frame.
+#pragma once
+
+#include "reference/block_base.hpp"
+#include "reference/sinumerik/codes.hpp"
+#include "reference/sinumerik/frame.hpp"
+#include "reference/sinumerik/words.hpp"
+
+namespace gonogo::reference::sinumerik {
+
+using PlanePoint = std::array<Number, 2>;  // along p and q
+
+// What is known of the machine's place in a plane beside its coordinates, which may be enclosures:
+// its exact distance from a point, and the polar coordinates that it was sent to.
+struct PlaceMark {
+  Plane plane = Plane::g17;
+  PlanePoint centre;  // the pole, or the centre of an arc
+  Number radius_2;    // mm^2
+  struct Polar {
+    Number radius;  // RP
+    Number angle;   // AP
+  };
+  std::optional<Polar> polar;  // about `centre`
+};
+
+// How a helix climbs, for the direction at its end.
+struct Climb {
+  Axis axis = Axis::z;
+  Number height;
+  PlanePoint from_centre;  // to the start
+  PlanePoint to_end;       // from the centre
+  bool closed = false;
+  int rot = 0;
+};
+
+// SIE-CT-02: the last motion that has a length.
+struct LastMotion {
+  Position direction;          // at its end; of any length, for a helix without its climb
+  std::optional<Climb> climb;  // of a helix
+  bool undecided = false;      // whether a motion after it has a length cannot be told
+};
+
+struct Machine : MotionState {
+  Control control = Control::sinumerik840d;
+  WordModes modes;
+  std::optional<Motion> motion;  // none: no code of the group was there
+  int spindle = 5;               // M3, M4, M5
+  Number speed;                  // S
+  bool speed_given = false;      // S counts as above zero though it is not known
+  Frame frame;
+  Position base;               // `position` in base coordinates; exact where that is only enclosed
+  std::optional<Number> tool;  // T; none before any T word, or T0
+  Number edge = 1;             // D
+  PlanePoint pole;
+  std::optional<Number> polar_angle;   // AP in force
+  std::optional<Number> polar_radius;  // RP in force, mm
+  std::optional<PlaceMark> mark;
+  std::optional<LastMotion> last;
+};
+
+// Where a block goes.
+struct EndPoint {
+  AxisSet named;
+  Position to;
+  Position by;                    // to - position, exact also where both are only enclosed
+  std::optional<PlaceMark> mark;  // what is known of `to`
+  // Whether it is the start in the plane in force, where that is known.
+  std::optional<bool> closed;
+};
+
+// One block in the hands of the file that carries its code.
+struct BlockContext : BlockBase {
+  Machine& machine;
+  const BlockWords& words;
+  const BlockCodes& codes;
+
+  PlaneAxes plane_axes() const { return axes_of(machine.plane); }
+  void put_item(Item item) { out.items.push_back(std::move(item)); }
+  PlanePoint position_in(const PlaneAxes& axes) const {
+    return {machine.position[axes.p], machine.position[axes.q]};
+  }
+};
+
+// An arc, ready to be put out.
+struct ArcPath {
+  Plane plane = Plane::g17;
+  PlanePoint centre;
+  PlanePoint offset;  // centre - start
+  int rot = 0;
+  ClauseId clause = kNoClause;
+};
+
+// In basic_motion.cpp.
+void run_dwell(BlockContext& block);
+void run_line(BlockContext& block, RecordKind kind);
+// The alarms of a cutting motion that has no feed, or no spindle that turns.
+void need_cutting(BlockContext& block);
+void need_spindle(BlockContext& block);
+bool spindle_turns(const Machine& machine);
+// A straight motion, and an arc: they move the machine.
+void put_line(BlockContext& block, RecordKind kind, ClauseId clause, const EndPoint& end);
+void put_arc(BlockContext& block, const ArcPath& arc, const EndPoint& end);
+// Completes the feed of a cutting record and puts it out.
+void put_motion(BlockContext& block, const EndPoint& end, Record record);
+// Puts out a motion to `end`, both in workpiece coordinates; `standing` are axes that stay.
+void put_in_base(BlockContext& block, Record record, const Position& end, AxisSet standing = {});
+// An alarm for each word of the block that is among these.
+void refuse_words(BlockContext& block, std::initializer_list<Address> addresses);
+
+// In polar.cpp. The end point of the block's axis words, Cartesian or polar; nothing after an
+// alarm.
+std::optional<EndPoint> end_point(BlockContext& block);
+void run_pole(BlockContext& block);
+void take_plane(Machine& machine, Plane plane);
+
+// In arc.cpp, cip.cpp, ct.cpp.
+void run_arc(BlockContext& block, int sense);
+void run_intermediate(BlockContext& block);
+void run_tangent(BlockContext& block);
+// The direction of a motion at its end, of a helix with its climb.
+Position whole_direction(const LastMotion& last);
+
+// In frame.cpp.
+void run_translation(BlockContext& block);
+void run_rotation(BlockContext& block);
+// Whether the rotation in force admits the plane; else the alarm is given, at `word`.
+bool admits_plane(BlockContext& block, Plane plane, WordName word);
+
+// In vectors.cpp. Whether one of the numbers is not zero. Undecided is thrown only where none
+// shows.
+bool any_nonzero(std::initializer_list<Number> numbers);
+// The way from the centre of an arc to its end, rational where that is known.
+PlanePoint from_centre_to_end(const PlaneAxes& axes, const PlanePoint& centre,
+                              const PlanePoint& offset, const EndPoint& end);
+// Whether it can be shown that two points are one.
+bool surely_equal(const PlanePoint& a, const PlanePoint& b);
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// End points, Cartesian and polar, and the pole.
+#include <fmt/format.h>
+
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+using grammar::Dimension;
+
+constexpr ClauseId kRules = "SIE-POL-02"_clause;
+
+struct PolarPoint {
+  Number radius;
+  Number angle;
+};
+
+void move_axis(EndPoint& end, Axis axis, const AxisWord& word, const Number& from) {
+  end.named.add(axis);
+  end.by[axis] = word.incremental ? word.value : word.value - from;
+  end.to[axis] = word.incremental ? from + word.value : word.value;
+}
+
+// SIE-POL-02: the ranges of the words, as written. Whether they are kept.
+bool check_ranges(BlockContext& block) {
+  const BlockWords& words = block.words;
+  bool kept = true;
+  if (words.has(Address::rp) && words.written(Address::rp).sign() < 0) {
+    block.alarm(AlarmClass::value_sign, kRules, WordName("RP"),
+                "A polar radius is not below zero.");
+    kept = false;
+  }
+  if (words.has(Address::ap) && exact::abs(words.written(Address::ap)) > Number(360)) {
+    block.alarm(AlarmClass::value_out_of_range, kRules, WordName("AP"),
+                "A polar angle is from -360 to 360 degrees.");
+    kept = false;
+  }
+  return kept;
+}
+
+// SIE-POL-02: AP and RP hold on; AP=IC() adds to the angle in force.
+std::optional<PolarPoint> polar_point(BlockContext& block) {
+  const BlockWords& words = block.words;
+  Machine& machine = block.machine;
+  const bool in_range = check_ranges(block);
+  if (words.has(Address::rp)) machine.polar_radius = words.length(Address::rp);
+  if (words.has(Address::ap)) {
+    const Number& angle = words.written(Address::ap);
+    if (words.dimension(Address::ap) != Dimension::incremental) {
+      machine.polar_angle = angle;
+    } else if (machine.polar_angle) {
+      machine.polar_angle = *machine.polar_angle + angle;
+    }
+  }
+  if (!machine.polar_angle) block.missing(kRules, WordName("AP"));
+  if (!machine.polar_radius) block.missing(kRules, WordName("RP"));
+  if (!in_range || !machine.polar_angle || !machine.polar_radius) return std::nullopt;
+  return PolarPoint{*machine.polar_radius, *machine.polar_angle};
+}
+
+PlanePoint point_about(const PlanePoint& pole, const PolarPoint& polar) {
+  const auto [cosine, sine] = exact::cos_sin_degrees(polar.angle);
+  return {pole[0] + polar.radius * cosine, pole[1] + polar.radius * sine};
+}
+
+// SIE-ARC-10: whether a polar point is the place where the machine stands; nothing when that does
+// not show in the polar coordinates.
+std::optional<bool> is_place(const Machine& machine, const PolarPoint& polar) {
+  const std::optional<PlaceMark>& mark = machine.mark;
+  if (!mark || !mark->polar || mark->plane != machine.plane ||
+      !surely_equal(mark->centre, machine.pole)) {
+    return std::nullopt;
+  }
+  if (polar.radius != mark->polar->radius) return false;
+  if (polar.radius.sign() == 0) return true;
+  const Number turns = (polar.angle - mark->polar->angle) / Number(360);
+  return turns == turns.floor();
+}
+
+void add_polar(BlockContext& block, const PolarPoint& polar, EndPoint& end) {
+  const Machine& machine = block.machine;
+  const PlaneAxes axes = block.plane_axes();
+  const PlanePoint at = point_about(machine.pole, polar);
+  end.closed = is_place(machine, polar);
+  if (!end.closed.value_or(false)) {
+    move_axis(end, axes.p, {false, at[0]}, machine.position[axes.p]);
+    move_axis(end, axes.q, {false, at[1]}, machine.position[axes.q]);
+  }
+  end.named = end.named | AxisSet{axes.p, axes.q};
+  end.mark = PlaceMark{machine.plane, machine.pole, polar.radius * polar.radius,
+                       PlaceMark::Polar{polar.radius, polar.angle}};
+}
+
+// SIE-COM-01: no Cartesian words of the plane beside AP and RP.
+bool refuse_cartesian(BlockContext& block) {
+  bool refused = false;
+  for (const Axis axis : {block.plane_axes().p, block.plane_axes().q}) {
+    const Address address = address_of(axis);
+    if (!block.words.has(address)) continue;
+    refused = true;
+    block.alarm(AlarmClass::conflicting_words, "SIE-COM-01"_clause, name_of(address),
+                fmt::format("{} is an axis of the plane: it does not stand beside AP and RP.",
+                            name_of(address).text()));
+  }
+  return refused;
+}
+
+// SIE-POL-01: what the words of the pole's block add to its base. Both axes of the plane, or AP
+// and RP; whatever is not written is 0.
+std::optional<PlanePoint> pole_words(BlockContext& block) {
+  const BlockWords& words = block.words;
+  const PlaneAxes axes = block.plane_axes();
+  if (!words.is_polar()) {
+    PlanePoint by;
+    if (words.has(address_of(axes.p))) by[0] = words.length(address_of(axes.p));
+    if (words.has(address_of(axes.q))) by[1] = words.length(address_of(axes.q));
+    return by;
+  }
+  const bool refused = refuse_cartesian(block);
+  const bool in_range = check_ranges(block);
+  if (!words.has(Address::ap)) block.missing(kRules, WordName("AP"));
+  if (!words.has(Address::rp)) block.missing(kRules, WordName("RP"));
+  if (refused || !in_range || !words.has(Address::ap) || !words.has(Address::rp)) {
+    return std::nullopt;
+  }
+  return point_about({}, {words.length(Address::rp), words.written(Address::ap)});
+}
+
+void forget_polar(Machine& machine) {
+  machine.polar_angle.reset();
+  machine.polar_radius.reset();
+}
+
+}  // namespace
+
+std::optional<EndPoint> end_point(BlockContext& block) {
+  const BlockWords& words = block.words;
+  const bool is_polar = words.is_polar();
+  EndPoint end;
+  end.to = block.machine.position;
+  // SIE-ARC-06
+  if (is_polar) {
+    const bool refused = refuse_cartesian(block);
+    const std::optional<PolarPoint> polar = polar_point(block);
+    if (refused || !polar) return std::nullopt;
+    add_polar(block, *polar, end);
+  }
+  for (const Axis axis : kAllAxes) {
+    if (!words.has(address_of(axis))) continue;
+    move_axis(end, axis, words.axis_word(axis), block.machine.position[axis]);
+  }
+  return end;
+}
+
+// SIE-POL-02: the pole goes to the workpiece zero, also with the code of the plane in force.
+void take_plane(Machine& machine, Plane plane) {
+  machine.plane = plane;
+  machine.pole = {};
+  forget_polar(machine);
+}
+
+// SIE-POL-01
+void run_pole(BlockContext& block) {
+  Machine& machine = block.machine;
+  const PlaneAxes axes = block.plane_axes();
+  const std::optional<PlanePoint> by = pole_words(block);
+  if (!by) return;
+  PlanePoint base;  // G111: the workpiece zero
+  if (block.codes.once == 110) base = block.position_in(axes);
+  if (block.codes.once == 112) base = machine.pole;
+  machine.pole = {base[0] + (*by)[0], base[1] + (*by)[1]};
+  forget_polar(machine);
+  if (block.codes.once == 110 && block.words.is_polar()) {
+    // SIE-ARC-10: seen from the pole the machine stands on the other side, exactly RP away.
+    const Number radius = block.words.length(Address::rp);
+    const Number angle = block.words.written(Address::ap) + 180;
+    machine.mark = PlaceMark{machine.plane, machine.pole, radius * radius,
+                             PlaceMark::Polar{radius, angle}};
+  }
+}
+
+}  // namespace gonogo::reference::sinumerik

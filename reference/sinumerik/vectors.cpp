@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+
+bool any_nonzero(std::initializer_list<Number> numbers) {
+  bool undecided = false;
+  for (const Number& number : numbers) {
+    try {
+      if (number.sign() != 0) return true;
+    } catch (const exact::Undecided&) {
+      undecided = true;
+    }
+  }
+  if (undecided) throw exact::Undecided("exact: whether a vector is zero");
+  return false;
+}
+
+PlanePoint from_centre_to_end(const PlaneAxes& axes, const PlanePoint& centre,
+                              const PlanePoint& offset, const EndPoint& end) {
+  const auto along = [&](std::size_t i, Axis axis) {
+    const bool is_absolute = centre[i].is_rational() && end.to[axis].is_rational();
+    return is_absolute ? end.to[axis] - centre[i] : end.by[axis] - offset[i];
+  };
+  return {along(0, axes.p), along(1, axes.q)};
+}
+
+bool surely_equal(const PlanePoint& a, const PlanePoint& b) {
+  try {
+    return a == b;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/sinumerik/words.hpp"
+
+#include <string_view>
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+using grammar::Dimension;
+
+constexpr std::array<std::string_view, kAddresses> kNames = {
+    "X",  "Y",  "Z",    "A",   "C", "I", "J", "K", "I1", "J1", "K1", "CR", "AR",
+    "AP", "RP", "TURN", "RPL", "F", "S", "D", "G", "H",  "M",  "R",  "T"};
+
+// The letters from I to K with a 1: I1, J1, K1.
+std::optional<Address> numbered(const grammar::NamedWord& word) {
+  const char letter = word.name[0];
+  if (letter == 'R') return Address::r;
+  if (letter == 'H') return Address::h;
+  if (letter < 'I' || letter > 'K' || *word.index != 1) return std::nullopt;
+  return static_cast<Address>(index(Address::i1) + static_cast<std::size_t>(letter - 'I'));
+}
+
+}  // namespace
+
+WordName name_of(Address address) {
+  return WordName(kNames[index(address)]);
+}
+
+std::optional<Address> address_of(const grammar::NamedWord& word) {
+  if (word.is_call || word.terms == 0) return std::nullopt;
+  if (word.index) return word.name.size() == 1 ? numbered(word) : std::nullopt;
+  for (std::size_t i = 0; i < kAddresses; ++i) {
+    if (word.name == kNames[i] && kNames[i] != "R") return static_cast<Address>(i);
+  }
+  return std::nullopt;
+}
+
+// SIE-MOD-04
+Number BlockWords::length(Address address) const {
+  return modes_.inch ? inches(written(address)) : written(address);
+}
+
+// SIE-ADDR-01, SIE-G1-03: AC and IC go before G90 and G91; degrees have no units.
+AxisWord BlockWords::point_word(Address address, Axis axis) const {
+  const Dimension how = dimension(address);
+  const bool incremental =
+      how == Dimension::as_in_force ? modes_.incremental : how == Dimension::incremental;
+  return {incremental, is_linear(axis) ? length(address) : written(address)};
+}
+
+AxisWord BlockWords::centre_word(Axis axis) const {
+  const Address address = centre_address(axis);
+  return {dimension(address) != Dimension::absolute, length(address)};
+}
+
+std::optional<grammar::Span> BlockWords::place_of(const WordName& name) const {
+  for (std::size_t i = 0; i < kAddresses; ++i) {
+    if (words_[i].word != nullptr && name.text() == kNames[i]) return words_[i].word->where;
+  }
+  return std::nullopt;
+}
+
+grammar::Span BlockWords::behind() const {
+  if (block_.named.empty()) return {};
+  const std::uint32_t end = block_.named.back().where.end;
+  return {end, end};
+}
+
+}  // namespace gonogo::reference::sinumerik

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Arcs whose ends or centres are known by enclosures (angles AR=, AP=), judged against a subject
+// that computes in doubles.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Judging sinumerik() {
+  Judging judging;
+  judging.dialect = "sinumerik840d";
+  judging.binary64 = true;
+  return judging;
+}
+
+// Polar arcs about the pole (1, 2), each by 7 degrees, to and fro between two radii by lines.
+struct PolarArcs {
+  std::string program = "G17 G90 G71 G94 F100\nG111 X1 Y2\nG0 AP=0 RP=10 Z0\n";
+  TraceText trace{3, 100};
+};
+
+PolarArcs polar_arcs(int count, int pieces = 1) {
+  PolarArcs result;
+  result.trace.decimals(15).rapid({{'x', 11}, {'y', 2}, {'z', 0}});
+  for (int i = 1; i <= count; ++i) {
+    const int degrees = 7 * i % 360;
+    result.program += fmt::format("G3 AP={} RP=10\n", degrees);
+    result.trace.block(3 + i, 100);
+    for (int k = 1; k <= pieces; ++k) {
+      const double angle = (degrees - 7 + 7.0 * k / pieces) * kDegree;
+      result.trace.arc("G17", {{'x', 1}, {'y', 2}}, 1,
+                       {{'x', 1 + 10 * std::cos(angle)}, {'y', 2 + 10 * std::sin(angle)}});
+    }
+  }
+  return result;
+}
+
+TEST(EnclosedArcs, PolarArcsAreFollowed) {
+  for (int pieces : {1, 3}) {
+    const PolarArcs arcs = polar_arcs(60, pieces);
+    const Verdict verdict = judge_trace(arcs.program, arcs.trace.text(), sinumerik());
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << pieces << verdict.message << verdict.want;
+  }
+}
+
+TEST(EnclosedArcs, WithoutLineNumbersArcsOfOneCircleAreJoined) {
+  PolarArcs arcs = polar_arcs(60);
+  Judging judging = sinumerik();
+  judging.blocks = false;
+  const Verdict verdict = judge_trace(arcs.program, arcs.trace.text(), judging);
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.want;
+}
+
+// Lines of one direction whose ends are known by enclosures only.
+TEST(EnclosedArcs, WithoutLineNumbersPolarLinesAreJoined) {
+  const double p = std::cos(25 * kDegree);
+  const double q = std::sin(25 * kDegree);
+  TraceText trace(1, 100);
+  trace.decimals(15).rapid({{'x', 10 * p}, {'y', 10 * q}});
+  trace.feed({{'x', 40 * p}, {'y', 40 * q}});
+  Judging judging = sinumerik();
+  judging.blocks = false;
+  const Verdict verdict = judge_trace("G111 X0 Y0\nG0 AP=25 RP=10\nG1 RP=20 F100\nRP=30\nRP=40\n",
+                                      trace.text(), judging);
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.want;
+}
+
+// By the angle of 33 degrees about (x + 5, 0): what the subject emits is computed in doubles.
+TEST(EnclosedArcs, ArcsByTheirAngleAreFollowedFast) {
+  constexpr int kArcs = 2'000;
+  std::string program = "G17 G90 G71 G94 F100\n";
+  TraceText trace(2, 100);
+  trace.decimals(15);
+  for (int i = 0; i < kArcs; ++i) {
+    const double x = 0.5 * i;
+    const int degrees = 20 + i % 300;
+    program += fmt::format("G0 X{} Y0\nG2 I5 J0 AR={}\n", x, degrees);
+    trace.block(2 + 2 * i, 0).rapid({{'x', x}, {'y', 0}}).block(3 + 2 * i, 100);
+    const double angle = (180 - degrees) * kDegree;
+    trace.arc("G17", {{'x', x + 5}, {'y', 0}}, -1,
+              {{'x', x + 5 + 5 * std::cos(angle)}, {'y', 5 * std::sin(angle)}});
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Verdict verdict = judge_trace(program, trace.text(), sinumerik());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.want;
+  RecordProperty("microseconds_per_arc", static_cast<int>(took.count() * 1e6 / kArcs));
+  EXPECT_LT(took.count(), 20);
+}
+
+// From (30 cos 20, 30 sin 20, 0) through (30, 15, 4) to (12, 25, 9): of the tilted circle only
+// enclosures are known.
+TEST(EnclosedArcs, ACircleInSpaceFromAPolarPointIsFollowed) {
+  const auto trace = [](double off) {
+    TraceText text(2, 100);
+    text.decimals(15).rapid(
+        {{'x', 30 * std::cos(20 * kDegree)}, {'y', 30 * std::sin(20 * kDegree)}});
+    return text.line(fmt::format(
+        R"({{"k":"arc3","b":3,"via":{{"x":"30","y":"{:.15f}","z":"4"}},"to":{{"x":"12","y":"25","z":"9"}},"f":"100"}})",
+        15 + off));
+  };
+  const std::string program = "G111 X0 Y0\nG0 AP=20 RP=30\nCIP I1=30 J1=15 K1=4 X12 Y25 Z9 F100\n";
+  EXPECT_EQ(decision(judge_trace(program, trace(0).text(), sinumerik()).kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(program, trace(0.01).text(), sinumerik()).kind), Decision::no_go);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

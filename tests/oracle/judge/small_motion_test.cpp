@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Motions about as large as the tolerance (0.001 mm), which one side may drop and the other keep;
+// and motions that go on past what is covered. X is a diameter in the programs, a radius in traces.
+#include <gtest/gtest.h>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr double kHair = 1e-10;
+constexpr double kTau = 0.001;
+
+VerdictKind kind_of(std::string_view program, const TraceText& trace, bool blocks = true) {
+  Judging judging;
+  judging.blocks = blocks;
+  judging.binary64 = true;
+  return judge_trace(program, trace.text(), judging).kind;
+}
+Decision decided(std::string_view program, const TraceText& trace, bool blocks = true) {
+  return decision(kind_of(program, trace, blocks));
+}
+
+// The traverse of block 1, short of its end by `hair`.
+TraceText at_ten(double hair = 0) {
+  TraceText trace(1);
+  trace.decimals(15).rapid({{'z', 10 - hair}}).block(2, 100);
+  return trace;
+}
+
+// Exactly the tolerance: the reference drops it.
+constexpr std::string_view kStep = "G00 Z10\nG01 Z10.001 F100\n";
+constexpr std::string_view kStepAndOn = "G00 Z10\nG01 Z10.001 F100\nG00 X20\n";
+
+TEST(SmallMotions, OneThatOnlyTheSubjectKeepsIsNoOverrun) {
+  for (double hair : {-kHair, 0.0, kHair}) {
+    TraceText trace = at_ten(hair);
+    trace.feed({{'z', 10 + kTau + hair}});
+    EXPECT_EQ(decided(kStep, trace), Decision::go) << hair;
+  }
+}
+
+TEST(SmallMotions, OneThatOnlyTheSubjectKeepsMayStandBeforeAnother) {
+  for (double hair : {-kHair, 0.0, kHair}) {
+    TraceText trace = at_ten(hair);
+    trace.feed({{'z', 10 + kTau + hair}}).block(3, 0).rapid({{'x', 10}});
+    EXPECT_EQ(decided(kStepAndOn, trace), Decision::go) << hair;
+  }
+}
+
+TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
+  TraceText trace = at_ten();
+  trace.feed({{'z', 10 + 2 * kTau + kHair}});
+  EXPECT_EQ(kind_of("G00 Z10\n", trace), VerdictKind::fail_overrun);
+  trace.block(3, 0).rapid({{'x', 10}});
+  EXPECT_EQ(decided(kStepAndOn, trace), Decision::no_go);
+}
+
+TEST(SmallMotions, ManyOfThemCannotAddUp) {
+  // To and fro in X, and on in Z by 0.6 of the tolerance.
+  TraceText trace = at_ten();
+  for (int i = 1; i <= 20; ++i) {
+    trace.rapid({{'x', i % 2 == 0 ? 0 : 0.6 * kTau}, {'z', 10 + 0.6 * kTau * i}});
+  }
+  EXPECT_EQ(decided("G00 Z10\n", trace), Decision::no_go);
+  EXPECT_EQ(decided("G00 Z10\nM30\n", trace), Decision::no_go);
+  EXPECT_EQ(decided("G00 Z10\nG00 X100\n", trace), Decision::no_go);
+}
+
+TEST(SmallMotions, ManyOfThemOnTheSpotAreNone) {
+  TraceText trace = at_ten();
+  for (int i = 1; i <= 20; ++i) {
+    trace.rapid({{'x', i % 2 == 0 ? -0.9 * kTau : 0.9 * kTau}});
+  }
+  EXPECT_EQ(decided("G00 Z10\n", trace), Decision::go);
+}
+
+TEST(SmallMotions, ManyDroppedOnesOfTheReferenceCannotAddUp) {
+  // 0.6 of the tolerance ten times, in X and Z by turns so that they are not joined: 0.003 each.
+  std::string program = "G00 Z10\n";
+  for (int i = 1; i <= 5; ++i) {
+    program += "G01 Z" + std::to_string(10 + 0.0006 * i) + " F100\n";
+    program += "X" + std::to_string(0.0012 * i) + "\n";
+  }
+  EXPECT_EQ(decided(program, at_ten()), Decision::no_go);
+}
+
+// The reference keeps a motion of 0.0011; of the subject's, 0.001 long, nothing is left.
+constexpr std::string_view kKept = "G00 Z10\nG01 Z10.0011 F100\n";
+
+TEST(SmallMotions, OneThatOnlyTheReferenceKeepsIsDoneWhereTheSubjectStands) {
+  TraceText trace = at_ten();
+  trace.feed({{'z', 10 + kTau}});
+  EXPECT_EQ(decided(kKept, trace), Decision::go);
+  EXPECT_EQ(decided(kKept, at_ten()), Decision::no_go);
+}
+
+TEST(SmallMotions, OneThatOnlyTheReferenceKeepsMayStandBeforeADwell) {
+  const std::string program = std::string(kKept) + "G04 X1\n";
+  const char* dwell = R"({"k":"dwell","b":3,"s":"1"})";
+  TraceText trace = at_ten();
+  trace.feed({{'z', 10 + kTau}}).line(dwell);
+  EXPECT_EQ(decided(program, trace), Decision::go);
+  EXPECT_EQ(decided(program, at_ten().line(dwell)), Decision::no_go);
+}
+
+// Without line numbers the subject's 0.001 is one with the cut before it, or after it.
+TEST(SmallMotions, OneThatIsJoinedOnOneSideOnlyBelongsToTheCut) {
+  TraceText before = at_ten();
+  before.feed({{'z', 20}}).feed({{'z', 20 + kTau + kHair}});
+  EXPECT_EQ(decided("G00 Z10\nG01 Z20 F100\nZ20.001\n", before, false), Decision::go);
+  TraceText after(1, 100);
+  after.decimals(15).rapid({{'z', 10 - kHair}}).feed({{'z', 10 + kTau}}).feed({{'z', 20}});
+  EXPECT_EQ(decided("G00 Z10\nG01 Z10.001 F100\nZ20\n", after, false), Decision::go);
+}
+
+// A cut from (10, 10) to (15, 20), and on in the same direction after a code that is not covered.
+constexpr std::string_view kCutOn = "G00 X20 Z10\nG01 X30 Z20 F100\nG55\nX60 Z50\n";
+
+TEST(NotCovered, WithoutLineNumbersACutMayGoOnPastIt) {
+  const auto to = [](double x, double z, double feed = 100) {
+    TraceText trace(1, feed);
+    trace.decimals(15).rapid({{'x', 10 + kHair}, {'z', 10}}).feed({{'x', x}, {'z', z}});
+    return kind_of(kCutOn, trace, false);
+  };
+  EXPECT_EQ(to(30, 50), VerdictKind::oracle_gap);
+  EXPECT_EQ(to(15, 20), VerdictKind::oracle_gap);
+  EXPECT_EQ(to(30 + kHair, 50), VerdictKind::oracle_gap);
+  EXPECT_EQ(decision(to(30, 49)), Decision::no_go);
+  EXPECT_EQ(decision(to(5, 0)), Decision::no_go);
+  EXPECT_EQ(decision(to(30, 50, 90)), Decision::no_go);
+}
+
+TEST(NotCovered, WithoutLineNumbersThePiecesOfACutMayGoOnPastIt) {
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 10}, {'z', 10}})
+      .feed({{'x', 12.0005}, {'z', 14}})
+      .feed({{'x', 30}, {'z', 50}});
+  EXPECT_EQ(kind_of(kCutOn, trace, false), VerdictKind::oracle_gap);
+}
+
+// A quarter from (10, 0) to (0, 10) about the origin, and on to (-10, 0).
+TEST(NotCovered, WithoutLineNumbersAnArcMayGoOnPastIt) {
+  constexpr std::string_view kArcOn =
+      "G17 G00 X20 Y0 Z0\nG03 X0 Y10 I-10 J0 F100\nG55\nG03 X-20 Y0 I0 J-10\n";
+  const auto arc = [](double centre, int rot, double x) {
+    TraceText trace(1, 100);
+    trace.rapid({{'x', 10}}).arc("G17", {{'x', centre}, {'y', 0}}, rot, {{'x', x}, {'y', 0}});
+    return kind_of(kArcOn, trace, false);
+  };
+  EXPECT_EQ(arc(0, 1, -10), VerdictKind::oracle_gap);
+  EXPECT_EQ(decision(arc(0, -1, -10)), Decision::no_go);
+  EXPECT_EQ(decision(arc(0.0011, 1, -10)), Decision::no_go);
+  EXPECT_EQ(decision(arc(0, 1, -10.0021)), Decision::no_go);
+}
+
+// With line numbers the cut is told from what follows.
+TEST(NotCovered, WithLineNumbersACutEndsWhereItsBlockDoes) {
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 10}, {'z', 10}}).block(2, 100).feed({{'x', 30}, {'z', 50}});
+  EXPECT_EQ(decided(kCutOn, trace), Decision::no_go);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Expectations for pockets with rounded corners that re-check the evidence of every verdict.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/oracle/region/naive.hpp"
+#include "tests/oracle/region/paths.hpp"
+#include "tests/oracle/region/pockets.hpp"
+
+namespace gonogo::oracle::region {
+
+// Whether the point must be cleared: in the area, and not in what was cleared before.
+bool must_be_cleared(const RectangularLevel& level, const PlanePoint& point);
+// How far the point is from the motions and the plunge point. REQUIRES: all arcs are round.
+Number exact_distance(const Pocket& pocket, const PlanePoint& point);
+
+// What is wrong with a NO-GO, worked out anew from the motions; empty when the witness holds.
+std::string flaw_of_finding(const Pocket& pocket, const Finding& finding);
+// A place that a GO leaves uncovered by more than 1e-6, sampled densely in doubles; empty: none.
+std::string flaw_of_go(const Pocket& pocket);
+
+testing::AssertionResult is_go(const Pocket& pocket, const LevelVerdict& verdict);
+testing::AssertionResult breaks(Rule rule, const Pocket& pocket, const LevelVerdict& verdict);
+
+inline testing::AssertionResult is_go(const Pocket& pocket) {
+  return is_go(pocket, judge(pocket));
+}
+inline testing::AssertionResult breaks(Rule rule, const Pocket& pocket) {
+  return breaks(rule, pocket, judge(pocket));
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The codes and names of the control: SIE-MOD-01, SIE-MOD-02, SIE-MOD-05.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "reference/dialect.hpp"
+#include "sie_expanding.hpp"
+
+namespace gonogo::reference::testing::sie {
+namespace {
+
+TEST(SieCodes, CodesWithoutEffectArePassedOver) {
+  EXPECT_EQ(
+      path("G9 G40 G53 G54 G60 G500 X1\nG55\nG56\nG57\nG64 G601\nG602 T1 D1 H5=12 S9 M6 X2 G0")
+          .size(),
+      1U);
+  EXPECT_EQ(path("G0 G9 G40 G53 G54 G60 G601 T1 D0 H5=12 S9 M6 X2"), Lines{"rapid x2"});
+}
+
+TEST(SieCodes, OutsideCodesAreNotCovered) {
+  for (const char* code :
+       {"G33",  "G41",     "G75",    "G96",    "G153",    "G331",  "G450", "G505",
+        "G550", "G599",    "G641",   "G700",   "G962",    "TRANS", "SUPA", "AMIRROR",
+        "RPL",  "POCKET4", "HOLES1", "LCYC60", "LCYC840", "P"}) {
+    const std::string value = std::string(code) == "P" ? "1" : "";
+    EXPECT_EQ(outcome("X1 " + std::string(code) + value), "not-covered " + std::string(code));
+  }
+  EXPECT_EQ(outcome("CYCLE800(1,2)"), "not-covered CYCLE800");
+  EXPECT_EQ(outcome("G1 B5"), "not-covered B");
+  EXPECT_EQ(outcome("L10"), "not-covered L");
+  EXPECT_EQ(outcome("X1=5"), "not-covered X");
+  EXPECT_EQ(outcome("S2=500"), "not-covered S");
+  EXPECT_EQ(outcome("M2=3"), "not-covered M");
+}
+
+TEST(SieCodes, CodesThatTheControlLacksAreAlarms) {
+  for (const char* code : {"G5", "G20", "G21", "G80", "G158", "G258", "G259", "G504", "G600",
+                           "G1.5", "G999", "G100000"}) {
+    EXPECT_EQ(outcome(code), "undefined-code G") << code;
+  }
+  EXPECT_EQ(outcome("LCYC99"), "undefined-code LCYC99");
+  EXPECT_EQ(outcome("LCYC75"), "undefined-code LCYC75");
+  EXPECT_EQ(outcome("LCYC82"), "undefined-code LCYC82");
+  EXPECT_EQ(outcome("CIPX10"), "undefined-code CIPX10");
+  EXPECT_EQ(outcome("CYCLE"), "undefined-code CYCLE");
+  EXPECT_EQ(outcome("E5"), "undefined-code E");
+  EXPECT_EQ(outcome("I2=5"), "undefined-code I");
+  EXPECT_EQ(clauses("LCYC99"), Lines{"SIE-MOD-02"});
+}
+
+TEST(SieCodes, WhatIsNotCoveredGoesBeforeWhatIsWrong) {
+  EXPECT_EQ(outcome("G1 X1 X2 G5 TRANS"), "not-covered TRANS");
+  EXPECT_EQ(outcome("G1 X1 X2 G5 LCYC99"), "undefined-code G, undefined-code LCYC99");
+}
+
+TEST(SieCodes, TwoCodesOfAGroupAreAnAlarm) {
+  for (const char* codes : {"G0 G1", "G17 G18", "G54 G500", "G60 G64", "G601 G602", "G70 G71",
+                            "G90 G91", "G94 G95", "G4 G110", "G110 G111", "G1 G1"}) {
+    EXPECT_EQ(outcome(codes).substr(0, 16), "duplicate-word G") << codes;
+  }
+  EXPECT_EQ(outcome("G1 CIP"), "duplicate-word CIP");
+  EXPECT_EQ(outcome("CIP CT"), "duplicate-word CT");
+  EXPECT_EQ(outcome("CT G2"), "duplicate-word G");
+  EXPECT_EQ(outcome("G9 G60 G601 G53 G54 G40"), "end");
+  EXPECT_EQ(clauses("G0 G1"), Lines{"SIE-MOD-05"});
+}
+
+TEST(SieCodes, NamesThatArePassedOverAreWarnedOf) {
+  const std::string program = "MSG(\"X5\") G0 X1\nSTOPRE\nLIMS=500 SOFT";
+  const Profile profile = sie();
+  grammar::MemorySource bytes(program);
+  grammar::LineSource source(bytes);
+  Expander expander(profile, source, OpenPaths::shown);
+  std::vector<std::string> names;
+  expander.on_warning([&](const Warning& warning, const grammar::Line& text) {
+    names.push_back(std::to_string(text.number) + " " +
+                    warning.message.substr(0, warning.message.find(' ')));
+  });
+  while (expander.next() != nullptr) {
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"1 MSG", "2 STOPRE", "3 LIMS", "3 SOFT"}));
+}
+
+TEST(SieCodes, ConstructsThatAreNotReadAreNotCovered) {
+  EXPECT_EQ(outcome("IF R1==5 GOTOF ENDE"), "not-covered control-statement");
+  EXPECT_EQ(outcome("X=POT(2)"), "not-covered expression");
+  EXPECT_EQ(outcome("T=\"MILL\""), "not-covered string");
+}
+
+TEST(SieCodes, TheHeadAndCommentsOfALineSayNothing) {
+  EXPECT_EQ(path("%_N_PART_MPF\n; G5\nN10 START1: G0 X1 ; Y2\n:20 x2"),
+            (Lines{"rapid x1", "rapid x2"}));
+}
+
+}  // namespace
+}  // namespace gonogo::reference::testing::sie
