@@ -144,7 +144,7 @@ TEST(NotCovered, WithoutLineNumbersThePiecesOfACutMayGoOnPastIt) {
 TEST(NotCovered, WithoutLineNumbersAnArcMayGoOnPastIt) {
   constexpr std::string_view kArcOn =
       "G17 G00 X20 Y0 Z0\nG03 X0 Y10 I-10 J0 F100\nG55\nG03 X-20 Y0 I0 J-10\n";
-  const auto arc = [](double centre, int rot, double x) {
+  const auto arc = [&](double centre, int rot, double x) {
     TraceText trace(1, 100);
     trace.rapid({{'x', 10}}).arc("G17", {{'x', centre}, {'y', 0}}, rot, {{'x', x}, {'y', 0}});
     return kind_of(kArcOn, trace, false);
