@@ -2,33 +2,11 @@
 #include "expanders/ngc/radii.hpp"
 
 #include <algorithm>
-#include <compare>
-#include <cstdint>
+
+#include "expanders/common/product.hpp"
 
 namespace gonogo::expanders::ngc {
 namespace {
-
-using Unsigned = unsigned __int128;
-
-/// A product of two numbers of 128 bits.
-struct Product {
-  Unsigned high;
-  Unsigned low;
-  auto operator<=>(const Product&) const = default;
-};
-
-Product multiply(Wide a, Wide b) {
-  constexpr Unsigned kMask = ~std::uint64_t{0};
-  const auto left = static_cast<Unsigned>(a);
-  const auto right = static_cast<Unsigned>(b);
-  const Unsigned low = (left & kMask) * (right & kMask);
-  const Unsigned first = (left >> 64) * (right & kMask);
-  const Unsigned second = (left & kMask) * (right >> 64);
-  // Each term is below 2^64: the sum does not overflow.
-  const Unsigned middle = (low >> 64) + (first & kMask) + (second & kMask);
-  return {(left >> 64) * (right >> 64) + (first >> 64) + (second >> 64) + (middle >> 64),
-          (middle << 64) | (low & kMask)};
-}
 
 // The sign of |sqrt(a) - sqrt(b)| - sqrt(t): with a the larger, that of a - b - t - 2 sqrt(b t).
 int compare_difference(Wide a, Wide b, Wide tolerance) {
