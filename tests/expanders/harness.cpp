@@ -68,6 +68,16 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+std::string Outcome::trace() const {
+  std::string text;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i].starts_with("end")) continue;
+    text += std::to_string(blocks[i]) + " " + records[i] + "\n";
+  }
+  if (alarms != 0) text += "alarm " + alarm + " in " + std::to_string(alarm_block) + "\n";
+  return text;
+}
+
 std::string Outcome::motions() const {
   std::vector<std::string> kept = records;
   if (!kept.empty() && kept.back().starts_with("end")) kept.pop_back();

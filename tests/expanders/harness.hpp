@@ -28,6 +28,8 @@ struct Outcome {
 
   /// The records but the closing `end`, a line each.
   std::string motions() const;
+  /// The same with their blocks, and the alarm.
+  std::string trace() const;
   /// Everything, for comparing two outcomes.
   std::string all() const;
 };

@@ -68,19 +68,6 @@ const Exhibit kExhibits[] = {
     {"feed-survives-reset", "G1 X1 F9\n", "1 feed x=1 f=9\n"},
 };
 
-/// The answer and the closing `end` left out.
-std::string trace(const Outcome& outcome) {
-  std::string text;
-  for (std::size_t i = 0; i < outcome.records.size(); ++i) {
-    if (outcome.records[i].starts_with("end")) continue;
-    text += std::to_string(outcome.blocks[i]) + " " + outcome.records[i] + "\n";
-  }
-  if (outcome.alarms != 0) {
-    text += "alarm " + outcome.alarm + " in " + std::to_string(outcome.alarm_block) + "\n";
-  }
-  return text;
-}
-
 class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
 
 TEST_P(PlantedNgcFault, Shows) {
@@ -99,7 +86,7 @@ TEST_P(PlantedNgcFault, Shows) {
 
 TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
   const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(trace(run_ngc(exhibit.program, "{}", exhibit.fault)), exhibit.want);
+  EXPECT_EQ(run_ngc(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
 }
 
 std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {

@@ -88,19 +88,6 @@ const Exhibit kExhibits[] = {
     {"parameters-survive-reset", "G0 X1 R1=7\n", "1 rapid x=1\n"},
 };
 
-/// The answer and the closing `end` left out.
-std::string trace(const Outcome& outcome) {
-  std::string text;
-  for (std::size_t i = 0; i < outcome.records.size(); ++i) {
-    if (outcome.records[i].starts_with("end")) continue;
-    text += std::to_string(outcome.blocks[i]) + " " + outcome.records[i] + "\n";
-  }
-  if (outcome.alarms != 0) {
-    text += "alarm " + outcome.alarm + " in " + std::to_string(outcome.alarm_block) + "\n";
-  }
-  return text;
-}
-
 class PlantedSinumerikFault : public ::testing::TestWithParam<Exhibit> {};
 
 TEST_P(PlantedSinumerikFault, Shows) {
@@ -119,7 +106,7 @@ TEST_P(PlantedSinumerikFault, Shows) {
 
 TEST_P(PlantedSinumerikFault, IsTheOneThatItsNameSays) {
   const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(trace(run_sinumerik(exhibit.program, "{}", exhibit.fault)), exhibit.want);
+  EXPECT_EQ(run_sinumerik(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
 }
 
 std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
