@@ -33,6 +33,24 @@ Fixed read_fraction(const char*& cursor, const char* end, Decimal& number) {
   return fraction + (round_up ? 1 : 0);
 }
 
+unsigned __int128 magnitude_of(Wide value) {
+  const auto bits = static_cast<unsigned __int128>(value);
+  return value < 0 ? -bits : bits;
+}
+
+// In pieces that std::to_chars takes.
+char* write_whole(unsigned __int128 value, char* out) {
+  constexpr std::uint64_t kPiece = 1'000'000'000'000'000'000;
+  constexpr int kDigits = 18;
+  if (value < kPiece)
+    return std::to_chars(out, out + kDigits, static_cast<std::uint64_t>(value)).ptr;
+  out = write_whole(value / kPiece, out);
+  auto rest = static_cast<std::uint64_t>(value % kPiece);
+  for (int digit = kDigits; digit-- > 0; rest /= 10)
+    out[digit] = static_cast<char>('0' + rest % 10);
+  return out + kDigits;
+}
+
 }  // namespace
 
 bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
@@ -61,12 +79,16 @@ bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
   return true;
 }
 
-std::size_t write_decimal(Fixed value, char* text) {
+std::size_t write_decimal(Wide value, char* text) {
   char* out = text;
   if (value < 0) *out++ = '-';
-  const Fixed size = magnitude(value);
-  out = std::to_chars(out, text + kTextSize, size / kOne).ptr;
-  Fixed fraction = size % kOne;
+  const unsigned __int128 size = magnitude_of(value);
+  // Most numbers are short, and divisions of 128 bits slow.
+  const bool is_short = (size >> 63) == 0;
+  const auto count = static_cast<Fixed>(size);
+  out = is_short ? std::to_chars(out, text + kTextSize, count / kOne).ptr
+                 : write_whole(size / kOne, out);
+  Fixed fraction = is_short ? count % kOne : static_cast<Fixed>(size % kOne);
   if (fraction != 0) {
     *out++ = '.';
     while (fraction != 0) {

@@ -68,12 +68,41 @@ bool ProfileReader::dialect(const Json& value) {
   return value == dialect_ || refuse("dialect", value);
 }
 
-bool ProfileReader::readings(const Json& json) {
-  if (!json.is_object()) return refuse("readings", json);
+bool ProfileReader::each(const std::string& name, const Json& json, Part part) {
+  if (!json.is_object()) return refuse(name, json);
   for (const auto& [key, value] : json.items()) {
-    if (!reading(key, value)) return false;
+    if (!(this->*part)(key, value)) return false;
   }
   return true;
+}
+
+bool ProfileReader::profile(const Json& json) {
+  return each("profile", json, &ProfileReader::entry);
+}
+
+bool ProfileReader::entry(const std::string& key, const Json& value) {
+  Fixed resolution = 0;
+  if (key == "dialect") return dialect(value);
+  if (key == "units") return word(key, value, "mm", "inch", common_.inch);
+  // The gauge's tolerance follows from it; the output here is finer than any.
+  if (key == "resolution") return decimal(key, value, resolution);
+  if (key == "block_skip") return boolean(key, value, common_.block_skip);
+  if (key == "alarm_timing") return value == "block" || refuse(key, value);
+  if (key == "initial") return each(key, value, &ProfileReader::initial);
+  if (key == "readings") return each(key, value, &ProfileReader::reading);
+  return setting(key, value);
+}
+
+bool ProfileReader::foreign(const std::string& key, const Json& value) {
+  const bool table = key == "offsets" || key == "parameters" || key == "tools";
+  const bool standard = (key == "increment" && value == "ISB") ||
+                        (key == "x_diameter" && value == false) ||
+                        (table && value.is_object() && value.empty());
+  return standard || refuse(key, value);
+}
+
+bool ProfileReader::is_any(const Json& json) {
+  return text_of(json) == "any";
 }
 
 std::string ProfileReader::text_of(const Json& json) {
@@ -85,6 +114,12 @@ bool ProfileReader::decimal(const std::string& key, const Json& json, Fixed& val
   if (!number) return refuse(key, json);
   value = *number;
   return true;
+}
+
+bool ProfileReader::not_negative(const std::string& key, const Json& json, Fixed& value,
+                                 Fixed most) {
+  if (!decimal(key, json, value)) return false;
+  return (value >= 0 && value <= most) || refuse(key, json);
 }
 
 bool ProfileReader::axis(const std::string& key, const Json& json, Point& point) {

@@ -61,13 +61,14 @@ std::string_view name_of(RunOut run_out) {
 class Reader : public ProfileReader {
  public:
   Reader(Configuration& configuration, std::string& message)
-      : ProfileReader("gsk988ta", message), configuration_(configuration) {}
+      : ProfileReader("gsk988ta", message, {configuration.inch, configuration.block_skip}),
+        configuration_(configuration) {}
 
  private:
   bool profile(const Json& json) override;
+  bool setting(const std::string& key, const Json& value) override;
+  bool initial(const std::string& key, const Json& value) override;
   bool reading(const std::string& key, const Json& json) override;
-  bool setting(const std::string& key, const Json& value);
-  bool initial(const Json& json);
   bool parameters(const Json& json);
 
   Configuration& configuration_;
@@ -75,49 +76,25 @@ class Reader : public ProfileReader {
 
 bool Reader::profile(const Json& json) {
   for (const auto& [key, value] : json.items()) {
-    if (key != "parameters" && !setting(key, value)) return false;
+    if (key != "parameters" && !entry(key, value)) return false;
   }
   // Last: parameter 3403#6 decides, whatever gsk.duplicate says (GSK-COM-07).
   return !json.contains("parameters") || parameters(json["parameters"]);
 }
 
 bool Reader::setting(const std::string& key, const Json& value) {
-  Fixed resolution = 0;
-  if (key == "dialect") return dialect(value);
   if (key == "increment") return word(key, value, "ISB", "ISC", configuration_.fine);
-  if (key == "units") return word(key, value, "mm", "inch", configuration_.inch);
-  // The gauge's tolerance follows from it; the output here is finer than any.
-  if (key == "resolution") return decimal(key, value, resolution);
   if (key == "x_diameter") return boolean(key, value, configuration_.x_diameter);
-  if (key == "block_skip") return boolean(key, value, configuration_.block_skip);
-  if (key == "alarm_timing") return value == "block" || refuse(key, value);
-  if (key == "initial") return initial(value);
   if (key == "reference_point") return point(key, value, configuration_.reference_point);
-  if (key == "readings") return readings(value);
-  const bool nothing = value.is_object() && value.empty();
-  if ((key == "offsets" || key == "tools") && nothing) return true;
-  return refuse(key, value);
+  return foreign(key, value);
 }
 
-bool Reader::initial(const Json& json) {
-  if (!json.is_object()) return refuse("initial", json);
-  for (const auto& [key, value] : json.items()) {
-    bool read = false;
-    if (key == "f") {
-      read = decimal(key, value, configuration_.feed) && configuration_.feed >= 0;
-      if (!read) return refuse(key, value);
-    } else if (key == "plane") {
-      read = code(key, value, 17, 19, configuration_.plane);
-    } else if (key == "motion") {
-      read = code(key, value, 0, 3, configuration_.motion);
-    } else if (key == "spindle") {
-      read = true;  // no cycle here looks at it
-    } else {
-      read = axis(key, value, configuration_.position);
-    }
-    if (!read) return false;
-  }
-  return true;
+bool Reader::initial(const std::string& key, const Json& value) {
+  if (key == "f") return not_negative(key, value, configuration_.feed);
+  if (key == "plane") return code(key, value, 17, 19, configuration_.plane);
+  if (key == "motion") return code(key, value, 0, 3, configuration_.motion);
+  if (key == "spindle") return true;  // no cycle here looks at it
+  return axis(key, value, configuration_.position);
 }
 
 bool Reader::parameters(const Json& json) {
@@ -149,13 +126,10 @@ bool Reader::parameters(const Json& json) {
 }
 
 bool Reader::reading(const std::string& key, const Json& json) {
+  const std::optional<bool> read = choice(kChoices, key, json, configuration_);
+  if (read) return *read;
   const std::string value = text_of(json);
-  // "any" admits the standard outcome, which is then the one taken.
-  const bool any = value == "any";
-  for (const Choice<Configuration>& choice : kChoices) {
-    if (key != choice.key) continue;
-    return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
-  }
+  const bool any = is_any(json);
   for (const Settled& settled : kSettled) {
     if (key == settled.key) return any || value == settled.value || refuse(key, json);
   }

@@ -2,19 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <string_view>
 
 #include "expanders/common/address_set.hpp"
+#include "expanders/common/complaints.hpp"
 #include "expanders/common/tokenizer.hpp"
 #include "expanders/hnc/codes.hpp"
 
 namespace gonogo::expanders::hnc {
-
-/// Place of a word in its block, from 0; kNowhere stands behind all words.
-using Position = std::uint32_t;
-inline constexpr Position kNowhere = std::numeric_limits<Position>::max();
 
 /// One block, its words sorted by address. Fixed size: reading it allocates nothing.
 class Block {

@@ -29,13 +29,13 @@ constexpr Choice<Configuration> kChoices[] = {
 class Reader : public ProfileReader {
  public:
   Reader(Configuration& configuration, std::string& message)
-      : ProfileReader("hnc21t", message), configuration_(configuration) {}
+      : ProfileReader("hnc21t", message, {configuration.inch, configuration.block_skip}),
+        configuration_(configuration) {}
 
  private:
-  bool profile(const Json& json) override;
+  bool setting(const std::string& key, const Json& value) override;
+  bool initial(const std::string& key, const Json& value) override;
   bool reading(const std::string& key, const Json& json) override;
-  bool setting(const std::string& key, const Json& value);
-  bool initial(const Json& json);
   bool motion(const Json& value);
   bool offsets(const Json& json);
   bool parameters(const Json& json);
@@ -43,52 +43,20 @@ class Reader : public ProfileReader {
   Configuration& configuration_;
 };
 
-bool Reader::profile(const Json& json) {
-  for (const auto& [key, value] : json.items()) {
-    if (!setting(key, value)) return false;
-  }
-  return true;
-}
-
 bool Reader::setting(const std::string& key, const Json& value) {
-  Fixed resolution = 0;
-  if (key == "dialect") return dialect(value);
-  if (key == "units") return word(key, value, "mm", "inch", configuration_.inch);
-  // Another maker's; here it can only be the default.
-  if (key == "increment") return value == "ISB" || refuse(key, value);
-  // The gauge's tolerance follows from it; the output here is finer than any.
-  if (key == "resolution") return decimal(key, value, resolution);
   if (key == "x_diameter") return boolean(key, value, configuration_.x_diameter);
-  if (key == "block_skip") return boolean(key, value, configuration_.block_skip);
-  if (key == "alarm_timing") return value == "block" || refuse(key, value);
-  if (key == "initial") return initial(value);
   if (key == "offsets") return offsets(value);
   if (key == "parameters") return parameters(value);
-  if (key == "readings") return readings(value);
-  if (key == "tools" && value.is_object() && value.empty()) return true;
-  return refuse(key, value);
+  return foreign(key, value);
 }
 
-bool Reader::initial(const Json& json) {
-  if (!json.is_object()) return refuse("initial", json);
-  for (const auto& [key, value] : json.items()) {
-    bool read = false;
-    if (key == "f") {
-      read = decimal(key, value, configuration_.feed);
-      if (read && configuration_.feed < 0) return refuse(key, value);
-    } else if (key == "plane") {
-      int plane = 0;
-      read = code(key, value, 18, 18, plane);
-    } else if (key == "motion") {
-      read = motion(value);
-    } else if (key == "spindle") {
-      read = true;  // no cycle here looks at it
-    } else {
-      read = axis(key, value, configuration_.position);
-    }
-    if (!read) return false;
-  }
-  return true;
+bool Reader::initial(const std::string& key, const Json& value) {
+  int plane = 0;
+  if (key == "f") return not_negative(key, value, configuration_.feed);
+  if (key == "plane") return code(key, value, 18, 18, plane);
+  if (key == "motion") return motion(value);
+  if (key == "spindle") return true;  // no cycle here looks at it
+  return axis(key, value, configuration_.position);
 }
 
 bool Reader::motion(const Json& value) {
@@ -122,15 +90,11 @@ bool Reader::parameters(const Json& json) {
 }
 
 bool Reader::reading(const std::string& key, const Json& json) {
-  const std::string value = text_of(json);
-  // "any" admits the standard outcome, which is then the one taken.
-  const bool any = value == "any";
-  for (const Choice<Configuration>& choice : kChoices) {
-    if (key != choice.key) continue;
-    return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
-  }
+  const std::optional<bool> read = choice(kChoices, key, json, configuration_);
+  if (read) return *read;
   if (key != "hnc.missing-axis") return refuse(key, json);
-  if (any || value == "reject") {
+  const std::string value = text_of(json);
+  if (is_any(json) || value == "reject") {
     configuration_.missing_axis = MissingAxis::kReject;
   } else if (value == "keep") {
     configuration_.missing_axis = MissingAxis::kKeep;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "expanders/common/complaints.hpp"
 #include "expanders/common/flow.hpp"
 #include "expanders/common/tracer.hpp"
 #include "expanders/hnc/alarms.hpp"
@@ -11,7 +12,7 @@
 namespace gonogo::expanders::hnc {
 
 /// What every code works on.
-class Machine {
+class Machine : public Complaints<AlarmKind> {
  public:
   Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink, Fault planted)
       : configuration(machine_configuration),
@@ -27,27 +28,14 @@ class Machine {
 
   bool has(Fault planted) const { return fault_ == planted; }
 
-  /// Notes a broken rule. The block goes on being checked; of several the one is reported whose
-  /// word stands first.
-  void complain(AlarmKind kind, char word, Position position) {
-    if (in_alarm_ && position >= position_) return;
-    in_alarm_ = true;
-    alarm_ = {kind, word};
-    position_ = position;
-  }
+  using Complaints::complain;
   void complain(AlarmKind kind, char word, const Block& block) {
     complain(kind, word, block.position(word));
   }
-  void complain(AlarmKind kind) { complain(kind, 0, kNowhere); }
-  bool in_alarm() const { return in_alarm_; }
-  const Alarm& alarm() const { return alarm_; }
-  Flow verdict() const { return in_alarm_ ? Flow::kAlarm : Flow::kContinue; }
+  Flow verdict() const { return in_alarm() ? Flow::kAlarm : Flow::kContinue; }
 
  private:
   Fault fault_;
-  bool in_alarm_ = false;
-  Alarm alarm_;
-  Position position_ = kNowhere;
 };
 
 inline constexpr AddressSet kAxisAddresses{"XZUW"};

@@ -24,10 +24,4 @@ enum class AlarmKind {
 /// The controller's own number and the class that the gauge knows the alarm by.
 AlarmText text_of(AlarmKind kind);
 
-/// An alarm and the address of the word at fault; 0: none.
-struct Alarm {
-  AlarmKind kind = AlarmKind::kSyntax;
-  char word = 0;
-};
-
 }  // namespace gonogo::expanders::ngc

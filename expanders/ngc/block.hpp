@@ -2,20 +2,15 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <string_view>
 #include <vector>
 
 #include "expanders/common/address_set.hpp"
+#include "expanders/common/complaints.hpp"
 #include "expanders/common/tokenizer.hpp"
 #include "expanders/ngc/codes.hpp"
 
 namespace gonogo::expanders::ngc {
-
-/// Place of a word in its block, from 0; kNowhere stands behind all words.
-using Position = std::uint32_t;
-inline constexpr Position kNowhere = std::numeric_limits<Position>::max();
 
 /// An M word.
 struct FunctionWord {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "expanders/common/complaints.hpp"
 #include "expanders/common/flow.hpp"
 #include "expanders/common/tracer.hpp"
 #include "expanders/ngc/alarms.hpp"
@@ -11,7 +12,7 @@
 namespace gonogo::expanders::ngc {
 
 /// What every code works on.
-class Machine {
+class Machine : public Complaints<AlarmKind> {
  public:
   Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink, Fault planted)
       : configuration(machine_configuration),
@@ -27,26 +28,13 @@ class Machine {
 
   bool has(Fault planted) const { return fault_ == planted; }
 
-  /// Notes a broken rule. The block goes on being checked; of several the one is reported whose
-  /// word stands first.
-  void complain(AlarmKind kind, char word, Position position) {
-    if (in_alarm_ && position >= position_) return;
-    in_alarm_ = true;
-    alarm_ = {kind, word};
-    position_ = position;
-  }
+  using Complaints::complain;
   void complain(AlarmKind kind, char word, const Block& block) {
     complain(kind, word, block.position(word));
   }
-  void complain(AlarmKind kind) { complain(kind, 0, kNowhere); }
-  bool in_alarm() const { return in_alarm_; }
-  const Alarm& alarm() const { return alarm_; }
 
  private:
   Fault fault_;
-  bool in_alarm_ = false;
-  Alarm alarm_;
-  Position position_ = kNowhere;
 };
 
 /// In the order of gonogo_axis.

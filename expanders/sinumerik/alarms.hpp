@@ -35,10 +35,4 @@ enum class AlarmKind {
 /// The controller's own number and the class that the gauge knows the alarm by.
 AlarmText text_of(AlarmKind kind);
 
-/// An alarm and the letter of the word at fault; 0: none, or a name of several letters.
-struct Alarm {
-  AlarmKind kind = AlarmKind::kSyntax;
-  char word = 0;
-};
-
 }  // namespace gonogo::expanders::sinumerik

@@ -15,22 +15,42 @@ Address first_word(const Block& block) {
   return Address::kPolarRadius;
 }
 
-// SIE-ARC-02: from the start, whatever G90 and G91 say; AC( ) from the workpiece zero.
-Fixed centre_along(Machine& machine, const Block& block, std::size_t axis) {
+/// A centre as it is given, counted from the start.
+struct GivenCentre {
+  Chord whole;
+  Vector place;  ///< with what rounding took from start and pole
+};
+
+/// At start and end, and their squares where places are whole.
+struct Radii {
+  Wide start_square = 0;
+  Wide end_square = 0;
+  Real start = 0;
+  Real end = 0;
+};
+
+bool is_absolute(const Machine& machine, Value::Mode mode) {
+  if (mode == Value::Mode::kPlain) {
+    return machine.has(Fault::kCentreAbsolute) && !machine.state.incremental;
+  }
+  return mode == Value::Mode::kAbsolute && !machine.has(Fault::kCentreAbsoluteIgnored);
+}
+
+// SIE-ARC-02: from the start, whatever G90 and G91 say; AC( ) from the workpiece zero. `rest` is
+// what rounding took from the result.
+Fixed centre_along(Machine& machine, const Block& block, std::size_t axis, Real& rest) {
   const Address address = centre_address(axis);
   if (!block.has(address)) return 0;
-  const Fixed length = machine.has(Fault::kInchCentreUnscaled) ? block.value(address).number.value
+  const Value& value = block.value(address);
+  const Fixed length = machine.has(Fault::kInchCentreUnscaled) ? value.number.value
                                                                : length_of(machine, block, address);
-  const Value::Mode mode = block.value(address).mode;
-  bool absolute = mode == Value::Mode::kAbsolute && !machine.has(Fault::kCentreAbsoluteIgnored);
-  if (mode == Value::Mode::kPlain && machine.has(Fault::kCentreAbsolute)) {
-    absolute = !machine.state.incremental;
-  }
-  return absolute ? length - machine.state.position[axis] : length;
+  if (!is_absolute(machine, value.mode)) return length;
+  rest = -machine.state.remainder[axis];
+  return length - machine.state.position[axis];
 }
 
 // False: there is no centre to go on with.
-bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, Chord& centre) {
+bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenCentre& centre) {
   const Plane& plane = sketch.plane;
   if (block.has(centre_address(plane.d))) {
     machine.complain(AlarmKind::kAxisNotInPlane, centre_address(plane.d), block);
@@ -40,106 +60,136 @@ bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, Chord&
     const Address address = centre_address(axis);
     if (block.has(address) && block.value(address).number.finer) sketch.rounded = true;
   }
-  centre = {centre_along(machine, block, plane.p), centre_along(machine, block, plane.q)};
-  if (centre.square() != 0) return true;
+  Vector rest;
+  centre.whole = {centre_along(machine, block, plane.p, rest.p),
+                  centre_along(machine, block, plane.q, rest.q)};
+  centre.place = vector_of(centre.whole);
+  centre.place.p += rest.p;
+  centre.place.q += rest.q;
+  if (centre.whole.square() != 0) return true;
   machine.complain(AlarmKind::kArcRadius, first_word(block), block);
   return false;
 }
 
-void put_exact_centre(Machine& machine, const Chord& centre, ArcSketch& sketch) {
-  constexpr Fixed kLargestWhole = Fixed{1} << 53;  // that a double holds without error
-  put_centre(machine, vector_of(centre), sketch);
-  sketch.exact_centre = magnitude(centre.p) < kLargestWhole && magnitude(centre.q) < kLargestWhole;
+void put_exact_centre(Machine& machine, const GivenCentre& centre, ArcSketch& sketch) {
+  put_centre(machine, centre.place, sketch);
+  const Chord& whole = centre.whole;
+  sketch.exact_centre = magnitude(whole.p) < kLargestWhole && magnitude(whole.q) < kLargestWhole;
 }
 
 // The fault that lets the machine follow the radius of the start.
-void move_end_onto_circle(const Machine& machine, const Chord& centre, double ratio,
-                          ArcSketch& sketch) {
-  const Vector end{static_cast<double>(sketch.chord.p - centre.p) * ratio,
-                   static_cast<double>(sketch.chord.q - centre.q) * ratio};
+void move_end_onto_circle(const Machine& machine, const GivenCentre& centre, ArcSketch& sketch) {
+  const Vector end = sketch.way - centre.place;
+  const Real ratio = std::sqrt(centre.place.square() / end.square());
   Point& to = sketch.arc.target.to;
   const Point& from = machine.state.position;
-  to[sketch.plane.p] = from[sketch.plane.p] + centre.p + std::llround(end.p);
-  to[sketch.plane.q] = from[sketch.plane.q] + centre.q + std::llround(end.q);
+  to[sketch.plane.p] = from[sketch.plane.p] + centre.whole.p + std::llround(end.p * ratio);
+  to[sketch.plane.q] = from[sketch.plane.q] + centre.whole.q + std::llround(end.q * ratio);
   take_end(machine.state, sketch);
 }
 
+// SIE-ARC-08: at most half a turn about a centre on the chord itself.
+bool lies_left(const ArcSketch& sketch, const GivenCentre& centre) {
+  const Wide whole = cross(sketch.chord, centre.whole);
+  const Real across = cross(sketch.way, centre.place);
+  const bool on_chord =
+      sketch.rounded ? std::fabs(across) <= kRounding * std::sqrt(sketch.way.square()) : whole == 0;
+  if (on_chord) return sketch.counterclockwise;
+  return sketch.rounded ? across > 0 : whole > 0;
+}
+
 // SIE-ARC-08
-void correct_centre(Machine& machine, const Block& block, const Chord& centre, Wide radius_square,
-                    ArcSketch& sketch) {
-  const Chord& chord = sketch.chord;
-  double side = 0;
+void correct_centre(Machine& machine, const Block& block, const GivenCentre& centre,
+                    const Radii& radii, ArcSketch& sketch) {
+  Real side = 0;
   if (machine.configuration.correction == Correction::kProject) {
-    side = side_of_projection(chord, centre);
+    side = side_of_projection(sketch.way, centre.place);
   } else {
-    const Wide where = cross(chord, centre);
-    // On the chord itself: at most half a turn.
-    const bool left = where == 0 ? sketch.counterclockwise : where > 0;
-    side = side_of_radius(chord, radius_square);
-    if (!left) side = -side;
+    const bool of_end = machine.has(Fault::kCorrectionEndRadius);
+    const Wide whole = of_end ? radii.end_square : radii.start_square;
+    const Real radius = of_end ? radii.end : radii.start;
+    side = sketch.rounded ? side_of_radius(sketch.way, radius * radius)
+                          : side_of_radius(sketch.chord, whole);
+    if (!lies_left(sketch, centre)) side = -side;
   }
-  const Vector corrected = on_bisector(chord, side);
-  if (too_far_turned(vector_of(centre), corrected)) {
+  const Vector corrected = on_bisector(sketch.way, side);
+  if (too_far_turned(centre.place, corrected)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_word(block), block);
   }
   put_centre(machine, corrected, sketch);
 }
 
-// SIE-ARC-07: the circle about `centre`, whose radius at the end has this square.
-void take_circle(Machine& machine, const Block& block, const Chord& centre, Wide end_square,
-                 ArcSketch& sketch) {
-  const Wide start_square = centre.square();
-  if (sketch.chord.square() == 0) return put_exact_centre(machine, centre, sketch);
+// SIE-ARC-07
+Agreement compare(const Machine& machine, const Radii& radii, bool rounded) {
   const Configuration& configuration = machine.configuration;
   const bool constant_only = machine.has(Fault::kConstantToleranceOnly);
   const RadiusTolerance tolerance{configuration.circle_error_constant,
                                   constant_only ? 0 : configuration.circle_error_factor,
                                   machine.has(Fault::kEqualityRefused)};
-  const Wide reference = machine.has(Fault::kEndRadiusTolerance) ? end_square : start_square;
-  const Agreement agreement =
-      compare_radii(start_square, end_square, reference, tolerance, sketch.rounded);
-  const bool unchecked = machine.has(Fault::kEndPointUnchecked);
-  if (agreement == Agreement::kApart && !unchecked) {
+  const bool of_end = machine.has(Fault::kEndRadiusTolerance);
+  if (rounded) {
+    return compare_radii(radii.start, radii.end, of_end ? radii.end : radii.start, tolerance);
+  }
+  return compare_radii(radii.start_square, radii.end_square,
+                       of_end ? radii.end_square : radii.start_square, tolerance);
+}
+
+// The circle about `centre`.
+void take_circle(Machine& machine, const Block& block, const GivenCentre& centre,
+                 const Radii& radii, ArcSketch& sketch) {
+  if (sketch.chord.square() == 0) return put_exact_centre(machine, centre, sketch);
+  const Agreement agreement = compare(machine, radii, sketch.rounded);
+  if (agreement == Agreement::kApart && !machine.has(Fault::kEndPointUnchecked)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_word(block), block);
   }
   if (machine.has(Fault::kEndOntoCircle)) {
-    const double ratio =
-        std::sqrt(static_cast<double>(start_square) / static_cast<double>(end_square));
-    move_end_onto_circle(machine, centre, ratio, sketch);
+    move_end_onto_circle(machine, centre, sketch);
     return put_exact_centre(machine, centre, sketch);
   }
-  const bool kept =
-      agreement != Agreement::kWithin || configuration.correction == Correction::kProgrammed;
+  const bool kept = agreement != Agreement::kWithin ||
+                    machine.configuration.correction == Correction::kProgrammed;
   if (kept) return put_exact_centre(machine, centre, sketch);
-  const bool of_end = machine.has(Fault::kCorrectionEndRadius);
-  correct_centre(machine, block, centre, of_end ? end_square : start_square, sketch);
+  correct_centre(machine, block, centre, radii, sketch);
+}
+
+// `step` from the start; false: out of reach.
+bool put_end(const State& state, std::size_t axis, Real step, Target& target) {
+  step += state.remainder[axis];
+  const Wide whole = to_whole(step);
+  const Wide to = state.position[axis] + whole;
+  if (!in_reach(to)) return false;
+  target.to[axis] = static_cast<Fixed>(to);
+  target.remainder[axis] = step - static_cast<Real>(whole);
+  return true;
 }
 
 }  // namespace
 
 void take_centre(Machine& machine, const Block& block, ArcSketch& sketch) {
-  Chord centre;
+  GivenCentre centre;
   if (!read_centre(machine, block, sketch, centre) || machine.in_alarm()) return;
-  const Chord end{sketch.chord.p - centre.p, sketch.chord.q - centre.q};
-  take_circle(machine, block, centre, end.square(), sketch);
+  const Chord end{sketch.chord.p - centre.whole.p, sketch.chord.q - centre.whole.q};
+  const Radii radii{centre.whole.square(), end.square(), std::sqrt(centre.place.square()),
+                    std::sqrt((sketch.way - centre.place).square())};
+  take_circle(machine, block, centre, radii, sketch);
 }
 
-void take_centre_and_angle(Machine& machine, const Block& block, double angle, ArcSketch& sketch) {
-  Chord centre;
+void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, ArcSketch& sketch) {
+  GivenCentre centre;
   if (!read_centre(machine, block, sketch, centre) || machine.in_alarm()) return;
-  if (machine.has(Fault::kOpeningAngleComplement)) angle = 360 - angle;
-  const Direction2 turn = direction_of(sketch.counterclockwise ? angle : -angle);
-  const Vector c = vector_of(centre);
+  if (machine.has(Fault::kOpeningAngleComplement)) angle = 360 * kOne - angle;
+  const Direction2 turn =
+      direction_of(static_cast<Real>(sketch.counterclockwise ? angle : -angle) / kOne);
+  const Vector c = centre.place;
   // The start seen from the centre is -c.
-  const double p = c.p - c.p * turn.cosine + c.q * turn.sine;
-  const double q = c.q - c.p * turn.sine - c.q * turn.cosine;
+  const Vector end{c.p - c.p * turn.cosine + c.q * turn.sine,
+                   c.q - c.p * turn.sine - c.q * turn.cosine};
   const Plane& plane = sketch.plane;
   Target& target = sketch.arc.target;
-  const Wide to_p = static_cast<Wide>(machine.state.position[plane.p]) + std::llround(p);
-  const Wide to_q = static_cast<Wide>(machine.state.position[plane.q]) + std::llround(q);
-  if (!in_reach(to_p) || !in_reach(to_q)) return machine.complain(AlarmKind::kValueOutOfRange);
-  target.to[plane.p] = static_cast<Fixed>(to_p);
-  target.to[plane.q] = static_cast<Fixed>(to_q);
+  if (!put_end(machine.state, plane.p, end.p, target) ||
+      !put_end(machine.state, plane.q, end.q, target)) {
+    return machine.complain(AlarmKind::kValueOutOfRange);
+  }
   if (turn.cosine != 0 && turn.sine != 0) target.rounded |= plane_axes(plane);
   take_end(machine.state, sketch);
   put_exact_centre(machine, centre, sketch);
@@ -148,14 +198,21 @@ void take_centre_and_angle(Machine& machine, const Block& block, double angle, A
 // SIE-ARC-06: RP is the radius at the end.
 void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   const State& state = machine.state;
+  const Pole& pole = state.pole;
   const Plane& plane = sketch.plane;
-  const Chord centre{state.pole.p - state.position[plane.p],
-                     state.pole.q - state.position[plane.q]};
-  if (centre.square() == 0) {
+  GivenCentre centre;
+  centre.whole = {pole.p - state.position[plane.p], pole.q - state.position[plane.q]};
+  if (centre.whole.square() == 0) {
     return machine.complain(AlarmKind::kArcRadius, first_word(block), block);
   }
-  sketch.rounded = sketch.rounded || state.pole.rounded;
-  take_circle(machine, block, centre, squared(state.polar.radius), sketch);
+  centre.place = vector_of(centre.whole);
+  centre.place.p += pole.rest_p - state.remainder[plane.p];
+  centre.place.q += pole.rest_q - state.remainder[plane.q];
+  sketch.rounded = sketch.rounded || pole.rounded;
+  const Fixed radius = state.polar.radius;
+  const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),
+                    static_cast<Real>(radius)};
+  take_circle(machine, block, centre, radii, sketch);
 }
 
 }  // namespace gonogo::expanders::sinumerik

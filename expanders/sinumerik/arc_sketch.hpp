@@ -15,26 +15,30 @@ struct ArcSketch {
   bool counterclockwise;
   bool to_plane_axis;  ///< the block has a word of the plane's axes
   Arc arc;
-  Chord chord;                ///< from start to end
-  bool rounded = false;       ///< start or end is only nearly what was asked for
-  Vector centre;              ///< from the start
+  Chord chord;                ///< from start to end, in whole counts
+  bool rounded = false;       ///< `chord` is only nearly what was asked for
+  Vector way;                 ///< the chord with what rounding took from its ends
+  Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts
 };
 
-/// Chord and `rounded`, from the target.
+/// Chord, way and `rounded`, from the target.
 void take_end(const State& state, ArcSketch& sketch);
+
+/// No centre is farther, in counts: below 2^126.
+inline constexpr Real kFarthest = 8e37L;
 
 /// Takes the centre, counted from the start. Complains when it is out of reach.
 void put_centre(Machine& machine, const Vector& from_start, ArcSketch& sketch);
 
 /// I J K, with an end point or for a full circle.
 void take_centre(Machine& machine, const Block& block, ArcSketch& sketch);
-/// I J K with AR, in degrees: the end is reckoned.
-void take_centre_and_angle(Machine& machine, const Block& block, double angle, ArcSketch& sketch);
+/// I J K with AR: the end is reckoned.
+void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, ArcSketch& sketch);
 /// AP and RP: the pole is the centre.
 void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch);
 
-/// The direction at the end of the arc.
-Heading heading_of(const Machine& machine, const ArcSketch& sketch);
+/// The direction at the end of the arc, which goes round `turns` times, the last of them in part.
+Heading heading_of(const Machine& machine, const ArcSketch& sketch, int turns);
 
 }  // namespace gonogo::expanders::sinumerik

@@ -2,6 +2,7 @@
 // G2 and G3 by centre, radius, opening angle or polar words.
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "expanders/sinumerik/arc_sketch.hpp"
 
@@ -83,9 +84,14 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
     return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
   }
   const bool long_way = (radius < 0) != machine.has(Fault::kRadiusSignSwapped);
-  double side = fit == ChordFit::kDiameter ? 0 : side_of_radius(sketch.chord, squared(radius));
+  Real side = 0;
+  if (fit != ChordFit::kDiameter) {
+    const Wide square = squared(radius);
+    side = sketch.rounded ? side_of_radius(sketch.way, static_cast<Real>(square))
+                          : side_of_radius(sketch.chord, square);
+  }
   if (sketch.counterclockwise == long_way) side = -side;
-  put_centre(machine, on_bisector(sketch.chord, side), sketch);
+  put_centre(machine, on_bisector(sketch.way, side), sketch);
 }
 
 // SIE-ARC-05: above 0 and below 360 degrees.
@@ -98,8 +104,8 @@ bool check_angle(Machine& machine, const Block& block) {
   return false;
 }
 
-double opening_angle(const Block& block) {
-  return static_cast<double>(block.value(Address::kOpeningAngle).number.value) / kOne;
+Fixed opening_angle(const Block& block) {
+  return block.value(Address::kOpeningAngle).number.value;
 }
 
 void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch) {
@@ -108,9 +114,9 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
     machine.complain(AlarmKind::kArcEndPoint, Address::kOpeningAngle, block);
   }
   if (!in_range || machine.in_alarm()) return;
-  const double side = side_of_angle(opening_angle(block));
+  const Real side = side_of_angle(opening_angle(block));
   const bool left = sketch.counterclockwise != machine.has(Fault::kOpeningAngleOtherSide);
-  put_centre(machine, on_bisector(sketch.chord, left ? side : -side), sketch);
+  put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
 }
 
 // Faults of the axes that move along with the circle.
@@ -132,27 +138,39 @@ int sense_of(const Machine& machine, const ArcSketch& sketch) {
 }  // namespace
 
 void put_centre(Machine& machine, const Vector& from_start, ArcSketch& sketch) {
-  constexpr double kMost = 4e18;  // counts that leave room for the start
-  if (std::fabs(from_start.p) > kMost || std::fabs(from_start.q) > kMost) {
+  if (std::fabs(from_start.p) > kFarthest || std::fabs(from_start.q) > kFarthest) {
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
-  const Point& from = machine.state.position;
+  const State& state = machine.state;
+  const std::size_t p = sketch.plane.p;
+  const std::size_t q = sketch.plane.q;
   sketch.centre = from_start;
-  sketch.arc.centre_p = from[sketch.plane.p] + std::llround(from_start.p);
-  sketch.arc.centre_q = from[sketch.plane.q] + std::llround(from_start.q);
+  sketch.arc.centre_p = state.position[p] + to_whole(state.remainder[p] + from_start.p);
+  sketch.arc.centre_q = state.position[q] + to_whole(state.remainder[q] + from_start.q);
 }
 
-// The radius at the end, turned by a quarter in the sense of the arc.
-Heading heading_of(const Machine& machine, const ArcSketch& sketch) {
-  const Vector end = vector_of(sketch.chord);
-  const bool at_start = machine.has(Fault::kTangentOfStart);
-  const Vector radius = at_start ? Vector{-sketch.centre.p, -sketch.centre.q}
-                                 : Vector{end.p - sketch.centre.p, end.q - sketch.centre.q};
-  const double sense = sketch.counterclockwise ? 1 : -1;
+// The radius at the end, turned by a quarter in the sense of the arc; the third axis moves in
+// proportion to the angle.
+Heading heading_of(const Machine& machine, const ArcSketch& sketch, int turns) {
+  const Plane& plane = sketch.plane;
+  const Vector start = Vector{} - sketch.centre;
+  const Vector end = sketch.way - sketch.centre;
+  const Vector radius = machine.has(Fault::kTangentOfStart) ? start : end;
+  const Real sense = sketch.counterclockwise ? 1 : -1;
   Heading heading;
-  heading.along[sketch.plane.p] = -sense * radius.q;
-  heading.along[sketch.plane.q] = sense * radius.p;
-  heading.exact = sketch.exact_centre && !sketch.rounded;
+  heading.along[plane.p] = -sense * radius.q;
+  heading.along[plane.q] = sense * radius.p;
+  const auto largest = static_cast<Real>(kLargestWhole);
+  heading.exact = sketch.exact_centre && !sketch.rounded && std::fabs(radius.p) <= largest &&
+                  std::fabs(radius.q) <= largest;
+  const Real rise = straight_heading(machine.state, sketch.arc.target).along[plane.d];
+  if (rise == 0) return heading;
+  constexpr Real kFullTurn = 2 * std::numbers::pi_v<Real>;
+  const bool full = sketch.chord.square() == 0;
+  Real sweep = full ? kFullTurn : std::atan2(sense * cross(start, end), dot(start, end));
+  if (sweep < 0) sweep += kFullTurn;
+  heading.along[plane.d] = rise / (sweep + kFullTurn * (turns - 1));
+  heading.exact = false;
   return heading;
 }
 
@@ -188,7 +206,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
   sketch.arc.rot = sense_of(machine, sketch) * turns;
-  plan.heading = heading_of(machine, sketch);
+  plan.heading = heading_of(machine, sketch, turns);
   spoil_helix(machine, plane, target, state.position);
   plan.motion = sketch.arc;
 }
@@ -198,17 +216,16 @@ void take_end(const State& state, ArcSketch& sketch) {
   const Target& target = sketch.arc.target;
   sketch.chord = {target.to[plane.p] - state.position[plane.p],
                   target.to[plane.q] - state.position[plane.q]};
+  sketch.way = vector_of(sketch.chord);
+  sketch.way.p += target.remainder[plane.p] - state.remainder[plane.p];
+  sketch.way.q += target.remainder[plane.q] - state.remainder[plane.q];
   sketch.rounded = ((state.rounded | target.rounded) & plane_axes(plane)) != 0;
 }
 
 bool perform(Machine& machine, const Arc& arc) {
   const Plane& plane = plane_of(arc.plane);
-  Point centre = arc.target.to;
-  centre[plane.p] = arc.centre_p;
-  centre[plane.q] = arc.centre_q;
-  centre = machine.frame.to_machine(centre);
-  return machine.tracer.arc(plane, centre[plane.p], centre[plane.q], arc.rot,
-                            machine.frame.to_machine(arc.target.to),
+  const auto [p, q] = machine.frame.to_machine(plane, arc.centre_p, arc.centre_q);
+  return machine.tracer.arc(plane, p, q, arc.rot, machine.frame.to_machine(arc.target.to),
                             machine.frame.to_machine(arc.target.axes), arc.feed);
 }
 

@@ -2,19 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <limits>
 #include <string_view>
 #include <vector>
 
+#include "expanders/common/complaints.hpp"
 #include "expanders/sinumerik/codes.hpp"
 #include "expanders/sinumerik/tokenizer.hpp"
 
 namespace gonogo::expanders::sinumerik {
-
-/// Place of an item in its block, from 0; kNowhere stands behind all.
-using Position = std::uint32_t;
-inline constexpr Position kNowhere = std::numeric_limits<Position>::max();
 
 /// An M word.
 struct FunctionWord {

@@ -30,58 +30,60 @@ int compare_relative(Wide reference, Wide other, Fixed factor) {
   return below > 0 ? 1 : below < 0 ? -1 : 0;
 }
 
-Agreement compare_rounded(Wide start_square, Wide end_square, Wide reference_square,
-                          const RadiusTolerance& tolerance) {
-  const double difference = std::fabs(std::sqrt(static_cast<double>(start_square)) -
-                                      std::sqrt(static_cast<double>(end_square)));
-  if (difference <= kRounding) return Agreement::kEqual;
-  const double relative = static_cast<double>(tolerance.factor) / kOne *
-                          std::sqrt(static_cast<double>(reference_square));
-  const double limit = std::fmax(static_cast<double>(tolerance.constant), relative);
-  const double slack = tolerance.strict ? -kRounding : kRounding;
-  return difference <= limit + slack ? Agreement::kWithin : Agreement::kApart;
-}
-
 }  // namespace
 
-Vector on_bisector(const Chord& chord, double side) {
-  const Vector d = vector_of(chord);
-  return {(d.p - side * d.q) / 2, (d.q + side * d.p) / 2};
+Vector on_bisector(const Vector& chord, Real side) {
+  return {(chord.p - side * chord.q) / 2, (chord.q + side * chord.p) / 2};
 }
 
-double side_of_radius(const Chord& chord, Wide radius_square) {
+Real side_of_radius(const Chord& chord, Wide radius_square) {
   const Wide rest = 4 * radius_square - chord.square();
   if (rest <= 0) return 0;
-  return std::sqrt(static_cast<double>(rest) / static_cast<double>(chord.square()));
+  return std::sqrt(static_cast<Real>(rest) / static_cast<Real>(chord.square()));
 }
 
-double side_of_angle(double degrees) {
-  if (degrees == 180) return 0;
-  // Both parts of the cotangent from the nearer of 0, 180 and 360 degrees: no digits are lost.
-  constexpr double kHalf = std::numbers::pi / 360;
-  if (degrees > 90 && degrees < 270) return std::tan((180 - degrees) * kHalf);
-  return degrees <= 90 ? 1 / std::tan(degrees * kHalf) : -1 / std::tan((360 - degrees) * kHalf);
+Real side_of_radius(const Vector& chord, Real radius_square) {
+  const Real rest = 4 * radius_square - chord.square();
+  return rest <= 0 ? 0 : std::sqrt(rest / chord.square());
 }
 
-double side_of_projection(const Chord& chord, const Chord& centre) {
-  return 2 * static_cast<double>(cross(chord, centre)) / static_cast<double>(chord.square());
+Real side_of_angle(Fixed angle) {
+  constexpr Fixed kHalfTurn = 180 * kOne;
+  constexpr Fixed kTurn = 360 * kOne;
+  // Both parts of the cotangent from the nearest of 0, 180 and 360 degrees: no digits are lost.
+  auto tangent = [](Fixed part) {
+    return std::tan(static_cast<Real>(part) * (std::numbers::pi_v<Real> / kTurn));
+  };
+  if (angle > kHalfTurn / 2 && angle < kTurn - kHalfTurn / 2) return tangent(kHalfTurn - angle);
+  return angle < kHalfTurn ? 1 / tangent(angle) : -1 / tangent(kTurn - angle);
+}
+
+Real side_of_projection(const Vector& chord, const Vector& centre) {
+  return 2 * cross(chord, centre) / chord.square();
 }
 
 bool too_far_turned(const Vector& programmed, const Vector& corrected) {
-  const double across = programmed.p * corrected.q - programmed.q * corrected.p;
-  const double along = programmed.p * corrected.p + programmed.q * corrected.q;
-  return std::atan2(std::fabs(across), along) > std::sqrt(0.001);
+  const Real turn = std::atan2(std::fabs(cross(programmed, corrected)), dot(programmed, corrected));
+  return turn > std::sqrt(Real{1} / 1000);
 }
 
 Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_square,
-                        const RadiusTolerance& tolerance, bool rounded) {
+                        const RadiusTolerance& tolerance) {
   if (start_square == end_square) return Agreement::kEqual;
-  if (rounded) return compare_rounded(start_square, end_square, reference_square, tolerance);
   const Wide other = reference_square == start_square ? end_square : start_square;
   const int constant = compare_difference(start_square, end_square, tolerance.constant);
   const int relative = compare_relative(reference_square, other, tolerance.factor);
   const int most = tolerance.strict ? -1 : 0;
   return constant <= most || relative <= most ? Agreement::kWithin : Agreement::kApart;
+}
+
+Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance) {
+  const Real difference = std::fabs(start - end);
+  if (difference <= kRounding) return Agreement::kEqual;
+  const Real relative = static_cast<Real>(tolerance.factor) / kOne * reference;
+  const Real limit = std::fmax(static_cast<Real>(tolerance.constant), relative);
+  const Real slack = tolerance.strict ? -kRounding : kRounding;
+  return difference <= limit + slack ? Agreement::kWithin : Agreement::kApart;
 }
 
 ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool rounded) {

@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circles through two points of a plane. Places are counted from the start of the arc. What decides
-// is reckoned in whole numbers, what is put out in binary64.
+// is reckoned in whole numbers where places are whole.
 #pragma once
 
 #include "expanders/common/circle.hpp"
+#include "expanders/sinumerik/real.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
 /// A place or direction in the plane, counts.
 struct Vector {
-  double p = 0;
-  double q = 0;
+  Real p = 0;
+  Real q = 0;
+  constexpr Real square() const { return p * p + q * q; }
+  friend constexpr Vector operator-(const Vector& a, const Vector& b) {
+    return {a.p - b.p, a.q - b.q};
+  }
 };
 inline constexpr Vector vector_of(const Chord& chord) {
-  return {static_cast<double>(chord.p), static_cast<double>(chord.q)};
+  return {static_cast<Real>(chord.p), static_cast<Real>(chord.q)};
+}
+inline constexpr Real cross(const Vector& a, const Vector& b) {
+  return a.p * b.q - a.q * b.p;
+}
+inline constexpr Real dot(const Vector& a, const Vector& b) {
+  return a.p * b.p + a.q * b.q;
 }
 
 inline constexpr Wide cross(const Chord& a, const Chord& b) {
@@ -25,22 +36,24 @@ inline constexpr Wide dot(const Chord& a, const Chord& b) {
 
 /// The centre that lies `side` half chords to the left of the middle of the chord. All circles
 /// through start and end are of this form.
-Vector on_bisector(const Chord& chord, double side);
+Vector on_bisector(const Vector& chord, Real side);
 
 /// The side of the centre for a radius with this square: of the two the one not to the right. A
 /// radius below half the chord gives the middle.
-double side_of_radius(const Chord& chord, Wide radius_square);
+Real side_of_radius(const Chord& chord, Wide radius_square);
+Real side_of_radius(const Vector& chord, Real radius_square);
 
-/// The side of the centre of a counterclockwise arc over `degrees`, above 0 and below 360.
-double side_of_angle(double degrees);
+/// The side of the centre of a counterclockwise arc over `angle`, above 0 and below 360 degrees.
+Real side_of_angle(Fixed angle);
 
 /// The side of `centre` moved square onto the bisector.
-double side_of_projection(const Chord& chord, const Chord& centre);
+Real side_of_projection(const Vector& chord, const Vector& centre);
 
 /// Whether the directions from the start to the two centres are more than sqrt(0.001) rad apart.
 bool too_far_turned(const Vector& programmed, const Vector& corrected);
 
-/// Lengths from angles and roots are right to a count or two: differences up to this are none.
+/// Lengths from angles, roots and long decimals are right to a count or two: differences up to this
+/// are none.
 inline constexpr Fixed kRounding = 4;
 
 enum class Agreement {
@@ -56,9 +69,11 @@ struct RadiusTolerance {
   bool strict = false;  ///< a difference of just the tolerance is too much
 };
 
-/// Compares radii by their squares. `rounded`: they are known to kRounding only.
+/// Compares radii by their squares.
 Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_square,
-                        const RadiusTolerance& tolerance, bool rounded);
+                        const RadiusTolerance& tolerance);
+/// Compares radii that are known to kRounding only.
+Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance);
 
 enum class ChordFit { kShorter, kDiameter, kLonger };
 

@@ -33,19 +33,16 @@ class Reader : public ProfileReader {
  public:
   Reader(Configuration& configuration, std::string& message)
       : ProfileReader(configuration.control == Control::k802S ? kDialectWithCycles : kDialect,
-                      message),
+                      message, {configuration.inch, configuration.block_skip}),
         configuration_(configuration) {}
 
  private:
-  bool profile(const Json& json) override;
+  bool setting(const std::string& key, const Json& value) override;
+  bool initial(const std::string& key, const Json& value) override;
   bool reading(const std::string& key, const Json& json) override;
-  bool setting(const std::string& key, const Json& value);
-  bool initial(const Json& json);
-  bool initial(const std::string& key, const Json& value);
   bool in_room(const std::string& key, const Json& value);
   bool spindle(const Json& value);
   bool parameters(const Json& json);
-  bool not_negative(const std::string& key, const Json& json, Fixed& value);
   bool correction(const Json& json);
   bool cycle_reading(const std::string& key, const Json& json);
   bool tools(const Json& json);
@@ -62,42 +59,14 @@ bool names_cycles(std::string_view text) {
   return json["profile"].value("dialect", nlohmann::json()) == kDialectWithCycles;
 }
 
-bool Reader::profile(const Json& json) {
-  for (const auto& [key, value] : json.items()) {
-    if (!setting(key, value)) return false;
-  }
-  return true;
-}
-
 bool Reader::setting(const std::string& key, const Json& value) {
-  Fixed resolution = 0;
-  if (key == "dialect") return dialect(value);
-  if (key == "units") return word(key, value, "mm", "inch", configuration_.inch);
-  // Another maker's; here it can only be the default.
-  if (key == "increment") return value == "ISB" || refuse(key, value);
-  // The gauge's tolerance follows from it; the output here is finer than any.
-  if (key == "resolution") return decimal(key, value, resolution);
-  if (key == "x_diameter") return value == false || refuse(key, value);
-  if (key == "block_skip") return boolean(key, value, configuration_.block_skip);
-  if (key == "alarm_timing") return value == "block" || refuse(key, value);
-  if (key == "initial") return initial(value);
   if (key == "parameters") return parameters(value);
-  if (key == "readings") return readings(value);
   if (key == "tools" && configuration_.control == Control::k802S) return tools(value);
-  const bool another = key == "offsets" || key == "tools";
-  return (another && value.is_object() && value.empty()) || refuse(key, value);
-}
-
-bool Reader::initial(const Json& json) {
-  if (!json.is_object()) return refuse("initial", json);
-  for (const auto& [key, value] : json.items()) {
-    if (!initial(key, value)) return false;
-  }
-  return true;
+  return foreign(key, value);
 }
 
 bool Reader::initial(const std::string& key, const Json& value) {
-  if (key == "f") return not_negative(key, value, configuration_.feed);
+  if (key == "f") return not_negative(key, value, configuration_.feed, kMost);
   if (key == "plane") return code(key, value, 17, 19, configuration_.plane);
   if (key == "motion") return value == "none" || code(key, value, 0, 3, configuration_.motion);
   if (key == "spindle") return spindle(value);
@@ -125,9 +94,9 @@ bool Reader::parameters(const Json& json) {
   for (const auto& [key, value] : json.items()) {
     bool read = false;
     if (key == "CIRCLE_ERROR_CONST") {
-      read = not_negative(key, value, configuration_.circle_error_constant);
+      read = not_negative(key, value, configuration_.circle_error_constant, kMost);
     } else if (key == "CIRCLE_ERROR_FACTOR") {
-      read = not_negative(key, value, configuration_.circle_error_factor);
+      read = not_negative(key, value, configuration_.circle_error_factor, kMost);
     } else {
       refuse(key, value);
     }
@@ -136,34 +105,21 @@ bool Reader::parameters(const Json& json) {
   return true;
 }
 
-bool Reader::not_negative(const std::string& key, const Json& json, Fixed& value) {
-  if (!decimal(key, json, value)) return false;
-  return (value >= 0 && value <= kMost) || refuse(key, json);
-}
-
 bool Reader::reading(const std::string& key, const Json& json) {
-  // "any" admits the standard outcome, which is then the one taken.
-  const bool any = text_of(json) == "any";
-  for (const Choice<Configuration>& choice : kChoices) {
-    if (key != choice.key) continue;
-    return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
-  }
-  if (key == "sie.arc.correct") return any || correction(json);
+  const std::optional<bool> read = choice(kChoices, key, json, configuration_);
+  if (read) return *read;
+  if (key == "sie.arc.correct") return is_any(json) || correction(json);
   const bool cycles = configuration_.control == Control::k802S;
   return cycles ? cycle_reading(key, json) : refuse(key, json);
 }
 
 bool Reader::cycle_reading(const std::string& key, const Json& json) {
-  const std::string text = text_of(json);
-  const bool any = text == "any";
+  const bool any = is_any(json);
   // Split levels are right under both; of the ways within a pocket only the own one is offered.
-  if (key == "sie.finish.levels") return any || text == "split" || refuse(key, json);
+  if (key == "sie.finish.levels") return any || text_of(json) == "split" || refuse(key, json);
   if (key == "sie.pocket.path") return any || refuse(key, json);
-  for (const Choice<Configuration>& choice : kCycleChoices) {
-    if (key != choice.key) continue;
-    return any || word(key, json, choice.standard, choice.other, configuration_.*choice.option);
-  }
-  return refuse(key, json);
+  const std::optional<bool> read = choice(kCycleChoices, key, json, configuration_);
+  return read ? *read : refuse(key, json);
 }
 
 bool Reader::tools(const Json& json) {
@@ -175,7 +131,7 @@ bool Reader::tools(const Json& json) {
     Fixed& radius = configuration_.tools[std::stol(name)];
     for (const auto& [key, value] : tool.items()) {
       if (key != "radius") return refuse(key, value);
-      if (!not_negative(key, value, radius)) return false;
+      if (!not_negative(key, value, radius, kMost)) return false;
     }
   }
   return true;

@@ -4,8 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
+
+#include "expanders/sinumerik/real.hpp"
 
 namespace gonogo::expanders::sinumerik {
 namespace {
@@ -16,15 +17,6 @@ constexpr double kZeroPart = 4 * std::numeric_limits<double>::epsilon();
 double without_residue(double value, double left, double right) {
   const double size = std::fmax(std::fabs(left), std::fabs(right));
   return std::fabs(value) <= kZeroPart * size ? 0 : value;
-}
-
-// The quarter turns nearest to `degrees`, 0 to 3, and what is left, -45 to 45 degrees.
-int split_quarters(double degrees, double& rest) {
-  const double turn = std::fmod(degrees, 360);
-  const double quarters = std::nearbyint(turn / 90);
-  rest = turn - 90 * quarters;
-  if (std::fabs(rest) <= 90 * kZeroPart) rest = 0;
-  return static_cast<int>(quarters) & 3;
 }
 
 }  // namespace
@@ -61,24 +53,6 @@ Decimal to_counts(double value) {
   const double rest = std::fabs(counts - static_cast<double>(number.value));
   number.finer = rest > 1e-3 + 1e-15 * std::fabs(counts);
   return number;
-}
-
-Direction2 direction_of(double degrees) {
-  double rest = 0;
-  const int quarters = split_quarters(degrees, rest);
-  const double radians = rest * (std::numbers::pi / 180);
-  const double cosine = std::cos(radians);
-  const double sine = std::sin(radians);
-  switch (quarters) {
-    case 0:
-      return {cosine, sine};
-    case 1:
-      return {-sine, cosine};
-    case 2:
-      return {-cosine, -sine};
-    default:
-      return {sine, -cosine};
-  }
 }
 
 bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index) {
@@ -236,9 +210,11 @@ Scan Expression::named(double& value) {
     value = value < 0 ? 0 : std::sqrt(value);
   } else {
     const Direction2 direction = direction_of(value);
-    if (text == "SIN") value = direction.sine;
-    if (text == "COS") value = direction.cosine;
-    if (text == "TAN") value = apply('/', direction.sine, direction.cosine);
+    const auto sine = static_cast<double>(direction.sine);
+    const auto cosine = static_cast<double>(direction.cosine);
+    if (text == "SIN") value = sine;
+    if (text == "COS") value = cosine;
+    if (text == "TAN") value = apply('/', sine, cosine);
   }
   return step;
 }

@@ -33,13 +33,6 @@ enum class Scan {
 /// `value` in counts. One that is no whole number of them is marked as finer.
 Decimal to_counts(double value);
 
-/// Cosine and sine of an angle in degrees; exact for whole quarter turns.
-struct Direction2 {
-  double cosine;
-  double sine;
-};
-Direction2 direction_of(double degrees);
-
 /// Reads one expression: numbers, R parameters, + - * /, brackets, SIN COS TAN SQRT ABS.
 class Expression {
  public:

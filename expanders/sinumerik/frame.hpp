@@ -4,7 +4,7 @@
 #include <array>
 
 #include "expanders/common/axes.hpp"
-#include "expanders/sinumerik/expression.hpp"
+#include "expanders/sinumerik/real.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
@@ -17,9 +17,17 @@ class Frame {
   Point to_workpiece(const Point& machine) const;
   /// The machine axes that move when `axes` of the workpiece are named.
   Axes to_machine(Axes axes) const;
-  /// Directions along X, Y, Z.
-  std::array<double, 3> direction_to_machine(const std::array<double, 3>& workpiece) const;
-  std::array<double, 3> direction_to_workpiece(const std::array<double, 3>& machine) const;
+  /// A place of `plane`, which is the one of the rotation if there is one.
+  std::array<Wide, 2> to_machine(const Plane& plane, Wide p, Wide q) const;
+  /// Along X, Y, Z.
+  using Direction = std::array<Real, 3>;
+  /// A place between whole counts.
+  Direction place_to_machine(const Direction& workpiece) const;
+  Direction place_to_workpiece(const Direction& machine) const;
+  Direction direction_to_machine(const Direction& workpiece) const {
+    return turned(workpiece, false);
+  }
+  Direction direction_to_workpiece(const Direction& machine) const { return turned(machine, true); }
 
   const Point& shift() const { return shift_; }
   /// `rounded`: axes along which it is only nearly what was asked for.
@@ -44,7 +52,8 @@ class Frame {
   bool is_exact() const { return turn_.cosine == 0 || turn_.sine == 0; }
   Axes turned_axes() const;
   Point turned(const Point& point, bool back) const;
-  std::array<double, 3> turned(const std::array<double, 3>& direction, bool back) const;
+  std::array<Wide, 2> turned(Wide p, Wide q, bool back) const;
+  Direction turned(const Direction& direction, bool back) const;
 
   Point shift_{};
   Axes shift_rounded_ = 0;

@@ -259,6 +259,7 @@ void Interpreter::take_position(const Plan& plan) {
   if (const Target* target = target_of(plan)) {
     state.position = target->to;
     state.rounded = target->rounded;
+    state.remainder = target->remainder;
   }
   // SIE-CT-02: motions without length leave it.
   if (plan.heading.known()) state.heading = plan.heading;

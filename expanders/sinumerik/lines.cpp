@@ -5,12 +5,11 @@
 namespace gonogo::expanders::sinumerik {
 
 Heading straight_heading(const State& state, const Target& target) {
-  constexpr Fixed kLargestWhole = Fixed{1} << 53;  // that a double holds without error
   Heading heading;
   heading.exact = ((state.rounded | target.rounded) & kLinearAxes) == 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Fixed way = target.to[axis] - state.position[axis];
-    heading.along[axis] = static_cast<double>(way);
+    heading.along[axis] = static_cast<Real>(way) + (target.remainder[axis] - state.remainder[axis]);
     if (magnitude(way) > kLargestWhole) heading.exact = false;
   }
   return heading;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "expanders/common/complaints.hpp"
 #include "expanders/common/flow.hpp"
 #include "expanders/common/tracer.hpp"
 #include "expanders/sinumerik/alarms.hpp"
@@ -12,7 +13,7 @@
 namespace gonogo::expanders::sinumerik {
 
 /// What every code works on.
-class Machine {
+class Machine : public Complaints<AlarmKind> {
  public:
   Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink, Fault planted)
       : configuration(machine_configuration),
@@ -38,20 +39,10 @@ class Machine {
   /// Without translation and rotation.
   Frame plain_frame() const { return plain_frame(fault_); }
 
-  /// Notes a broken rule. The block goes on being checked; of several the one is reported whose
-  /// word stands first.
-  void complain(AlarmKind kind, char word, Position position) {
-    if (in_alarm_ && position >= position_) return;
-    in_alarm_ = true;
-    alarm_ = {kind, word};
-    position_ = position;
-  }
+  using Complaints::complain;
   void complain(AlarmKind kind, Address address, const Block& block) {
     complain(kind, letter_of(address), block.position(address));
   }
-  void complain(AlarmKind kind) { complain(kind, 0, kNowhere); }
-  bool in_alarm() const { return in_alarm_; }
-  const Alarm& alarm() const { return alarm_; }
 
  private:
   static Frame plain_frame(Fault planted) {
@@ -62,9 +53,6 @@ class Machine {
   }
 
   Fault fault_;
-  bool in_alarm_ = false;
-  Alarm alarm_;
-  Position position_ = kNowhere;
 };
 
 inline constexpr Axes kLinearAxes = axis_bit(GONOGO_X) | axis_bit(GONOGO_Y) | axis_bit(GONOGO_Z);
@@ -81,8 +69,9 @@ inline constexpr bool in_reach(Wide value) {
 /// Where a motion ends.
 struct Target {
   Point to{};
-  Axes axes = 0;     ///< those with a word, of a polar target both of the plane
-  Axes rounded = 0;  ///< as State::rounded, after the motion
+  Axes axes = 0;          ///< those with a word, of a polar target both of the plane
+  Axes rounded = 0;       ///< as State::rounded, after the motion
+  Remainder remainder{};  ///< as State::remainder
 };
 
 /// The axes with a word in the block.

@@ -30,8 +30,8 @@ struct Line {
 struct Arc {
   int plane = 17;
   Target target;
-  Fixed centre_p = 0;
-  Fixed centre_q = 0;
+  Wide centre_p = 0;
+  Wide centre_q = 0;
   int rot = 0;
   Feed feed;
 };

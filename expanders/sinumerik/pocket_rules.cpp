@@ -147,7 +147,7 @@ void take_centre(const Machine& machine, CycleParameters& r, Pocket& pocket) {
 Target end_of(const Machine& machine, const Pocket& pocket, bool rounded) {
   const Plane& plane = plane_of(pocket.plane);
   const Axes axes = plane_axes(plane) | axis_bit(plane.d);
-  Target target{machine.state.position, axes, machine.state.rounded & ~axes};
+  Target target{machine.state.position, axes, machine.state.rounded & ~axes, {}};
   if (rounded) target.rounded |= axes;
   target.to[plane.p] = pocket.centre_p;
   target.to[plane.q] = pocket.centre_q;

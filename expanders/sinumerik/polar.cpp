@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Poles, and targets by angle and radius.
-#include <cmath>
-
 #include "expanders/sinumerik/machine.hpp"
 
 namespace gonogo::expanders::sinumerik {
@@ -54,25 +52,31 @@ Polar take_polar(Machine& machine, const Block& block, Polar polar) {
 
 // The place at `polar` from `base`.
 Pole place_of(Machine& machine, const Pole& base, const Polar& polar) {
-  Direction2 direction = direction_of(static_cast<double>(polar.angle) / kOne);
+  Direction2 direction = direction_of(static_cast<Real>(polar.angle) / kOne);
   if (machine.has(Fault::kPolarG18Swapped) && machine.state.plane == 18) {
     direction = {direction.sine, direction.cosine};
   }
-  const auto radius = static_cast<double>(polar.radius);
-  const Wide p = Wide{base.p} + std::llround(radius * direction.cosine);
-  const Wide q = Wide{base.q} + std::llround(radius * direction.sine);
+  const auto radius = static_cast<Real>(polar.radius);
+  const Real from_p = base.rest_p + radius * direction.cosine;
+  const Real from_q = base.rest_q + radius * direction.sine;
+  const Wide step_p = to_whole(from_p);
+  const Wide step_q = to_whole(from_q);
+  const Wide p = base.p + step_p;
+  const Wide q = base.q + step_q;
   if (!in_reach(p) || !in_reach(q)) {
     machine.complain(AlarmKind::kValueOutOfRange);
     return base;
   }
   const bool on_axis = polar.angle % (90 * kOne) == 0 || polar.radius == 0;
   return {static_cast<Fixed>(p), static_cast<Fixed>(q),
-          base.rounded || polar.radius_rounded || !on_axis};
+          base.rounded || polar.radius_rounded || !on_axis, from_p - static_cast<Real>(step_p),
+          from_q - static_cast<Real>(step_q)};
 }
 
 Pole position_in(const State& state, const Plane& plane) {
   return {state.position[plane.p], state.position[plane.q],
-          (state.rounded & plane_axes(plane)) != 0};
+          (state.rounded & plane_axes(plane)) != 0, state.remainder[plane.p],
+          state.remainder[plane.q]};
 }
 
 // SIE-POL-01: position, zero, last pole.
@@ -104,6 +108,8 @@ Target polar_target(Machine& machine, const Block& block) {
   const Pole place = place_of(machine, state.pole, polar);
   target.to[plane.p] = place.p;
   target.to[plane.q] = place.q;
+  target.remainder[plane.p] = place.rest_p;
+  target.remainder[plane.q] = place.rest_q;
   target.axes |= plane_axes(plane);
   target.rounded &= ~plane_axes(plane);
   if (place.rounded) target.rounded |= plane_axes(plane);

@@ -49,6 +49,21 @@ void take_rotation(Machine& machine, const Block& block, bool adds, Frame& frame
   frame.turn_by(block.value(Address::kRotation).number.value, machine.state.plane);
 }
 
+// What rounding takes from the place of the tool, which is `position` in `frame`.
+Remainder remainder_in(const Machine& machine, const Frame& frame, const Point& position) {
+  const State& state = machine.state;
+  Frame::Direction place{};
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    place[axis] = static_cast<Real>(state.position[axis]) + state.remainder[axis];
+  }
+  place = frame.place_to_workpiece(machine.frame.place_to_machine(place));
+  Remainder remainder{};
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    remainder[axis] = place[axis] - static_cast<Real>(position[axis]);
+  }
+  return remainder;
+}
+
 // SIE-FRM-04: the tool stays where it is; its place is reckoned anew.
 void put_frame(Machine& machine, const Frame& frame) {
   State& state = machine.state;
@@ -65,6 +80,7 @@ void put_frame(Machine& machine, const Frame& frame) {
       frame.direction_to_workpiece(machine.frame.direction_to_machine(state.heading.along));
   const Axes inexact = machine.frame.rounded() | frame.rounded();
   state.heading.exact = state.heading.exact && (inexact & kLinearAxes) == 0;
+  state.remainder = remainder_in(machine, frame, position);
   state.position = position;
   machine.frame = frame;
 }

@@ -6,6 +6,7 @@
 
 #include "expanders/sinumerik/configuration.hpp"
 #include "expanders/sinumerik/expression.hpp"
+#include "expanders/sinumerik/real.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
@@ -17,6 +18,8 @@ struct Pole {
   Fixed p = 0;
   Fixed q = 0;
   bool rounded = false;  ///< it came from an angle
+  Real rest_p = 0;       ///< what rounding took
+  Real rest_q = 0;
 };
 
 /// AP and RP in force.
@@ -30,9 +33,9 @@ struct Polar {
 
 /// The direction of a motion at its end, of any length.
 struct Heading {
-  std::array<double, 3> along{};  ///< X, Y, Z
-  bool exact = false;             ///< whole numbers without error
-  bool known() const { return along != std::array<double, 3>{}; }
+  std::array<Real, 3> along{};  ///< X, Y, Z
+  bool exact = false;           ///< whole numbers up to kLargestWhole
+  bool known() const { return along != std::array<Real, 3>{}; }
 };
 
 /// All that one block hands to the next; places are those of the workpiece.
@@ -49,7 +52,8 @@ struct State {
         speed_given(configuration.spindle_turns) {}
 
   Point position;
-  Axes rounded = 0;  ///< axes whose position is only nearly what was asked for
+  Axes rounded = 0;       ///< axes whose position is only nearly what was asked for
+  Remainder remainder{};  ///< of the position, where it is known
   bool inch;
   bool incremental = false;
   int plane;

@@ -2,6 +2,7 @@
 // CT: the arc that goes on in the direction of the motion before.
 #include <cmath>
 
+#include "expanders/common/product.hpp"
 #include "expanders/sinumerik/arc_sketch.hpp"
 
 namespace gonogo::expanders::sinumerik {
@@ -9,9 +10,12 @@ namespace {
 
 /// The way to the end against the direction at the start.
 struct Bend {
-  double across = 0;  ///< positive: to the left
-  double along = 0;
+  Real across = 0;  ///< positive: to the left
+  Real along = 0;
   bool straight = false;
+  bool exact = false;  ///< the two that follow are known
+  Wide whole_across = 0;
+  Wide whole_along = 0;
 };
 
 Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
@@ -19,41 +23,88 @@ Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
   Bend bend;
   if (heading.exact && !sketch.rounded) {
     const Chord direction{static_cast<Fixed>(t.p), static_cast<Fixed>(t.q)};
-    const Wide across = cross(direction, sketch.chord);
-    bend.across = static_cast<double>(across);
-    bend.along = static_cast<double>(dot(direction, sketch.chord));
-    bend.straight = across == 0;
+    bend.exact = true;
+    bend.whole_across = cross(direction, sketch.chord);
+    bend.whole_along = dot(direction, sketch.chord);
+    bend.across = static_cast<Real>(bend.whole_across);
+    bend.along = static_cast<Real>(bend.whole_along);
+    bend.straight = bend.whole_across == 0;
     return bend;
   }
-  const Vector d = vector_of(sketch.chord);
-  bend.across = t.p * d.q - t.q * d.p;
-  bend.along = t.p * d.p + t.q * d.q;
-  const double off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
-  bend.straight = off_line <= kRounding / 2. + 1e-12 * std::hypot(d.p, d.q);
+  const Vector& d = sketch.way;
+  bend.across = cross(t, d);
+  bend.along = dot(t, d);
+  const Real off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
+  bend.straight = off_line <= kRounding / Real{2} + 1e-15L * std::hypot(d.p, d.q);
   return bend;
 }
 
 // SIE-CT-02: the direction, seen in the plane.
 bool has_direction(const Heading& heading, const Plane& plane) {
-  const double in_plane = std::hypot(heading.along[plane.p], heading.along[plane.q]);
-  const double across = std::fabs(heading.along[plane.d]);
-  return in_plane > (heading.exact ? 0 : 1e-12 * across);
+  const Real in_plane = std::hypot(heading.along[plane.p], heading.along[plane.q]);
+  const Real across = std::fabs(heading.along[plane.d]);
+  return in_plane > (heading.exact ? 0 : 1e-12L * across);
 }
 
-// The direction at the end: that of the start mirrored at the chord.
-Heading mirrored(const Heading& heading, const ArcSketch& sketch, const Bend& bend) {
-  const Vector d = vector_of(sketch.chord);
-  const double square = d.p * d.p + d.q * d.q;
-  const double double_part = 2 * bend.along / square;
+// The direction at the end: that of the start mirrored at the chord. The angle of the arc is twice
+// that between tangent and chord.
+Heading mirrored(const State& state, const ArcSketch& sketch, const Bend& bend) {
+  const Plane& plane = sketch.plane;
+  const Heading& heading = state.heading;
+  const Vector& d = sketch.way;
+  const Real double_part = 2 * bend.along / d.square();
   Heading result;
-  result.along[sketch.plane.p] = double_part * d.p - heading.along[sketch.plane.p];
-  result.along[sketch.plane.q] = double_part * d.q - heading.along[sketch.plane.q];
+  result.along[plane.p] = double_part * d.p - heading.along[plane.p];
+  result.along[plane.q] = double_part * d.q - heading.along[plane.q];
+  const Real rise = straight_heading(state, sketch.arc.target).along[plane.d];
+  if (rise == 0) return result;
+  const Real sweep = 2 * std::atan2(std::fabs(bend.across), bend.along);
+  const Real radius = std::hypot(sketch.centre.p, sketch.centre.q);
+  const Real speed = std::hypot(result.along[plane.p], result.along[plane.q]);
+  result.along[plane.d] = rise / sweep * (speed / radius);
   return result;
 }
 
 void make_straight(const Machine& machine, const ArcSketch& sketch, Plan& plan) {
   plan.heading = straight_heading(machine.state, sketch.arc.target);
   plan.motion = Line{sketch.arc.target, false, sketch.arc.feed};
+}
+
+// chord * along / (2 across); false: too large.
+bool part_of(Fixed chord, const Bend& bend, Wide& part) {
+  auto size = [](Wide value) { return value < 0 ? -value : value; };
+  const Wide parts = 2 * size(bend.whole_across);
+  if (!divide_product(size(bend.whole_along), size(chord), parts, part)) return false;
+  const bool negative = (chord < 0) != ((bend.whole_along < 0) != (bend.whole_across < 0));
+  if (negative) part = -part;
+  return true;
+}
+
+// The centre to the count, from whole numbers.
+void refine_centre(const State& state, const Bend& bend, ArcSketch& sketch) {
+  const Chord& d = sketch.chord;
+  Wide part_p = 0;
+  Wide part_q = 0;
+  if (!part_of(d.p, bend, part_p) || !part_of(d.q, bend, part_q)) return;
+  sketch.arc.centre_p = state.position[sketch.plane.p] + d.p / 2 - part_q;
+  sketch.arc.centre_q = state.position[sketch.plane.q] + d.q / 2 + part_p;
+}
+
+// SIE-CT-01. False: too far, and the arc no different from a line.
+bool take_tangent_circle(Machine& machine, const Bend& bend, ArcSketch& sketch) {
+  const bool other = machine.has(Fault::kTangentOtherSide);
+  const Real side = bend.along / bend.across;
+  const Vector centre = on_bisector(sketch.way, other ? -side : side);
+  const Real distance = std::hypot(centre.p, centre.q);
+  if (distance > kFarthest && bend.along > 0) return false;
+  put_centre(machine, centre, sketch);
+  // So far off a Real no longer has every count.
+  const bool far = distance > static_cast<Real>(kLargest);
+  if (far && bend.exact && !other && !machine.in_alarm()) {
+    refine_centre(machine.state, bend, sketch);
+  }
+  sketch.counterclockwise = (bend.across > 0) != other;
+  return true;
 }
 
 }  // namespace
@@ -78,19 +129,12 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
     if (behind) return machine.complain(AlarmKind::kArcTangent);
     return make_straight(machine, sketch, plan);
   }
-  const double side = bend.along / bend.across;
-  const Vector centre =
-      on_bisector(sketch.chord, machine.has(Fault::kTangentOtherSide) ? -side : side);
-  // An arc too flat for a centre is a line.
-  if (std::hypot(centre.p, centre.q) > static_cast<double>(kLargest)) {
-    return make_straight(machine, sketch, plan);
-  }
-  put_centre(machine, centre, sketch);
+  if (!take_tangent_circle(machine, bend, sketch)) return make_straight(machine, sketch, plan);
+  if (machine.in_alarm()) return;
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
-  sketch.counterclockwise = (bend.across > 0) != machine.has(Fault::kTangentOtherSide);
   sketch.arc.rot = sketch.counterclockwise ? 1 : -1;
-  plan.heading = machine.has(Fault::kTangentOfStart) ? heading : mirrored(heading, sketch, bend);
+  plan.heading = machine.has(Fault::kTangentOfStart) ? heading : mirrored(state, sketch, bend);
   plan.motion = sketch.arc;
 }
 

@@ -39,18 +39,37 @@ bool on_line(const Way& to_via, const Way& to_end, bool rounded) {
   return square <= kRounding * kRounding * static_cast<double>(dot(to_end, to_end));
 }
 
+using Direction = Frame::Direction;
+
+Real dot(const Direction& a, const Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Direction direction(const Target& from, const Target& to) {
+  Direction result{};
+  for (std::size_t axis = 0; axis < result.size(); ++axis) {
+    result[axis] = static_cast<Real>(to.to[axis] - from.to[axis]) +
+                   (to.remainder[axis] - from.remainder[axis]);
+  }
+  return result;
+}
+
 // Turning the circle about the end inside out makes it a line in the direction of the tangent.
-Heading heading_of(const Way& end_to_start, const Way& end_to_via) {
-  const auto start_square = static_cast<double>(dot(end_to_start, end_to_start));
-  const auto via_square = static_cast<double>(dot(end_to_via, end_to_via));
-  const auto difference =
-      static_cast<double>(dot(end_to_via, end_to_via) - dot(end_to_start, end_to_start));
+Heading heading_of(const Direction& end_to_start, const Direction& end_to_via) {
+  const Real start_square = dot(end_to_start, end_to_start);
+  const Real via_square = dot(end_to_via, end_to_via);
+  Direction step{};
+  Direction sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    step[axis] = end_to_start[axis] - end_to_via[axis];
+    sum[axis] = end_to_start[axis] + end_to_via[axis];
+  }
+  const Real difference = -dot(step, sum);
   Heading heading;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto via = static_cast<double>(end_to_via[axis]);
-    const auto step = static_cast<double>(end_to_start[axis] - end_to_via[axis]);
     // In parts of the squares, for they are large.
-    heading.along[axis] = step * (via_square / start_square) + via * (difference / start_square);
+    heading.along[axis] =
+        step[axis] * (via_square / start_square) + end_to_via[axis] * (difference / start_square);
   }
   return heading;
 }
@@ -74,9 +93,9 @@ void take_other_side(const Point& from, SpaceArc& arc) {
 }
 
 // SIE-CIP-02: what has no word is that of the start.
-Point take_intermediate(Machine& machine, const Block& block, Axes& rounded) {
+Target take_intermediate(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Point via = state.position;
+  Target via{state.position, kLinearAxes, state.rounded, state.remainder};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = intermediate_address(axis);
     if (!block.has(address)) continue;
@@ -84,13 +103,17 @@ Point take_intermediate(Machine& machine, const Block& block, Axes& rounded) {
     const bool fixed =
         machine.has(Fault::kIntermediateAbsolute) && value.mode == Value::Mode::kPlain;
     Wide place = length_of(machine, block, address);
-    if (is_incremental(state, value.mode) && !fixed) place += state.position[axis];
-    if (value.number.finer) rounded |= axis_bit(axis);
+    if (is_incremental(state, value.mode) && !fixed) {
+      place += state.position[axis];
+    } else {
+      via.remainder[axis] = 0;
+    }
+    if (value.number.finer) via.rounded |= axis_bit(axis);
     if (!in_reach(place)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
       continue;
     }
-    via[axis] = static_cast<Fixed>(place);
+    via.to[axis] = static_cast<Fixed>(place);
   }
   return via;
 }
@@ -110,8 +133,10 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   const State& state = machine.state;
   SpaceArc arc;
   arc.target = cartesian_target(machine, block);
-  Axes rounded = state.rounded | arc.target.rounded;
-  arc.via = take_intermediate(machine, block, rounded);
+  const Target start{state.position, kLinearAxes, state.rounded, state.remainder};
+  const Target via = take_intermediate(machine, block);
+  const Axes rounded = state.rounded | arc.target.rounded | via.rounded;
+  arc.via = via.to;
   arc.feed = cutting_feed(machine, arc.target.to, true);
   if (machine.in_alarm()) return;
   const Way to_via = way(state.position, arc.via);
@@ -131,7 +156,7 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
     plan.motion = Line{arc.target, false, arc.feed};
     return;
   }
-  plan.heading = heading_of(way(arc.target.to, state.position), way(arc.target.to, arc.via));
+  plan.heading = heading_of(direction(arc.target, start), direction(arc.target, via));
   if (machine.has(Fault::kThroughPointSenseFlipped)) take_other_side(state.position, arc);
   plan.motion = arc;
 }

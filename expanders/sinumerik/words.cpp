@@ -49,7 +49,7 @@ Axes axes_of(const Block& block) {
 // SIE-G1-01, SIE-G1-03
 Target cartesian_target(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Target target{state.position, axes_of(block), state.rounded};
+  Target target{state.position, axes_of(block), state.rounded, state.remainder};
   for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
     const Address address = axis_address(axis);
     if (!block.has(address)) continue;
@@ -57,7 +57,10 @@ Target cartesian_target(Machine& machine, const Block& block) {
     Wide place = is_scaled(machine, axis) ? length_of(machine, block, address) : value.number.value;
     const bool incremental = is_incremental(state, value.mode);
     if (incremental) place += state.position[axis];
-    if (!incremental) target.rounded &= ~axis_bit(axis);
+    if (!incremental) {
+      target.rounded &= ~axis_bit(axis);
+      target.remainder[axis] = 0;
+    }
     if (value.number.finer) target.rounded |= axis_bit(axis);
     if (in_reach(place)) {
       target.to[axis] = static_cast<Fixed>(place);
@@ -69,11 +72,12 @@ Target cartesian_target(Machine& machine, const Block& block) {
 }
 
 void check_sizes(Machine& machine, const Block& block) {
+  const Code* units = block.code(Group::kUnits);
+  const bool inch = units != nullptr ? units->number == 70 : machine.state.inch;
   for (Addresses bits = block.words() & kMeasured; bits != 0; bits &= bits - 1) {
     const auto address = static_cast<Address>(std::countr_zero(bits));
     const Decimal& number = block.value(address).number;
-    // In inches no number grows by more than that.
-    if (number.overflow || !in_reach(scaled(number.value, 254, 10))) {
+    if (number.overflow || !in_reach(inch ? scaled(number.value, 254, 10) : number.value)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flat and far arcs of the expander of sinumerik840d: they show every digit that gets lost. All
+// numbers from 50 digits by another program.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+namespace {
+
+std::string last(const std::string& program) {
+  const Outcome outcome = run_sinumerik(program);
+  if (!outcome.alarm.empty() || outcome.records.size() < 2) return outcome.alarm + outcome.note;
+  return outcome.records[outcome.records.size() - 2];
+}
+
+/// How far the centre of the last arc is off, millimetres; infinite when there is none.
+long double off_centre(const std::string& program, long double p, long double q) {
+  const std::string record = last(program);
+  const std::size_t at = record.find("c=");
+  if (!record.starts_with("arc") || at == std::string::npos) return INFINITY;
+  char* rest = nullptr;
+  const long double got_p = std::strtold(record.c_str() + at + 2, &rest);
+  const long double got_q = std::strtold(rest + 1, nullptr);
+  return std::hypot(got_p - p, got_q - q);
+}
+
+constexpr long double kClose = 1e-6L;
+
+// Direction (1000, 0.001), way (1000, 0.0010001): across 1e-4, along 1000000.0000010001, and the
+// centre lies along / across = 1e10 half chords to the left of the middle:
+// 1500 - (0.0010001 * 10000000000.010001) / 2 = -4999000.00000500100005,
+// 0.00150005 + (1000 * 10000000000.010001) / 2 = 5000000000005.00200005.
+TEST(SinumerikFlatArc, AlmostStraightOnHasItsTrueCentre) {
+  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X2000 Y0.0020001\n"),
+            "arc17 c=-4999000.000005001,5000000000005.00200005 rot=1 x=2000 y=0.0020001 f=9");
+}
+
+// 10140690700.2500010140691401, -1014059070025000101.40591401
+TEST(SinumerikFlatArc, AlmostBehindHasItsTrueCentre) {
+  EXPECT_EQ(last("G1 X100000 Y0.001 F9\nCT X-700.5 Y-0.00000701\n"),
+            "arc17 c=10140690700.250001014,-1014059070025000101.40591401 rot=-1 x=-700.5 "
+            "y=-0.00000701 f=9");
+}
+
+// 0.5 and 0.0000005 are 0.0005 times the place before.
+TEST(SinumerikFlatArc, ExactlyBehindIsAnAlarmAndACountBesideItIsNone) {
+  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X0.5 Y0.0000005\n"), "arc-tangent");
+  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X0.5 Y0.000000501\n").substr(0, 6), "arc17 ");
+}
+
+// 500000 / tan(0.0005 degrees) = 57295779511.6278798334621626987
+TEST(SinumerikFlatArc, SmallAndLargeOpeningAngles) {
+  EXPECT_LT(off_centre("G3 X1000000 AR=0.001 F9\n", 500000, 57295779511.62787983346L), kClose);
+  EXPECT_LT(off_centre("G2 X1000000 AR=0.001 F9\n", 500000, -57295779511.62787983346L), kClose);
+  EXPECT_LT(off_centre("G3 X1000000 AR=359.999 F9\n", 500000, -57295779511.62787983346L), kClose);
+}
+
+// The arc is 1.7e-6 mm long: a count of its end turns the direction by 1e-8.
+TEST(SinumerikFlatArc, TangentOfATinyArc) {
+  EXPECT_LT(off_centre("G3 J0.1 AR=0.001 F9\nCT X0.7 Y0.0006\n", -0.00727311731996126924L,
+                       416.818926294967804082L),
+            kClose);
+}
+
+// Along the line of 33 degrees, 0.01 mm long.
+TEST(SinumerikFlatArc, TangentOfATinyLine) {
+  EXPECT_LT(off_centre("G1 AP=33 RP=0.01 F9\nCT X1 Y0.65\n", -766.657738785949440705L,
+                       1180.56775197838375494L),
+            kClose);
+}
+
+// Half a turn about (1, 0) that rises by 3: at its end the direction is (0, 1, 3/pi). In G19 from
+// (0, 3) with (1, 0.954929658551372) to (4, 5); in G18 straight along Z.
+TEST(SinumerikFlatArc, TangentOfAHelixRises) {
+  EXPECT_LT(off_centre("G3 X2 Z3 I1 J0 F9\nG19 CT Y4 Z5\n", 5.24767752883019885553L,
+                       -2.49535505766039771108L),
+            kClose);
+  EXPECT_EQ(last("G3 X2 Z3 I1 J0 F9\nG18 CT X4\n"), "arc18 c=3,3 rot=1 x=4 z=3 f=9");
+  // Five half turns.
+  EXPECT_LT(off_centre("G3 X2 Z3 I1 J0 TURN=2 F9\nG19 CT Y4 Z5\n", -1.54512327519025523409L,
+                       11.0902465503805104682L),
+            kClose);
+}
+
+// A quarter of radius 10 that rises by 5: (0, 1, 1/pi). Over a chord of 4 along Y the centre is
+// pi half chords below its middle: 5 - 2 pi.
+TEST(SinumerikFlatArc, TangentOfATangentHelixRises) {
+  EXPECT_LT(off_centre("G1 X10 F9\nCT X20 Y10 Z5\nG19 CT Y14 Z5\n", 12, -1.28318530717958647693L),
+            kClose);
+}
+
+// The pole lies on the chord of 1999.999: at most half a turn has the centre to the left of it, at
+// sqrt(1000^2 - 999.9995^2) = 0.999999874999992 along 290 degrees from 0.0005 along 20 degrees.
+TEST(SinumerikFlatArc, APoleOnTheChordTakesTheShorterWay) {
+  EXPECT_LT(
+      off_centre("G0 AP=20 RP=1000\nG3 AP=200 RP=999.999 F9\n", 0.342489946883L, -0.939521493253L),
+      kClose);
+}
+
+// The largest length is that in millimetres.
+TEST(SinumerikFlatArc, LargestLength) {
+  EXPECT_EQ(last("G0 X1000000000\n"), "rapid x=1000000000");
+  EXPECT_EQ(last("G0 X1000000000.001\n"), "value-out-of-range");
+  EXPECT_EQ(last("G70 G0 X39370078\n"), "rapid x=999999981.2");
+  EXPECT_EQ(last("G70\nG0 X39370079\n"), "value-out-of-range");
+}
+
+}  // namespace
+}  // namespace gonogo::expanders::testing
