@@ -47,7 +47,7 @@ Json whole_json(const Profile& profile) {
   }
   document["reference_point"] = position_json(profile.reference_point);
   for (const Reading& reading : readings()) {
-    if (reading.dialect != profile.dialect) continue;
+    if (!reading.belongs_to(profile.dialect)) continue;
     document["readings"][std::string(reading.name)] = profile.readings.get(reading.key);
   }
   document["alarm_timing"] = profile.alarm_timing == AlarmTiming::block ? "block" : "program";

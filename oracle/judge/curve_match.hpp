@@ -15,10 +15,22 @@ namespace gonogo::oracle {
 
 enum class Departure : std::uint8_t { none, kind, block, feed, geometry, sense, undecided };
 
+// The centre of the subject's arc, and how far it is from the reference's along an axis, mm.
+struct CentreApart {
+  Position at;
+  Number distance;
+};
+
 struct MatchResult {
   Departure departure = Departure::none;
   bool done = false;   // the reference motion is complete
   std::string reason;  // a sentence when it departs
+  // Where the centre is what differs.
+  std::optional<CentreApart> centre = {};
+
+  static MatchResult departs(Departure departure, std::string reason) {
+    return {departure, false, std::move(reason)};
+  }
 };
 
 // How far the subject has come along the current motion of the reference.
@@ -40,6 +52,7 @@ class CurveMatch {
   MatchResult match_flat(const Motion& subject);
   MatchResult match_thread(const Motion& subject);
   MatchResult match_arc(const Motion& subject);
+  MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);
   MatchResult match_arc3(const Motion& subject);
   MatchResult end_of_piece(const Motion& subject, double turns);

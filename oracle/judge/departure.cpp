@@ -68,12 +68,10 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
   } else {
-    verdict.witness = point_text(motion.to(), moved_axes(motion, 0) | moved_axes(want, 0));
-    const Number deviation = largest_difference(motion.to(), want.to());
-    if (deviation.sign() != 0) {
-      verdict.deviation_exact = exact_text(deviation);
-      verdict.deviation_mm = millimetres_text(deviation);
-    }
+    const Position& witness = result.centre ? result.centre->at : motion.to();
+    verdict.witness = point_text(witness, moved_axes(motion, 0) | moved_axes(want, 0));
+    set_deviation(verdict, result.centre ? result.centre->distance
+                                         : largest_difference(motion.to(), want.to()));
     verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
   }
   decide(std::move(verdict));

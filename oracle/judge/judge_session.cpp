@@ -18,8 +18,9 @@ bool is_open(const ReadingChoice& choice, const Reading& reading) {
   return choice.is(reading.key, "any") && !reading.by_properties;
 }
 
-// The readings that a run of the reference asks for.
-std::vector<ReadingKey> touched_by(reference::Profile profile, std::string_view program) {
+}  // namespace
+
+std::vector<ReadingKey> touched_by(const reference::Profile& profile, std::string_view program) {
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
   try {
@@ -30,8 +31,6 @@ std::vector<ReadingKey> touched_by(reference::Profile profile, std::string_view 
   }
   return expander.readings().touched();
 }
-
-}  // namespace
 
 Assignments assignments_of(const reference::Profile& profile, std::string_view program) {
   Assignments result;
@@ -74,7 +73,8 @@ Assignments assignments_of(const reference::Profile& profile, std::string_view p
 }
 
 JudgeSession::JudgeSession(const reference::Profile& profile, std::string_view program,
-                           const JudgeTerms& terms) {
+                           const JudgeTerms& terms)
+    : profile_(profile), program_(program), terms_(terms) {
   Assignments assignments = assignments_of(profile, program);
   too_many_ = assignments.too_many;
   open_ = std::move(assignments.open);
@@ -92,6 +92,17 @@ bool JudgeSession::record(const Record& record) {
   return undecided;
 }
 
+SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& end) {
+  if (end.sampled == nullptr) {
+    SampledVerdict said{judges_[assignment]->finish(end), 0};
+    said.progress = judges_[assignment]->progress();
+    return said;
+  }
+  reference::Profile assigned = profile_;
+  assigned.readings = choices_[assignment];
+  return end.sampled->judge(assigned, program_, terms_, end);
+}
+
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   SessionVerdict result;
   result.open = open_;
@@ -104,15 +115,14 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
   std::size_t farthest = 0;
   bool have_verdict = false;
   for (std::size_t i = 0; i < judges_.size(); ++i) {
-    Verdict verdict = judges_[i]->finish(end);
+    auto [verdict, progress] = finish_under(i, end);
     const bool go = decision(verdict.kind) == Decision::go;
     const bool first_go = go && result.explaining.empty();
     // The best pass; else the departure that comes last; a gap under one assignment is a gap.
-    const bool better =
-        go ? first_go || verdict.kind < result.verdict.kind
-           : result.explaining.empty() && (!have_verdict || judges_[i]->progress() > farthest);
+    const bool better = go ? first_go || verdict.kind < result.verdict.kind
+                           : result.explaining.empty() && (!have_verdict || progress > farthest);
     if (better) {
-      farthest = judges_[i]->progress();
+      farthest = progress;
       result.verdict = std::move(verdict);
       have_verdict = true;
     } else if (result.explaining.empty() && verdict.kind == VerdictKind::oracle_gap) {
@@ -131,24 +141,6 @@ SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view
     if (!session.record(record)) break;
   }
   return session.finish(end);
-}
-
-std::string explaining_reading(const reference::Profile& profile, std::string_view program,
-                               const JudgeTerms& terms, std::span<const Record> records,
-                               const RunEnd& end) {
-  for (ReadingKey key : touched_by(profile, program)) {
-    const Reading& reading = reference::reading(key);
-    for (std::string_view alternative : reading.alternatives) {
-      if (profile.readings.is(key, alternative) || profile.readings.is(key, "any")) continue;
-      reference::Profile other = profile;
-      other.readings.set(key, alternative);
-      const SessionVerdict verdict = judge_outcome(other, program, terms, records, end);
-      if (decision(verdict.verdict.kind) == Decision::go) {
-        return fmt::format("{}={}", reading.name, alternative);
-      }
-    }
-  }
-  return {};
 }
 
 }  // namespace gonogo::oracle

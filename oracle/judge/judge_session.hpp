@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/judge/program_judge.hpp"
+#include "oracle/judge/sampled_outcome.hpp"
 
 namespace gonogo::oracle {
 
@@ -30,11 +31,21 @@ class JudgeSession {
   SessionVerdict finish(const RunEnd& end);
 
  private:
+  // What is said under one assignment, and how far it came.
+  SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
+
+  reference::Profile profile_;
+  std::string_view program_;
+  const JudgeTerms& terms_;
   std::vector<reference::ReadingChoice> choices_;
   std::vector<std::unique_ptr<ProgramJudge>> judges_;
   std::vector<reference::ReadingKey> open_;
   bool too_many_ = false;
 };
+
+// The readings that a run of the reference under this profile asks for.
+std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
+                                              std::string_view program);
 
 // The assignments of the open readings ("any", not judged by properties) that the program touches.
 struct Assignments {
@@ -49,9 +60,12 @@ SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view
                              const JudgeTerms& terms, std::span<const Record> records,
                              const RunEnd& end);
 
-// For a NO-GO: "k=v" of the first other reading under which the outcome is GO; else "".
+// In explaining_reading.cpp. For a NO-GO: "k=v" of the first other reading under which the outcome
+// is GO; else "". Every reading is tried that the program touches under any assignment; readings
+// that are open already have been. Gives up, with "", where it would judge more records than that
+// (each assignment counting for 1,000 more).
 std::string explaining_reading(const reference::Profile& profile, std::string_view program,
                                const JudgeTerms& terms, std::span<const Record> records,
-                               const RunEnd& end);
+                               const RunEnd& end, std::size_t most_records = 4'000'000);
 
 }  // namespace gonogo::oracle

@@ -167,12 +167,25 @@ Motion straightened(Motion motion) {
   return motion;
 }
 
+namespace {
+
+// Two enclosures that cannot be told apart are left to the circle in space, which fits either way.
+bool is_level(const Number& height, const Number& depth) {
+  try {
+    return height == depth;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 std::optional<Motion> as_arc(const Motion& arc3) {
   for (reference::Plane plane :
        {reference::Plane::g17, reference::Plane::g18, reference::Plane::g19}) {
     const reference::PlaneAxes axes = reference::axes_of(plane);
     const Number& depth = arc3.from[axes.d];
-    if (arc3.record.via[axes.d] != depth || arc3.to()[axes.d] != depth) continue;
+    if (!is_level(arc3.record.via[axes.d], depth) || !is_level(arc3.to()[axes.d], depth)) continue;
     const auto from_start = [&](const Position& point) {
       return PlaneVector{point[axes.p] - arc3.from[axes.p], point[axes.q] - arc3.from[axes.q]};
     };

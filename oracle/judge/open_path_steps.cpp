@@ -27,6 +27,24 @@ PocketMillingJudge& ProgramJudge::pocket_judge(const PocketMilling& pocket) {
   return *pocket_;
 }
 
+bool ProgramJudge::mills_pocket(const Motion& motion) {
+  auto* approach = std::get_if<Motion>(&reference_.current());
+  if (approach != nullptr && approach->record.clause == "SIE-LC75-04"_clause &&
+      approach->record.block == motion.record.block) {
+    flush_pending();
+    if (verdict_) return false;
+  }
+  auto* pocket = std::get_if<PocketMilling>(&reference_.current());
+  if (pocket == nullptr || (terms_.compare_blocks && motion.record.block != pocket->block)) {
+    return false;
+  }
+  // A traverse is no part of a level; only of a pocket as deep as the tolerance it may be the end.
+  const Number& tau = terms_.tolerance;
+  const bool is_shallow = pocket->retract - pocket->floor <= tau;
+  if (motion.record.kind == RecordKind::rapid && !is_shallow) return false;
+  return !agree(motion.from, motion.to(), tau / 1000);
+}
+
 // SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is the pocket's to judge.
 bool ProgramJudge::dives_into_pocket(Motion& motion) {
   const bool is_approach = want_->record.clause == "SIE-LC75-04"_clause;

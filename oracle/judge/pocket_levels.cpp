@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// PocketMillingJudge's part for places: which depths a level may have, where the centre is, and
-// what stays inside.
+// PocketMillingJudge's part for levels and places: what a level clears, which depths it may have,
+// where the centre is, and what stays inside.
+#include <algorithm>
+
 #include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle {
 
 using reference::Levels;
+using reference::operator""_clause;
 
 namespace {
 
@@ -24,10 +28,132 @@ Number sharp(const Number& value) {
   return (bounds[0] * scale).floor() / scale;
 }
 
+bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
+  return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
+         (!a.is_arc || a.centre == b.centre);
+}
+
+std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
+  switch (rule) {
+    case region::Rule::gouge:
+      return {"SIE-LC75-08"_clause, "The tool cuts into the wall of the pocket."};
+    case region::Rule::sense:
+      return {"SIE-LC75-12"_clause, "The pass along the border goes round the wrong way."};
+    default:
+      return {"SIE-LC75-10"_clause, "The tool leaves material in the pocket."};
+  }
+}
+
 }  // namespace
+
+OpenPathAnswer PocketMillingJudge::finish_level(const Motion& next) {
+  milling_ = false;
+  if (trial_) return finish_trial(next);
+  if (motions_.empty()) {
+    // An infeed alone: the level is a point, or nothing of it was milled.
+    const OpenPathAnswer depth = check_level_depth(next);
+    if (depth.kind == OpenPathAnswer::Kind::decided) return depth;
+  }
+  const OpenPathAnswer answer = judge_level(next);
+  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  close_level();
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::finish_trial(const Motion& next) {
+  trial_ = false;
+  const OpenPathAnswer answer = judge_level(next);
+  const bool decided = answer.kind == OpenPathAnswer::Kind::decided;
+  if (decided && answer.verdict.kind == VerdictKind::oracle_gap) return answer;
+  if (!decided && !above_floor_) {
+    close_level();
+    return OpenPathAnswer::take();
+  }
+  if (decided) floor_fault_ = answer.verdict;
+  above_floor_ = false;
+  motions_.clear();
+  records_.clear();
+  return OpenPathAnswer::take();
+}
+
+void PocketMillingJudge::close_level() {
+  motions_.clear();
+  records_.clear();
+  const std::optional<Number> place = due_place(depth_);
+  next_level_ = (place ? *place : place_of(depth_).value_or(next_level_)) + 1;
+  last_depth_ = depth_;
+  first_ = false;
+  // Below what roughing left a strip opens nothing but itself.
+  const Number open = level_at(depth_).cleared ? max(depth_, cleared_.rough) : depth_;
+  cleared_.everywhere = min(cleared_.everywhere, open);
+  cleared_.rough = min(cleared_.rough, open);
+  floor_done_ = floor_done_ || (is_floor(depth_) && !above_floor_);
+  above_floor_ = false;
+}
+
+region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const {
+  region::RectangularLevel level;
+  level.area = area_;
+  // SIE-LC75-07, SIE-LC75-10: the strip that roughing left, and at the last level the floor.
+  const bool whole = !item_.finishing || (is_floor(depth) && !above_floor_ && !item_.contour_only);
+  if (!whole) level.cleared = rough_area_;
+  level.tool_radius = item_.tool_radius;
+  level.sense = item_.sense;
+  level.plunge = plunge_;
+  level.tolerance = terms_.tolerance;
+  level.slack = slack_;
+  return level;
+}
+
+OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
+  const region::RectangularLevel level = level_at(depth_);
+  const bool whole = !level.cleared;
+  const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
+                     std::ranges::equal(judged_->motions, motions_, same_motion);
+  if (known) return OpenPathAnswer::take();
+  const region::LevelVerdict answer = region::judge_level(level, motions_);
+  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::no_go) {
+    OpenPathAnswer fault = level_fault(answer.finding.value(), next.from);
+    if (!may_be_above_floor()) return fault;
+    floor_fault_ = fault.verdict;
+    above_floor_ = true;
+    return judge_level(next);
+  }
+  judged_ = Judged{motions_, plunge_, whole};
+  return OpenPathAnswer::take();
+}
+
+OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
+                                               const Position& at) const {
+  const auto [clause, message] = meaning_of(finding.rule);
+  const region::PlanePoint place = region::out_of(frame_, finding.witness);
+  Position witness = at;
+  witness[axes_.p] = place.p;
+  witness[axes_.q] = place.q;
+  witness[axes_.d] = depth_;
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_region;
+  verdict.clause = clause;
+  verdict.block = item_.block;
+  verdict.record = finding.record;
+  verdict.want = pocket_text(item_);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
+  }
+  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
+  set_deviation(verdict, finding.deviation);
+  verdict.message = message;
+  return OpenPathAnswer::decide(std::move(verdict));
+}
 
 bool PocketMillingJudge::is_floor(const Number& depth) const {
   return agree(depth, item_.floor, terms_.tolerance);
+}
+
+bool PocketMillingJudge::may_be_above_floor() const {
+  return item_.finishing && !item_.contour_only && !above_floor_ && is_floor(depth_) &&
+         depth_ > item_.floor;
 }
 
 // SIE-LC75-06: the depth of level `place` (from 1) where the reading names it.
@@ -54,23 +180,36 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
 }
 
 // SIE-LC75-06. Of finishing, levels that have nothing to clear may be left out: those in the air,
-// and where there is no strip all but the last.
-bool PocketMillingJudge::is_named(const Number& depth) const {
-  const std::optional<Number> place = place_of(depth);
-  if (!place || *place < next_level_) return false;
-  if (*place == next_level_) return true;
+// and where there is no strip all but the last. Levels no farther apart than the tolerance are one.
+bool PocketMillingJudge::is_due(const Number& place) const {
+  if (place <= next_level_) return place == next_level_;
+  const Number above = depth_of(place - 1);
+  if (above >= last_depth_ - terms_.tolerance) return true;
   if (!item_.finishing) return false;
-  return !has_strip() || depth_of(*place - 1) >= item_.reference_plane - terms_.tolerance;
+  return !has_strip() || above >= item_.reference_plane - terms_.tolerance;
+}
+
+// The named level that a level at this depth is. Beside the floor it may be the one above it.
+std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
+  const std::optional<Number> place = place_of(depth);
+  if (!place || is_due(*place)) return place;
+  for (const Number& other : {*place - 1, next_level_}) {
+    const bool near =
+        other.sign() > 0 && other < *place && agree(depth_of(other), depth, terms_.tolerance);
+    if (near && is_due(other)) return other;
+  }
+  return std::nullopt;
 }
 
 bool PocketMillingJudge::admits_depth(const Number& depth) const {
   const Number& tau = terms_.tolerance;
-  if (depth < item_.floor - tau || depth >= last_depth_ - tau) return false;
+  if (depth < item_.floor - tau) return false;
+  if (depth >= last_depth_ - tau) return is_floor(depth);
   // Where the tool can only go down, levels leave no trace.
   if (is_point() && is_floor(depth)) return true;
   // SIE-LC75-11
   if (item_.one_level && first_ && is_floor(depth)) return true;
-  if (is_named(depth)) return true;
+  if (due_place(depth)) return true;
   if (item_.levels != Levels::open && !item_.one_level) return false;
   if (item_.finishing && !has_strip()) return true;
   const Number& above = first_ ? item_.reference_plane : last_depth_;

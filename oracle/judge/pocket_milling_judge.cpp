@@ -1,37 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/pocket_milling_judge.hpp"
 
-#include <algorithm>
-
 #include "oracle/judge/curve_match.hpp"
 #include "oracle/judge/evidence.hpp"
-#include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle {
 
-using reference::Levels;
 using reference::operator""_clause;
 
 namespace {
 
 region::RoundedRectangle area_of(const Number& length, const Number& width, const Number& corner) {
   return region::rounded_rectangle(length / 2, width / 2, corner);
-}
-
-bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
-  return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
-         (!a.is_arc || a.centre == b.centre);
-}
-
-std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
-  switch (rule) {
-    case region::Rule::gouge:
-      return {"SIE-LC75-08"_clause, "The tool cuts into the wall of the pocket."};
-    case region::Rule::sense:
-      return {"SIE-LC75-12"_clause, "The pass along the border goes round the wrong way."};
-    default:
-      return {"SIE-LC75-10"_clause, "The tool leaves material in the pocket."};
-  }
 }
 
 }  // namespace
@@ -61,6 +41,7 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item,
 }
 
 Verdict PocketMillingJudge::incomplete(const Position& position) const {
+  if (floor_fault_ && !floor_done_) return *floor_fault_;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   verdict.clause = floor_done_ ? "SIE-LC75-13"_clause : item_.clause;
@@ -86,6 +67,11 @@ OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
       const OpenPathAnswer answer = finish_level(motion);
       if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
     }
+    // A lift that is too small to see may be missing.
+    over_ = floor_done_ && item_.floor >= item_.retract - terms_.tolerance &&
+            above_centre(motion.from) &&
+            agree(motion.from[axes_.d], item_.retract, terms_.tolerance);
+    if (over_) return OpenPathAnswer::end(motion.from);
     return OpenPathAnswer::decide(incomplete(motion.from));
   }
   const RecordKind kind = motion.record.kind;
@@ -104,7 +90,8 @@ OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
   take_slack_of(motion);
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
-  if (agree(from, to, terms_.tolerance)) return take_in_plane(motion);
+  if (!goes_along_depth(motion)) return take_in_plane(motion);
+  if (stays_at_level(motion)) return OpenPathAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {
     const OpenPathAnswer answer = finish_level(motion);
     if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
@@ -112,13 +99,30 @@ OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
   return to < from ? take_down(motion) : take_travel(motion);
 }
 
+bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
+  const Number way = exact::abs(motion.to()[axes_.d] - motion.from[axes_.d]);
+  if (way > terms_.tolerance) return true;
+  const Number rounding = terms_.tolerance / 1000;
+  return way > rounding && motion.record.kind != RecordKind::arc &&
+         agree(motion.from[axes_.p], motion.to()[axes_.p], rounding) &&
+         agree(motion.from[axes_.q], motion.to()[axes_.q], rounding);
+}
+
+bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
+  const Number& to = motion.to()[axes_.d];
+  if (!milling_ || !is_cut(motion.record.kind) || !agree(to, depth_, terms_.tolerance) ||
+      !agree(to, motion.from[axes_.d], terms_.tolerance)) {
+    return false;
+  }
+  // Of finishing, the floor is not cleared as the level just above it.
+  return !(item_.finishing && to < depth_ && to >= item_.floor);
+}
+
 // At one depth: the cuts of a level, or travel.
 OpenPathAnswer PocketMillingJudge::take_in_plane(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool is_a_cut = is_cut(motion.record.kind);
-  const bool below = depth < cleared_.everywhere - terms_.tolerance;
-  const bool in_air = item_.finishing && depth >= item_.reference_plane - terms_.tolerance;
-  if (!below || in_air) return take_travel(motion);
+  if (is_near_cleared(depth)) return take_near_cleared(motion);
   if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
   const bool deep = depth < cleared_.rough - terms_.tolerance;
   if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
@@ -136,6 +140,33 @@ OpenPathAnswer PocketMillingJudge::take_in_plane(const Motion& motion) {
                  "The feed in the plane differs.");
 }
 
+bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
+  const bool in_air = item_.finishing && depth >= item_.reference_plane - terms_.tolerance;
+  return in_air || depth >= cleared_.everywhere - terms_.tolerance;
+}
+
+// Travel; but where the floor is as near as the tolerance, it may be the level at the floor.
+OpenPathAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
+  const Number& depth = motion.to()[axes_.d];
+  const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
+                     has_feed(motion, item_.plane_feed);
+  if (trial_ && !mills) {
+    const OpenPathAnswer answer = finish_level(motion);
+    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  }
+  const OpenPathAnswer travel = take_travel(motion);
+  if (!mills || travel.kind == OpenPathAnswer::Kind::decided) return travel;
+  if (!milling_) start_trial(depth, motion.from);
+  return trial_ ? collect(motion) : travel;
+}
+
+void PocketMillingJudge::start_trial(const Number& depth, const Position& plunge) {
+  milling_ = true;
+  trial_ = true;
+  depth_ = depth;
+  plunge_ = own(plunge);
+}
+
 OpenPathAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   if (!milling_) {
     depth_ = motion.from[axes_.d];
@@ -151,6 +182,10 @@ OpenPathAnswer PocketMillingJudge::take_cut(const Motion& motion) {
     return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                    "The cut leaves the level's depth.");
   }
+  return collect(motion);
+}
+
+OpenPathAnswer PocketMillingJudge::collect(const Motion& motion) {
   motions_.push_back(own(motion));
   records_.push_back(motion.record);
   if (motions_.size() > region::kMaximumLevelMotions) {
@@ -164,7 +199,14 @@ OpenPathAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const bool is_last = is_point() && is_floor(to) && !floor_done_;
   const bool cuts = is_last || to < min(cleared_.everywhere, cleared_.rough) - terms_.tolerance;
   arrival_ = motion;
-  if (!cuts) return take_travel(motion);
+  if (!cuts) {
+    const OpenPathAnswer travel = take_travel(motion);
+    const bool decided = travel.kind == OpenPathAnswer::Kind::decided;
+    const bool tries = !floor_done_ && is_floor(to) && is_near_cleared(to);
+    if (!decided && tries) start_trial(to, motion.to());
+    return travel;
+  }
+  trial_ = false;
   const OpenPathAnswer answer = check_plunge(motion);
   if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
   milling_ = true;
@@ -190,17 +232,20 @@ OpenPathAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   return OpenPathAnswer::take();
 }
 
-OpenPathAnswer PocketMillingJudge::check_level_depth(const Motion& motion) const {
+OpenPathAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
   if (!admits_depth(depth_)) {
     return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion,
                    "The depth of the level is none that the infeed admits.");
   }
   if (!item_.finishing || !is_floor(depth_)) return OpenPathAnswer::take();
-  if (!arrival_) {
-    return departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
-                   "The last level has no infeed at the centre.");
-  }
-  return check_plunge(*arrival_);
+  const OpenPathAnswer answer =
+      arrival_ ? check_plunge(*arrival_)
+               : departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
+                         "The last level has no infeed at the centre.");
+  if (answer.kind != OpenPathAnswer::Kind::decided || !may_be_above_floor()) return answer;
+  above_floor_ = true;
+  floor_fault_ = answer.verdict;
+  return OpenPathAnswer::take();
 }
 
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
@@ -248,80 +293,6 @@ OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
     return OpenPathAnswer::end(here);
   }
   return OpenPathAnswer::take();
-}
-
-OpenPathAnswer PocketMillingJudge::finish_level(const Motion& next) {
-  milling_ = false;
-  if (motions_.empty()) {
-    // An infeed alone: the level is a point, or nothing of it was milled.
-    const OpenPathAnswer depth = check_level_depth(next);
-    if (depth.kind == OpenPathAnswer::Kind::decided) return depth;
-  }
-  const OpenPathAnswer answer = judge_level(next);
-  motions_.clear();
-  records_.clear();
-  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
-  next_level_ = place_of(depth_).value_or(next_level_) + 1;
-  last_depth_ = depth_;
-  first_ = false;
-  // Below what roughing left a strip opens nothing but itself.
-  const Number open = level_at(depth_).cleared ? max(depth_, cleared_.rough) : depth_;
-  cleared_.everywhere = min(cleared_.everywhere, open);
-  cleared_.rough = min(cleared_.rough, open);
-  floor_done_ = floor_done_ || is_floor(depth_);
-  return OpenPathAnswer::take();
-}
-
-region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const {
-  region::RectangularLevel level;
-  level.area = area_;
-  // SIE-LC75-07, SIE-LC75-10: the strip that roughing left, and at the last level the floor.
-  const bool whole = !item_.finishing || (is_floor(depth) && !item_.contour_only);
-  if (!whole) level.cleared = rough_area_;
-  level.tool_radius = item_.tool_radius;
-  level.sense = item_.sense;
-  level.plunge = plunge_;
-  level.tolerance = terms_.tolerance;
-  level.slack = slack_;
-  return level;
-}
-
-OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
-  const region::RectangularLevel level = level_at(depth_);
-  const bool whole = !level.cleared;
-  const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
-                     std::ranges::equal(judged_->motions, motions_, same_motion);
-  if (known) return OpenPathAnswer::take();
-  const region::LevelVerdict answer = region::judge_level(level, motions_);
-  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
-  if (answer.kind == region::LevelVerdict::Kind::no_go) {
-    return level_fault(answer.finding.value(), next.from);
-  }
-  judged_ = Judged{motions_, plunge_, whole};
-  return OpenPathAnswer::take();
-}
-
-OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
-                                               const Position& at) const {
-  const auto [clause, message] = meaning_of(finding.rule);
-  const region::PlanePoint place = region::out_of(frame_, finding.witness);
-  Position witness = at;
-  witness[axes_.p] = place.p;
-  witness[axes_.q] = place.q;
-  witness[axes_.d] = depth_;
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_region;
-  verdict.clause = clause;
-  verdict.block = item_.block;
-  verdict.record = finding.record;
-  verdict.want = pocket_text(item_);
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
-  }
-  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
-  set_deviation(verdict, finding.deviation);
-  verdict.message = message;
-  return OpenPathAnswer::decide(std::move(verdict));
 }
 
 }  // namespace gonogo::oracle

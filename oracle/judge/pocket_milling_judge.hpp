@@ -23,6 +23,8 @@ class PocketMillingJudge {
   // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
   OpenPathAnswer take(const Motion& motion);
   bool complete() const { return over_; }
+  // Whether the last motion belongs to a level, whose motions are limited.
+  bool mills_level() const { return milling_; }
   Verdict incomplete(const Position& position) const;
 
  private:
@@ -32,13 +34,24 @@ class PocketMillingJudge {
     Number rough;
   };
 
+  // Whether the motion leads up or down, however little.
+  bool goes_along_depth(const Motion& motion) const;
+  // Whether a cut along the depth axis within a level leaves it at its depth.
+  bool stays_at_level(const Motion& motion) const;
   OpenPathAnswer take_in_plane(const Motion& motion);
+  // Whether the depth cannot be told from one that is cleared everywhere.
+  bool is_near_cleared(const Number& depth) const;
+  OpenPathAnswer take_near_cleared(const Motion& motion);
+  void start_trial(const Number& depth, const Position& plunge);
+  OpenPathAnswer finish_trial(const Motion& next);
+  void close_level();
   OpenPathAnswer take_cut(const Motion& motion);
+  OpenPathAnswer collect(const Motion& motion);
   OpenPathAnswer take_down(const Motion& motion);
   OpenPathAnswer take_travel(const Motion& motion);
   OpenPathAnswer check_travel(const Motion& motion) const;
   OpenPathAnswer check_plunge(const Motion& motion) const;
-  OpenPathAnswer check_level_depth(const Motion& motion) const;
+  OpenPathAnswer check_level_depth(const Motion& motion);
   OpenPathAnswer finish_level(const Motion& next);
   OpenPathAnswer judge_level(const Motion& next);
   OpenPathAnswer level_fault(const region::Finding& finding, const Position& at) const;
@@ -46,8 +59,11 @@ class PocketMillingJudge {
                          std::string message) const;
 
   bool is_floor(const Number& depth) const;
+  // Whether a level that is not as the floor must be is one just above it.
+  bool may_be_above_floor() const;
   bool admits_depth(const Number& depth) const;
-  bool is_named(const Number& depth) const;
+  bool is_due(const Number& place) const;
+  std::optional<Number> due_place(const Number& depth) const;
   Number depth_of(const Number& place) const;
   std::optional<Number> place_of(const Number& depth) const;
   bool has_strip() const { return item_.finishing && item_.allowance.sign() > 0; }
@@ -81,6 +97,11 @@ class PocketMillingJudge {
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
   Number depth_;                   // of it
+  // A floor within the tolerance of what is cleared: it is milled if these motions clear it, and
+  // else they are travel.
+  bool trial_ = false;
+  bool above_floor_ = false;            // within the tolerance of the floor, but not milled as it
+  std::optional<Verdict> floor_fault_;  // why not
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
   region::PlanePoint plunge_;

@@ -12,36 +12,14 @@
 #include "oracle/judge/curve_match.hpp"
 #include "oracle/judge/helix_pocket_judge.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
+#include "oracle/judge/program_input.hpp"
+#include "oracle/judge/record_budget.hpp"
 #include "oracle/judge/reference_stream.hpp"
 #include "oracle/judge/thread_judge.hpp"
 #include "oracle/region/level.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::oracle {
-
-// A program in memory as lines.
-struct ProgramInput {
-  explicit ProgramInput(std::string_view program) : bytes(program), lines(bytes) {}
-  grammar::MemorySource bytes;
-  grammar::LineSource lines;
-};
-
-// How many records a subject may send: 10 times those of the reference and 1,000. The reference's
-// are counted only as far as needed.
-class RecordBudget {
- public:
-  RecordBudget(const reference::Profile& profile, std::string_view program)
-      : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
-  // `live` counts what the judge's own reference has put out. It counts too, because a subject's
-  // own path may end elsewhere than the one that is shown, and other blocks follow from that.
-  bool allows(std::size_t records, std::size_t live);
-
- private:
-  ProgramInput input_;
-  reference::Expander expander_;
-  std::size_t counted_ = 0;
-  bool complete_ = false;
-};
 
 class ProgramJudge {
  public:
@@ -56,6 +34,7 @@ class ProgramJudge {
   std::size_t progress() const { return reference_.items(); }
 
  private:
+  void decide_too_many(const Record& record);
   void take_record(const Record& record);
   void take_motion(const Record& record);
   void flush_pending();
@@ -95,6 +74,9 @@ class ProgramJudge {
   ThreadJudge& thread_judge(const reference::ThreadMilling& thread);
   HelixPocketJudge& helix_pocket_judge(const reference::HelixPocket& pocket);
   PocketMillingJudge& pocket_judge(const reference::PocketMilling& pocket);
+  // Whether a motion belongs to a pocket, which may be as small as the tolerance: nothing of it is
+  // dropped. Puts through the approach to the pocket.
+  bool mills_pocket(const Motion& motion);
   // A traverse that leads above a pocket and on into it; from then on its rest.
   bool dives_into_pocket(Motion& motion);
   bool follow_open_path(const OpenPathAnswer& answer, Motion& motion);

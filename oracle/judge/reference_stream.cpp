@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/judge/standing.hpp"
 #include "oracle/judge/terms.hpp"
 
 namespace gonogo::oracle {
@@ -12,7 +13,7 @@ JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& prof
   JudgeTerms terms;
   terms.tolerance = profile.resolution();
   if (subject.resolution) terms.tolerance = min(terms.tolerance, *subject.resolution);
-  if (tolerance) terms.tolerance = *tolerance;
+  if (tolerance) terms.tolerance = terms.granted = *tolerance;
   if (chord) terms.chord = *chord;
   terms.resolution = subject.resolution;
   terms.feed_resolution = subject.feed_resolution;
@@ -61,8 +62,7 @@ void ReferenceStream::take_motion(const Record& record) {
     return;
   }
   // Dropped: it stays where the last kept motion ended, and makes no turn.
-  if (agree(motion.from, anchor_, terms_.tolerance) &&
-      agree(motion.to(), anchor_, terms_.tolerance) && !goes_round(motion, terms_.tolerance)) {
+  if (stays_at(anchor_, motion, terms_)) {
     dropped_ = true;
     dropped_arc_ = dropped_arc_ || is_round(record.kind);
     return;

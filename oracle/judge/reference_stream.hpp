@@ -16,10 +16,10 @@ namespace gonogo::oracle {
 struct JudgeTerms;
 
 // What the subject has to do next. M functions come as they are met.
-using ReferenceStep = std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
-                                   reference::ThreadMilling, reference::PocketMilling,
-                                   reference::Renaming,
-                                   reference::AlarmReport, reference::NotCovered>;
+using ReferenceStep =
+    std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
+                 reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
+                 reference::AlarmReport, reference::NotCovered>;
 
 class ReferenceStream {
  public:
@@ -69,7 +69,7 @@ class ReferenceStream {
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
-  bool dropped_ = false;      // a motion, since the last one that was kept
+  bool dropped_ = false;  // a motion, since the last one that was kept
   bool dropped_arc_ = false;
 };
 

@@ -10,6 +10,7 @@ namespace gonogo::oracle {
 // On what terms a subject is judged: what it declared, and what the certifier granted.
 struct JudgeTerms {
   Number tolerance = Number::millionths(1000);  // tau, mm an axis
+  Number granted;                               // mm; the certifier's own tolerance, 0: none
   Number chord;                                 // mm; chords of arcs allowed when above 0
   std::optional<Number> resolution;             // declared; for correctly rounded values
   std::optional<Number> feed_resolution;

@@ -23,6 +23,8 @@ std::uint64_t hash_of(const mpq_class& value) {
   return mix(hash_of(value.get_num()), hash_of(value.get_den()));
 }
 
+}  // namespace
+
 std::uint64_t hash_of(const Number& value) {
   if (const EnclosureNode* node = enclosure_node(value)) return node->hash;
   if (NumberAccess::node(value) == nullptr) {
@@ -31,6 +33,8 @@ std::uint64_t hash_of(const Number& value) {
   const Root root = root_of(value);
   return mix(mix(hash_of(root.a), hash_of(root.b)), hash_of(root.c));
 }
+
+namespace {
 
 std::uint32_t depth_of(const Number& value) {
   const EnclosureNode* node = enclosure_node(value);
@@ -114,70 +118,6 @@ mpfr_exp_t magnitude_bits(const Interval& interval) {
   return bits;
 }
 
-// What is left of a sum or difference when a term of it cancels out: (a + b) - a, x - (x + b), ...
-std::optional<Number> cancelled(Operation operation, const Number& x, const Number& y) {
-  const bool adds = operation == Operation::add;
-  const EnclosureNode* const left = enclosure_node(x);
-  const EnclosureNode* const right = enclosure_node(y);
-  if (left != nullptr && left->operation == Operation::add && !adds) {
-    if (same_expression(left->left, y)) return left->right;
-    if (same_expression(left->right, y)) return left->left;
-  }
-  if (left != nullptr && left->operation == Operation::subtract) {
-    if (adds && same_expression(left->right, y)) return left->left;
-    if (!adds && same_expression(left->left, y)) return -left->right;
-  }
-  if (right != nullptr && right->operation == Operation::add && !adds) {
-    if (same_expression(right->left, x)) return -right->right;
-    if (same_expression(right->right, x)) return -right->left;
-  }
-  if (right != nullptr && right->operation == Operation::subtract) {
-    if (adds && same_expression(right->right, x)) return right->left;
-    if (!adds && same_expression(right->left, x)) return right->right;
-  }
-  return std::nullopt;
-}
-
-// x op y without a node, where that holds for every value of the operands.
-std::optional<Number> simplified(Operation operation, const Number& x, const Number& y) {
-  const auto is = [](const Number& value, int wanted) {
-    return value.is_rational() && value == Number(wanted);
-  };
-  const EnclosureNode* left = enclosure_node(x);
-  switch (operation) {
-    case Operation::negate:
-      if (left->operation == Operation::negate) return left->left;
-      break;
-    case Operation::add:
-      if (is(x, 0)) return y;
-      if (is(y, 0)) return x;
-      return cancelled(operation, x, y);
-    case Operation::subtract:
-      if (is(y, 0)) return x;
-      if (is(x, 0)) return -y;
-      if (same_expression(x, y)) return Number(0);
-      return cancelled(operation, x, y);
-    case Operation::multiply:
-      if (is(x, 0) || is(y, 0)) return Number(0);
-      if (is(x, 1)) return y;
-      if (is(y, 1)) return x;
-      if (is(x, -1)) return -y;
-      if (is(y, -1)) return -x;
-      if (left != nullptr && left->operation == Operation::sqrt && same_expression(x, y)) {
-        return left->left;
-      }
-      break;
-    case Operation::divide:
-      if (is(x, 0)) return Number(0);
-      if (is(y, 1)) return x;
-      if (same_expression(x, y)) return Number(1);
-      break;
-    default:
-      break;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 EnclosureNode::EnclosureNode(Operation its_operation, Number its_left, Number its_right)
@@ -194,6 +134,10 @@ EnclosureNode::EnclosureNode(Operation its_operation, Number its_left, Number it
 
 Number enclosure(Operation operation, const Number& left, const Number& right) {
   if (auto simple = simplified(operation, left, right)) return *std::move(simple);
+  return plain_enclosure(operation, left, right);
+}
+
+Number plain_enclosure(Operation operation, const Number& left, const Number& right) {
   return NumberAccess::adopt(new EnclosureNode(operation, left, right));
 }
 
@@ -243,12 +187,13 @@ bool same_expression(const Number& x, const Number& y) {
       if (Number::compare(*a, *b) != 0) return false;
       continue;
     }
-    if (node_a == node_b || !seen.insert({node_a, node_b}).second) continue;
+    if (node_a == node_b) continue;
     // Two values of one interval need not be equal: a `between` is the same only as itself.
     if (node_a->hash != node_b->hash || node_a->operation != node_b->operation ||
         node_a->operation == Operation::between) {
       return false;
     }
+    if (!seen.insert({node_a, node_b}).second) continue;
     pending.emplace_back(&node_a->left, &node_b->left);
     pending.emplace_back(&node_a->right, &node_b->right);
   }

@@ -42,12 +42,19 @@ inline constexpr mpfr_prec_t kLastBits = 4096;  // of sign and comparison
 // Where a `between` is in it, more digits add nothing but the rounding of its ends.
 inline constexpr mpfr_prec_t kLastBitsOfBetween = 256;
 
-// Simplifies what needs no evaluation (x + 0, x - x, x * 0, ...).
+// Simplifies what needs no evaluation (x + 0, x - x, x * 0, 2x + 3x, ...).
 Number enclosure(Operation operation, const Number& left, const Number& right = Number());
+// Without that.
+Number plain_enclosure(Operation operation, const Number& left, const Number& right = Number());
+// In simplify.cpp. x op y as another number, where that holds for every value of the operands.
+// Products come in one form, k * (x * y) with a rational k first, so that equal ones show.
+std::optional<Number> simplified(Operation operation, const Number& x, const Number& y);
 // REQUIRES: x is an enclosure. Frees it and what only it holds.
 void destroy_enclosure(Node* node) noexcept;
 
 Interval interval_of(const Number& value, mpfr_prec_t bits);
+// Of the expression.
+std::uint64_t hash_of(const Number& value);
 // Whether two numbers are one by construction; false says nothing.
 bool same_expression(const Number& x, const Number& y);
 

@@ -213,11 +213,25 @@ std::array<Number, 3> Number::root_parts() const {
 Number abs(const Number& value) {
   return value.sign() < 0 ? -value : value;
 }
+namespace {
+
+bool is_surely_below(const Number& a, const Number& b) {
+  try {
+    return a < b;
+  } catch (const Undecided&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+// Of two enclosures that the last refinement does not tell apart, the first: they differ by less
+// than any question that it decides.
 const Number& min(const Number& a, const Number& b) {
-  return b < a ? b : a;
+  return is_surely_below(b, a) ? b : a;
 }
 const Number& max(const Number& a, const Number& b) {
-  return a < b ? b : a;
+  return is_surely_below(a, b) ? b : a;
 }
 
 Number sqrt(const Number& value) {

@@ -146,9 +146,9 @@ void run_arc(BlockContext& block, int sense) {
   const bool angle_in_range = check_angle(block);
   // Where the only centre is one along the third axis, there is none to work with.
   const bool has_no_centre = block.words.has_centre() && !block.words.has(centre_word);
-  if (!check_form(block, axes) || has_no_centre) return;
-  const std::optional<EndPoint> end = end_point(block);
-  if (!end || !angle_in_range || !admitted) return;
+  const bool has_form = check_form(block, axes);
+  const std::optional<EndPoint> end = end_point(block);  // the rules of AP and RP hold anyway
+  if (!has_form || has_no_centre || !end || !angle_in_range || !admitted) return;
   ArcCommand arc{plane, axes, sense, *end};
   const std::optional<FoundArc> found = find_arc(block, arc, centre_word);
   if (!found) return;

@@ -112,18 +112,12 @@ bool refuse(BlockContext& block, std::initializer_list<Address> addresses) {
   return refused;
 }
 
-// SIE-FRM-03: RPL45. Whether the angle may be read.
-bool admits_rpl(BlockContext& block) {
+// SIE-FRM-03: RPL45, where it may stand so.
+void warn_of_bare_rpl(BlockContext& block) {
   const grammar::NamedWord& word = *block.words.word(Address::rpl);
-  if (word.has_equals) return true;
-  if (block.readings.is(ReadingKey::sie_rpl_equals, "required")) {
-    block.alarm(AlarmClass::syntax, "SIE-FRM-03"_clause, WordName("RPL"),
-                "RPL and its angle need an '=' between them.");
-    return false;
-  }
+  if (word.has_equals) return;
   block.out.warnings.push_back(
       {"RPL stands without '='; it is read as if it had one.", word.where});
-  return true;
 }
 
 }  // namespace
@@ -175,7 +169,7 @@ void run_rotation(BlockContext& block) {
     }
   }
   if (block.words.has(Address::rpl)) {
-    if (!admits_rpl(block)) return;
+    warn_of_bare_rpl(block);
     const Number base = adds ? next.angle() : Number(0);
     next.set_rotation(machine.plane, base + block.words.written(Address::rpl));
   } else if (adds) {

@@ -26,6 +26,7 @@ class Interpreter : public BlockInterpreter {
   void stand_at(const Position& position) override;
 
  private:
+  bool parses(const grammar::Block& block, BlockOutput& out) const;
   bool take_codes(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   bool take_values(std::uint64_t line, BlockWords& words, BlockOutput& out);
   void take_m(std::uint64_t line, const grammar::NamedWord& word, const Number& value,
@@ -66,6 +67,21 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings, 
 void Interpreter::stand_at(const Position& position) {
   machine_.base = position;
   machine_.position = machine_.frame.to_workpiece(position);
+}
+
+// SIE-FRM-03: a block with RPL45 is no block where the sign is required.
+bool Interpreter::parses(const grammar::Block& block, BlockOutput& out) const {
+  if (machine_.control != Control::sinumerik802s) return true;
+  const auto is_bare = [](const grammar::NamedWord& word) {
+    return address_of(word) == Address::rpl && !word.has_equals;
+  };
+  const auto bare = std::ranges::find_if(block.named, is_bare);
+  if (bare == block.named.end() || !readings_.is(ReadingKey::sie_rpl_equals, "required")) {
+    return true;
+  }
+  out.alarms.push_back({AlarmClass::syntax, "SIE-FRM-03"_clause, WordName("RPL"), bare->where,
+                        "RPL and its angle need an '=' between them."});
+  return false;
 }
 
 // Whether the block is read on: what is not covered goes before what is wrong, and a block with an
@@ -232,44 +248,6 @@ void Interpreter::run_motion(BlockContext& block) {
   }
 }
 
-// SIE-MOD-03, SIE-POL-02, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
-ClauseId alone_by(int once) {
-  switch (once) {
-    case 4:
-      return "SIE-MOD-03"_clause;
-    case 158:
-    case 258:
-    case 259:
-      return "SIE-FRM-04"_clause;
-    default:
-      return "SIE-POL-02"_clause;
-  }
-}
-
-void refuse_beside(BlockContext& block, const grammar::NamedWord& word, ClauseId clause,
-                   std::string_view code) {
-  const std::string name = word.index ? fmt::format("{}{}", word.name, *word.index) : word.name;
-  block.out.alarms.push_back({AlarmClass::conflicting_words, clause, WordName(name), word.where,
-                              fmt::format("{} does not stand beside {}.", name, code)});
-}
-
-// Whether nothing else does.
-bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own) {
-  bool alone = true;
-  const grammar::Block& text = block.words.block();
-  for (const grammar::NamedWord& word : text.named) {
-    const std::optional<Address> address = address_of(word);
-    if (address && std::ranges::find(its_own, *address) != its_own.end()) continue;
-    if (address == Address::g &&
-        Number(block.codes.once) == to_number(text.terms[word.first_term].number)) {
-      continue;
-    }
-    alone = false;
-    refuse_beside(block, word, alone_by(block.codes.once), fmt::format("G{}", block.codes.once));
-  }
-  return alone;
-}
-
 void Interpreter::run_once(BlockContext& block) {
   if (block.codes.several_once) return;  // which of them is meant is not known
   const PlaneAxes axes = block.plane_axes();
@@ -292,19 +270,8 @@ void Interpreter::run_once(BlockContext& block) {
   }
 }
 
-// SIE-LC82-03: a cycle stands alone in its block.
 void Interpreter::run_cycle(BlockContext& block) {
-  bool alone = true;
-  bool called = false;
-  for (const grammar::NamedWord& word : block.words.block().named) {
-    if (cycle_of(word) != Cycle::none && !called) {
-      called = true;
-      continue;
-    }
-    alone = false;
-    refuse_beside(block, word, "SIE-LC82-03"_clause, "the call of a cycle");
-  }
-  if (!alone) return;
+  if (!cycle_stands_alone(block)) return;
   const CycleCall call{block, calculator_, open_paths_};
   block.codes.cycle == Cycle::lcyc82 ? run_lcyc82(call) : run_lcyc75(call);
 }
@@ -314,7 +281,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     out.not_covered = construct_outside(block, line);
     return;
   }
-  if (block.named.empty() || !take_codes(line, block, out)) return;
+  if (block.named.empty() || !parses(block, out) || !take_codes(line, block, out)) return;
   BlockWords words(block, machine_.modes);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, reading_.codes};

@@ -93,6 +93,11 @@ struct ArcPath {
   ClauseId clause = kNoClause;
 };
 
+// In alone.cpp. Whether the code of the block that holds once, or its cycle, stands alone in it but
+// for words of its own; an alarm for each other word.
+bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own);
+bool cycle_stands_alone(BlockContext& block);
+
 // In basic_motion.cpp.
 void run_dwell(BlockContext& block);
 void run_line(BlockContext& block, RecordKind kind);

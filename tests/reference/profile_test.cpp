@@ -178,6 +178,15 @@ TEST(Profile, ASinumerikMillsInMicrometres) {
                "readings.sie.arc.correct", {"rs274"});
 }
 
+// SIE-ARC-08 holds for both controls, and so does its reading on the wire.
+TEST(Profile, AReadingOfTwoDialectsIsWrittenForBoth) {
+  for (const char* dialect : {"sinumerik840d", "sinumerik802s"}) {
+    auto profile = std::get<Profile>(default_profile(dialect));
+    set_reading(profile, "sie.arc.correct", "project");
+    EXPECT_EQ(profile_json(profile), R"({"readings":{"sie.arc.correct":"project"}})") << dialect;
+  }
+}
+
 TEST(Profile, TheLeastIncrementFollowsTheIncrementSystem) {
   EXPECT_EQ(toml("").resolution(), num("0.001"));
   EXPECT_EQ(toml("increment = \"ISB\"").resolution(), num("0.001"));

@@ -49,6 +49,19 @@ TEST(SmallMotions, OneThatOnlyTheSubjectKeepsMayStandBeforeAnother) {
   }
 }
 
+// Two motions of exactly the tolerance, along Z and X, both dropped by the reference. As doubles
+// the first is 0.00100000000000033 long, and the second ends as much off: the subject's numbers
+// here are those doubles.
+TEST(SmallMotions, OneOfExactlyTheToleranceMayBeLongerAsADouble) {
+  static_assert(7.001 - 7.0 > 0.001 && 5.3 < 5.301);
+  const std::string_view program = "G00 X10.6 Z7\nG01 Z7.001 F100\nX10.602\n";
+  TraceText trace(1);
+  trace.line(R"({"k":"rapid","b":1,"to":{"x":"0x1.5333333333333p+2","z":"7"}})")
+      .line(R"({"k":"feed","b":2,"to":{"z":"0x1.c010624dd2f1bp+2"},"f":"100"})")
+      .line(R"({"k":"feed","b":3,"to":{"x":"0x1.534395810624ep+2"},"f":"100"})");
+  EXPECT_EQ(decided(program, trace), Decision::go);
+}
+
 TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
   TraceText trace = at_ten();
   trace.feed({{'z', 10 + 2 * kTau + kHair}});

@@ -31,6 +31,31 @@ TEST(Enclosure, RefinesFarBeyondTheFirstPrecision) {
   EXPECT_EQ((nearly - two_roots()).sign(), 1);
 }
 
+// Points on the ray of one degree about (20, 20): their differences are multiples of one direction.
+TEST(Enclosure, MultiplesOfOneExpressionAreSeen) {
+  const auto [c, s] = cos_sin_degrees(1);
+  const Number pole = 20;
+  const Number dp = (pole + num("1.001") * c) - (pole + c);
+  const Number dq = (pole + num("1.001") * s) - (pole + s);
+  EXPECT_EQ(dp, num("0.001") * c);
+  EXPECT_EQ((dp * s - dq * c).sign(), 0);
+  EXPECT_EQ(dp * (c * -3) - c * (c * num("-0.003")), Number(0));
+  EXPECT_EQ((pole + c) * 2 - c - (pole + c), pole);
+}
+
+TEST(Enclosure, AProductIsOneInAnyOrder) {
+  const auto [c, s] = cos_sin_degrees(7);
+  EXPECT_EQ((c * 2) * (s * 3) - s * (c * 6), Number(0));
+  EXPECT_EQ(-(c * s) + s * c, Number(0));
+}
+
+// A sum of two is no sum of one: the difference stays.
+TEST(Enclosure, DifferentExpressionsStayDifferent) {
+  const auto [c, s] = cos_sin_degrees(7);
+  EXPECT_GT((c + s) - s * 2, Number(0));
+  EXPECT_LT(c * c + s * s - num("1.0000000001"), Number(0));
+}
+
 // sqrt(5 + 2 sqrt 6) = sqrt 2 + sqrt 3, which no interval can show.
 TEST(Enclosure, EqualityOfDifferentExpressionsIsUndecided) {
   const Number nested = sqrt(Number::root(5, 2, 6));

@@ -25,14 +25,6 @@ Writing any_writing() {
   return writing;
 }
 
-void expect_changed(const Program& program, const AxesChange& change) {
-  Writing writing = any_writing();
-  const PathTrace plain = look(program, writing);
-  writing.axes = change;
-  RC_LOG() << text(write(program, writing));
-  RC_ASSERT(look(program, writing) == changed(plain, change));
-}
-
 // The properties below say little where the programs say little.
 TEST(NgcMetamorphic, TheProgramsMoveAndFewOfThemAlarm) {
   std::map<ClauseId, int> motions;
@@ -49,47 +41,6 @@ TEST(NgcMetamorphic, TheProgramsMoveAndFewOfThemAlarm) {
   EXPECT_GT(alarms[AlarmClass::arc_end_point], 10);
   EXPECT_GT(alarms[AlarmClass::arc_radius], 10);
   EXPECT_LT(alarms[AlarmClass::arc_end_point] + alarms[AlarmClass::arc_radius], 200);
-}
-
-RC_GTEST_PROP(NgcMetamorphic, ATranslatedProgramMovesByTheSameShift, ()) {
-  AxesChange change;
-  change.shift = any_shift();
-  expect_changed(*programs(), change);
-}
-
-// (X, Y; Z) of G17 becomes (Z, X; Y) of G18 and (Y, Z; X) of G19.
-RC_GTEST_PROP(NgcMetamorphic, APlaneOnlyNamesTheAxes, ()) {
-  const Program program = *programs();
-  AxesChange change;
-  for (const auto& axis : {std::array<std::size_t, 3>{2, 0, 1}, {1, 2, 0}}) {
-    change.axis = axis;
-    expect_changed(program, change);
-  }
-}
-
-RC_GTEST_PROP(NgcMetamorphic, AQuarterTurnInAPlaneTurnsTheProgram, ()) {
-  const Program program = *programs();
-  for (std::size_t third = 0; third < 3; ++third) {
-    AxesChange change;
-    std::swap(change.axis[(third + 1) % 3], change.axis[(third + 2) % 3]);
-    change.sign[(third + 2) % 3] = -1;
-    expect_changed(program, change);
-  }
-}
-
-RC_GTEST_PROP(NgcMetamorphic, TheMirrorImageTurnsTheOtherWay, ()) {
-  const Program program = *programs();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    AxesChange change;
-    change.sign[axis] = -1;
-    expect_changed(program, change);
-  }
-}
-
-RC_GTEST_PROP(NgcMetamorphic, AnySymmetryOfTheAxes, ()) {
-  AxesChange change = any_symmetry();
-  change.shift = any_shift();
-  expect_changed(*programs(), change);
 }
 
 // Of exact arcs: the limits of the others do not grow with them.

@@ -81,7 +81,7 @@ TEST(SieArc, AnArcHasOneForm) {
   EXPECT_EQ(outcome("G2 X10 AR=90 CR=5"), "conflicting-words CR");
   EXPECT_EQ(outcome("G2 X10 I5 AR=90"), "conflicting-words AR");
   EXPECT_EQ(outcome("G2 AP=10 RP=5 CR=5"), "conflicting-words AP");
-  EXPECT_EQ(outcome("G2 RP=5 I5"), "conflicting-words RP");
+  EXPECT_EQ(outcome("G2 RP=5 I5"), "conflicting-words RP, missing-word AP");
   EXPECT_EQ(outcome("G2 I5 AR=90 Z3"), "end");
   EXPECT_EQ(clauses("F1\nG2 X10"), Lines{"SIE-ARC-11"});
 }

@@ -130,6 +130,13 @@ TEST(SieFrame, AnAngleMayStandWithoutEqualsSign) {
   EXPECT_EQ(outcome("G258 RPL90", required), "syntax RPL");
   EXPECT_EQ(clauses("G258 RPL90", required), Lines{"SIE-FRM-03"});
   EXPECT_EQ(outcome("G258 RPL=90", required), "end");
+  // A block that does not parse says nothing else: S and G1 would be conflicting-words, G599
+  // undefined-code.
+  for (const char* program : {"G259 RPL60 S300", "G1 X5 RPL60", "G599 RPL60", "RPL60 RPL60"}) {
+    EXPECT_EQ(outcome(program, required), "syntax RPL") << program;
+    EXPECT_EQ(clauses(program, required), Lines{"SIE-FRM-03"}) << program;
+  }
+  EXPECT_EQ(outcome("G259 RPL60 S300", s802()), "conflicting-words S");
 }
 
 TEST(SieFrame, TheTranslationIsInTheUnitsInForce) {

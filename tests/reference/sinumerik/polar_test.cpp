@@ -134,6 +134,64 @@ TEST(SiePolar, APoleBesideAnEnclosedPlaceHasItsExactDistance) {
   EXPECT_EQ(outcome("G1 RP=50 AP=20\nG110\nG2 RP=5 AP=33"), "arc-radius RP");
 }
 
+// The way from a pole beside an enclosed place is a decimal: (-4, 6) and 4.001 along X.
+TEST(SiePolar, TheWayAboutAPoleBesideAnEnclosedPlaceIsExact) {
+  const std::string before = "F9\nG1 RP=14.301 AP=342.167\nG110 X-4 Y6\nG1 RP=4.001 AP=0\n";
+  EXPECT_EQ(outcome_of_program(before + "G3 Y69"), "missing-word CR");
+  EXPECT_EQ(outcome_of_program(before + "G2 Y=IC(1) CR=0.4"), "arc-radius CR");
+  EXPECT_EQ(outcome_of_program(before + "G2 Y=IC(1) CR=0.5"), "end");
+}
+
+// Start, end and pole on one ray: the centre lies on the line of the chord, and would go to its
+// perpendicular, by nearly 90 degrees.
+TEST(SiePolar, AnArcFromRadiusToRadiusOnOneRayIsRefused) {
+  const std::string before = "G110 X20 Y20\nG1 AP=-359 RP=1 F100\nG3 ";
+  for (const char* angle : {"-359", "1", "IC(0)", "IC(360)"}) {
+    const std::string program = before + "AP=" + angle + " RP=1.001";
+    EXPECT_EQ(outcome_of_program(program), "arc-end-point RP") << angle;
+    EXPECT_EQ(outcome_of_program(program, sie({{"sie.arc.correct", "project"}})),
+              "arc-end-point RP");
+    EXPECT_EQ(outcome_of_program(program, sie({{"sie.arc.correct", "programmed"}})), "end");
+  }
+  EXPECT_EQ(outcome_of_program("G1 AP=20 RP=0.005 F9\nG3 AP=70 RP=0"), "arc-end-point RP");
+}
+
+// Inward the projected centre is the middle of the chord: half a turn about 0.9995 on the ray of
+// one degree, whose cosine is 0.999847695 and sine 0.017452406.
+TEST(SiePolar, InwardOnOneRayTheProjectedCentreIsTheMiddle) {
+  const std::string program = "G1 AP=1 RP=1 F100\nG3 AP=1 RP=0.999";
+  EXPECT_EQ(outcome_of_program(program), "arc-end-point RP");
+  EXPECT_EQ(centre(last_motion(program, sie({{"sie.arc.correct", "project"}}))),
+            "0.999347771,0.017443680");
+}
+
+// On the ray of 20 degrees u from 5 to 5.004 on the other side: the middle is -0.002 u. To 4.996
+// half the chord is 4.998, and as in SieArcCorrection the centre is 0.002 u and 0.141407213 off
+// the chord, on its left for G3: u = (0.939692621, 0.342020143), left of -u (0.342020143, -u_x).
+TEST(SiePolar, AnArcToTheOtherSideHasItsCentreOnTheChord) {
+  const std::string before = "G1 AP=20 RP=5 F9\n";
+  EXPECT_EQ(centre(last_motion(before + "G3 AP=200 RP=5.004")), "-0.001879385,-0.000684040");
+  EXPECT_EQ(centre(last_motion(before + "G2 AP=-160 RP=5.004")), "-0.001879385,-0.000684040");
+  EXPECT_EQ(centre(last_motion(before + "G3 AP=200 RP=4.996")), "0.050243501,-0.132195275");
+  EXPECT_EQ(centre(last_motion(before + "G2 AP=200 RP=4.996")), "-0.046484730,0.133563355");
+}
+
+// SIE-CT-01 straight ahead and straight behind.
+TEST(SiePolar, ATangentArcAlongARayIsALine) {
+  const std::string before = "G1 AP=20 RP=10 F9\nAP=20 RP=20\nCT AP=20 ";
+  EXPECT_EQ(last_motion(before + "RP=30").kind, RecordKind::feed);
+  EXPECT_EQ(outcome_of_program(before + "RP=15"), "arc-tangent CT");
+}
+
+// SIE-POL-02 holds for AP and RP whatever else stands in the block.
+TEST(SiePolar, TheRangesAreCheckedBesideAnotherFormOfTheArc) {
+  EXPECT_EQ(outcome("G3 AR=90 RP=-1 AP=0"), "value-sign RP, conflicting-words AP");
+  EXPECT_EQ(outcome("G3 CR=9 RP=-1 AP=0"), "value-sign RP, conflicting-words AP");
+  EXPECT_EQ(outcome("G1 RP=5 AP=10\nG2 I5 J0 AP=IC(400)"),
+            "conflicting-words AP, value-out-of-range AP");
+  EXPECT_EQ(outcome("G3 AR=90 RP=1"), "conflicting-words RP, missing-word AP");
+}
+
 TEST(SiePolar, FullCirclesOfTheFirstSampleAreExact) {
   const std::string program = "G0 X67.5 Y80.211\nG111 X50 Y50\nG0 RP=34.913 AP=200.052\nF9\n";
   EXPECT_EQ(centre(last_motion(program + "G3 AP=200.052")), "50.000000000,50.000000000");

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Under which other reading a NO-GO would be GO.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "oracle/judge/judge_session.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::Reading;
+using reference::ReadingKey;
+
+// What the expansion of a program costs, in records.
+constexpr std::size_t kExpansion = 1'000;
+
+reference::Profile with(const reference::Profile& profile, ReadingKey key, std::string_view value) {
+  reference::Profile other = profile;
+  other.readings.set(key, value);
+  return other;
+}
+
+// An alternative may lead to blocks that another one alarms before.
+std::set<ReadingKey> touched_under_any(const reference::Profile& profile,
+                                       std::string_view program) {
+  std::set<ReadingKey> touched;
+  for (const reference::ReadingChoice& choice : assignments_of(profile, program).choices) {
+    reference::Profile assigned = profile;
+    assigned.readings = choice;
+    const std::vector<ReadingKey> keys = touched_by(assigned, program);
+    touched.insert(keys.begin(), keys.end());
+  }
+  return touched;
+}
+
+// The other values of a reading; none of an open one, under which all of them are admitted.
+std::vector<std::string_view> other_values(const reference::Profile& profile,
+                                           const Reading& reading) {
+  std::vector<std::string_view> values;
+  if (profile.readings.is(reading.key, "any")) return values;
+  for (const std::string_view value : reading.alternatives) {
+    if (!profile.readings.is(reading.key, value)) values.push_back(value);
+  }
+  if (reading.by_properties) values.emplace_back("any");  // more than the named ones
+  return values;
+}
+
+}  // namespace
+
+std::string explaining_reading(const reference::Profile& profile, std::string_view program,
+                               const JudgeTerms& terms, std::span<const Record> records,
+                               const RunEnd& end, std::size_t most_records) {
+  std::size_t cost = 0;
+  for (const ReadingKey key : touched_under_any(profile, program)) {
+    const Reading& reading = reference::reading(key);
+    for (const std::string_view value : other_values(profile, reading)) {
+      const reference::Profile other = with(profile, key, value);
+      cost += assignments_of(other, program).choices.size() * (records.size() + kExpansion);
+      if (cost > most_records) return {};
+      const SessionVerdict session = judge_outcome(other, program, terms, records, end);
+      if (decision(session.verdict.kind) == Decision::go) {
+        return fmt::format("{}={}", reading.name, value);
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How many records a subject may send before it counts as running on for ever.
+#pragma once
+
+#include <string_view>
+
+#include "oracle/judge/program_input.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::oracle {
+
+// 10 times those of the reference and 1,000. The reference's are counted only as far as needed.
+class RecordBudget {
+ public:
+  RecordBudget(const reference::Profile& profile, std::string_view program)
+      : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
+  // `live` counts what the judge's own reference has put out. It counts too, because a subject's
+  // own path may end elsewhere than the one that is shown, and other blocks follow from that.
+  bool allows(std::size_t records, std::size_t live);
+  // A record that does not count because something else limits how many of its kind there are: a
+  // chord that goes on along an arc of the reference, a cut of a level of a pocket.
+  void forgive() { ++forgiven_; }
+
+ private:
+  ProgramInput input_;
+  reference::Expander expander_;
+  std::size_t counted_ = 0;
+  std::size_t forgiven_ = 0;
+  bool complete_ = false;
+};
+
+}  // namespace gonogo::oracle

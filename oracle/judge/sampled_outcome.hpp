@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What came back from a machine as sampled axis positions. It is no trace of records, so it brings
+// its own judge; the session asks it under every assignment of readings.
+#pragma once
+
+#include <string_view>
+
+#include "oracle/judge/terms.hpp"
+#include "oracle/verdict.hpp"
+
+namespace gonogo::oracle {
+
+// With this the notes of such a run begin: no trace of records stands in the results, and the file
+// that it names is needed to judge again.
+inline constexpr std::string_view kSampledNote = "Sampled axis positions: ";
+
+struct SampledVerdict {
+  Verdict verdict;
+  std::size_t progress = 0;  // how many motions of the reference were followed
+};
+
+class SampledOutcome {
+ public:
+  SampledOutcome() = default;
+  SampledOutcome(const SampledOutcome&) = delete;
+  SampledOutcome& operator=(const SampledOutcome&) = delete;
+  virtual ~SampledOutcome() = default;
+  // `profile` says every reading that counts; `end` is how the run ended.
+  virtual SampledVerdict judge(const reference::Profile& profile, std::string_view program,
+                               const JudgeTerms& terms, const RunEnd& end) const = 0;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dwells, poles, frames and cycles stand alone in their block: what stands beside them is refused.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/sinumerik/machine.hpp"
+
+namespace gonogo::reference::sinumerik {
+namespace {
+
+// SIE-MOD-03, SIE-POL-02, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
+ClauseId alone_by(int once) {
+  switch (once) {
+    case 4:
+      return "SIE-MOD-03"_clause;
+    case 158:
+    case 258:
+    case 259:
+      return "SIE-FRM-04"_clause;
+    default:
+      return "SIE-POL-02"_clause;
+  }
+}
+
+void refuse_beside(BlockContext& block, const grammar::NamedWord& word, ClauseId clause,
+                   std::string_view code) {
+  const std::string name = word.index ? fmt::format("{}{}", word.name, *word.index) : word.name;
+  block.out.alarms.push_back({AlarmClass::conflicting_words, clause, WordName(name), word.where,
+                              fmt::format("{} does not stand beside {}.", name, code)});
+}
+
+}  // namespace
+
+bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own) {
+  bool alone = true;
+  const grammar::Block& text = block.words.block();
+  for (const grammar::NamedWord& word : text.named) {
+    const std::optional<Address> address = address_of(word);
+    if (address && std::ranges::find(its_own, *address) != its_own.end()) continue;
+    if (address == Address::g &&
+        Number(block.codes.once) == to_number(text.terms[word.first_term].number)) {
+      continue;
+    }
+    alone = false;
+    refuse_beside(block, word, alone_by(block.codes.once), fmt::format("G{}", block.codes.once));
+  }
+  return alone;
+}
+
+// SIE-LC82-03
+bool cycle_stands_alone(BlockContext& block) {
+  bool alone = true;
+  bool called = false;
+  for (const grammar::NamedWord& word : block.words.block().named) {
+    if (cycle_of(word) != Cycle::none && !called) {
+      called = true;
+      continue;
+    }
+    alone = false;
+    refuse_beside(block, word, "SIE-LC82-03"_clause, "the call of a cycle");
+  }
+  return alone;
+}
+
+}  // namespace gonogo::reference::sinumerik
