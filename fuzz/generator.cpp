@@ -32,12 +32,20 @@ std::span<const Generator> generators() {
        [](Choices& choices, Distribution* distribution) {
          return generate_sinumerik(choices, {}, distribution);
        }},
+      {"sinumerik802s", "sinumerik",
+       [](Choices& choices, Distribution* distribution) {
+         SinumerikSettings settings;
+         settings.dialect = "sinumerik802s";
+         return generate_sinumerik(choices, settings, distribution);
+       }},
   });
   return kGenerators;
 }
 
-const Generator* find_generator(std::string_view expander) {
-  const auto found = std::ranges::find(generators(), expander, &Generator::expander);
+const Generator* find_generator(std::string_view expander, std::string_view dialect) {
+  const auto found = std::ranges::find_if(generators(), [&](const Generator& generator) {
+    return generator.expander == expander && (dialect.empty() || generator.dialect == dialect);
+  });
   return found == generators().end() ? nullptr : &*found;
 }
 

@@ -31,8 +31,9 @@ struct Generator {
 };
 
 std::span<const Generator> generators();
-// By the name of a built-in expander. Null: none.
-const Generator* find_generator(std::string_view expander);
+// By the name of a built-in expander, and its dialect; the first one where none is given. Null:
+// none.
+const Generator* find_generator(std::string_view expander, std::string_view dialect = {});
 
 // Sets one reading of the profile's dialect to an alternative that need not be the default.
 // Returns "name=value".

@@ -117,6 +117,10 @@ void SinumerikWriter::centre_arc(Words& words, int plane) {
       (end.p == 0 ? end.q : end.p) += beside(radius);
     }
   }
+  // Beside the circle on the ray of the start: whether it is a full turn or none is undecided.
+  const bool same = end.p == start.p && end.q == start.q;
+  const bool on_ray = start.p * end.q == start.q * end.p && start.p * end.p + start.q * end.q > 0;
+  if (on_ray && !same) end = {-start.q, start.p};
   const bool in_plane = plane == state_.plane;
   const bool helix = in_plane && choices_.one_in(4);
   end_words(words, plane, {end.p - start.p, end.q - start.q}, helix || !in_plane);
@@ -177,6 +181,8 @@ void SinumerikWriter::angle_arc(Words& words) {
   std::int64_t angle = choices_.one_in(2)
                            ? choices_.pick({90'000, 180'000, 270'000, 30'000, 45'000, 1, 359'999})
                            : choices_.between(1, 359'999);
+  // Nearly straight only where the chord is known to be short.
+  if (state_.astray) angle = choices_.pick({90'000, 180'000, 300'000});
   const double sense = state_.motion == kCounterclockwise ? 1 : -1;
   const double turn = sense * static_cast<double>(angle) / 1'000 * std::numbers::pi / 180;
   const double unit = state_.mm_of_count();
@@ -225,14 +231,14 @@ void SinumerikWriter::polar_arc(Words& words) {
   const bool decimals =
       plane_is_exact(state_.plane) && state_.pole[0].steps && state_.pole[1].steps;
   // Whether it is the radius at the start is not for the last bit to decide.
-  const bool hangs =
-      !on_circle && !decimals && std::abs(distance - static_cast<double>(radius)) < 1e-6;
+  const bool hangs = !on_circle && !decimals && !state_.spoke &&
+                     std::abs(distance - static_cast<double>(radius)) < 1e-6;
   const bool misses = choices_.one_in(6);
   if (misses || hangs) {
     radius += any_sign(on_circle || hangs ? choices_.pick({3, 40}) : beside(radius));
   }
   std::int64_t angle = any_angle();
-  const bool exact = decimals && angle % 90'000 == 0;
+  const bool exact = decimals && angle % 90'000 == 0 && !misses;
   if (on_circle && !misses && choices_.one_in(5)) {
     count("polar full circle or half turn");
     angle = *state_.angle + choices_.pick({0, 0, 180'000});
@@ -277,7 +283,7 @@ void SinumerikWriter::arc_block() {
   mode_words(words);
   enter(words, choices_.one_in(2) ? kClockwise : kCounterclockwise);
   // The axes of the end point may choose another plane.
-  const int plane = choices_.one_in(5) ? choices_.pick({17, 18, 19}) : state_.plane;
+  const int plane = choices_.one_in(5) ? plane_in_frame(choices_.pick({17, 18, 19})) : state_.plane;
   const std::uint32_t form = choices_.below(12);
   if (form < 4) {
     centre_arc(words, plane);

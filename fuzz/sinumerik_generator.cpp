@@ -15,9 +15,10 @@ using reference::Number;
 using reference::Units;
 
 void SinumerikWriter::make_profile() {
-  profile_ = std::get<reference::Profile>(reference::default_profile("sinumerik840d"));
+  profile_ = std::get<reference::Profile>(reference::default_profile(settings_.dialect));
   if (choices_.one_in(8)) profile_.units = Units::inch;
   if (choices_.one_in(12)) profile_.block_skip = true;
+  if (is_802s()) make_tools();
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (!choices_.one_in(3)) continue;
     const std::int64_t steps = choices_.between(-500'000, 500'000);
@@ -84,6 +85,7 @@ void SinumerikWriter::resync() {
   std::map<int, std::int64_t> none;
   state_.parameters.swap(none);
   state_.known = true;
+  state_.astray = false;
   state_.inch = false;
   state_.incremental = false;
   state_.plane = 17;
@@ -93,8 +95,10 @@ void SinumerikWriter::resync() {
   state_.way.reset();
   state_.helix_in = 0;
   state_.pole = {};
+  state_.spoke.reset();
   forget_pole();
   state_.speed = 600;
+  if (is_802s()) clear_frame_lines();
   text_ += "G90 G17 G71 G94 G0";
   for (const std::size_t axis : {0U, 1U, 2U}) {
     const std::int64_t value = any_sign(length(50));
@@ -107,6 +111,7 @@ void SinumerikWriter::resync() {
 
 void SinumerikWriter::make_block() {
   if (!state_.known) resync();
+  if (is_802s() && make_802s_block()) return;
   const std::uint32_t kind = choices_.below(24);
   if (kind < 4) return line_block();
   if (kind < 5) return polar_line_block();
@@ -135,6 +140,7 @@ void SinumerikWriter::arrive_straight() {
   }
   state_.at = target_;
   state_.at_polar = false;
+  state_.spoke.reset();
   state_.moved = true;
   // A motion of no length is none; one of nearly none is not to be built on.
   if (!moves && is_exact && state_.way) return;
@@ -146,6 +152,7 @@ void SinumerikWriter::arrive_straight() {
 void SinumerikWriter::arrive(const Direction& tangent) {
   state_.at = target_;
   state_.at_polar = false;
+  state_.spoke.reset();
   state_.moved = true;
   state_.tangent = tangent;
   state_.way.reset();
@@ -164,10 +171,14 @@ void SinumerikWriter::write(Words words, Kind kind) {
   assignments_.clear();
   put(std::move(words));
   if (faulted_) {
-    // Where it went is not known, and so not what a tangent goes on from.
+    state_.known = choices_.one_in(3);
+    state_.astray = true;
+  }
+  // Where it went is not known, and so not what a tangent goes on from.
+  if (state_.astray) {
     state_.tangent.reset();
     state_.way.reset();
-    state_.known = choices_.one_in(3);
+    state_.spoke.reset();
   }
   if (slashed_ && profile_.block_skip) state_.known = false;
   faulted_ = false;

@@ -141,6 +141,7 @@ void SinumerikWriter::pole_block() {
   std::array<Coordinate, 2> from = state_.pole;
   if (base == 110) from = {state_.at[plane.p], state_.at[plane.q]};
   if (base == 111) from = {};
+  state_.spoke.reset();
   switch (choices_.below(6)) {
     case 0:
       break;
@@ -159,8 +160,9 @@ void SinumerikWriter::pole_block() {
         const How how = choices_.one_in(8) ? How::incremental : How::plain;
         words.push_back(named({&name, 1}, value, how));
       }
-      from = {from[0].moved(by.p * state_.steps_of_count()),
-              from[1].moved(by.q * state_.steps_of_count())};
+      const std::int64_t step = state_.steps_of_count();
+      from = {from[0].moved(by.p * step), from[1].moved(by.q * step)};
+      if (base == 110) state_.spoke = {-by.p * step, -by.q * step};
     }
   }
   state_.pole = from;

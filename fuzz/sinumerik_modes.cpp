@@ -14,9 +14,11 @@ void SinumerikWriter::forget_pole() {
 }
 
 // A code of a plane puts the pole at the zero.
-void SinumerikWriter::set_plane(Words& words, int plane) {
+void SinumerikWriter::set_plane(Words& words, int asked) {
+  const int plane = plane_in_frame(asked);
   state_.plane = plane;
   state_.pole = {};
+  state_.spoke.reset();
   forget_pole();
   words.push_back(code(plane));
 }
@@ -75,12 +77,16 @@ void SinumerikWriter::setting_block() {
   write(std::move(words), Kind::other);
 }
 
+int SinumerikWriter::any_parameter() {
+  return choices_.pick({0, 1, 2, 7, 99, 100, 249, is_802s() ? 299 : 999});
+}
+
 // R parameters alone: each acts at once.
 void SinumerikWriter::assignment_block() {
   count("R parameters");
   Words words;
   for (std::uint32_t i = 1 + choices_.below(3); i > 0; --i) {
-    const int number = choices_.pick({0, 1, 2, 7, 99, 100, 249, 999});
+    const int number = any_parameter();
     const std::int64_t value = any_sign(length(40));
     may_assign_ = false;
     const std::string text = expression(value);
@@ -137,6 +143,8 @@ void SinumerikWriter::outside_block() {
   count(outside ? "outside" : "alarm of its own");
   Words words = {outside ? kOutside[choices_.below(std::size(kOutside))]
                          : kAlarm[choices_.below(std::size(kAlarm))]};
+  // Where no frame code is, what it means is undecided.
+  if (is_802s() && words[0] == "RPL=45") words[0] = "ROT";
   // The words of lines: an arc would ask for its own.
   const bool is_line = state_.motion == kTraverse || state_.motion == kLine;
   if (!is_line && words[0][0] != 'G') words.insert(words.begin(), "G1");

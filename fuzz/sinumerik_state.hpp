@@ -43,12 +43,20 @@ constexpr PlaneOf plane_of(int code) {
   return {0, 1, 2};
 }
 
+// Of sinumerik802s: a place of the base system is the translation and the place turned.
+struct SinumerikFrame {
+  Place translation;
+  int plane = 17;
+  std::int64_t angle = 0;  // 0.001 degrees, in [0, 360000)
+};
+
 struct SinumerikState {
   bool known = true;  // where the tool stands
   Place at;
   bool inch = false;
   bool incremental = false;
   int plane = 17;
+  SinumerikFrame frame;
   int motion = -1;  // 0 to 3, 4: CIP, 5: CT; -1: none was written
   bool moved = false;
   // The direction of the last motion at its end.
@@ -56,9 +64,13 @@ struct SinumerikState {
   // Its exact way, of a line, in 0.0001 mm.
   std::optional<std::array<std::int64_t, 3>> way;
   int helix_in = 0;  // it was a helix in this plane; 0: none
+  // Something was put wrong, and the program went on: the places are not those of the tool.
+  bool astray = false;
   // The pole, along the axes of the plane, and the last angle (0.001 degrees) and radius (0.0001
   // mm) about it, where a word may leave them out.
   std::array<Coordinate, 2> pole;
+  // By how many steps the tool stands from it, where that is a decimal though the places are not.
+  std::optional<std::array<std::int64_t, 2>> spoke;
   std::optional<std::int64_t> angle;
   std::optional<std::int64_t> radius;
   bool at_polar = false;   // the tool stands at that angle and radius

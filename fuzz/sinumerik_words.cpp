@@ -69,7 +69,7 @@ std::string SinumerikWriter::expression(std::int64_t counts) {
       return fmt::format("{}*{}", constant(counts), choices_.pick({"SIN(90)", "COS(0)"}));
     case 7:
       if (may_assign_) {
-        const int number = choices_.pick({0, 1, 2, 7, 99, 100, 249, 999});
+        const int number = any_parameter();
         state_.parameters[number] = counts;
         assignments_.push_back(fmt::format("R{}={}", number, constant(counts)));
         return fmt::format("R{}", number);
@@ -200,7 +200,7 @@ std::string SinumerikWriter::stray_word() {
   if (choices_.one_in(20)) return word(choices_.pick({'B', 'U', 'V', 'W'}), length(20));
   if (kind_ == Kind::line && !inch_feed_ && choices_.one_in(4)) return rotary_word();
   const std::size_t axis = choices_.below(3);
-  if (kind_ == Kind::pole || kind_ == Kind::dwell) return word("XYZ"[axis], length(20));
+  if (kind_ != Kind::line && kind_ != Kind::arc) return word("XYZ"[axis], length(20));
   return random_word(axis, 20);
 }
 
@@ -210,20 +210,31 @@ bool SinumerikWriter::may_have(Fault fault, const std::string& word) const {
   const bool is_value = word.find_first_of("0123456789") != std::string::npos && address != 'G' &&
                         address != 'M' && address != 'T' && address != 'D' && address != 'H';
   const bool is_feed = address == 'F';
+  // A CT goes where it was chosen to go: nearly straight on, or nearly back, its radius would be
+  // one that no controller's numbers hold.
+  if (kind_ == Kind::arc && state_.motion == kCt && fault != Fault::twice &&
+      !(fault == Fault::missing && (is_feed || word == "CT"))) {
+    return false;
+  }
+  if (word.starts_with("RPL") && word[3] != '=' && fault != Fault::missing) return false;
   switch (fault) {
     case Fault::missing:
+      // A deeper pocket would have levels by the hundreds.
+      if (address == 'R' && kind_ == Kind::other && is_802s()) return false;
       // Undecided: a pole with one coordinate, a dwell without a time, an old F in a new mode, AR=
       // alone, a CT that goes on from a helix in another plane.
       return kind_ != Kind::pole && kind_ != Kind::dwell && !(new_feed_mode_ && is_feed) &&
              address != 'S' && !(kind_ == Kind::arc && word.starts_with("AP=")) && !by_angle_ &&
-             !(ends_ct_ && address == 'G');
+             !(ends_ct_ && (address == 'G' || address == 'C'));
     case Fault::twice:
-      return address != 'M' && address != 'T' && (kind_ != Kind::other || address == 'G');
+      return address != 'M' && address != 'T' && (kind_ != Kind::other || address == 'G') &&
+             kind_ != Kind::cycle;
     case Fault::sign:
-      return is_value && kind_ != Kind::dwell && kind_ != Kind::other;
+      return is_value && kind_ != Kind::dwell && kind_ != Kind::other && kind_ != Kind::cycle;
     case Fault::zero:
       // Whether the tool stands at a pole is not for rounding to decide.
-      return is_value && address != 'S' && word.compare(0, 3, "RP=") != 0 && kind_ != Kind::other;
+      return is_value && address != 'S' && word.compare(0, 3, "RP=") != 0 && kind_ != Kind::other &&
+             kind_ != Kind::cycle;
     case Fault::stray:
       return kind_ != Kind::other;
     case Fault::far:

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fuzz/program_writer.hpp"
 #include "fuzz/sinumerik_generator.hpp"
@@ -21,7 +22,15 @@ class SinumerikWriter final : ProgramWriter {
 
  private:
   enum Motion { kTraverse, kLine, kClockwise, kCounterclockwise, kCip, kCt };
-  enum class Kind { line, arc, pole, dwell, other };  // of a block, for what may be put wrong in it
+  enum class Kind {
+    line,
+    arc,
+    pole,
+    dwell,
+    frame,
+    cycle,
+    other
+  };  // of a block, for what may be put wrong in it
   enum class How { plain, absolute, incremental };
   // Two lengths along the axes of a plane.
   struct Pair {
@@ -45,7 +54,8 @@ class SinumerikWriter final : ProgramWriter {
   void syntax_line();
   void units_words(Words& words);
   void mode_words(Words& words);
-  void set_plane(Words& words, int code);
+  void set_plane(Words& words, int asked);
+  int any_parameter();
   void forget_pole();
 
   // In sinumerik_lines.cpp.
@@ -84,6 +94,30 @@ class SinumerikWriter final : ProgramWriter {
   std::array<Triple, 2> any_two_points();
   std::array<Triple, 2> two_points_in_line();
 
+  // In sinumerik802s_frames.cpp.
+  bool is_802s() const { return profile_.dialect == "sinumerik802s"; }
+  bool make_802s_block();
+  void make_tools();
+  void clear_frame_lines();
+  int plane_in_frame(int asked);
+  void frame_block();
+  void offset_words(Words& words);
+  void rotation_words(Words& words, bool adds);
+  Place in_base() const;
+  Place in_frame(const Place& base) const;
+
+  // In sinumerik802s_cycles.cpp: R parameters in thousandths, and the calls that read them.
+  void assign(const std::map<int, std::int64_t>& values);
+  void choose_planes(std::map<int, std::int64_t>& values);
+  void choose_pocket(std::map<int, std::int64_t>& values, std::int64_t radius);
+  void choose_depths(std::map<int, std::int64_t>& values);
+  void break_pocket(std::map<int, std::int64_t>& values);
+  bool tool_block(int tool);
+  void call(const char* name);
+  void leave_inches();
+  void drilling_block();
+  void pocket_block();
+
   // In sinumerik_words.cpp. Lengths are counts of 0.001 mm or inch, as words have them.
   std::int64_t any_sign(std::int64_t length) { return choices_.one_in(2) ? -length : length; }
   std::string code(int number);
@@ -119,9 +153,10 @@ class SinumerikWriter final : ProgramWriter {
 
   const SinumerikSettings& settings_;
   SinumerikState state_;
-  Place target_;             // of the block that is being written
-  Words assignments_;        // to R parameters, before the other words of the block
-  Kind kind_ = Kind::other;  // of the block that is being written
+  std::vector<std::int64_t> tools_;  // of sinumerik802s: radii, 0.001 mm; tool 1 first
+  Place target_;                     // of the block that is being written
+  Words assignments_;                // to R parameters, before the other words of the block
+  Kind kind_ = Kind::other;          // of the block that is being written
   bool may_assign_ = true;
   bool inch_feed_ = false;      // the reading sie.g70.f = inch
   bool spindle_alarm_ = false;  // the reading sie.spindle = alarm

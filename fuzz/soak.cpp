@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo_soak: generated programs through a built-in expander and the judge, until one is not GO.
-//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--distribution]
+//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--distribution]
+// An expander of several dialects gets programs of the first one where none is named.
 // Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2 wrong use.
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ struct SoakOptions {
   std::uint64_t programs = 10'000;
   std::uint64_t seed = 1;
   std::string subject = "gsk";
+  std::string dialect;  // "": the expander's first
   bool distribution = false;
 };
 
@@ -38,6 +40,8 @@ bool parse(int argc, char** argv, SoakOptions& options) {
       options.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--subject" && has_value) {
       options.subject = argv[++i];
+    } else if (word == "--dialect" && has_value) {
+      options.dialect = argv[++i];
     } else {
       return false;
     }
@@ -65,7 +69,12 @@ int soak(const SoakOptions& options) {
     fmt::print(stderr, "There is no built-in expander {}.\n", options.subject);
     return 2;
   }
-  const fuzz::Generator& generator = *fuzz::find_generator(options.subject.substr(0, plus));
+  const fuzz::Generator* generator =
+      fuzz::find_generator(options.subject.substr(0, plus), options.dialect);
+  if (generator == nullptr) {
+    fmt::print(stderr, "{} does not expand {}.\n", options.subject, options.dialect);
+    return 2;
+  }
   auto subject = oracle::make_interface_subject(*table);
   fuzz::Distribution distribution;
   const auto start = std::chrono::steady_clock::now();
@@ -73,7 +82,7 @@ int soak(const SoakOptions& options) {
     // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
     fuzz::Choices choices(options.seed + i);
     const fuzz::GeneratedProgram program =
-        generator.generate(choices, options.distribution ? &distribution : nullptr);
+        generator->generate(choices, options.distribution ? &distribution : nullptr);
     const oracle::Verdict verdict = judged(*subject, program, options.seed + i);
     ++distribution[fmt::format("verdict {}", name(verdict.kind))];
     if (decision(verdict.kind) == oracle::Decision::go) continue;
@@ -99,7 +108,8 @@ int main(int argc, char** argv) {
   SoakOptions options;
   if (!parse(argc, argv, options)) {
     fmt::print(stderr,
-               "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--distribution]\n",
+               "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] "
+               "[--distribution]\n",
                argv[0]);
     return 2;
   }

@@ -11,10 +11,12 @@
 
 namespace gonogo::fuzz {
 
-// One input: the program that the bytes decide, through the expander of that name.
-inline void try_expander(std::string_view name, const std::uint8_t* data, std::size_t size) {
+// One input: the program that the bytes decide, through the expander of that name; of its first
+// dialect where none is given.
+inline void try_expander(std::string_view name, const std::uint8_t* data, std::size_t size,
+                         std::string_view dialect = {}) {
   static const auto subject = oracle::make_interface_subject(*expanders::find(name));
-  static const Generator& generator = *find_generator(name);
+  static const Generator& generator = *find_generator(name, dialect);
   Choices choices(std::span<const std::uint8_t>(data, size));
   const GeneratedProgram program = generator.generate(choices, nullptr);
   const oracle::Verdict verdict = run_and_judge(*subject, program.profile, program.text);

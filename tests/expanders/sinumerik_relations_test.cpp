@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relations that the expander of sinumerik840d keeps: planes renamed, parts moved, one arc written
-// in another form.
+// Relations that the expander of sinumerik840d keeps: one arc written in another form, a tangent
+// that goes on.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -307,27 +307,6 @@ Outcome run_written(const Program& program, const Setting& setting, bool flipped
   const std::string text = Writer(setting, flipped).write(program);
   RC_LOG() << text;
   return run_sinumerik(text, profile_at(setting));
-}
-
-void compare_settings(const Program& program, const Setting& setting) {
-  const Setting plain;
-  const Outcome want = run_written(program, plain);
-  const Outcome got = run_written(program, setting);
-  RC_ASSERT(got.alarm == want.alarm);
-  RC_ASSERT(got.alarm_block == want.alarm_block);
-  compare(motions_of(got, setting), motions_of(want, plain), 0);
-}
-
-// (X, Y; Z) of G17 becomes (Z, X; Y) of G18 and (Y, Z; X) of G19.
-RC_GTEST_PROP(SinumerikRelations, PlanesAreRenamed, ()) {
-  const Program program = some_program(Step::Kind::kTangent);
-  compare_settings(program, {&kPlanes[1], {}});
-  compare_settings(program, {&kPlanes[2], {}});
-}
-
-RC_GTEST_PROP(SinumerikRelations, Translation, ()) {
-  const Program program = some_program(Step::Kind::kTangent);
-  compare_settings(program, {&kPlanes[between(0, 2)], {length(), length(), length()}});
 }
 
 // Where an end is reckoned it may be off by a count.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One SINUMERIK program in other axes, elsewhere, larger, in increments, in inches, with parameters
+// One SINUMERIK program larger, in increments, in inches, with parameters
 // and backwards: the motions of the expander follow, within its own increment. The programs and
 // their writings are those that the reference is tried on.
 #include <gtest/gtest.h>
@@ -86,18 +86,6 @@ Writing any_writing() {
   writing.ends = static_cast<Ends>(reference::testing::any_between(0, 3));
   writing.absolute_centres = reference::testing::any_between(0, 1) == 1;
   return writing;
-}
-
-RC_GTEST_PROP(SinumerikSymmetry, AnySymmetryOfTheAxesAndAnyShift, ()) {
-  const Program program = *sie::programs();
-  Writing writing = any_writing();
-  const Result plain = result_of(program, writing);
-  writing.axes = reference::testing::any_symmetry();
-  writing.axes.shift = reference::testing::any_shift();
-  RC_LOG() << sie::text(write(program, writing));
-  const Result other = result_of(program, writing);
-  expect_same_end(other, plain);
-  expect_near(other.trace, changed(plain.trace, writing.axes));
 }
 
 RC_GTEST_PROP(SinumerikSymmetry, ALargerProgramHasLargerLimits, ()) {
