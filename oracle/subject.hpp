@@ -47,6 +47,8 @@ struct SubjectAlarm {
   reference::WordName word;
 };
 
+class SampledOutcome;
+
 // How a run of one program ended, apart from the records.
 struct RunEnd {
   enum class Kind {
@@ -67,10 +69,20 @@ struct RunEnd {
   std::string message;  // what happened, a sentence
   std::string notes;    // what the subject wrote to stderr meanwhile (cut, U+FFFD for bad bytes)
   std::int64_t microseconds = 0;
+  bool given_up = false;  // nothing was run: the subject had failed too often in a row
+  // Positions sampled from a machine in place of records, which have a judge of their own.
+  std::shared_ptr<const SampledOutcome> sampled = nullptr;
 };
 
 // Takes the records of a run as they come. Returning false stops the run.
 using RecordSink = std::function<bool(const reference::Record&)>;
+
+// What a certifier says of output that was captured on a machine.
+struct CaptureOptions {
+  std::string manifest;                  // of the export; empty: the one beside the files, if any
+  std::optional<Number> feed_tolerance;  // part of the feed, for feeds from samples; 0.05
+  std::optional<Number> fastest;         // mm/min: the most of traverses and threads; 60,000
+};
 
 // Limits of design section 7.
 struct Limits {
@@ -79,6 +91,7 @@ struct Limits {
   std::size_t line_bytes = std::size_t{64} << 20;
   std::size_t memory_bytes = std::size_t{2} << 30;
   int restarts = 10;  // in a row
+  CaptureOptions capture;
 };
 
 // Thrown when a subject cannot be used at all: wrong use (exit 2), with what to do instead.
@@ -93,6 +106,12 @@ class Subject {
   virtual const SubjectInfo& info() const = 0;
   // Before the first run, and whenever the profile changes. A refusal is told by the runs.
   virtual void configure(const reference::Profile& profile) = 0;
+  // What will be run next under this configuration, in order: the next run first. A hint for a
+  // subject that takes programs ahead; `id` and `program` are copied.
+  virtual void announce(std::string_view id, std::string_view program) {
+    static_cast<void>(id);
+    static_cast<void>(program);
+  }
   // Runs one program. Never throws for what the subject does.
   virtual RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) = 0;
   // Makes the next run start in a fresh process (or handle).

@@ -20,7 +20,10 @@
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
 #include "expanders/registry.hpp"
-#include "oracle/report/html.hpp"
+#include "oracle/campaign/results_writer.hpp"
+#include "oracle/corpus/sha256.hpp"
+#include "oracle/evidence/certificate.hpp"
+#include "oracle/evidence/evidence.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -34,6 +37,7 @@ struct CertifyOptions {
   std::vector<std::string> dialects;
   std::string corpus;
   std::string report;
+  std::string certificate;
   std::string profile;
   std::vector<std::string> readings;
   std::vector<std::string> only;
@@ -41,6 +45,7 @@ struct CertifyOptions {
   std::string shard = "1/1";
   int jobs = 0;
   bool fail_fast = false;
+  bool resume = false;
   std::string known_failures;
   std::string alarm_map;
   LimitOptions limits;
@@ -108,6 +113,14 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   return campaign;
 }
 
+// Of a file; nothing without one.
+std::string sha256_of(const std::string& path) {
+  if (path.empty()) return {};
+  oracle::Sha256 hash;
+  hash.update(read_file(path));
+  return hash.hex();
+}
+
 // A line that is rewritten in place on a terminal; nothing in a pipe.
 class ProgressLine {
  public:
@@ -123,8 +136,8 @@ class ProgressLine {
     shown_ = now;
     const std::chrono::duration<double> spent = now - start_;
     const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-    fmt::print(stderr, "\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left", subject_, done,
-               all, no_go, left);
+    fmt::print(stderr, "\r\033[K{}: {} of about {} cases, {} NO-GO, about {:.0f} s left", subject_,
+               done, all, no_go, left);
     std::fflush(stderr);
   }
 
@@ -146,11 +159,83 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.subject_spec = subject;
   header.subject = info;
   if (campaign.profile) header.profile = reference::profile_json(*campaign.profile);
+  header.readings = options.readings;
+  header.dialects = options.dialects;
+  header.only = options.only;
+  header.case_id = options.case_id;
+  header.known_failures_sha256 = sha256_of(options.known_failures);
+  header.alarm_map_sha256 = sha256_of(options.alarm_map);
   if (campaign.tolerance) header.tolerance = campaign.tolerance->text();
   if (campaign.chord) header.chord = campaign.chord->text();
   header.shard = options.shard;
   header.argv = options.argv;
   return header;
+}
+
+oracle::ResultsWriter open_results(const CertifyOptions& options, const std::string& path,
+                                   const oracle::ResultsHeader& header) {
+  const std::string journal = oracle::ResultsWriter::journal_of(path);
+  if (!options.resume && std::filesystem::exists(journal)) {
+    fmt::print(stderr,
+               "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from "
+               "it.\n",
+               journal);
+  }
+  return {
+      path, header,
+      options.resume ? oracle::ResultsWriter::Start::resume : oracle::ResultsWriter::Start::anew};
+}
+
+// Runs the cases into the journal.
+oracle::CampaignEnd run_cases(const oracle::Corpus& corpus, oracle::CampaignOptions campaign,
+                              const oracle::SubjectMaker& maker, const std::string& subject,
+                              oracle::ResultsWriter& results) {
+  campaign.is_done = [&](std::string_view id) { return results.has(id); };
+  ProgressLine progress(subject);
+  return oracle::run_campaign(
+      corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
+      [&](std::size_t done, std::size_t all, std::size_t no_go) {
+        progress.show(done, all, no_go);
+      });
+}
+
+// Sorts the journal into the results.
+CampaignSummary close_results(const oracle::CampaignOptions& campaign,
+                              const oracle::CampaignEnd& end, oracle::ResultsWriter& results) {
+  CampaignSummary summary;
+  summary.complete = end.complete;
+  oracle::ResultsWriter::Ending ending;
+  ending.left_out = end.left_out;
+  ending.stale = end.stale;
+  ending.is_shard = campaign.shards > 1;
+  if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
+  summary.answer =
+      results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
+        const bool is_finding =
+            decision(kind) == oracle::Decision::no_go ||
+            kind == oracle::VerdictKind::oracle_error ||
+            (kind == oracle::VerdictKind::oracle_gap && !oracle::facts_of(line).expected_gap);
+        if (is_finding && summary.failures.size() <= kShownFailures) {
+          summary.failures.push_back(oracle::result_of_line(line));
+        }
+      });
+  return summary;
+}
+
+// What was written where. The results are there already: what fails here is no matter of theirs.
+std::string write_evidence(const CertifyOptions& options, const std::string& results,
+                           const std::string& report) {
+  std::string written = fmt::format("results: {}\n", results);
+  auto failed = oracle::evidence::write_evidence(results, report);
+  if (!failed) written += fmt::format("report:  {}/index.html\n", report);
+  if (!failed && !options.certificate.empty()) {
+    const oracle::evidence::CertificateSources sources{results, options.known_failures,
+                                                       options.alarm_map, options.profile};
+    failed = oracle::evidence::write_certificate(sources, options.certificate);
+    written += fmt::format("certificate: {}/STATEMENT.md\n", options.certificate);
+  }
+  if (failed) throw OutputError(*failed, false);
+  return written;
 }
 
 int certify_one(const CertifyOptions& options, const std::string& subject,
@@ -161,32 +246,35 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   const oracle::SubjectInfo info = maker()->info();
   std::filesystem::create_directories(report);
   const std::string results_path = report + "/results.jsonl";
-  oracle::ResultsWriter results(results_path,
-                                results_header(options, subject, corpus, campaign, info));
-  oracle::CampaignSummary summary;
-  {
-    ProgressLine progress(subject);
-    summary = oracle::run_campaign(
-        corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
-        [&](std::size_t done, std::size_t all, std::size_t no_go) {
-          progress.show(done, all, no_go);
-        });
+  CampaignSummary summary;
+  try {
+    oracle::ResultsWriter results = open_results(
+        options, results_path, results_header(options, subject, corpus, campaign, info));
+    const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
+    summary = close_results(campaign, end, results);
+  } catch (const oracle::ResumeError& error) {
+    throw UsageError(error.what());
+  } catch (const oracle::CorpusError& error) {
+    throw UsageError(error.what());
+  } catch (const oracle::ResultsUnwritable& error) {
+    // Whatever was judged is in the journal.
+    throw OutputError(fmt::format("{}. What was judged so far is kept: make room and run the same "
+                                  "command with --resume.",
+                                  error.what()),
+                      false);
   }
-  summary.footer.decision = summary.decision();
-  results.close(summary.footer);
-  if (summary.cases == 0) {
+  if (summary.answer.cases == 0 && campaign.shards == 1) {
     throw UsageError(
         fmt::format("No case of the corpus {} is selected. `gonogo corpus list` names "
                     "the cases.",
                     corpus.folder()));
   }
-  const auto report_error = oracle::report::write_html_report(results_path, report);
   Output output;
   output.text() = summary_text(summary, subject);
-  output.text() += fmt::format("results: {}\nreport:  {}/index.html\n", results_path, report);
   output.flush();
-  if (report_error) throw UsageError(report_error->message);
-  return summary.exit_code();
+  output.text() = write_evidence(options, results_path, report);
+  output.flush();
+  return summary.answer.exit_code;
 }
 
 // The options, narrowed to the dialects that a built-in expander has; nothing when none is left.
@@ -212,6 +300,9 @@ int certify(const CertifyOptions& options) {
     const std::string subject = fmt::format("builtin:{}", name);
     std::optional<CertifyOptions> own = with_own_dialects(options, subject);
     if (!own) continue;
+    if (!options.certificate.empty()) {
+      own->certificate = fmt::format("{}/{}", options.certificate, name);
+    }
     const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;
   }
@@ -223,12 +314,14 @@ int certify(const CertifyOptions& options) {
 void add_certify(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CertifyOptions>();
   CLI::App* command = app.add_subcommand("certify", "Judge a subject with the corpus");
-  command->add_option("--subject", options->subject,
-                      "builtin:NAME[+FAULT], pipe:COMMAND or oneshot:COMMAND");
+  command->add_option(
+      "--subject", options->subject,
+      "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND, lib:PATH.so or capture:DIR");
   command->add_option("--dialect", options->dialects, "only this dialect; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command->add_option("--report", options->report, "folder for results and report (report)");
+  command->add_option("--certificate", options->certificate, "folder for a certificate as well");
   command->add_option("--profile", options->profile, "the machine's profile");
   command->add_option("--reading", options->readings, "one reading as key=value; may be repeated")
       ->allow_extra_args(false);
@@ -242,6 +335,8 @@ void add_certify(CLI::App& app, int& exit_code) {
                       "TOML file of cases that the subject is known to fail");
   command->add_option("--alarm-map", options->alarm_map,
                       "TOML file of what the subject's own alarms mean");
+  command->add_flag("--resume", options->resume,
+                    "go on from the journal of an interrupted run in the same folder");
   command->add_flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
   add_limit_options(*command, options->limits);
   options->argv = arguments();

@@ -4,6 +4,7 @@
 // corpus; one that no case finds is a hole in the corpus.
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 
 #include "cli/commands.hpp"
@@ -42,15 +43,24 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec) {
   oracle::CampaignOptions campaign;
   campaign.jobs = 2;
   Kills kills;
-  auto take = [&](const oracle::CaseResult& result) {
-    if (decision(result.verdict.kind) != oracle::Decision::no_go) return;
+  auto note = [&](const std::string& id, oracle::VerdictKind kind) {
+    if (decision(kind) != oracle::Decision::no_go) return;
     ++kills.cases;
-    if (kills.first.empty() || result.id < kills.first) kills.first = result.id;
-    kills.verdicts.emplace(name(result.verdict.kind));
+    if (kills.first.empty() || id < kills.first) kills.first = id;
+    kills.verdicts.emplace(name(kind));
+  };
+  std::map<std::string, oracle::OpenReadings> open;
+  auto take = [&](const oracle::CaseResult& result) {
+    note(result.id, result.verdict.kind);
+    if (result.readings) open.emplace(result.id, *result.readings);
   };
   const oracle::SubjectMaker maker = subject_maker(spec, campaign.limits);
   campaign.dialects = declared_dialects(maker);
   run_campaign(corpus, campaign, maker, take, nullptr);
+  oracle::ReadingTally tally;
+  for (const auto& [id, readings] : open) {
+    if (!tally.add(readings)) note(id, oracle::VerdictKind::fail_reading);
+  }
   return kills;
 }
 

@@ -10,7 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "oracle/campaign/campaign.hpp"
+#include "oracle/campaign/case_judge.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::cli {
@@ -71,14 +71,15 @@ int selftest() {
   Output output;
   std::size_t wrong = 0;
   for (const Trial& trial : trials()) {
-    auto subject = oracle::make_pipe_subject(
-        fmt::format("exec {} misbehave {}", oracle::shell_quoted(self), trial.subject),
-        options.limits);
+    const oracle::SubjectMaker maker = [&] {
+      return oracle::make_pipe_subject(
+          fmt::format("exec {} misbehave {}", oracle::shell_quoted(self), trial.subject),
+          options.limits);
+    };
+    oracle::CaseJudge judge(options, maker);
     for (std::size_t i = 0; i < kPrograms.size(); ++i) {
       if (!trial.expected[i]) continue;
-      oracle::SessionVerdict session;
-      const oracle::CaseResult result =
-          judge_case(make_case(kPrograms[i]), options, *subject, session);
+      const oracle::CaseResult result = judge.judge(make_case(kPrograms[i]));
       const bool right = result.verdict.kind == *trial.expected[i];
       wrong += right ? 0 : 1;
       output.text() += fmt::format(

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <set>
 
 #include "reference/outcome.hpp"
@@ -12,7 +13,11 @@
 namespace gonogo::oracle {
 namespace {
 
+// Most globs differ in what stands before their first wildcard.
 bool matches(const std::string& glob, const std::string& text) {
+  const std::size_t literal = glob.find_first_of("*?[\\");
+  if (literal == std::string::npos) return glob == text;
+  if (text.compare(0, literal, glob, 0, literal) != 0) return false;
   return ::fnmatch(glob.c_str(), text.c_str(), 0) == 0;
 }
 
@@ -66,6 +71,9 @@ void add_failures(const toml::table& table, const std::string& reason,
   }
   entry.verdict = *kind;
   for (std::string& glob : globs_of(table)) {
+    if (glob.find_first_not_of("*?") == std::string::npos) {
+      fail(table, fmt::format("`cases = \"{}\"` covers everything. Name the cases.", glob));
+    }
     entry.cases = std::move(glob);
     entries.push_back(entry);
   }
@@ -155,7 +163,7 @@ std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::s
 
 void KnownFailures::note_case(const std::string& id) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (matches(entries_[i].cases, id)) has_case_[i] = true;
+    if (matches(entries_[i].cases, id)) ++cases_[i];
   }
 }
 
@@ -179,28 +187,28 @@ void KnownFailures::apply(CaseResult& result) const {
   }
 }
 
-std::vector<std::string> KnownFailures::of_no_case() const {
-  std::vector<std::string> globs;
+std::vector<std::string> KnownFailures::stale() const {
+  std::vector<std::string> texts;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!has_case_[i]) globs.push_back(entries_[i].cases);
+    if (cases_[i] == 0) {
+      texts.push_back(fmt::format("known failure {}: no case has this id", entries_[i].cases));
+    } else if (cases_[i] > kMostCasesOfAGlob) {
+      texts.push_back(fmt::format("known failure {}: it covers {} cases, more than {}; list them",
+                                  entries_[i].cases, cases_[i], kMostCasesOfAGlob));
+    }
   }
-  return globs;
+  return texts;
 }
 
-std::optional<std::string_view> AlarmMap::class_of(const std::string& native) const {
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!matches(entries_[i].native, native)) continue;
-    used_[i] = true;
-    return entries_[i].alarm_class;
-  }
-  return std::nullopt;
+const AlarmMap::Entry* AlarmMap::entry_for(const std::string& native) const {
+  const auto found = std::ranges::find_if(
+      entries_, [&](const Entry& entry) { return matches(entry.native, native); });
+  return found == entries_.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> AlarmMap::unused() const {
+std::vector<std::string> AlarmMap::natives() const {
   std::vector<std::string> natives;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (!used_[i]) natives.push_back(entries_[i].native);
-  }
+  for (const Entry& entry : entries_) natives.push_back(entry.native);
   return natives;
 }
 

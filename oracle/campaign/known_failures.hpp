@@ -5,8 +5,6 @@
 // is itself a finding.
 #pragma once
 
-#include <atomic>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +28,10 @@ struct FileFault {
 //   verdict = "fail.geometry"
 //   deviation = "1/1000"            optional: exactly this, as results.jsonl has it
 //   got = '{"k":"dwell","s":"-1"}'  optional, likewise
-// or all keys of one failure in a [[failure]]. A KnownFailure is one glob of it.
+// or all keys of one failure in a [[failure]]. A KnownFailure is one glob of it. A glob of
+// wildcards alone is refused, and one that covers more than kMostCasesOfAGlob cases is a finding:
+// what it hides nobody has looked at.
+inline constexpr std::size_t kMostCasesOfAGlob = 20;
 struct KnownFailure {
   std::string cases;
   VerdictKind verdict = VerdictKind::fail_geometry;
@@ -45,38 +46,36 @@ std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std:
 class KnownFailures {
  public:
   explicit KnownFailures(std::vector<KnownFailure> entries)
-      : entries_(std::move(entries)), has_case_(entries_.size(), false) {}
+      : entries_(std::move(entries)), cases_(entries_.size(), 0) {}
   // A case of the corpus, whether it is run or not.
   void note_case(const std::string& id);
+  // May be called by several threads at once, also while cases are noted.
   void apply(CaseResult& result) const;
-  // Entries that are of no case of the corpus.
-  std::vector<std::string> of_no_case() const;
+  // Entries that are of no case of the corpus, or of too many, as sentences.
+  std::vector<std::string> stale() const;
 
  private:
   std::vector<KnownFailure> entries_;
-  std::vector<bool> has_case_;
+  std::vector<std::size_t> cases_;  // that each entry covers
 };
 
 //   [alarms]
 //   "PS0061" = "value-sign"
 //   "Zero-radius arc*" = "arc-radius"    a glob over the subject's own text
-// May be asked by several threads at once.
 class AlarmMap {
  public:
   struct Entry {
     std::string native;
     std::string alarm_class;
   };
-  explicit AlarmMap(std::vector<Entry> entries)
-      : entries_(std::move(entries)),
-        used_(std::make_unique<std::atomic<bool>[]>(entries_.size())) {}
-  // The class of the first entry that matches.
-  std::optional<std::string_view> class_of(const std::string& native) const;
-  std::vector<std::string> unused() const;
+  explicit AlarmMap(std::vector<Entry> entries) : entries_(std::move(entries)) {}
+  // The first entry that matches; null: none does.
+  const Entry* entry_for(const std::string& native) const;
+  // The left sides of all entries.
+  std::vector<std::string> natives() const;
 
  private:
   std::vector<Entry> entries_;
-  std::unique_ptr<std::atomic<bool>[]> used_;
 };
 std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::string_view text);
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// results.jsonl: a header line, a line a case sorted by id, a footer. A file without its footer is
-// incomplete.
+// The lines of results.jsonl: a header, a line a case sorted by id, a footer. A file without its
+// footer is incomplete.
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "oracle/campaign/tally.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/verdict.hpp"
 
@@ -24,9 +24,15 @@ struct ResultsHeader {
   std::string corpus_sha256;
   std::string subject_spec;
   SubjectInfo subject;
-  std::string profile;    // JSON object of what the certifier set
-  std::string tolerance;  // empty: as declared
-  std::string chord;      // empty: none
+  std::string profile;                // JSON object of what the certifier set
+  std::vector<std::string> readings;  // "k=v" over the cases' profiles
+  std::string tolerance;              // empty: as declared
+  std::string chord;                  // empty: none
+  std::vector<std::string> dialects;  // empty: all
+  std::vector<std::string> only;      // globs over ids; empty: all
+  std::string case_id;                // empty: all
+  std::string known_failures_sha256;  // of the file; empty: none
+  std::string alarm_map_sha256;       // of the file; empty: none
   std::uint64_t seed = 0;
   std::string shard = "1/1";
   std::vector<std::string> argv;
@@ -45,48 +51,39 @@ struct CaseResult {
   std::string notes;               // what the subject wrote to stderr; only when not GO
   std::int64_t microseconds = 0;
   int attempts = 1;
-  bool expected_gap = false;  // the corpus expects that the gauge cannot say
+  bool expected_gap = false;             // the corpus expects that the gauge cannot say
+  std::optional<OpenReadings> readings;  // of a GO that touched open readings
+  std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
 };
 
 struct ResultsFooter {
-  std::map<std::string, std::size_t> totals;  // by verdict
   std::string decision;                       // of the run: GO, NO-GO or UNDECIDED
-  std::size_t judged = 0;                     // neither skipped nor undecided
-  std::vector<std::string> assignments;       // readings that explain all passes, "k=v k=v"
-  std::string sha256;                         // over the case lines without `us` and `attempts`
-};
-
-// Writes a results file. Lines arrive in any order; close() sorts them by id, writes the footer and
-// puts the file in place in one step. Until then <path>.part holds what has come.
-class ResultsWriter {
- public:
-  // Throws std::system_error when the file cannot be made.
-  ResultsWriter(std::string path, const ResultsHeader& header);
-  ~ResultsWriter();
-  ResultsWriter(const ResultsWriter&) = delete;
-  ResultsWriter& operator=(const ResultsWriter&) = delete;
-
-  // Throws std::system_error when the disk is full.
-  void add(const CaseResult& result);
-  // Fills in totals and hash of the footer. Throws std::system_error.
-  void close(ResultsFooter& footer);
-
- private:
-  struct Place {
-    std::string id;
-    long long offset;
-    std::size_t length;
-  };
-  std::string path_;
-  std::string header_;
-  std::FILE* part_ = nullptr;
-  long long end_ = 0;
-  std::vector<Place> places_;
-  std::map<std::string, std::size_t> totals_;
+  std::map<std::string, std::size_t> totals;  // by verdict
+  std::size_t cases = 0;
+  std::size_t judged = 0;                // neither skipped nor undecided
+  std::size_t left_out = 0;              // contradict the certifier's profile
+  std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
+  // Entries of the subject's files that are no longer true.
+  std::vector<std::string> stale;
+  // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
+  // when the run is no shard.
+  std::optional<std::vector<std::string>> unused_alarms;
+  std::string sha256;  // over the case lines without `us` and `attempts`
 };
 
 std::string header_line(const ResultsHeader& header);
+std::string footer_line(const ResultsFooter& footer);
 // `with_timing`: with `us` and `attempts`.
 std::string case_line(const CaseResult& result, bool with_timing);
+
+// A case line as written here without `us` and `attempts`, as the hash of the footer takes it but
+// for the line end.
+std::string line_without_timing(std::string_view line);
+// A case line as it is in a run where the readings leave the case the verdict `kind`.
+std::string reconciled_line(const std::string& line, VerdictKind kind);
+// The id that a case line begins with.
+std::string id_of_line(std::string_view line);
+// What a case line says of the verdict, for people: id, dialect, cycle, verdict.
+CaseResult result_of_line(std::string_view line);
 
 }  // namespace gonogo::oracle

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
@@ -75,26 +74,15 @@ Corpus::Corpus(std::string folder) : folder_(std::move(folder)), files_(vector_f
     const std::string bytes = file_text(folder_ + "/" + file);
     hash.update(fmt::format("{}\n{}\n", file, bytes.size()));
     hash.update(bytes);
+    file_bytes_.push_back(bytes.size());
   }
   sha256_ = hash.hex();
 }
 
 void Corpus::for_each(const std::function<bool(const Case&)>& visit) const {
-  std::map<std::string, const std::string*> seen;  // id -> file
-  for (const std::string& file : files_) {
-    const std::string path = folder_ + "/" + file;
-    for (const Case& test : read_vector_file(path)) {
-      const auto [place, is_new] = seen.emplace(test.id, &file);
-      if (!is_new) {
-        throw CorpusError(
-            fmt::format("{}: The id {} stands in {} too.", path, test.id, *place->second));
-      }
-      if (retired_.contains(test.id)) {
-        throw CorpusError(
-            fmt::format("{}: The id {} is retired and cannot be used again.", path, test.id));
-      }
-      if (!visit(test)) return;
-    }
+  CaseReader reader(*this);
+  while (const std::optional<Case> test = reader.next()) {
+    if (!visit(*test)) return;
   }
 }
 

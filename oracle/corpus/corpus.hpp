@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/corpus/id_set.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -68,7 +69,9 @@ class Corpus {
   // Every case, sorted by id within a file, one file in memory at a time. Returning false stops.
   // Throws CorpusError, also for an id that stands in two files or is retired.
   void for_each(const std::function<bool(const Case&)>& visit) const;
-  std::vector<std::string> files() const { return files_; }
+  const std::vector<std::string>& files() const { return files_; }
+  // Of each file, in the same order.
+  const std::vector<std::uint64_t>& file_bytes() const { return file_bytes_; }
   // Ids that were used once and never are again.
   const std::set<std::string>& retired() const { return retired_; }
 
@@ -77,11 +80,41 @@ class Corpus {
   std::string version_;
   std::string sha256_;
   std::vector<std::string> files_;
+  std::vector<std::uint64_t> file_bytes_;
   std::set<std::string> retired_;
 };
 
+// How much of a case is read: a run of it needs of its expectations only whether they are covered.
+enum class Detail { whole, to_run };
+
+// Gives the cases of a corpus out one after the other, one file in memory at a time.
+class CaseReader {
+ public:
+  // The corpus must outlive the reader.
+  explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole);
+  // Nothing after the last. Throws CorpusError, also for an id that stands in two files or is
+  // retired.
+  std::optional<Case> next();
+  // How much of the corpus has been given out, from 0 to 1.
+  double part() const;
+
+ private:
+  std::string path(std::size_t file) const;
+  void check(const Case& test) const;
+
+  const Corpus& corpus_;
+  Detail detail_;
+  std::uint64_t bytes_ = 0;         // of all files
+  std::uint64_t bytes_before_ = 0;  // of the files before the present one
+  std::uint64_t present_bytes_ = 0;
+  std::size_t files_read_ = 0;
+  std::vector<Case> cases_;  // of the present file
+  std::size_t next_ = 0;     // of them
+  IdSet ids_;
+};
+
 // One vector file.
-std::vector<Case> read_vector_file(const std::string& path);
+std::vector<Case> read_vector_file(const std::string& path, Detail detail = Detail::whole);
 // Writes cases of one dialect and cycle as a vector file, canonical: same cases, same bytes.
 std::string vector_file_text(std::string_view corpus_version, const std::vector<Case>& cases);
 

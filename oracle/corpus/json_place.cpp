@@ -24,13 +24,13 @@ JsonPlace::JsonPlace(const JsonPlace& parent, std::string_view key, simdjson::do
 
 void JsonPlace::fail(std::string_view message) const {
   throw CorpusError(
-      fmt::format("{}: at {}: {}", file_, pointer_.empty() ? "the top" : pointer_, message));
+      fmt::format("{}: at {}: {}", *file_, pointer_.empty() ? "the top" : pointer_, message));
 }
 
 void JsonPlace::need_object(std::initializer_list<std::string_view> known) const {
-  for (const auto& [key, place] : members()) {
-    if (std::ranges::find(known, key) == known.end()) {
-      place.fail("There is no such key in the format.");
+  for (const auto field : object()) {
+    if (std::ranges::find(known, field.key) == known.end()) {
+      JsonPlace(*this, field.key, field.value).fail("There is no such key in the format.");
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +20,8 @@ namespace gonogo::oracle {
 class JsonPlace {
  public:
   // The top of a document.
-  JsonPlace(std::string file, simdjson::dom::object root) : file_(std::move(file)), root_(root) {}
+  JsonPlace(std::string file, simdjson::dom::object root)
+      : file_(std::make_shared<const std::string>(std::move(file))), root_(root) {}
 
   // Throws CorpusError: "<file>: at <pointer>: <message>".
   [[noreturn]] void fail(std::string_view message) const;
@@ -44,7 +46,7 @@ class JsonPlace {
 
   simdjson::dom::object object() const;
 
-  std::string file_;
+  std::shared_ptr<const std::string> file_;
   std::string pointer_;
   std::optional<simdjson::dom::object> root_;  // the top; else `value_` counts
   simdjson::dom::element value_;

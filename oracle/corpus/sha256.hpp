@@ -3,6 +3,8 @@
 
 #include <nettle/sha2.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,7 +15,9 @@ class Sha256 {
  public:
   Sha256();
   void update(std::string_view bytes);
-  // 64 lower-case hexadecimal digits; the object starts anew.
+  // The 32 bytes; the object starts anew.
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest();
+  // The same as 64 lower-case hexadecimal digits.
   std::string hex();
 
  private:

@@ -36,21 +36,22 @@ Number exact_value(double value) {
   return Number::binary(static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53);
 }
 
-Number number_of(std::string_view key, const gonogo_number& source) {
-  switch (source.form) {
-    case GONOGO_NUMBER_ABSENT:
-      fail("The number \"{}\" is missing.", key);
-    case GONOGO_NUMBER_BINARY64:
-      if (!std::isfinite(source.binary64)) fail("The number \"{}\" is not finite.", key);
-      return exact_value(source.binary64);
-    case GONOGO_NUMBER_TEXT:
-      break;
-    default:
-      fail("The number \"{}\" has the unknown form {}.", key, source.form);
+void check_number(std::string_view key, const gonogo_number& source) {
+  if (source.form > GONOGO_NUMBER_BINARY64) {
+    fail("The number \"{}\" has the unknown form {}.", key, source.form);
   }
-  if (source.text.size > kLongestNumber) {
+  if (source.form == GONOGO_NUMBER_BINARY64 && !std::isfinite(source.binary64)) {
+    fail("The number \"{}\" is not finite.", key);
+  }
+  if (source.form == GONOGO_NUMBER_TEXT && source.text.size > kLongestNumber) {
     fail("The number \"{}\" has more than {} characters.", key, kLongestNumber);
   }
+}
+
+Number number_of(std::string_view key, const gonogo_number& source) {
+  check_number(key, source);
+  if (source.form == GONOGO_NUMBER_ABSENT) fail("The number \"{}\" is missing.", key);
+  if (source.form == GONOGO_NUMBER_BINARY64) return exact_value(source.binary64);
   if (auto number = Number::parse(view(source.text))) return *std::move(number);
   fail("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
        excerpt(view(source.text), 60), key);
@@ -107,14 +108,34 @@ void refuse_unused(const gonogo_record_v1& source, RecordKind kind) {
   check(kind == RecordKind::m, source.m != 0, "m");
 }
 
-void read_arc(const gonogo_record_v1& source, Record& record) {
+void check_arc(const gonogo_record_v1& source) {
   if (source.plane < 17 || source.plane > 19) fail("\"plane\" must be 17, 18 or 19.");
-  record.plane = static_cast<Plane>(source.plane - 17);
-  record.centre = {number_of("centre[0]", source.centre[0]),
-                   number_of("centre[1]", source.centre[1])};
   if (source.rot == 0 || source.rot == INT32_MIN) {
     fail("\"rot\" of an arc must not be 0 and must lie above -2^31.");
   }
+}
+
+// Everything but the values of the numbers.
+void check_form(const gonogo_record_v1& source) {
+  if (source.struct_size < sizeof source) {
+    fail("A record has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
+  }
+  if (source.kind < GONOGO_RAPID || source.kind > GONOGO_END) {
+    fail("The record kind {} is unknown.", source.kind);
+  }
+  const auto kind = static_cast<RecordKind>(source.kind - GONOGO_RAPID);
+  refuse_unused(source, kind);
+  if (source.feed_mode > GONOGO_FEED_PER_REVOLUTION) {
+    fail("\"feed_mode\" has the unknown value {}.", source.feed_mode);
+  }
+  if (kind == RecordKind::arc) check_arc(source);
+  if (source.m < 0) fail("\"m\" must not be negative.");
+}
+
+void read_arc(const gonogo_record_v1& source, Record& record) {
+  record.plane = static_cast<Plane>(source.plane - 17);
+  record.centre = {number_of("centre[0]", source.centre[0]),
+                   number_of("centre[1]", source.centre[1])};
   record.rot = source.rot;
   const auto [p, q, d] = reference::axes_of(record.plane);
   require_axes("to", record.axes, {p, q});
@@ -122,23 +143,14 @@ void read_arc(const gonogo_record_v1& source, Record& record) {
 
 void read_feed(const gonogo_record_v1& source, Record& record) {
   record.feed = number_of("f", source.f);
-  if (source.feed_mode > GONOGO_FEED_PER_REVOLUTION) {
-    fail("\"feed_mode\" has the unknown value {}.", source.feed_mode);
-  }
   record.feed_mode = static_cast<FeedMode>(source.feed_mode);
 }
 
 Record record_of(const gonogo_record_v1& source) {
-  if (source.struct_size < sizeof source) {
-    fail("A record has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
-  }
-  if (source.kind < GONOGO_RAPID || source.kind > GONOGO_END) {
-    fail("The record kind {} is unknown.", source.kind);
-  }
+  check_form(source);
   Record record;
   record.kind = static_cast<RecordKind>(source.kind - GONOGO_RAPID);
   record.block = source.block;
-  refuse_unused(source, record.kind);
   record.axes = read_position(source.to, record.to);
   switch (record.kind) {
     case RecordKind::feed:
@@ -162,7 +174,6 @@ Record record_of(const gonogo_record_v1& source) {
       record.seconds = number_of("seconds", source.seconds);
       break;
     case RecordKind::m:
-      if (source.m < 0) fail("\"m\" must not be negative.");
       record.m = source.m;
       break;
     default:
@@ -186,6 +197,19 @@ SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
   return alarm;
 }
 
+void check_numbers(const gonogo_record_v1& source) {
+  for (Axis axis : reference::kAllAxes) {
+    const char letter = reference::letter(axis);
+    check_number({&letter, 1}, source.to[reference::index(axis)]);
+    check_number({&letter, 1}, source.via[reference::index(axis)]);
+  }
+  for (const gonogo_number& number : source.centre) check_number("centre", number);
+  check_number("f", source.f);
+  check_number("lead", source.lead);
+  check_number("start", source.start);
+  check_number("seconds", source.seconds);
+}
+
 }  // namespace
 
 std::string_view view(const gonogo_text& text) {
@@ -194,6 +218,14 @@ std::string_view view(const gonogo_text& text) {
 
 std::variant<Record, TraceFault> convert_record(const gonogo_record_v1& source) try {
   return record_of(source);
+} catch (const Fault& fault) {
+  return TraceFault{fault.message};
+}
+
+std::optional<TraceFault> form_fault(const gonogo_record_v1& source) try {
+  check_form(source);
+  check_numbers(source);
+  return std::nullopt;
 } catch (const Fault& fault) {
   return TraceFault{fault.message};
 }

@@ -191,6 +191,7 @@ class OneshotSubject : public Subject {
   }
 
   void renew() override {}
+  void set_run_limit(std::chrono::milliseconds limit) override { limits_.run = limit; }
   bool keeps_state() const override { return false; }
 
  private:
@@ -236,7 +237,7 @@ class OneshotSubject : public Subject {
   }
 
   const std::string command_;
-  const Limits limits_;
+  Limits limits_;
   SubjectInfo info_;
   PrivateFolder folder_;
   std::string full_command_;

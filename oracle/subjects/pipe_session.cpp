@@ -16,9 +16,8 @@ constexpr std::chrono::milliseconds kFarewell{500};
 constexpr std::string_view kStart =
     R"({"cmd":"start","protocol":[1],"runner":"gonogo )" GONOGO_VERSION R"("})";
 
-std::string run_message(std::int64_t seq, std::string_view id, std::string_view program) {
-  std::string line;
-  line.reserve(program.size() + program.size() / 8 + id.size() + 64);
+void append_run_message(std::int64_t seq, std::string_view id, std::string_view program,
+                        std::string& line) {
   line += fmt::format(R"({{"cmd":"run","seq":{},"id":)", seq);
   append_json_string(readable(id), line);
   line += ",\"program\":";
@@ -27,7 +26,7 @@ std::string run_message(std::int64_t seq, std::string_view id, std::string_view 
   } else {
     line += "{\"base64\":\"" + base64(program) + "\"}";
   }
-  return line += '}';
+  line += "}\n";
 }
 
 }  // namespace
@@ -75,12 +74,15 @@ std::optional<RunEnd> PipeSession::unasked(bool look) {
               "The subject wrote what was not asked for: " + excerpt(lines_.rest()));
 }
 
-std::optional<RunEnd> PipeSession::send(std::string line, std::chrono::milliseconds time) {
-  if (auto failed = unasked(true)) return failed;
-  line += '\n';
+void PipeSession::arm(std::chrono::milliseconds time) {
   time_ = time;
   process_.arm(time);
-  process_.send(std::move(line));
+}
+
+std::optional<RunEnd> PipeSession::ask(std::string line, std::chrono::milliseconds time) {
+  if (auto failed = unasked(true)) return failed;
+  arm(time);
+  process_.send(std::move(line) + '\n');
   return std::nullopt;
 }
 
@@ -118,7 +120,7 @@ PipeSession::Parsed PipeSession::read_line() {
 
 std::variant<SubjectInfo, RunEnd> PipeSession::start() {
   doing_ = "starting";
-  if (auto failed = send(std::string(kStart), limits_.start)) return *std::move(failed);
+  if (auto failed = ask(std::string(kStart), limits_.start)) return *std::move(failed);
   auto reply = read_line();
   if (auto* end = std::get_if<RunEnd>(&reply)) return std::move(*end);
   auto info = read_start_reply(std::get<object>(reply));
@@ -131,7 +133,7 @@ std::variant<SubjectInfo, RunEnd> PipeSession::start() {
 
 std::optional<RunEnd> PipeSession::configure(const std::string& members) {
   doing_ = "being configured";
-  if (auto failed = send("{\"cmd\":\"configure\"," + members + "}", limits_.start)) return failed;
+  if (auto failed = ask("{\"cmd\":\"configure\"," + members + "}", limits_.start)) return failed;
   auto reply = read_line();
   if (auto* end = std::get_if<RunEnd>(&reply)) return std::move(*end);
   bool ok = false;
@@ -150,13 +152,25 @@ std::optional<RunEnd> PipeSession::configure(const std::string& members) {
   return refusal;
 }
 
-RunEnd PipeSession::run(std::string_view id, std::string_view program, const RecordSink& sink) {
+void PipeSession::send_run(std::string_view id, std::string_view program) {
+  if (open_.empty()) {  // the subject has nothing to say
+    doing_ = fmt::format("running {}", excerpt(id));
+    unasked_for_ = unasked(true);
+  }
+  open_.push_back({++seq_, std::string(id)});
+  append_run_message(seq_, id, program, outgoing_);
+}
+
+RunEnd PipeSession::receive_run(const RecordSink& sink) {
+  const OpenRun run = std::move(open_.front());
+  open_.pop_front();
+  doing_ = fmt::format("running {}", excerpt(run.id));
+  if (unasked_for_) return *std::exchange(unasked_for_, std::nullopt);
   const auto begin = Process::Clock::now();
   in_sink_ = Process::Clock::duration::zero();
-  doing_ = fmt::format("running {}", excerpt(id));
-  ++seq_;
-  auto failed = send(run_message(seq_, id, program), limits_.run);
-  RunEnd end = failed ? *std::move(failed) : receive(seq_, sink);
+  arm(limits_.run);
+  if (!outgoing_.empty()) process_.send(std::exchange(outgoing_, {}));
+  RunEnd end = receive(run.seq, sink);
   end.microseconds = std::chrono::duration_cast<std::chrono::microseconds>(Process::Clock::now() -
                                                                            begin - in_sink_)
                          .count();
@@ -178,7 +192,9 @@ RunEnd PipeSession::receive(std::int64_t seq, const RecordSink& sink) {
       return usable_ ? fail(ended->kind, std::move(ended->message)) : *std::move(ended);
     }
     if (reply.more) continue;
-    if (auto extra = unasked(false)) return *std::move(extra);
+    if (open_.empty()) {
+      if (auto extra = unasked(false)) return *std::move(extra);
+    }
     if (ended) return *std::move(ended);
     RunEnd end;
     end.kind = reply.outcome;

@@ -3,6 +3,8 @@
 // One life of a subject's process under the pipe protocol, from `start` to its end.
 #pragma once
 
+#include <deque>
+
 #include "oracle/subjects/json_document.hpp"
 #include "oracle/subjects/line_buffer.hpp"
 #include "oracle/subjects/pipe_reply.hpp"
@@ -20,7 +22,15 @@ class PipeSession {
   std::variant<SubjectInfo, RunEnd> start();
   std::optional<RunEnd> configure(const std::string& members);
 
-  RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink);
+  // Sends a program to be run, at the latest when a reply is waited for. Under one configuration
+  // many may be open at the same time; the replies come in the same order.
+  void send_run(std::string_view id, std::string_view program);
+  std::size_t open_runs() const { return open_.size(); }
+  // The reply to the first of the open runs. Its time begins with the call: when it was sent, or
+  // when the reply to its predecessor had been read. REQUIRES: open_runs() > 0
+  RunEnd receive_run(const RecordSink& sink);
+  // For the runs from now on.
+  void set_run_limit(std::chrono::milliseconds limit) { limits_.run = limit; }
 
   // Asks the subject to go, and waits a little for it.
   void stop();
@@ -31,7 +41,8 @@ class PipeSession {
  private:
   using Parsed = std::variant<simdjson::dom::object, RunEnd>;
 
-  std::optional<RunEnd> send(std::string line, std::chrono::milliseconds time);
+  std::optional<RunEnd> ask(std::string line, std::chrono::milliseconds time);
+  void arm(std::chrono::milliseconds time);
   RunEnd receive(std::int64_t seq, const RecordSink& sink);
   Parsed read_line();
   std::optional<RunEnd> deliver(const PipeReply& reply, const RecordSink& sink);
@@ -39,14 +50,21 @@ class PipeSession {
   RunEnd fail(RunEnd::Kind kind, std::string message);
   RunEnd fail_at_end();
 
-  const Limits limits_;
+  struct OpenRun {
+    std::int64_t seq;
+    std::string id;
+  };
+  Limits limits_;
   Process process_;
   LineBuffer lines_;
   JsonDocument document_;
   std::string doing_ = "starting";  // for messages
   std::chrono::milliseconds time_{0};
   Process::Clock::duration in_sink_{0};
+  std::string outgoing_;  // runs to be sent
   std::int64_t seq_ = 0;
+  std::deque<OpenRun> open_;           // sent, not yet answered
+  std::optional<RunEnd> unasked_for_;  // what was wrong before the first of them was sent
   bool usable_ = true;
 };
 

@@ -3,6 +3,8 @@
 // A subject that is one process for many programs. It is started again when it fails.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <deque>
 #include <system_error>
 
 #include "oracle/subjects/configuration.hpp"
@@ -40,38 +42,74 @@ class PipeSubject : public Subject {
   void configure(const reference::Profile& profile) override {
     std::string configuration = configuration_members(profile);
     if (configuration == configuration_) return;
+    forget_ahead();
     configuration_ = std::move(configuration);
     configured_ = false;
   }
 
+  void announce(std::string_view id, std::string_view program) override {
+    if (takes(program)) ahead_.push_back({std::string(id), std::string(program)});
+  }
+
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
     if (failures_ > limits_.restarts) {
-      return end_of(RunEnd::Kind::crash,
-                    fmt::format("The subject was given up after {} restarts in a row without an "
-                                "answer.",
-                                limits_.restarts));
+      RunEnd end = end_of(RunEnd::Kind::crash,
+                          fmt::format("The subject was given up after {} restarts in a row without "
+                                      "an answer.",
+                                      limits_.restarts));
+      end.given_up = true;
+      return end;
     }
     if (configuration_.empty()) {
       return end_of(RunEnd::Kind::error, "The subject has not been configured.");
     }
-    if (!info_.features.contains("bytes") && !is_utf8(program)) {
+    if (!takes(program)) {
       RunEnd end = end_of(RunEnd::Kind::skip, "The program is not UTF-8.");
       end.feature = "bytes";
       return end;
     }
-    RunEnd end = attempt(id, program, sink);
+    if (ahead_.empty() || ahead_.front().id != id || ahead_.front().program != program) {
+      forget_ahead();
+      announce(id, program);
+    }
+    RunEnd end = attempt(sink);
+    ahead_.pop_front();
     if (session_ && end.notes.empty()) end.notes = session_->take_notes();
     count(end);
     if (session_ && !session_->usable()) session_.reset();
     return end;
   }
 
-  void renew() override { close(); }
+  void renew() override {
+    close();
+    ahead_.clear();
+  }
+
+  void set_run_limit(std::chrono::milliseconds limit) override {
+    limits_.run = limit;
+    if (session_) session_->set_run_limit(limit);
+  }
 
  private:
+  struct Announced {
+    std::string id;
+    std::string program;
+  };
+
+  bool takes(std::string_view program) const {
+    return info_.features.contains("bytes") || is_utf8(program);
+  }
+
+  // A subject that still has programs to run is not asked to go: it would run them first.
   void close() {
-    if (session_) session_->stop();
+    if (session_ && session_->open_runs() == 0) session_->stop();
     session_.reset();
+  }
+
+  // What comes is not what was announced.
+  void forget_ahead() {
+    if (session_ && session_->open_runs() > 0) close();
+    ahead_.clear();
   }
 
   std::optional<RunEnd> open(SubjectInfo* info) {
@@ -91,7 +129,8 @@ class PipeSubject : public Subject {
     return std::nullopt;
   }
 
-  RunEnd attempt(std::string_view id, std::string_view program, const RecordSink& sink) {
+  // The first of those announced. After a failure the others are sent again to the next process.
+  RunEnd attempt(const RecordSink& sink) {
     if (!session_ || !session_->usable()) {
       if (auto failed = open(nullptr)) return *std::move(failed);
     }
@@ -100,7 +139,17 @@ class PipeSubject : public Subject {
       configured_ = session_->usable();
     }
     if (refusal_) return *refusal_;
-    return session_->run(id, program, sink);
+    send_ahead();
+    return session_->receive_run(sink);
+  }
+
+  // Half a window at a time, so that not every reply costs a message of its own.
+  void send_ahead() {
+    const auto window = static_cast<std::size_t>(std::max(1, info_.max_in_flight));
+    if (2 * session_->open_runs() > window) return;
+    for (std::size_t i = session_->open_runs(); i < std::min(window, ahead_.size()); ++i) {
+      session_->send_run(ahead_[i].id, ahead_[i].program);
+    }
   }
 
   // A subject that answers may go on for ever; one that only fails may not.
@@ -120,8 +169,9 @@ class PipeSubject : public Subject {
   }
 
   const std::string command_;
-  const Limits limits_;
+  Limits limits_;
   SubjectInfo info_;
+  std::deque<Announced> ahead_;  // the next runs; those that were sent stand first
   std::unique_ptr<PipeSession> session_;
   std::string configuration_;
   bool configured_ = false;        // this session knows the configuration

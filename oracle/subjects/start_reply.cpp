@@ -138,4 +138,16 @@ std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
   return JsonFault{refusal.message};
 }
 
+SubjectInfo read_description(std::string_view text) {
+  JsonDocument document;
+  auto parsed = document.parse(text);
+  if (auto* object = std::get_if<simdjson::dom::object>(&parsed)) {
+    auto reply = read_start_reply(*object);
+    if (auto* info = std::get_if<SubjectInfo>(&reply)) return std::move(*info);
+    parsed = std::get<JsonFault>(reply);
+  }
+  throw SubjectUnusable("The subject's description cannot be used: " +
+                        std::get<JsonFault>(parsed).message);
+}
+
 }  // namespace gonogo::oracle

@@ -10,4 +10,7 @@ namespace gonogo::oracle {
 
 std::variant<SubjectInfo, JsonFault> read_start_reply(const simdjson::dom::object& reply);
 
+// The description of the C interface. Throws SubjectUnusable.
+SubjectInfo read_description(std::string_view text);
+
 }  // namespace gonogo::oracle

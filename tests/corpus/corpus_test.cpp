@@ -35,7 +35,8 @@ TEST(CheckedInCorpus, IsWhatTheRecipesGiveByteForByte) {
 
 TEST(CheckedInCorpus, EveryExpectationIsWhatTheReferenceSays) {
   std::size_t cases = 0;
-  for (const std::string& file : oracle::Corpus(corpus_folder()).files()) {
+  const oracle::Corpus corpus(corpus_folder());
+  for (const std::string& file : corpus.files()) {
     EXPECT_NO_THROW(cases += recipes::recheck(corpus_folder() + "/" + file)) << file;
   }
   EXPECT_EQ(cases, checked_in_cases().size());
@@ -54,7 +55,8 @@ TEST(CheckedInCorpus, ARecheckFindsAWrongNumber) {
 
 TEST(CheckedInCorpus, FilesComeInTheOrderOfNamesAndCasesOfIds) {
   std::string last_file;
-  for (const std::string& file : oracle::Corpus(corpus_folder()).files()) {
+  const oracle::Corpus corpus(corpus_folder());
+  for (const std::string& file : corpus.files()) {
     EXPECT_LT(last_file, file);
     last_file = file;
     std::string last_id;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // results_lines FILE: writes a results file with a case of each sort, for the test of its schema.
-#include "oracle/campaign/results.hpp"
+#include "oracle/campaign/results_writer.hpp"
 
 using namespace gonogo::oracle;
 
@@ -29,9 +29,15 @@ int main(int argc, char** argv) {
   header.subject_spec = "builtin:gsk";
   header.subject.name = "gsk";
   header.subject.version = "1";
+  header.readings = {"gsk.pocket.end=any"};
+  header.only = {"a.*"};
+  header.alarm_map_sha256 = std::string(64, 'b');
   header.argv = {"gonogo", "certify"};
   ResultsWriter writer(argv[1], header);
-  writer.add(case_of("a.000001", VerdictKind::pass_exact));
+  CaseResult pass = case_of("a.000001", VerdictKind::pass_exact);
+  pass.readings =
+      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=initial"}, VerdictKind::pass_exact};
+  writer.add(pass);
   CaseResult failure = case_of("a.000002", VerdictKind::fail_geometry);
   failure.verdict.clause = 0;
   failure.verdict.reading = "gsk.pocket.end=r-plane";
@@ -47,14 +53,19 @@ int main(int argc, char** argv) {
   failure.program = "G00 Z5 (\xbd\xe1)\n";
   failure.trace = {failure.verdict.got};
   failure.notes = "a note";
+  failure.mapped = "PS0061";
   writer.add(failure);
   CaseResult gap = case_of("a.000003", VerdictKind::oracle_gap);
   gap.program = "G71\n";
+  gap.expected_gap = true;
   writer.add(gap);
+  CaseResult conflict = case_of("a.000004", VerdictKind::pass_exact);
+  conflict.readings =
+      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=r-plane"}, VerdictKind::pass_exact};
+  writer.add(conflict);
   ResultsFooter footer;
-  footer.decision = "NO-GO";
-  footer.judged = 2;
-  footer.assignments = {"gsk.pocket.end=initial"};
-  writer.close(footer);
+  ResultsWriter::Ending ending;
+  ending.alarms = {"PS0061", "PS0062"};
+  writer.close(ending, footer);
   return 0;
 }

@@ -91,6 +91,21 @@ void echo(const std::string& seq, const std::string& line) {
   answer(seq, ",\"outcome\":\"error\",\"message\":\"" + quoted + "\"");
 }
 
+// Answers when so many programs have come: only a runner that sends ahead gets there.
+void answer_by_four(const std::string& seq, bool in_order) {
+  static std::vector<std::string> waiting;
+  waiting.push_back(seq);
+  if (waiting.size() < 4) return;
+  if (!in_order) std::swap(waiting[0], waiting[1]);
+  for (const std::string& each : waiting) answer_well(each);
+  waiting.clear();
+}
+
+// As much as a pipe does not hold, for each program.
+void answer_at_length(const std::string& seq) {
+  answer(seq, ",\"outcome\":\"error\",\"message\":\"" + std::string(1 << 20, 'a') + "\"");
+}
+
 using Action = std::function<void(const std::string& seq, const std::string& line)>;
 
 const std::map<std::string, Action>& actions() {
@@ -178,12 +193,24 @@ const std::map<std::string, Action>& actions() {
       {"echo", [](auto& seq, auto& line) { echo(seq, line); }},
       {"eat-memory", [](auto&, auto&) { eat_memory(); }},
       {"leak", [](auto& seq, auto&) { leak(seq); }},
+      {"by-four", [](auto& seq, auto&) { answer_by_four(seq, true); }},
+      {"by-four-swapped", [](auto& seq, auto&) { answer_by_four(seq, false); }},
+      {"third-aborts", [](auto& seq, auto&) { runs == 3 ? std::abort() : leak(seq); }},
+      {"third-hangs", [](auto& seq, auto&) { runs == 3 ? sleep_for_ever() : leak(seq); }},
+      {"slow", [](auto& seq, auto&) { usleep(120'000), leak(seq); }},
+      {"long-replies", [](auto& seq, auto&) { answer_at_length(seq); }},
       {"pid",
        [](auto& seq, auto&) {
          answer(seq, ",\"outcome\":\"error\",\"message\":\"" + std::to_string(getpid()) + "\"");
        }},
   };
   return kActions;
+}
+
+// FAKE_WINDOW: how many programs may be sent ahead.
+std::string window() {
+  const char* given = std::getenv("FAKE_WINDOW");
+  return given == nullptr ? std::string() : std::string(",\"max_in_flight\":") + given;
 }
 
 void start() {
@@ -197,7 +224,7 @@ void start() {
   const std::string features = mode == "echo" ? R"(["blocks","bytes"])" : R"(["blocks"])";
   say(R"({"protocol":1,"subject":{"name":"fake","version":"1.0"},"dialects":{"gsk988ta":["g94"]},)"
       R"("features":)" +
-      features + R"(,"numeric":{"kind":"fixed","resolution":"0.001"}})");
+      features + R"(,"numeric":{"kind":"fixed","resolution":"0.001"})" + window() + "}");
 }
 
 void configure() {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo host LIBRARY: runs a shared library as a subject of the pipe protocol. `certify` starts it
+// for lib:LIBRARY; by hand it shows what a library answers.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "oracle/subject.hpp"
+#include "oracle/subjects/library_file.hpp"
+#include "oracle/subjects/library_host.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct HostOptions {
+  std::string library;
+  bool check = false;
+};
+
+int moved_away(int descriptor) {
+  const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (moved < 0) throw std::system_error(errno, std::generic_category(), "fcntl");
+  return moved;
+}
+
+// The protocol's descriptors. Those of the library are others: what it prints goes to standard
+// error, line by line, and it has nothing to read.
+struct Channel {
+  int input = moved_away(STDIN_FILENO);
+  int output = moved_away(STDOUT_FILENO);
+
+  Channel() {
+    const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (nothing < 0 || dup2(nothing, STDIN_FILENO) < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+      throw std::system_error(errno, std::generic_category(), "dup2");
+    }
+    close(nothing);
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  }
+};
+
+void say(const Channel& channel, const std::string& line) {
+  Output output(channel.output);
+  output.text() = line + "\n";
+  output.flush();
+}
+
+// What stands in the table is the library's, and the sentence says whose.
+oracle::LibraryHost made_host(const oracle::Library& library, const Channel& channel) try {
+  return {library.subject(), channel.input, channel.output};
+} catch (const oracle::SubjectUnusable& error) {
+  throw oracle::SubjectUnusable(library.path() + ": " + error.what());
+}
+
+int host(const HostOptions& options) {
+  const Channel channel;
+  try {
+    const oracle::Library library(options.library);
+    oracle::LibraryHost host = made_host(library, channel);
+    if (options.check) {
+      say(channel, host.start_reply());
+    } else {
+      host.serve();
+    }
+    return kGo;
+  } catch (const oracle::SubjectUnusable& error) {
+    // The sentence is all that comes where the protocol would: the runner passes it on.
+    say(channel, error.what());
+    return kWrongUse;
+  }
+}
+
+}  // namespace
+
+void add_host(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<HostOptions>();
+  CLI::App* command = app.add_subcommand("host", "Run a shared library behind the pipe protocol");
+  command->add_option("library", options->library, "shared library with gonogo_get_subject")
+      ->required();
+  command->add_flag("--check", options->check, "only load it and print what it says of itself");
+  command->callback([options, &exit_code] { exit_code = host(*options); });
+}
+
+}  // namespace gonogo::cli

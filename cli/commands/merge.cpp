@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo merge: the results of the shards of a run put together.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "cli/verdict_text.hpp"
+#include "oracle/campaign/merge.hpp"
+#include "oracle/campaign/results_reader.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder stands for the results in it, or for the journal of a run that has not ended.
+std::string results_in(const std::string& path) {
+  if (!fs::is_directory(path)) return path;
+  const std::string results = path + "/results.jsonl";
+  const std::string journal = oracle::ResultsWriter::journal_of(results);
+  return !fs::exists(results) && fs::exists(journal) ? journal : results;
+}
+
+// A file; a folder stands for results.jsonl in it.
+std::string out_file(const std::string& out) {
+  if (!fs::is_directory(out) && !out.ends_with('/')) return out;
+  fs::create_directories(out);
+  return (fs::path(out) / "results.jsonl").string();
+}
+
+void check_places(const oracle::MergeOptions& options) {
+  for (const std::string& path : options.results) {
+    for (const std::string& own : {options.out, oracle::ResultsWriter::journal_of(options.out)}) {
+      if (fs::exists(own) && fs::exists(path) && fs::equivalent(own, path)) {
+        throw UsageError(fmt::format("{} is merged and cannot be written to as well.", path));
+      }
+    }
+  }
+}
+
+int merge(oracle::MergeOptions options) {
+  for (std::string& path : options.results) path = results_in(path);
+  options.out = out_file(options.out);
+  options.argv = arguments();
+  check_places(options);
+  oracle::MergeOutcome outcome;
+  try {
+    outcome = oracle::merge_results(options);
+  } catch (const oracle::MergeError& error) {
+    throw UsageError(error.what());
+  } catch (const oracle::ResultsError& error) {
+    throw UsageError(error.what());
+  } catch (const oracle::ResultsUnwritable& error) {
+    throw OutputError(fmt::format("{}.", error.what()), false);
+  }
+  for (const std::string& note : outcome.notes) fmt::print(stderr, "gonogo: {}\n", note);
+  for (const std::string& shard : outcome.missing) fmt::print(stderr, "gonogo: {}.\n", shard);
+  Output output;
+  if (outcome.missing.empty()) {
+    output.text() = summary_text({outcome.answer, outcome.footer, {}, true}, "merged");
+  }
+  output.text() += outcome.written ? fmt::format("results: {}{}\n", options.out,
+                                                 outcome.missing.empty() ? "" : " (incomplete)")
+                                   : "Nothing is written; --partial writes what is there.\n";
+  output.flush();
+  return outcome.missing.empty() ? outcome.answer.exit_code : kUndecided;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<oracle::MergeOptions>();
+  CLI::App* command =
+      app.add_subcommand("merge", "Put the results of the shards of a run together");
+  command
+      ->add_option("results", options->results,
+                   "results.jsonl of each shard, or the folders that they are in")
+      ->required();
+  command->add_option("--out", options->out, "file, or folder for results.jsonl")->required();
+  command->add_flag("--partial", options->partial,
+                    "write what is there when shards are missing: an incomplete file");
+  command->callback([options, &exit_code] { exit_code = merge(*options); });
+}
+
+}  // namespace gonogo::cli

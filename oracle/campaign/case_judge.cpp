@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/campaign/case_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+// Records that are kept as evidence of a NO-GO.
+constexpr std::size_t kKeptRecords = 20'000;
+constexpr int kTries = 3;
+constexpr int kTimeoutFactor = 4;
+
+}  // namespace
+
+// One run of a program by the subject, judged as it goes.
+struct CaseJudge::Attempt {
+  SessionVerdict session;
+  RunEnd end;
+  std::vector<Record> records;  // at most kKeptRecords
+  bool whole = true;            // all of them were kept
+  std::string mapped;           // the entry of the alarm map that was met
+
+  // Two runs that differ: the subject keeps something from run to run.
+  bool differs(const Attempt& other) const {
+    const Verdict& x = session.verdict;
+    const Verdict& y = other.session.verdict;
+    return x.kind != y.kind || x.record != y.record || x.got != y.got;
+  }
+};
+
+CaseJudge::CaseJudge(const CampaignOptions& options, const SubjectMaker& make_subject)
+    : options_(options), make_subject_(make_subject), subject_(make()) {}
+
+// What has been made once may fail to be made for a reason that passes.
+std::unique_ptr<Subject> CaseJudge::make() const {
+  for (int tries = 1;; ++tries) {
+    try {
+      return make_subject_();
+    } catch (const SubjectUnusable&) {
+      if (tries >= kTries) throw;
+    }
+  }
+}
+
+std::size_t CaseJudge::window() const {
+  return static_cast<std::size_t>(std::max(1, subject_->info().max_in_flight));
+}
+
+void CaseJudge::prepare(const Case& test) {
+  if (profile_ && *profile_ == test.profile) return;
+  profile_ = test.profile;
+  subject_->configure(test.profile);
+}
+
+bool CaseJudge::announce(const Case& test) {
+  if (!profile_ || *profile_ != test.profile) return false;
+  if (!undeclared_feature(test)) subject_->announce(test.id, test.program);
+  return true;
+}
+
+// A feature that was not declared is `skip`, without a run.
+std::optional<std::string> CaseJudge::undeclared_feature(const Case& test) const {
+  for (const std::string& feature : test.features) {
+    if (!subject_->info().declares(test.dialect, feature)) return feature;
+  }
+  return std::nullopt;
+}
+
+// A refused profile is a skip, but not a profile of defaults only; a declared feature that is
+// skipped breaks the protocol.
+void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
+  Verdict& verdict = attempt.session.verdict;
+  if (attempt.end.kind == RunEnd::Kind::refused && reference::profile_json(test.profile) == "{}") {
+    verdict.kind = VerdictKind::protocol;
+    verdict.message =
+        fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
+  } else if (attempt.end.kind == RunEnd::Kind::skip && !test.features.empty() &&
+             !subject_->info().everything && attempt.end.feature != "bytes") {
+    if (!subject_->info().declares(test.dialect, attempt.end.feature)) return;
+    verdict.kind = VerdictKind::protocol;
+    verdict.message = fmt::format("The subject declares {} and then skips it: {}",
+                                  attempt.end.feature, attempt.end.message);
+  }
+}
+
+CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test,
+                                  const JudgeTerms& terms) const {
+  Attempt attempt;
+  try {
+    JudgeSession session(test.profile, test.program, terms);
+    attempt.end = subject.run(test.id, test.program, [&](const Record& record) {
+      if (attempt.records.size() < kKeptRecords) {
+        attempt.records.push_back(record);
+      } else {
+        attempt.whole = false;
+      }
+      return session.record(record);
+    });
+    if (attempt.end.kind == RunEnd::Kind::alarm && options_.alarm_map) {
+      if (const auto* known = options_.alarm_map->entry_for(attempt.end.alarm.native)) {
+        attempt.end.alarm.alarm_class = known->alarm_class;
+        attempt.mapped = known->native;
+      }
+    }
+    attempt.session = session.finish(attempt.end);
+    interpret_skip(test, attempt);
+  } catch (const SubjectUnusable&) {
+    throw;
+  } catch (const std::exception& error) {
+    attempt.session.verdict.kind = VerdictKind::oracle_error;
+    attempt.session.verdict.message = fmt::format("An error of the gauge itself: {}", error.what());
+  }
+  return attempt;
+}
+
+Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
+  if (!second_) second_ = make();
+  second_->renew();
+  second_->configure(profile);
+  return *second_;
+}
+
+// A NO-GO is run again alone in a fresh process; two different answers are a state leak.
+void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt,
+                        CaseResult& result) {
+  if (!subject_->keeps_state() || attempt.end.given_up) return;
+  const Attempt again = run(fresh_subject(test.profile), test, terms);
+  ++result.attempts;
+  if (!attempt.differs(again)) return;
+  Verdict& verdict = attempt.session.verdict;
+  const std::string first(name(verdict.kind));
+  verdict.kind = VerdictKind::state_leak;
+  verdict.message =
+      fmt::format("The first run ended {} ({}), the same program in a fresh process {}.", first,
+                  verdict.message, name(again.session.verdict.kind));
+}
+
+// Near the limit times flap: up to three more tries with four times the limit.
+void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
+                                CaseResult& result) {
+  for (int i = 0; i < kTries; ++i) {
+    Subject& subject = fresh_subject(test.profile);
+    subject.set_run_limit(options_.limits.run * kTimeoutFactor);
+    Attempt again = run(subject, test, terms);
+    subject.set_run_limit(options_.limits.run);
+    ++result.attempts;
+    if (again.session.verdict.kind == VerdictKind::timeout) continue;
+    attempt = std::move(again);
+    return;
+  }
+}
+
+void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const Attempt& attempt,
+                              CaseResult& result) const {
+  result.program = test.program;
+  result.notes = attempt.end.notes;
+  for (const Record& record : attempt.records) result.trace.push_back(record_text(record));
+  const bool comparable =
+      attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
+  if (decision(result.verdict.kind) == Decision::no_go && comparable && attempt.whole) {
+    result.verdict.reading =
+        explaining_reading(test.profile, test.program, terms, attempt.records, attempt.end);
+  }
+}
+
+CaseResult CaseJudge::judge(const Case& test) {
+  CaseResult result;
+  result.id = test.id;
+  result.dialect = test.dialect;
+  result.cycle = test.cycle;
+  result.clauses = test.clauses;
+  result.profile = reference::profile_json(test.profile);
+  result.expected_gap = std::ranges::any_of(test.expect, &Expectation::not_covered);
+  if (const auto feature = undeclared_feature(test)) {
+    result.verdict.kind = VerdictKind::skip;
+    result.verdict.feature = *feature;
+    result.verdict.message =
+        fmt::format("The subject does not declare {} in {}.", *feature, test.dialect);
+    return result;
+  }
+  prepare(test);
+  const JudgeTerms terms =
+      make_terms(subject_->info(), test.profile, options_.tolerance, options_.chord);
+  Attempt attempt = run(*subject_, test, terms);
+  if (attempt.session.verdict.kind == VerdictKind::timeout) {
+    confirm_timeout(test, terms, attempt, result);
+  }
+  // Three tries in fresh processes have confirmed a timeout.
+  const VerdictKind kind = attempt.session.verdict.kind;
+  if (decision(kind) == Decision::no_go && kind != VerdictKind::timeout) {
+    confirm(test, terms, attempt, result);
+  }
+  result.verdict = attempt.session.verdict;
+  result.microseconds = attempt.end.microseconds;
+  result.mapped = attempt.mapped;
+  if (decision(result.verdict.kind) == Decision::go) {
+    const bool passed = result.verdict.kind != VerdictKind::skip;
+    if (passed) result.readings = open_readings(attempt.session);
+  } else {
+    keep_evidence(test, terms, attempt, result);
+  }
+  return result;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One worker of a campaign: its subject, and the repetitions that a verdict other than GO needs.
+#pragma once
+
+#include "oracle/campaign/campaign.hpp"
+#include "oracle/judge/judge_session.hpp"
+
+namespace gonogo::oracle {
+
+class CaseJudge {
+ public:
+  // `options` and `make_subject` must outlive it. Throws SubjectUnusable.
+  CaseJudge(const CampaignOptions& options, const SubjectMaker& make_subject);
+  CaseJudge(const CaseJudge&) = delete;
+  CaseJudge& operator=(const CaseJudge&) = delete;
+
+  // How many cases it is of use to announce, the one that is judged next among them.
+  std::size_t window() const;
+  // The case that is judged next.
+  void prepare(const Case& test);
+  // Tells the subject of a case that follows the last one announced. False when the subject cannot
+  // be told yet: the case has another profile than the one that was prepared.
+  bool announce(const Case& test);
+  CaseResult judge(const Case& test);
+
+ private:
+  struct Attempt;
+  std::optional<std::string> undeclared_feature(const Case& test) const;
+  Attempt run(Subject& subject, const Case& test, const JudgeTerms& terms) const;
+  void interpret_skip(const Case& test, Attempt& attempt) const;
+  void confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt, CaseResult& result);
+  void confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
+                       CaseResult& result);
+  void keep_evidence(const Case& test, const JudgeTerms& terms, const Attempt& attempt,
+                     CaseResult& result) const;
+  std::unique_ptr<Subject> make() const;
+  // The second subject, in a process of its own that has run nothing yet.
+  Subject& fresh_subject(const reference::Profile& profile);
+
+  const CampaignOptions& options_;
+  const SubjectMaker& make_subject_;
+  std::unique_ptr<Subject> subject_;
+  std::unique_ptr<Subject> second_;            // made when it is first needed
+  std::optional<reference::Profile> profile_;  // that was prepared
+};
+
+}  // namespace gonogo::oracle

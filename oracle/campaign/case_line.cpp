@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A case as a line of results.jsonl, written by hand: there are millions of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "oracle/campaign/encoding.hpp"
+#include "oracle/campaign/results.hpp"
+#include "oracle/campaign/results_reader.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dump(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+bool is_plain(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 && byte < 0x7F && c != '"' && c != '\\';
+}
+
+// The same bytes as the JSON library writes, so that a line read and written again is the same.
+class LineText {
+ public:
+  void text(std::string_view key, std::string_view value) {
+    begin(key);
+    append(value);
+  }
+  void texts(std::string_view key, const std::vector<std::string>& values) {
+    begin(key);
+    line_ += '[';
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append(values[i]);
+    }
+    line_ += ']';
+  }
+  template <typename Integer>
+  void number(std::string_view key, Integer value) {
+    begin(key);
+    fmt::format_to(std::back_inserter(line_), "{}", value);
+  }
+  // A value that is JSON already, with or without blanks.
+  void json(std::string_view key, std::string_view value) {
+    begin(key);
+    append_json(value);
+  }
+  void jsons(std::string_view key, const std::vector<std::string>& values) {
+    begin(key);
+    line_ += '[';
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) line_ += ',';
+      append_json(values[i]);
+    }
+    line_ += ']';
+  }
+  void open(std::string_view key) {
+    begin(key);
+    line_ += '{';
+    first_ = true;
+  }
+  void close() {
+    line_ += '}';
+    first_ = false;
+  }
+  std::string finish() {
+    line_ += '}';
+    return std::move(line_);
+  }
+
+ private:
+  void begin(std::string_view key) {
+    if (!first_) line_ += ',';
+    first_ = false;
+    line_ += '"';
+    line_ += key;
+    line_ += "\":";
+  }
+  void append(std::string_view value) {
+    if (!std::ranges::all_of(value, is_plain)) {
+      line_ += dump(Json(value));
+      return;
+    }
+    line_ += '"';
+    line_ += value;
+    line_ += '"';
+  }
+  void append_json(std::string_view value) {
+    const bool is_compact = std::ranges::none_of(value, [](char c) {
+      return c == ' ' || c == '\n' || c == '\t' || c == '\\' || static_cast<signed char>(c) <= 0;
+    });
+    if (is_compact) {
+      line_ += value;
+    } else {
+      line_ += dump(Json::parse(value));
+    }
+  }
+
+  std::string line_ = "{";
+  bool first_ = true;
+};
+
+void append_departure(const Verdict& verdict, LineText& line) {
+  if (verdict.clause != reference::kNoClause) {
+    line.text("clause", reference::clause_name(verdict.clause));
+  }
+  if (!verdict.reading.empty()) line.text("reading", verdict.reading);
+  if (verdict.block != 0) line.number("b", verdict.block);
+  if (verdict.record) line.number("record", *verdict.record);
+  if (!verdict.word.empty()) line.text("word", verdict.word.text());
+  if (!verdict.want.empty()) line.text("want", verdict.want);
+  if (!verdict.got.empty()) line.text("got", verdict.got);
+  if (!verdict.deviation_exact.empty()) {
+    line.open("deviation");
+    line.text("exact", verdict.deviation_exact);
+    line.text("mm", verdict.deviation_mm);
+    line.close();
+  }
+  if (!verdict.witness.empty()) line.json("witness", verdict.witness);
+  if (!verdict.feature.empty()) line.text("feature", verdict.feature);
+  if (!verdict.message.empty()) line.text("message", verdict.message);
+}
+
+void append_readings(const OpenReadings& readings, LineText& line) {
+  line.open("readings");
+  line.texts("open", readings.open);
+  line.texts("explaining", readings.explaining);
+  line.text("verdict", name(readings.verdict));
+  line.close();
+}
+
+// Where a run of digits that begins at `at` ends.
+std::size_t digits_end(std::string_view line, std::size_t at) {
+  while (at < line.size() && line[at] >= '0' && line[at] <= '9') ++at;
+  return at;
+}
+
+}  // namespace
+
+std::string case_line(const CaseResult& result, bool with_timing) {
+  const Verdict& verdict = result.verdict;
+  LineText line;
+  line.text("id", result.id);
+  line.text("dialect", result.dialect);
+  line.text("cycle", result.cycle);
+  line.texts("clauses", result.clauses);
+  line.text("verdict", name(verdict.kind));
+  if (result.expected_gap && verdict.kind == VerdictKind::oracle_gap) line.json("expected", "true");
+  append_departure(verdict, line);
+  if (!result.mapped.empty()) line.text("mapped", result.mapped);
+  if (with_timing) {
+    line.number("us", result.microseconds);
+    line.number("attempts", result.attempts);
+  }
+  if (result.readings) append_readings(*result.readings, line);
+  if (!result.profile.empty() && result.profile != "{}") line.json("profile", result.profile);
+  if (decision(verdict.kind) != Decision::go) {
+    line.json("program", dump(program_json(result.program)));
+    line.jsons("trace", result.trace);
+    if (!result.notes.empty()) line.text("notes", result.notes);
+  }
+  return line.finish();
+}
+
+std::string line_without_timing(std::string_view line) {
+  // No key of that name stands before it, and in a text the quotes would be escaped.
+  constexpr std::string_view kTime = ",\"us\":";
+  constexpr std::string_view kAttempts = ",\"attempts\":";
+  const std::size_t begin = line.find(kTime);
+  if (begin != std::string_view::npos) {
+    std::size_t end = digits_end(line, begin + kTime.size());
+    if (line.substr(end, kAttempts.size()) == kAttempts) {
+      end = digits_end(line, end + kAttempts.size());
+      return std::string(line.substr(0, begin)) + std::string(line.substr(end));
+    }
+  }
+  std::string text = hashed_text(Json::parse(line));
+  text.pop_back();
+  return text;
+}
+
+std::string id_of_line(std::string_view line) {
+  constexpr std::string_view kHead = "{\"id\":\"";
+  if (line.starts_with(kHead)) {
+    const std::size_t end = line.find_first_of("\"\\", kHead.size());
+    if (end != std::string_view::npos && line[end] == '"') {
+      return std::string(line.substr(kHead.size(), end - kHead.size()));
+    }
+  }
+  return Json::parse(line).at("id").get<std::string>();
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/campaign/line_sorter.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <queue>
+#include <utility>
+
+#include "oracle/campaign/results.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::size_t kMostRuns = 64;
+
+// A sorted run that is read back line by line.
+class RunReader {
+ public:
+  explicit RunReader(std::FILE* file) : file_(file) { std::rewind(file_); }
+  RunReader(RunReader&& other) noexcept
+      : line(std::move(other.line)),
+        id(std::move(other.id)),
+        file_(other.file_),
+        buffer_(std::exchange(other.buffer_, nullptr)),
+        size_(other.size_) {}
+  RunReader& operator=(RunReader&&) = delete;
+  ~RunReader() { std::free(buffer_); }
+
+  bool next() {
+    const ssize_t count = ::getline(&buffer_, &size_, file_);
+    if (count <= 0) return false;
+    line.assign(buffer_, static_cast<std::size_t>(count) - 1);
+    id = id_of_line(line);
+    return true;
+  }
+
+  std::string line;
+  std::string id;
+
+ private:
+  std::FILE* file_;
+  char* buffer_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+[[noreturn]] void fail(const std::string& folder) {
+  throw ResultsUnwritable(
+      fmt::format("The results cannot be sorted in {}: {}", folder, std::strerror(errno)));
+}
+
+void put(std::FILE* file, const std::string& line, const std::string& folder) {
+  if (std::fwrite(line.data(), 1, line.size(), file) != line.size() ||
+      std::fputc('\n', file) == EOF) {
+    fail(folder);
+  }
+}
+
+void flush(std::FILE* file, const std::string& folder) {
+  if (std::fflush(file) != 0) fail(folder);
+}
+
+}  // namespace
+
+FileHandle LineSorter::temporary() const {
+  std::string path = folder_ + "/.sorting-XXXXXX";
+  const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
+  if (descriptor >= 0) ::unlink(path.c_str());
+  FileHandle file(descriptor >= 0 ? ::fdopen(descriptor, "w+") : nullptr);
+  if (file == nullptr) fail(folder_);
+  return file;
+}
+
+void LineSorter::add(std::string line) {
+  std::string id = id_of_line(line);
+  held_bytes_ += line.size() + id.size() + sizeof(Entry);
+  held_.push_back({std::move(id), std::move(line)});
+  if (held_bytes_ > run_bytes_) write_run();
+}
+
+void LineSorter::sort_held() {
+  std::ranges::sort(held_, {}, &Entry::id);
+}
+
+void LineSorter::write_run() {
+  sort_held();
+  FileHandle file = temporary();
+  for (const Entry& entry : held_) put(file.get(), entry.line, folder_);
+  flush(file.get(), folder_);
+  held_ = {};
+  held_bytes_ = 0;
+  runs_.push_back(std::move(file));
+  if (runs_.size() < kMostRuns) return;
+  FileHandle one = temporary();
+  merge(std::exchange(runs_, {}),
+        [&](const std::string&, const std::string& line) { put(one.get(), line, folder_); });
+  flush(one.get(), folder_);
+  runs_.push_back(std::move(one));
+}
+
+void LineSorter::merge(std::vector<FileHandle> runs, const Visit& visit) const {
+  std::vector<RunReader> readers;
+  for (const FileHandle& run : runs) readers.emplace_back(run.get());
+  // The first of equal ids is that of the first run.
+  auto later = [&](std::size_t a, std::size_t b) {
+    const int order = readers[a].id.compare(readers[b].id);
+    return order != 0 ? order > 0 : a > b;
+  };
+  std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(later)> waiting(later);
+  for (std::size_t i = 0; i < readers.size(); ++i) {
+    if (readers[i].next()) waiting.push(i);
+  }
+  while (!waiting.empty()) {
+    const std::size_t first = waiting.top();
+    waiting.pop();
+    visit(readers[first].id, readers[first].line);
+    if (readers[first].next()) waiting.push(first);
+  }
+}
+
+void LineSorter::for_each(const Visit& visit) {
+  if (runs_.empty()) {
+    sort_held();
+    for (const Entry& entry : held_) visit(entry.id, entry.line);
+    held_ = {};
+    return;
+  }
+  if (!held_.empty()) write_run();
+  merge(std::exchange(runs_, {}), visit);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Case lines put into the order of their ids in memory that does not grow with their number: they
+// go out to temporary files as sorted runs, which are merged.
+#pragma once
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonogo::oracle {
+
+// A file of the results cannot be written or read back: a sentence. The run is undecided.
+class ResultsUnwritable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
+
+class LineSorter {
+ public:
+  // `folder`: where the temporary files go; they have no name there. A run is written when its
+  // lines have more than `run_bytes`.
+  explicit LineSorter(std::string folder, std::size_t run_bytes = std::size_t{16} << 20)
+      : folder_(std::move(folder)), run_bytes_(run_bytes) {}
+
+  // Throws ResultsUnwritable.
+  void add(std::string line);
+  // Visits every line once, in order; to be called once. Two lines of one id come one after the
+  // other. Throws ResultsUnwritable.
+  using Visit = std::function<void(const std::string& id, const std::string& line)>;
+  void for_each(const Visit& visit);
+
+ private:
+  struct Entry {
+    std::string id;
+    std::string line;
+  };
+  void sort_held();
+  void write_run();
+  FileHandle temporary() const;
+  void merge(std::vector<FileHandle> runs, const Visit& visit) const;
+
+  std::string folder_;
+  std::size_t run_bytes_;
+  std::vector<Entry> held_;
+  std::size_t held_bytes_ = 0;
+  std::vector<FileHandle> runs_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes results.jsonl. Until all is there <path>.part is the journal: the header and the case
+// lines in the order in which they come, from which an interrupted run goes on.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/campaign/line_sorter.hpp"
+#include "oracle/campaign/results.hpp"
+#include "oracle/corpus/id_set.hpp"
+
+namespace gonogo::oracle {
+
+// A journal that the run cannot go on from: a sentence (wrong use).
+class ResumeError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class ResultsWriter {
+ public:
+  enum class Start {
+    anew,    // a journal that is there is overwritten
+    resume,  // goes on from the journal, if there is one
+  };
+
+  // Throws ResultsUnwritable when the journal cannot be written, ResumeError when it is of another
+  // run: its header may differ in argv only.
+  ResultsWriter(std::string path, const ResultsHeader& header, Start start = Start::anew);
+  // With a header line that is there already.
+  ResultsWriter(std::string path, std::string header);
+  ResultsWriter(const ResultsWriter&) = delete;
+  ResultsWriter& operator=(const ResultsWriter&) = delete;
+
+  static std::string journal_of(const std::string& path) { return path + ".part"; }
+  // Whether the journal held the case when the run began, and how many there were.
+  bool has(std::string_view id) const { return resumed_.contains(id); }
+  std::size_t resumed() const { return resumed_.size(); }
+
+  // Both throw ResultsUnwritable; what came before is kept.
+  void add(const CaseResult& result) { add_line(case_line(result, true)); }
+  void add_line(std::string_view line);
+
+  // What close() needs to know of the run besides its cases.
+  struct Ending {
+    std::size_t left_out = 0;
+    std::vector<std::string> stale;  // but for alarms
+    // All entries of the alarm map, when every case of the dialects was asked for.
+    std::optional<std::vector<std::string>> alarms;
+    // With shards, whose cases may meet what those of this one did not.
+    bool is_shard = false;
+  };
+  // Sorts, reconciles the readings, fills in the footer and puts the file in place in one step.
+  // `visit` sees each case line as it is written. Throws ResultsUnwritable, and std::runtime_error
+  // when a case is there twice.
+  using Visit = std::function<void(const std::string& line, VerdictKind kind)>;
+  RunAnswer close(const Ending& ending, ResultsFooter& footer, const Visit& visit = nullptr);
+  // Writes the sorted lines without a footer: an incomplete file.
+  void close_without_footer();
+
+ private:
+  class Sorted;
+  void resume();
+  void create();
+  void each_journal_line(const std::function<void(std::string)>& take);
+
+  std::string path_;
+  std::string header_;
+  FileHandle journal_;
+  IdSet resumed_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run says as a whole. It is a function of its case lines and of the stale entries alone, so
+// that a merge and a check elsewhere come to the same answer.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/campaign/reading_tally.hpp"
+#include "oracle/verdict.hpp"
+
+namespace gonogo::oracle {
+
+// What of a case the answer of a run hangs on.
+struct CaseFacts {
+  std::string id;
+  std::string dialect;
+  VerdictKind verdict = VerdictKind::pass_exact;  // before the readings of the run are reconciled
+  bool expected_gap = false;                      // the corpus expects that the gauge cannot say
+  std::optional<OpenReadings> readings;           // of a GO that touched open readings
+  std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
+};
+
+// The facts of a case line of results.jsonl. Throws std::runtime_error with a sentence when the
+// text is no case line.
+CaseFacts facts_of(std::string_view case_line);
+
+// The answer of a run.
+struct RunAnswer {
+  std::map<std::string, std::size_t> totals;  // by verdict
+  std::size_t cases = 0;
+  std::size_t judged = 0;  // neither skipped nor undecided
+  std::size_t no_go = 0;
+  std::size_t unexpected_gaps = 0;
+  std::size_t oracle_errors = 0;
+  bool judged_nothing = false;           // in all, or in one of the dialects
+  std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
+  std::string reading_conflict;  // the first case that no assignment explains with those before it
+  std::string decision;          // GO, NO-GO or UNDECIDED
+  int exit_code = 0;             // design section 6: 0, 1 or 3
+};
+
+class Tally {
+ public:
+  // Cases in the order of their ids. Returns the verdict of the case in the run: its own, or
+  // fail.reading when no assignment explains it and all before.
+  VerdictKind add(const CaseFacts& facts);
+  // `stale`: entries of the subject's files that are no longer true.
+  RunAnswer finish(const std::vector<std::string>& stale) const;
+
+ private:
+  RunAnswer answer_;
+  ReadingTally readings_;
+  std::map<std::string, std::size_t> judged_by_dialect_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "oracle/corpus/corpus.hpp"
+
+namespace gonogo::oracle {
+
+CaseReader::CaseReader(const Corpus& corpus, Detail detail)
+    : corpus_(corpus),
+      detail_(detail),
+      bytes_(std::accumulate(corpus.file_bytes().begin(), corpus.file_bytes().end(),
+                             std::uint64_t{0})) {}
+
+std::string CaseReader::path(std::size_t file) const {
+  return corpus_.folder() + "/" + corpus_.files()[file];
+}
+
+// Only now that an id is met again is it worth the time to look where it stood first.
+void CaseReader::check(const Case& test) const {
+  const std::string here = path(files_read_ - 1);
+  for (std::size_t file = 0; file + 1 < files_read_; ++file) {
+    const std::vector<Case> others = read_vector_file(path(file), Detail::to_run);
+    if (std::ranges::find(others, test.id, &Case::id) == others.end()) continue;
+    throw CorpusError(
+        fmt::format("{}: The id {} stands in {} too.", here, test.id, corpus_.files()[file]));
+  }
+}
+
+std::optional<Case> CaseReader::next() {
+  while (next_ == cases_.size()) {
+    bytes_before_ += std::exchange(present_bytes_, 0);
+    cases_.clear();
+    next_ = 0;
+    if (files_read_ == corpus_.files().size()) return std::nullopt;
+    present_bytes_ = corpus_.file_bytes()[files_read_];
+    cases_ = read_vector_file(path(files_read_++), detail_);
+  }
+  Case& test = cases_[next_++];
+  if (!ids_.insert(test.id)) check(test);
+  if (corpus_.retired().contains(test.id)) {
+    throw CorpusError(fmt::format("{}: The id {} is retired and cannot be used again.",
+                                  path(files_read_ - 1), test.id));
+  }
+  return std::move(test);
+}
+
+double CaseReader::part() const {
+  if (bytes_ == 0) return 1;
+  double done = static_cast<double>(bytes_before_);
+  if (!cases_.empty()) {
+    const double within = static_cast<double>(next_) / static_cast<double>(cases_.size());
+    done += within * static_cast<double>(present_bytes_);
+  }
+  return done / static_cast<double>(bytes_);
+}
+
+}  // namespace gonogo::oracle

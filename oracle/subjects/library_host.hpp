@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pipe protocol in front of the C interface: what runs in the process of a library.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "gonogo/subject.h"
+
+namespace gonogo::oracle {
+
+// How many runs the runner may send ahead.
+inline constexpr int kHostWindow = 64;
+
+// The message of an outcome "error" begins with this when the library broke the C interface. The
+// runner knows its own host, and takes such an outcome for `protocol`.
+inline constexpr std::string_view kBrokenInterface = "The C interface is broken: ";
+
+class LibraryHost {
+ public:
+  // Reads and writes the two descriptors. Throws SubjectUnusable when the table or the description
+  // cannot be used.
+  LibraryHost(const gonogo_subject_v1& subject, int input, int output);
+  LibraryHost(LibraryHost&&) noexcept;
+  ~LibraryHost();
+
+  // Answers until `stop`, the end of the input, or nobody reads the output any more.
+  void serve();
+
+  // The reply to `start`: the library's description with the host's window.
+  const std::string& start_reply() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The case lines, which are written by hand, against the JSON library.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign_testing.hpp"
+#include "oracle/campaign/results_reader.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CaseResult failed() {
+  CaseResult result = passed("a.\x01\"\\\r\n\t\x7f");
+  result.clauses = {"GSK-G94-02", "\xe8\xbd\xb4"};
+  result.verdict.kind = VerdictKind::fail_geometry;
+  result.verdict.clause = 0;
+  result.verdict.reading = "k=v";
+  result.verdict.block = 2;
+  result.verdict.record = 0;
+  result.verdict.word = 'X';
+  result.verdict.want = R"({"k":"rapid"})";
+  result.verdict.got = "\xff no UTF-8";
+  result.verdict.deviation_exact = "1/3";
+  result.verdict.deviation_mm = "0.333333333";
+  result.verdict.witness = R"({"x": "1"})";
+  result.verdict.message = "a, b";
+  result.mapped = "A";
+  result.profile = R"({"readings":{"r":"a b"}})";
+  result.program = "G00 (\xbd\xe1)\n";
+  result.trace = {R"({"k":"feed","x-n":"\u007f"})", R"({"k":"end"})"};
+  result.notes = "noise\n";
+  return result;
+}
+
+TEST(CaseLine, IsWhatTheJsonLibraryWritesOfIt) {
+  for (const CaseResult& result : {failed(), passed("a")}) {
+    const std::string line = case_line(result, true);
+    EXPECT_EQ(Json::parse(line).dump(), line);
+  }
+}
+
+TEST(CaseLine, WithoutItsTimesIsWhatTheHashTakes) {
+  for (const CaseResult& result : {failed(), passed("a")}) {
+    const std::string line = case_line(result, true);
+    EXPECT_EQ(line_without_timing(line) + "\n", hashed_text(Json::parse(line)));
+    EXPECT_EQ(line_without_timing(line), case_line(result, false));
+  }
+}
+
+TEST(CaseLine, WithoutItsTimesWhenSomebodyElseWroteIt) {
+  EXPECT_EQ(line_without_timing(R"({"id":"a", "attempts":1, "us":3})"), R"({"id":"a"})");
+}
+
+TEST(CaseLine, SaysOfAGapWhetherItWasExpected) {
+  CaseResult gap = passed("a");
+  gap.verdict.kind = VerdictKind::oracle_gap;
+  EXPECT_EQ(case_line(gap, false).find("expected"), std::string::npos);
+  gap.expected_gap = true;
+  EXPECT_NE(case_line(gap, false).find("\"expected\":true"), std::string::npos);
+}
+
+TEST(CaseLine, GivesTheVerdictBackForPeople) {
+  const CaseResult read = result_of_line(case_line(failed(), true));
+  EXPECT_EQ(read.id, failed().id);
+  EXPECT_EQ(read.verdict.kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(read.verdict.clause, 0);
+  EXPECT_EQ(read.verdict.block, 2U);
+  EXPECT_EQ(read.verdict.want, failed().verdict.want);
+  EXPECT_EQ(read.verdict.deviation_exact, "1/3");
+  EXPECT_EQ(read.verdict.message, "a, b");
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

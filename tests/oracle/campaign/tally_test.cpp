@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/campaign/tally.hpp"
+
+#include <gtest/gtest.h>
+
+#include "oracle/campaign/results.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+CaseFacts facts(std::string id, VerdictKind verdict, std::string dialect = "gsk988ta") {
+  CaseFacts made;
+  made.id = std::move(id);
+  made.dialect = std::move(dialect);
+  made.verdict = verdict;
+  return made;
+}
+
+CaseFacts under(std::string id, std::vector<std::string> explaining) {
+  CaseFacts made = facts(std::move(id), VerdictKind::pass_exact);
+  made.readings = OpenReadings{{"r"}, std::move(explaining), VerdictKind::pass_exact};
+  return made;
+}
+
+RunAnswer answer(const std::vector<CaseFacts>& cases, const std::vector<std::string>& stale = {}) {
+  Tally tally;
+  for (const CaseFacts& one : cases) tally.add(one);
+  return tally.finish(stale);
+}
+
+TEST(Tally, APassIsGo) {
+  const RunAnswer go = answer({facts("a", VerdictKind::pass_exact)});
+  EXPECT_EQ(go.decision, "GO");
+  EXPECT_EQ(go.exit_code, 0);
+  EXPECT_EQ(go.judged, 1U);
+}
+
+TEST(Tally, OneNoGoDecidesWhateverElseIsUndecided) {
+  const RunAnswer no_go =
+      answer({facts("a", VerdictKind::oracle_error), facts("b", VerdictKind::fail_feed)});
+  EXPECT_EQ(no_go.decision, "NO-GO");
+  EXPECT_EQ(no_go.exit_code, 1);
+}
+
+TEST(Tally, AStaleEntryIsNoGo) {
+  EXPECT_EQ(answer({facts("a", VerdictKind::pass_exact)}, {"x"}).exit_code, 1);
+}
+
+TEST(Tally, AGapIsUndecidedUnlessTheCorpusExpectsIt) {
+  CaseFacts gap = facts("b", VerdictKind::oracle_gap);
+  EXPECT_EQ(answer({facts("a", VerdictKind::pass_exact), gap}).exit_code, 3);
+  gap.expected_gap = true;
+  EXPECT_EQ(answer({facts("a", VerdictKind::pass_exact), gap}).exit_code, 0);
+}
+
+TEST(Tally, ADialectOfSkipsAloneIsUndecided) {
+  EXPECT_EQ(answer({facts("a", VerdictKind::pass_exact), facts("b", VerdictKind::skip, "hnc21t")})
+                .exit_code,
+            3);
+  EXPECT_EQ(answer({}).decision, "UNDECIDED");
+}
+
+TEST(Tally, ACaseThatNoAssignmentExplainsWithThoseBeforeItFails) {
+  Tally tally;
+  EXPECT_EQ(tally.add(under("a", {"r=1", "r=2"})), VerdictKind::pass_exact);
+  EXPECT_EQ(tally.add(under("b", {"r=1"})), VerdictKind::pass_exact);
+  EXPECT_EQ(tally.add(under("c", {"r=2"})), VerdictKind::fail_reading);
+  EXPECT_EQ(tally.add(under("d", {"r=1"})), VerdictKind::pass_exact);
+  const RunAnswer no_go = tally.finish({});
+  EXPECT_EQ(no_go.reading_conflict, "c");
+  EXPECT_EQ(no_go.assignments, std::vector<std::string>{"r=1"});
+  EXPECT_EQ(no_go.totals.at("fail.reading"), 1U);
+  EXPECT_EQ(no_go.exit_code, 1);
+}
+
+TEST(Tally, ReadingsOfDifferentCasesAreJoined) {
+  const RunAnswer go = answer({under("a", {"r=1", "r=2"}), under("b", {"r=1 s=3", "r=3 s=4"})});
+  EXPECT_EQ(go.assignments, std::vector<std::string>{"r=1 s=3"});
+}
+
+TEST(Tally, ACaseLineSaysItsFacts) {
+  CaseResult result;
+  result.id = "a \"quoted\"";
+  result.dialect = "gsk988ta";
+  result.verdict.kind = VerdictKind::pass_rounded;
+  result.readings = OpenReadings{{"r", "s"}, {"r=1", "r=2 s=3"}, VerdictKind::pass_rounded};
+  result.mapped = "PS*";
+  const CaseFacts read = facts_of(case_line(result, true));
+  EXPECT_EQ(read.id, result.id);
+  EXPECT_EQ(read.dialect, result.dialect);
+  EXPECT_EQ(read.mapped, "PS*");
+  ASSERT_TRUE(read.readings);
+  EXPECT_EQ(read.readings->open, result.readings->open);
+  EXPECT_EQ(read.readings->explaining, result.readings->explaining);
+  EXPECT_EQ(read.verdict, VerdictKind::pass_rounded);
+}
+
+TEST(Tally, AReconciledLineStillSaysWhatItWasBefore) {
+  CaseResult result;
+  result.id = "a";
+  result.dialect = "gsk988ta";
+  result.readings = OpenReadings{{"r"}, {"r=1"}, VerdictKind::pass_exact};
+  const std::string line = case_line(result, true);
+  const std::string failed = reconciled_line(line, VerdictKind::fail_reading);
+  EXPECT_NE(failed.find("\"verdict\":\"fail.reading\""), std::string::npos);
+  EXPECT_EQ(facts_of(failed).verdict, VerdictKind::pass_exact);
+  EXPECT_EQ(reconciled_line(failed, VerdictKind::pass_exact), line);
+}
+
+TEST(Tally, WhatIsNoCaseLineIsRefused) {
+  EXPECT_THROW(facts_of("{}"), std::runtime_error);
+  EXPECT_THROW(facts_of("{\"id\":\"a\",\"dialect\":\"d\",\"verdict\":\"good\"}"),
+               std::runtime_error);
+  EXPECT_THROW(facts_of("{\"id\":"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Programs that are sent ahead of the replies.
+#include "run_subject.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+std::unique_ptr<Subject> windowed(const std::string& mode, int window,
+                                  const Limits& limits = patient_limits()) {
+  auto subject = make_pipe_subject(
+      "FAKE_WINDOW=" + std::to_string(window) + " " + std::string(FAKE_PIPE) + " " + mode, limits);
+  subject->configure(gsk_profile());
+  return subject;
+}
+
+Limits second_limits() {
+  Limits limits = patient_limits();
+  limits.run = std::chrono::milliseconds(1500);
+  return limits;
+}
+
+std::string id_of(int i) {
+  return "case." + std::to_string(i);
+}
+
+void announce(Subject& subject, int count, const std::string& program = "G0 X1\n") {
+  for (int i = 0; i < count; ++i) subject.announce(id_of(i), program);
+}
+
+RunEnd run_case(Subject& subject, int i, Number* seconds = nullptr,
+                const std::string& program = "G0 X1\n") {
+  return subject.run(id_of(i), program, [&](const reference::Record& record) {
+    if (seconds != nullptr) *seconds = record.seconds;
+    return true;
+  });
+}
+
+TEST(PipeWindow, ProgramsAreSentBeforeTheRepliesHaveCome) {
+  auto subject = windowed("by-four", 4);
+  EXPECT_EQ(subject->info().max_in_flight, 4);
+  announce(*subject, 4);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(run_case(*subject, i).kind, Kind::ok) << i;
+}
+
+TEST(PipeWindow, NoMoreAreSentThanTheSubjectTakes) {
+  Limits limits = second_limits();
+  auto subject = windowed("by-four", 3, limits);
+  announce(*subject, 4);
+  EXPECT_EQ(run_case(*subject, 0).kind, Kind::timeout);
+}
+
+TEST(PipeWindow, WithoutAnAnnouncementOneIsSentAtATime) {
+  auto subject = windowed("by-four", 4, second_limits());
+  EXPECT_EQ(run_case(*subject, 0).kind, Kind::timeout);
+}
+
+TEST(PipeWindow, RepliesOutOfOrderAreProtocol) {
+  auto subject = windowed("by-four-swapped", 4);
+  announce(*subject, 4);
+  const RunEnd end = run_case(*subject, 0);
+  EXPECT_EQ(end.kind, Kind::protocol);
+  EXPECT_NE(end.message.find("\"seq\":2"), std::string::npos) << end.message;
+}
+
+// Of 5 programs the third kills the process: the dwell of each reply counts the runs of its
+// process.
+TEST(PipeWindow, ACrashIsThatOfTheProgramWhoseReplyWasDueAndTheOthersAreSentAgain) {
+  for (const char* mode : {"third-aborts", "third-hangs"}) {
+    auto subject = windowed(mode, 64, second_limits());
+    announce(*subject, 5);
+    Number seconds;
+    EXPECT_EQ(run_case(*subject, 0).kind, Kind::ok);
+    EXPECT_EQ(run_case(*subject, 1).kind, Kind::ok);
+    const RunEnd third = run_case(*subject, 2);
+    EXPECT_EQ(third.kind, mode == std::string("third-aborts") ? Kind::crash : Kind::timeout);
+    EXPECT_NE(third.message.find("case.2"), std::string::npos) << third.message;
+    EXPECT_EQ(run_case(*subject, 3, &seconds).kind, Kind::ok);
+    EXPECT_EQ(seconds, Number(1));
+    EXPECT_EQ(run_case(*subject, 4, &seconds).kind, Kind::ok);
+    EXPECT_EQ(seconds, Number(2));
+  }
+}
+
+// 16 programs of 120 ms each; the limit of a case is 1.5 s.
+TEST(PipeWindow, TheTimeOfACaseBeginsWithTheReplyBeforeIt) {
+  auto subject = windowed("slow", 16, second_limits());
+  announce(*subject, 16);
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(run_case(*subject, i).kind, Kind::ok) << i;
+}
+
+// 64 programs of 1 MiB and replies of 1 MiB: neither fits into a pipe.
+TEST(PipeWindow, LongProgramsAndLongRepliesDoNotBlockEachOther) {
+  auto subject = windowed("long-replies", 64);
+  const std::string program(std::size_t{1} << 20, ';');
+  announce(*subject, 64, program);
+  for (int i = 0; i < 64; ++i) {
+    EXPECT_EQ(run_case(*subject, i, nullptr, program).kind, Kind::error) << i;
+  }
+}
+
+TEST(PipeWindow, WhatWasNotAnnouncedIsRunAllTheSame) {
+  auto subject = windowed("leak", 8);
+  announce(*subject, 4);
+  Number seconds;
+  EXPECT_EQ(run_case(*subject, 0).kind, Kind::ok);
+  EXPECT_EQ(run_case(*subject, 7, &seconds).kind, Kind::ok);
+  EXPECT_EQ(seconds, Number(1));  // in a process that the announced ones did not reach
+}
+
+TEST(PipeWindow, AnotherConfigurationForgetsWhatWasAnnounced) {
+  auto subject = windowed("leak", 8);
+  announce(*subject, 4);
+  EXPECT_EQ(run_case(*subject, 0).kind, Kind::ok);
+  reference::Profile other = gsk_profile();
+  other.block_skip = true;
+  subject->configure(other);
+  Number seconds;
+  EXPECT_EQ(run_case(*subject, 1, &seconds).kind, Kind::ok);
+  EXPECT_EQ(seconds, Number(1));
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
