@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo export: the programs of a corpus for a real controller. What comes back is judged with
+// `gonogo certify --subject capture:DIR`.
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+
+#include "cli/commands.hpp"
+#include "cli/corpus_folder.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/version.hpp"
+#include "oracle/capture/exporter.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct ExportArguments {
+  std::string corpus;
+  std::string out;
+  std::vector<std::string> dialects;
+  std::vector<std::string> only;
+  std::string envelope;
+  std::string feed_max;
+  std::string header;
+  bool all_profiles = false;
+};
+
+bool selected(const ExportArguments& arguments, const oracle::Case& test) {
+  if (!arguments.dialects.empty() &&
+      std::ranges::find(arguments.dialects, test.dialect) == arguments.dialects.end()) {
+    return false;
+  }
+  return arguments.only.empty() || std::ranges::any_of(arguments.only, [&](const auto& glob) {
+           return ::fnmatch(glob.c_str(), test.id.c_str(), 0) == 0;
+         });
+}
+
+oracle::ExportOptions export_options(const ExportArguments& arguments) {
+  oracle::ExportOptions options;
+  if (!arguments.envelope.empty()) {
+    options.envelope = oracle::envelope_of(arguments.envelope);
+    if (!options.envelope) {
+      throw UsageError(fmt::format(
+          "--envelope {} is not of the form X..X,Y..Y,Z..Z with decimals in mm, the lower first.",
+          arguments.envelope));
+    }
+  }
+  options.feed_max = length_option(arguments.feed_max, "--feed-max");
+  if (!arguments.header.empty()) options.header = read_file(arguments.header);
+  options.all_profiles = arguments.all_profiles;
+  return options;
+}
+
+int run_export(const ExportArguments& arguments) {
+  for (const std::string& dialect : arguments.dialects) load_profile({dialect, "", {}});
+  const oracle::ExportOptions options = export_options(arguments);
+  const oracle::Corpus corpus(corpus_folder(arguments.corpus));
+  Output output;
+  try {
+    oracle::Exporter exporter(arguments.out, options,
+                              {kVersion, corpus.version(), corpus.sha256()});
+    corpus.for_each([&](const oracle::Case& test) {
+      if (selected(arguments, test)) exporter.add(test);
+      return true;
+    });
+    output.text() = exporter.finish();
+  } catch (const oracle::CorpusError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
+  output.flush();
+  return kGo;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write the corpus as programs for a real controller");
+  command->add_option("--corpus", arguments->corpus, "folder of the corpus (the checked-in one)");
+  command->add_option("--out", arguments->out, "new folder for the programs and manifest.json")
+      ->required();
+  command->add_option("--dialect", arguments->dialects, "only this dialect; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--only", arguments->only, "only ids that match the glob; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--envelope", arguments->envelope,
+                      "only paths inside X..X,Y..Y,Z..Z, mm, X of a lathe as a radius");
+  command->add_option("--feed-max", arguments->feed_max, "only feeds up to this, mm/min");
+  command->add_option("--header", arguments->header, "file with lines to put before each program");
+  command->add_flag("--all-profiles", arguments->all_profiles,
+                    "also cases that need the machine set up otherwise");
+  command->callback([arguments, &exit_code] { exit_code = run_export(*arguments); });
+}
+
+}  // namespace gonogo::cli

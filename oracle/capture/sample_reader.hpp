@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Axis positions sampled on a machine, from CSV: a header line that names the columns, then a line
+// for each sample, perhaps an alarm last.
+//
+//   t,x,z,f,line          t or time: seconds; x y z: mm as true lengths (X of a lathe is a radius);
+//   0,50,5,0,1            a c: degrees. Optional: f (feed as the machine shows it, not judged),
+//   0.004,49.9,5,,1       block or line (source line of the program that was run), alarm.
+//   alarm,PS0061,3        what ends a program that alarms: class or the machine's own name, line
+//
+// Every number is an exact decimal and never passes through binary floating point. Lines that are
+// empty are passed over; the comma alone separates; CR LF and a byte order mark are taken.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "oracle/subject.hpp"
+
+namespace gonogo::oracle {
+
+struct Sample {
+  Number time;              // s
+  reference::Position at;   // axes without a column keep what was there
+  std::uint64_t block = 0;  // 0: not given
+  std::uint64_t line = 0;   // of the file, from 1
+  std::size_t number = 0;   // from 0
+};
+
+// The file cannot be read as samples: file, line, column and a sentence.
+class SampleFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class SampleReader {
+ public:
+  // Reads the header line. Throws SampleFault.
+  explicit SampleReader(const std::string& path);
+  // The next sample; false after the last one. Throws SampleFault.
+  bool next(Sample& sample);
+  // After the last sample: the alarm that closed the file.
+  const std::optional<SubjectAlarm>& alarm() const { return alarm_; }
+  // The axes that have a column.
+  reference::AxisSet axes() const { return axes_; }
+  // Decimals with which times were written so far.
+  int time_decimals() const { return time_decimals_; }
+
+ private:
+  enum class Field : std::uint8_t { time, x, y, z, a, c, feed, block, alarm };
+  bool next_line();
+  void split();
+  void read_header();
+  void read_row(Sample& sample);
+  void read_alarm_row();
+  void set_alarm(const std::string& name, std::size_t column);
+  Number number_at(std::size_t column) const;
+  std::uint64_t line_number_at(std::size_t column) const;
+  [[noreturn]] void fail(std::size_t column, const std::string& sentence) const;
+
+  std::string path_;
+  std::ifstream file_;
+  std::string text_;
+  std::vector<std::string> cells_;
+  std::vector<Field> columns_;
+  reference::AxisSet axes_;
+  std::uint64_t line_ = 0;
+  std::size_t samples_ = 0;
+  std::optional<Number> last_time_;
+  std::optional<SubjectAlarm> alarm_;
+  int time_decimals_ = 0;
+};
+
+}  // namespace gonogo::oracle

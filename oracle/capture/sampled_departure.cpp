@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// SampledRun's part for what departs: why no place of the path fits a sample, as a verdict.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/capture/sampled_judge.hpp"
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::size_t kLookAhead = 500;
+constexpr double kSecondsAMinute = 60;
+
+bool is_cut(const PathPiece& piece) {
+  return piece.kind() == PieceKind::line || piece.kind() == PieceKind::round;
+}
+
+void measure(Verdict& verdict, const Number& deviation) {
+  if (deviation.sign() == 0) return;
+  verdict.deviation_exact = exact_text(deviation);
+  verdict.deviation_mm = millimetres_text(deviation);
+}
+
+}  // namespace
+
+Verdict SampledRun::verdict_at(VerdictKind kind, const PathPiece& piece,
+                               const std::string& message) const {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.clause = piece.clause();
+  verdict.block = piece.block();
+  verdict.want = piece.text();
+  verdict.message = message;
+  return verdict;
+}
+
+Verdict SampledRun::feed_verdict(const PathPiece& piece, const FeedWatch::Fault& fault) const {
+  const double programmed = piece.speed() * kSecondsAMinute;
+  Verdict verdict = verdict_at(
+      VerdictKind::fail_feed, piece,
+      fmt::format("The samples bound the feed to {:.3f} .. {:.3f} mm/min, {:.3f} are programmed.",
+                  fault.bounds.low * kSecondsAMinute, fault.bounds.high * kSecondsAMinute,
+                  programmed));
+  verdict.word = 'F';
+  verdict.record = fault.number;
+  return verdict;
+}
+
+std::optional<std::size_t> SampledRun::fits(const SamplePoint& point, std::size_t first,
+                                            std::size_t count) {
+  for (std::size_t i = first; i < first + count; ++i) {
+    const PathPiece* piece = path_.piece(i);
+    if (piece == nullptr) break;
+    const bool counts = is_cut(*piece) || states_.contains(i);
+    if (counts && !stretches(i, point).empty()) return i;
+  }
+  return std::nullopt;
+}
+
+void SampledRun::depart(const Sample& sample, const SamplePoint& point) {
+  auto report = [&](Verdict verdict) {
+    verdict.record = sample.number;
+    verdict.got = sample_text(sample, seen_);
+    if (verdict.witness.empty()) verdict.witness = point_text(sample.at, seen_);
+    departure_ = std::move(verdict);
+  };
+  if (states_.empty()) {  // the very first one
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.want = point_text(start_, seen_);
+    verdict.message = "The samples do not begin at the start position of the program.";
+    measure(verdict, largest_difference(sample.at, start_));
+    report(std::move(verdict));
+    return;
+  }
+  const std::size_t first = states_.begin()->first;
+  const std::size_t frontier = states_.rbegin()->first;
+  const PathPiece& piece = *path_.piece(frontier);
+  if (piece.kind() == PieceKind::stand) {
+    left_end_ = true;
+    last_at_ = sample.at;
+    Verdict verdict = verdict_at(VerdictKind::fail_overrun, piece,
+                                 "The machine moves after the end of the program.");
+    measure(verdict, largest_difference(sample.at, piece.motion().from));
+    report(std::move(verdict));
+    return;
+  }
+  if (piece.kind() == PieceKind::dwell) {
+    report(verdict_at(VerdictKind::fail_geometry, piece,
+                      "The machine does not stand still for as long as the dwell lasts."));
+    return;
+  }
+  if (const auto later = fits(point, first, kLookAhead)) {
+    if (states_.contains(*later)) {
+      const PathPiece& back = *path_.piece(*later);
+      Verdict verdict =
+          verdict_at(VerdictKind::fail_geometry, back, "The machine goes back along the motion.");
+      measure(verdict, largest_difference(sample.at, last_at_));
+      report(std::move(verdict));
+    } else if (*later == frontier + 1) {
+      const Position& corner = piece.motion().to();
+      Verdict verdict = verdict_at(VerdictKind::fail_geometry, piece,
+                                   "The machine does not come to the end of the motion.");
+      measure(verdict,
+              min(largest_difference(corner, last_at_), largest_difference(corner, sample.at)));
+      verdict.witness = point_text(corner, seen_);
+      report(std::move(verdict));
+    } else {
+      report(verdict_at(VerdictKind::fail_order, *path_.piece(frontier + 1),
+                        "The machine leaves out this motion and goes on to a later one."));
+    }
+    return;
+  }
+  const std::size_t kept = path_.first_kept();
+  if (fits(point, kept, first - kept)) {
+    report(
+        verdict_at(VerdictKind::fail_order, piece, "The machine goes back to an earlier motion."));
+    return;
+  }
+  const PathPiece* nearest = &piece;
+  std::optional<Number> least;
+  for (std::size_t i = first; i <= frontier + 1; ++i) {
+    const PathPiece* each = path_.piece(i);
+    if (each == nullptr) break;
+    if (each->kind() == PieceKind::open) continue;
+    const Number deviation = each->deviation(sample.at);
+    if (least && *least <= deviation) continue;
+    least = deviation;
+    nearest = each;
+  }
+  Verdict verdict =
+      verdict_at(VerdictKind::fail_geometry, *nearest, "The machine leaves the path.");
+  if (least) measure(verdict, *least);
+  report(std::move(verdict));
+}
+
+}  // namespace gonogo::oracle

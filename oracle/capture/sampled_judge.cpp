@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/capture/sampled_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::Axis;
+using reference::kAllAxes;
+
+constexpr double kTimeNoise = 1e-9;  // s; of sums of doubles
+constexpr std::size_t kNamedUnseen = 10;
+
+double half_unit(int decimals) {
+  return 0.5 * std::pow(10.0, -decimals);
+}
+
+bool is_motion_piece(const PathPiece& piece) {
+  return piece.kind() == PieceKind::line || piece.kind() == PieceKind::traverse ||
+         piece.kind() == PieceKind::round;
+}
+
+}  // namespace
+
+std::string sample_text(const Sample& sample, reference::AxisSet seen) {
+  std::string text = "{\"t\":";
+  sample.time.append_json(text);
+  const std::string point = point_text(sample.at, seen);
+  return text + (point.size() > 2 ? "," : "") + point.substr(1);
+}
+
+SampledRun::SampledRun(const reference::Profile& profile, std::string_view program,
+                       const JudgeTerms& terms, const SampledTerms& sampled,
+                       reference::AxisSet seen, bool strict, double patience)
+    : sampled_(sampled),
+      path_(profile, program, terms, seen, approximate(sampled.fastest)),
+      tube_{terms.tolerance, approximate(terms.tolerance), strict},
+      start_(profile.initial.at),
+      seen_(seen),
+      patience_(patience),
+      granted_(approximate(sampled.feed_tolerance)),
+      clock_(half_unit(sampled.time_decimals)),
+      last_at_(start_) {}
+
+const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoint& point) {
+  const auto [found, fresh] = cache_.try_emplace(i);
+  if (fresh) path_.piece(i)->stretches(point, tube_, found->second);
+  return found->second;
+}
+
+// The state that admits more holds: it began earlier, and lies no farther along.
+void SampledRun::merge(States& states, std::size_t i, State state) {
+  const auto [found, fresh] = states.try_emplace(i, state);
+  if (fresh) return;
+  State& known = found->second;
+  bool earlier = true;
+  for (std::size_t axis = 0; axis < reference::kAxes; ++axis) {
+    earlier = earlier && state.place.low[axis] <= known.place.low[axis];
+  }
+  if (earlier) known.place = state.place;
+  known.since = std::min(known.since, state.since);
+  known.open_since = known.open_since || state.open_since;
+}
+
+// On to later pieces as far as their feeds allow in the time since the last sample.
+void SampledRun::go_on(std::size_t from, const State& state, const SamplePoint& point, double time,
+                       States& next) {
+  const PathPiece& here = *path_.piece(from);
+  if (here.kind() == PieceKind::stand || here.kind() == PieceKind::open) return;
+  const double noise = tube_.strict ? -kTimeNoise : kTimeNoise;
+  double spent = 0;
+  if (here.kind() == PieceKind::dwell) {
+    const double stood = time - state.since + 2 * clock_ + noise;
+    if (!state.open_since && stood < here.time()) return;
+  } else {
+    spent = here.after(state.place) / here.speed();
+  }
+  const double budget = (time - last_time_ + 2 * clock_) * (1 + granted_) * patience_ + noise;
+  for (std::size_t i = from + 1; spent <= budget; ++i) {
+    const PathPiece* piece = path_.piece(i);
+    if (piece == nullptr) return;
+    for (const Stretch& stretch : stretches(i, point)) {
+      const double way = is_motion_piece(*piece) ? piece->before(stretch) / piece->speed() : 0;
+      if (spent + way > budget) continue;
+      merge(next, i, {stretch, last_time_, false});
+      break;
+    }
+    if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) return;
+    spent += piece->time();
+  }
+}
+
+void SampledRun::step(const SamplePoint& point, double time, States& next) {
+  for (const auto& [i, state] : states_) {
+    for (const Stretch& stretch : stretches(i, point)) {
+      State stays = state;
+      stays.place = stretch;
+      if (!stays.place.go_on_from(state.place.low)) continue;
+      merge(next, i, std::move(stays));
+      break;
+    }
+    go_on(i, state, point, time, next);
+  }
+}
+
+// The first sample stands at the start; or where the machine comes from there since the last line
+// of the header.
+bool SampledRun::begin(const SamplePoint& point, double time) {
+  double spent = 0;
+  const double budget = (time - last_time_) * (1 + granted_) * patience_ + kTimeNoise;
+  for (std::size_t i = 0; spent <= budget; ++i) {
+    const PathPiece* piece = path_.piece(i);
+    if (piece == nullptr) break;
+    for (const Stretch& stretch : stretches(i, point)) {
+      const double way = is_motion_piece(*piece) ? piece->before(stretch) / piece->speed() : 0;
+      if (spent + way > budget) continue;
+      merge(states_, i, {stretch, time, true});
+      break;
+    }
+    if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) break;
+    spent += piece->time();
+  }
+  return !states_.empty();
+}
+
+bool SampledRun::take(const Sample& given) {
+  if (departure_ || !open_.empty()) return false;
+  Sample sample = given;
+  for (Axis axis : kAllAxes) {
+    if (!seen_.has(axis)) sample.at[axis] = start_[axis];
+  }
+  const double time = quick(sample.time);
+  if (!first_) first_ = sample;
+  const bool in_header = sample.block != 0 && sample.block <= sampled_.header_lines;
+  const SamplePoint point(sample);
+  cache_.clear();
+  if (!begun_) {
+    const bool approach =
+        sampled_.header_lines > 0 && !header_seen_ && !agree(sample.at, start_, tube_.tolerance);
+    if (in_header || approach) {
+      last_time_ = time;
+      header_seen_ = in_header;
+      return true;
+    }
+    if (!header_seen_) last_time_ = time;
+    begun_ = begin(point, time);
+    if (!begun_) depart(sample, point);
+  } else {
+    States next;
+    step(point, time, next);
+    if (next.empty()) {
+      depart(sample, point);
+    } else {
+      states_ = std::move(next);
+    }
+  }
+  if (departure_) return false;
+  last_time_ = time;
+  last_at_ = sample.at;
+  last_number_ = sample.number;
+  note_visits(states_);
+  watch_feeds(states_, time);
+  close_pieces(states_.begin()->first);
+  const PathPiece& least = *path_.piece(states_.begin()->first);
+  if (least.kind() == PieceKind::open) open_ = least.why();
+  return open_.empty();
+}
+
+void SampledRun::note_visits(const States& states) {
+  for (const auto& [i, state] : states) {
+    const PathPiece& piece = *path_.piece(i);
+    if (!is_motion_piece(piece)) continue;
+    Visit& visit = visits_[i];
+    const bool start = piece.before(state.place) <= 0;
+    const bool end = piece.after(state.place) <= Tube::kUnsure;
+    visit.start = visit.start || start;
+    visit.end = visit.end || end;
+    visit.inside = visit.inside || (!start && !end);
+  }
+}
+
+void SampledRun::watch_feeds(const States& states, double time) {
+  if (states.size() != 1) return;
+  const auto& [i, state] = *states.begin();
+  const PathPiece& piece = *path_.piece(i);
+  if (!is_motion_piece(piece) || !piece.has_feed()) return;
+  FeedWatch& watch = watches_.try_emplace(i, piece.speed(), granted_, clock_).first->second;
+  watch.add(time, piece.along(state.place.low[0]), piece.along(state.place.high[0]), last_number_);
+  note_feed(i, watch.too_fast_now());
+}
+
+void SampledRun::note_feed(std::size_t i, const std::optional<FeedWatch::Fault>& fault) {
+  if (fault && !feed_fault_) feed_fault_ = feed_verdict(*path_.piece(i), *fault);
+}
+
+void SampledRun::close_pieces(std::size_t before) {
+  for (; progress_ < before; ++progress_) {
+    const PathPiece& piece = *path_.piece(progress_);
+    if (!is_motion_piece(piece)) continue;
+    ++motions_;
+    const Visit visit = visits_[progress_];
+    const bool seen = visit.inside || (visit.start && visit.end);
+    if (!seen) {
+      unseen_.push_back(piece.block() != 0 ? fmt::format("line {}", piece.block()) : piece.text());
+    }
+    const auto watch = watches_.find(progress_);
+    const bool bounded = watch != watches_.end() && watch->second.compared();
+    if (bounded) note_feed(progress_, watch->second.fault());
+    if (piece.kind() != PieceKind::traverse) ++(bounded ? feeds_ : feeds_open_);
+    visits_.erase(progress_);
+    watches_.erase(progress_);
+  }
+  path_.drop_before(before);
+}
+
+void SampledRun::finish() {
+  if (departure_ || !open_.empty()) return;
+  if (!begun_) {
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.want = point_text(start_, seen_);
+    verdict.record = 0;
+    verdict.message = "No sample lies at the start position of the program.";
+    if (first_) {
+      verdict.got = sample_text(*first_, seen_);
+      verdict.witness = point_text(first_->at, seen_);
+    }
+    departure_ = std::move(verdict);
+    return;
+  }
+  const auto [farthest, state] = *states_.rbegin();
+  const PathPiece& piece = *path_.piece(farthest);
+  at_end_ = piece.kind() == PieceKind::stand;
+  if (piece.kind() == PieceKind::open) open_ = piece.why();
+  if (piece.kind() == PieceKind::dwell) {
+    open_ = fmt::format("The samples end before the dwell of line {} does.", piece.block());
+  }
+  const bool complete = is_motion_piece(piece) && piece.after(state.place) <= Tube::kUnsure;
+  close_pieces(complete ? farthest + 1 : farthest);
+}
+
+std::string SampledRun::summary() const {
+  std::string text = fmt::format(
+      "From samples: {} motions followed; the feed of {} of them is bounded only, to within {} %, "
+      "of {} not compared.",
+      motions_, feeds_, (sampled_.feed_tolerance * 100).text(), feeds_open_);
+  if (unseen_.empty()) return text;
+  text += " Not checked, because no sample shows them:";
+  for (std::size_t i = 0; i < unseen_.size() && i < kNamedUnseen; ++i) {
+    text += fmt::format("{} {}", i == 0 ? "" : ",", unseen_[i]);
+  }
+  if (unseen_.size() > kNamedUnseen) {
+    text += fmt::format(" and {} more", unseen_.size() - kNamedUnseen);
+  }
+  return text + ". Sample more often.";
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge of sampled axis positions. What is GO:
+//
+// Tube. The tolerance of an axis is tau (the smaller of the profile's resolution and the subject's)
+//   plus what the certifier granted with --tolerance.
+// Containment. Every sample lies within the tube of the exact path: on a line, an arc, a helix, a
+//   circle in space; of a traverse anywhere in the box of its ends.
+// Order. There are points of the path, one within the tube of each sample, that never go back. (A
+//   machine that stands still with noise within the tolerance does not go back.) A traverse is
+//   monotone like that on each axis.
+// Completeness. From one sample to the next the path goes on by no more than the programmed feeds
+//   allow in the time between them, the granted part of the feed and the resolution of the clock
+//   included; traverses, threads and feeds per revolution by no more than `fastest`. So each corner
+//   and extreme point has been visited within the tolerance and what one interval allows. Samples
+//   begin at the start position (after the approach of an exported program's own header) and end at
+//   the end of the path.
+//   A motion longer than the tube that lies whole between two samples, its ends unseen too, is not
+//   checked: then the answer is oracle-gap, never a pass.
+// Dwell. The machine may not have stood still for as long as programmed: less time lies between the
+//   last sample before and the first one after.
+// Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
+// Open paths. Pocket levels, threads and helical pockets whose path the manual leaves open are not
+//   decided from samples: judged up to there, then oracle-gap.
+// Alarms. As for records: class, line, and that the motion before it is complete.
+//
+// Decided exactly: containment in lines, traverses and flat arcs, order along lines and traverses.
+// Where along an arc a sample lies, and the height of a helix, is known to 1e-6 mm: when an answer
+// hangs on that, it is oracle-gap.
+#pragma once
+
+#include <map>
+
+#include "oracle/capture/feed_bounds.hpp"
+#include "oracle/capture/sampled_path.hpp"
+
+namespace gonogo::oracle {
+
+struct SampledTerms {
+  Number feed_tolerance = Number(1) / Number(20);  // part of the feed
+  Number fastest = 1000;                           // mm/s, of what has no feed of its own
+  std::uint64_t header_lines = 0;                  // of the program that was run, before the case's
+  int time_decimals = 0;                           // of the file
+};
+
+// The samples of one program against the reference under one assignment of readings.
+class SampledRun {
+ public:
+  // `patience`: how many times the way that the feeds allow lies between two samples at most.
+  SampledRun(const reference::Profile& profile, std::string_view program, const JudgeTerms& terms,
+             const SampledTerms& sampled, reference::AxisSet seen, bool strict, double patience);
+
+  // The next sample; false when nothing can change the answer.
+  bool take(const Sample& sample);
+  // After the last sample.
+  void finish();
+
+  const std::optional<Verdict>& departure() const { return departure_; }  // place, order, dwell
+  const std::optional<Verdict>& feed_fault() const { return feed_fault_; }
+  const std::string& open() const { return open_; }  // why the end is not decided
+  bool at_end() const { return at_end_; }            // of the path
+  bool left_end() const { return left_end_; }        // moved on after it
+  const Position& last() const { return last_at_; }
+  std::size_t progress() const { return progress_; }  // pieces that are done for certain
+  std::string summary() const;                        // what was checked and what not
+  bool unseen() const { return !unseen_.empty(); }
+
+ private:
+  // A piece on which the machine may be, and where.
+  struct State {
+    Stretch place;            // low: the earliest place that the samples so far admit
+    double since = 0;         // dwell: time of the last sample before it
+    bool open_since = false;  // the machine may have stood there before the samples began
+  };
+  using States = std::map<std::size_t, State>;
+  struct Visit {
+    bool start = false;
+    bool inside = false;
+    bool end = false;
+  };
+
+  bool begin(const SamplePoint& point, double time);
+  void step(const SamplePoint& point, double time, States& next);
+  void go_on(std::size_t from, const State& state, const SamplePoint& point, double time,
+             States& next);
+  const std::vector<Stretch>& stretches(std::size_t i, const SamplePoint& point);
+  static void merge(States& states, std::size_t i, State state);
+  void note_visits(const States& states);
+  void watch_feeds(const States& states, double time);
+  void close_pieces(std::size_t before);
+  void depart(const Sample& sample, const SamplePoint& point);
+  // The piece that a sample fits, though it may not be there yet, or no more.
+  std::optional<std::size_t> fits(const SamplePoint& point, std::size_t first, std::size_t count);
+  Verdict verdict_at(VerdictKind kind, const PathPiece& piece, const std::string& message) const;
+  Verdict feed_verdict(const PathPiece& piece, const FeedWatch::Fault& fault) const;
+  void note_feed(std::size_t i, const std::optional<FeedWatch::Fault>& fault);
+
+  const SampledTerms& sampled_;
+  SampledPath path_;
+  Tube tube_;
+  Position start_;
+  reference::AxisSet seen_;
+  double patience_;
+  double granted_;
+  double clock_;
+  States states_;
+  std::map<std::size_t, std::vector<Stretch>> cache_;  // of the present sample
+  std::map<std::size_t, Visit> visits_;
+  std::map<std::size_t, FeedWatch> watches_;
+  bool begun_ = false;
+  bool header_seen_ = false;  // samples of the header's lines have come
+  double last_time_ = 0;
+  Position last_at_;
+  std::size_t last_number_ = 0;
+  std::optional<Sample> first_;
+  std::optional<Verdict> departure_;
+  std::optional<Verdict> feed_fault_;
+  std::string open_;
+  bool at_end_ = false;
+  bool left_end_ = false;
+  std::size_t progress_ = 0;
+  std::size_t motions_ = 0;
+  std::size_t feeds_ = 0;       // motions whose feed was bounded
+  std::size_t feeds_open_ = 0;  // ... was not
+  std::vector<std::string> unseen_;
+};
+
+// A sample as evidence: {"t":"0.004","x":"1"}.
+std::string sample_text(const Sample& sample, reference::AxisSet seen);
+
+}  // namespace gonogo::oracle
