@@ -1,30 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo report: the HTML report of a results file.
+// gonogo report: report folder and certificate of a results file.
 #include <fmt/format.h>
-
-#include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "oracle/report/html.hpp"
+#include "oracle/evidence/certificate.hpp"
+#include "oracle/evidence/evidence.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 struct ReportOptions {
-  std::string results;
-  std::string out = "report";
+  std::string out;
+  std::string certificate;
+  oracle::evidence::CertificateSources sources;
 };
 
 int report(const ReportOptions& options) {
-  std::filesystem::create_directories(options.out);
-  const auto error = oracle::report::write_html_report(options.results, options.out);
-  if (error) throw UsageError(error->message);
+  const std::string& results = options.sources.results;
   Output output;
-  output.text() = fmt::format("{}/index.html\n", options.out);
+  // The report, unless only the certificate was asked for.
+  if (!options.out.empty() || options.certificate.empty()) {
+    const std::string out = options.out.empty() ? "report" : options.out;
+    if (auto error = oracle::evidence::write_evidence(results, out)) throw UsageError(*error);
+    output.text() += fmt::format("{}/index.html\n", out);
+  }
+  if (!options.certificate.empty()) {
+    if (auto error = oracle::evidence::write_certificate(options.sources, options.certificate)) {
+      throw UsageError(*error);
+    }
+    output.text() += fmt::format("{}/STATEMENT.md\n", options.certificate);
+  }
   output.flush();
   return kGo;
 }
@@ -33,9 +42,18 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Write the HTML report of a results file");
-  command->add_option("results", options->results, "results.jsonl of a run")->required();
-  command->add_option("--out", options->out, "folder for the report");
+  oracle::evidence::CertificateSources& sources = options->sources;
+  CLI::App* command =
+      app.add_subcommand("report", "Write the report folder or the certificate of a results file");
+  command->add_option("results", sources.results, "results.jsonl of a run")->required();
+  command->add_option("--out", options->out,
+                      "folder for HTML, JUnit, SARIF, badge, summary and programs (report)");
+  command->add_option("--certificate", options->certificate, "folder for a certificate");
+  command->add_option("--known-failures", sources.known_failures,
+                      "known-failures file of the run, for the certificate");
+  command->add_option("--alarm-map", sources.alarm_map,
+                      "alarm map of the run, for the certificate");
+  command->add_option("--profile", sources.profile, "profile of the run, for the certificate");
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

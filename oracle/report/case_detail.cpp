@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/report/case_detail.hpp"
 
-#include <optional>
-
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
 #include "oracle/report/sheet.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
-
-// The bytes of the program; nothing when it cannot be had.
-std::optional<std::string> program_bytes(const Json& line) {
-  auto program = line.find("program");
-  if (program == line.end()) return std::nullopt;
-  if (program->is_string()) return program->get<std::string>();
-  return from_base64(text_of(*program, "base64"));
-}
 
 Json motions_json(const Path& path) {
   Json motions = Json::array();
@@ -89,6 +79,18 @@ void add_paths(Json& detail, const Json& line, const std::string& program,
 }
 
 }  // namespace
+
+std::optional<std::string> program_bytes(const Json& line) {
+  auto program = line.find("program");
+  if (program == line.end()) return std::nullopt;
+  if (program->is_string()) {
+    auto text = program->get<std::string>();
+    // A failure of readings is found when all cases have been run; its program is not kept.
+    if (text.empty() && text_of(line, "verdict") == "fail.reading") return std::nullopt;
+    return text;
+  }
+  return from_base64(text_of(*program, "base64"));
+}
 
 Json case_detail(const Json& line, std::string_view subject_name, bool with_paths) {
   Json detail = line;

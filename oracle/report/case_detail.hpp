@@ -4,12 +4,16 @@
 // the drawing sheet.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "oracle/report/case_paths.hpp"
 
 namespace gonogo::oracle::report {
+
+// The bytes of a case's program; nothing when the line has none.
+std::optional<std::string> program_bytes(const Json& line);
 
 // `line` is a case line of a results file; `subject_name` stands on the sheet. `with_paths` false:
 // without drawing and records, to keep a page of very many failures small.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 #include "reference/dialect.hpp"
 
@@ -35,10 +36,23 @@ bool has_feature(const Json& header, std::string_view feature) {
                              [&](const Json& f) { return f.is_string() && f == feature; });
 }
 
+// The readings that the certifier chose, in the profile or on the command line.
+Json chosen_readings(const Json& header) {
+  Json chosen = header.value("/profile/readings"_json_pointer, Json::object());
+  const Json asked = header.value("readings", Json::array());
+  for (const Json& choice : asked) {
+    const std::string text = choice.is_string() ? choice.get<std::string>() : std::string();
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || !chosen.is_object()) continue;
+    chosen[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return chosen;
+}
+
 // Readings that hang on a clause, with the value that the certifier chose.
 Json readings_of(std::string_view clause, const Json& header) {
   Json list = Json::array();
-  const Json chosen = header.value("/profile/readings"_json_pointer, Json::object());
+  const Json chosen = chosen_readings(header);
   for (const reference::Reading& reading : reference::readings()) {
     if (reference::clause_name(reading.clause) != clause) continue;
     const std::string set = text_of(chosen, std::string(reading.name).c_str());
@@ -48,6 +62,15 @@ Json readings_of(std::string_view clause, const Json& header) {
                     {"default", set.empty()}});
   }
   return list;
+}
+
+// Whether the footer's totals are these, in whatever order.
+bool same_totals(const Json& told, const std::map<std::string, std::uint64_t>& own) {
+  return told.is_object() && told.size() == own.size() &&
+         std::ranges::all_of(own, [&](const auto& total) {
+           const auto found = told.find(total.first);
+           return found != told.end() && *found == total.second;
+         });
 }
 
 bool contains_no_go(const Json& totals) {
@@ -115,9 +138,10 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
   }
   if (bad_lines > 0) reasons.push_back("The results file has lines that cannot be read.");
   const Json totals = footer != nullptr ? footer->value("totals", Json::object()) : Json::object();
-  if (footer != nullptr && totals != Json(totals_)) {
+  if (footer != nullptr && !same_totals(totals, totals_)) {
     reasons.push_back("The totals of the footer are not those of the cases in the file.");
   }
+  const bool whole = reasons.empty();
   if (cases_ == 0) reasons.push_back("No case was run.");
   for (const auto& [dialect, judged] : judged_) {
     if (judged == 0) reasons.push_back("No case of dialect " + dialect + " was judged.");
@@ -126,12 +150,14 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
     reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
   }
   const std::string said = footer != nullptr ? text_of(*footer, "decision") : "";
-  if (said == "UNDECIDED" && reasons.empty()) {
+  const bool undecided = said == "UNDECIDED" && whole;
+  if (undecided && reasons.empty()) {
     reasons.push_back("The gauge could not judge a case that the corpus expects it to judge.");
   }
   const auto no_go = static_cast<std::size_t>(Decision::no_go);
   const bool failed = count[no_go] > 0 || contains_no_go(totals) || said == "NO-GO";
   return {{"decision", failed            ? "NO-GO"
+                       : undecided       ? "UNDECIDED"
                        : reasons.empty() ? "GO"
                                          : "INCOMPLETE"},
           {"incomplete", reasons},
@@ -201,7 +227,8 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
           {"catalog", catalog},
           {"otherClauses", others},
           {"matrix", matrix()},
-          {"notChecked", not_checked(header)}};
+          {"notChecked", not_checked(header)},
+          {"command", command_for_case(header)}};
 }
 
 }  // namespace gonogo::oracle::report

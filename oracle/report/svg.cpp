@@ -50,16 +50,40 @@ void append_text(std::string& out, SheetPoint at, std::string_view css_class,
                      number(at.y), css_class, attributes, markup_text(content));
 }
 
+namespace {
+
+double distance_to_segment(SheetPoint point, SheetPoint from, SheetPoint to) {
+  const double dx = to.x - from.x;
+  const double dy = to.y - from.y;
+  const double length = dx * dx + dy * dy;
+  const double along = (point.x - from.x) * dx + (point.y - from.y) * dy;
+  const double share = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  return std::hypot(from.x + share * dx - point.x, from.y + share * dy - point.y);
+}
+
+// Whether the points between two of them lie on their chord, as far as anybody sees.
+bool is_flat(const std::vector<SheetPoint>& points, std::size_t from, std::size_t to) {
+  constexpr double kVisible = 0.05;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    if (distance_to_segment(points[i], points[from], points[to]) > kVisible) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 void append_subpath(std::string& out, const View& view, const std::vector<Point3>& points) {
-  constexpr double kQuarter = 0.25;
-  SheetPoint last = view.place(points.front());
-  append_point(out, 'M', last);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const SheetPoint next = view.place(points[i]);
-    const bool end = i + 1 == points.size();
-    if (!end && std::hypot(next.x - last.x, next.y - last.y) < kQuarter) continue;
-    append_point(out, 'L', next);
-    last = next;
+  constexpr std::size_t kMostLeftOut = 64;
+  std::vector<SheetPoint> places;
+  places.reserve(points.size());
+  for (const Point3& point : points) places.push_back(view.place(point));
+  append_point(out, 'M', places.front());
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const bool end = i + 1 == places.size();
+    if (!end && i - kept < kMostLeftOut && is_flat(places, kept, i + 1)) continue;
+    append_point(out, 'L', places[i]);
+    kept = i;
   }
 }
 

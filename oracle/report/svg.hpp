@@ -21,8 +21,8 @@ void append_line(std::string& out, SheetPoint from, SheetPoint to);  // "M0 0L1 
 void append_text(std::string& out, SheetPoint at, std::string_view css_class,
                  std::string_view content, std::string_view attributes = {});
 
-// A polyline in a view as a subpath. Points closer than a quarter pixel to the last are left out,
-// but never the end.
+// A polyline in a view as a subpath. Points that lie on the chord of those kept, within a twentieth
+// of a pixel, are left out, but never the end.
 void append_subpath(std::string& out, const View& view, const std::vector<Point3>& points);
 
 // "0 1 2 7" as "0-2 7".

@@ -125,8 +125,8 @@ test('a failure shows its evidence', () => withPage(results, async (page) => {
   assert.match(detail, /Witness\s+X 30 +Z -5/);
   assert.match(await text(page, '#program .at-fault'), /G94 X20 Z-10 R-5 F100/);
   assert.match(await text(page, '#want-got'), /-15[^]*-5/);
-  assert.equal(await text(page, '#command'),
-    "./gonogo certify --subject builtin:gsk+g94-r-sign --case gsk.g94.000002 --corpus 'my corpus'");
+  assert.equal((await text(page, "#command")).replace(/^\.\//, ""),
+    "gonogo certify --subject builtin:gsk+g94-r-sign --corpus 'my corpus' --case gsk.g94.000002");
 }));
 
 test('a failure says under which reading it would be GO', () => withPage(results, async (page) => {
@@ -277,21 +277,60 @@ function manyCases() {
   return path;
 }
 
-test('ten thousand cases with 500 failures load and scroll within seconds', async () => {
+// The time is the page's own: from the start of the navigation until its last row and its last
+// total stand there, read from the browser's performance timeline.
+const kMostLoadMs = 3000;
+
+test('ten thousand cases with 500 failures load within 3 s and stay usable', async (context_) => {
   const many = manyCases();
   report(many);  // not part of the time
-  const start = performance.now();
   await withPage(many, async (page) => {
-    const loaded = performance.now() - start;
-    assert.ok(loaded < 8000, `loading took ${loaded} ms`);
+    const loaded = await page.evaluate(() => performance.getEntriesByType('navigation')[0].loadEventEnd);
+    context_.diagnostic(`loaded in ${Math.round(loaded)} ms`);
+    assert.ok(loaded > 0 && loaded < kMostLoadMs, `loading took ${loaded} ms`);
     assert.match(await text(page, '#count'), /^500 of 10,000 cases/);
+    const timed = async (what, act) => {
+      const ms = await page.evaluate(act);
+      context_.diagnostic(`${what}: ${Math.round(ms)} ms`);
+      assert.ok(ms < 500, `${what} took ${ms} ms`);
+    };
     await page.click('#clear');
     await page.waitForFunction(() => document.querySelector('#count').textContent.startsWith('10,000 of'));
     assert.ok(await sizes(page) < 60, 'only the rows in sight are in the page');
     await page.locator('#list').focus();
     await page.keyboard.press('End');
     assert.equal(await text(page, '#detail h2'), 'gsk.many.010000');
-    await page.fill('#search', '004321');
+    await timed('search', () => {
+      const start = performance.now();
+      const search = document.querySelector('#search');
+      search.value = '004321';
+      search.dispatchEvent(new Event('input'));
+      return performance.now() - start;
+    });
     assert.equal(await sizes(page), 1);
+    await page.fill('#search', '');
+    await timed('filter', () => {
+      const start = performance.now();
+      const verdict = document.querySelector('#by-verdict');
+      verdict.value = '@no-go';
+      verdict.dispatchEvent(new Event('change'));
+      return performance.now() - start;
+    });
+    assert.match(await text(page, '#count'), /^500 of 10,000 cases/);
+    await page.locator('.row', { hasText: 'gsk.many.000020' }).click();
+    const before = await text(page, '#position');
+    await timed('step', () => {
+      const start = performance.now();
+      document.querySelector(document.querySelector('#forward').disabled ? '#back' : '#forward').click();
+      return performance.now() - start;
+    });
+    assert.notEqual(await text(page, '#position'), before);
   });
 });
+
+test('what the gauge does not read is folded', () => withPage(results, async (page) => {
+  const codes = page.locator('#gaps .codes').first();
+  assert.equal(await codes.isVisible(), false);
+  await page.locator('#gaps details', { has: page.locator('.codes') }).first().locator('summary').click();
+  assert.equal(await codes.isVisible(), true);
+}));

@@ -106,18 +106,10 @@ function programBox(data) {
 
 // ---- the command that runs the case again ----
 
-const kKept = ['--corpus', '--profile', '--reading', '--tolerance', '--chord', '--timeout', '--memory', '--alarm-map', '--known-failures'];
+// A word for a shell.
 const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-function commandLine(c) {
-  const words = ['./gonogo', 'certify', '--subject', header.subject?.spec ?? '', '--case', c.id];
-  const argv = Array.isArray(header.argv) ? header.argv.map(String) : [];
-  argv.forEach((word, i) => {
-    if (kKept.includes(word) && i + 1 < argv.length) words.push(word, argv[i + 1]);
-    else if (kKept.some((option) => word.startsWith(`${option}=`))) words.push(word);
-  });
-  return words.map(quoted).join(' ');
-}
+const commandLine = (c) => summary.command + quoted(c.id);
 
 function commandBox(c) {
   const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(c));

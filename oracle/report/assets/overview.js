@@ -8,7 +8,7 @@
 function showHeadline() {
   const { headline } = summary;
   const subject = header.subject ?? {};
-  const tone = { GO: 'go', 'NO-GO': 'no-go', INCOMPLETE: 'undecided' }[headline.decision];
+  const tone = { GO: 'go', 'NO-GO': 'no-go' }[headline.decision] ?? 'undecided';
   const parts = [counted(headline.cases, 'case', 'cases'), `${count(headline.go)} GO`,
     `${count(headline.noGo)} NO-GO`, `${count(headline.undecided)} undecided`];
   const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
@@ -22,8 +22,14 @@ function showHeadline() {
     el('h1', { class: tone, id: 'decision' }, headline.decision), words);
   if (headline.incomplete.length > 0) {
     byId('headline').append(el('div', { class: 'banner undecided', id: 'incomplete', role: 'alert' },
-      el('strong', {}, 'This run is incomplete.'),
+      el('strong', {}, headline.decision === 'UNDECIDED' ? 'This run decides nothing.' : 'This run is incomplete.'),
       el('ul', {}, ...headline.incomplete.map((reason) => el('li', {}, reason)))));
+  }
+  const stale = summary.footer?.stale;
+  if (Array.isArray(stale) && stale.length > 0) {
+    byId('headline').append(el('div', { class: 'banner', id: 'stale', role: 'alert' },
+      el('strong', {}, 'The subject\u2019s own files are stale, which makes the run NO-GO.'),
+      el('ul', {}, ...stale.map((entry) => el('li', {}, String(entry))))));
   }
   document.title = `${headline.decision} \u2013 ${name || 'GoNoGo'} \u2013 GoNoGo report`;
 }
@@ -56,10 +62,12 @@ function showRun() {
   fact('Corpus', header.corpus ? `version ${header.corpus.version}, SHA-256 ${header.corpus.sha256}` : '');
   const profile = header.profile ?? {};
   fact('Profile', Object.keys(profile).length > 0 ? JSON.stringify(profile) : 'that of each case', Object.keys(profile).length > 0);
+  if (Array.isArray(header.readings) && header.readings.length > 0) fact('Readings asked for', header.readings.join(', '), true);
   fact('Tolerance', header.tolerance != null ? `${exactText(header.tolerance)} mm, set by the certifier` : 'as the subject and the profile declare it');
   fact('Chord', header.chord != null ? `${exactText(header.chord)} mm` : 'none');
   fact('Seed, shard', `${header.seed ?? '?'}, ${header.shard ?? '?'}`);
   fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);
+  if (summary.footer?.left_out > 0) fact('Left out', `${counted(summary.footer.left_out, 'case', 'cases')} that contradict the profile or the readings asked for`);
   fact('Judged', Object.entries(summary.judged).map(([dialect, n]) => `${dialect} ${count(n)}`).join(', '));
   const assignments = summary.footer?.assignments;
   if (Array.isArray(assignments) && assignments.length > 0) {
@@ -134,7 +142,9 @@ function showGaps() {
   }
   for (const [reason, n] of Object.entries(gaps.skips)) item(`${counted(n, 'case', 'cases')} skipped: `, el('strong', {}, reason || 'no reason given'));
   for (const [dialect, codes] of Object.entries(gaps.outside)) {
-    item(`${dialect}: codes that the maker has and the gauge does not read: `, codes.map((code) => (code.title ? `${code.code} (${code.title})` : code.code)).join(', '), '.');
+    item(`${dialect}: ${counted(codes.length, 'code', 'codes')} that the maker has and the gauge does not read; a case that comes to one ends there.`,
+      el('details', {}, el('summary', {}, 'Which'), el('ul', { class: 'codes' }, ...codes.map((code) =>
+        el('li', {}, el('strong', { class: 'mono' }, code.code), code.title ? ` ${code.title}` : '')))));
   }
   if (summary.headline.undecided > 0) item(`${counted(summary.headline.undecided, 'case', 'cases')} that the gauge could not decide.`);
   byId('gaps').append(items);

@@ -104,10 +104,25 @@ TEST_F(HtmlReport, a_dialect_without_judged_case_is_incomplete) {
 }
 
 // An oracle-gap that the corpus does not expect: no case is NO-GO, and yet the run is not GO.
-TEST_F(HtmlReport, a_run_that_its_footer_calls_undecided_is_incomplete) {
+TEST_F(HtmlReport, a_run_that_its_footer_calls_undecided_is_undecided) {
   const auto text = page_of_lines(std::string(kPass) +
                                   "\n{\"decision\":\"UNDECIDED\",\"totals\":{\"pass-exact\":1}}\n");
-  EXPECT_EQ(block(text, "summary")["headline"]["decision"], "INCOMPLETE");
+  EXPECT_EQ(block(text, "summary")["headline"]["decision"], "UNDECIDED");
+}
+
+// The options that a verdict depends on, the subject and the case id come back as shell words.
+TEST_F(HtmlReport, the_command_to_run_a_case_again_is_safe_in_a_shell) {
+  std::ofstream(directory_ / "lines.jsonl")
+      << R"({"format":1,"subject":{"spec":"pipe:it's here"},)"
+      << R"("argv":["certify","--subject","pipe:it's here","--jobs","8","--corpus=my corpus",)"
+      << R"("--reading","gsk.x-depth=radius"],"tolerance":"0.01"})"
+      << "\n";
+  const json summary = block(page_of(directory_ / "lines.jsonl"), "summary");
+  const std::string command = summary["command"];
+  EXPECT_NE(command.find(R"(gonogo certify --subject 'pipe:it'\''s here' --corpus 'my corpus')"
+                         " --reading gsk.x-depth=radius --tolerance 0.01 --case "),
+            std::string::npos)
+      << command;
 }
 
 TEST_F(HtmlReport, an_unknown_verdict_never_passes) {

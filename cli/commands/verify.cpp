@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo verify: whether a certificate holds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/corpus_folder.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "cli/run_again.hpp"
+#include "cli/version.hpp"
+#include "oracle/evidence/statement.hpp"
+#include "oracle/evidence/verify.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using oracle::evidence::Check;
+
+struct VerifyOptions {
+  std::string folder;
+  std::string corpus;
+  std::string subject;
+};
+
+// The corpus that is there; empty when none is and none was named.
+std::string corpus_here(const std::string& given) {
+  if (!given.empty()) return corpus_folder(given);
+  try {
+    return corpus_folder("");
+  } catch (const UsageError&) {
+    return {};
+  }
+}
+
+std::string_view word(Check::Result result) {
+  switch (result) {
+    case Check::Result::holds:
+      return "holds";
+    case Check::Result::fails:
+      return "FAILS";
+    default:
+      return "not checked";
+  }
+}
+
+int verify(const VerifyOptions& options) {
+  if (!fs::exists(fs::path(options.folder) / oracle::evidence::kSums)) {
+    throw UsageError(fmt::format("{} is no certificate: it has no {}.", options.folder,
+                                 oracle::evidence::kSums));
+  }
+  const std::string corpus = corpus_here(options.corpus);
+  std::vector<Check> checks =
+      oracle::evidence::verify_certificate(options.folder, corpus, kVersion);
+  auto any = [&](Check::Result result) {
+    return std::ranges::find(checks, result, &Check::result) != checks.end();
+  };
+  if (!options.subject.empty() && !any(Check::Result::fails)) {
+    if (corpus.empty()) throw UsageError("To run the subject again a corpus is needed: --corpus.");
+    std::vector<Check> again = run_again(options.folder, corpus, options.subject);
+    checks.insert(checks.end(), again.begin(), again.end());
+  }
+  Output output;
+  for (const Check& check : checks) {
+    output.text() += fmt::format("{:<12} {}\n", word(check.result), check.sentence);
+  }
+  const int exit_code = any(Check::Result::fails)       ? kNoGo
+                        : any(Check::Result::unchecked) ? kUndecided
+                                                        : kGo;
+  constexpr const char* kAnswers[] = {"verified", "NOT VERIFIED", "",
+                                      "could not be checked in full"};
+  output.text() += fmt::format("{}: {}\n", options.folder, kAnswers[exit_code]);
+  output.flush();
+  return exit_code;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<VerifyOptions>();
+  CLI::App* command = app.add_subcommand("verify", "Check a certificate");
+  command->add_option("folder", options->folder, "folder of the certificate")->required();
+  command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
+  command->add_option("--subject", options->subject,
+                      "run the campaign again with this subject and compare");
+  command->callback([options, &exit_code] { exit_code = verify(*options); });
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_again.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "cli/options.hpp"
+#include "cli/program_file.hpp"
+#include "cli/subjects.hpp"
+#include "oracle/campaign/results_reader.hpp"
+#include "oracle/campaign/results_writer.hpp"
+#include "oracle/evidence/statement.hpp"
+#include "oracle/report/command.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace evidence = oracle::evidence;
+using Json = oracle::ResultsReader::Json;
+
+// A folder that is gone in the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "gonogo-verify-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw UsageError(fmt::format("{} cannot be made.", name));
+    }
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::vector<std::string> texts(const Json& list) {
+  std::vector<std::string> found;
+  for (const Json& item : list) {
+    if (item.is_string()) found.push_back(item.get<std::string>());
+  }
+  return found;
+}
+
+template <typename Result>
+Result checked(std::variant<Result, oracle::FileFault> read, const fs::path& path) {
+  if (auto* fault = std::get_if<oracle::FileFault>(&read)) {
+    throw UsageError(fmt::format("{}: {}", path.string(), fault->message));
+  }
+  return std::get<Result>(std::move(read));
+}
+
+void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
+  if (const fs::path path = folder / evidence::kWaiversFile; fs::exists(path)) {
+    campaign.known_failures =
+        checked(oracle::known_failures_from_toml(read_file(path.string())), path);
+  }
+  if (const fs::path path = folder / evidence::kAlarmMapFile; fs::exists(path)) {
+    campaign.alarm_map = std::make_shared<const oracle::AlarmMap>(
+        checked(oracle::alarm_map_from_toml(read_file(path.string())), path));
+  }
+  if (const fs::path path = folder / evidence::kProfileFile; fs::exists(path)) {
+    campaign.profile = load_profile({"", path.string(), {}});
+  }
+}
+
+// A limit of the run, as its command line gives it.
+long limit_of(const Json& header, std::string_view option) {
+  const auto values = oracle::report::option_values(header.value("argv", Json::array()), option);
+  return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
+}
+
+oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
+  using oracle::report::text_of;
+  oracle::CampaignOptions campaign;
+  const Json selection = header.value("selection", Json::object());
+  campaign.dialects = texts(selection.value("dialects", Json::array()));
+  campaign.only = texts(selection.value("only", Json::array()));
+  campaign.case_id = text_of(selection, "case");
+  campaign.readings = texts(header.value("readings", Json::array()));
+  campaign.tolerance = length_option(text_of(header, "tolerance"), "the tolerance of the run");
+  campaign.chord = length_option(text_of(header, "chord"), "the chord of the run");
+  if (std::sscanf(text_of(header, "shard").c_str(), "%u/%u", &campaign.shard, &campaign.shards) !=
+      2) {
+    campaign.shard = campaign.shards = 1;
+  }
+  LimitOptions limits;
+  limits.timeout = limit_of(header, "--timeout");
+  limits.memory = limit_of(header, "--memory");
+  campaign.limits = limits.limits();
+  campaign.jobs = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
+  read_subject_files(folder, campaign);
+  return campaign;
+}
+
+}  // namespace
+
+std::vector<evidence::Check> run_again(const std::string& certificate,
+                                       const std::string& corpus_path, const std::string& subject) {
+  const std::string certified = (fs::path(certificate) / evidence::kResultsFile).string();
+  Json header = oracle::ResultsReader(certified).header();
+  const oracle::CampaignOptions campaign = options_of(header, certificate);
+  const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
+  const oracle::Corpus corpus(corpus_path);
+  const ScratchFolder scratch;
+  const std::string path = (scratch.path() / evidence::kResultsFile).string();
+  oracle::ResultsWriter results(path, header.dump());
+  const oracle::CampaignEnd end = oracle::run_campaign(
+      corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
+      nullptr);
+  oracle::ResultsWriter::Ending ending;
+  ending.left_out = end.left_out;
+  ending.stale = end.stale;
+  ending.is_shard = campaign.shards > 1;
+  if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
+  oracle::ResultsFooter footer;
+  results.close(ending, footer);
+  return evidence::same_cases(certified, path);
+}
+
+}  // namespace gonogo::cli

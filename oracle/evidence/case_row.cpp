@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/case_row.hpp"
+
+#include <fmt/format.h>
+
+#include "oracle/report/case_detail.hpp"
+#include "oracle/report/clauses.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+CaseRow case_row(const Json& line) {
+  using report::text_of;
+  CaseRow facts;
+  facts.id = text_of(line, "id");
+  facts.dialect = text_of(line, "dialect");
+  facts.cycle = text_of(line, "cycle");
+  facts.kind = verdict_kind(text_of(line, "verdict")).value_or(VerdictKind::oracle_error);
+  facts.clause = text_of(line, "clause");
+  facts.reading = text_of(line, "reading");
+  facts.block = report::count_of(line, "b");
+  facts.want = text_of(line, "want");
+  facts.got = text_of(line, "got");
+  const Json deviation = line.value("deviation", Json::object());
+  facts.deviation_exact = text_of(deviation, "exact");
+  facts.deviation_mm = text_of(deviation, "mm");
+  facts.message = text_of(line, "message");
+  facts.microseconds = report::count_of(line, "us").value_or(0);
+  const auto expected = line.find("expected");
+  facts.expected = expected != line.end() && *expected == true;
+  facts.program = report::program_bytes(line);
+  return facts;
+}
+
+std::string deviation_text(const CaseRow& facts) {
+  if (facts.deviation_exact.empty()) return {};
+  if (facts.deviation_exact == facts.deviation_mm) return facts.deviation_mm + " mm";
+  return fmt::format("{} mm (exactly {})", facts.deviation_mm, facts.deviation_exact);
+}
+
+std::string row_text(const CaseRow& facts) {
+  std::string text;
+  auto put = [&](std::string_view what, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{:<10} {}\n", what, value);
+  };
+  if (!facts.message.empty()) text += facts.message + "\n";
+  if (!facts.clause.empty()) {
+    const reference::Clause* clause = report::find_clause(facts.clause);
+    put("clause", clause == nullptr
+                      ? facts.clause
+                      : fmt::format("{}: {} ({})", facts.clause, clause->text, clause->source));
+  }
+  if (facts.block) put("line", std::to_string(*facts.block));
+  put("want", facts.want);
+  put("got", facts.got);
+  put("deviation", deviation_text(facts));
+  if (!facts.reading.empty()) put("GO under", "--reading " + facts.reading);
+  return text;
+}
+
+}  // namespace gonogo::oracle::evidence

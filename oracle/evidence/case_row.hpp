@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "oracle/verdict.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using Json = nlohmann::ordered_json;
+
+// A case line of a results file, for those who write it down elsewhere.
+struct CaseRow {
+  std::string id;
+  std::string dialect;
+  std::string cycle;
+  VerdictKind kind = VerdictKind::oracle_error;
+  std::string clause;
+  std::string reading;
+  std::optional<std::uint64_t> block;
+  std::string want;
+  std::string got;
+  std::string deviation_exact;
+  std::string deviation_mm;
+  std::string message;
+  std::uint64_t microseconds = 0;
+  bool expected = false;               // an oracle-gap that the corpus expects
+  std::optional<std::string> program;  // bytes
+
+  Decision decision() const { return oracle::decision(kind); }
+  std::string_view verdict() const { return name(kind); }
+  // An oracle-error, or an oracle-gap that the corpus does not expect.
+  bool is_unexpected_gap() const { return decision() == Decision::undecided && !expected; }
+};
+
+// `line` has passed ResultsReader.
+CaseRow case_row(const Json& line);
+
+// Message, clause with its text, line, want, got, deviation, other reading: some lines for people.
+std::string row_text(const CaseRow& facts);
+// "0.5 mm (exactly 1/2)"; empty: none.
+std::string deviation_text(const CaseRow& facts);
+
+}  // namespace gonogo::oracle::evidence

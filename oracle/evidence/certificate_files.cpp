@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/certificate_files.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "oracle/campaign/known_failures.hpp"
+#include "oracle/campaign/results_reader.hpp"
+
+namespace gonogo::oracle::evidence {
+
+std::string file_text(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw ResultsError(fmt::format("{} cannot be read.", path));
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string file_sha256(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw ResultsError(fmt::format("{} cannot be read.", path));
+  Sha256 hash;
+  std::string chunk(std::size_t{1} << 16, '\0');
+  while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
+    hash.update(std::string_view(chunk).substr(0, static_cast<std::size_t>(in.gcount())));
+  }
+  return hash.hex();
+}
+
+std::vector<std::string> waiver_reasons(const std::string& path) {
+  auto read = known_failures_from_toml(file_text(path));
+  if (const auto* fault = std::get_if<FileFault>(&read)) {
+    throw ResultsError(fmt::format("{}: {}", path, fault->message));
+  }
+  std::set<std::string> reasons;
+  for (const KnownFailure& failure : std::get<std::vector<KnownFailure>>(read)) {
+    reasons.insert(failure.reason);
+  }
+  return {reasons.begin(), reasons.end()};
+}
+
+}  // namespace gonogo::oracle::evidence

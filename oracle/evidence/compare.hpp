@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Two runs held against each other, case by case by id.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "oracle/campaign/results_reader.hpp"
+#include "oracle/evidence/case_row.hpp"
+
+namespace gonogo::oracle::evidence {
+
+// What became of a case that is not the same in both runs.
+enum class Change {
+  regression,  // GO before, NO-GO now
+  mended,      // NO-GO before, GO now
+  departure,   // NO-GO in both, but departs elsewhere
+  verdict,     // any other change of the verdict: skipped now, undecided now, ...
+};
+
+struct ChangedCase {
+  Change change = Change::verdict;
+  std::string id;
+  std::string dialect;
+  std::string cycle;
+  Json before;  // verdict and what it rests on, keys as in results.jsonl
+  Json after;
+};
+
+struct Comparison {
+  Json old_header;
+  Json new_header;
+  std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
+  std::vector<ChangedCase> changed;
+  // Cases that only one of the runs has: how many, and the first of them.
+  std::uint64_t added = 0;
+  std::vector<std::string> first_added;
+  std::uint64_t gone = 0;
+  std::vector<std::string> first_gone;
+  std::uint64_t same = 0;
+
+  std::uint64_t count(Change change) const;
+};
+
+// Reads both files once, side by side; memory grows with the differences only. Throws ResultsError
+// for a file that is faulty; an incomplete one is told in the notes.
+Comparison compare_results(const std::string& before, const std::string& after);
+
+enum class CompareFormat { text, json, markdown };
+std::string comparison_text(const Comparison& comparison, CompareFormat format);
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <array>
+
+#include "oracle/evidence/compare.hpp"
+#include "oracle/evidence/run_state.hpp"
+#include "oracle/evidence/text.hpp"
+#include "oracle/report/case_paths.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using report::dump;
+using report::text_of;
+
+namespace {
+
+// In the order in which people need them.
+struct ChangeNames {
+  Change change;
+  const char* key;
+  std::string_view title;
+};
+constexpr std::array<ChangeNames, 4> kChanges = {{
+    {Change::regression, "regressions", "Regressions (GO before, NO-GO now)"},
+    {Change::departure, "departures", "Other departures (NO-GO before and now)"},
+    {Change::verdict, "verdicts", "Other changes of the verdict"},
+    {Change::mended, "mended", "Mended (NO-GO before, GO now)"},
+}};
+
+std::string titles(const Comparison& comparison) {
+  return fmt::format("{} before, {} now", subject_title(comparison.old_header),
+                     subject_title(comparison.new_header));
+}
+
+std::string shown(const Json& part) {
+  std::string text = text_of(part, "verdict");
+  if (const std::string clause = text_of(part, "clause"); !clause.empty()) text += " " + clause;
+  if (const auto block = report::count_of(part, "b")) text += fmt::format(" line {}", *block);
+  const Json deviation = part.value("deviation", Json::object());
+  if (const std::string mm = text_of(deviation, "mm"); !mm.empty()) text += ", " + mm + " mm";
+  return text;
+}
+
+std::string text_table(const Comparison& comparison) {
+  std::string text = titles(comparison) + "\n";
+  for (const std::string& note : comparison.notes) text += note + "\n";
+  for (const ChangeNames& names : kChanges) {
+    if (comparison.count(names.change) == 0) continue;
+    text += fmt::format("\n{}\n", names.title);
+    for (const ChangedCase& changed : comparison.changed) {
+      if (changed.change != names.change) continue;
+      text += fmt::format("  {:<28} {:<36} -> {}\n", changed.id, shown(changed.before),
+                          shown(changed.after));
+      const std::string message = text_of(changed.after, "message");
+      if (names.change == Change::regression && !message.empty()) {
+        text += fmt::format("  {:<28} {}\n", "", message);
+      }
+    }
+  }
+  auto ids = [&](std::string_view title, std::uint64_t count,
+                 const std::vector<std::string>& first) {
+    if (count == 0) return;
+    text += fmt::format("\n{}\n", title);
+    for (const std::string& id : first) text += fmt::format("  {}\n", id);
+    if (count > first.size()) text += fmt::format("  and {} more\n", count - first.size());
+  };
+  ids("New cases", comparison.added, comparison.first_added);
+  ids("Cases that are gone", comparison.gone, comparison.first_gone);
+  text += "\n";
+  for (const ChangeNames& names : kChanges) {
+    text += fmt::format("{:<12} {:>8}\n", names.key, grouped(comparison.count(names.change)));
+  }
+  text +=
+      fmt::format("{:<12} {:>8}\n{:<12} {:>8}\n{:<12} {:>8}\n", "new", grouped(comparison.added),
+                  "gone", grouped(comparison.gone), "same", grouped(comparison.same));
+  return text;
+}
+
+std::string json_text(const Comparison& comparison) {
+  Json counts;
+  for (const ChangeNames& names : kChanges) counts[names.key] = comparison.count(names.change);
+  counts["new"] = comparison.added;
+  counts["gone"] = comparison.gone;
+  counts["same"] = comparison.same;
+  Json root = {{"format", 1},
+               {"old", comparison.old_header},
+               {"new", comparison.new_header},
+               {"notes", comparison.notes},
+               {"counts", counts}};
+  for (const ChangeNames& names : kChanges) {
+    Json list = Json::array();
+    for (const ChangedCase& changed : comparison.changed) {
+      if (changed.change != names.change) continue;
+      list.push_back({{"id", changed.id},
+                      {"dialect", changed.dialect},
+                      {"cycle", changed.cycle},
+                      {"old", changed.before},
+                      {"new", changed.after}});
+    }
+    root[names.key] = std::move(list);
+  }
+  root["first_new"] = comparison.first_added;
+  root["first_gone"] = comparison.first_gone;
+  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string markdown_ids(std::string_view title, std::uint64_t count,
+                         const std::vector<std::string>& first) {
+  constexpr std::size_t kShown = 50;
+  if (count == 0) return {};
+  std::string text = fmt::format("\n## {}\n\n", title);
+  for (std::size_t i = 0; i < std::min(kShown, first.size()); ++i) {
+    text += fmt::format("- {}\n", markdown_code(first[i]));
+  }
+  if (count > kShown) text += fmt::format("- and {} more\n", grouped(count - kShown));
+  return text;
+}
+
+std::string markdown(const Comparison& comparison) {
+  const std::uint64_t regressions = comparison.count(Change::regression);
+  std::string text = fmt::format(
+      "# {}\n\n{}.\n\n",
+      regressions == 0 ? "No regressions" : fmt::format("Regressions: {}", grouped(regressions)),
+      markdown_text(titles(comparison)));
+  for (const std::string& note : comparison.notes) text += "- " + markdown_text(note) + "\n";
+  text += "\n| | cases |\n|---|--:|\n";
+  for (const ChangeNames& names : kChanges) {
+    text += fmt::format("| {} | {} |\n", names.title, grouped(comparison.count(names.change)));
+  }
+  text += fmt::format("| New | {} |\n| Gone | {} |\n| The same | {} |\n", grouped(comparison.added),
+                      grouped(comparison.gone), grouped(comparison.same));
+  for (const ChangeNames& names : kChanges) {
+    if (comparison.count(names.change) == 0) continue;
+    text += fmt::format("\n## {}\n\n| case | before | now | what was found |\n|---|---|---|---|\n",
+                        names.title);
+    for (const ChangedCase& changed : comparison.changed) {
+      if (changed.change != names.change) continue;
+      text += fmt::format("| {} | {} | {} | {} |\n", markdown_text(changed.id),
+                          markdown_text(shown(changed.before)), markdown_text(shown(changed.after)),
+                          markdown_text(text_of(changed.after, "message")));
+    }
+  }
+  return text + markdown_ids("New cases", comparison.added, comparison.first_added) +
+         markdown_ids("Cases that are gone", comparison.gone, comparison.first_gone);
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& comparison, CompareFormat format) {
+  switch (format) {
+    case CompareFormat::json:
+      return json_text(comparison);
+    case CompareFormat::markdown:
+      return markdown(comparison);
+    default:
+      return text_table(comparison);
+  }
+}
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/markdown.hpp"
+
+#include <fmt/format.h>
+
+#include "oracle/evidence/text.hpp"
+#include "oracle/report/clauses.hpp"
+#include "oracle/report/command.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using report::text_of;
+
+namespace {
+
+std::string_view word(Decision decision) {
+  switch (decision) {
+    case Decision::go:
+      return "GO";
+    case Decision::no_go:
+      return "NO-GO";
+    default:
+      return "undecided";
+  }
+}
+
+std::string cases(std::size_t count) {
+  return grouped(count) + (count == 1 ? " case" : " cases");
+}
+
+std::size_t unhit_clauses(const Json& summary) {
+  std::size_t count = 0;
+  for (const Json& clause : summary["catalog"]) {
+    if (!summary["matrix"].contains(text_of(clause, "id"))) ++count;
+  }
+  return count;
+}
+
+std::string list_of_texts(const Json& footer, const char* key, std::string_view sentence) {
+  std::string text;
+  if (!footer.is_object()) return text;
+  for (const Json& item : footer.value(key, Json::array())) {
+    if (!item.is_string()) continue;
+    if (text.empty()) text = fmt::format("\n{}\n\n", sentence);
+    text += "- " + markdown_code(item.get<std::string>()) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string totals_table(const Json& totals) {
+  std::string text = "| verdict | decision | cases |\n|---|---|--:|\n";
+  for (std::string_view verdict : verdict_names()) {
+    const auto found = totals.find(std::string(verdict));
+    if (found == totals.end()) continue;
+    text += fmt::format("| {} | {} | {} |\n", verdict, word(decision(*verdict_kind(verdict))),
+                        grouped(found->get<std::size_t>()));
+  }
+  return text;
+}
+
+std::string not_checked_list(const RunState& state) {
+  const Json& gaps = state.summary["notChecked"];
+  std::string text =
+      "- The way of a rapid between its ends: only its end is judged, and that every axis runs "
+      "monotonically.\n";
+  if (gaps["m"] == true) text += "- M functions: the subject does not declare `m`.\n";
+  if (gaps["blocks"] == true) {
+    text += "- The block that a motion comes from: the subject does not declare `blocks`.\n";
+  }
+  if (const std::size_t unhit = unhit_clauses(state.summary); unhit > 0) {
+    text += fmt::format("- {} of {} clauses that no judged case hit.\n", grouped(unhit),
+                        grouped(state.summary["catalog"].size()));
+  }
+  if (!gaps["open"].empty()) {
+    text += fmt::format("- Other readings of {} clauses that the manuals leave open.\n",
+                        grouped(gaps["open"].size()));
+  }
+  for (const auto& [reason, count] : gaps["skips"].items()) {
+    text += fmt::format("- {} skipped: {}\n", cases(count.get<std::size_t>()),
+                        markdown_text(reason.empty() ? "no reason given" : reason));
+  }
+  if (const auto undecided = state.summary["headline"]["undecided"].get<std::size_t>()) {
+    text += fmt::format("- {} that the gauge could not decide.\n", cases(undecided));
+  }
+  for (const auto& [dialect, codes] : gaps["outside"].items()) {
+    text += fmt::format("- {}: {} codes that the maker has and the gauge does not read.\n",
+                        markdown_text(dialect), codes.size());
+  }
+  return text;
+}
+
+MarkdownSummary::MarkdownSummary(const Json& header)
+    : header_(header), command_(report::command_for_case(header)) {}
+
+void MarkdownSummary::add(const CaseRow& facts) {
+  if (facts.decision() == Decision::no_go) {
+    ++no_go_;
+    if (first_.size() < kShown) first_.push_back(facts);
+  } else if (facts.is_unexpected_gap()) {
+    ++unexpected_;
+    if (undecided_.size() < kShown) {
+      undecided_.push_back(fmt::format("- {} {}: {}\n", markdown_code(facts.id), facts.verdict(),
+                                       markdown_text(facts.message)));
+    }
+  }
+}
+
+std::string MarkdownSummary::failure(const CaseRow& facts) const {
+  std::string text = fmt::format("### {} {}\n\n", markdown_code(facts.id), facts.verdict());
+  if (!facts.message.empty()) text += markdown_text(facts.message) + "\n\n";
+  if (!facts.clause.empty()) {
+    const reference::Clause* clause = report::find_clause(facts.clause);
+    text += fmt::format("- clause {}{}\n", markdown_code(facts.clause),
+                        clause == nullptr ? std::string()
+                                          : ": " + markdown_text(clause->text) + " (" +
+                                                markdown_text(clause->source) + ")");
+  }
+  if (facts.block) text += fmt::format("- line {}\n", *facts.block);
+  if (!facts.want.empty()) text += "- want " + markdown_code(facts.want) + "\n";
+  if (!facts.got.empty()) text += "- got " + markdown_code(facts.got) + "\n";
+  if (const std::string off = deviation_text(facts); !off.empty()) {
+    text += "- deviation " + markdown_text(off) + "\n";
+  }
+  if (!facts.reading.empty()) {
+    text += "- GO under the reading " + markdown_code(facts.reading) + "\n";
+  }
+  return text + "\n" + markdown_fence(command_ + report::shell_word(facts.id)) + "\n";
+}
+
+std::string MarkdownSummary::failures() const {
+  std::string text;
+  if (no_go_ > 0) {
+    text += "\n## First failures\n\n";
+    for (const CaseRow& facts : first_) text += failure(facts);
+    if (no_go_ > first_.size()) {
+      text += fmt::format("{} more: see the report.\n", grouped(no_go_ - first_.size()));
+    }
+  }
+  if (unexpected_ > 0) {
+    text += "\n## Cases that the gauge could not decide\n\n";
+    for (const std::string& line : undecided_) text += line;
+    if (unexpected_ > undecided_.size()) {
+      text += fmt::format("- and {} more\n", grouped(unexpected_ - undecided_.size()));
+    }
+  }
+  return text;
+}
+
+std::string MarkdownSummary::head(const RunState& state) const {
+  const Json subject = header_.value("subject", Json::object());
+  const Json corpus = header_.value("corpus", Json::object());
+  std::string text = fmt::format("# {}: {}\n\n", state.decision, markdown_text(state.subject));
+  text += fmt::format(
+      "Subject {}, gonogo {}, corpus {} ({})", markdown_code(text_of(subject, "spec")),
+      markdown_text(text_of(header_, "gonogo")), markdown_text(text_of(corpus, "version")),
+      markdown_code(text_of(corpus, "sha256").substr(0, 12)));
+  const std::string shard = text_of(header_, "shard");
+  if (!shard.empty() && shard != "1/1") text += ", shard " + markdown_text(shard);
+  text += fmt::format(": {}.\n", cases(state.summary["headline"]["cases"].get<std::size_t>()));
+  if (!state.unfinished.empty()) text += fmt::format("\n> **{}**\n", state.unfinished);
+  return text;
+}
+
+std::string MarkdownSummary::text(const RunState& state) const {
+  return head(state) + "\n" + totals_table(state.summary["totals"]) +
+         list_of_texts(state.footer, "assignments",
+                       "Readings that explain everything that passed:") +
+         list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
+         failures() + "\n## What this run did not check\n\n" + not_checked_list(state);
+}
+
+}  // namespace gonogo::oracle::evidence

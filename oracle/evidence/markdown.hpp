@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The run on one page of Markdown, for the step summary of a CI job.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/evidence/run_state.hpp"
+
+namespace gonogo::oracle::evidence {
+
+class MarkdownSummary {
+ public:
+  explicit MarkdownSummary(const Json& header);
+  void add(const CaseRow& facts);
+  std::string text(const RunState& state) const;
+
+ private:
+  static constexpr std::size_t kShown = 10;
+
+  std::string head(const RunState& state) const;
+  std::string failures() const;
+  std::string failure(const CaseRow& facts) const;
+
+  Json header_;
+  std::string command_;
+  std::vector<CaseRow> first_;  // NO-GO
+  std::size_t no_go_ = 0;
+  std::vector<std::string> undecided_;  // the first, with why
+  std::size_t unexpected_ = 0;
+};
+
+// | verdict | | cases |
+std::string totals_table(const Json& totals);
+// A list of what a run did not check; `state.summary` says it.
+std::string not_checked_list(const RunState& state);
+
+}  // namespace gonogo::oracle::evidence

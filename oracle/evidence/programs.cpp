@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/programs.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include "oracle/evidence/output_file.hpp"
+#include "oracle/evidence/text.hpp"
+
+namespace gonogo::oracle::evidence {
+namespace {
+
+constexpr const char* kList = ".written";
+
+// Only plain names: the list may have come from elsewhere.
+void remove_listed(const std::filesystem::path& folder) {
+  std::ifstream list(folder / kList);
+  std::string name;
+  while (std::getline(list, name)) {
+    if (!name.ends_with(".nc") || file_stem(name) != name) continue;
+    std::error_code ignored;
+    std::filesystem::remove(folder / name, ignored);
+  }
+}
+
+}  // namespace
+
+ProgramFolder::ProgramFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+  if (std::filesystem::is_directory(folder_)) remove_listed(folder_);
+  std::filesystem::create_directories(folder_);
+  list_.open(folder_ / kList, std::ios::trunc);
+}
+
+void ProgramFolder::add(const CaseRow& facts) {
+  if (facts.decision() == Decision::go || !facts.program) return;
+  const std::string name = file_stem(facts.id) + ".nc";
+  list_ << name << '\n';
+  write_file(folder_ / name, *facts.program);
+}
+
+void ProgramFolder::finish() {
+  list_.close();
+  if (!list_) {
+    throw std::system_error(errno, std::generic_category(),
+                            (folder_ / kList).string() + " cannot be written");
+  }
+}
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/run_state.hpp"
+
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using report::text_of;
+
+std::string subject_title(const Json& header) {
+  const Json subject = header.value("subject", Json::object());
+  const std::string name = text_of(subject, "name");
+  const std::string version = text_of(subject, "version");
+  if (name.empty()) return text_of(subject, "spec");
+  return version.empty() ? name : name + " " + version;
+}
+
+RunState run_state(const report::Summary& summary, const Json& header, const Json* footer) {
+  RunState state;
+  state.subject = subject_title(header);
+  state.summary = summary.finish(header, footer, 0);
+  if (footer == nullptr) {
+    state.unfinished = "The run did not come to its end: the results file has no footer.";
+    const bool failed = state.summary["headline"]["noGo"] > 0;
+    state.decision = failed ? "NO-GO" : "INCOMPLETE";
+    return state;
+  }
+  state.footer = *footer;
+  state.decision = text_of(*footer, "decision");
+  if (state.decision.empty()) state.decision = text_of(state.summary["headline"], "decision");
+  return state;
+}
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// SARIF 2.1.0: a result a case that is not GO, or that is known to fail; the rule is the clause
+// departed from, or the verdict where no clause is at fault.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "oracle/evidence/case_row.hpp"
+#include "oracle/evidence/output_file.hpp"
+
+namespace gonogo::oracle::evidence {
+
+class SarifWriter {
+ public:
+  // Throws std::system_error, as all others.
+  SarifWriter(const std::filesystem::path& path, const Json& header);
+  void add(const CaseRow& facts);
+  // `unfinished`: what the run lacks, a sentence; or empty.
+  void finish(const std::string& unfinished);
+
+ private:
+  std::size_t rule_index(const std::string& id);
+  Json result(const CaseRow& facts);
+  Json rules() const;
+
+  OutputFile out_;
+  Json header_;
+  std::string command_;
+  bool any_ = false;
+  std::map<std::string, std::size_t> indices_;  // rule -> place
+  std::vector<std::string> rules_;
+};
+
+}  // namespace gonogo::oracle::evidence

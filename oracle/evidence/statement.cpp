@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/statement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "oracle/evidence/markdown.hpp"
+#include "oracle/evidence/run_state.hpp"
+#include "oracle/evidence/text.hpp"
+#include "oracle/evidence/verdict_meaning.hpp"
+#include "oracle/report/case_paths.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using report::dump;
+using report::text_of;
+
+namespace {
+
+constexpr std::size_t kNamed = 20;
+
+// Cases that are known to fail, by reason.
+class Waivers {
+ public:
+  explicit Waivers(const std::vector<std::string>& reasons) {
+    for (const std::string& reason : reasons) by_reason_[reason];
+  }
+  // False when there is no reason for it.
+  bool add(const CaseRow& row) {
+    // The longest of those that begin the message is its own.
+    Waiver* own = nullptr;
+    std::size_t longest = 0;
+    for (auto& [reason, waiver] : by_reason_) {
+      if (!row.message.starts_with("Known: " + reason + " (") || reason.size() < longest) continue;
+      own = &waiver;
+      longest = reason.size();
+    }
+    if (own == nullptr) return false;
+    ++own->cases;
+    if (own->first.size() < kNamed) own->first.push_back(row.id);
+    return true;
+  }
+  Json json() const {
+    Json list = Json::array();
+    for (const auto& [reason, waiver] : by_reason_) {
+      if (waiver.cases == 0) continue;
+      list.push_back({{"reason", reason}, {"cases", waiver.cases}, {"first_cases", waiver.first}});
+    }
+    return list;
+  }
+
+ private:
+  struct Waiver {
+    std::size_t cases = 0;
+    std::vector<std::string> first;
+  };
+  std::map<std::string, Waiver> by_reason_;
+};
+
+// The cases that make a NO-GO, by verdict, with the first of each.
+Json findings_json(const std::map<VerdictKind, std::vector<std::string>>& findings,
+                   const Json& totals) {
+  Json list = Json::array();
+  for (const auto& [kind, ids] : findings) {
+    list.push_back({{"verdict", name(kind)},
+                    {"cases", totals.value(std::string(name(kind)), std::size_t{0})},
+                    {"first_cases", ids}});
+  }
+  return list;
+}
+
+// Only names: the statement has to stay short.
+Json not_checked_json(const RunState& state) {
+  const Json& gaps = state.summary["notChecked"];
+  Json unhit = Json::array();
+  for (const Json& clause : state.summary["catalog"]) {
+    if (!state.summary["matrix"].contains(text_of(clause, "id"))) unhit.push_back(clause["id"]);
+  }
+  return {{"rapid_paths", true},          {"m", gaps["m"]},
+          {"blocks", gaps["blocks"]},     {"clauses_not_hit", unhit},
+          {"open_clauses", gaps["open"]}, {"skips", gaps["skips"]},
+          {"outside", gaps["outside"]}};
+}
+
+Json statement_json(const Json& header, const RunState& state, const Json& waivers,
+                    const Json& findings, const std::vector<std::string>& files) {
+  Json root = {{"format", 1}, {"decision", state.decision}};
+  for (const char* key : {"subject", "gonogo", "corpus", "profile", "readings", "tolerance",
+                          "chord", "selection", "known_failures", "alarm_map", "seed", "shard"}) {
+    if (header.contains(key)) root[key] = header[key];
+  }
+  for (const char* key :
+       {"cases", "judged", "left_out", "totals", "assignments", "stale", "unused_alarms"}) {
+    if (state.footer.contains(key)) root[key] = state.footer[key];
+  }
+  root["findings"] = findings;
+  root["waivers"] = waivers;
+  root["not_checked"] = not_checked_json(state);
+  root["results_sha256"] = text_of(state.footer, "sha256");
+  root["files"] = files;
+  return root;
+}
+
+std::string facts_of_run(const Json& header, const RunState& state) {
+  std::string text;
+  auto put = [&](std::string_view what, const std::string& value) {
+    if (!value.empty()) text += fmt::format("- {}: {}\n", what, value);
+  };
+  const Json subject = header.value("subject", Json::object());
+  const Json corpus = header.value("corpus", Json::object());
+  put("Subject", markdown_text(state.subject));
+  put("connected as", markdown_code(text_of(subject, "spec")));
+  put("declares", markdown_code(dump({{"numeric", subject.value("numeric", Json::object())},
+                                      {"features", subject.value("features", Json::array())}})));
+  put("Gauge", "gonogo " + markdown_text(text_of(header, "gonogo")));
+  put("Corpus", fmt::format("version {}, SHA-256 {}", markdown_text(text_of(corpus, "version")),
+                            markdown_code(text_of(corpus, "sha256"))));
+  const Json profile = header.value("profile", Json::object());
+  put("Profile", profile.empty() ? "that of each case" : markdown_code(dump(profile)));
+  const Json readings = header.value("readings", Json::array());
+  if (!readings.empty()) put("Readings asked for", markdown_code(dump(readings)));
+  const std::string tolerance = text_of(header, "tolerance");
+  put("Tolerance", tolerance.empty() ? "as the subject and the profile declare it"
+                                     : markdown_text(tolerance) + " mm, granted by the certifier");
+  const std::string chord = text_of(header, "chord");
+  if (!chord.empty()) put("Chord", markdown_text(chord) + " mm, granted by the certifier");
+  if (header.contains("selection")) {
+    put("Cases asked for", markdown_code(dump(header["selection"])));
+  }
+  put("Shard", markdown_text(text_of(header, "shard")));
+  put("SHA-256 of the case lines", markdown_code(text_of(state.footer, "sha256")));
+  return text;
+}
+
+std::string named(const Json& entry) {
+  std::string text;
+  for (const Json& id : entry["first_cases"]) {
+    text += (text.empty() ? "" : ", ") + markdown_code(id.get<std::string>());
+  }
+  const auto cases = entry["cases"].get<std::size_t>();
+  if (cases > entry["first_cases"].size()) text += ", ...";
+  return text;
+}
+
+std::string statement_text(const Json& header, const RunState& state, const Json& root) {
+  std::string text = fmt::format(
+      "# {}\n\nThe gauge GoNoGo judged the subject below case by case against the reference. This "
+      "statement says what was judged and what came of it; `gonogo verify` on this folder checks "
+      "it.\n\n## What was judged\n\n{}\n## What came of it\n\n**{}**\n\n{}",
+      state.decision, facts_of_run(header, state), state.decision,
+      totals_table(state.footer.value("totals", Json::object())));
+  for (const Json& finding : root["findings"]) {
+    const auto kind = verdict_kind(text_of(finding, "verdict"));
+    text += fmt::format("\n- {}: {} {}", text_of(finding, "verdict"), kind ? meaning_of(*kind) : "",
+                        named(finding));
+  }
+  text += "\n## Readings\n\n";
+  const Json assignments = state.footer.value("assignments", Json::array());
+  if (assignments.empty()) text += "No case that passed depended on an open reading.\n";
+  for (const Json& one : assignments) {
+    if (one.is_string()) text += "- follows " + markdown_code(one.get<std::string>()) + "\n";
+  }
+  text += "\n## Waivers\n\n";
+  if (root["waivers"].empty()) text += "None.\n";
+  for (const Json& waiver : root["waivers"]) {
+    text += fmt::format("- {} ({}): {}\n", markdown_text(text_of(waiver, "reason")),
+                        waiver["cases"].dump(), named(waiver));
+  }
+  for (const Json& stale : state.footer.value("stale", Json::array())) {
+    if (stale.is_string()) text += "- stale: " + markdown_code(stale.get<std::string>()) + "\n";
+  }
+  return text + "\n## What was not checked\n\n" + not_checked_list(state);
+}
+
+}  // namespace
+
+Statement make_statement(const std::string& results, const std::vector<std::string>& reasons,
+                         const std::vector<std::string>& files) {
+  ResultsReader reader(results);
+  report::Summary summary;
+  Waivers waivers(reasons);
+  std::map<VerdictKind, std::vector<std::string>> findings;
+  Json line;
+  while (reader.next(line)) {
+    const CaseRow row = case_row(line);
+    summary.add(line);
+    if (row.kind == VerdictKind::xfail && !waivers.add(row)) {
+      throw ResultsError(fmt::format(
+          "{}: the case {} is known to fail, but the file of known failures that was given does "
+          "not hold its reason.",
+          results, row.id));
+    }
+    if (row.decision() == Decision::no_go || row.is_unexpected_gap()) {
+      std::vector<std::string>& ids = findings[row.kind];
+      if (ids.size() < kNamed) ids.push_back(row.id);
+    }
+  }
+  if (!reader.footer()) {
+    throw ResultsError(fmt::format(
+        "{} has no footer: the run did not come to its end, and there is nothing to certify.",
+        results));
+  }
+  const RunState state = run_state(summary, reader.header(), &*reader.footer());
+  const Json root =
+      statement_json(reader.header(), state, waivers.json(),
+                     findings_json(findings, state.footer.value("totals", Json::object())), files);
+  return {root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+          statement_text(reader.header(), state, root)};
+}
+
+}  // namespace gonogo::oracle::evidence

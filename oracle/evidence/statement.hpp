@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a certificate states, for people and for programs: a function of the results, the reasons of
+// the known failures and the names of the files alone, so that it can be made again and compared.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/campaign/results_reader.hpp"
+#include "oracle/evidence/case_row.hpp"
+
+namespace gonogo::oracle::evidence {
+
+// The files of a certificate besides the statement.
+inline constexpr const char* kResultsFile = "results.jsonl";
+inline constexpr const char* kWaiversFile = "waivers.toml";
+inline constexpr const char* kAlarmMapFile = "alarm-map.toml";
+inline constexpr const char* kProfileFile = "profile.toml";
+inline constexpr const char* kStatementJson = "statement.json";
+inline constexpr const char* kStatementText = "STATEMENT.md";
+inline constexpr const char* kSums = "SHA256SUMS";
+
+struct Statement {
+  std::string json;
+  std::string markdown;
+};
+
+// `reasons`: of the known failures; `files`: those that lie beside it. Throws ResultsError for a
+// file that is faulty or incomplete, and for a known failure without its reason.
+Statement make_statement(const std::string& results, const std::vector<std::string>& reasons,
+                         const std::vector<std::string>& files);
+
+}  // namespace gonogo::oracle::evidence

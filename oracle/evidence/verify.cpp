@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+#include "oracle/campaign/tally.hpp"
+#include "oracle/corpus/corpus.hpp"
+#include "oracle/corpus/id_set.hpp"
+#include "oracle/evidence/certificate_files.hpp"
+#include "oracle/evidence/compare.hpp"
+#include "oracle/evidence/rejudge.hpp"
+#include "oracle/evidence/statement.hpp"
+#include "oracle/report/case_paths.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+namespace {
+
+namespace fs = std::filesystem;
+using report::text_of;
+using Result = Check::Result;
+
+// Of many faults of one kind, the first are named.
+constexpr std::size_t kNamed = 10;
+
+// Collects what the checks say, and faults of one kind as one list.
+class Findings {
+ public:
+  void add(Result result, std::string sentence) {
+    checks_.push_back({result, std::move(sentence)});
+  }
+  // `ok` when there is no fault.
+  void add_list(const std::vector<std::string>& faults, std::string ok) {
+    for (std::size_t i = 0; i < std::min(kNamed, faults.size()); ++i) {
+      add(Result::fails, faults[i]);
+    }
+    if (faults.size() > kNamed) {
+      add(Result::fails, fmt::format("And {} more of this kind.", faults.size() - kNamed));
+    }
+    if (faults.empty()) add(Result::holds, std::move(ok));
+  }
+  std::vector<Check> take() { return std::move(checks_); }
+
+ private:
+  std::vector<Check> checks_;
+};
+
+// SHA256SUMS: name -> sum.
+std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& findings) {
+  std::map<std::string, std::string> sums;
+  std::istringstream lines(file_text((folder / kSums).string()));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    constexpr std::size_t kHex = 64;
+    const bool is_entry = line.size() > kHex + 2 && line.substr(kHex, 2) == "  ";
+    const std::string name = is_entry ? line.substr(kHex + 2) : std::string();
+    if (!is_entry || name.find('/') != std::string::npos) {
+      findings.add(Result::fails,
+                   fmt::format("{}: line {} is no sum of a file beside it.", kSums, number));
+      continue;
+    }
+    sums[name] = line.substr(0, kHex);
+  }
+  return sums;
+}
+
+void check_sums(const fs::path& folder, Findings& findings) {
+  const auto sums = read_sums(folder, findings);
+  std::vector<std::string> faults;
+  for (const auto& [name, sum] : sums) {
+    if (!fs::exists(folder / name)) {
+      faults.push_back(fmt::format("{} is missing.", name));
+    } else if (const std::string own = file_sha256((folder / name).string()); own != sum) {
+      faults.push_back(
+          fmt::format("{} has been changed: its SHA-256 is {}, not {}.", name, own, sum));
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kSums || sums.contains(name)) continue;
+    faults.push_back(fmt::format("{} does not stand in {}.", name, kSums));
+  }
+  for (const char* name : {kResultsFile, kStatementJson, kStatementText}) {
+    if (!sums.contains(name)) faults.push_back(fmt::format("{} has no sum.", name));
+  }
+  findings.add_list(faults, fmt::format("The sums of {} files hold.", sums.size()));
+}
+
+// What one reading of the results gives the checks.
+struct ResultsFacts {
+  Json header;
+  Json footer;
+  RunAnswer answer;
+  std::vector<std::string> strangers;  // cases that the corpus here does not have
+  std::vector<std::string> misjudged;  // sentences
+  std::size_t rejudged = 0;
+  std::size_t not_rejudged = 0;           // NO-GO, but the line does not hold what it takes
+  std::vector<std::string> inconsistent;  // lines whose verdict is not what the tally makes of it
+};
+
+std::vector<std::string> texts_in(const Json& object, const char* key) {
+  std::vector<std::string> texts;
+  for (const Json& item : object.value(key, Json::array())) {
+    if (item.is_string()) texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
+// `known`: the cases of the corpus here; null: there is none. Throws ResultsError.
+ResultsFacts read_results(const std::string& path, const IdSet* known) {
+  ResultsReader reader(path);
+  ResultsFacts facts;
+  facts.header = reader.header();
+  const RunTerms terms = run_terms(reader.header());
+  const bool from_samples =
+      text_of(facts.header.value("subject", Json::object()), "spec").starts_with("capture:");
+  Tally tally;
+  Json line;
+  std::string text;
+  while (reader.next(line, &text)) {
+    const CaseRow row = case_row(line);
+    if (known != nullptr && !known->contains(row.id)) {
+      facts.strangers.push_back(fmt::format("{} is no case of the corpus.", row.id));
+    }
+    const VerdictKind kind = tally.add(facts_of(text));
+    if (kind != row.kind) {
+      facts.inconsistent.push_back(
+          fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
+                      row.id, row.verdict(), name(kind)));
+    }
+    if (row.decision() != Decision::no_go) continue;
+    const Rejudged again = from_samples ? Rejudged{} : rejudge(line, terms);
+    ++(again.judged ? facts.rejudged : facts.not_rejudged);
+    if (!again.fault.empty()) facts.misjudged.push_back(again.fault);
+  }
+  if (!reader.footer()) {
+    throw ResultsError(fmt::format("{} has no footer: it is incomplete.", path));
+  }
+  facts.footer = *reader.footer();
+  facts.answer = tally.finish(texts_in(facts.footer, "stale"));
+  return facts;
+}
+
+void check_footer(const ResultsFacts& facts, Findings& findings) {
+  std::vector<std::string> faults = facts.inconsistent;
+  auto compare = [&](std::string_view what, const Json& told, const Json& own) {
+    if (told == own) return;
+    faults.push_back(fmt::format("The footer says {} {}, but the cases come to {}.", what,
+                                 report::dump(told), report::dump(own)));
+  };
+  const Json& footer = facts.footer;
+  compare("totals", footer.value("totals", Json(nullptr)), Json(facts.answer.totals));
+  compare("judged", footer.value("judged", Json(nullptr)), Json(facts.answer.judged));
+  compare("readings", footer.value("assignments", Json(nullptr)), Json(facts.answer.assignments));
+  compare("decision", footer.value("decision", Json(nullptr)), Json(facts.answer.decision));
+  findings.add_list(faults,
+                    fmt::format("Totals, readings and decision ({}) follow from the {} cases.",
+                                facts.answer.decision, facts.answer.cases));
+}
+
+void check_again(const ResultsFacts& facts, Findings& findings) {
+  findings.add_list(
+      facts.misjudged,
+      fmt::format("{} NO-GO judged again from program and trace: all the same.", facts.rejudged));
+  if (facts.not_rejudged > 0) {
+    findings.add(Result::holds,
+                 fmt::format("{} NO-GO have no trace to judge again (a crash, a timeout, a state "
+                             "leak, a known failure that passes, ...); --subject runs them again.",
+                             facts.not_rejudged));
+  }
+}
+
+// Statement and waivers, made again from the rest.
+void check_statement(const fs::path& folder, const ResultsFacts& facts, const std::string& version,
+                     Findings& findings) {
+  const std::string told = file_text((folder / kStatementJson).string());
+  const Json json = Json::parse(told, nullptr, false);
+  std::vector<std::string> faults;
+  if (!json.is_object()) {
+    findings.add(Result::fails, fmt::format("{} is no JSON object.", kStatementJson));
+    return;
+  }
+  if (text_of(json, "decision") != facts.answer.decision) {
+    faults.push_back(fmt::format("The statement says {}, but the cases come to {}.",
+                                 text_of(json, "decision"), facts.answer.decision));
+  }
+  if (text_of(json, "results_sha256") != text_of(facts.footer, "sha256")) {
+    faults.push_back("The statement is of other results: their SHA-256 differs.");
+  }
+  const std::string made_by = text_of(facts.header, "gonogo");
+  if (made_by == version) {
+    const fs::path waivers = folder / kWaiversFile;
+    const Statement own = make_statement(
+        (folder / kResultsFile).string(),
+        fs::exists(waivers) ? waiver_reasons(waivers.string()) : std::vector<std::string>(),
+        texts_in(json, "files"));
+    if (own.json != told) {
+      faults.push_back(fmt::format("{} is not what the results state.", kStatementJson));
+    }
+    if (own.markdown != file_text((folder / kStatementText).string())) {
+      faults.push_back(fmt::format("{} is not what the results state.", kStatementText));
+    }
+  } else {
+    findings.add(Result::unchecked,
+                 fmt::format("The wording of the statement: it was made by gonogo {}, this is {}.",
+                             made_by, version));
+  }
+  findings.add_list(faults, "The statement follows from results and waivers.");
+}
+
+// The files of the run are those whose sums the results name.
+void check_run_files(const fs::path& folder, const ResultsFacts& facts, Findings& findings) {
+  std::vector<std::string> faults;
+  auto check = [&](const char* name, const char* key) {
+    const std::string told = text_of(facts.header, key);
+    const bool exists = fs::exists(folder / name);
+    if (!facts.header.contains(key) || (told.empty() && !exists)) return;
+    if (!exists) {
+      faults.push_back(fmt::format("{} is missing, though the run had such a file.", name));
+    } else if (file_sha256((folder / name).string()) != told) {
+      faults.push_back(fmt::format("{} is not the file that the run had.", name));
+    }
+  };
+  check(kWaiversFile, "known_failures");
+  check(kAlarmMapFile, "alarm_map");
+  findings.add_list(faults, "Waivers and alarm map are those of the run.");
+}
+
+// The corpus that is here, as far as it can be read.
+struct CorpusHere {
+  std::string version;  // empty: there is none
+  std::string sha256;
+  std::string fault;  // why there is none, a sentence
+  IdSet ids;
+};
+
+CorpusHere corpus_in(const std::string& folder) {
+  CorpusHere here;
+  if (folder.empty()) {
+    here.fault = "there is none here; name one with --corpus.";
+    return here;
+  }
+  try {
+    const Corpus corpus(folder);
+    corpus.for_each([&](const Case& test) {
+      here.ids.insert(test.id);
+      return true;
+    });
+    here.sha256 = corpus.sha256();
+    here.version = corpus.version();
+  } catch (const CorpusError& error) {
+    here.fault = error.what();
+  }
+  return here;
+}
+
+void check_corpus(const CorpusHere& here, const ResultsFacts& facts, Findings& findings) {
+  const Json told = facts.header.value("corpus", Json::object());
+  const std::string version = text_of(told, "version");
+  if (here.version.empty()) {
+    findings.add(Result::unchecked, fmt::format("The corpus {}: {}", version, here.fault));
+    return;
+  }
+  if (here.version != version) {
+    findings.add(Result::unchecked, fmt::format("The corpus: the run had version {}, here is {}.",
+                                                version, here.version));
+    return;
+  }
+  std::vector<std::string> faults = facts.strangers;
+  if (here.sha256 != text_of(told, "sha256")) {
+    faults.push_back(
+        fmt::format("The corpus {} here has another SHA-256 than that of the run.", version));
+  }
+  findings.add_list(faults, fmt::format("The corpus {} here is that of the run.", version));
+}
+
+}  // namespace
+
+std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
+                                      const std::string& version) {
+  Findings findings;
+  try {
+    check_sums(folder, findings);
+    const CorpusHere here = corpus_in(corpus);
+    const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string(),
+                                            here.version.empty() ? nullptr : &here.ids);
+    check_footer(facts, findings);
+    check_statement(folder, facts, version, findings);
+    check_run_files(folder, facts, findings);
+    check_corpus(here, facts, findings);
+    check_again(facts, findings);
+  } catch (const std::runtime_error& error) {
+    // A file that is faulty; what follows from it cannot be checked any more.
+    findings.add(Result::fails, error.what());
+  }
+  return findings.take();
+}
+
+std::vector<Check> same_cases(const std::string& certified, const std::string& run_again) {
+  Findings findings;
+  try {
+    const Comparison comparison = compare_results(certified, run_again);
+    std::vector<std::string> faults;
+    for (const ChangedCase& changed : comparison.changed) {
+      faults.push_back(fmt::format("{}: certified {}, now {}.", changed.id,
+                                   report::dump(changed.before), report::dump(changed.after)));
+    }
+    for (const std::string& id : comparison.first_gone) {
+      faults.push_back(fmt::format("{} was certified, but was not run again.", id));
+    }
+    for (const std::string& id : comparison.first_added) {
+      faults.push_back(fmt::format("{} was run again, but stands not in the certificate.", id));
+    }
+    findings.add_list(
+        faults, fmt::format("The subject was run again: {} cases, all the same.", comparison.same));
+  } catch (const ResultsError& error) {
+    findings.add(Result::fails, error.what());
+  }
+  return findings.take();
+}
+
+}  // namespace gonogo::oracle::evidence

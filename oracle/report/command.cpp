@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/report/command.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::report {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// What a verdict depends on, besides the subject and the case.
+constexpr std::array<std::string_view, 9> kKept = {
+    "--corpus",  "--profile", "--reading",   "--tolerance",     "--chord",
+    "--timeout", "--memory",  "--alarm-map", "--known-failures"};
+
+bool is_plain(char c) {
+  constexpr std::string_view kPlain = "_@%+=:,./-";
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         kPlain.find(c) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string shell_word(std::string_view word) {
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return std::string(word);
+  std::string quoted = "'";
+  for (char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
+
+std::vector<std::string> option_values(const Json& argv, std::string_view option) {
+  std::vector<std::string> values;
+  if (!argv.is_array()) return values;
+  for (std::size_t i = 0; i < argv.size(); ++i) {
+    if (!argv[i].is_string()) continue;
+    const auto& word = argv[i].get_ref<const std::string&>();
+    if (word == option && i + 1 < argv.size() && argv[i + 1].is_string()) {
+      values.push_back(argv[++i].get<std::string>());
+    } else if (word.starts_with(option) && word.substr(option.size()).starts_with('=')) {
+      values.push_back(word.substr(option.size() + 1));
+    }
+  }
+  return values;
+}
+
+std::string program_word() {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  for (fs::path at = program.parent_path(); at.has_relative_path(); at = at.parent_path()) {
+    if (fs::is_regular_file(at / "gonogo", ignored) &&
+        fs::exists(at / "CMakePresets.json", ignored)) {
+      return "./gonogo";
+    }
+  }
+  return "gonogo";
+}
+
+std::string command_for_case(const Json& header) {
+  const Json subject = header.value("subject", Json::object());
+  std::string command =
+      program_word() + " certify --subject " + shell_word(text_of(subject, "spec"));
+  auto add = [&](std::string_view option, const std::string& value) {
+    command += ' ';
+    command += option;
+    command += ' ' + shell_word(value);
+  };
+  const Json argv = header.value("argv", Json::array());
+  for (std::string_view option : kKept) {
+    const std::vector<std::string> values = option_values(argv, option);
+    for (const std::string& value : values) add(option, value);
+    // A merged run has another command line; what the header says of itself still holds.
+    if (!values.empty()) continue;
+    if (option == "--reading" && header.contains("readings")) {
+      for (const Json& reading : header["readings"]) {
+        if (reading.is_string()) add(option, reading.get<std::string>());
+      }
+    }
+    if (option == "--tolerance" || option == "--chord") {
+      const std::string value = text_of(header, std::string(option.substr(2)).c_str());
+      if (!value.empty()) add(option, value);
+    }
+  }
+  return command + " --case ";
+}
+
+}  // namespace gonogo::oracle::report
