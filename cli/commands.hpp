@@ -19,5 +19,10 @@ void add_faults(CLI::App& app, int& exit_code);
 void add_corpus(CLI::App& app, int& exit_code);
 // Hidden: the subjects of the self-test, good and bad.
 void add_misbehave(CLI::App& app, int& exit_code);
+void add_merge(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
+void add_verify(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_host(CLI::App& app, int& exit_code);
 
 }  // namespace gonogo::cli

@@ -38,6 +38,11 @@ int run(int argc, char** argv) {
   add_faults(app, exit_code);
   add_corpus(app, exit_code);
   add_misbehave(app, exit_code);
+  add_merge(app, exit_code);
+  add_compare(app, exit_code);
+  add_verify(app, exit_code);
+  add_export(app, exit_code);
+  add_host(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

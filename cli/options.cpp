@@ -20,12 +20,25 @@ void add_limit_options(CLI::App& command, LimitOptions& options) {
       ->check(CLI::PositiveNumber);
   command.add_option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
   command.add_option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+  command.add_option("--feed-tolerance", options.feed_tolerance,
+                     "of feeds from sampled positions, percent, a decimal (5)");
+  command.add_option("--manifest", options.manifest,
+                     "manifest.json of the export, of captured output");
 }
 
 oracle::Limits LimitOptions::limits() const {
   oracle::Limits limits;
   if (timeout > 0) limits.run = std::chrono::milliseconds(timeout);
   if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
+  if (!feed_tolerance.empty()) {
+    const auto percent = reference::Number::parse(feed_tolerance);
+    if (!percent || !percent->is_rational() || percent->sign() < 0) {
+      throw UsageError("--feed-tolerance takes percent as a decimal, not \"" + feed_tolerance +
+                       "\".");
+    }
+    limits.capture.feed_tolerance = *percent / 100;
+  }
+  limits.capture.manifest = manifest;
   return limits;
 }
 

@@ -15,12 +15,14 @@ namespace gonogo::cli {
 // --dialect, --profile, --reading
 void add_profile_options(CLI::App& command, ProfileOptions& options);
 
-// --timeout, --memory, --tolerance, --chord
+// --timeout, --memory, --tolerance, --chord, and of captured output --feed-tolerance, --manifest
 struct LimitOptions {
   long timeout = 0;  // ms; 0: the default
   long memory = 0;   // MB; 0: the default
   std::string tolerance;
   std::string chord;
+  std::string feed_tolerance;
+  std::string manifest;
   oracle::Limits limits() const;
 };
 void add_limit_options(CLI::App& command, LimitOptions& options);

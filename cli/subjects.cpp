@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "cli/program_file.hpp"
 #include "expanders/registry.hpp"
+#include "oracle/capture/capture_subject.hpp"
+#include "oracle/subjects/library_subject.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -31,6 +35,12 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
   return [subject] { return oracle::make_interface_subject(*subject); };
 }
 
+oracle::SubjectMaker library_maker(const std::string& path, const oracle::Limits& limits) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  oracle::check_library(path, limits, program);
+  return [=] { return oracle::make_library_subject(path, limits, program); };
+}
+
 }  // namespace
 
 oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits& limits) {
@@ -42,9 +52,15 @@ oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits
   if (spec && spec->kind == "oneshot") {
     return [rest = spec->rest, limits] { return oracle::make_oneshot_subject(rest, limits); };
   }
+  if (spec && spec->kind == "capture") {
+    return [rest = spec->rest, limits] {
+      return oracle::make_capture_subject(rest, limits.capture);
+    };
+  }
+  if (spec && spec->kind == "lib") return library_maker(spec->rest, limits);
   throw UsageError(
-      fmt::format("\"{}\" names no subject. Write builtin:NAME, pipe:COMMAND or "
-                  "oneshot:COMMAND.",
+      fmt::format("\"{}\" names no subject. Write builtin:NAME, pipe:COMMAND, oneshot:COMMAND, "
+                  "lib:PATH.so or capture:DIR.",
                   text));
 }
 

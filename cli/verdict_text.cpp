@@ -55,19 +55,18 @@ std::string verdict_text(const Verdict& verdict) {
                      evidence(verdict, "  "));
 }
 
-std::string summary_text(const oracle::CampaignSummary& summary, const std::string& subject) {
-  constexpr std::size_t kShown = 10;
+std::string summary_text(const CampaignSummary& summary, const std::string& subject) {
   std::string text;
   std::size_t shown = 0;
   for (const oracle::CaseResult& failure : summary.failures) {
-    if (shown++ == kShown) {
+    if (shown++ == kShownFailures) {
       text += fmt::format("... and more; all are in the results and the report.\n\n");
       break;
     }
     text += fmt::format("{} {}\n{}\n", failure.id, name(failure.verdict.kind),
                         evidence(failure.verdict, "  "));
   }
-  text += fmt::format("{}: {} cases\n", subject, summary.cases);
+  text += fmt::format("{}: {} cases\n", subject, summary.answer.cases);
   for (std::string_view verdict : oracle::verdict_names()) {
     auto total = summary.footer.totals.find(std::string(verdict));
     if (total != summary.footer.totals.end()) {
@@ -77,16 +76,16 @@ std::string summary_text(const oracle::CampaignSummary& summary, const std::stri
   for (const std::string& assignment : summary.footer.assignments) {
     text += fmt::format("  follows {}\n", assignment);
   }
-  if (summary.left_out > 0) {
-    text += fmt::format("  {} cases contradict the profile and were left out\n", summary.left_out);
+  if (summary.footer.left_out > 0) {
+    text += fmt::format("  {} cases contradict the profile and were left out\n",
+                        summary.footer.left_out);
   }
-  for (const std::string& entry : summary.stale) {
-    text += fmt::format(
-        "  The entry \"{}\" of the subject's files is stale: nothing answers to it.\n", entry);
+  for (const std::string& entry : summary.footer.stale) {
+    text += fmt::format("  An entry of the subject's files is stale: {}\n", entry);
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
-  if (summary.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
-  text += fmt::format("{}\n", summary.decision());
+  if (summary.answer.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
+  text += fmt::format("{}\n", summary.answer.decision);
   return text;
 }
 

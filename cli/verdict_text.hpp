@@ -3,14 +3,23 @@
 
 #include <string>
 
-#include "oracle/campaign/campaign.hpp"
+#include "oracle/campaign/results.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::cli {
 
 // A verdict for people, some lines.
 std::string verdict_text(const oracle::Verdict& verdict);
-// A campaign for people: totals, the first failures, GO or NO-GO.
-std::string summary_text(const oracle::CampaignSummary& summary, const std::string& subject);
+
+// What the terminal shows of a campaign.
+struct CampaignSummary {
+  oracle::RunAnswer answer;
+  oracle::ResultsFooter footer;
+  std::vector<oracle::CaseResult> failures;  // the first of them, one more than are shown
+  bool complete = true;                      // not stopped at the first NO-GO
+};
+inline constexpr std::size_t kShownFailures = 10;
+// Totals, the first failures, GO or NO-GO.
+std::string summary_text(const CampaignSummary& summary, const std::string& subject);
 
 }  // namespace gonogo::cli

@@ -36,10 +36,16 @@ if(GONOGO_FUZZ)
   target_compile_options(gonogo_build_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# gonogo_folder(NAME SOURCES...): the static library of one folder of the house.
+# gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar,
+# reference and oracle are what `gonogo::oracle` of the installed package consists of.
 function(gonogo_folder name)
   add_library(gonogo_${name} STATIC ${ARGN})
   add_library(gonogo::${name} ALIAS gonogo_${name})
-  target_link_libraries(gonogo_${name} PUBLIC gonogo_build_settings)
-  target_include_directories(gonogo_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(gonogo_${name} PUBLIC $<BUILD_INTERFACE:gonogo_build_settings>)
+  target_include_directories(gonogo_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/gonogo-oracle>)
+  file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  if(folder MATCHES "^(grammar|reference|oracle)(/|$)")
+    set_property(GLOBAL APPEND PROPERTY GONOGO_ORACLE_FOLDERS ${name})
+  endif()
 endfunction()
