@@ -5,13 +5,20 @@
 
 namespace gonogo::fuzz {
 
-oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile& profile,
-                              std::string_view program) {
+std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
+                                             const reference::Profile& profile,
+                                             std::string_view program, std::size_t most_records) {
   const oracle::JudgeTerms terms = make_terms(subject.info(), profile, std::nullopt, std::nullopt);
   oracle::JudgeSession session(profile, program, terms);
   subject.configure(profile);
-  const oracle::RunEnd end = subject.run(
-      "generated", program, [&](const oracle::Record& record) { return session.record(record); });
+  std::size_t records = 0;
+  bool too_long = false;
+  const oracle::RunEnd end = subject.run("generated", program, [&](const oracle::Record& record) {
+    if (!session.record(record)) return false;
+    too_long = ++records > most_records;
+    return !too_long;
+  });
+  if (too_long) return std::nullopt;
   return session.finish(end).verdict;
 }
 

@@ -3,15 +3,19 @@
 // One program through a subject and the judge.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "oracle/judge/judge_session.hpp"
 
 namespace gonogo::fuzz {
 
-// Runs the program and judges it on the subject's own terms.
-oracle::Verdict run_and_judge(oracle::Subject& subject, const reference::Profile& profile,
-                              std::string_view program);
+// Runs the program and judges it on the subject's own terms. Nothing where the subject sends more
+// than `most_records` and all of them agree so far: such a program costs more than it can show.
+std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
+                                             const reference::Profile& profile,
+                                             std::string_view program, std::size_t most_records);
 
 // The subject's records, a JSON line each; the first ten thousand.
 std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,

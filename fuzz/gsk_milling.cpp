@@ -33,19 +33,21 @@ void GskWriter::pocket_block() {
   if (entry || choices_.one_in(4)) words.push_back(choices_.pick({"G110", "G111"}));
   count(entry ? "pocket entry" : "pocket repeated");
   const bool down = choices_.below(6) != 0;
-  const std::int64_t infeed = length(4) + 1;
-  std::int64_t depth = infeed * choices_.between(1, settings_.layers) - choices_.below(3);
+  const bool sized = entry || choices_.one_in(3);
+  // A deep pocket under the infeed of a shallow one would be cut in a million layers.
+  if (sized) pocket_infeed_ = length(4) + 1;
+  std::int64_t depth = pocket_infeed_ * choices_.between(1, settings_.layers) - choices_.below(3);
   if (choices_.one_in(20)) depth = 0;
   mill_place(words, down ? -depth : depth);
   mill_r(words, down);
-  if (entry || choices_.one_in(3)) {
+  if (sized) {
     const std::int64_t tool = length(5) + choices_.below(3) + 1;
     const std::int64_t step = choices_.between(1, 2 * tool) - (choices_.one_in(2) ? 1 : 0);
     const std::int64_t rings = choices_.between(0, settings_.rings * 4);
     const std::int64_t reach = (step > 0 ? step : 1) * rings / 4 + choices_.below(2);
     words.push_back(word('I', tool + reach));
     words.push_back(word('L', step));
-    words.push_back(word('Q', infeed));
+    words.push_back(word('Q', pocket_infeed_));
     words.push_back(word('D', tool));
   }
   if (choices_.one_in(2)) words.push_back(word('P', choices_.one_in(5) ? -length(2) : length(2)));

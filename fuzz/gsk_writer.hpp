@@ -55,6 +55,7 @@ class GskWriter final : ProgramWriter {
   reference::Units units_ = reference::Units::mm;
   reference::Plane plane_ = reference::Plane::g18;
   Mode mode_ = Mode::basic;
+  std::int64_t pocket_infeed_ = 1;
   int turning_code_ = 0;  // 90, 92 or 94 in Mode::turning
 };
 

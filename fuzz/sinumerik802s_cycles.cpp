@@ -15,17 +15,18 @@ namespace {
 using Values = std::map<int, std::int64_t>;
 
 constexpr int kTools = 4;
-// What a tolerance of an increment cannot tell from nothing: less than this, thousandths, is a
-// pocket or a level for one judge and none for another. Nothing at all is a boundary.
-constexpr std::int64_t kTooSmall = 20;
+// In a turned frame nearly all coordinates are only enclosed: whether a motion is within the
+// tolerance of a border that lies as far as that from the other one, thousandths, stays open. And
+// of a pocket as small as the tolerance in depth and in the plane nothing can be told.
+constexpr std::int64_t kTold = 20;
 
-std::int64_t told_apart(std::int64_t length) {
-  return length > 0 && length < kTooSmall ? kTooSmall : length;
+bool is_shallow(const Values& values) {
+  return values.at(103) - values.at(104) < kTold;
 }
 
-// Whether infeeds of the whole length leave one that is too small.
-bool small_rest(std::int64_t way, std::int64_t infeed) {
-  return way > infeed && way % infeed != 0 && way % infeed < kTooSmall;
+std::int64_t told_apart(std::int64_t room, const Values& values, const SinumerikFrame& frame) {
+  const bool turned = frame.angle % 90'000 != 0;
+  return room > 0 && (turned || is_shallow(values)) ? std::max(room, kTold) : room;
 }
 
 }  // namespace
@@ -68,12 +69,12 @@ void SinumerikWriter::assign(const Values& values) {
 void SinumerikWriter::choose_planes(Values& values) {
   const std::int64_t reference = choices_.one_in(2) ? 0 : any_sign(length(20));
   const std::int64_t clearance = choices_.pick({0, 500, 1'000, 2'000, 2'500});
-  const std::int64_t depth =
-      choices_.one_in(8) ? choices_.between(kTooSmall, kTooSmall + 3) : 1'000 + length(12);
+  const std::int64_t depth = choices_.one_in(8) ? choices_.between(1, 4) : 1'000 + length(12);
   values[101] = reference + clearance + (choices_.one_in(3) ? 0 : length(20));
   values[102] = clearance;
   values[103] = reference;
   values[104] = reference - depth;
+  if (is_shallow(values)) values[101] += kTold;
   if (!choices_.one_in(24)) return;
   count("fault: planes of a cycle");
   switch (choices_.below(4)) {
@@ -105,11 +106,11 @@ void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
     room = -1;
     faulted_ = true;
   }
-  const std::int64_t width = least + told_apart(room);
+  const std::int64_t width = least + told_apart(room, values, state_.frame);
   std::int64_t longer = choices_.one_in(4)   ? 0
                         : choices_.one_in(6) ? choices_.between(1, 3)
                                              : length(25);
-  if (width == least) longer = told_apart(longer);
+  if (width == least) longer = told_apart(longer, values, state_.frame);
   std::int64_t corner = 0;
   switch (choices_.below(8)) {
     case 0:
@@ -147,19 +148,16 @@ void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
 void SinumerikWriter::choose_depths(Values& values) {
   const std::int64_t depth = std::max<std::int64_t>(1, values[103] - values[104]);
   std::int64_t left = choices_.pick({0, 0, 100, 500});
-  if (choices_.one_in(12)) left = depth - kTooSmall;
+  if (choices_.one_in(12)) left = depth - kTold;
   if (left < 0 || left >= depth) left = 0;
   values[125] = left;
   const std::array<std::int64_t, 4> ways = {depth, depth + values[102], depth - left,
                                             depth - left + values[102]};
   const std::int64_t way = ways[choices_.below(4)];
   std::int64_t infeed = way / choices_.pick({1, 1, 2, 3, 4});
-  infeed += choices_.one_in(4) ? choices_.pick<std::int64_t>({-kTooSmall, 0, 1}) : length(3);
-  infeed = std::max({infeed, depth / 6, kTooSmall});
-  while (std::ranges::any_of(ways, [&](std::int64_t each) { return small_rest(each, infeed); })) {
-    ++infeed;
-  }
-  values[121] = infeed;
+  infeed += choices_.one_in(4) ? choices_.pick<std::int64_t>({-1, 0, 1}) : length(3);
+  // Not thousands of levels in the air.
+  values[121] = std::max<std::int64_t>({infeed, depth / 6, values[102] / 50, 1});
 }
 
 // One rule broken; most of them by as little as a parameter can say.

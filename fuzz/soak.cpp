@@ -2,7 +2,9 @@
 //
 // gonogo_soak: generated programs through a built-in expander and the judge, until one is not GO.
 //   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--distribution]
-// An expander of several dialects gets programs of the first one where none is named.
+//   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D]
+// An expander of several dialects gets programs of the first one where none is named. --input tries
+// the one program that a fuzzer's input decides, and prints it first: also one that never ends.
 // Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2 wrong use.
 #include <fmt/format.h>
 
@@ -10,7 +12,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
@@ -20,11 +27,14 @@ namespace {
 
 using namespace gonogo;
 
+constexpr std::size_t kMostRecords = 1'000'000;
+
 struct SoakOptions {
   std::uint64_t programs = 10'000;
   std::uint64_t seed = 1;
   std::string subject = "gsk";
   std::string dialect;  // "": the expander's first
+  std::string input;    // a fuzzer's input: its bytes decide one program
   bool distribution = false;
 };
 
@@ -36,6 +46,8 @@ bool parse(int argc, char** argv, SoakOptions& options) {
       options.distribution = true;
     } else if (word == "--programs" && has_value) {
       options.programs = std::strtoull(argv[++i], nullptr, 10);
+    } else if (word == "--input" && has_value) {
+      options.input = argv[++i];
     } else if (word == "--seed" && has_value) {
       options.seed = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--subject" && has_value) {
@@ -50,15 +62,44 @@ bool parse(int argc, char** argv, SoakOptions& options) {
 }
 
 // An error of the oracle's own names its program.
-oracle::Verdict judged(oracle::Subject& subject, const fuzz::GeneratedProgram& program,
-                       std::uint64_t seed) {
+std::optional<oracle::Verdict> judged(oracle::Subject& subject,
+                                      const fuzz::GeneratedProgram& program, std::uint64_t seed) {
   try {
-    return fuzz::run_and_judge(subject, program.profile, program.text);
+    return fuzz::run_and_judge(subject, program.profile, program.text, kMostRecords);
   } catch (const std::exception& error) {
     fmt::print("--seed {} --programs 1 throws: {}\nprofile: {}\nprogram:\n{}", seed, error.what(),
                reference::profile_json(program.profile), program.text);
     throw;
   }
+}
+
+// What the gauge says of itself that it does not judge: a code, a level of too many motions.
+bool is_out_of_reach(const oracle::Verdict& verdict) {
+  if (verdict.kind != oracle::VerdictKind::oracle_gap) return false;
+  const auto says = [&](std::string_view part) {
+    return verdict.message.find(part) != std::string::npos;
+  };
+  return says("gauge does not") || says("motions is not judged");
+}
+
+// One program, from the decisions in a fuzzer's input.
+int try_input(const SoakOptions& options, const fuzz::Generator& generator,
+              oracle::Subject& subject) {
+  std::ifstream file(options.input, std::ios::binary);
+  if (!file) {
+    fmt::print(stderr, "{} cannot be read.\n", options.input);
+    return 2;
+  }
+  const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  fuzz::Choices choices{std::span<const std::uint8_t>(bytes)};
+  const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
+  fmt::print("profile: {}\nprogram:\n{}", reference::profile_json(program.profile), program.text);
+  std::fflush(stdout);
+  const auto verdict = fuzz::run_and_judge(subject, program.profile, program.text,
+                                           std::numeric_limits<std::size_t>::max());
+  fmt::print("verdict: {}\n{}\n", name(verdict->kind), verdict->message);
+  return decision(verdict->kind) == oracle::Decision::no_go ? 1 : 0;
 }
 
 int soak(const SoakOptions& options) {
@@ -76,6 +117,7 @@ int soak(const SoakOptions& options) {
     return 2;
   }
   auto subject = oracle::make_interface_subject(*table);
+  if (!options.input.empty()) return try_input(options, *generator, *subject);
   fuzz::Distribution distribution;
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < options.programs; ++i) {
@@ -83,15 +125,12 @@ int soak(const SoakOptions& options) {
     fuzz::Choices choices(options.seed + i);
     const fuzz::GeneratedProgram program =
         generator->generate(choices, options.distribution ? &distribution : nullptr);
-    const oracle::Verdict verdict = judged(*subject, program, options.seed + i);
-    ++distribution[fmt::format("verdict {}", name(verdict.kind))];
-    if (decision(verdict.kind) == oracle::Decision::go) continue;
-    if (verdict.kind == oracle::VerdictKind::oracle_gap &&
-        verdict.message.find("gauge does not") != std::string::npos) {
-      continue;
-    }
+    const auto verdict = judged(*subject, program, options.seed + i);
+    ++distribution[verdict ? fmt::format("verdict {}", name(verdict->kind)) : "too long"];
+    if (!verdict || decision(verdict->kind) == oracle::Decision::go) continue;
+    if (is_out_of_reach(*verdict)) continue;
     fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", options.seed + i,
-               fuzz::failure_text(verdict, program.profile, program.text),
+               fuzz::failure_text(*verdict, program.profile, program.text),
                fuzz::trace_text(*subject, program.profile, program.text));
     return 1;
   }
@@ -109,8 +148,9 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, options)) {
     fmt::print(stderr,
                "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] "
-               "[--distribution]\n",
-               argv[0]);
+               "[--distribution]\n"
+               "       {} --input FILE [--subject NAME[+FAULT]] [--dialect D]\n",
+               argv[0], argv[0]);
     return 2;
   }
   return soak(options);
