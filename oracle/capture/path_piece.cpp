@@ -121,11 +121,11 @@ std::optional<Stretch> PathPiece::line_stretch(const SamplePoint& sample, const 
   const Number& whole = travel_[longest_];
   for (Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
-    const Number offset = sample.exact[axis] - motion_.from[axis];
     if (direction_[i] == 0) {
-      if (offset > tube.tolerance || -offset > tube.tolerance) return std::nullopt;
+      if (!agree(sample.exact[axis], motion_.from[axis], tube.tolerance)) return std::nullopt;
       continue;
     }
+    const Number offset = sample.exact[axis] - motion_.from[axis];
     // Along its own axis first, where `direction` times the offset grows with the way.
     Number low = offset * direction_[i] - tube.tolerance;
     Number high = low + tube.tolerance * 2;
@@ -146,11 +146,11 @@ std::optional<Stretch> PathPiece::traverse_stretch(const SamplePoint& sample,
   Stretch stretch;
   for (Axis axis : kAllAxes) {
     const std::size_t i = index(axis);
-    const Number offset = sample.exact[axis] - motion_.from[axis];
     if (direction_[i] == 0) {
-      if (offset > tube.tolerance || -offset > tube.tolerance) return std::nullopt;
+      if (!agree(sample.exact[axis], motion_.from[axis], tube.tolerance)) return std::nullopt;
       continue;
     }
+    const Number offset = sample.exact[axis] - motion_.from[axis];
     const Number way = offset * direction_[i];
     const Number whole = abs(travel_[i]);
     stretch.low[i] = way - tube.tolerance;

@@ -26,11 +26,11 @@ Span01 agreeing_parameters(const Motion& line, const Position& point, const Numb
   Span01 span;
   for (Axis axis : kAllAxes) {
     const Number travel = line.to()[axis] - line.from[axis];
-    const Number offset = point[axis] - line.from[axis];
     if (travel.sign() == 0) {
-      if (abs(offset) > tolerance) return {1, 0};
+      if (!agree(point[axis], line.from[axis], tolerance)) return {1, 0};
       continue;
     }
+    const Number offset = point[axis] - line.from[axis];
     Number first = (offset - tolerance) / travel;
     Number second = (offset + tolerance) / travel;
     if (travel.sign() < 0) std::swap(first, second);
@@ -63,11 +63,10 @@ bool moves_one_axis(const Motion& motion, const Number& tolerance) {
 // Whether `got` is the exact value, or that correctly rounded.
 bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
                const JudgeTerms& terms) {
-  const Number difference = abs(exact - got);
-  if (difference.sign() == 0) return true;
-  if (resolution && difference * 2 <= *resolution) return true;
+  if (resolution && agree(exact * 2, got * 2, *resolution)) return true;
   // Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
-  return terms.binary64 && difference <= scaled_down(exact, 51);
+  if (terms.binary64 && agree(exact, got, scaled_down(exact, 51))) return true;
+  return exact == got;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace gonogo::oracle {
@@ -103,6 +104,16 @@ SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& 
   return end.sampled->judge(assigned, program_, terms_, end);
 }
 
+bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
+  const auto rank = [](const SampledVerdict& said) {
+    const Decision its = decision(said.verdict.kind);
+    return its == Decision::go ? 2 : its == Decision::undecided ? 1 : 0;
+  };
+  if (rank(one) != rank(other)) return rank(one) > rank(other);
+  if (rank(one) == 2) return one.verdict.kind < other.verdict.kind;
+  return rank(one) == 0 && one.progress > other.progress;
+}
+
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   SessionVerdict result;
   result.open = open_;
@@ -112,24 +123,13 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
         "The program touches open readings with more than {} assignments.", kMaximumAssignments);
     return result;
   }
-  std::size_t farthest = 0;
-  bool have_verdict = false;
+  std::optional<SampledVerdict> best;
   for (std::size_t i = 0; i < judges_.size(); ++i) {
-    auto [verdict, progress] = finish_under(i, end);
-    const bool go = decision(verdict.kind) == Decision::go;
-    const bool first_go = go && result.explaining.empty();
-    // The best pass; else the departure that comes last; a gap under one assignment is a gap.
-    const bool better = go ? first_go || verdict.kind < result.verdict.kind
-                           : result.explaining.empty() && (!have_verdict || progress > farthest);
-    if (better) {
-      farthest = progress;
-      result.verdict = std::move(verdict);
-      have_verdict = true;
-    } else if (result.explaining.empty() && verdict.kind == VerdictKind::oracle_gap) {
-      result.verdict = std::move(verdict);
-    }
-    if (go) result.explaining.push_back(choices_[i]);
+    SampledVerdict said = finish_under(i, end);
+    if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choices_[i]);
+    if (!best || outranks(said, *best)) best = std::move(said);
   }
+  result.verdict = std::move(best->verdict);
   return result;
 }
 

@@ -23,7 +23,7 @@ struct SessionVerdict {
 
 class JudgeSession {
  public:
-  // `profile` may say "any"; `program` and `terms` must outlive the session.
+  // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
   JudgeSession(const reference::Profile& profile, std::string_view program,
                const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
@@ -34,7 +34,7 @@ class JudgeSession {
   // What is said under one assignment, and how far it came.
   SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
 
-  reference::Profile profile_;
+  const reference::Profile& profile_;
   std::string_view program_;
   const JudgeTerms& terms_;
   std::vector<reference::ReadingChoice> choices_;
@@ -42,6 +42,11 @@ class JudgeSession {
   std::vector<reference::ReadingKey> open_;
   bool too_many_ = false;
 };
+
+// Whether what is said under one assignment counts before what is said under another: the best
+// pass; else a gap, for under that assignment the subject may be right; else the departure that
+// comes last.
+bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
 // The readings that a run of the reference under this profile asks for.
 std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,

@@ -48,8 +48,7 @@ bool ProgramJudge::process_step(Motion& motion) {
   }
   if (auto* pocket = std::get_if<PocketMilling>(&step)) {
     const OpenPathAnswer answer = pocket_judge(*pocket).take(motion);
-    // What mills a level is free: a level has a limit of its own.
-    if (pocket_judge(*pocket).mills_level() && is_cut(motion.record.kind)) budget_.forgive();
+    if (pocket_judge(*pocket).is_limited() && is_cut(motion.record.kind)) budget_.forgive();
     return follow_open_path(answer, motion);
   }
   const bool nothing = means_nothing(motion, step);

@@ -150,6 +150,8 @@ OpenPathAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
                      has_feed(motion, item_.plane_feed);
+  // The infeed to it cut.
+  if (mills && milling_ && !trial_) return take_cut(motion);
   if (trial_ && !mills) {
     const OpenPathAnswer answer = finish_level(motion);
     if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
@@ -274,6 +276,7 @@ OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
 }
 
 OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+  if (is_cut(motion.record.kind)) ++idle_cuts_;
   const OpenPathAnswer answer = check_travel(motion);
   if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
   if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {

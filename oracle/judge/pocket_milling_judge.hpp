@@ -23,8 +23,9 @@ class PocketMillingJudge {
   // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
   OpenPathAnswer take(const Motion& motion);
   bool complete() const { return over_; }
-  // Whether the last motion belongs to a level, whose motions are limited.
-  bool mills_level() const { return milling_; }
+  // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
+  // through what is cleared, of which a pocket may have as many as a level.
+  bool is_limited() const { return milling_ || idle_cuts_ <= region::kMaximumLevelMotions; }
   Verdict incomplete(const Position& position) const;
 
  private:
@@ -104,6 +105,7 @@ class PocketMillingJudge {
   std::optional<Verdict> floor_fault_;  // why not
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
+  std::size_t idle_cuts_ = 0;
   region::PlanePoint plunge_;
   bool floor_done_ = false;
   bool over_ = false;

@@ -32,12 +32,37 @@ Number dot(const PlanePoint& a, const PlanePoint& b) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
+// SIE-ARC-10: the polar coordinates of a place about the point; nothing where it was not sent there
+// by them.
+const PlaceMark::Polar* polar_about(const std::optional<PlaceMark>& mark, Plane plane,
+                                    const PlanePoint& centre) {
+  const bool is_about =
+      mark && mark->polar && mark->plane == plane && surely_equal(mark->centre, centre);
+  return is_about ? &*mark->polar : nullptr;
+}
+
+// On which side of the chord the programmed centre is, seen along it: +1 left, 0 on the chord
+// itself. Angles of both ends about that centre decide it where coordinates are enclosures.
+int side_of_programmed(const Machine& machine, const ArcCommand& arc, const ArcEnds& ends,
+                       const ArcCentre& programmed) {
+  const PlaceMark::Polar* from = polar_about(machine.mark, arc.plane, programmed.at);
+  const PlaceMark::Polar* to = polar_about(arc.end.mark, arc.plane, programmed.at);
+  if (from == nullptr || to == nullptr) {
+    return cross({ends.dp, ends.dq}, programmed.offset).sign();
+  }
+  if (to->radius.sign() == 0) return 0;
+  const Number turns = (to->angle - from->angle) / Number(360);
+  const Number part = turns - turns.floor();
+  if (part.sign() == 0 || part == kHalf) return 0;
+  return part < kHalf ? 1 : -1;
+}
+
 // On the perpendicular bisector at the radius of the start, on the side of the programmed centre;
 // for one on the chord itself on the side of the shorter arc. A chord above twice that radius has
 // its centre in its middle.
-PlanePoint at_start_radius(const ArcCommand& arc, const ArcEnds& ends, const OffsetCentre& radii,
-                           const PlanePoint& programmed) {
-  const int left = cross({ends.dp, ends.dq}, programmed).sign();
+PlanePoint at_start_radius(const Machine& machine, const ArcCommand& arc, const ArcEnds& ends,
+                           const OffsetCentre& radii, const ArcCentre& programmed) {
+  const int left = side_of_programmed(machine, arc, ends, programmed);
   const int side = left != 0 ? -left : -arc.sense;  // +1: right of the chord
   return centre_off_middle(ends, radii.start_2, side).value_or(ends.middle());
 }
@@ -97,8 +122,8 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   const ReadingsInUse& readings = block.readings;
   if (readings.is(ReadingKey::sie_arc_correct, "programmed")) return found;
   const bool projects = readings.is(ReadingKey::sie_arc_correct, "project");
-  found.offset =
-      projects ? projected(ends, centre.offset) : at_start_radius(arc, ends, radii, centre.offset);
+  found.offset = projects ? projected(ends, centre.offset)
+                          : at_start_radius(block.machine, arc, ends, radii, centre);
   const PlanePoint start = block.position_in(arc.axes);
   found.centre = {start[0] + found.offset[0], start[1] + found.offset[1]};
   if (!is_near(centre.offset, found.offset)) {

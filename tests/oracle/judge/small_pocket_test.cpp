@@ -81,6 +81,18 @@ TEST(SmallPockets, DepthOfTheToleranceIsGo) {
   }
 }
 
+// An allowance of 4 left no room for the tool in roughing: the infeed to the floor, 0.001 below the
+// reference plane, cuts.
+TEST(SmallPockets, DepthOfTheToleranceIsGoWhereNothingWasRoughed) {
+  SmallPocket pocket;
+  pocket.planes = "R101=1 R102=0.5 R103=0";
+  pocket.depth = "R104=-0.001";
+  pocket.sizes = "R118=20 R119=12 R120=3";
+  pocket.allowance = "R124=4 R125=0";
+  pocket.ways = "R126=2 R127=2";
+  expect_go(pocket);
+}
+
 TEST(SmallPockets, InfeedsOfTheToleranceAreGo) {
   for (const std::string_view infeed : {"R121=0.001", "R121=0.0007", "R121=0.002", "R121=0.004"}) {
     for (const std::string_view reading : {"any", "equal", "max-rest"}) {

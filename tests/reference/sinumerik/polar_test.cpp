@@ -198,4 +198,13 @@ TEST(SiePolar, FullCirclesOfTheFirstSampleAreExact) {
 }
 
 }  // namespace
+// SIE-ARC-08, SIE-ARC-10. The pole lies on the chord, which is 1,999.999 long: the corrected centre
+// is 0.0005 from the pole along 20 degrees and sqrt(1000^2 - 999.9995^2) = 0.999999875 across, to
+// the left of the chord, where the arc has at most half a turn: 0.0005 (cos 20, sin 20) +
+// 0.999999875 (cos 290, sin 290).
+TEST(SiePolar, AnArcStraightAcrossThePoleIsCorrectedTowardsTheShorterArc) {
+  const Record arc = last_motion("F100\nG0 AP=20 RP=1000\nG3 AP=200 RP=999.999\n");
+  EXPECT_EQ(centre(arc), "0.342489947,-0.939521493");
+}
+
 }  // namespace gonogo::reference::testing::sie

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which of the verdicts under several assignments of readings counts.
+#include <gtest/gtest.h>
+
+#include "oracle/judge/judge_session.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+SampledVerdict said(VerdictKind kind, std::size_t progress) {
+  SampledVerdict said;
+  said.verdict.kind = kind;
+  said.progress = progress;
+  return said;
+}
+
+TEST(JudgeSession, APassCountsBeforeAGapAndAGapBeforeANoGo) {
+  const SampledVerdict pass = said(VerdictKind::pass_tolerance, 1);
+  const SampledVerdict gap = said(VerdictKind::oracle_gap, 1);
+  // However far it came.
+  const SampledVerdict no_go = said(VerdictKind::fail_geometry, 9);
+  EXPECT_TRUE(outranks(pass, gap));
+  EXPECT_TRUE(outranks(gap, no_go));
+  EXPECT_TRUE(outranks(pass, no_go));
+  EXPECT_FALSE(outranks(gap, pass));
+  EXPECT_FALSE(outranks(no_go, gap));
+  EXPECT_FALSE(outranks(no_go, pass));
+}
+
+TEST(JudgeSession, TheBetterPassCountsAndTheLaterDeparture) {
+  EXPECT_TRUE(outranks(said(VerdictKind::pass_exact, 1), said(VerdictKind::pass_rounded, 9)));
+  EXPECT_FALSE(outranks(said(VerdictKind::pass_rounded, 9), said(VerdictKind::pass_exact, 1)));
+  EXPECT_TRUE(outranks(said(VerdictKind::fail_feed, 3), said(VerdictKind::fail_geometry, 2)));
+  EXPECT_FALSE(outranks(said(VerdictKind::fail_feed, 2), said(VerdictKind::fail_geometry, 2)));
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
