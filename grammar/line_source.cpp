@@ -12,6 +12,8 @@ namespace gonogo::grammar {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 16;
+// Most programs of a campaign fit into this.
+constexpr std::size_t kFirstChunk = std::size_t{1} << 11;
 
 bool ends_line(char byte) {
   return byte == '\n' || byte == '\r';
@@ -37,7 +39,7 @@ std::size_t MemorySource::read(char* data, std::size_t capacity) {
 }
 
 LineSource::LineSource(ByteSource& bytes) : bytes_(bytes) {
-  buffer_.resize(kChunk);
+  buffer_.resize(kFirstChunk);
 }
 
 bool LineSource::fill() {
@@ -51,6 +53,7 @@ bool LineSource::fill() {
   const std::size_t count = bytes_.read(buffer_.data() + end_, buffer_.size() - end_);
   at_end_ = count == 0;
   end_ += count;
+  if (end_ == buffer_.size() && end_ < kChunk) buffer_.resize(kChunk);
   return !at_end_;
 }
 

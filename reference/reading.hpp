@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/clause.hpp"
@@ -108,23 +109,38 @@ const Reading* find_reading(std::string_view name);
 // Whether `value` is one of the reading's alternatives or "any".
 bool admits(const Reading& reading, std::string_view value);
 
-// The value of each reading, "any" among them; what a profile says.
+// The value of each reading, "any" among them; what a profile says. Small: a campaign copies one
+// with every case.
 class ReadingChoice {
  public:
   ReadingChoice();  // the defaults
-  const std::string& get(ReadingKey key) const { return values_[index(key)]; }
-  void set(ReadingKey key, std::string_view value) { values_[index(key)] = value; }
+  std::string_view get(ReadingKey key) const;
+  void set(ReadingKey key, std::string_view value);
   bool is(ReadingKey key, std::string_view value) const { return get(key) == value; }
+  // The same choice, but for each open "any" that is not judged by properties the alternative that
+  // `expand` shows.
+  ReadingChoice shown() const;
   friend bool operator==(const ReadingChoice&, const ReadingChoice&) = default;
 
  private:
-  std::array<std::string, kReadings> values_;
+  // A place in the reading's list of values: "any", the alternatives, the default where it is
+  // neither; or kOwnText.
+  using Place = std::uint8_t;
+  static constexpr Place kAny = 0;
+  static constexpr Place kFirst = 1;
+  static constexpr Place kFallback = 254;
+  static constexpr Place kOwnText = 255;
+  using OwnText = std::pair<ReadingKey, std::string>;
+  static Place place_of(const Reading& reading, std::string_view value);
+
+  std::array<Place, kReadings> places_;
+  std::vector<OwnText> texts_;  // lengths, by key
 };
 
 // The readings as one run of the reference sees them; remembers which of them mattered.
 class ReadingsInUse {
  public:
-  explicit ReadingsInUse(const ReadingChoice& choice);
+  explicit ReadingsInUse(const ReadingChoice& choice) : shown_(choice.shown()) {}
   // Whether the alternative holds. An open "any" that is not judged by properties counts as the
   // alternative that `expand` shows.
   bool is(ReadingKey key, std::string_view alternative) const;
@@ -133,9 +149,8 @@ class ReadingsInUse {
   std::vector<ReadingKey> touched() const;
 
  private:
-  const ReadingChoice& choice_;
+  ReadingChoice shown_;
   mutable std::array<bool, kReadings> touched_{};
-  std::array<std::string_view, kReadings> effective_;
 };
 
 }  // namespace gonogo::reference

@@ -54,6 +54,7 @@ std::size_t CaseJudge::window() const {
 void CaseJudge::prepare(const Case& test) {
   if (profile_ && *profile_ == test.profile) return;
   profile_ = test.profile;
+  profile_text_ = reference::profile_json(test.profile);
   subject_->configure(test.profile);
 }
 
@@ -75,7 +76,7 @@ std::optional<std::string> CaseJudge::undeclared_feature(const Case& test) const
 // skipped breaks the protocol.
 void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   Verdict& verdict = attempt.session.verdict;
-  if (attempt.end.kind == RunEnd::Kind::refused && reference::profile_json(test.profile) == "{}") {
+  if (attempt.end.kind == RunEnd::Kind::refused && profile_text_ == "{}") {
     verdict.kind = VerdictKind::protocol;
     verdict.message =
         fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
@@ -174,7 +175,8 @@ CaseResult CaseJudge::judge(const Case& test) {
   result.dialect = test.dialect;
   result.cycle = test.cycle;
   result.clauses = test.clauses;
-  result.profile = reference::profile_json(test.profile);
+  const bool prepared = profile_ && *profile_ == test.profile;
+  result.profile = prepared ? profile_text_ : reference::profile_json(test.profile);
   result.expected_gap = std::ranges::any_of(test.expect, &Expectation::not_covered);
   if (const auto feature = undeclared_feature(test)) {
     result.verdict.kind = VerdictKind::skip;

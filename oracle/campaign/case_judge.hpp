@@ -43,6 +43,7 @@ class CaseJudge {
   std::unique_ptr<Subject> subject_;
   std::unique_ptr<Subject> second_;            // made when it is first needed
   std::optional<reference::Profile> profile_;  // that was prepared
+  std::string profile_text_;                   // the same as JSON
 };
 
 }  // namespace gonogo::oracle

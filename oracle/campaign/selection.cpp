@@ -69,7 +69,7 @@ std::optional<Case> under(const CampaignOptions& options, Case test) {
     const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
     if (reading == nullptr || !reading->belongs_to(test.dialect)) continue;
     const std::string value = choice.substr(equals + 1);
-    const std::string& own = test.profile.readings.get(reading->key);
+    const std::string_view own = test.profile.readings.get(reading->key);
     if (own != reading->fallback && own != value) return std::nullopt;
     test.profile.readings.set(reading->key, value);
   }

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 std::string file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text;
-  if (file) text.assign(std::istreambuf_iterator<char>(file), {});
+  if (file) text = (std::ostringstream() << file.rdbuf()).str();
   if (!file || file.bad()) {
     throw CorpusError(fmt::format("{} cannot be read: {}.", path, std::strerror(errno)));
   }

@@ -65,7 +65,7 @@ TEST(Coverage, EveryAlternativeOfAReadingIsSetByAProfileOrIsTheDefault) {
   for (const reference::Reading& reading : reference::readings()) {
     std::set<std::string> set;
     for (const auto& [id, test] : checked_in_cases()) {
-      set.insert(test.profile.readings.get(reading.key));
+      set.emplace(test.profile.readings.get(reading.key));
     }
     EXPECT_TRUE(set.contains(std::string(reading.fallback))) << reading.name;
     EXPECT_GE(set.size(), 2U) << reading.name;
