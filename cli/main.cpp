@@ -23,32 +23,26 @@ std::vector<std::string>& arguments() {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app{"GoNoGo, the master gauge for CNC canned cycles.", "gonogo"};
-  app.set_version_flag("--version", std::string("gonogo ") + kVersion);
-  app.require_subcommand(1);
+  CommandLine line("gonogo", "GoNoGo, the master gauge for CNC canned cycles.",
+                   std::string("gonogo ") + kVersion);
+  Command& program = line.program();
   arguments().assign(argv + 1, argv + argc);
-  int exit_code = kGo;
-  add_expand(app, exit_code);
-  add_explain(app, exit_code);
-  add_judge(app, exit_code);
-  add_certify(app, exit_code);
-  add_spec(app, exit_code);
-  add_report(app, exit_code);
-  add_selftest(app, exit_code);
-  add_faults(app, exit_code);
-  add_corpus(app, exit_code);
-  add_misbehave(app, exit_code);
-  add_merge(app, exit_code);
-  add_compare(app, exit_code);
-  add_verify(app, exit_code);
-  add_export(app, exit_code);
-  add_host(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kGo : kWrongUse;
-  }
-  return exit_code;
+  add_expand(program);
+  add_explain(program);
+  add_judge(program);
+  add_certify(program);
+  add_spec(program);
+  add_report(program);
+  add_selftest(program);
+  add_faults(program);
+  add_corpus(program);
+  add_misbehave(program);
+  add_merge(program);
+  add_compare(program);
+  add_verify(program);
+  add_export(program);
+  add_host(program);
+  return line.parse(argc, argv);
 }
 
 }  // namespace

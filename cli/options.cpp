@@ -5,25 +5,22 @@
 
 namespace gonogo::cli {
 
-void add_profile_options(CLI::App& command, ProfileOptions& options) {
-  command.add_option("--dialect", options.dialect,
-                     "dialect of the program: " + reference::dialect_names());
-  command.add_option("--profile", options.file, "machine profile (TOML, or JSON by its ending)");
-  command.add_option("--reading", options.readings, "one reading as key=value; may be repeated")
-      ->allow_extra_args(false);
+void add_profile_options(Command& command, ProfileOptions& options) {
+  command.option("--dialect", options.dialect,
+                 "dialect of the program: " + reference::dialect_names());
+  command.option("--profile", options.file, "machine profile (TOML, or JSON by its ending)");
+  command.repeated_option("--reading", options.readings, "one reading as key=value");
 }
 
-void add_limit_options(CLI::App& command, LimitOptions& options) {
-  command.add_option("--timeout", options.timeout, "limit of one run, milliseconds")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--memory", options.memory, "memory limit of a subject, MB")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
-  command.add_option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
-  command.add_option("--feed-tolerance", options.feed_tolerance,
-                     "of feeds from sampled positions, percent, a decimal (5)");
-  command.add_option("--manifest", options.manifest,
-                     "manifest.json of the export, of captured output");
+void add_limit_options(Command& command, LimitOptions& options) {
+  constexpr long kMost = 1'000'000'000;
+  command.number("--timeout", options.timeout, 1, kMost, "limit of one run, milliseconds");
+  command.number("--memory", options.memory, 1, kMost, "memory limit of a subject, MB");
+  command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
+  command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+  command.option("--feed-tolerance", options.feed_tolerance,
+                 "of feeds from sampled positions, percent, a decimal (5)");
+  command.option("--manifest", options.manifest, "manifest.json of the export, of captured output");
 }
 
 oracle::Limits LimitOptions::limits() const {

@@ -3,17 +3,17 @@
 // Options that mean the same wherever they make sense.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
+#include "cli/command_line.hpp"
 #include "cli/program_file.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::cli {
 
 // --dialect, --profile, --reading
-void add_profile_options(CLI::App& command, ProfileOptions& options);
+void add_profile_options(Command& command, ProfileOptions& options);
 
 // --timeout, --memory, --tolerance, --chord, and of captured output --feed-tolerance, --manifest
 struct LimitOptions {
@@ -25,7 +25,7 @@ struct LimitOptions {
   std::string manifest;
   oracle::Limits limits() const;
 };
-void add_limit_options(CLI::App& command, LimitOptions& options);
+void add_limit_options(Command& command, LimitOptions& options);
 
 // A length given as a decimal; throws UsageError.
 std::optional<reference::Number> length_option(const std::string& text, const char* option);

@@ -43,7 +43,7 @@ struct CertifyOptions {
   std::vector<std::string> only;
   std::string case_id;
   std::string shard = "1/1";
-  int jobs = 0;
+  long jobs = 0;
   bool fail_fast = false;
   bool resume = false;
   std::string known_failures;
@@ -104,7 +104,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   campaign.tolerance = length_option(options.limits.tolerance, "--tolerance");
   campaign.chord = length_option(options.limits.chord, "--chord");
   campaign.jobs = options.jobs > 0
-                      ? options.jobs
+                      ? static_cast<int>(options.jobs)
                       : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   campaign.fail_fast = options.fail_fast;
   campaign.limits = options.limits.limits();
@@ -311,36 +311,31 @@ int certify(const CertifyOptions& options) {
 
 }  // namespace
 
-void add_certify(CLI::App& app, int& exit_code) {
+void add_certify(Command& program) {
   auto options = std::make_shared<CertifyOptions>();
-  CLI::App* command = app.add_subcommand("certify", "Judge a subject with the corpus");
-  command->add_option(
-      "--subject", options->subject,
-      "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND, lib:PATH.so or capture:DIR");
-  command->add_option("--dialect", options->dialects, "only this dialect; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
-  command->add_option("--report", options->report, "folder for results and report (report)");
-  command->add_option("--certificate", options->certificate, "folder for a certificate as well");
-  command->add_option("--profile", options->profile, "the machine's profile");
-  command->add_option("--reading", options->readings, "one reading as key=value; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--only", options->only, "only ids that match the glob; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--case", options->case_id, "only this case");
-  command->add_option("--shard", options->shard, "part i of n: i/n");
-  command->add_option("--jobs", options->jobs, "subjects that run at the same time")
-      ->check(CLI::Range(1, 256));
-  command->add_option("--known-failures", options->known_failures,
-                      "TOML file of cases that the subject is known to fail");
-  command->add_option("--alarm-map", options->alarm_map,
-                      "TOML file of what the subject's own alarms mean");
-  command->add_flag("--resume", options->resume,
-                    "go on from the journal of an interrupted run in the same folder");
-  command->add_flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
-  add_limit_options(*command, options->limits);
+  Command command = program.add_command("certify", "Judge a subject with the corpus");
+  command.option("--subject", options->subject,
+                 "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND, lib:PATH.so or capture:DIR");
+  command.repeated_option("--dialect", options->dialects, "only this dialect");
+  command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
+  command.option("--report", options->report, "folder for results and report (report)");
+  command.option("--certificate", options->certificate, "folder for a certificate as well");
+  command.option("--profile", options->profile, "the machine's profile");
+  command.repeated_option("--reading", options->readings, "one reading as key=value");
+  command.repeated_option("--only", options->only, "only ids that match the glob");
+  command.option("--case", options->case_id, "only this case");
+  command.option("--shard", options->shard, "part i of n: i/n");
+  command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
+  command.option("--known-failures", options->known_failures,
+                 "TOML file of cases that the subject is known to fail");
+  command.option("--alarm-map", options->alarm_map,
+                 "TOML file of what the subject's own alarms mean");
+  command.flag("--resume", options->resume,
+               "go on from the journal of an interrupted run in the same folder");
+  command.flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
+  add_limit_options(command, options->limits);
   options->argv = arguments();
-  command->callback([options, &exit_code] { exit_code = certify(*options); });
+  command.run([options] { return certify(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo compare: what has changed between two runs.
-#include <map>
+#include <string>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -17,8 +17,13 @@ using oracle::evidence::CompareFormat;
 struct CompareOptions {
   std::string before;
   std::string after;
-  CompareFormat format = CompareFormat::text;
+  std::string format = "text";
 };
+
+CompareFormat format_of(const std::string& word) {
+  if (word == "json") return CompareFormat::json;
+  return word == "markdown" ? CompareFormat::markdown : CompareFormat::text;
+}
 
 int compare(const CompareOptions& options) {
   namespace evidence = oracle::evidence;
@@ -29,25 +34,22 @@ int compare(const CompareOptions& options) {
     throw UsageError(error.what());
   }
   Output output;
-  output.text() = evidence::comparison_text(comparison, options.format);
+  output.text() = evidence::comparison_text(comparison, format_of(options.format));
   output.flush();
   return comparison.count(evidence::Change::regression) > 0 ? kNoGo : kGo;
 }
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& exit_code) {
+void add_compare(Command& program) {
   auto options = std::make_shared<CompareOptions>();
-  const std::map<std::string, CompareFormat> formats = {{"text", CompareFormat::text},
-                                                        {"json", CompareFormat::json},
-                                                        {"markdown", CompareFormat::markdown}};
-  CLI::App* command = app.add_subcommand(
+  Command command = program.add_command(
       "compare", "Show what has changed between two runs; exit 1 when a case that was GO is NO-GO");
-  command->add_option("old", options->before, "results.jsonl of the run before")->required();
-  command->add_option("new", options->after, "results.jsonl of the run now")->required();
-  command->add_option("--format", options->format, "text, json or markdown (text)")
-      ->transform(CLI::CheckedTransformer(formats));
-  command->callback([options, &exit_code] { exit_code = compare(*options); });
+  command.argument("old", options->before, "results.jsonl of the run before");
+  command.argument("new", options->after, "results.jsonl of the run now");
+  command.choice("--format", options->format, {"text", "json", "markdown"},
+                 "text, json or markdown (text)");
+  command.run([options] { return compare(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -77,10 +77,10 @@ int stats(const std::string& folder) {
 
 }  // namespace
 
-void add_corpus(CLI::App& app, int& exit_code) {
+void add_corpus(Command& program) {
   auto folder = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("corpus", "List, check or count the corpus");
-  command->require_subcommand(1);
+  Command command = program.add_command("corpus", "List, check or count the corpus");
+  command.require_command();
   struct Verb {
     const char* name;
     const char* text;
@@ -89,9 +89,9 @@ void add_corpus(CLI::App& app, int& exit_code) {
   for (const Verb& verb : {Verb{"list", "the cases and what they are about", list},
                            Verb{"lint", "check every expectation against the reference", lint},
                            Verb{"stats", "version, hash and numbers of cases", stats}}) {
-    CLI::App* sub = command->add_subcommand(verb.name, verb.text);
-    sub->add_option("--corpus", *folder, "folder of the corpus (the checked-in one)");
-    sub->callback([folder, &exit_code, verb] { exit_code = verb.run(*folder); });
+    Command sub = command.add_command(verb.name, verb.text);
+    sub.option("--corpus", *folder, "folder of the corpus (the checked-in one)");
+    sub.run([folder, verb] { return verb.run(*folder); });
   }
 }
 

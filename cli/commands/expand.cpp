@@ -65,15 +65,14 @@ int expand(const ExpandOptions& options) {
 
 }  // namespace
 
-void add_expand(CLI::App& app, int& exit_code) {
+void add_expand(Command& program) {
   auto options = std::make_shared<ExpandOptions>();
-  CLI::App* command = app.add_subcommand("expand", "Write the motions of a program");
-  command->add_option("program", options->program, "NC program, or - for standard input")
-      ->required();
-  add_profile_options(*command, options->profile);
-  command->add_option("--format", options->format, "jsonl, table, ngc or svg")
-      ->check(CLI::IsMember({"jsonl", "table", "ngc", "svg"}));
-  command->callback([options, &exit_code] { exit_code = expand(*options); });
+  Command command = program.add_command("expand", "Write the motions of a program");
+  command.argument("program", options->program, "NC program, or - for standard input");
+  add_profile_options(command, options->profile);
+  command.choice("--format", options->format, {"jsonl", "table", "ngc", "svg"},
+                 "jsonl, table, ngc or svg");
+  command.run([options] { return expand(*options); });
 }
 
 }  // namespace gonogo::cli

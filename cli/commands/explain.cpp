@@ -14,10 +14,12 @@
 namespace gonogo::cli {
 namespace {
 
+constexpr long kMostLines = 1'000'000'000;
+
 struct ExplainOptions {
   std::string program;
   ProfileOptions profile;
-  std::uint64_t block = 0;
+  long block = 0;  // 0: all
 };
 
 // Lines of the program as the expander reads them, remembered for the text of the block.
@@ -88,7 +90,8 @@ int explain(const ExplainOptions& options) {
   int exit_code = kGo;
   while (const reference::Item* item = expander.next()) {
     if (auto* record = std::get_if<reference::Record>(item)) {
-      if (options.block != 0 && record->block != options.block) continue;
+      if (options.block != 0 && record->block != static_cast<std::uint64_t>(options.block))
+        continue;
       explanation.record(*record, output.text());
       output.flush_if_large();
     } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
@@ -107,15 +110,14 @@ int explain(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& app, int& exit_code) {
+void add_explain(Command& program) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command =
-      app.add_subcommand("explain", "Show each motion of a program with the clause it comes from");
-  command->add_option("program", options->program, "NC program, or - for standard input")
-      ->required();
-  add_profile_options(*command, options->profile);
-  command->add_option("--block", options->block, "only this line of the program");
-  command->callback([options, &exit_code] { exit_code = explain(*options); });
+  Command command =
+      program.add_command("explain", "Show each motion of a program with the clause it comes from");
+  command.argument("program", options->program, "NC program, or - for standard input");
+  add_profile_options(command, options->profile);
+  command.number("--block", options->block, 1, kMostLines, "only this line of the program");
+  command.run([options] { return explain(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -79,24 +79,21 @@ int run_export(const ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export(CLI::App& app, int& exit_code) {
+void add_export(Command& program) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      app.add_subcommand("export", "Write the corpus as programs for a real controller");
-  command->add_option("--corpus", arguments->corpus, "folder of the corpus (the checked-in one)");
-  command->add_option("--out", arguments->out, "new folder for the programs and manifest.json")
-      ->required();
-  command->add_option("--dialect", arguments->dialects, "only this dialect; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--only", arguments->only, "only ids that match the glob; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--envelope", arguments->envelope,
-                      "only paths inside X..X,Y..Y,Z..Z, mm, X of a lathe as a radius");
-  command->add_option("--feed-max", arguments->feed_max, "only feeds up to this, mm/min");
-  command->add_option("--header", arguments->header, "file with lines to put before each program");
-  command->add_flag("--all-profiles", arguments->all_profiles,
-                    "also cases that need the machine set up otherwise");
-  command->callback([arguments, &exit_code] { exit_code = run_export(*arguments); });
+  Command command =
+      program.add_command("export", "Write the corpus as programs for a real controller");
+  command.option("--corpus", arguments->corpus, "folder of the corpus (the checked-in one)");
+  command.needed_option("--out", arguments->out, "new folder for the programs and manifest.json");
+  command.repeated_option("--dialect", arguments->dialects, "only this dialect");
+  command.repeated_option("--only", arguments->only, "only ids that match the glob");
+  command.option("--envelope", arguments->envelope,
+                 "only paths inside X..X,Y..Y,Z..Z, mm, X of a lathe as a radius");
+  command.option("--feed-max", arguments->feed_max, "only feeds up to this, mm/min");
+  command.option("--header", arguments->header, "file with lines to put before each program");
+  command.flag("--all-profiles", arguments->all_profiles,
+               "also cases that need the machine set up otherwise");
+  command.run([arguments] { return run_export(*arguments); });
 }
 
 }  // namespace gonogo::cli

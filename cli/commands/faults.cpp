@@ -100,13 +100,13 @@ int faults(const FaultsOptions& options) {
 
 }  // namespace
 
-void add_faults(CLI::App& app, int& exit_code) {
+void add_faults(Command& program) {
   auto options = std::make_shared<FaultsOptions>();
-  CLI::App* command =
-      app.add_subcommand("faults", "Run every planted fault through the corpus: the kill matrix");
-  command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
-  command->add_flag("--list", options->list, "only name the faults and what they do");
-  command->callback([options, &exit_code] { exit_code = faults(*options); });
+  Command command =
+      program.add_command("faults", "Run every planted fault through the corpus: the kill matrix");
+  command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
+  command.flag("--list", options->list, "only name the faults and what they do");
+  command.run([options] { return faults(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -78,13 +78,12 @@ int host(const HostOptions& options) {
 
 }  // namespace
 
-void add_host(CLI::App& app, int& exit_code) {
+void add_host(Command& program) {
   auto options = std::make_shared<HostOptions>();
-  CLI::App* command = app.add_subcommand("host", "Run a shared library behind the pipe protocol");
-  command->add_option("library", options->library, "shared library with gonogo_get_subject")
-      ->required();
-  command->add_flag("--check", options->check, "only load it and print what it says of itself");
-  command->callback([options, &exit_code] { exit_code = host(*options); });
+  Command command = program.add_command("host", "Run a shared library behind the pipe protocol");
+  command.argument("library", options->library, "shared library with gonogo_get_subject");
+  command.flag("--check", options->check, "only load it and print what it says of itself");
+  command.run([options] { return host(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -101,18 +101,17 @@ int judge(const JudgeOptions& options) {
 
 }  // namespace
 
-void add_judge(CLI::App& app, int& exit_code) {
+void add_judge(Command& program) {
   auto options = std::make_shared<JudgeOptions>();
-  CLI::App* command = app.add_subcommand("judge", "Judge one recorded outcome of one program");
-  command->add_option("program", options->program, "NC program, or - for standard input")
-      ->required();
-  command->add_option("--trace", options->trace, "records as JSON lines, or - for standard input")
-      ->required();
-  command->add_option("--resolution", options->resolution,
-                      "what the trace's lengths were rounded to, mm, a decimal");
-  add_profile_options(*command, options->profile);
-  add_limit_options(*command, options->limits);
-  command->callback([options, &exit_code] { exit_code = judge(*options); });
+  Command command = program.add_command("judge", "Judge one recorded outcome of one program");
+  command.argument("program", options->program, "NC program, or - for standard input");
+  command.needed_option("--trace", options->trace,
+                        "records as JSON lines, or - for standard input");
+  command.option("--resolution", options->resolution,
+                 "what the trace's lengths were rounded to, mm, a decimal");
+  add_profile_options(command, options->profile);
+  add_limit_options(command, options->limits);
+  command.run([options] { return judge(*options); });
 }
 
 }  // namespace gonogo::cli

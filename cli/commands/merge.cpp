@@ -75,18 +75,15 @@ int merge(oracle::MergeOptions options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& exit_code) {
+void add_merge(Command& program) {
   auto options = std::make_shared<oracle::MergeOptions>();
-  CLI::App* command =
-      app.add_subcommand("merge", "Put the results of the shards of a run together");
-  command
-      ->add_option("results", options->results,
-                   "results.jsonl of each shard, or the folders that they are in")
-      ->required();
-  command->add_option("--out", options->out, "file, or folder for results.jsonl")->required();
-  command->add_flag("--partial", options->partial,
-                    "write what is there when shards are missing: an incomplete file");
-  command->callback([options, &exit_code] { exit_code = merge(*options); });
+  Command command = program.add_command("merge", "Put the results of the shards of a run together");
+  command.arguments("results", options->results,
+                    "results.jsonl of each shard, or the folders that they are in");
+  command.needed_option("--out", options->out, "file, or folder for results.jsonl");
+  command.flag("--partial", options->partial,
+               "write what is there when shards are missing: an incomplete file");
+  command.run([options] { return merge(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -133,12 +133,11 @@ int misbehave(const std::string& kind) {
 
 }  // namespace
 
-void add_misbehave(CLI::App& app, int& exit_code) {
+void add_misbehave(Command& program) {
   auto kind = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("misbehave", "A subject of the self-test");
-  command->group("");
-  command->add_option("kind", *kind)->required();
-  command->callback([kind, &exit_code] { exit_code = misbehave(*kind); });
+  Command command = program.add_hidden_command("misbehave", "A subject of the self-test");
+  command.argument("kind", *kind, "what is wrong with it");
+  command.run([kind] { return misbehave(*kind); });
 }
 
 }  // namespace gonogo::cli

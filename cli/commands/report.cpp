@@ -40,21 +40,20 @@ int report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& exit_code) {
+void add_report(Command& program) {
   auto options = std::make_shared<ReportOptions>();
   oracle::evidence::CertificateSources& sources = options->sources;
-  CLI::App* command =
-      app.add_subcommand("report", "Write the report folder or the certificate of a results file");
-  command->add_option("results", sources.results, "results.jsonl of a run")->required();
-  command->add_option("--out", options->out,
-                      "folder for HTML, JUnit, SARIF, badge, summary and programs (report)");
-  command->add_option("--certificate", options->certificate, "folder for a certificate");
-  command->add_option("--known-failures", sources.known_failures,
-                      "known-failures file of the run, for the certificate");
-  command->add_option("--alarm-map", sources.alarm_map,
-                      "alarm map of the run, for the certificate");
-  command->add_option("--profile", sources.profile, "profile of the run, for the certificate");
-  command->callback([options, &exit_code] { exit_code = report(*options); });
+  Command command =
+      program.add_command("report", "Write the report folder or the certificate of a results file");
+  command.argument("results", sources.results, "results.jsonl of a run");
+  command.option("--out", options->out,
+                 "folder for HTML, JUnit, SARIF, badge, summary and programs (report)");
+  command.option("--certificate", options->certificate, "folder for a certificate");
+  command.option("--known-failures", sources.known_failures,
+                 "known-failures file of the run, for the certificate");
+  command.option("--alarm-map", sources.alarm_map, "alarm map of the run, for the certificate");
+  command.option("--profile", sources.profile, "profile of the run, for the certificate");
+  command.run([options] { return report(*options); });
 }
 
 }  // namespace gonogo::cli

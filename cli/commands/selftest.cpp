@@ -98,10 +98,10 @@ int selftest() {
 
 }  // namespace
 
-void add_selftest(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand(
+void add_selftest(Command& program) {
+  Command command = program.add_command(
       "selftest", "Gauge the gauge: empty, alarming, crashing, hanging, ... subjects");
-  command->callback([&exit_code] { exit_code = selftest(); });
+  command.run([] { return selftest(); });
 }
 
 }  // namespace gonogo::cli

@@ -86,13 +86,13 @@ int spec(const SpecOptions& options) {
 
 }  // namespace
 
-void add_spec(CLI::App& app, int& exit_code) {
+void add_spec(Command& program) {
   auto options = std::make_shared<SpecOptions>();
-  CLI::App* command = app.add_subcommand("spec", "Print the clauses and readings of a dialect");
-  command->add_option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
-  command->add_flag("--features", options->features,
-                    "the words by which a subject declares what it has");
-  command->callback([options, &exit_code] { exit_code = spec(*options); });
+  Command command = program.add_command("spec", "Print the clauses and readings of a dialect");
+  command.option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
+  command.flag("--features", options->features,
+               "the words by which a subject declares what it has");
+  command.run([options] { return spec(*options); });
 }
 
 }  // namespace gonogo::cli

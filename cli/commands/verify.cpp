@@ -81,14 +81,14 @@ int verify(const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, int& exit_code) {
+void add_verify(Command& program) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = app.add_subcommand("verify", "Check a certificate");
-  command->add_option("folder", options->folder, "folder of the certificate")->required();
-  command->add_option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
-  command->add_option("--subject", options->subject,
-                      "run the campaign again with this subject and compare");
-  command->callback([options, &exit_code] { exit_code = verify(*options); });
+  Command command = program.add_command("verify", "Check a certificate");
+  command.argument("folder", options->folder, "folder of the certificate");
+  command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
+  command.option("--subject", options->subject,
+                 "run the campaign again with this subject and compare");
+  command.run([options] { return verify(*options); });
 }
 
 }  // namespace gonogo::cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <utility>
+
+#include "cli/exit_code.hpp"
+
+namespace gonogo::cli {
+
+Command Command::add_command(const std::string& name, const std::string& text) {
+  return {*app_->add_subcommand(name, text), *exit_code_};
+}
+
+Command Command::add_hidden_command(const std::string& name, const std::string& text) {
+  CLI::App* command = app_->add_subcommand(name, text);
+  command->group("");
+  return {*command, *exit_code_};
+}
+
+Command& Command::require_command() {
+  app_->require_subcommand(1);
+  return *this;
+}
+
+Command& Command::argument(const std::string& name, std::string& value, const std::string& text) {
+  app_->add_option(name, value, text)->required();
+  return *this;
+}
+
+Command& Command::arguments(const std::string& name, std::vector<std::string>& values,
+                            const std::string& text) {
+  app_->add_option(name, values, text)->required();
+  return *this;
+}
+
+Command& Command::option(const std::string& name, std::string& value, const std::string& text) {
+  app_->add_option(name, value, text);
+  return *this;
+}
+
+Command& Command::needed_option(const std::string& name, std::string& value,
+                                const std::string& text) {
+  app_->add_option(name, value, text)->required();
+  return *this;
+}
+
+Command& Command::repeated_option(const std::string& name, std::vector<std::string>& values,
+                                  const std::string& text) {
+  app_->add_option(name, values, text + "; may be repeated")->allow_extra_args(false);
+  return *this;
+}
+
+Command& Command::choice(const std::string& name, std::string& value,
+                         const std::vector<std::string>& of, const std::string& text) {
+  app_->add_option(name, value, text)->check(CLI::IsMember(of));
+  return *this;
+}
+
+Command& Command::number(const std::string& name, long& value, long low, long high,
+                         const std::string& text) {
+  app_->add_option(name, value, text)->check(CLI::Range(low, high));
+  return *this;
+}
+
+Command& Command::flag(const std::string& name, bool& value, const std::string& text) {
+  app_->add_flag(name, value, text);
+  return *this;
+}
+
+void Command::run(std::function<int()> action) {
+  app_->callback([action = std::move(action), exit_code = exit_code_] { *exit_code = action(); });
+}
+
+CommandLine::CommandLine(const std::string& name, const std::string& text,
+                         const std::string& version)
+    : app_(std::make_unique<CLI::App>(text, name)), exit_code_(kGo), program_(*app_, exit_code_) {
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+int CommandLine::parse(int argc, char** argv) {
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app_->exit(error) == 0 ? kGo : kWrongUse;
+  }
+  return exit_code_;
+}
+
+}  // namespace gonogo::cli

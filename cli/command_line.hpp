@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line of the program and of its commands. The parser's own header is large: only
+// command_line.cpp includes it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gonogo::cli {
+
+// A command and its words. The variables given must outlive the parse; a command keeps them in what
+// it gives to `run`. Every text is the line of the help.
+class Command {
+ public:
+  Command(CLI::App& app, int& exit_code) : app_(&app), exit_code_(&exit_code) {}
+
+  Command add_command(const std::string& name, const std::string& text);
+  // One that the help does not name.
+  Command add_hidden_command(const std::string& name, const std::string& text);
+  // One of its own commands has to be given.
+  Command& require_command();
+
+  // A word without a name, which is needed; `arguments`: one or more.
+  Command& argument(const std::string& name, std::string& value, const std::string& text);
+  Command& arguments(const std::string& name, std::vector<std::string>& values,
+                     const std::string& text);
+  // --name VALUE
+  Command& option(const std::string& name, std::string& value, const std::string& text);
+  Command& needed_option(const std::string& name, std::string& value, const std::string& text);
+  Command& repeated_option(const std::string& name, std::vector<std::string>& values,
+                           const std::string& text);
+  // One of a few words.
+  Command& choice(const std::string& name, std::string& value, const std::vector<std::string>& of,
+                  const std::string& text);
+  // A whole number in [low, high].
+  Command& number(const std::string& name, long& value, long low, long high,
+                  const std::string& text);
+  Command& flag(const std::string& name, bool& value, const std::string& text);
+
+  // What the command does when it is chosen; gives the exit code.
+  void run(std::function<int()> action);
+
+ private:
+  CLI::App* app_;
+  int* exit_code_;
+};
+
+// The whole program.
+class CommandLine {
+ public:
+  CommandLine(const std::string& name, const std::string& text, const std::string& version);
+  ~CommandLine();
+
+  Command& program() { return program_; }
+  // Runs the command that the words choose: its exit code. Says what is wrong with the words, and
+  // returns kWrongUse, where they choose none.
+  int parse(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  int exit_code_;
+  Command program_;
+};
+
+}  // namespace gonogo::cli
