@@ -2,24 +2,13 @@
 // Every planted fault of the expander of rs274 shows on the program that is meant for it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "harness.hpp"
+#include "fault_exhibit.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
-
-struct Exhibit {
-  const char* fault;
-  const char* program;
-  const char* want;  ///< what the faulty expander does, as Outcome::all() without its `end`
-};
-
-void PrintTo(const Exhibit& exhibit, std::ostream* out) {
-  *out << exhibit.fault;
-}
 
 // What each fault must lead to follows from its description and the program by hand.
 const Exhibit kExhibits[] = {
@@ -71,28 +60,13 @@ const Exhibit kExhibits[] = {
 class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
 
 TEST_P(PlantedNgcFault, Shows) {
-  const Exhibit& exhibit = GetParam();
-  Session sound("{}", {}, "ngc");
-  Session faulty("{}", exhibit.fault, "ngc");
-  std::string want = sound.run(exhibit.program).all();
-  std::string got = faulty.run(exhibit.program).all();
-  // Once more after a reset, without a feed of its own.
-  sound.reset();
-  faulty.reset();
-  want += sound.run("G1 Z1\n").all();
-  got += faulty.run("G1 Z1\n").all();
-  EXPECT_NE(got, want);
+  // After the reset without a feed of its own.
+  expect_shown(GetParam(), "ngc", "G1 Z1\n");
 }
 
 TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
   const Exhibit& exhibit = GetParam();
   EXPECT_EQ(run_ngc(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
-}
-
-std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
-  std::string name = exhibit.param.fault;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kExhibits), test_name);

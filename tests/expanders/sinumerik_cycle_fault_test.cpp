@@ -2,10 +2,10 @@
 // Every planted fault of frames and cycles shows on the program that is meant for it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "expanders/registry.hpp"
+#include "fault_exhibit.hpp"
 #include "sinumerik_motions.hpp"
 
 namespace gonogo::expanders::testing {
@@ -20,16 +20,6 @@ const std::string kPoint =
     "R125=0 ";
 // Two lines.
 const std::string kDrill = "G1 F9\nR101=5 R102=1 R104=-2 R105=3\n";
-
-struct Exhibit {
-  const char* fault;
-  std::string program;
-  const char* want;  ///< what the faulty expander does in blocks that move
-};
-
-void PrintTo(const Exhibit& exhibit, std::ostream* out) {
-  *out << exhibit.fault;
-}
 
 // What each fault must lead to follows from its description and the program by hand. With tool 1,
 // radius 5, a pocket of 12 x 12 leaves a square of half side 1, one of 14 x 14 of half side 2.
@@ -129,12 +119,6 @@ TEST_P(PlantedCycleFault, Shows) {
 TEST_P(PlantedCycleFault, IsTheOneThatItsNameSays) {
   const Exhibit& exhibit = GetParam();
   EXPECT_EQ(trace(run_sinumerik802s(exhibit.program, kTools, exhibit.fault)), exhibit.want);
-}
-
-std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
-  std::string name = exhibit.param.fault;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedCycleFault, ::testing::ValuesIn(kExhibits), test_name);

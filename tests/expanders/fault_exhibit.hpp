@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A planted fault with a program on which it shows, as the parameter of a test.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include "harness.hpp"
+
+namespace gonogo::expanders::testing {
+
+struct Exhibit {
+  const char* fault;
+  std::string program;
+  const char* want;  ///< what the faulty expander does, without its `end`
+};
+
+inline void PrintTo(const Exhibit& exhibit, std::ostream* out) {
+  *out << exhibit.fault;
+}
+
+inline std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
+  std::string name = exhibit.param.fault;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+/// That the expander with the fault does something else than without, in the program or in
+/// `after_reset`, which is run once more after a reset.
+inline void expect_shown(const Exhibit& exhibit, const char* expander, const char* after_reset) {
+  Session sound("{}", {}, expander);
+  Session faulty("{}", exhibit.fault, expander);
+  std::string want = sound.run(exhibit.program).all();
+  std::string got = faulty.run(exhibit.program).all();
+  sound.reset();
+  faulty.reset();
+  want += sound.run(after_reset).all();
+  got += faulty.run(after_reset).all();
+  EXPECT_NE(got, want);
+}
+
+}  // namespace gonogo::expanders::testing
