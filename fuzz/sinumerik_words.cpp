@@ -3,8 +3,10 @@
 // Values and words, and how they stand in the text.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <numbers>
+#include <string_view>
 
 #include "fuzz/sinumerik_writer.hpp"
 
@@ -278,8 +280,10 @@ std::string SinumerikWriter::printed(const std::string& word) {
   }
   const std::size_t bracket = text.find('(');
   if (bracket != std::string::npos && choices_.one_in(10)) text.insert(bracket + 1, " ");
-  // A name goes on with letters and digits.
-  const bool is_name = text.find_first_of("0123456789=") == std::string::npos;
+  // A name goes on with letters and digits: LCYC82, CFIN.
+  const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  const bool is_name = equals == std::string::npos &&
+                       std::ranges::all_of(std::string_view(text).substr(0, 2), is_letter);
   return is_name ? text + ' ' : text;
 }
 

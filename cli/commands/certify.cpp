@@ -21,6 +21,7 @@
 #include "cli/version.hpp"
 #include "expanders/registry.hpp"
 #include "oracle/campaign/results_writer.hpp"
+#include "oracle/campaign/trace_file.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/evidence/certificate.hpp"
 #include "oracle/evidence/evidence.hpp"
@@ -38,6 +39,7 @@ struct CertifyOptions {
   std::string corpus;
   std::string report;
   std::string certificate;
+  std::string traces;
   std::string profile;
   std::vector<std::string> readings;
   std::vector<std::string> only;
@@ -92,6 +94,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   campaign.dialects = options.dialects;
   campaign.only = options.only;
   campaign.case_id = options.case_id;
+  campaign.traces = options.traces;
   campaign.readings = options.readings;
   // Every reading must exist and admit its value in the dialect that it belongs to.
   for (const std::string& choice : options.readings) {
@@ -248,6 +251,7 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;
   try {
+    if (!options.traces.empty()) oracle::begin_traces(options.traces, info);
     oracle::ResultsWriter results = open_results(
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
@@ -303,6 +307,7 @@ int certify(const CertifyOptions& options) {
     if (!options.certificate.empty()) {
       own->certificate = fmt::format("{}/{}", options.certificate, name);
     }
+    if (!options.traces.empty()) own->traces = fmt::format("{}/{}", options.traces, name);
     const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;
   }
@@ -320,6 +325,8 @@ void add_certify(Command& program) {
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.option("--report", options->report, "folder for results and report (report)");
   command.option("--certificate", options->certificate, "folder for a certificate as well");
+  command.option("--traces", options->traces,
+                 "folder for what the subject sends for each case, as capture:DIR reads it");
   command.option("--profile", options->profile, "the machine's profile");
   command.repeated_option("--reading", options->readings, "one reading as key=value");
   command.repeated_option("--only", options->only, "only ids that match the glob");

@@ -68,7 +68,12 @@ void Run::finish_case(CaseResult result) {
     ++no_go_;
     if (options_.fail_fast) stopped_ = true;
   }
-  results_(result);
+  try {
+    results_(result);
+  } catch (...) {
+    stopped_ = true;  // before another worker gets the lock: nothing more can be written
+    throw;
+  }
   if (progress_) progress_(finished_, queue_.expected(), no_go_);
   if (stopped_) queue_.stop();
 }

@@ -33,6 +33,7 @@ struct CampaignOptions {
   Limits limits;
   std::vector<KnownFailure> known_failures;
   std::shared_ptr<const AlarmMap> alarm_map;  // null: the subject's classes are taken as they are
+  std::string traces;  // folder for what the subject sends for each case; empty: none
   // Cases whose results are there already, of a run that goes on; null: none.
   std::function<bool(std::string_view id)> is_done;
 

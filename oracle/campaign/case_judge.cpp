@@ -89,8 +89,15 @@ void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   }
 }
 
-CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test,
-                                  const JudgeTerms& terms) const {
+CaseJudge::Attempt CaseJudge::run_kept(Subject& subject, const Case& test,
+                                       const JudgeTerms& terms) const {
+  if (options_.traces.empty()) return run(subject, test, terms);
+  TraceFile trace(options_.traces, test.id);
+  return run(subject, test, terms, &trace);
+}
+
+CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const JudgeTerms& terms,
+                                  TraceFile* keep) const {
   Attempt attempt;
   try {
     JudgeSession session(test.profile, test.program, terms);
@@ -100,6 +107,7 @@ CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test,
       } else {
         attempt.whole = false;
       }
+      if (keep != nullptr) keep->record(record);
       return session.record(record);
     });
     if (attempt.end.kind == RunEnd::Kind::alarm && options_.alarm_map) {
@@ -110,7 +118,10 @@ CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test,
     }
     attempt.session = session.finish(attempt.end);
     interpret_skip(test, attempt);
+    if (keep != nullptr) keep->finish(attempt.end);
   } catch (const SubjectUnusable&) {
+    throw;
+  } catch (const ResultsUnwritable&) {
     throw;
   } catch (const std::exception& error) {
     attempt.session.verdict.kind = VerdictKind::oracle_error;
@@ -147,7 +158,7 @@ void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attem
   for (int i = 0; i < kTries; ++i) {
     Subject& subject = fresh_subject(test.profile);
     subject.set_run_limit(options_.limits.run * kTimeoutFactor);
-    Attempt again = run(subject, test, terms);
+    Attempt again = run_kept(subject, test, terms);
     subject.set_run_limit(options_.limits.run);
     ++result.attempts;
     if (again.session.verdict.kind == VerdictKind::timeout) continue;
@@ -188,7 +199,7 @@ CaseResult CaseJudge::judge(const Case& test) {
   prepare(test);
   const JudgeTerms terms =
       make_terms(subject_->info(), test.profile, options_.tolerance, options_.chord);
-  Attempt attempt = run(*subject_, test, terms);
+  Attempt attempt = run_kept(*subject_, test, terms);
   if (attempt.session.verdict.kind == VerdictKind::timeout) {
     confirm_timeout(test, terms, attempt, result);
   }

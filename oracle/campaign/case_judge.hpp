@@ -4,6 +4,7 @@
 #pragma once
 
 #include "oracle/campaign/campaign.hpp"
+#include "oracle/campaign/trace_file.hpp"
 #include "oracle/judge/judge_session.hpp"
 
 namespace gonogo::oracle {
@@ -27,7 +28,11 @@ class CaseJudge {
  private:
   struct Attempt;
   std::optional<std::string> undeclared_feature(const Case& test) const;
-  Attempt run(Subject& subject, const Case& test, const JudgeTerms& terms) const;
+  // `keep`: where what the subject sends goes besides; null: nowhere. Throws ResultsUnwritable.
+  Attempt run(Subject& subject, const Case& test, const JudgeTerms& terms,
+              TraceFile* keep = nullptr) const;
+  // The run whose outcome counts, kept as a trace when the campaign keeps them.
+  Attempt run_kept(Subject& subject, const Case& test, const JudgeTerms& terms) const;
   void interpret_skip(const Case& test, Attempt& attempt) const;
   void confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt, CaseResult& result);
   void confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,

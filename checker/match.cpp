@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checker/match.hpp"
+
+#include <algorithm>
+
+#include "checker/motion_match.hpp"
+#include "checker/profile.hpp"
+
+namespace gonogo::checker {
+namespace {
+
+std::string text(const Motion& motion) {
+  return text(motion.record);
+}
+
+class Match {
+ public:
+  Match(const Vector& vector, const Expectation& expectation, const Trace& trace,
+        const Terms& terms)
+      : vector_(vector),
+        expectation_(expectation),
+        trace_(trace),
+        terms_(terms),
+        want_(make_path(expectation.records, path_terms(true))),
+        got_(make_path(trace.records, path_terms(false))) {}
+
+  Finding find() {
+    const bool is_alarm = expectation_.ending == Expectation::Ending::alarm;
+    const bool at_load = is_alarm && alarms_at_load(vector_.profile) && got_.motions.empty() &&
+                         trace_.ending != TraceEnd::end;
+    if (at_load) return find_alarm();
+    if (Finding path = follow(0, 0); path.answer != Answer::fits) return path;
+    switch (expectation_.ending) {
+      case Expectation::Ending::not_covered:
+        return {};
+      case Expectation::Ending::alarm:
+        return find_alarm();
+      case Expectation::Ending::end:
+        return find_end();
+    }
+    return {};
+  }
+
+ private:
+  PathTerms path_terms(bool wanted) const {
+    PathTerms terms{initial_position(vector_.profile), terms_.tolerance,
+                    renaming_line(vector_.dialect, vector_.program)};
+    terms.keeps_short_arcs = !wanted;
+    if (wanted) {
+      terms.is_open = [this](const Record& record) {
+        return is_open_path(record, vector_.dialect, vector_.profile);
+      };
+    }
+    return terms;
+  }
+
+  // At motion `at` of what must come.
+  Finding departure(std::size_t at, const std::string& why) const {
+    const auto is_open = [&](std::size_t i) {
+      return i < want_.motions.size() && want_.motions[i].is_open;
+    };
+    if (is_open(at) || (at > 0 && is_open(at - 1))) return {Answer::undecided, kOpenPath};
+    if (want_.is_doubtful || got_.is_doubtful) {
+      return {Answer::undecided, "how motions are dropped and joined"};
+    }
+    return {Answer::departs, why};
+  }
+
+  // A motion that one side may have dropped.
+  bool is_short(const Motion& motion) const {
+    return agree(motion.from, motion.to, Real(3) * terms_.tolerance) != Truth::no &&
+           motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
+  }
+
+  // An arc so short that its ends agree: where nothing of it is wanted it is a nil motion.
+  bool is_short_arc(const Motion& motion) const {
+    const long turns = motion.record.rotation;
+    return motion.record.kind == RecordKind::arc && (turns == 1 || turns == -1) &&
+           agree(motion.from, motion.to, terms_.tolerance) == Truth::yes;
+  }
+  // Whether it is a whole turn in so many words.
+  static bool is_closed(const Motion& arc) {
+    const Plane& plane = arc.record.plane;
+    if (!arc.from[plane.first] || !arc.from[plane.second]) return true;
+    return distance2(plane, arc.from, arc.to).is_zero() != Truth::no;
+  }
+
+  // From motion `at` of what must come and motion `next` of the subject on.
+  Finding follow(std::size_t at, std::size_t next) {
+    std::optional<MotionMatch> current;
+    for (; next < got_.motions.size(); ++next) {
+      const Motion& got = got_.motions[next];
+      if (at == want_.motions.size()) {
+        if (expectation_.ending == Expectation::Ending::not_covered) return {};
+        return without_short(at, next, departure(at, "One motion too many: " + text(got) + "."));
+      }
+      const Motion& want = want_.motions[at];
+      if (!current) current.emplace(want, terms_);
+      const StepAnswer step = current->take(got);
+      if (step.step == Step::undecided) return {Answer::undecided, step.why};
+      if (step.step == Step::departs) {
+        const std::string where = "Record " + std::to_string(got.place) + ", " + step.why + ": ";
+        return without_short(at, next,
+                             departure(at, where + text(got) + " for " + text(want) + "."));
+      }
+      if (step.step == Step::part) continue;
+      ++at;
+      current.reset();
+    }
+    if (at == want_.motions.size()) return {};
+    return without_short(at, next,
+                         departure(at, "This motion is missing: " + text(want_.motions[at]) + "."));
+  }
+
+  // A motion about as short as the tolerance may have been dropped by one side and kept by the
+  // other. Where the departure is gone without such motions, whether it is one is not told.
+  Finding without_short(std::size_t at, std::size_t next, Finding departure) {
+    if (departure.answer != Answer::departs) return departure;
+    const Finding unknown{Answer::undecided, "a motion about as short as the tolerance"};
+    if (tries_ == 0) return unknown;
+    --tries_;
+    if (at < want_.motions.size() && is_short(want_.motions[at]) &&
+        follow(at + 1, next).answer != Answer::departs) {
+      return unknown;
+    }
+    if (next == got_.motions.size()) return departure;
+    const Motion& got = got_.motions[next];
+    const bool is_arc = is_short_arc(got);
+    if (!is_arc && !is_short(got)) return departure;
+    const Finding rest = follow(at, next + 1);
+    if (rest.answer == Answer::departs) return departure;
+    return is_arc && !is_closed(got) ? rest : unknown;
+  }
+
+  Finding find_alarm() const {
+    std::string wanted;
+    for (const ExpectedAlarm& alarm : expectation_.any_of) {
+      wanted += " " + alarm.kind + " in line " + std::to_string(alarm.block);
+    }
+    if (trace_.ending == TraceEnd::unknown) return {Answer::undecided, "the alarm is not kept"};
+    if (trace_.ending == TraceEnd::end)
+      return {Answer::departs, "The alarm is missing:" + wanted + "."};
+    if (trace_.alarm.kind.empty()) return {Answer::undecided, "an alarm without a class"};
+    const bool is_right = std::ranges::any_of(expectation_.any_of, [&](const auto& alarm) {
+      return alarm.kind == trace_.alarm.kind &&
+             (!terms_.has_blocks || alarm.block == trace_.alarm.block);
+    });
+    if (is_right) return find_functions(expectation_.any_of.front().block);
+    return {Answer::departs, "The alarm is " + trace_.alarm.kind + " in line " +
+                                 std::to_string(trace_.alarm.block) + " for" + wanted + "."};
+  }
+
+  Finding find_end() const {
+    if (trace_.ending == TraceEnd::unknown) return {Answer::undecided, "the ending is not kept"};
+    if (trace_.ending == TraceEnd::alarm) {
+      return {Answer::departs, "There is an alarm, " + trace_.alarm.kind + ", and none must come."};
+    }
+    if (trace_.end) {
+      const Truth ends = agree(expectation_.end, *trace_.end, terms_.tolerance);
+      if (ends == Truth::no) {
+        return {Answer::departs, "The end is at " + checker::text(*trace_.end) + ", not at " +
+                                     checker::text(expectation_.end) + "."};
+      }
+      if (ends == Truth::unknown) return {Answer::undecided, "the end may differ"};
+    }
+    return find_functions(0);
+  }
+
+  // The M functions in their order, up to the line of an alarm.
+  Finding find_functions(long alarm_block) const {
+    if (!terms_.has_functions) return {};
+    std::vector<Record> told;
+    for (const Record& function : got_.functions) {
+      const bool is_of_alarm = alarm_block != 0 && function.block >= alarm_block;
+      if (!is_of_alarm) told.push_back(function);
+    }
+    const bool same = std::ranges::equal(want_.functions, told, [&](const auto& x, const auto& y) {
+      return x.m == y.m && (!terms_.has_blocks || x.block == y.block);
+    });
+    if (same) return {};
+    return {Answer::departs,
+            "The M functions are not " + list(want_.functions) + " but " + list(told) + "."};
+  }
+
+  static std::string list(const std::vector<Record>& functions) {
+    std::string all;
+    for (const Record& function : functions) {
+      if (!all.empty()) all += ", ";
+      all += checker::text(function);
+    }
+    return all.empty() ? "none" : all;
+  }
+
+  const Vector& vector_;
+  const Expectation& expectation_;
+  const Trace& trace_;
+  const Terms& terms_;
+  Path want_;
+  Path got_;
+  int tries_ = 64;
+};
+
+}  // namespace
+
+Finding match(const Vector& vector, const Expectation& expectation, const Trace& trace,
+              const Terms& terms) {
+  return Match(vector, expectation, trace, terms).find();
+}
+
+}  // namespace gonogo::checker

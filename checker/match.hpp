@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a subject did against what must come: the rules of path, alarm and end, exactly.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/corpus.hpp"
+
+namespace gonogo::checker {
+
+// How a trace ends. `unknown`: a results file keeps records, but not how they ended.
+enum class TraceEnd { end, alarm, unknown };
+
+struct Trace {
+  std::vector<Record> records;  // without the record `end`
+  std::optional<Position> end;  // of the record `end`, which a subject may leave out
+  TraceEnd ending = TraceEnd::end;
+  Alarm alarm;
+};
+
+// What the subject declared, and the certifier set.
+struct Terms {
+  Real tolerance;                           // mm
+  std::optional<Rational> feed_resolution;  // feeds are rounded to it
+  bool is_binary64 = false;                 // feeds may be off by 2 ulp
+  bool has_blocks = true;                   // the records name source lines
+  bool has_functions = true;                // M functions are told
+};
+
+enum class Answer { fits, departs, undecided };
+
+struct Finding {
+  Answer answer = Answer::fits;
+  std::string why;  // a sentence, with the exact numbers; of `undecided`: the reason
+};
+
+// `why` of an undecided finding in a path that the manual leaves open.
+inline constexpr const char* kOpenPath = "the path is open: judged by what it clears";
+
+Finding match(const Vector& vector, const Expectation& expectation, const Trace& trace,
+              const Terms& terms);
+
+}  // namespace gonogo::checker

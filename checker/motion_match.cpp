@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checker/motion_match.hpp"
+
+#include <algorithm>
+
+namespace gonogo::checker {
+namespace {
+
+StepAnswer departs(std::string why) {
+  return {Step::departs, std::move(why)};
+}
+StepAnswer undecided(std::string why) {
+  return {Step::undecided, std::move(why)};
+}
+
+Rational floor_of(const Rational& value) {
+  mpz_class quotient;
+  mpz_fdiv_q(quotient.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
+  return Rational(quotient);
+}
+
+// The value of a binary64's last place, for a value that is not 0.
+Rational ulp_of(const Rational& value) {
+  const Rational size = abs(value);
+  long exponent = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
+                  static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
+  const auto two_to = [](long power) {
+    mpz_class scale = 1;
+    mpz_mul_2exp(scale.get_mpz_t(), scale.get_mpz_t(),
+                 static_cast<unsigned long>(power < 0 ? -power : power));
+    return power < 0 ? Rational(1, scale) : Rational(scale);
+  };
+  if (two_to(exponent) > size) --exponent;
+  return two_to(exponent - 52);
+}
+
+Real absolute(const Real& value) {
+  return value.is_negative() == Truth::yes ? -value : value;
+}
+
+Truth same_angle(const Real& want, const Real& got, const Real& tolerance) {
+  const Real difference = want - got;
+  const Rational turns = floor_of(Rational(difference.low() / 360 + Rational(1, 2)));
+  return within(difference, Real(Rational(turns * 360)), tolerance);
+}
+
+bool plane_near(const Motion& arc, const Real& reach) {
+  const Plane& plane = arc.record.plane;
+  return (within(*arc.from[plane.first], *arc.to[plane.first], reach) &&
+          within(*arc.from[plane.second], *arc.to[plane.second], reach)) != Truth::no;
+}
+
+}  // namespace
+
+Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
+  Truth answer = equal(want, got);
+  if (answer == Truth::yes) return answer;
+  if (terms.feed_resolution && *terms.feed_resolution > 0 && got.is_rational()) {
+    const Rational steps = got.low() / *terms.feed_resolution;
+    const Truth is_rounded = steps.get_den() != 1
+                                 ? Truth::no
+                                 : within(want, got, Real(Rational(*terms.feed_resolution / 2)));
+    answer = answer || is_rounded;
+  }
+  if (terms.is_binary64 && want.low() != 0) {
+    answer = answer || within(want, got, Real(Rational(2 * ulp_of(want.low()))));
+  }
+  return answer;
+}
+
+Truth root_at_most(const Real& x, const Real& y, const Real& t) {
+  // Squared: x - y - t^2 <= 2 t sqrt(y).
+  const Real rest = x - y - t * t;
+  return at_most(rest, 0) || at_most(rest * rest, Real(4) * t * t * y);
+}
+
+MotionMatch::MotionMatch(const Motion& want, const Terms& terms) : want_(want), terms_(terms) {}
+
+StepAnswer MotionMatch::answer(Truth done, const std::string& what) const {
+  if (done == Truth::yes) return {Step::done, {}};
+  return {done == Truth::no ? Step::departs : Step::undecided, what};
+}
+
+StepAnswer MotionMatch::take(const Motion& got) {
+  if (StepAnswer words = check_words(got); words.step != Step::done) return words;
+  switch (want_.record.kind) {
+    case RecordKind::rapid:
+      return take_rapid(got);
+    case RecordKind::feed:
+    case RecordKind::thread:
+      return take_line(got);
+    case RecordKind::arc:
+      return take_arc(got);
+    case RecordKind::arc3:
+      return take_arc3(got);
+    default:
+      return {};
+  }
+}
+
+StepAnswer MotionMatch::check_words(const Motion& got) const {
+  const Record& want = want_.record;
+  const Record& have = got.record;
+  const bool both_arcs = want.kind != have.kind &&
+                         (want.kind == RecordKind::arc || want.kind == RecordKind::arc3) &&
+                         (have.kind == RecordKind::arc || have.kind == RecordKind::arc3);
+  if (both_arcs) {
+    if (agree(want_.to, got.to, terms_.tolerance) == Truth::no) return departs("the ends differ");
+    return undecided("an arc is told in another form");
+  }
+  if (want.kind != have.kind) return departs("the kinds differ");
+  if (terms_.has_blocks && have.block == 0) return undecided("a record names no source line");
+  if (terms_.has_blocks && want.block != have.block) return departs("the source lines differ");
+  if (want.per_revolution != have.per_revolution) return departs("the units of the feeds differ");
+  Truth same = feed_agrees(want.feed, have.feed, terms_) &&
+               feed_agrees(want.lead, have.lead, terms_) &&
+               same_angle(want.start, have.start, terms_.tolerance);
+  if (same != Truth::yes) return answer(same, "feed, lead or start angle differ");
+  return answer(within(want.seconds, have.seconds, terms_.tolerance), "the times differ");
+}
+
+// Each axis runs toward its end, and no farther.
+StepAnswer MotionMatch::take_rapid(const Motion& got) const {
+  Truth allowed = Truth::yes;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!want_.from[axis] || !want_.to[axis] || !got.from[axis] || !got.to[axis]) continue;
+    Real way = *want_.to[axis] - *want_.from[axis];
+    Real step = *got.to[axis] - *got.from[axis];
+    Real beyond = *got.to[axis] - *want_.to[axis];
+    if (way.is_zero() == Truth::yes) {
+      allowed = allowed && within(beyond, 0, terms_.tolerance);
+      continue;
+    }
+    if (way.is_negative() == Truth::yes) {
+      step = -step;
+      beyond = -beyond;
+    }
+    allowed = allowed && at_most(-step, terms_.tolerance) && at_most(beyond, terms_.tolerance);
+  }
+  if (allowed != Truth::yes) return answer(allowed, "a traverse leaves the way to its end");
+  const Truth done = agree(want_.to, got.to, terms_.tolerance);
+  return done == Truth::no ? StepAnswer{Step::part, {}} : answer(done, "the ends may differ");
+}
+
+Truth MotionMatch::bounds_of(const Position& point, Bounds& bounds) const {
+  const Real& tolerance = terms_.tolerance;
+  Truth on_line = Truth::yes;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!want_.from[axis] || !want_.to[axis] || !point[axis]) continue;
+    const Real way = *want_.to[axis] - *want_.from[axis];
+    const Real along = *point[axis] - *want_.from[axis];
+    const auto before = (along - tolerance).over(way);
+    const auto after = (along + tolerance).over(way);
+    if (!before || !after) {  // the axis stands still, or moves less than can be told
+      on_line = on_line && within(along, 0, tolerance);
+      continue;
+    }
+    const bool forward = way.is_positive() == Truth::yes;
+    bounds.lower.push_back(forward ? *before : *after);
+    bounds.upper.push_back(forward ? *after : *before);
+  }
+  for (const Real& low : bounds.lower) {
+    for (const Real& high : bounds.upper) on_line = on_line && at_most(low, high);
+  }
+  return on_line;
+}
+
+// By more than the tolerance, from the farthest point so far.
+Truth MotionMatch::goes_back(const Bounds& bounds) const {
+  Truth forward = Truth::yes;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (!want_.from[axis] || !want_.to[axis]) continue;
+    const Real way = absolute(*want_.to[axis] - *want_.from[axis]);
+    for (const Real& low : passed_) {
+      for (const Real& high : bounds.upper) {
+        forward = forward && at_most((low - high) * way, terms_.tolerance);
+      }
+    }
+  }
+  return !forward;
+}
+
+StepAnswer MotionMatch::take_line(const Motion& got) {
+  // Whole for whole is what is nearly always there.
+  const Truth ends =
+      agree(want_.from, got.from, terms_.tolerance) && agree(want_.to, got.to, terms_.tolerance);
+  if (passed_.empty() && ends == Truth::yes) return {};
+  for (const Position* point : {&got.from, &got.to}) {
+    Bounds bounds;
+    const Truth on_line = bounds_of(*point, bounds);
+    if (on_line != Truth::yes) return answer(on_line, "a point is beside the line");
+    const Truth back = goes_back(bounds);
+    if (back != Truth::no) return answer(!back, "it goes back along the line");
+    passed_.insert(passed_.end(), bounds.lower.begin(), bounds.lower.end());
+  }
+  const Truth done = agree(want_.to, got.to, terms_.tolerance);
+  return done == Truth::no ? StepAnswer{Step::part, {}} : answer(done, "the ends may differ");
+}
+
+StepAnswer MotionMatch::take_arc(const Motion& got) {
+  const Record& want = want_.record;
+  const Record& have = got.record;
+  if (want.plane != have.plane) return departs("the planes differ");
+  if ((want.rotation < 0) != (have.rotation < 0)) return departs("the senses differ");
+  const Truth centres = agree(want.centre, have.centre, terms_.tolerance);
+  if (centres != Truth::yes) return answer(centres, "the centres differ");
+  const std::size_t first = want.plane.first;
+  const std::size_t second = want.plane.second;
+  const bool all_known =
+      want_.from[first] && want_.from[second] && got.from[first] && got.from[second];
+  if (!all_known) {
+    const Truth whole = agree(want_.to, got.to, terms_.tolerance);
+    if (whole == Truth::yes && want.rotation == have.rotation) return {};
+    return undecided("an arc begins at a place that is not known");
+  }
+  Motion so_far = got;
+  so_far.record.centre = want.centre;
+  if (piece_) {
+    const auto rotation = joined_rotation(*piece_, so_far);
+    if (!rotation) return undecided("an arc in pieces");
+    so_far.from = piece_->from;
+    so_far.record.rotation = *rotation;
+  }
+  StepAnswer so_far_answer = arc_so_far(so_far);
+  if (so_far_answer.step == Step::part) piece_ = std::move(so_far);
+  return so_far_answer;
+}
+
+StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
+  const Record& want = want_.record;
+  const Truth starts = agree(want_.from, so_far.from, terms_.tolerance);
+  if (starts != Truth::yes) return answer(starts, "the starts differ");
+  const Truth ends = agree(want_.to, so_far.to, terms_.tolerance);
+  if (ends == Truth::no) return part_of_arc(so_far);
+  if (ends == Truth::unknown) return undecided("the ends may differ");
+  const long wanted = want.rotation < 0 ? -want.rotation : want.rotation;
+  const long made = so_far.record.rotation < 0 ? -so_far.record.rotation : so_far.record.rotation;
+  const Real reach = Real(3) * terms_.tolerance;
+  if (!plane_near(want_, reach)) {
+    if (wanted == made) return {};
+    // Fewer turns may be the first of several pieces of a helix.
+    return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
+  }
+  // The ends are so near that rounding decides between the nil and the full last turn: the whole
+  // turns of the expectation are counted, and either is taken from the subject.
+  const Real side = cross(want.plane, want.centre, want_.from, want_.to) * Real(want.rotation);
+  const long turns = side.is_positive() == Truth::yes ? wanted - 1 : wanted;
+  if (turns == made || turns == made - 1) return {};
+  return turns > made ? undecided("a helix in pieces") : departs("the turns differ");
+}
+
+// The end differs: it may be a piece of the arc.
+StepAnswer MotionMatch::part_of_arc(const Motion& so_far) const {
+  const Record& want = want_.record;
+  const Plane& plane = want.plane;
+  const Real& tolerance = terms_.tolerance;
+  const Real there = distance2(plane, so_far.to, want.centre);
+  const Real radii[] = {distance2(plane, want_.from, want.centre),
+                        distance2(plane, want_.to, want.centre)};
+  // A box of the tolerance reaches no farther than twice it.
+  const Real far = Real(2) * tolerance;
+  const Truth outside = !root_at_most(there, radii[0], far) && !root_at_most(there, radii[1], far);
+  const Truth inside = !root_at_most(radii[0], there, far) && !root_at_most(radii[1], there, far);
+  if (outside == Truth::yes || inside == Truth::yes) return departs("the end is beside the arc");
+  Truth is_flat = Truth::yes;
+  for (const std::size_t axis : {plane.third, std::size_t{3}, std::size_t{4}}) {
+    if (!want_.from[axis] || !want_.to[axis]) continue;
+    is_flat = is_flat && equal(*want_.from[axis], *want_.to[axis]);
+    const Truth still = within(*so_far.to[axis], *want_.to[axis], tolerance);
+    if (is_flat == Truth::yes && still == Truth::no) return departs("the end is beside the arc");
+  }
+  const Truth plane_end = within(*so_far.to[plane.first], *want_.to[plane.first], tolerance) &&
+                          within(*so_far.to[plane.second], *want_.to[plane.second], tolerance);
+  if (plane_end == Truth::yes && so_far.record.rotation == want.rotation) {
+    return departs("the ends differ across the plane");
+  }
+  if (is_flat != Truth::yes) return undecided("a helix in pieces");
+  const Truth near =
+      (root_at_most(there, radii[0], tolerance) && root_at_most(radii[0], there, tolerance)) ||
+      (root_at_most(there, radii[1], tolerance) && root_at_most(radii[1], there, tolerance));
+  if (near != Truth::yes) return undecided("an arc in pieces, near the limit of the tolerance");
+  return {Step::part, "the ends differ"};
+}
+
+StepAnswer MotionMatch::take_arc3(const Motion& got) const {
+  const Truth ends =
+      agree(want_.from, got.from, terms_.tolerance) && agree(want_.to, got.to, terms_.tolerance);
+  if (ends != Truth::yes) return answer(ends, "the ends differ");
+  const Truth middle = agree(want_.record.via, got.record.via, terms_.tolerance);
+  if (middle == Truth::yes) return {};
+  return undecided("a circle in space through another point");
+}
+
+}  // namespace gonogo::checker

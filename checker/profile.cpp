@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checker/profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace gonogo::checker {
+namespace {
+
+using Choice = std::pair<std::string_view, std::string_view>;
+
+// `gonogo spec` prints the same.
+constexpr std::array kDefaults = {
+    Choice{"gsk.arc.tolerance-zero", "off"},
+    Choice{"gsk.arc.zero-radius", "alarm"},
+    Choice{"gsk.decimals", "keep"},
+    Choice{"gsk.duplicate", "alarm"},
+    Choice{"gsk.dwell-without-word", "alarm"},
+    Choice{"gsk.g50.initial-plane", "shifted"},
+    Choice{"gsk.g92.lead", "own"},
+    Choice{"gsk.g94.after-00", "stays"},
+    Choice{"gsk.g94.empty-block", "none"},
+    Choice{"gsk.g94.in-mode", "keep"},
+    Choice{"gsk.g94.rewrite", "keep"},
+    Choice{"gsk.helix.entry-side", "any"},
+    Choice{"gsk.helix.flat", "off"},
+    Choice{"gsk.helix.L", "per-block"},
+    Choice{"gsk.missing-axis", "skip"},
+    Choice{"gsk.pocket.end", "initial"},
+    Choice{"gsk.pocket.p-omitted", "0"},
+    Choice{"gsk.pocket.pair", "shared"},
+    Choice{"gsk.pocket.path", "any"},
+    Choice{"gsk.pocket.R", "per-block"},
+    Choice{"gsk.rotary-feed-inch", "scaled"},
+    Choice{"gsk.thread.direction", "alarm"},
+    Choice{"gsk.thread.k-range", "360"},
+    Choice{"gsk.thread.modal", "code"},
+    Choice{"gsk.thread.mode", "pairs"},
+    Choice{"gsk.thread.path", "any"},
+    Choice{"gsk.thread.r", "optional"},
+    Choice{"gsk.thread.runout", "any"},
+    Choice{"gsk.thread.v-from", "r-plane"},
+    Choice{"gsk.x-depth", "diameter"},
+    Choice{"gsk.zero-depth", "no-cut"},
+    Choice{"gsk.zero-depth-end", "initial"},
+    Choice{"hnc.arc.zero-radius", "alarm"},
+    Choice{"hnc.g75.depth-scale", "radius"},
+    Choice{"hnc.g75.end", "start"},
+    Choice{"hnc.g75.i", "I"},
+    Choice{"hnc.g75.mode3", "off"},
+    Choice{"hnc.g75.steps", "i-plus-1"},
+    Choice{"hnc.g82.e-scale", "radius"},
+    Choice{"hnc.g82.exit", "rapid"},
+    Choice{"hnc.g82.starts", "all"},
+    Choice{"hnc.lead.unit", "mm"},
+    Choice{"hnc.missing-axis", "reject"},
+    Choice{"hnc.modal.f", "feed"},
+    Choice{"hnc.offset.initial", "G54"},
+    Choice{"hnc.peck.clamp", "none"},
+    Choice{"hnc.peck.from", "last-bottom"},
+    Choice{"hnc.peck.withdraw", "rapid"},
+    Choice{"ngc.arc-tolerance", "nist"},
+    Choice{"ngc.full-circle-words", "free"},
+    Choice{"sie.arc.correct", "any"},
+    Choice{"sie.corner", "clamp"},
+    Choice{"sie.cr.tolerance", "0"},
+    Choice{"sie.finish.levels", "any"},
+    Choice{"sie.g158", "absolute"},
+    Choice{"sie.g258", "absolute"},
+    Choice{"sie.g70.f", "mm"},
+    Choice{"sie.infeed", "any"},
+    Choice{"sie.infeed-from", "any"},
+    Choice{"sie.initial-motion", "g1"},
+    Choice{"sie.pocket.path", "any"},
+    Choice{"sie.rpl-equals", "lenient"},
+    Choice{"sie.spindle", "off"},
+};
+
+const Json* inner(const Json& profile, std::string_view object, std::string_view key) {
+  const Json* found = profile.find(object);
+  return found == nullptr ? nullptr : found->find(key);
+}
+
+// The code of a G word at `at`, which stands behind the letter; 0: none. `G50.1` is another code.
+long code_at(std::string_view line, std::size_t at) {
+  while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
+  long code = 0;
+  std::size_t digits = 0;
+  for (; at < line.size() && line[at] >= '0' && line[at] <= '9' && digits < 6; ++at, ++digits) {
+    code = code * 10 + (line[at] - '0');
+  }
+  return digits == 0 || (at < line.size() && line[at] == '.') ? 0 : code;
+}
+
+}  // namespace
+
+std::optional<std::string_view> default_reading(std::string_view key) {
+  const auto found = std::ranges::find(kDefaults, key, &Choice::first);
+  if (found == kDefaults.end()) return std::nullopt;
+  return found->second;
+}
+
+std::string reading(const Json& profile, std::string_view key) {
+  if (const Json* said = inner(profile, "readings", key)) return said->text;
+  const auto otherwise = default_reading(key);
+  if (!otherwise) throw Fault("The reading " + std::string(key) + " is unknown.");
+  return std::string(*otherwise);
+}
+
+bool is_admissible(const Readings& when, const Json& profile) {
+  return std::ranges::all_of(when, [&](const auto& choice) {
+    const std::string in_force = reading(profile, choice.first);
+    return in_force == "any" || in_force == choice.second;
+  });
+}
+
+Rational resolution(std::string_view dialect, const Json& profile) {
+  if (const Json* said = profile.find("resolution")) return parse_rational(said->text);
+  if (dialect == "rs274") return Rational(1, 10000);
+  const Json* increment = profile.find("increment");
+  const bool is_fine = dialect == "gsk988ta" && increment != nullptr && increment->text == "ISC";
+  return Rational(1, is_fine ? 10000 : 1000);
+}
+
+Rational parameter(const Json& profile, std::string_view name, const Rational& otherwise) {
+  const Json* said = inner(profile, "parameters", name);
+  return said == nullptr ? otherwise : parse_rational(said->text);
+}
+
+Position initial_position(const Json& profile) {
+  Position position;
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    const Json* said = inner(profile, "initial", kAxisNames.substr(axis, 1));
+    position[axis] = said == nullptr ? Real() : Real(parse_rational(said->text));
+  }
+  return position;
+}
+
+bool alarms_at_load(const Json& profile) {
+  const Json* timing = profile.find("alarm_timing");
+  return timing != nullptr && timing->text == "program";
+}
+
+bool is_open_path(const Record& record, std::string_view dialect, const Json& profile) {
+  const std::string_view clause = record.clause;
+  if (clause.starts_with("SIE-LC75-")) return true;
+  if (dialect != "gsk988ta") return false;
+  if (clause == "GSK-G110-09") return reading(profile, "gsk.pocket.path") == "any";
+  if (clause == "GSK-G112-04" || clause == "GSK-G112-05" || clause == "GSK-G112-06") {
+    return reading(profile, "gsk.helix.entry-side") == "any";
+  }
+  if (clause == "GSK-G114-06" || clause == "GSK-G114-11") {
+    return reading(profile, "gsk.thread.path") == "any" ||
+           reading(profile, "gsk.thread.runout") == "any";
+  }
+  return false;
+}
+
+long line_count(std::string_view program) {
+  long lines = 0;
+  for (std::size_t at = 0; at < program.size();) {
+    ++lines;
+    at = program.find_first_of("\r\n", at);
+    if (at == std::string_view::npos) break;
+    at += program.substr(at, 2) == "\r\n" ? 2U : 1U;
+  }
+  return lines;
+}
+
+long line_of_code(std::string_view program, long code) {
+  long line = 1;
+  for (std::size_t at = 0; at < program.size(); ++at) {
+    const char c = program[at];
+    if (c == '\n' || c == '\r') {
+      if (program.substr(at, 2) == "\r\n") ++at;
+      ++line;
+    } else if ((c == 'G' || c == 'g') && code_at(program, at + 1) == code) {
+      return line;
+    }
+  }
+  return 0;
+}
+
+long renaming_line(std::string_view dialect, std::string_view program) {
+  if (dialect == "gsk988ta") return line_of_code(program, 50);
+  return dialect == "hnc21t" ? line_of_code(program, 92) : 0;
+}
+
+}  // namespace gonogo::checker

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checker/results.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace gonogo::checker {
+namespace {
+
+constexpr std::array<std::string_view, 5> kGo = {"pass-exact", "pass-rounded", "pass-tolerance",
+                                                 "skip", "xfail"};
+constexpr std::array<std::string_view, 17> kNoGo = {"fail.geometry",
+                                                    "fail.order",
+                                                    "fail.feed",
+                                                    "fail.region",
+                                                    "fail.reading",
+                                                    "fail.overrun",
+                                                    "fail.alarm-missing",
+                                                    "fail.alarm-spurious",
+                                                    "fail.alarm-class",
+                                                    "fail.alarm-late",
+                                                    "state-leak",
+                                                    "crash",
+                                                    "timeout",
+                                                    "out-of-memory",
+                                                    "protocol",
+                                                    "unmapped-alarm",
+                                                    "xpass"};
+constexpr std::array<std::string_view, 2> kUndecided = {"oracle-gap", "oracle-error"};
+
+}  // namespace
+
+std::optional<Decision> decision_of(std::string_view verdict) {
+  const auto is_in = [&](const auto& names) {
+    return std::ranges::find(names, verdict) != names.end();
+  };
+  if (is_in(kGo)) return Decision::go;
+  if (is_in(kNoGo)) return Decision::no_go;
+  if (is_in(kUndecided)) return Decision::undecided;
+  return std::nullopt;
+}
+
+ResultsFile::ResultsFile(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary) {
+  if (!in_) throw Fault(path_ + " cannot be opened.");
+  if (!read_line()) throw Fault(path_ + " is empty: a results file begins with its header.");
+  header_ = parse_json(text_);
+  if (header_.integer_of("format") != 1) throw Fault(path_ + " is of another format than 1.");
+}
+
+void ResultsFile::fault(const std::string& sentence) {
+  faults_.push_back("line " + std::to_string(number_) + ": " + sentence);
+}
+
+bool ResultsFile::read_line() {
+  if (!std::getline(in_, text_)) return false;
+  ++number_;
+  if (in_.eof()) fault("The line has no end: the file is cut off.");
+  return true;
+}
+
+bool ResultsFile::next(Json& line) {
+  if (footer_ || !read_line()) return false;
+  try {
+    line = parse_json(text_);
+    if (line.find("id") == nullptr && line.find("totals") != nullptr) {
+      footer_ = line;
+      check_footer();
+      if (read_line()) fault("A line follows the footer.");
+      return false;
+    }
+    note_case(line);
+    return true;
+  } catch (const Fault& wrong) {
+    throw Fault(path_ + ", line " + std::to_string(number_) + ": " + wrong.what());
+  }
+}
+
+void ResultsFile::note_case(const Json& line) {
+  const std::string& id = line.text_of("id");
+  if (cases_ > 0 && id == last_id_) fault("The case " + id + " is there a second time.");
+  if (cases_ > 0 && id < last_id_) fault("The case " + id + " is not in the order of ids.");
+  last_id_ = id;
+  ++cases_;
+  const std::string& verdict = line.text_of("verdict");
+  const auto decision = decision_of(verdict);
+  if (!decision) fault("The verdict " + verdict + " is unknown.");
+  ++totals_[verdict];
+  bool& judged = judged_[line.text_of("dialect")];
+  judged = judged || (verdict != "skip" && decision != Decision::undecided);
+  if (decision == Decision::undecided) {
+    unexpected_gap_ =
+        unexpected_gap_ || verdict == "oracle-error" || line.find("expected") == nullptr;
+  }
+  // The hash is over the line as it stands, without these two members.
+  std::string hashed = "{";
+  for (std::size_t i = 0; i < line.members.size(); ++i) {
+    const auto& [key, value] = line.members[i];
+    if (key == "us" || key == "attempts") continue;
+    if (hashed.size() > 1) hashed += ',';
+    hashed += '"' + key + "\":" + text_.substr(value.begin, value.end - value.begin);
+  }
+  hash_.update(hashed + "}\n");
+}
+
+void ResultsFile::check_footer() {
+  const std::string& stated = footer_->text_of("sha256");
+  const std::string hash = hash_.hex();
+  if (stated != hash) {
+    fault("The footer says that the case lines have the SHA-256 " + stated + "; they have " + hash +
+          ".");
+  }
+  std::map<std::string, std::size_t> totals;
+  for (const auto& [verdict, count] : footer_->member("totals", Json::Kind::object).members) {
+    totals[verdict] = static_cast<std::size_t>(count.integer());
+  }
+  if (totals != totals_) fault("The totals of the footer are not those of the lines.");
+  std::size_t judged = 0;
+  for (const auto& [verdict, count] : totals_) {
+    if (verdict != "skip" && decision_of(verdict) != Decision::undecided) judged += count;
+  }
+  if (static_cast<std::size_t>(footer_->integer_of("judged")) != judged) {
+    fault("The footer counts another number of judged cases than the lines have.");
+  }
+  if (const Json* cases = footer_->find("cases");
+      cases != nullptr && static_cast<std::size_t>(cases->integer()) != cases_) {
+    fault("The footer counts another number of cases than the file has.");
+  }
+  check_decision();
+}
+
+void ResultsFile::check_decision() {
+  const bool no_go = std::ranges::any_of(
+      totals_, [](const auto& total) { return decision_of(total.first) == Decision::no_go; });
+  const Json* stale = footer_->find("stale");
+  const bool is_stale = stale != nullptr && !stale->items.empty();
+  const bool unjudged =
+      std::ranges::any_of(judged_, [](const auto& dialect) { return !dialect.second; });
+  const std::string_view decision = no_go || is_stale             ? "NO-GO"
+                                    : unjudged || unexpected_gap_ ? "UNDECIDED"
+                                                                  : "GO";
+  if (footer_->text_of("decision") != decision) {
+    fault("The footer decides " + footer_->text_of("decision") + "; the lines make it " +
+          std::string(decision) + ".");
+  }
+}
+
+}  // namespace gonogo::checker

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checker/trace.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "checker/profile.hpp"
+
+namespace gonogo::checker {
+namespace {
+
+bool is_alarm(const Json& value) {
+  return value.text_of("k") == "alarm";
+}
+
+void take(const Json& value, Trace& trace) {
+  if (trace.end) throw Fault("A record follows the end.");
+  Record record = read_record(value);
+  if (record.kind == RecordKind::end) {
+    trace.end = record.to;
+  } else {
+    trace.records.push_back(std::move(record));
+  }
+}
+
+std::optional<Rational> declared(const Json& numeric, std::string_view key) {
+  const Json* found = numeric.find(key);
+  if (found == nullptr) return std::nullopt;
+  return parse_rational(found->text);
+}
+
+bool lists(const Json& subject, std::string_view feature) {
+  const Json* features = subject.find("features");
+  if (features == nullptr) return false;
+  for (const std::string& name : features->texts()) {
+    if (name == feature) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Terms terms_of(const Json& header, std::string_view dialect, const Json& profile) {
+  const Json& subject = header.member("subject", Json::Kind::object);
+  const Json none;
+  const Json* found = subject.find("numeric");
+  const Json& numeric = found == nullptr ? none : *found;
+  Terms terms;
+  Rational tolerance = resolution(dialect, profile);
+  if (const auto own = declared(numeric, "resolution"); own && *own < tolerance) tolerance = *own;
+  const Json* set = header.find("tolerance");
+  if (set != nullptr && set->is(Json::Kind::text)) tolerance = parse_rational(set->text);
+  terms.tolerance = tolerance;
+  terms.feed_resolution = declared(numeric, "feed_resolution");
+  const Json* kind = numeric.find("kind");
+  terms.is_binary64 = kind != nullptr && kind->text == "binary64";
+  terms.has_blocks = lists(subject, "blocks");
+  terms.has_functions = lists(subject, "m");
+  return terms;
+}
+
+std::optional<Trace> read_trace_file(const std::string& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Fault(path + " cannot be opened.");
+  Trace trace;
+  std::string line;
+  for (std::size_t number = 1; std::getline(file, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      if (trace.ending == TraceEnd::alarm) throw Fault("A line follows the alarm.");
+      const Json value = parse_json(line);
+      if (is_alarm(value)) {
+        trace.ending = TraceEnd::alarm;
+        trace.alarm = read_alarm(value);
+      } else {
+        take(value, trace);
+      }
+    } catch (const Fault& fault) {
+      throw Fault(path + ", line " + std::to_string(number) + ": " + fault.what());
+    }
+  }
+  return trace;
+}
+
+Trace trace_of_line(const Json& line) {
+  Trace trace;
+  trace.ending = TraceEnd::unknown;
+  for (const Json& value : line.member("trace", Json::Kind::list).items) take(value, trace);
+  const Json* got = line.find("got");
+  if (got == nullptr || !got->text.starts_with("{\"k\":\"alarm\"")) return trace;
+  trace.ending = TraceEnd::alarm;
+  trace.alarm = read_alarm(parse_json(got->text));
+  return trace;
+}
+
+}  // namespace gonogo::checker

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Results and traces that are broken in one way each.
+#include <gtest/gtest.h>
+
+#include "tests/checker/workshop.hpp"
+
+namespace gonogo::checker {
+namespace {
+
+const std::string kLine = "tiny.line.000001";
+const std::string kArc = "tiny.arc.000001";
+const std::string kAlarm = "tiny.alarm.000001";
+
+void expect_said(Workshop& shop, int exit_code, const std::string& sentence) {
+  const Said said = shop.check_verdicts();
+  EXPECT_EQ(said.exit_code, exit_code) << said.text;
+  EXPECT_NE(said.text.find(sentence), std::string::npos) << said.text;
+}
+
+void expect_differs(const std::string& id, const std::string& from, const std::string& to,
+                    const std::string& sentence) {
+  Workshop shop;
+  shop.change_trace(id, from, to);
+  expect_said(shop, 1, "differs  " + id + ": The file says pass-exact; derived: NO-GO. ");
+  expect_said(shop, 1, sentence);
+}
+
+TEST(CheckerVerdicts, WhatIsWholeAgrees) {
+  Workshop shop;
+  expect_said(shop, 0, "3 cases: 3 verdicts derived again (3 GO, 0 NO-GO, 0 not covered)");
+}
+
+TEST(CheckerVerdicts, AGoThatIsNoneIsNoticed) {
+  expect_differs(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0011"},"f")", "the line");
+}
+
+TEST(CheckerVerdicts, WithinTheToleranceIsNoDeparture) {
+  Workshop shop;
+  // rs274 has the resolution 0.0001, which is smaller than the declared 0.001.
+  shop.change_trace(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0001"},"f")");
+  expect_said(shop, 0, "3 verdicts derived again");
+}
+
+TEST(CheckerVerdicts, OneUnitBeyondTheToleranceIsADeparture) {
+  expect_differs(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.00010000001"},"f")", "Record 1");
+}
+
+TEST(CheckerVerdicts, ANoGoThatIsNoneIsNoticed) {
+  Workshop shop;
+  shop.set_verdict(kLine, "fail.geometry");
+  expect_said(shop, 1, "differs  " + kLine + ": The file says fail.geometry; derived: GO.");
+}
+
+TEST(CheckerVerdicts, ANoGoThatIsOneAgrees) {
+  Workshop shop;
+  shop.change_trace(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+  shop.set_verdict(kLine, "fail.geometry");
+  expect_said(shop, 0, "3 verdicts derived again (2 GO, 1 NO-GO, 0 not covered)");
+}
+
+TEST(CheckerVerdicts, AFeedOffByOneInTheLastPlaceIsADeparture) {
+  expect_differs(kLine, R"("f":"100")", R"("f":"100.000000001")", "feed");
+}
+
+TEST(CheckerVerdicts, AFeedThatIsRoundedAsDeclaredIsNone) {
+  Workshop shop;
+  shop.change_vectors(R"("f":"100"})", R"("f":"100.04"})");
+  shop.change_results(R"("resolution":"0.001")", R"("resolution":"0.001","feed_resolution":"0.1")");
+  expect_said(shop, 0, "3 verdicts derived again");
+}
+
+TEST(CheckerVerdicts, AFeedThatIsRoundedTheOtherWayIsADeparture) {
+  Workshop shop;
+  shop.change_vectors(R"("f":"100"})", R"("f":"100.06"})");
+  shop.change_results(R"("resolution":"0.001")", R"("resolution":"0.001","feed_resolution":"0.1")");
+  expect_said(shop, 1, "differs  " + kLine);
+}
+
+TEST(CheckerVerdicts, AnAlarmOneLineLateIsNoticed) {
+  expect_differs(kAlarm, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)",
+                 "The alarm is feed-missing in line 3 for feed-missing in line 2.");
+}
+
+TEST(CheckerVerdicts, AnAlarmOfAnotherClassIsNoticed) {
+  expect_differs(kAlarm, "feed-missing", "arc-radius", "The alarm is arc-radius");
+}
+
+TEST(CheckerVerdicts, AnAlarmThatIsMissingIsNoticed) {
+  expect_differs(kAlarm, R"({"k":"alarm","b":2,"class":"feed-missing"})", "",
+                 "The alarm is missing");
+}
+
+TEST(CheckerVerdicts, MotionOfTheAlarmsLineIsNoticed) {
+  expect_differs(kAlarm, R"({"k":"alarm")",
+                 R"({"k":"feed","b":2,"to":{"y":"2"},"f":"1"})"
+                 "\n"
+                 R"({"k":"alarm")",
+                 "One motion too many");
+}
+
+TEST(CheckerVerdicts, AnAlarmWhereNoneMustComeIsNoticed) {
+  expect_differs(kArc, R"("f":"50"})",
+                 R"("f":"50"})"
+                 "\n"
+                 R"({"k":"alarm","b":2,"class":"arc-radius"})",
+                 "none must come");
+}
+
+TEST(CheckerVerdicts, AnArcTheOtherWayIsNoticed) {
+  expect_differs(kArc, R"("rot":-1)", R"("rot":1)", "the senses differ");
+}
+
+TEST(CheckerVerdicts, AnArcWithATurnTooManyIsNoticed) {
+  expect_differs(kArc, R"("rot":-1)", R"("rot":-2)", "the turns differ");
+}
+
+TEST(CheckerVerdicts, ACentreThatIsOffIsNoticed) {
+  expect_differs(kArc, R"("c":{"x":"0","y":"0"})", R"("c":{"x":"0.01","y":"0"})",
+                 "the centres differ");
+}
+
+TEST(CheckerVerdicts, AMotionOfAnotherLineIsNoticed) {
+  expect_differs(kLine, R"({"k":"feed","b":2)", R"({"k":"feed","b":1)", "source lines differ");
+}
+
+TEST(CheckerVerdicts, ATraverseForACutIsNoticed) {
+  expect_differs(kLine, R"({"k":"rapid","b":1,"to":{"x":"1"}})",
+                 R"({"k":"feed","b":1,"to":{"x":"1"},"f":"100"})", "the kinds differ");
+}
+
+TEST(CheckerVerdicts, AnMFunctionThatIsMissingIsNoticed) {
+  expect_differs(kLine, R"({"k":"m","b":3,"m":3})", "", "The M functions are not");
+}
+
+TEST(CheckerVerdicts, AnEndElsewhereIsNoticed) {
+  expect_differs(kLine, R"("to":{"x":"1","y":"2"}})", R"("to":{"x":"1","y":"3"}})",
+                 "The end is at");
+}
+
+TEST(CheckerVerdicts, AMotionThatIsMissingIsNoticed) {
+  expect_differs(kArc, R"({"k":"rapid","b":1,"to":{"x":"10"}})", "", "the kinds differ");
+}
+
+TEST(CheckerVerdicts, AHashThatIsNotThatOfTheLinesIsNoticed) {
+  Workshop shop;
+  shop.change_results(R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny")",
+                      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tinx")");
+  expect_said(shop, 1, "the case lines have the SHA-256");
+}
+
+TEST(CheckerVerdicts, TimesAreNotHashed) {
+  Workshop shop;
+  shop.change_results(
+      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","clauses":[],"verdict":"pass-exact","us":17)",
+      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","clauses":[],"verdict":"pass-exact","us":99)");
+  expect_said(shop, 0, "3 verdicts derived again");
+}
+
+TEST(CheckerVerdicts, ACaseThatIsMissingIsNoticed) {
+  Workshop shop;
+  shop.drop_line(kArc);
+  expect_said(shop, 3, "1 cases that were asked for are not there, " + kArc);
+}
+
+TEST(CheckerVerdicts, ACaseThatTheCorpusDoesNotHaveIsNoticed) {
+  Workshop shop;
+  shop.change_lines("tiny.arc.000001", "tiny.arc.000002");
+  expect_said(shop, 1, "The corpus has no such case.");
+}
+
+TEST(CheckerVerdicts, TotalsThatAreNotThoseOfTheLinesAreNoticed) {
+  Workshop shop;
+  shop.change_results(R"("pass-exact":3)", R"("pass-exact":4)");
+  expect_said(shop, 1, "The totals of the footer");
+}
+
+TEST(CheckerVerdicts, ADecisionThatTheLinesDoNotMakeIsNoticed) {
+  Workshop shop;
+  shop.change_results(R"("decision":"GO")", R"("decision":"NO-GO")");
+  expect_said(shop, 1, "the lines make it GO");
+}
+
+TEST(CheckerVerdicts, AFileWithoutItsFooterIsIncomplete) {
+  Workshop shop;
+  shop.change_results(R"({"decision":)", R"({"id":"z","decision":)");
+  EXPECT_EQ(shop.check_verdicts().exit_code, 2);
+}
+
+TEST(CheckerVerdicts, AnotherCorpusIsNoticed) {
+  Workshop shop;
+  shop.change_results(R"("corpus":{"version":"2026.1.0","sha256":")",
+                      R"("corpus":{"version":"2026.1.0","sha256":"0)");
+  expect_said(shop, 1, "another corpus");
+}
+
+TEST(CheckerVerdicts, ALineUnderAnotherProfileIsNoticed) {
+  Workshop shop;
+  shop.change_lines(R"("id":"tiny.arc.000001","dialect":"rs274",)",
+                    R"("id":"tiny.arc.000001","dialect":"rs274","profile":{"units":"inch"},)");
+  expect_said(shop, 1, "under another profile");
+}
+
+TEST(CheckerVerdicts, ATraceThatIsNoneIsNoticed) {
+  Workshop shop;
+  shop.set_trace(kArc, R"({"k":"rapid","b":1,"to":{"x":10}})");
+  expect_said(shop, 1, "stands in quotes");
+}
+
+TEST(CheckerVerdicts, AKnownFailureMustFail) {
+  Workshop shop;
+  shop.set_verdict(kLine, "xfail");
+  expect_said(shop, 1, "differs  " + kLine + ": The file says xfail; derived: GO.");
+}
+
+TEST(CheckerVerdicts, ASkippedCaseIsLeftOutWithItsReason) {
+  Workshop shop;
+  shop.set_verdict(kLine, "skip");
+  expect_said(shop, 0, "1  skipped: the subject was not asked");
+}
+
+TEST(CheckerVerdicts, WithoutLineNumbersAnAlarmIsJudgedByItsClass) {
+  Workshop shop;
+  shop.change_results(R"("features":["blocks","m"])", R"("features":["m"])");
+  shop.change_trace(kAlarm, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)");
+  expect_said(shop, 0, "3 verdicts derived again");
+}
+
+}  // namespace
+}  // namespace gonogo::checker
