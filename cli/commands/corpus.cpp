@@ -1,25 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo corpus: what the corpus holds, and whether every case in it still says what the reference
-// says.
+// gonogo corpus: what a corpus holds, whether it keeps its promises, what differs between two, and
+// a part of one as a corpus of its own.
 #include <fmt/format.h>
+#include <fnmatch.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
-#include "oracle/corpus/corpus.hpp"
-#include "oracle/corpus/recheck.hpp"
+#include "cli/program_file.hpp"
+#include "fuzz/cover/cases.hpp"
+#include "oracle/corpus/corpus_diff.hpp"
+#include "oracle/corpus/folder_writer.hpp"
+#include "oracle/corpus/lint.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-int list(const std::string& folder) {
-  const oracle::Corpus corpus(corpus_folder(folder));
+using fuzz::cover::Making;
+using oracle::Case;
+
+// Which cases are meant; empty lists choose all.
+struct Choice {
+  std::vector<std::string> only;  // globs over ids
+  std::vector<std::string> dialects;
+  std::vector<std::string> features;
+
+  bool takes(const Case& test) const {
+    const bool named = std::ranges::any_of(only, [&](const std::string& glob) {
+      return ::fnmatch(glob.c_str(), test.id.c_str(), 0) == 0;
+    });
+    const bool spoken = std::ranges::find(dialects, test.dialect) != dialects.end();
+    const bool needed = std::ranges::any_of(features, [&](const std::string& feature) {
+      return std::ranges::find(test.features, feature) != test.features.end();
+    });
+    return (only.empty() || named) && (dialects.empty() || spoken) && (features.empty() || needed);
+  }
+};
+
+struct CorpusWords {
+  std::string folder;
+  Choice choice;
+  std::string out;
+  std::string old_folder, new_folder;
+  bool part = false;
+};
+
+int list(const CorpusWords& words) {
+  const oracle::Corpus corpus(corpus_folder(words.folder));
   Output output;
-  corpus.for_each([&](const oracle::Case& test) {
+  corpus.for_each([&](const Case& test) {
+    if (!words.choice.takes(test)) return true;
     output.text() += fmt::format("{}  {}\n", test.id, test.comment);
     output.flush_if_large();
     return true;
@@ -28,71 +64,232 @@ int list(const std::string& folder) {
   return kGo;
 }
 
-int lint(const std::string& folder) {
-  const oracle::Corpus corpus(corpus_folder(folder));
-  Output output;
-  std::size_t cases = 0;
-  std::size_t wrong = 0;
-  corpus.for_each([&](const oracle::Case& test) {
-    ++cases;
-    if (auto fault = oracle::recheck(test)) {
-      ++wrong;
-      output.text() += fmt::format("{}: {}\n", test.id, *fault);
+// The rows of each covering array that cases of a corpus come from, by what their ids begin with.
+class Arrays {
+ public:
+  void take(const Case& test) {
+    const std::optional<Making> making = fuzz::cover::making_of(test);
+    if (!making) return;
+    Array& array = arrays_[making->stem()];
+    if (array.rows.empty()) {
+      array.making = *making;
+      array.parameters = fuzz::cover::parse_parameters(making->model->parameters);
     }
+    array.rows.push_back(fuzz::cover::row_of(array.parameters, test));
+  }
+  // Calls with what the ids begin with and the count of its tuples.
+  template <typename Visit>
+  void for_each(Visit visit) const {
+    for (const auto& [stem, array] : arrays_) {
+      visit(stem, fuzz::cover::count_tuples(array.parameters, array.making.strength, array.rows));
+    }
+  }
+
+ private:
+  struct Array {
+    Making making;
+    fuzz::cover::Parameters parameters;
+    std::vector<fuzz::cover::Row> rows;
+  };
+  std::map<std::string, Array> arrays_;
+};
+
+int lint(const CorpusWords& words) {
+  const oracle::Corpus corpus(corpus_folder(words.folder));
+  Output output;
+  std::size_t findings = 0;
+  const auto say = [&](const std::string& sentence) {
+    ++findings;
+    output.text() += sentence + "\n";
+    output.flush_if_large();
+  };
+  const std::size_t cases = oracle::lint(corpus, {words.part}, say);
+  Arrays arrays;
+  corpus.for_each([&](const Case& test) {
+    arrays.take(test);
     return true;
   });
-  output.text() +=
-      fmt::format("{} cases, {} whose expectation the reference does not confirm\n", cases, wrong);
+  arrays.for_each([&](const std::string& stem, const fuzz::cover::TupleCount& count) {
+    for (const std::string& row : count.invalid) {
+      say(fmt::format("{}: {} has classes that do not go together.", stem, row));
+    }
+  });
+  output.text() += fmt::format("{} cases, {} findings\n", cases, findings);
   output.flush();
-  return wrong == 0 ? kGo : kNoGo;
+  return findings == 0 ? kGo : kNoGo;
 }
 
-int stats(const std::string& folder) {
-  const oracle::Corpus corpus(corpus_folder(folder));
-  struct Count {
+void show(Output& output, const char* what, const std::vector<std::string>& ids) {
+  if (ids.empty()) return;
+  output.text() += fmt::format("{}: {}\n", what, ids.size());
+  for (const std::string& id : ids) output.text() += "  " + id + "\n";
+}
+
+int diff(const CorpusWords& words) {
+  const oracle::Corpus before(corpus_folder(words.old_folder));
+  const oracle::Corpus now(corpus_folder(words.new_folder));
+  const oracle::CorpusDiff diff = oracle::diff(before, now);
+  Output output;
+  output.text() = fmt::format("{} -> {}\n", before.version(), now.version());
+  show(output, "added", diff.added);
+  show(output, "removed", diff.removed);
+  show(output, "removed, but not retired", diff.not_retired);
+  show(output, "another program under the same id", diff.reused);
+  show(output, "changed expectation", diff.changed);
+  show(output, "of them, another end", diff.changed_ends);
+  if (diff.same()) output.text() += "the same cases\n";
+  output.flush();
+  return diff.same() ? kGo : kNoGo;
+}
+
+// How often something occurs, by name.
+using Count = std::map<std::string, std::size_t>;
+
+class Stats {
+ public:
+  void take(const Case& test) {
+    Cycle& cycle = cycles_[test.dialect + " " + test.cycle];
+    ++cycle.cases;
+    ++cases_;
+    std::set<std::string> alarms;
+    for (const oracle::Expectation& expectation : test.expect) {
+      for (const auto& alarm : expectation.alarms) alarms.emplace(name(alarm.alarm));
+      for (const auto& record : expectation.records) {
+        if (record.clause != reference::kNoClause) {
+          clauses_.emplace(reference::clause_name(record.clause));
+        }
+        if (record.kind == reference::RecordKind::arc) {
+          ++planes_[fmt::format("G{}", reference::plane_code(record.plane))];
+        }
+      }
+    }
+    if (!alarms.empty()) ++cycle.alarms, ++alarming_;
+    for (const std::string& alarm : alarms) ++alarms_[alarm];
+    if (!test.tags_sign.empty()) ++signs_;
+    listed_.insert(test.clauses.begin(), test.clauses.end());
+    for (const reference::Reading& reading : reference::readings()) {
+      const std::string_view value = test.profile.readings.get(reading.key);
+      if (reading.belongs_to(test.dialect) && value != reading.fallback) {
+        ++readings_[fmt::format("{}={}", reading.name, value)];
+      }
+    }
+    arrays_.take(test);
+  }
+
+  void print(Output& output) const {
+    std::string& text = output.text();
+    text += fmt::format("{} cases, {} with an alarm ({:.1f} in a hundred), {} at a limit\n", cases_,
+                        alarming_,
+                        100.0 * static_cast<double>(alarming_) /
+                            static_cast<double>(std::max<std::size_t>(cases_, 1)),
+                        signs_);
+    for (const auto& [name, cycle] : cycles_) {
+      text +=
+          fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", name, cycle.cases, cycle.alarms);
+    }
+    text += fmt::format("clauses: {} of {} stand in groups, {} in records\n", listed_.size(),
+                        reference::clauses().size(), clauses_.size());
+    print(text, "alarm, cases that may raise it", alarms_);
+    print(text, "plane of arcs, records", planes_);
+    print(text, "reading other than the default, cases", readings_);
+    text += "covering arrays\n";
+    arrays_.for_each([&](const std::string& stem, const fuzz::cover::TupleCount& count) {
+      text += fmt::format("  {:<28} {:>6} tuples, {:>6} covered, {:>5} excluded\n", stem,
+                          count.allowed, count.covered, count.excluded);
+    });
+  }
+
+ private:
+  struct Cycle {
     std::size_t cases = 0;
     std::size_t alarms = 0;
   };
-  std::map<std::string, Count> by_cycle;
-  corpus.for_each([&](const oracle::Case& test) {
-    Count& count = by_cycle[test.dialect + " " + test.cycle];
-    ++count.cases;
-    for (const oracle::Expectation& expectation : test.expect) {
-      if (!expectation.alarms.empty()) {
-        ++count.alarms;
-        break;
-      }
-    }
+
+  static void print(std::string& text, const char* what, const Count& count) {
+    text += fmt::format("{}\n", what);
+    for (const auto& [name, times] : count) text += fmt::format("  {:<40} {:>6}\n", name, times);
+  }
+
+  std::map<std::string, Cycle> cycles_;
+  std::size_t cases_ = 0, alarming_ = 0, signs_ = 0;
+  Count alarms_, planes_, readings_;
+  std::set<std::string> clauses_, listed_;
+  Arrays arrays_;
+};
+
+int stats(const CorpusWords& words) {
+  const oracle::Corpus corpus(corpus_folder(words.folder));
+  Stats stats;
+  corpus.for_each([&](const Case& test) {
+    if (words.choice.takes(test)) stats.take(test);
     return true;
   });
   Output output;
   output.text() = fmt::format("corpus {} sha256 {}\n", corpus.version(), corpus.sha256());
-  for (const auto& [cycle, count] : by_cycle) {
-    output.text() +=
-        fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", cycle, count.cases, count.alarms);
-  }
+  stats.print(output);
   output.flush();
   return kGo;
+}
+
+int copy(const CorpusWords& words) {
+  const oracle::Corpus corpus(corpus_folder(words.folder));
+  oracle::CorpusFolder part{corpus.version(), corpus.retired(), {}};
+  std::size_t cases = 0;
+  for (const std::string& file : corpus.files()) {
+    for (Case& test : oracle::read_vector_file(corpus.folder() + "/" + file)) {
+      if (!words.choice.takes(test)) continue;
+      ++cases;
+      part.files[file].push_back(std::move(test));
+    }
+  }
+  if (cases == 0) throw UsageError("No case of the corpus is meant. Widen --only or --feature.");
+  oracle::write_corpus(words.out, part);
+  Output output;
+  output.text() = fmt::format("{} cases in {}\n", cases, words.out);
+  output.flush();
+  return kGo;
+}
+
+void add_choice(Command& command, Choice& choice) {
+  command.repeated_option("--only", choice.only, "cases by a glob over ids: gsk.g94.*");
+  command.repeated_option("--dialect", choice.dialects, "cases of this dialect");
+  command.repeated_option("--feature", choice.features, "cases that need this feature");
 }
 
 }  // namespace
 
 void add_corpus(Command& program) {
-  auto folder = std::make_shared<std::string>();
-  Command command = program.add_command("corpus", "List, check or count the corpus");
+  auto words = std::make_shared<CorpusWords>();
+  const char* whose = "folder of the corpus (the checked-in one)";
+  Command command = program.add_command("corpus", "List, check, count, compare or copy a corpus");
   command.require_command();
-  struct Verb {
-    const char* name;
-    const char* text;
-    int (*run)(const std::string&);
-  };
-  for (const Verb& verb : {Verb{"list", "the cases and what they are about", list},
-                           Verb{"lint", "check every expectation against the reference", lint},
-                           Verb{"stats", "version, hash and numbers of cases", stats}}) {
-    Command sub = command.add_command(verb.name, verb.text);
-    sub.option("--corpus", *folder, "folder of the corpus (the checked-in one)");
-    sub.run([folder, verb] { return verb.run(*folder); });
-  }
+
+  Command lists = command.add_command("list", "the cases and what they are about");
+  lists.option("--corpus", words->folder, whose);
+  add_choice(lists, words->choice);
+  lists.run([words] { return list(*words); });
+
+  Command lints =
+      command.add_command("lint", "check what a corpus promises, case by case and whole");
+  lints.option("--corpus", words->folder, whose);
+  lints.flag("--part", words->part, "a part of a corpus, which need not hit every clause");
+  lints.run([words] { return lint(*words); });
+
+  Command diffs = command.add_command("diff", "what was added, removed or changed between two");
+  diffs.argument("old", words->old_folder, "folder of the old corpus");
+  diffs.argument("new", words->new_folder, "folder of the new corpus");
+  diffs.run([words] { return diff(*words); });
+
+  Command counts = command.add_command("stats", "how many cases, alarms, clauses, tuples");
+  counts.option("--corpus", words->folder, whose);
+  add_choice(counts, words->choice);
+  counts.run([words] { return stats(*words); });
+
+  Command copies = command.add_command("copy", "a part of the corpus as one of its own");
+  copies.option("--corpus", words->folder, whose);
+  copies.needed_option("--out", words->out, "new folder for the part");
+  add_choice(copies, words->choice);
+  copies.run([words] { return copy(*words); });
 }
 
 }  // namespace gonogo::cli

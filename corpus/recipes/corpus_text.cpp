@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "corpus/recipes/cover_recipe.hpp"
 #include "corpus/recipes/recipe.hpp"
 
 namespace gonogo::recipes {
@@ -41,6 +42,13 @@ std::set<fs::path> recipe_files(const std::string& folder) {
   return files;
 }
 
+std::vector<Case> cases_of(const std::string& path) {
+  if (is_cover_recipe(path)) return cover_recipe_cases(path);
+  std::vector<Case> cases;
+  for (const RecipeCase& entry : read_recipe(path)) cases.push_back(prepare(entry));
+  return cases;
+}
+
 }  // namespace
 
 CorpusText corpus_from_recipes(const std::string& folder) {
@@ -50,12 +58,11 @@ CorpusText corpus_from_recipes(const std::string& folder) {
   Json names = Json::array();
   for (const fs::path& recipe : recipe_files(folder)) {
     const std::string path = (fs::path(folder) / recipe).string();
-    std::vector<Case> cases;
-    for (const RecipeCase& entry : read_recipe(path)) {
-      if (!ids.insert(entry.test.id).second) {
-        throw CorpusError(fmt::format("{}: the id {} was used before.", path, entry.test.id));
+    const std::vector<Case> cases = cases_of(path);
+    for (const Case& test : cases) {
+      if (!ids.insert(test.id).second) {
+        throw CorpusError(fmt::format("{}: the id {} was used before.", path, test.id));
       }
-      cases.push_back(prepare(entry));
     }
     const std::string name = "vectors/" + fs::path(recipe).replace_extension(".json").string();
     corpus.files[name] = oracle::vector_file_text(corpus.version, cases);

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo generate: vectors from the models of a dialect, with their completeness counted.
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "fuzz/cover/cases.hpp"
+#include "oracle/corpus/folder_writer.hpp"
+#include "reference/dialect.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using fuzz::cover::CoverCases;
+using fuzz::cover::Making;
+using fuzz::cover::Model;
+
+struct GenerateWords {
+  std::string dialect;
+  std::string out;
+  std::vector<std::string> only;  // globs over names of models; empty: all
+  long strength = 0;              // 0: the model's own
+  long fault_strength = 0;
+  long seed = 1;
+  long signs = 24;
+};
+
+std::vector<const Model*> models_of(const GenerateWords& words) {
+  std::vector<const Model*> chosen;
+  for (const Model* model : fuzz::cover::models()) {
+    if (model->dialect != words.dialect) continue;
+    const std::string name(model->name);
+    const bool named = std::ranges::any_of(words.only, [&](const std::string& glob) {
+      return ::fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+    });
+    if (words.only.empty() || named) chosen.push_back(model);
+  }
+  if (chosen.empty()) {
+    throw UsageError(fmt::format(
+        "No model of {} has such a name. Leave --only out for all of them.", words.dialect));
+  }
+  return chosen;
+}
+
+Making making_of(const Model& model, const GenerateWords& words) {
+  Making making;
+  making.model = &model;
+  making.strength = model.strength;
+  if (words.strength != 0) making.strength.valid = static_cast<unsigned>(words.strength);
+  if (words.fault_strength != 0) {
+    making.strength.faulty = static_cast<unsigned>(words.fault_strength);
+  }
+  making.seed = static_cast<std::uint64_t>(words.seed);
+  making.signs = static_cast<std::size_t>(words.signs);
+  return making;
+}
+
+std::string file_of(const Model& model) {
+  const std::string_view name = model.name.substr(model.name.find('.') + 1);
+  return fmt::format("vectors/{}/cover-{}.json", model.dialect, name);
+}
+
+// The line of one model, from the cases as they were written.
+std::string line_of(const Making& making, const std::vector<oracle::Case>& cases) {
+  const fuzz::cover::TupleCount count = fuzz::cover::count_cases(
+      fuzz::cover::parse_parameters(making.model->parameters), making.strength, cases);
+  std::size_t alarms = 0;
+  std::size_t signs = 0;
+  for (const oracle::Case& test : cases) {
+    if (!test.tags_sign.empty()) ++signs;
+    if (std::ranges::any_of(test.expect, [](const auto& one) { return !one.alarms.empty(); })) {
+      ++alarms;
+    }
+  }
+  return fmt::format(
+      "{:<14} t {} (faults {})  {:>6} tuples, {:>6} covered, {:>5} excluded  {:>5} cases, {:>4} "
+      "alarm, {:>3} at a limit\n",
+      making.model->name, making.strength.valid, making.strength.faulty, count.allowed,
+      count.covered, count.excluded, cases.size(), alarms, signs);
+}
+
+int generate(const GenerateWords& words) {
+  if (reference::find_dialect(words.dialect) == nullptr) {
+    throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", words.dialect,
+                                 reference::dialect_names()));
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(words.out, ignored) &&
+      !std::filesystem::is_empty(words.out, ignored)) {
+    throw UsageError(fmt::format("{} is there and not empty. Name a new folder.", words.out));
+  }
+  oracle::CorpusFolder folder;
+  folder.version = fuzz::cover::kModelsVersion;
+  std::vector<Making> makings;
+  Output output;
+  std::size_t disagreements = 0;
+  for (const Model* model : models_of(words)) {
+    makings.push_back(making_of(*model, words));
+    CoverCases made = fuzz::cover::cover_cases(makings.back());
+    disagreements += made.disagreements.size();
+    for (const std::string& disagreement : made.disagreements) {
+      output.text() += fmt::format("left out: {}\n", disagreement);
+    }
+    folder.files[file_of(*model)] = std::move(made.cases);
+  }
+  oracle::write_corpus(words.out, folder);
+  std::size_t cases = 0;
+  for (const Making& making : makings) {
+    const std::string file = words.out + "/" + file_of(*making.model);
+    const std::vector<oracle::Case> written = oracle::read_vector_file(file);
+    cases += written.size();
+    output.text() += line_of(making, written);
+  }
+  output.text() += fmt::format("{} cases in {}\n", cases, words.out);
+  output.flush();
+  return disagreements == 0 ? kGo : kUndecided;
+}
+
+}  // namespace
+
+void add_generate(Command& program) {
+  auto words = std::make_shared<GenerateWords>();
+  Command command =
+      program.add_command("generate", "Make vectors that cover every tuple of classes");
+  command.needed_option("--dialect", words->dialect, "dialect of the programs");
+  command.needed_option("--out", words->out, "new folder for the vectors");
+  command.number("--strength", words->strength, 1, 4,
+                 "how many classes of valid values together (each model's own)");
+  command.number("--fault-strength", words->fault_strength, 1, 4,
+                 "the same of a class that must alarm and those beside it");
+  command.number("--seed", words->seed, 1, 2'000'000'000, "of the choices among equals (1)");
+  command.number("--signs", words->signs, 0, 1000,
+                 "triples at the reference's limits, at most so many a model (24)");
+  command.repeated_option("--only", words->only, "models by a glob: gsk.g11*");
+  command.run([words] { return generate(*words); });
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/corpus/errata.hpp"
+
+#include <gtest/gtest.h>
+
+#include "corpus_testing.hpp"
+
+namespace gonogo::testing {
+namespace {
+
+// What is wrong with an errata file of this text.
+std::string error_of(std::string_view text) {
+  const ScratchFolder scratch;
+  scratch.write("errata.toml", text);
+  return corpus_error([&] { oracle::read_errata(scratch.path().string()); });
+}
+
+constexpr std::string_view kGood =
+    "[[erratum]]\nid = \"a.b.000001\"\nversion = \"2026.9.0\"\nwhat = \"A sentence.\"\n"
+    "since = \"2026.10.0\"\n";
+
+TEST(Errata, ACorpusWithoutAFileHasNone) {
+  EXPECT_TRUE(oracle::read_errata(ScratchFolder().path().string()).empty());
+}
+
+TEST(Errata, AnEntryHasFourTexts) {
+  const ScratchFolder scratch;
+  scratch.write("errata.toml", kGood);
+  const auto errata = oracle::read_errata(scratch.path().string());
+  ASSERT_EQ(errata.size(), 1U);
+  EXPECT_EQ(errata[0].id, "a.b.000001");
+  EXPECT_EQ(errata[0].what, "A sentence.");
+}
+
+TEST(Errata, AMissingTextIsNamed) {
+  std::string text(kGood);
+  text.erase(text.find("what"), text.find("since") - text.find("what"));
+  EXPECT_NE(error_of(text).find("needs the text what"), std::string::npos);
+}
+
+TEST(Errata, AnUnknownKeyIsNamed) {
+  EXPECT_NE(error_of(std::string(kGood) + "why = \"x\"\n").find("no key why"), std::string::npos);
+}
+
+// 2026.10.0 is after 2026.9.0 though it sorts before it as a text.
+TEST(Errata, VersionsAreComparedByTheirNumbers) {
+  EXPECT_TRUE(oracle::is_before("2026.9.0", "2026.10.0"));
+  EXPECT_FALSE(oracle::is_before("2026.10.0", "2026.10.0"));
+  EXPECT_FALSE(oracle::is_before("2027.0.0", "2026.10.0"));
+}
+
+TEST(Errata, WhatWasWrongWasWrongBeforeItWasRight) {
+  std::string text(kGood);
+  text.replace(text.find("2026.10.0"), 9, "2026.9.0");
+  EXPECT_NE(error_of(text).find("which is not before 2026.9.0"), std::string::npos);
+}
+
+TEST(Errata, TheCheckedInOnesAreOfCasesThatAreRetired) {
+  const oracle::Corpus corpus(corpus_folder());
+  const auto errata = oracle::read_errata(corpus_folder());
+  EXPECT_EQ(errata.size(), 4U);
+  for (const oracle::Erratum& erratum : errata) {
+    EXPECT_TRUE(corpus.retired().contains(erratum.id)) << erratum.id;
+  }
+}
+
+}  // namespace
+}  // namespace gonogo::testing
