@@ -23,5 +23,9 @@ void add_compare(Command& program);
 void add_verify(Command& program);
 void add_export(Command& program);
 void add_host(Command& program);
+void add_hunt(Command& program);
+void add_reduce(Command& program);
+void add_identify(Command& program);
+void add_generate(Command& program);
 
 }  // namespace gonogo::cli

@@ -42,6 +42,10 @@ int run(int argc, char** argv) {
   add_verify(program);
   add_export(program);
   add_host(program);
+  add_hunt(program);
+  add_reduce(program);
+  add_identify(program);
+  add_generate(program);
   return line.parse(argc, argv);
 }
 

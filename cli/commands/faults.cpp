@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo faults: the kill matrix. Each planted fault of the built-in expanders is run through the
-// corpus; one that no case finds is a hole in the corpus.
+// gonogo faults: each planted fault of the built-in expanders is run through the corpus; one that
+// no case finds is a hole in the corpus. With --matrix: what it costs each method to find it.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "cli/commands.hpp"
@@ -12,8 +15,10 @@
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/program_file.hpp"
 #include "cli/subjects.hpp"
 #include "expanders/registry.hpp"
+#include "fuzz/hunt/kill_matrix.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -21,6 +26,13 @@ namespace {
 struct FaultsOptions {
   std::string corpus;
   bool list = false;
+  bool matrix = false;
+  std::string methods = "corpus,hunt";
+  std::string format = "text";
+  std::string only;
+  std::string judge = "right";
+  long seed = 1;
+  long most_seconds = 60;
 };
 
 void append_list(std::string& out) {
@@ -64,7 +76,76 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec) {
   return kills;
 }
 
+// "corpus,hunt"
+std::vector<fuzz::Method> methods_of(const std::string& text) {
+  std::vector<fuzz::Method> methods;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::optional<fuzz::Method> method = fuzz::method_named(word);
+    if (!method) {
+      throw UsageError(
+          fmt::format("There is no method \"{}\". Write some of: corpus,hunt,fuzz.", word));
+    }
+    if (std::ranges::find(methods, *method) == methods.end()) methods.push_back(*method);
+    begin = end + 1;
+  }
+  return methods;
+}
+
+// The expanders without a fault and with each of theirs; those whose name holds `only`.
+std::vector<fuzz::MatrixTarget> targets_of(const std::string& only) {
+  std::vector<fuzz::MatrixTarget> targets;
+  for (std::string_view name : expanders::names()) {
+    const oracle::SubjectMaker sound = subject_maker(fmt::format("builtin:{}", name), {});
+    const std::vector<std::string> dialects = declared_dialects(sound);
+    auto add = [&](std::string spec, std::string_view clause) {
+      if (!clause.empty() && spec.find(only) == std::string::npos) return;
+      const oracle::SubjectMaker maker = subject_maker("builtin:" + spec, {});
+      targets.push_back({std::move(spec), std::string(clause), dialects, maker, sound});
+    };
+    if (only.empty() || only == name) add(std::string(name), "");
+    for (const expanders::FaultDescription& fault : expanders::faults(name)) {
+      add(fmt::format("{}+{}", name, fault.name), fault.clause);
+    }
+  }
+  return targets;
+}
+
+int matrix(const FaultsOptions& options) {
+  fuzz::MatrixOptions bench;
+  bench.methods = methods_of(options.methods);
+  bench.seed = static_cast<std::uint64_t>(options.seed);
+  bench.most_seconds = static_cast<double>(options.most_seconds);
+  bench.blind = options.judge == "always-go";
+  std::optional<oracle::Corpus> corpus;
+  if (std::ranges::find(bench.methods, fuzz::Method::corpus) != bench.methods.end()) {
+    bench.corpus = &corpus.emplace(corpus_folder(options.corpus));
+  }
+  const bool is_markdown = options.format == "markdown";
+  std::vector<fuzz::MatrixRow> rows;
+  Output output(is_markdown ? 2 : 1);
+  for (const fuzz::MatrixTarget& target : targets_of(options.only)) {
+    rows.push_back(fuzz::matrix_row(target, bench));
+    output.text() += fuzz::row_text(rows.back());
+    output.flush();
+  }
+  const std::vector<std::string> wrong = fuzz::complaints(rows, bench.methods);
+  for (const fuzz::Method method : bench.methods) {
+    output.text() += fmt::format("{}: {}\n", name(method), summary_text(rows, method));
+  }
+  for (const std::string& sentence : wrong) output.text() += sentence + "\n";
+  output.flush();
+  if (is_markdown) {
+    Output document;
+    document.text() = fuzz::matrix_markdown(rows, bench.methods);
+    document.flush();
+  }
+  return wrong.empty() ? kGo : kNoGo;
+}
+
 int faults(const FaultsOptions& options) {
+  if (options.matrix) return matrix(options);
   Output output;
   if (options.list) {
     append_list(output.text());
@@ -106,6 +187,18 @@ void add_faults(Command& program) {
       program.add_command("faults", "Run every planted fault through the corpus: the kill matrix");
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.flag("--list", options->list, "only name the faults and what they do");
+  command.flag("--matrix", options->matrix, "what it costs each method to find each fault");
+  command.option("--method", options->methods, "with --matrix, of corpus,hunt,fuzz (corpus,hunt)");
+  command.choice("--format", options->format, {"text", "markdown"},
+                 "with --matrix; markdown: docs/kill-matrix.md");
+  command.option("--only", options->only, "with --matrix, faults whose name holds this");
+  command.number("--seed", options->seed, 0, std::numeric_limits<long>::max(),
+                 "with --matrix, of the programs");
+  constexpr long kMostSeconds = 3600;
+  command.number("--most-seconds", options->most_seconds, 1, kMostSeconds,
+                 "with --matrix, of processor time for a fault (60)");
+  command.choice("--judge", options->judge, {"right", "always-go"},
+                 "with --matrix; always-go: does the bench notice a judge that says GO to all?");
   command.run([options] { return faults(*options); });
 }
 

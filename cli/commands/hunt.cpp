@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo hunt: generated programs, led by what they exercise of the reference, against a subject.
+// Each departure of a new kind is made small and shown.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/trial_options.hpp"
+#include "oracle/subjects/text.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct HuntWords {
+  TrialWords trial;
+  std::string dialect;
+  std::string profile;
+  std::vector<std::string> readings;
+  std::string time;
+  long seed = 1;
+  long programs = 0;    // 0: no limit
+  long stop_after = 0;  // findings; 0: no limit
+};
+
+// "90", "90s", "10m", "2h".
+std::chrono::milliseconds time_of(const std::string& text) {
+  long count = 0;
+  char unit = 's';
+  char rest = 0;
+  const int fields = std::sscanf(text.c_str(), "%9ld%c%c", &count, &unit, &rest);
+  const long seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
+  if (fields < 1 || fields > 2 || count < 1 || seconds == 0) {
+    throw UsageError(fmt::format("--time {} is no time. Write seconds, or 90s, 10m, 2h.", text));
+  }
+  return std::chrono::seconds(count * seconds);
+}
+
+fuzz::HuntOptions hunt_options(const HuntWords& words) {
+  fuzz::HuntOptions options;
+  const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
+  options.dialect = profile.dialect;
+  options.seed = static_cast<std::uint64_t>(words.seed);
+  if (!words.profile.empty()) options.profile = profile;
+  for (const std::string& choice : words.readings) {
+    const std::size_t equals = choice.find('=');
+    const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
+    options.readings.emplace_back(reading->key, choice.substr(equals + 1));
+  }
+  return options;
+}
+
+// When a hunt is over, and how far it is.
+struct HuntEnd {
+  Clock::time_point begin = Clock::now();
+  std::chrono::milliseconds time{0};  // 0: no limit
+  std::size_t programs = 0;           // 0: no limit
+  std::size_t findings = 0;           // 0: no limit
+
+  explicit HuntEnd(const HuntWords& words)
+      : programs(static_cast<std::size_t>(words.programs)),
+        findings(static_cast<std::size_t>(words.stop_after)) {
+    if (!words.time.empty()) time = time_of(words.time);
+    if (words.time.empty() && programs == 0) time = std::chrono::seconds(60);
+  }
+  bool reached(std::size_t tried, std::size_t found) const {
+    return (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
+           (time.count() != 0 && Clock::now() - begin >= time);
+  }
+  double seconds_left(std::size_t tried) const {
+    const std::chrono::duration<double> spent = Clock::now() - begin;
+    double left = std::numeric_limits<double>::max();
+    if (time.count() != 0) left = std::chrono::duration<double>(time).count() - spent.count();
+    if (programs != 0 && tried != 0) {
+      const double each = spent.count() / static_cast<double>(tried);
+      left = std::min(left, each * static_cast<double>(programs - std::min(programs, tried)));
+    }
+    return std::max(0.0, left);
+  }
+};
+
+// A line that is rewritten in place on a terminal; nothing in a pipe.
+class HuntProgress {
+ public:
+  explicit HuntProgress(const HuntEnd& end) : end_(end), on_(::isatty(STDERR_FILENO) == 1) {}
+  ~HuntProgress() { clear(); }
+  void clear() const {
+    if (on_) fmt::print(stderr, "\r\033[K");
+  }
+  void show(const fuzz::Hunt& hunt, std::size_t findings) {
+    if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
+    shown_ = Clock::now();
+    fmt::print(stderr, "\r\033[K{} programs, {} features, {} findings, about {:.0f} s left",
+               hunt.count().programs, hunt.pool().features(), findings,
+               end_.seconds_left(hunt.count().programs));
+    std::fflush(stderr);
+  }
+
+ private:
+  const HuntEnd& end_;
+  bool on_;
+  Clock::time_point shown_{};
+};
+
+// One line that shows the finding again.
+std::string again(const HuntWords& words, const fuzz::Finding& finding, const std::string& id) {
+  const std::string subject = oracle::shell_quoted(words.trial.subject);
+  if (id.empty() || !finding.exhibit.before.empty()) {
+    return fmt::format("gonogo hunt --subject {} --dialect {} --seed {} --programs {}", subject,
+                       words.dialect, words.seed, finding.program);
+  }
+  const std::string folder = fmt::format("{}/findings/{}", words.trial.out, id);
+  return fmt::format("gonogo reduce {} --subject {} --profile {}",
+                     oracle::shell_quoted(folder + "/program.nc"), subject,
+                     oracle::shell_quoted(folder + "/profile.json"));
+}
+
+struct HuntTally {
+  std::size_t no_go = 0;
+  std::size_t oracle_errors = 0;
+  bool complete = true;
+  std::size_t findings() const { return no_go + oracle_errors; }
+};
+
+void take(const HuntWords& words, fuzz::Hunt& hunt, fuzz::Finding& finding, HuntTally& tally) {
+  hunt.reduce(finding, {});
+  const std::string id =
+      keep_finding(words.trial, static_cast<std::uint64_t>(words.seed), hunt.trial(), finding);
+  const bool is_error = finding.verdict.kind == oracle::VerdictKind::oracle_error;
+  ++(is_error ? tally.oracle_errors : tally.no_go);
+  Output output;
+  output.text() = fmt::format("{}. {}{}\n", tally.findings(), finding.signature.text(),
+                              id.empty() ? "" : "  " + id);
+  output.text() += finding_text(finding);
+  output.text() += fmt::format("  again: {}\n\n", again(words, finding, id));
+  output.flush();
+}
+
+std::string summary(const HuntWords& words, const fuzz::Hunt& hunt, const HuntTally& tally) {
+  const fuzz::HuntCount& count = hunt.count();
+  return fmt::format(
+      "{}, {}: {} programs from seed {}, {} judged, {} skipped, {} undecided, {} too long; {} "
+      "features of the reference in {} programs; {} findings{}\n",
+      words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.skipped,
+      count.gaps, count.too_long, hunt.pool().features(), hunt.pool().size(), tally.findings(),
+      tally.complete ? "" : "; the hunt is incomplete");
+}
+
+int hunt(HuntWords words) {
+  fuzz::HuntOptions options = hunt_options(words);
+  words.dialect = options.dialect;
+  const HuntEnd end(words);
+  fuzz::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
+  check_dialect(hunt.trial().info(), words.dialect);
+  HuntTally tally;
+  {
+    HuntProgress progress(end);
+    try {
+      while (!end.reached(hunt.count().programs, tally.findings())) {
+        std::optional<fuzz::Finding> finding = hunt.step();
+        if (finding) {
+          progress.clear();
+          take(words, hunt, *finding, tally);
+        }
+        progress.show(hunt, tally.findings());
+      }
+    } catch (const oracle::SubjectUnusable& error) {
+      // It could be used at first.
+      tally.complete = false;
+      progress.clear();
+      fmt::print(stderr, "gonogo: {}\n", error.what());
+    }
+  }
+  Output output;
+  output.text() = summary(words, hunt, tally);
+  output.flush();
+  if (tally.no_go > 0) return kNoGo;
+  const bool undecided = tally.oracle_errors > 0 || !tally.complete || hunt.count().judged == 0;
+  return undecided ? kUndecided : kGo;
+}
+
+}  // namespace
+
+void add_hunt(Command& program) {
+  auto words = std::make_shared<HuntWords>();
+  Command command =
+      program.add_command("hunt", "Look for programs on which a subject departs from the gauge");
+  add_trial_options(command, words->trial);
+  command.option("--dialect", words->dialect, "dialect of the programs");
+  command.option("--profile", words->profile, "the machine of every program; without: any");
+  command.repeated_option("--reading", words->readings, "one reading as key=value");
+  command.option("--time", words->time,
+                 "how long: 90s, 10m, 2h; without it and --programs a minute");
+  constexpr long kMost = std::numeric_limits<long>::max();
+  command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs");
+  command.number("--programs", words->programs, 1, kMost, "how many programs");
+  command.number("--stop-after", words->stop_after, 1, kMost, "how many findings");
+  command.run([words] { return hunt(*words); });
+}
+
+}  // namespace gonogo::cli

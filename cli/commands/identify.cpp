@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo identify: which readings a black box follows, or what a departure is likely to come from.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cli/commands.hpp"
+#include "cli/corpus_folder.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/options.hpp"
+#include "cli/output.hpp"
+#include "cli/subjects.hpp"
+#include "fuzz/identify/departure.hpp"
+#include "fuzz/identify/identify.hpp"
+#include "reference/dialect.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct IdentifyWords {
+  std::string subject;
+  std::string departure;
+  std::string corpus;
+  std::string out;
+  ProfileOptions profile;
+  LimitOptions limits;
+};
+
+// The dialect that was named, or the only one that the subject names.
+std::string dialect_of(const IdentifyWords& words, const oracle::SubjectInfo& info) {
+  if (!words.profile.file.empty()) return load_profile(words.profile).dialect;
+  if (!words.profile.dialect.empty()) {
+    if (reference::find_dialect(words.profile.dialect) == nullptr) load_profile(words.profile);
+    return words.profile.dialect;
+  }
+  if (info.dialects.size() == 1) return info.dialects.begin()->first;
+  throw UsageError(fmt::format("The subject {} one dialect. Name the one to identify: --dialect.",
+                               info.dialects.empty() ? "does not name" : "has more than"));
+}
+
+void write_profile(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw UsageError(fmt::format("{} cannot be written.", path));
+}
+
+int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
+  const std::string dialect = dialect_of(words, subject.info());
+  identify::PoolOptions pool_options;
+  reference::Profile machine = load_profile({dialect, words.profile.file, {}});
+  if (!words.profile.file.empty()) {
+    pool_options.machine = machine;
+    pool_options.machine->readings = reference::ReadingChoice();
+  }
+  const oracle::Corpus corpus(corpus_folder(words.corpus));
+  const identify::ProbePool pool = make_pool(corpus, dialect, pool_options);
+  const identify::IdentifyOptions options{length_option(words.limits.tolerance, "--tolerance"),
+                                          length_option(words.limits.chord, "--chord")};
+  const identify::Identification found = identify_readings(subject, pool, options);
+  Output output;
+  output.text() = identification_text(found, subject.info().name, dialect);
+  if (!found.contradiction.empty()) {
+    output.flush();
+    return kNoGo;
+  }
+  if (found.answered() == 0) {
+    output.flush();
+    return kUndecided;
+  }
+  if (!words.out.empty()) {
+    write_profile(words.out, identification_toml(found, machine));
+    output.text() += fmt::format("The profile is in {}.\n", words.out);
+  }
+  output.flush();
+  return kGo;
+}
+
+// A case of the corpus by its id, or a program.
+identify::ProgramAsked asked_for(const IdentifyWords& words, const oracle::Corpus& corpus,
+                                 const oracle::SubjectInfo& info) {
+  std::error_code ignored;
+  if (words.departure == "-" || std::filesystem::exists(words.departure, ignored)) {
+    ProfileOptions options = words.profile;
+    if (options.file.empty()) options.dialect = dialect_of(words, info);
+    return {words.departure, read_file(words.departure), load_profile(options)};
+  }
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  while (const auto test = reader.next()) {
+    if (test->id == words.departure) return {test->id, test->program, test->profile};
+  }
+  throw UsageError(fmt::format("{} is neither a file nor a case of the corpus. Name one of them.",
+                               words.departure));
+}
+
+int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
+  if (!words.out.empty()) throw UsageError("--out goes without --departure.");
+  const oracle::Corpus corpus(corpus_folder(words.corpus));
+  identify::DepartureOptions options;
+  options.tolerance = length_option(words.limits.tolerance, "--tolerance");
+  options.chord = length_option(words.limits.chord, "--chord");
+  const identify::Attribution attribution =
+      attribute(subject, corpus, asked_for(words, corpus, subject.info()), options);
+  Output output;
+  output.text() = attribution_text(attribution);
+  output.flush();
+  if (attribution.departures == 0) return kUndecided;
+  return attribution.complete.empty() ? kNoGo : kGo;
+}
+
+int identify_subject(const IdentifyWords& words) {
+  const std::unique_ptr<oracle::Subject> subject =
+      subject_maker(words.subject, words.limits.limits())();
+  return words.departure.empty() ? find_readings(words, *subject) : find_cause(words, *subject);
+}
+
+}  // namespace
+
+void add_identify(Command& program) {
+  auto words = std::make_shared<IdentifyWords>();
+  Command command = program.add_command(
+      "identify", "Find which readings a subject follows, or what a departure comes from");
+  command.needed_option("--subject", words->subject, "subject, as certify takes it");
+  command.option(
+      "--departure", words->departure,
+      "a program, or a case of the corpus, on which the subject departs: name the cause");
+  command.option("--corpus", words->corpus, "folder of the corpus (the checked-in one)");
+  command.option("--out", words->out, "write the profile that was found to this file");
+  add_profile_options(command, words->profile);
+  add_limit_options(command, words->limits);
+  command.run([words] { return identify_subject(*words); });
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo reduce: the smallest program that still departs in the same way.
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/trial_options.hpp"
+#include "cli/verdict_text.hpp"
+#include "fuzz/hunt/program_text.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+struct ReduceWords {
+  TrialWords trial;
+  std::string program;
+  ProfileOptions profile;
+};
+
+int exit_code_of(oracle::VerdictKind kind) {
+  switch (decision(kind)) {
+    case oracle::Decision::go:
+      return kGo;
+    case oracle::Decision::no_go:
+      return kNoGo;
+    default:
+      return kUndecided;
+  }
+}
+
+int reduce(const ReduceWords& words) {
+  constexpr std::size_t kMostRecords = 200'000;
+  const fuzz::GeneratedProgram program{load_profile(words.profile), read_file(words.program)};
+  fuzz::TrialOptions options = trial_options(words.trial);
+  options.most_records = kMostRecords;
+  fuzz::Trial trial(trial_subject(words.trial), std::move(options));
+  check_dialect(trial.info(), program.profile.dialect);
+  oracle::Verdict verdict;
+  std::optional<fuzz::Finding> finding = fuzz::finding_of(trial, program, verdict);
+  if (!finding) {
+    fmt::print(stderr, "{}There is nothing to reduce.\n", verdict_text(verdict));
+    return exit_code_of(verdict.kind);
+  }
+  fuzz::reduce_finding(trial, *finding, {});
+  const std::string id = keep_finding(words.trial, 0, trial, *finding);
+  const fuzz::GeneratedProgram& reduced = finding->exhibit.program;
+  fmt::print(stderr, "{}profile    {}\n{} blocks of {}, after {} runs{}{}\n",
+             verdict_text(finding->verdict), reference::profile_json(reduced.profile),
+             fuzz::count_blocks(reduced.text), fuzz::count_blocks(program.text),
+             finding->reduce_runs, finding->is_reduced ? "" : "; it may become smaller still",
+             id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
+  Output output;
+  output.text() = reduced.text;
+  output.flush();
+  return exit_code_of(finding->verdict.kind);
+}
+
+}  // namespace
+
+void add_reduce(Command& program) {
+  auto words = std::make_shared<ReduceWords>();
+  Command command = program.add_command(
+      "reduce", "The smallest program on which a subject departs in the same way");
+  command.argument("program", words->program, "NC program, or - for standard input");
+  add_trial_options(command, words->trial);
+  add_profile_options(command, words->profile);
+  command.run([words] { return reduce(*words); });
+}
+
+}  // namespace gonogo::cli

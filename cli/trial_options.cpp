@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/trial_options.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/program_file.hpp"
+#include "cli/subjects.hpp"
+#include "cli/verdict_text.hpp"
+#include "cli/version.hpp"
+#include "fuzz/hunt/finding_files.hpp"
+#include "fuzz/hunt/program_text.hpp"
+
+namespace gonogo::cli {
+
+void add_trial_options(Command& command, TrialWords& words) {
+  command.needed_option("--subject", words.subject,
+                        "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND or lib:PATH.so");
+  command.option("--alarm-map", words.alarm_map, "TOML file of what the subject's own alarms mean");
+  command.option("--out", words.out, "folder for findings as vectors and files");
+  add_limit_options(command, words.limits);
+}
+
+fuzz::SubjectMaker trial_subject(const TrialWords& words) {
+  if (words.subject.starts_with("capture:")) {
+    throw UsageError(
+        "Recorded output cannot be tried with other programs. `gonogo certify` judges it.");
+  }
+  return subject_maker(words.subject, words.limits.limits());
+}
+
+fuzz::TrialOptions trial_options(const TrialWords& words) {
+  fuzz::TrialOptions options;
+  options.tolerance = length_option(words.limits.tolerance, "--tolerance");
+  options.chord = length_option(words.limits.chord, "--chord");
+  options.run_limit = words.limits.limits().run;
+  if (!words.alarm_map.empty()) {
+    auto entries = oracle::alarm_map_from_toml(read_file(words.alarm_map));
+    if (auto* fault = std::get_if<oracle::FileFault>(&entries)) {
+      throw UsageError(fmt::format("{}: {}", words.alarm_map, fault->message));
+    }
+    options.alarm_map = std::make_shared<const oracle::AlarmMap>(
+        std::get<std::vector<oracle::AlarmMap::Entry>>(std::move(entries)));
+  }
+  return options;
+}
+
+void check_dialect(const oracle::SubjectInfo& info, const std::string& dialect) {
+  if (info.everything || info.dialects.contains(dialect)) return;
+  std::string known;
+  for (const auto& [name, features] : info.dialects) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+  }
+  throw UsageError(fmt::format("The subject does not name the dialect {}. It names: {}.", dialect,
+                               known.empty() ? "none" : known));
+}
+
+std::string keep_finding(const TrialWords& words, std::uint64_t seed, fuzz::Trial& trial,
+                         const fuzz::Finding& finding) {
+  if (words.out.empty()) return {};
+  const fuzz::Provenance provenance{fmt::format("gonogo {}", kVersion), words.subject, seed};
+  return fuzz::write_finding(words.out, finding, trial.examine(finding.exhibit), trial.info(),
+                             provenance);
+}
+
+std::string finding_text(const fuzz::Finding& finding) {
+  std::string text = verdict_text(finding.verdict);
+  auto put_program = [&](const std::string& program) {
+    std::size_t number = 0;
+    for (const fuzz::TextLine& line : fuzz::lines_of(program)) {
+      std::string shown;
+      for (const fuzz::TextWord& word : line.words) shown += word.gap + word.text;
+      text += fmt::format("  {:>4}  {}\n", ++number, shown);
+    }
+  };
+  for (const fuzz::GeneratedProgram& program : finding.exhibit.before) {
+    put_program(program.text);
+    text += "  before:\n";
+  }
+  put_program(finding.exhibit.program.text);
+  const std::string profile = reference::profile_json(finding.exhibit.program.profile);
+  if (profile != "{}") text += fmt::format("  profile {}\n", profile);
+  return text;
+}
+
+}  // namespace gonogo::cli

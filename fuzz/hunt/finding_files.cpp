@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/hunt/finding_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "fuzz/hunt/program_codes.hpp"
+#include "oracle/corpus/recheck.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/program_input.hpp"
+#include "oracle/subjects/text.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Vectors of findings belong to no released corpus.
+constexpr std::string_view kCorpusVersion = "0000.0.0";
+constexpr std::string_view kCycle = "hunt";
+
+void write_file(const fs::path& path, std::string_view text) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file) {
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("{} cannot be written", path.string()));
+  }
+}
+
+// The clause departed from; else those that the program comes by, at least one.
+std::vector<std::string> clauses_of(const Finding& finding) {
+  if (!finding.signature.clause.empty()) return {finding.signature.clause};
+  const GeneratedProgram& program = finding.exhibit.program;
+  std::set<std::string> names;
+  oracle::ProgramInput input(program.text);
+  reference::Expander expander(program.profile, input.lines, reference::OpenPaths::shown);
+  while (const reference::Item* item = expander.next()) {
+    const auto* record = std::get_if<reference::Record>(item);
+    if (record != nullptr) names.emplace(reference::clause_name(record->clause));
+  }
+  names.erase("");
+  if (names.empty()) {
+    const std::string_view dialect = program.profile.dialect;
+    const std::string_view prefix = dialect == "gsk988ta" ? "GSK-"
+                                    : dialect == "hnc21t" ? "HNC-"
+                                    : dialect == "rs274"  ? "NGC-"
+                                                          : "SIE-";
+    const auto all = reference::clauses();
+    const auto first = std::ranges::find_if(
+        all, [&](const reference::Clause& clause) { return clause.id.starts_with(prefix); });
+    names.emplace(first->id);
+  }
+  return {names.begin(), names.end()};
+}
+
+// What is expected under every assignment of the readings that are open.
+std::vector<oracle::Expectation> expectations_of(const GeneratedProgram& program) {
+  const oracle::Assignments assignments = oracle::assignments_of(program.profile, program.text);
+  std::vector<oracle::Expectation> expectations;
+  for (const reference::ReadingChoice& choice : assignments.choices) {
+    reference::Profile profile = program.profile;
+    profile.readings = choice;
+    oracle::Expectation expectation = oracle::expectation_of(profile, program.text);
+    for (const reference::ReadingKey key : assignments.open) {
+      expectation.when.emplace_back(reference::reading(key).name, choice.get(key));
+    }
+    expectations.push_back(std::move(expectation));
+  }
+  return expectations;
+}
+
+std::string verdict_text(const Finding& finding, const oracle::Case& test) {
+  const oracle::Verdict& verdict = finding.verdict;
+  std::string text =
+      fmt::format("{}: {}\n{}\n", test.id, finding.signature.text(), verdict.message);
+  auto put = [&](std::string_view what, const std::string& value) {
+    if (!value.empty()) text += fmt::format("{:<11}{}\n", what, value);
+  };
+  put("clause", finding.signature.clause);
+  if (verdict.block != 0) put("line", std::to_string(verdict.block));
+  if (verdict.record) put("record", std::to_string(*verdict.record));
+  put("want", verdict.want);
+  put("got", verdict.got);
+  put("deviation", verdict.deviation_exact);
+  put("witness", verdict.witness);
+  put("GO under", verdict.reading);
+  put("from", test.provenance);
+  return text;
+}
+
+std::string trace_of(const Evidence& evidence) {
+  std::string text;
+  for (const reference::Record& record : evidence.records) {
+    text += oracle::record_text(record) + "\n";
+  }
+  if (evidence.end.kind == oracle::RunEnd::Kind::alarm) {
+    text += oracle::alarm_text(evidence.end.alarm) + "\n";
+  }
+  return text;
+}
+
+// The profile as --profile takes it.
+std::string profile_text(const reference::Profile& profile) {
+  const std::string keys = reference::profile_json(profile);
+  return fmt::format("{{\"dialect\":\"{}\"{}{}\n", profile.dialect, keys == "{}" ? "" : ",",
+                     keys.substr(1));
+}
+
+void write_manifest(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "vectors")) {
+    if (!entry.is_regular_file() || entry.path().extension() != ".json") continue;
+    files.push_back(fs::relative(entry.path(), folder).generic_string());
+  }
+  std::ranges::sort(files);
+  std::string list;
+  for (const std::string& file : files) {
+    list += fmt::format("{}\n  \"{}\"", list.empty() ? "" : ",", file);
+  }
+  write_file(folder / "manifest.json",
+             fmt::format("{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"CC0-1.0\",\n "
+                         "\"files\": [{}\n ],\n \"retired\": []\n}}\n",
+                         kCorpusVersion, list));
+}
+
+void write_beside(const fs::path& folder, const Finding& finding, const Evidence& evidence,
+                  const oracle::Case& test) {
+  fs::create_directories(folder);
+  write_file(folder / "program.nc", test.program);
+  write_file(folder / "profile.json", profile_text(test.profile));
+  write_file(folder / "trace.jsonl", trace_of(evidence));
+  write_file(folder / "verdict.txt", verdict_text(finding, test));
+  for (std::size_t i = 0; i < finding.exhibit.before.size(); ++i) {
+    write_file(folder / fmt::format("before-{}.nc", i + 1), finding.exhibit.before[i].text);
+  }
+}
+
+}  // namespace
+
+oracle::Case case_of(const Finding& finding, const oracle::SubjectInfo& subject,
+                     const Provenance& provenance) {
+  const GeneratedProgram& program = finding.exhibit.program;
+  oracle::Case test;
+  test.dialect = program.profile.dialect;
+  test.cycle = kCycle;
+  test.group = fmt::format("hunt.{}.{}", test.dialect, finding.signature.hash());
+  test.id = test.group + ".000001";
+  test.comment = finding.signature.text();
+  test.program = program.text;
+  test.profile = program.profile;
+  const std::set<std::string> features = features_needed(test.dialect, lines_of(test.program));
+  test.features.assign(features.begin(), features.end());
+  test.clauses = clauses_of(finding);
+  test.expect = expectations_of(program);
+  test.provenance =
+      fmt::format("{} hunt: {} ({} {}), seed {}, program {}", provenance.gonogo, provenance.subject,
+                  subject.name, subject.version, provenance.seed, finding.program);
+  return test;
+}
+
+std::string write_finding(const std::string& folder, const Finding& finding,
+                          const Evidence& evidence, const oracle::SubjectInfo& subject,
+                          const Provenance& provenance) {
+  oracle::Case test = case_of(finding, subject, provenance);
+  const fs::path vectors = fs::path(folder) / "vectors" / test.dialect;
+  fs::create_directories(vectors);
+  fs::path file;
+  for (int number = 1;; ++number) {
+    test.id = fmt::format("{}.{:06}", test.group, number);
+    file = vectors / (test.id + ".json");
+    if (!fs::exists(file)) break;
+    const std::vector<oracle::Case> known = oracle::read_vector_file(file.string());
+    if (known.size() == 1 && known.front().program == test.program &&
+        known.front().profile == test.profile) {
+      break;
+    }
+  }
+  // Groups of two files are two groups.
+  oracle::Case numbered = test;
+  numbered.group = test.id;
+  write_file(file, oracle::vector_file_text(kCorpusVersion, {numbered}));
+  const std::vector<oracle::Case> written = oracle::read_vector_file(file.string());
+  if (auto fault = oracle::recheck(written.front())) {
+    throw oracle::CorpusError(fmt::format("{}: {}", file.string(), *fault));
+  }
+  write_beside(fs::path(folder) / "findings" / test.id, finding, evidence, numbered);
+  write_manifest(folder);
+  return test.id;
+}
+
+}  // namespace gonogo::fuzz

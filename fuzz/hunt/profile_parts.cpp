@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/hunt/profile_parts.hpp"
+
+#include <array>
+
+namespace gonogo::fuzz {
+namespace {
+
+using reference::Profile;
+using Take = void (*)(Profile& to, const Profile& from);
+
+constexpr std::array<Take, 16> kParts = {{
+    [](Profile& to, const Profile& from) { to.readings = from.readings; },
+    [](Profile& to, const Profile& from) { to.offsets = from.offsets; },
+    [](Profile& to, const Profile& from) { to.tools = from.tools; },
+    [](Profile& to, const Profile& from) { to.parameters = from.parameters; },
+    [](Profile& to, const Profile& from) { to.initial.at = from.initial.at; },
+    [](Profile& to, const Profile& from) { to.initial.feed = from.initial.feed; },
+    [](Profile& to, const Profile& from) { to.initial.plane = from.initial.plane; },
+    [](Profile& to, const Profile& from) { to.initial.motion = from.initial.motion; },
+    [](Profile& to, const Profile& from) { to.initial.spindle = from.initial.spindle; },
+    [](Profile& to, const Profile& from) { to.units = from.units; },
+    [](Profile& to, const Profile& from) { to.increment = from.increment; },
+    [](Profile& to, const Profile& from) { to.given_resolution = from.given_resolution; },
+    [](Profile& to, const Profile& from) { to.x_diameter = from.x_diameter; },
+    [](Profile& to, const Profile& from) { to.reference_point = from.reference_point; },
+    [](Profile& to, const Profile& from) { to.alarm_timing = from.alarm_timing; },
+    [](Profile& to, const Profile& from) { to.block_skip = from.block_skip; },
+}};
+
+}  // namespace
+
+std::size_t profile_parts() {
+  return kParts.size() + reference::kReadings;
+}
+
+bool reset_part(Profile& profile, std::size_t part) {
+  const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
+  const Profile before = profile;
+  if (part < kParts.size()) {
+    kParts[part](profile, fallback);
+  } else {
+    const auto key = static_cast<reference::ReadingKey>(part - kParts.size());
+    profile.readings.set(key, fallback.readings.get(key));
+  }
+  return !(profile == before);
+}
+
+}  // namespace gonogo::fuzz
