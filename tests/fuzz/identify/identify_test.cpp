@@ -85,39 +85,6 @@ TEST(Identify, WhatDepartsUnderEveryReadingFollowsNone) {
             std::string::npos);
 }
 
-// Follows the defaults in every other program, and other readings in between.
-class FickleSubject final : public SecretSubject {
- public:
-  FickleSubject() : SecretSubject(builtin("hnc"), {}), other_(builtin("hnc"), other_values()) {}
-  void configure(const Profile& profile) override {
-    SecretSubject::configure(profile);
-    other_.configure(profile);
-  }
-  oracle::RunEnd run(std::string_view id, std::string_view program,
-                     const oracle::RecordSink& sink) override {
-    return runs_++ % 2 == 0 ? SecretSubject::run(id, program, sink) : other_.run(id, program, sink);
-  }
-
- private:
-  static ReadingChoice other_values() {
-    ReadingChoice choice;
-    for (const ReadingKey key : reading_kinds("hnc21t").choices) {
-      choice.set(key, reference::reading(key).alternatives.back());
-    }
-    return choice;
-  }
-  SecretSubject other_;
-  std::size_t runs_ = 0;
-};
-
-TEST(Identify, WhatContradictsItselfFollowsNone) {
-  FickleSubject subject;
-  const Identification found = identify_readings(subject, pool_of("hnc21t"), {});
-  ASSERT_GE(found.contradiction.size(), 2U);
-  EXPECT_NE(identification_text(found, "fickle", "hnc21t").find("contradicts program"),
-            std::string::npos);
-}
-
 // Skips every program with a thread cycle.
 class WithoutThreads final : public SecretSubject {
  public:
@@ -141,15 +108,6 @@ TEST(Identify, SaysThatASubjectSkipsWhatWouldTell) {
   EXPECT_EQ(exit.values.size(), 2U);
   EXPECT_EQ(exit.why, "the subject skips the programs that show it");
   EXPECT_EQ(found_of(found, ReadingKey::hnc_g75_end).values.size(), 1U);
-}
-
-TEST(Identify, FindsALengthByTheDepartureThatItMakes) {
-  const ReadingChoice secret = with({{ReadingKey::pocket_p_omitted, "1.5"}});
-  SecretSubject subject(std::make_unique<testing::ReferenceSubject>(), secret);
-  const Identification found = identify_readings(subject, pool_of("gsk988ta"), {});
-  ASSERT_TRUE(found.contradiction.empty());
-  EXPECT_EQ(found_of(found, ReadingKey::pocket_p_omitted).values,
-            (std::vector<std::string>{"1.5"}));
 }
 
 // Readings of the dialect at random, of those that the expander has.
