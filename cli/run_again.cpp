@@ -10,6 +10,7 @@
 
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
@@ -54,22 +55,12 @@ std::vector<std::string> texts(const Json& list) {
   return found;
 }
 
-template <typename Result>
-Result checked(std::variant<Result, oracle::FileFault> read, const fs::path& path) {
-  if (auto* fault = std::get_if<oracle::FileFault>(&read)) {
-    throw UsageError(fmt::format("{}: {}", path.string(), fault->message));
-  }
-  return std::get<Result>(std::move(read));
-}
-
 void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
   if (const fs::path path = folder / evidence::kWaiversFile; fs::exists(path)) {
-    campaign.known_failures =
-        checked(oracle::known_failures_from_toml(read_file(path.string())), path);
+    campaign.known_failures = load_known_failures(path.string());
   }
   if (const fs::path path = folder / evidence::kAlarmMapFile; fs::exists(path)) {
-    campaign.alarm_map = std::make_shared<const oracle::AlarmMap>(
-        checked(oracle::alarm_map_from_toml(read_file(path.string())), path));
+    campaign.alarm_map = load_alarm_map(path.string());
   }
   if (const fs::path path = folder / evidence::kProfileFile; fs::exists(path)) {
     campaign.profile = load_profile({"", path.string(), {}});

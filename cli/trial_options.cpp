@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/program_file.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
@@ -33,14 +34,7 @@ fuzz::TrialOptions trial_options(const TrialWords& words) {
   options.tolerance = length_option(words.limits.tolerance, "--tolerance");
   options.chord = length_option(words.limits.chord, "--chord");
   options.run_limit = words.limits.limits().run;
-  if (!words.alarm_map.empty()) {
-    auto entries = oracle::alarm_map_from_toml(read_file(words.alarm_map));
-    if (auto* fault = std::get_if<oracle::FileFault>(&entries)) {
-      throw UsageError(fmt::format("{}: {}", words.alarm_map, fault->message));
-    }
-    options.alarm_map = std::make_shared<const oracle::AlarmMap>(
-        std::get<std::vector<oracle::AlarmMap::Entry>>(std::move(entries)));
-  }
+  if (!words.alarm_map.empty()) options.alarm_map = load_alarm_map(words.alarm_map);
   return options;
 }
 

@@ -55,6 +55,17 @@ std::string verdict_text(const Verdict& verdict) {
                      evidence(verdict, "  "));
 }
 
+ExitCode exit_code_of(const oracle::Verdict& verdict) {
+  switch (decision(verdict.kind)) {
+    case oracle::Decision::go:
+      return kGo;
+    case oracle::Decision::no_go:
+      return kNoGo;
+    default:
+      return kUndecided;
+  }
+}
+
 std::string summary_text(const CampaignSummary& summary, const std::string& subject) {
   std::string text;
   std::size_t shown = 0;

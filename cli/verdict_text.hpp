@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/exit_code.hpp"
 #include "oracle/campaign/results.hpp"
 #include "oracle/verdict.hpp"
 
@@ -10,6 +11,8 @@ namespace gonogo::cli {
 
 // A verdict for people, some lines.
 std::string verdict_text(const oracle::Verdict& verdict);
+// What the program ends with where it judged one program.
+ExitCode exit_code_of(const oracle::Verdict& verdict);
 
 // What the terminal shows of a campaign.
 struct CampaignSummary {

@@ -16,6 +16,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
@@ -66,26 +67,12 @@ void parse_shard(const std::string& text, oracle::CampaignOptions& campaign) {
   campaign.shards = shards;
 }
 
-template <typename Result>
-Result checked(std::variant<Result, oracle::FileFault> read, const std::string& path) {
-  if (auto* fault = std::get_if<oracle::FileFault>(&read)) {
-    throw UsageError(fmt::format("{}: {}", path, fault->message));
-  }
-  return std::get<Result>(std::move(read));
-}
-
 // What the files of the subject say of it.
 void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& campaign) {
   if (!options.known_failures.empty()) {
-    const std::string text = read_file(options.known_failures);
-    campaign.known_failures =
-        checked(oracle::known_failures_from_toml(text), options.known_failures);
+    campaign.known_failures = load_known_failures(options.known_failures);
   }
-  if (!options.alarm_map.empty()) {
-    const std::string text = read_file(options.alarm_map);
-    campaign.alarm_map = std::make_shared<const oracle::AlarmMap>(
-        checked(oracle::alarm_map_from_toml(text), options.alarm_map));
-  }
+  if (!options.alarm_map.empty()) campaign.alarm_map = load_alarm_map(options.alarm_map);
 }
 
 oracle::CampaignOptions campaign_options(const CertifyOptions& options) {

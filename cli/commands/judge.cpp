@@ -89,14 +89,7 @@ int judge(const JudgeOptions& options) {
   Output output;
   output.text() = verdict_text(session.verdict);
   output.flush();
-  switch (decision(session.verdict.kind)) {
-    case oracle::Decision::go:
-      return kGo;
-    case oracle::Decision::no_go:
-      return kNoGo;
-    default:
-      return kUndecided;
-  }
+  return exit_code_of(session.verdict);
 }
 
 }  // namespace

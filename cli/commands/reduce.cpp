@@ -19,17 +19,6 @@ struct ReduceWords {
   ProfileOptions profile;
 };
 
-int exit_code_of(oracle::VerdictKind kind) {
-  switch (decision(kind)) {
-    case oracle::Decision::go:
-      return kGo;
-    case oracle::Decision::no_go:
-      return kNoGo;
-    default:
-      return kUndecided;
-  }
-}
-
 int reduce(const ReduceWords& words) {
   constexpr std::size_t kMostRecords = 200'000;
   const fuzz::GeneratedProgram program{load_profile(words.profile), read_file(words.program)};
@@ -41,7 +30,7 @@ int reduce(const ReduceWords& words) {
   std::optional<fuzz::Finding> finding = fuzz::finding_of(trial, program, verdict);
   if (!finding) {
     fmt::print(stderr, "{}There is nothing to reduce.\n", verdict_text(verdict));
-    return exit_code_of(verdict.kind);
+    return exit_code_of(verdict);
   }
   fuzz::reduce_finding(trial, *finding, {});
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
@@ -54,7 +43,7 @@ int reduce(const ReduceWords& words) {
   Output output;
   output.text() = reduced.text;
   output.flush();
-  return exit_code_of(finding->verdict.kind);
+  return exit_code_of(finding->verdict);
 }
 
 }  // namespace

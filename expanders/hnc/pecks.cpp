@@ -91,10 +91,12 @@ bool Descent::run() {
 bool Descent::run_summed() {
   constexpr auto kScale = static_cast<double>(kOne);
   const double bottom = static_cast<double>(depth_) / kScale;
-  const double infeed = static_cast<double>(pecks_.infeed) / kScale;
+  const double net = static_cast<double>(net_infeed(machine_, pecks_)) / kScale;
+  double infeed = static_cast<double>(pecks_.infeed) / kScale;
   double sum = 0;
   while (sum < bottom) {
     sum += infeed;
+    infeed = net;
     const Wide depth = std::min<Wide>(std::llround(sum * kScale), depth_);
     if (!feed_to(depth)) return false;
     if (sum < bottom && !withdraw_from(depth)) return false;

@@ -17,4 +17,17 @@ ArcWays arc_ways(std::string_view centre, std::string_view end) {
   return ways;
 }
 
+void add_arc_form(const Pick& pick, const Drawing& drawing, const ArcWays& ways,
+                  std::vector<std::string>& words) {
+  if (pick.is("form", "centre")) {
+    for (const Role role : {Role::p, Role::q}) {
+      const Length way = ways.centre[static_cast<std::size_t>(role)];
+      if (way.sign() != 0 || pick.is("zeros", "written"))
+        words.push_back(drawing.offset(role, way));
+    }
+  } else if (!pick.is("form", "none")) {
+    words.push_back(drawing.word("R", "form"));
+  }
+}
+
 }  // namespace gonogo::fuzz::cover

@@ -192,15 +192,7 @@ void draw_arc(const Pick& pick, Drawing& drawing) {
   const bool named = !pick.is("end", "full") || pick.is("full", "written");
   if (named) words.push_back(drawing.travel(Role::p, ways.end[0]));
   if (named) words.push_back(drawing.travel(Role::q, ways.end[1]));
-  if (pick.is("form", "centre")) {
-    for (const Role role : {Role::p, Role::q}) {
-      const Length way = ways.centre[static_cast<std::size_t>(role)];
-      if (way.sign() != 0 || pick.is("zeros", "written"))
-        words.push_back(drawing.offset(role, way));
-    }
-  } else if (!pick.is("form", "none")) {
-    words.push_back(drawing.word("R", "form"));
-  }
+  add_arc_form(pick, drawing, ways, words);
   if (pick.is("F", "here")) words.emplace_back("F200");
   words.push_back(stray_word(pick, drawing));
   drawing.test(words);

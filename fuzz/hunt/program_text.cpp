@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fuzz/program_lines.hpp"
+
 namespace gonogo::fuzz {
 namespace {
 
@@ -78,13 +80,7 @@ TextLine cut(std::string_view line, std::string_view end) {
 
 std::vector<TextLine> lines_of(std::string_view program) {
   std::vector<TextLine> lines;
-  while (!program.empty()) {
-    const std::size_t stop = std::min(program.find_first_of("\r\n"), program.size());
-    std::size_t next = stop;
-    if (next < program.size()) next += program.substr(next).starts_with("\r\n") ? 2U : 1U;
-    lines.push_back(cut(program.substr(0, stop), program.substr(stop, next - stop)));
-    program.remove_prefix(next);
-  }
+  for (const ProgramLine& line : program_lines(program)) lines.push_back(cut(line.text, line.end));
   return lines;
 }
 

@@ -166,18 +166,24 @@ std::optional<std::string> without_last_mark(const ProgramText& program) {
   return changed.text();
 }
 
-}  // namespace
-
-void add_modal_variants(const Observation& departure, Variants& out) {
-  const ProgramText program(departure.profile, departure.program);
-  std::set<std::string> addresses;
+// What the blocks of a program name.
+struct Named {
+  std::set<std::string> addresses;  // but G and M
   std::set<std::string> motions;
+};
+
+Named named_in(const ProgramText& program) {
+  Named named;
   for (const TextBlock& block : program.blocks) {
-    if (!block.motion.empty()) motions.insert(block.motion);
+    if (!block.motion.empty()) named.motions.insert(block.motion);
     for (const TextWord& word : block.words) {
-      if (!word.is_code()) addresses.insert(word.address);
+      if (!word.is_code()) named.addresses.insert(word.address);
     }
   }
+  return named;
+}
+
+void add_leaks(const std::set<std::string>& addresses, Variants& out) {
   std::vector<std::set<std::string>> sets;
   for (const std::string& address : addresses) sets.push_back({address});
   if (addresses.contains("R") && addresses.contains("Q")) sets.push_back({"R", "Q"});
@@ -192,6 +198,9 @@ void add_modal_variants(const Observation& departure, Variants& out) {
         fmt::format("{} stays in force from cycle to cycle", names),
         [set](const ProgramText& text) { return leaked(text, set, in_cycle, in_cycle); }, out);
   }
+}
+
+void add_lost_words(const std::set<std::string>& addresses, Variants& out) {
   for (const std::string& address : addresses) {
     add_text(
         fmt::format("{} holds for its own block only", address),
@@ -203,6 +212,9 @@ void add_modal_variants(const Observation& departure, Variants& out) {
         fmt::format("{} of a block that repeats a cycle has no effect", address),
         [address](const ProgramText& text) { return stuck(text, address, in_cycle); }, out);
   }
+}
+
+void add_mode_slips(Variants& out) {
   add_text(
       "F of a thread becomes the feed",
       [](const ProgramText& text) { return leaked(text, {"F"}, in_thread, in_no_thread); }, out);
@@ -211,6 +223,9 @@ void add_modal_variants(const Observation& departure, Variants& out) {
       [](const ProgramText& text) { return leaked(text, {"F"}, in_no_thread, in_thread); }, out);
   add_text("G91 has no effect after G90", latched, out);
   add_text("after a dwell no motion code is in force", no_motion_after_dwell, out);
+}
+
+void add_late_words(const std::set<std::string>& addresses, Variants& out) {
   add_text(
       "F holds from the next block on", [](const ProgramText& text) { return late(text, {"F"}); },
       out);
@@ -232,6 +247,9 @@ void add_modal_variants(const Observation& departure, Variants& out) {
         return late(text, parameters);
       },
       out);
+}
+
+void add_forgotten_motions(const std::set<std::string>& motions, Variants& out) {
   for (const std::string& motion : motions) {
     for (const std::string instead : {"G0", "G1"}) {
       if (motion == instead || motion.front() != 'G') continue;
@@ -240,18 +258,30 @@ void add_modal_variants(const Observation& departure, Variants& out) {
           [=](const ProgramText& text) { return forgotten(text, motion, instead); }, out);
     }
   }
-  out.push_back(
-      {"the end of the program is ignored", [](const Observation& seen) -> std::optional<Trial> {
-         auto text = without_end(ProgramText(seen.profile, seen.program));
-         if (!text) return std::nullopt;
-         Trial trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-         // It is passed on all the same.
-         std::erase_if(trial.outcome.records, [](const Record& record) {
-           return record.kind == reference::RecordKind::m &&
-                  (record.m == 2 || record.m == 17 || record.m == 30);
-         });
-         return trial;
-       }});
+}
+
+std::optional<Trial> with_end_ignored(const Observation& seen) {
+  auto text = without_end(ProgramText(seen.profile, seen.program));
+  if (!text) return std::nullopt;
+  Trial trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+  // It is passed on all the same.
+  std::erase_if(trial.outcome.records, [](const Record& record) {
+    return record.kind == reference::RecordKind::m &&
+           (record.m == 2 || record.m == 17 || record.m == 30);
+  });
+  return trial;
+}
+
+}  // namespace
+
+void add_modal_variants(const Observation& departure, Variants& out) {
+  const Named named = named_in(ProgramText(departure.profile, departure.program));
+  add_leaks(named.addresses, out);
+  add_lost_words(named.addresses, out);
+  add_mode_slips(out);
+  add_late_words(named.addresses, out);
+  add_forgotten_motions(named.motions, out);
+  out.push_back({"the end of the program is ignored", with_end_ignored});
   add_text("the second % does not end the program", without_last_mark, out);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fuzz/program_lines.hpp"
 #include "grammar/parser.hpp"
 #include "reference/dialect.hpp"
 
@@ -121,21 +122,6 @@ void Modes::take(TextBlock& block) {
   block.absolute_centre = absolute_centre_;
 }
 
-// The lines with their ends.
-std::vector<TextBlock> lines_of(std::string_view program) {
-  std::vector<TextBlock> lines;
-  while (!program.empty()) {
-    const std::size_t end = program.find_first_of("\r\n");
-    TextBlock& line = lines.emplace_back();
-    line.text = program.substr(0, end);
-    if (end == std::string_view::npos) break;
-    const bool pair = program.substr(end).starts_with("\r\n");
-    line.end = program.substr(end, pair ? 2 : 1);
-    program.remove_prefix(end + line.end.size());
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::string TextWord::code() const {
@@ -153,12 +139,14 @@ bool TextBlock::in_cycle() const {
   return !contains(kPlain, motion);
 }
 
-ProgramText::ProgramText(const reference::Profile& profile, std::string_view program)
-    : blocks(lines_of(program)) {
+ProgramText::ProgramText(const reference::Profile& profile, std::string_view program) {
   const grammar::Dialect dialect = reference::find_dialect(profile.dialect)->grammar;
   Modes modes(profile);
   Block block;
-  for (TextBlock& line : blocks) {
+  for (const fuzz::ProgramLine& written : fuzz::program_lines(program)) {
+    TextBlock& line = blocks.emplace_back();
+    line.text = written.text;
+    line.end = written.end;
     block.clear();
     if (!parse_block(dialect, line.text, block)) {
       for (const grammar::Word& word : block.words) {

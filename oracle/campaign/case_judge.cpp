@@ -181,13 +181,13 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
 }
 
 CaseResult CaseJudge::judge(const Case& test) {
+  prepare(test);
   CaseResult result;
   result.id = test.id;
   result.dialect = test.dialect;
   result.cycle = test.cycle;
   result.clauses = test.clauses;
-  const bool prepared = profile_ && *profile_ == test.profile;
-  result.profile = prepared ? profile_text_ : reference::profile_json(test.profile);
+  result.profile = profile_text_;
   result.expected_gap = std::ranges::any_of(test.expect, &Expectation::not_covered);
   if (const auto feature = undeclared_feature(test)) {
     result.verdict.kind = VerdictKind::skip;
@@ -196,7 +196,6 @@ CaseResult CaseJudge::judge(const Case& test) {
         fmt::format("The subject does not declare {} in {}.", *feature, test.dialect);
     return result;
   }
-  prepare(test);
   const JudgeTerms terms =
       make_terms(subject_->info(), test.profile, options_.tolerance, options_.chord);
   Attempt attempt = run_kept(*subject_, test, terms);

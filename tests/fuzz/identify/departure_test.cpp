@@ -36,6 +36,10 @@ struct Planted {
   const char* cause;
 };
 
+void PrintTo(const Planted& planted, std::ostream* out) {
+  *out << planted.expander << '+' << planted.fault;
+}
+
 class PlantedFault : public ::testing::TestWithParam<Planted> {};
 
 TEST_P(PlantedFault, IsExplainedByItsCause) {

@@ -132,6 +132,10 @@ struct Bed {
   std::uint64_t assignments;  // how many are tried
 };
 
+void PrintTo(const Bed& bed, std::ostream* out) {
+  *out << bed.dialect;
+}
+
 class IdentifyAnything : public ::testing::TestWithParam<Bed> {};
 
 // Whatever readings an expander follows: none of them is struck out, and few programs are needed.
