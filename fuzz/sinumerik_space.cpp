@@ -71,10 +71,16 @@ void SinumerikWriter::cip_block() {
     via[axis] = state_.mm_of_count() * static_cast<double>(to_via[axis]);
     end[axis] = state_.mm_of_count() * static_cast<double>(to_end[axis]);
   }
-  const bool in_line = cross_length(via, end) < 1e-3 * norm(via) * norm(end) + 1e-9 ||
-                       norm({end[0] - via[0], end[1] - via[1], end[2] - via[2]}) < 1e-3;
+  const Direction last = {end[0] - via[0], end[1] - via[1], end[2] - via[2]};
+  const double area = cross_length(via, end);
+  const bool in_line = area < 1e-3 * norm(via) * norm(end) + 1e-9 || norm(last) < 1e-3;
   // Points in line decide on an alarm: not where they are no decimals.
   if (in_line && !exact) return line_block();
+  // Of a circle as large the last digit of a point moves the far side by more than the tolerance.
+  constexpr double kLargestRadius = 1e5;  // mm
+  if (!in_line && norm(via) * norm(end) * norm(last) > 2 * kLargestRadius * area) {
+    return line_block();
+  }
   enter(words, kCip);
   static constexpr std::string_view kVia[] = {"I1", "J1", "K1"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -94,7 +100,6 @@ void SinumerikWriter::cip_block() {
     // Of the circle through via, the end and the start, in that order.
     Direction tangent{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Direction last = {end[0] - via[0], end[1] - via[1], end[2] - via[2]};
       tangent[axis] = last[axis] / dot(last, last) - end[axis] / dot(end, end);
     }
     arrive(tangent);

@@ -82,6 +82,20 @@ void BlockBase::rename(const Position& to) {
   out.items.emplace_back(std::move(renaming));
 }
 
+bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
+                    BlockOutput& out) {
+  if (!has_begun) return false;
+  if (block.tape_mark) {
+    out.program_end = true;
+    return true;
+  }
+  if (!block.program_number) return false;
+  out.not_covered =
+      NotCovered{line, "program-head",
+                 "Another program begins here, which the gauge does not read.", grammar::Span{}};
+  return true;
+}
+
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line) {
   const grammar::OutsideConstruct& construct = block.outside.value();
   return {line, construct.name,
@@ -123,6 +137,7 @@ void put_m_function(Record record, BlockOutput& out) {
   const std::int32_t m = record.m;
   const bool ends_program = m == 2 || m == 17 || m == 30;
   const bool after = ends_program || m == 0 || m == 1 || m == 5 || m == 9;
+  if (after && out.program_end) return;  // nothing runs after the end
   (after ? out.after : out.items).emplace_back(std::move(record));
   if (ends_program) out.program_end = true;
 }

@@ -55,6 +55,11 @@ struct BlockBase {
   void rename(const Position& to);
 };
 
+// What stands between programs, once a block has run: a second % ends the program, and the number
+// of another one is not read. Whether the block is either.
+bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
+                    BlockOutput& out);
+
 // A block whose construct is not read. REQUIRES: there is one.
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
 

@@ -5,6 +5,16 @@
 
 namespace gonogo::reference {
 
+namespace {
+
+// A block behind '/' is passed over unread, so that nothing in it is wrong.
+bool is_skipped(const grammar::Line& line) {
+  const std::size_t first = line.text.find_first_not_of(" \t");
+  return !line.too_long && first != std::string_view::npos && line.text[first] == '/';
+}
+
+}  // namespace
+
 void BlockOutput::clear() {
   items.clear();
   cycle = {};
@@ -48,6 +58,7 @@ const Item* Expander::next() {
     }
     out_.clear();
     next_item_ = next_after_ = 0;
+    if (profile_.block_skip && is_skipped(line_)) continue;
     std::optional<grammar::SyntaxError> error;
     if (line_.too_long) {
       error = grammar::line_too_long();

@@ -37,8 +37,11 @@ bool Tokenizer::skip_blanks() {
   return true;
 }
 
-void Tokenizer::skip_digits() {
+bool Tokenizer::skip_digits() {
+  while (cursor_ != end_ && (*cursor_ == ' ' || *cursor_ == '\t')) ++cursor_;
+  const char* const first = cursor_;
   while (cursor_ != end_ && *cursor_ >= '0' && *cursor_ <= '9') ++cursor_;
+  return cursor_ != first;
 }
 
 Token Tokenizer::next(Word& word) {

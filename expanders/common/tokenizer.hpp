@@ -49,8 +49,8 @@ class Tokenizer {
   Token next(Word& word);
   /// The line from the first byte of the token that was read last.
   std::string_view from_token() const { return {token_, static_cast<std::size_t>(end_ - token_)}; }
-  /// Passes over the digits that follow the token.
-  void skip_digits();
+  /// Passes over the digits that follow the token; false: there are none.
+  bool skip_digits();
 
  private:
   bool skip_blanks();

@@ -18,6 +18,7 @@ void Block::clear() {
   words_ = AddressSet{};
   codes_.fill(nullptr);
   any_code_ = false;
+  begins_program_ = false;
   defect_.reset();
   unsupported_ = nullptr;
   last_address_ = 0;
@@ -29,7 +30,7 @@ Block::Reading Block::read(std::string_view line, bool block_skip, bool later_wi
   Tokenizer tokens(line);
   Word word;
   bool first = true;       // nothing before this token
-  bool first_word = true;  // nothing but `/` or O before it: N may stand here
+  bool first_word = true;  // nothing but `/` before it: N or O may stand here
   while (true) {
     switch (tokens.next(word)) {
       case Token::kEnd:
@@ -46,12 +47,13 @@ Block::Reading Block::read(std::string_view line, bool block_skip, bool later_wi
         last_address_ = word.address;
         if (word.address == 'N' || word.address == 'O') {
           if (!first_word || !is_plain_number(word.number)) return Reading::kSyntax;
+          begins_program_ = word.address == 'O';
         } else if (word.address == 'G') {
           take_code(word.number, later_wins);
         } else {
           take_word(word.address, word.number, later_wins);
         }
-        first_word = word.address == 'O' && first_word;
+        first_word = false;
         break;
     }
     first = false;

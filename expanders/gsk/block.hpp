@@ -38,6 +38,8 @@ class Block {
     return code(group) != nullptr && code(group)->number == number;
   }
   bool empty() const { return words_.empty() && !any_code_; }
+  /// Whether the number of a program stands at its head.
+  bool begins_program() const { return begins_program_; }
   /// What reading found wrong with words that can be read; the first of them.
   const std::optional<Alarm>& defect() const { return defect_; }
   /// The first code that is not implemented; null: none.
@@ -57,6 +59,7 @@ class Block {
   std::array<Decimal, 26> numbers_;  // valid where words_ has the address
   std::array<const Code*, kGroups> codes_{};
   bool any_code_ = false;
+  bool begins_program_ = false;
   std::optional<Alarm> defect_;
   const Code* unsupported_ = nullptr;
   char last_address_ = 0;

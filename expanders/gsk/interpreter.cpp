@@ -51,6 +51,7 @@ Flow Interpreter::run_line(std::string_view line) {
     case Block::Reading::kWords:
       break;
   }
+  if (block_.begins_program() && any_block_) return unsupported("A second program");
   if (block_.empty()) return Flow::kContinue;
   any_block_ = true;
   return run_block();
@@ -73,21 +74,25 @@ Flow Interpreter::run_block() {
   return goes_on ? run_functions(false) : Flow::kStopped;
 }
 
-Flow Interpreter::unsupported(const char* letter, unsigned number) {
+Flow Interpreter::unsupported(std::string_view what) {
   char message[64];
-  const int size =
-      number % 10 == 0
-          ? std::snprintf(message, sizeof message, "%s%u is not implemented.", letter, number / 10)
-          : std::snprintf(message, sizeof message, "%s%u.%u is not implemented.", letter,
-                          number / 10, number % 10);
+  const int size = std::snprintf(message, sizeof message, "%.*s is not implemented.",
+                                 static_cast<int>(what.size()), what.data());
   machine_.trace.note(GONOGO_NOTE_ERROR, {message, static_cast<std::size_t>(size)});
   return Flow::kUnsupported;
+}
+
+Flow Interpreter::unsupported(char letter, unsigned tenths) {
+  char code[16];
+  const char* form = tenths % 10 == 0 ? "%c%u" : "%c%u.%u";
+  const int size = std::snprintf(code, sizeof code, form, letter, tenths / 10, tenths % 10);
+  return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
 }
 
 // What can be said of the block before any code takes effect.
 Flow Interpreter::check_codes() {
   if (block_.defect()) return machine_.raise(block_.defect()->kind, block_.defect()->word);
-  if (const Code* code = block_.unsupported()) return unsupported("G", code->number);
+  if (const Code* code = block_.unsupported()) return unsupported('G', code->number);
   const Code* cycle = block_.code(Group::kCycle);
   const bool enters = cycle != nullptr && cycle->number != 800;
   if (enters && block_.code(Group::kMotion) != nullptr) {
@@ -102,7 +107,7 @@ Flow Interpreter::check_codes() {
     return machine_.raise(AlarmKind::kValueOutOfRange, 'M');
   }
   const Fixed number = m.value / kOne;
-  if (number == 98 || number == 99) return unsupported("M", static_cast<unsigned>(number) * 10);
+  if (number == 98 || number == 99) return unsupported('M', static_cast<unsigned>(number) * 10);
   return Flow::kContinue;
 }
 

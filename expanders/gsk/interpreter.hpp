@@ -33,7 +33,8 @@ class Interpreter {
   Flow prepare_cycle(bool mills, Plan& plan);
   Flow run_functions(bool before);
   bool is_dwell() const { return block_.has_code(Group::kNonModal, 40); }
-  Flow unsupported(const char* letter, unsigned number);
+  Flow unsupported(std::string_view what);
+  Flow unsupported(char letter, unsigned tenths);
 
   Machine machine_;
   Block block_;

@@ -47,6 +47,7 @@ void Block::clear() {
   words_ = AddressSet{};
   codes_.fill(nullptr);
   any_code_ = false;
+  begins_program_ = false;
   unknown_code_ = false;
   outside_ = nullptr;
   duplicate_ = 0;
@@ -65,7 +66,7 @@ Block::Reading Block::read(std::string_view line, bool block_skip) {
   if (line.size() > kLongestLine) return Reading::kSyntax;
   Tokenizer tokens(line);
   Word word;
-  bool first_word = true;  // nothing but `/` or O before it: N may stand here
+  bool first_word = true;  // nothing but `/` before it: N or O may stand here
   for (Position position = 0;; ++position) {
     switch (tokens.next(word)) {
       case Token::kEnd:
@@ -74,7 +75,11 @@ Block::Reading Block::read(std::string_view line, bool block_skip) {
         return unreadable(tokens.from_token());
       case Token::kTapeMark:
         if (position != 0) return Reading::kSyntax;
-        tokens.skip_digits();
+        first_word = false;
+        if (tokens.skip_digits()) {
+          begins_program_ = true;
+          break;
+        }
         return tokens.next(word) == Token::kEnd ? Reading::kTapeMark : Reading::kSyntax;
       case Token::kSkip:
         if (position != 0) return Reading::kSyntax;
@@ -84,10 +89,11 @@ Block::Reading Block::read(std::string_view line, bool block_skip) {
         last_address_ = word.address;
         if (word.address == 'N' || word.address == 'O') {
           if (!first_word || !is_plain_number(word.number)) return Reading::kSyntax;
+          begins_program_ = word.address == 'O';
         } else {
           take(word, position);
         }
-        first_word = word.address == 'O' && first_word;
+        first_word = false;
         break;
     }
   }

@@ -17,7 +17,7 @@ class Block {
   enum class Reading {
     kWords,     // may be without any word
     kSkipped,   // `/` with the block skip on
-    kTapeMark,  // `%`, alone or with the program's number
+    kTapeMark,  // `%`, alone
     kMacro,     // a variable, an expression or a statement of the macro language
     kSyntax
   };
@@ -40,6 +40,8 @@ class Block {
     return code_positions_[static_cast<std::size_t>(group)];
   }
   bool empty() const { return words_.empty() && !any_code_; }
+  /// Whether the number of a program stands at its head.
+  bool begins_program() const { return begins_program_; }
 
   /// The first code that is not implemented; null: none.
   const Code* outside() const { return outside_; }
@@ -68,6 +70,7 @@ class Block {
   std::array<const Code*, kGroups> codes_{};
   std::array<Position, kGroups> code_positions_{};
   bool any_code_ = false;
+  bool begins_program_ = false;
   bool unknown_code_ = false;
   const Code* outside_ = nullptr;
   char duplicate_ = 0;

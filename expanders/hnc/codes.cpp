@@ -24,7 +24,7 @@ constexpr std::array kCodes{
     Code{54, Group::kFrame, kFull},    Code{55, Group::kFrame, kFull},
     Code{56, Group::kFrame, kFull},    Code{57, Group::kFrame, kFull},
     Code{58, Group::kFrame, kFull},    Code{59, Group::kFrame, kFull},
-    Code{61, Group::kFree, kNone},     Code{64, Group::kFree, kNone},
+    Code{61, Group::kPathMode, kNone}, Code{64, Group::kPathMode, kNone},
     Code{65, Group::kOnce, kOut},      Code{70, Group::kFree, kOut},
     Code{71, Group::kMotion, kOut},    Code{72, Group::kMotion, kOut},
     Code{73, Group::kMotion, kOut},    Code{74, Group::kMotion, kFull},

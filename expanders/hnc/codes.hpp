@@ -20,9 +20,10 @@ enum class Group : std::uint8_t {
   kPlane,     // G17 to G19
   kRadius,    // G40 to G42
   kSpindle,   // G96, G97
+  kPathMode,  // G61, G64
   kFree
 };
-inline constexpr std::size_t kGroups = 11;
+inline constexpr std::size_t kGroups = 12;
 
 enum class Support : std::uint8_t {
   kFull,

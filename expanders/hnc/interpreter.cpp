@@ -54,6 +54,7 @@ Flow Interpreter::run_line(std::string_view line) {
     case Block::Reading::kWords:
       break;
   }
+  if (block_.begins_program() && any_block_) return unsupported("A second program");
   if (block_.empty()) return Flow::kContinue;
   any_block_ = true;
   return run_block();

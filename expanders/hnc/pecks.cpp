@@ -76,7 +76,9 @@ bool Descent::withdraw_from(Wide depth) {
 
 bool Descent::run() {
   const Wide pecks = count();
-  const bool endless = machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kOne / 100;
+  // Not without depth: what stands still puts out nothing, and nothing could stop it.
+  const bool endless =
+      machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kOne / 100 && depth_ != 0;
   for (Wide peck = 1; peck <= pecks || endless; ++peck) {
     const Wide depth = depth_of(peck);
     if (!feed_to(depth)) return false;
@@ -136,7 +138,8 @@ void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks) {
   pecks.infeed = store.infeed.value;
   // Reading hnc.peck.from: what one peck does not reach is never reached.
   const Fixed depth = magnitude(pecks.bottom - machine.state.position[pecks.axis]);
-  if (machine.configuration.peck_from_withdrawn && pecks.withdrawal >= pecks.infeed &&
+  const bool is_peck = pecks.infeed > 0;  // else HNC-G74-01
+  if (machine.configuration.peck_from_withdrawn && is_peck && pecks.withdrawal >= pecks.infeed &&
       depth > pecks.infeed) {
     machine.complain(AlarmKind::kValueOutOfRange, 'R', block);
   }

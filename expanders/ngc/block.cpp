@@ -49,6 +49,17 @@ bool is_plain_number(const Decimal& number) {
   return number.overflow || (number.value >= 0 && number.value % kOne == 0 && !number.finer);
 }
 
+// NGC-COM-01: `%` with nothing but blanks beside it.
+bool is_alone(std::string_view line) {
+  return std::all_of(line.begin(), line.end(), [](char c) { return is_blank(c) || c == '%'; }) &&
+         std::count(line.begin(), line.end(), '%') == 1;
+}
+
+// Whether a comment stands before `token`, which ends `line`.
+bool follows_comment(std::string_view line, std::string_view token) {
+  return line.substr(0, line.size() - token.size()).find('(') != std::string_view::npos;
+}
+
 bool is_small(std::string_view token) {
   return !token.empty() && token[0] >= 'a' && token[0] <= 'z';
 }
@@ -86,10 +97,9 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
       case Token::kSyntax:
         return unreadable(tokens.from_token());
       case Token::kTapeMark:
-        if (position != 0) return Reading::kSyntax;
-        return tokens.next(word) == Token::kEnd ? Reading::kTapeMark : Reading::kSyntax;
+        return is_alone(line) ? Reading::kTapeMark : Reading::kSyntax;
       case Token::kSkip:
-        if (position != 0) return Reading::kSyntax;
+        if (position != 0 || follows_comment(line, tokens.from_token())) return Reading::kSyntax;
         if (manner.block_delete) return Reading::kSkipped;
         break;
       case Token::kWord:
@@ -98,7 +108,8 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
         if (manner.capitals_only && is_small(tokens.from_token())) return Reading::kSyntax;
         if (word.address != 'N') {
           take(word, position);
-        } else if (!first_word || !is_plain_number(word.number)) {
+        } else if (!first_word || !is_plain_number(word.number) ||
+                   follows_comment(line, tokens.from_token())) {
           return Reading::kSyntax;
         }
         first_word = false;

@@ -80,4 +80,30 @@ Function find_function(Fixed m) {
   return known ? Function::kKnown : Function::kUnknown;
 }
 
+FunctionGroup group_of(Fixed m) {
+  switch (m) {
+    case 3:
+    case 4:
+    case 5:
+      return FunctionGroup::kSpindle;
+    case 6:
+    case 61:
+      return FunctionGroup::kTool;
+    case 7:
+    case 8:
+    case 9:
+      return FunctionGroup::kCoolant;
+    case 0:
+    case 1:
+    case 2:
+    case 30:
+    case 60:
+      return FunctionGroup::kStop;
+    default:
+      break;
+  }
+  if (m >= 70) return FunctionGroup::kModes;
+  return m >= 62 ? FunctionGroup::kSignal : FunctionGroup::kOverride;
+}
+
 }  // namespace gonogo::expanders::ngc

@@ -109,10 +109,19 @@ void Interpreter::check_block() {
 }
 
 bool Interpreter::check_functions() {
+  std::uint32_t groups = 0;
   for (const FunctionWord& word : block_.functions()) {
     const bool known =
         !word.number.overflow && find_function(word.number.value / kOne) == Function::kKnown;
-    if (known && word.number.value >= 0 && is_whole(word.number)) continue;
+    if (known && word.number.value >= 0 && is_whole(word.number)) {
+      const auto group = static_cast<unsigned>(group_of(word.number.value / kOne));
+      if ((groups >> group & 1U) != 0) {  // NGC-COM-01
+        machine_.complain(AlarmKind::kDuplicateWord, 'M', word.position);
+        return false;
+      }
+      groups |= 1U << group;
+      continue;
+    }
     const bool fraction = !word.number.overflow && !is_whole(word.number);
     machine_.complain(fraction ? AlarmKind::kNotAnInteger : AlarmKind::kUndefinedCode, 'M',
                       word.position);

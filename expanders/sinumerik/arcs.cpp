@@ -50,7 +50,8 @@ bool check_forms(Machine& machine, const Block& block, const ArcSketch& sketch) 
     refuse(machine, block, kArcWords);
     return !block.has_any(kArcWords);
   }
-  if (!centre && !radius && !angle) {
+  const bool ends = (axes_of(block) & plane_axes(sketch.plane)) != 0;
+  if (!centre && !radius && !(angle && ends)) {
     machine.complain(AlarmKind::kMissingWord);
     return false;
   }

@@ -126,12 +126,10 @@ Scan Expression::product(double& value) {
 }
 
 Scan Expression::signed_operand(double& value) {
-  bool negative = false;
-  for (;;) {
-    skip_blanks(cursor_, end_);
-    if (cursor_ == end_ || (*cursor_ != '+' && *cursor_ != '-')) break;
-    if (*cursor_++ == '-') negative = !negative;
-  }
+  skip_blanks(cursor_, end_);
+  const bool negative = cursor_ != end_ && *cursor_ == '-';
+  if (negative || (cursor_ != end_ && *cursor_ == '+')) ++cursor_;
+  skip_blanks(cursor_, end_);
   const Scan step = operand(value);
   if (negative) value = -value;
   return step;

@@ -61,27 +61,64 @@ std::optional<Trial> absolute_centres(const Observation& seen) {
   return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
 }
 
-// How many steps of `step` a loop makes until it has gone `depth`.
-using StepCount = std::int64_t (*)(const Number& step, const Number& depth);
+// How a loop goes down: by `first`, then by `step` again and again.
+struct Steps {
+  Number first;
+  Number step;
+};
+
+// How many steps a loop makes until it has gone `depth`.
+using StepCount = std::int64_t (*)(const Steps& steps, const Number& depth);
 
 constexpr std::int64_t kMostSteps = 1'000'000;
 
 // Until a sum reaches the depth. A model of a subject: the one place where floating point is meant.
 template <typename Float>
-std::int64_t summed_steps(const Number& step, const Number& depth) {
-  const Float q = static_cast<Float>(std::stod(step.decimal_text(12)));
-  const Float end = static_cast<Float>(std::stod(depth.decimal_text(12)));
+std::int64_t summed_steps(const Steps& steps, const Number& depth) {
+  const auto as_float = [](const Number& number) {
+    return static_cast<Float>(std::stod(number.decimal_text(12)));
+  };
+  const Float step = as_float(steps.step);
+  const Float end = as_float(depth);
   Float sum = 0;
-  std::int64_t steps = 0;
-  while (sum < end && steps < kMostSteps) {
-    sum += q;
-    ++steps;
+  std::int64_t count = 0;
+  while (sum < end && count < kMostSteps) {
+    sum += count == 0 ? as_float(steps.first) : step;
+    ++count;
   }
-  return steps;
+  return count;
 }
 
-std::int64_t whole_quotient_and_one(const Number& step, const Number& depth) {
-  return (depth / step).floor().to_int64().value_or(0) + 1;
+std::int64_t whole_quotient_and_one(const Steps& steps, const Number& depth) {
+  return ((depth - steps.first) / steps.step).floor().to_int64().value_or(0) + 2;
+}
+
+std::int64_t exact_count(const Steps& steps, const Number& depth) {
+  const Number after_first = (depth - steps.first) / steps.step;
+  return after_first.sign() <= 0 ? 1 : after_first.ceil().to_int64().value_or(0) + 1;
+}
+
+Number in_mm(const TextBlock& block, const Number& written) {
+  return block.inch ? written * 127 / 5 : written;
+}
+
+// The withdrawal of HNC's pecks in force in a line: the last R up to it.
+Number withdrawal_at(const ProgramText& program, std::size_t line) {
+  Number withdrawal;
+  for (std::size_t i = 0; i < line; ++i) {
+    const TextBlock& block = program.blocks[i];
+    const TextWord* word = block.find("R");
+    if (word != nullptr && word->value) withdrawal = in_mm(block, *word->value);
+  }
+  return withdrawal;
+}
+
+// Under hnc.peck.from = withdrawn a peck after the first goes on from where it was withdrawn to.
+Steps steps_of(const Observation& seen, const ProgramText& program, std::size_t line,
+               const Number& infeed) {
+  const bool net = seen.profile.dialect == "hnc21t" &&
+                   seen.profile.readings.get(reference::ReadingKey::hnc_peck_from) == "withdrawn";
+  return {infeed, net ? infeed - withdrawal_at(program, line) : infeed};
 }
 
 // From where the first cut along one axis begins to the farthest point along it.
@@ -117,10 +154,11 @@ std::optional<Trial> counted(const Observation& seen, const std::string& address
         const auto line = static_cast<std::size_t>(&block - program.blocks.data()) + 1;
         const auto depth = depth_of(paths[line]);
         if (!depth) return std::nullopt;
-        const Number step = block.inch ? *word.value * 127 / 5 : *word.value;
-        const std::int64_t exact = (*depth / step).ceil().to_int64().value_or(0);
-        const std::int64_t loop = count(step, *depth);
-        if (exact == loop || exact == 0) return std::nullopt;
+        const Steps steps = steps_of(seen, program, line, in_mm(block, *word.value));
+        if (depth->sign() == 0 || steps.step.sign() <= 0) return std::nullopt;
+        const std::int64_t exact = exact_count(steps, *depth);
+        const std::int64_t loop = count(steps, *depth);
+        if (exact == loop) return std::nullopt;
         const Number slightly = Number(1) / 1'000'000'000;
         return with_value(block, word, *word.value * (loop > exact ? 1 - slightly : 1 + slightly));
       });

@@ -2,9 +2,10 @@
 //
 // The GSK 988TA dialect.
 //
-//   line      = blanks (tape-mark | block)
-//   tape-mark = '%' blanks
-//   block     = ['/'] [N whole | O whole] comment* (assignment | item* [construct]) [';' text]
+//   line      = comment* (tape-mark | block)
+//   tape-mark = '%' comment* [';' text]
+//   block     = ['/' comment*] [N whole | O whole] comment* (assignment | item* [construct])
+//               [';' text]
 //   construct = control keyword rest | P '[' T digit rest | address [sign] ('#' | '[') rest
 //
 // The rest of the block is that of all letter-address programs.
@@ -24,7 +25,9 @@ constexpr std::array<std::string_view, 7> kKeywords{"IF",  "WHILE", "GOTO", "DO"
 constexpr auto tape_mark_end = rule<struct TapeMarkEndId>{"tape-mark-end"} = spirit::eoi;
 
 // clang-format off
-constexpr auto tape_mark = flag<&Block::tape_mark>[sole<'%'>] >> blanks >> expect[tape_mark_end];
+constexpr auto tape_mark =
+    flag<&Block::tape_mark>[sole<'%'>] >> blanks >> leading_comments >> -line_comment
+    >> expect[tape_mark_end];
 
 // M98 P[T123] calls a program by the name of its file.
 constexpr auto file_name =
@@ -35,7 +38,7 @@ constexpr auto construct =
     | outside<kFileName>[file_name >> macro_rest<>]
     | macro_word<>;
 
-constexpr auto line = blanks >> (tape_mark | block<kKeywords>(numbered_head, construct));
+constexpr auto line = blanks >> leading_comments >> (tape_mark | block<kKeywords>(numbered_head, construct));
 // clang-format on
 
 }  // namespace

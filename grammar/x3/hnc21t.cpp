@@ -2,10 +2,10 @@
 //
 // The HNC-21T dialect.
 //
-//   line      = blanks (tape-mark | block)
-//   tape-mark = '%' blanks
+//   line      = comment* (tape-mark | block)
+//   tape-mark = '%' comment* [';' text]
 //   block     = head comment* (assignment | item* [construct]) [';' text]
-//   head      = '%' whole | ['/'] [N whole | O whole]
+//   head      = '%' whole | ['/' comment*] [N whole | O whole]
 //   construct = control keyword rest | address [sign] ('#' | '[') rest
 //
 // The rest of the block is that of all letter-address programs.
@@ -25,7 +25,8 @@ constexpr auto percent_sign_end = rule<struct PercentSignEndId>{"percent-sign-en
 // clang-format off
 // '%' alone is a tape mark; with a number it is the head of a program, as O is.
 constexpr auto tape_mark =
-    flag<&Block::tape_mark>[sole<'%'> >> blanks >> !digit] >> expect[percent_sign_end];
+    flag<&Block::tape_mark>[sole<'%'> >> blanks >> !digit] >> leading_comments >> -line_comment
+    >> expect[percent_sign_end];
 
 constexpr auto percent_head =
     sole<'%'> >> blanks >> store<&Block::program_number>[expect[whole]];
@@ -33,7 +34,7 @@ constexpr auto percent_head =
 constexpr auto construct = control_statement<kKeywords> | macro_word<>;
 
 constexpr auto line =
-    blanks >> (tape_mark | block<kKeywords>(percent_head | numbered_head, construct));
+    blanks >> leading_comments >> (tape_mark | block<kKeywords>(percent_head | numbered_head, construct));
 // clang-format on
 
 }  // namespace

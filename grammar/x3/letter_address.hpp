@@ -115,7 +115,8 @@ inline constexpr auto sequence_number =
     letter<'N', letters> >> blanks >> store<&Block::sequence_number>[expect[whole]];
 inline constexpr auto program_number =
     sole<'O'> >> blanks >> store<&Block::program_number>[expect[whole]];
-inline constexpr auto numbered_head = -skip >> -(sequence_number<> | program_number);
+inline constexpr auto numbered_head =
+    -(skip >> leading_comments) >> -(sequence_number<> | program_number);
 
 // `rest` is what stands behind the head and the comments that follow it.
 template <typename Head, typename Rest>

@@ -118,6 +118,25 @@ struct NamedAddress : Silent<NamedAddress<addresses>> {
   }
 };
 
+// The name of a word: an address that digits may follow at once, RPL45, but no other name: RPL45G.
+template <const auto& addresses>
+struct RotationAddress : Silent<RotationAddress<addresses>> {
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&,
+             Attribute&) const {
+    const std::string_view whole = name_at(first, last);
+    const std::string_view name = address_at(whole, addresses);
+    if (name.empty()) return false;
+    const std::string_view behind = whole.substr(name.size());
+    if (!std::all_of(behind.begin(), behind.end(), [](char c) { return kDigit.contains(c); })) {
+      return false;
+    }
+    set_name(name, current(context));
+    first += name.size();
+    return true;
+  }
+};
+
 // The name of a word: one letter of a set, not followed by another.
 template <const ByteSet& letters>
 struct LetterName : Silent<LetterName<letters>> {

@@ -122,16 +122,19 @@ Pocket make_pocket(BlockContext& block, MillingSite site) {
 
 }  // namespace
 
-void run_g110(BlockContext& block) {
+// GSK-MOD-02: the entry block and every block that mills need all four.
+void take_in_g110(BlockContext& block, bool mills) {
   take_in_pocket_words(block);
-  const bool mills = names_site(block);
+  if (!is_entry(block) && !mills) return;
   const MillingMode& mode = block.machine.milling;
-  // GSK-MOD-02: the entry block and every block that mills need all four.
-  if (is_entry(block) || mills) {
-    const std::array<NeededWord, 4> needed = {
-        {{'I', mode.radius}, {'L', mode.step}, {'Q', mode.infeed}, {'D', mode.tool}}};
-    check_needed(block, needed, mills, "GSK-G110-02"_clause, "GSK-G110-16"_clause);
-  }
+  const std::array<NeededWord, 4> needed = {
+      {{'I', mode.radius}, {'L', mode.step}, {'Q', mode.infeed}, {'D', mode.tool}}};
+  check_needed(block, needed, mills, "GSK-G110-02"_clause, "GSK-G110-16"_clause);
+}
+
+void run_g110(BlockContext& block) {
+  const bool mills = names_site(block);
+  take_in_g110(block, mills);
   if (!mills) {
     position_only(block);  // GSK-G110-14
     return;

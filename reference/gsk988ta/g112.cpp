@@ -67,15 +67,18 @@ HelixPocket make_pocket(BlockContext& block, const MillingSite& site) {
 
 }  // namespace
 
-void run_g112(BlockContext& block) {
+// GSK-MOD-02: the entry block and every block that mills need both.
+void take_in_g112(BlockContext& block, bool mills) {
   take_in_pocket_words(block);
-  const bool mills = names_site(block);
+  if (!is_entry(block) && !mills) return;
   const MillingMode& mode = block.machine.milling;
-  // GSK-MOD-02: the entry block and every block that mills need both.
-  if (is_entry(block) || mills) {
-    const std::array<NeededWord, 2> needed = {{{'I', mode.radius}, {'D', mode.tool}}};
-    check_needed(block, needed, mills, "GSK-G112-01"_clause, "GSK-G110-16"_clause);
-  }
+  const std::array<NeededWord, 2> needed = {{{'I', mode.radius}, {'D', mode.tool}}};
+  check_needed(block, needed, mills, "GSK-G112-01"_clause, "GSK-G110-16"_clause);
+}
+
+void run_g112(BlockContext& block) {
+  const bool mills = names_site(block);
+  take_in_g112(block, mills);
   if (!mills) {
     position_only(block);  // GSK-G110-14
     return;

@@ -4,6 +4,7 @@
 #include "reference/gsk988ta/interpreter.hpp"
 
 #include "reference/gsk988ta/machine.hpp"
+#include "reference/gsk988ta/milling.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -34,17 +35,20 @@ class Interpreter : public BlockInterpreter {
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
-  bool check_words(const BlockWords& words, const BlockCodes& codes, BlockOutput& out) const;
+  void check_words(const BlockContext& block) const;
+  void check_cycle_words(const BlockContext& block) const;
+  void take_in_entry_words(BlockContext& block) const;
   void run_code(BlockContext& block);
   void run_motion(BlockContext& block) const;
   void leave_milling_mode() { machine_.milling = {}; }
   void enter_cycle(BlockContext& block);
-  void put_m_functions(const grammar::Block& block, std::uint64_t line, BlockOutput& out) const;
+  void put_m_function_of(const BlockContext& block) const;
 
   const Profile& profile_;
   const ReadingsInUse& readings_;
   OpenPaths open_paths_;
   Machine machine_;
+  bool has_begun_ = false;  // a block with a word has run
   CodeReading reading_;
 };
 
@@ -132,30 +136,42 @@ void Interpreter::take_feed(const BlockWords& words) {
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
 }
 
-bool Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
-                              BlockOutput& out) const {
-  std::vector<Alarm>& alarms = out.alarms;
-  const bool dwell = codes.once == 4;
-  check_pairs(words, last_wins(words.block()), !dwell, alarms);
-  check_code_groups(words, codes, alarms);
+void Interpreter::check_words(const BlockContext& block) const {
+  const BlockWords& words = block.words;
+  std::vector<Alarm>& alarms = block.out.alarms;
+  check_pairs(words, last_wins(words.block()), alarms);
+  check_code_groups(words, block.codes, alarms);
   check_feed_word(words, alarms);
-  if (!dwell && has_fine_words(words.block(), profile_, machine_.units) &&
+  if (block.codes.once != 4 && has_fine_words(words.block(), profile_, machine_.units) &&
       readings_.is(ReadingKey::decimals, "alarm")) {
     check_decimals(words, profile_, machine_.units, alarms);
   }
+  // The words of a code of group 00 are its own, but for those of a cycle that is entered.
+  if (block.codes.once < 0 || is_entry(block)) check_cycle_words(block);
+}
+
+void Interpreter::check_cycle_words(const BlockContext& block) const {
+  const BlockWords& words = block.words;
+  std::vector<Alarm>& alarms = block.out.alarms;
   const CycleFamily family = machine_.milling.family();
-  const bool in_cycle = family != CycleFamily::none || is_cutting_cycle(machine_.motion);
-  if (!in_cycle || codes.once >= 0) return alarms.empty();
+  if (family == CycleFamily::none && !is_cutting_cycle(machine_.motion)) return;
   check_ranges(words, family, profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
     check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,
                         machine_.units, alarms);
   }
-  return alarms.empty();
+}
+
+// GSK-MOD-02: the entry block gives the words of the mode, milling or not.
+void Interpreter::take_in_entry_words(BlockContext& block) const {
+  if (!is_entry(block)) return;
+  if (machine_.milling.family() == CycleFamily::pocket) take_in_g110(block, false);
+  if (machine_.milling.family() == CycleFamily::helix) take_in_g112(block, false);
 }
 
 void Interpreter::run_code(BlockContext& block) {
+  if (block.codes.once >= 0) take_in_entry_words(block);
   switch (block.codes.once) {
     case 4:
       run_dwell(block);
@@ -212,29 +228,29 @@ void Interpreter::run_motion(BlockContext& block) const {
   }
 }
 
-// M functions are passed on: those that stop or end something after the motion, the others before
-// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01).
-void Interpreter::put_m_functions(const grammar::Block& block, std::uint64_t line,
-                                  BlockOutput& out) const {
-  for (const grammar::Word& word : block.words) {
-    if (word.address != 'M') continue;
-    std::optional<Record> record = read_m_function(word, line, "GSK-COM-05"_clause, out);
-    if (!record) continue;
-    if (record->m == 35) {
-      // The C axis is clamped before the tool cuts.
-      record->before_cut = true;
-      if (machine_.milling.family() == CycleFamily::helix) record->clause = "GSK-G112-01"_clause;
-    }
-    put_m_function(*std::move(record), out);
+// The M function is passed on: one that stops or ends something after the motion, another before
+// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01). Of two the later one (GSK-COM-07).
+void Interpreter::put_m_function_of(const BlockContext& block) const {
+  const grammar::Word* word = block.words.word('M');
+  if (word == nullptr) return;
+  std::optional<Record> record = read_m_function(*word, block.line, "GSK-COM-05"_clause, block.out);
+  if (!record) return;
+  if (record->m == 35) {
+    // The C axis is clamped before the tool cuts.
+    record->before_cut = true;
+    if (machine_.milling.family() == CycleFamily::helix) record->clause = "GSK-G112-01"_clause;
   }
+  put_m_function(*std::move(record), block.out);
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (leaves_program(block, line, has_begun_, out)) return;
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
   }
   if (block.words.empty()) return;
+  has_begun_ = true;
   read_codes(block, last_wins(block), reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
@@ -252,8 +268,8 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};
   take_motion_code(context);
   take_cycle_code(context);
-  put_m_functions(block, line, out);
-  check_words(words, codes, out);
+  put_m_function_of(context);
+  check_words(context);
   take_feed(words);
   run_code(context);
   sort_by_place(out.alarms);

@@ -84,6 +84,11 @@ void run_arc(BlockContext& block, int sense);
 // The axis words of the block as an end point; the axes that it names.
 AxisSet commanded_end_point(const BlockContext& block, Position& to);
 
+// The words that G110 and G112 keep in force, and that none is missing (GSK-MOD-02). `mills`: the
+// block says where, so they must be above zero too.
+void take_in_g110(BlockContext& block, bool mills);
+void take_in_g112(BlockContext& block, bool mills);
+
 // The cycles, one file each.
 void run_g90(BlockContext& block);
 void run_g92(BlockContext& block);

@@ -10,7 +10,7 @@ namespace gonogo::reference::gsk988ta {
 namespace {
 
 constexpr std::string_view kSignedWords = "XYZUVWRP";
-constexpr std::string_view kUnsignedWords = "ILQDEJ";
+constexpr std::string_view kUnsignedWords = "ILQDEJK";
 
 bool contains(std::string_view set, char address) {
   return set.find(address) != std::string_view::npos;
@@ -73,10 +73,9 @@ bool BlockWords::has_any_axis_word() const {
   return false;
 }
 
-void check_pairs(const BlockWords& words, bool last_wins, bool axis_words_are_axes,
-                 std::vector<Alarm>& alarms) {
+void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& alarms) {
   if (!last_wins) check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
-  if (axis_words_are_axes) check_axis_letters(words, kAxisAddresses, "GSK-COM-01"_clause, alarms);
+  check_axis_letters(words, kAxisAddresses, "GSK-COM-01"_clause, alarms);
 }
 
 namespace {
@@ -114,7 +113,8 @@ void check_ranges(const BlockWords& words, CycleFamily family, const Profile& pr
                   std::vector<Alarm>& alarms) {
   const Number upper = upper_end(profile, units);
   for (const grammar::Word& word : words.block().words) {
-    if (family == CycleFamily::helix && word.address == 'L') continue;  // check_turns
+    if (family == CycleFamily::helix && word.address == 'L') continue;   // check_turns
+    if (family == CycleFamily::thread && word.address == 'K') continue;  // check_run_out_angle
     const bool unsigned_p = family == CycleFamily::thread && word.address == 'P';
     const bool takes_sign = contains(kSignedWords, word.address) && !unsigned_p;
     if (!takes_sign && !unsigned_p && !contains(kUnsignedWords, word.address)) continue;

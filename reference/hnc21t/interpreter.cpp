@@ -38,6 +38,7 @@ class Interpreter : public BlockInterpreter {
   const Profile& profile_;
   const ReadingsInUse& readings_;
   Machine machine_;
+  bool has_begun_ = false;  // a block with a word has run
   CodeReading reading_;
 };
 
@@ -174,11 +175,13 @@ void Interpreter::run_code(BlockContext& block) const {
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  if (leaves_program(block, line, has_begun_, out)) return;
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
   }
   if (block.words.empty()) return;
+  has_begun_ = true;
   read_codes(block, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);

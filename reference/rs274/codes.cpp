@@ -135,6 +135,17 @@ MFunction m_function(std::int64_t number) {
   return is_known ? before_motion : undefined;
 }
 
+// As the language numbers them: stopping, tool change, spindle, coolant, overrides; above those the
+// outputs and inputs, and the saving of modes.
+int m_group(std::int64_t number) {
+  if (number <= 2 || number == 30 || number == 60) return 4;
+  if (number == 6 || number == 61) return 6;
+  if (number <= 5) return 7;
+  if (number <= 9) return 8;
+  if (number <= 53) return 9;
+  return number <= 68 ? 5 : 10;
+}
+
 bool takes_p(std::int64_t m_number) {
   return (m_number >= 50 && m_number <= 53) || (m_number >= 62 && m_number <= 68);
 }

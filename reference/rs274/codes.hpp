@@ -59,6 +59,9 @@ enum class MFunction : std::uint8_t {
   outside,
 };
 MFunction m_function(std::int64_t number);
+// The modal group of a function that the control has; two of one group exclude each other in a
+// block (NGC-COM-01).
+int m_group(std::int64_t number);
 // Whether the function takes a P of its own: the saving of modes, outputs and inputs.
 bool takes_p(std::int64_t m_number);
 

@@ -104,6 +104,23 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, BlockOutput&
   if (function == MFunction::ends_program) out.program_end = true;
 }
 
+// NGC-COM-01
+void check_m_groups(const grammar::Block& block, std::vector<Alarm>& alarms) {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : block.words) {
+    if (word.address != 'M') continue;
+    const std::optional<std::int64_t> number = to_number(word.value).to_int64();
+    if (!number || m_function(*number) == MFunction::undefined) continue;
+    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(m_group(*number));
+    if ((seen & group) != 0) {
+      alarms.push_back(
+          {AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
+           fmt::format("{} is of the group of an M function before it.", text_of(word))});
+    }
+    seen |= group;
+  }
+}
+
 // P belongs to the motion where no other code of the block takes it.
 bool p_is_turns(const BlockWords& words, const BlockCodes& codes) {
   if (!words.has('P') || codes.once == 4 || codes.path_mode == 64) return false;
@@ -137,6 +154,7 @@ void Interpreter::run_motion(BlockContext& block) const {
 void Interpreter::run_block(BlockContext& block) const {
   const ClauseId clause = "NGC-COM-01"_clause;
   check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
+  check_m_groups(block.words.block(), block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
   if (block.codes.once == 4) run_dwell(block);
   run_motion(block);

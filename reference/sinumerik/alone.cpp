@@ -33,8 +33,7 @@ void refuse_beside(BlockContext& block, const grammar::NamedWord& word, ClauseId
 
 }  // namespace
 
-bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own) {
-  bool alone = true;
+void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own) {
   const grammar::Block& text = block.words.block();
   for (const grammar::NamedWord& word : text.named) {
     const std::optional<Address> address = address_of(word);
@@ -43,10 +42,8 @@ bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own) {
         Number(block.codes.once) == to_number(text.terms[word.first_term].number)) {
       continue;
     }
-    alone = false;
     refuse_beside(block, word, alone_by(block.codes.once), fmt::format("G{}", block.codes.once));
   }
-  return alone;
 }
 
 // SIE-LC82-03

@@ -143,7 +143,19 @@ void read_motion_name(Motion motion, const grammar::NamedWord& word, CodeReading
   reading.codes.motion = motion;
 }
 
-void read_name(const grammar::NamedWord& word, CodeReading& reading) {
+// A code that stands by itself, whatever follows it.
+bool is_bare_code(Control control, std::string_view name) {
+  const bool is_cycle = name == "LCYC75" || name == "LCYC82";
+  return name == "CIP" || name == "CT" || (is_cycle && control == Control::sinumerik802s);
+}
+
+void read_name(Control control, const grammar::NamedWord& word, CodeReading& reading) {
+  if (is_bare_code(control, word.name)) {
+    // SIE-LEX-01
+    reading.alarms.push_back({AlarmClass::syntax, "SIE-LEX-01"_clause, WordName(word.name),
+                              word.where, fmt::format("{} takes no value.", word.name)});
+    return;
+  }
   const Name* const name = find_name(word);
   if (name == nullptr) {
     reading.alarms.push_back({AlarmClass::undefined_code, kKnown, WordName(word.name), word.where,
@@ -187,7 +199,7 @@ void read_codes(Control control, const grammar::Block& block, CodeReading& readi
     } else if (control == Control::sinumerik802s && cycle_of(word) != Cycle::none) {
       reading.codes.cycle = cycle_of(word);
     } else if (!address || (address == Address::rpl && control == Control::sinumerik840d)) {
-      read_name(word, reading);
+      read_name(control, word, reading);
     }
   }
   BlockCodes& codes = reading.codes;

@@ -126,6 +126,7 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
   const std::int32_t m = record.m;
   const bool ends_program = m == 2 || m == 17 || m == 30;
   const bool after = ends_program || m == 0 || m == 1;
+  if (after && out.program_end) return;  // nothing runs after the end
   (after ? out.after : out.items).emplace_back(std::move(record));
   if (ends_program) out.program_end = true;
   if (m >= 3 && m <= 5) machine_.spindle = m;
@@ -253,25 +254,22 @@ void Interpreter::run_once(BlockContext& block) {
   const PlaneAxes axes = block.plane_axes();
   switch (block.codes.once) {
     case 4:
-      if (stands_alone(block, {Address::f, Address::s})) run_dwell(block);
-      return;
+      refuse_all_but(block, {Address::f, Address::s});
+      return run_dwell(block);
     case 158:
     case 258:
     case 259:
-      if (!stands_alone(
-              block, {Address::x, Address::y, Address::z, Address::a, Address::c, Address::rpl})) {
-        return;
-      }
+      refuse_all_but(block,
+                     {Address::x, Address::y, Address::z, Address::a, Address::c, Address::rpl});
       return block.codes.once == 158 ? run_translation(block) : run_rotation(block);
     default:
-      if (stands_alone(block, {address_of(axes.p), address_of(axes.q), Address::ap, Address::rp})) {
-        run_pole(block);
-      }
+      refuse_all_but(block, {address_of(axes.p), address_of(axes.q), Address::ap, Address::rp});
+      run_pole(block);
   }
 }
 
 void Interpreter::run_cycle(BlockContext& block) {
-  if (!cycle_stands_alone(block)) return;
+  if (!cycle_stands_alone(block)) return;  // no call, whose parameters could be wrong
   const CycleCall call{block, calculator_, open_paths_};
   block.codes.cycle == Cycle::lcyc82 ? run_lcyc82(call) : run_lcyc75(call);
 }

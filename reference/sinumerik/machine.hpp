@@ -93,9 +93,9 @@ struct ArcPath {
   ClauseId clause = kNoClause;
 };
 
-// In alone.cpp. Whether the code of the block that holds once, or its cycle, stands alone in it but
-// for words of its own; an alarm for each other word.
-bool stands_alone(BlockContext& block, std::initializer_list<Address> its_own);
+// In alone.cpp. An alarm for each word beside the code of the block that holds once, but for words
+// of its own. Whether the call of a cycle stands alone; the same alarms.
+void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own);
 bool cycle_stands_alone(BlockContext& block);
 
 // In basic_motion.cpp.

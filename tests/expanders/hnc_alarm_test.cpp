@@ -61,7 +61,7 @@ TEST(HncAlarms, RulesOfOneCommandAreNotThoseOfAnother) {
 }
 
 TEST(HncAlarms, CodesWithoutEffect) {
-  EXPECT_EQ(alarm_of("G18 G21 G40 G94 G96 G61 G64 S500 T0101 D1 H2 L3 B4"), "");
+  EXPECT_EQ(alarm_of("G18 G21 G40 G94 G96 G64 S500 T0101 D1 H2 L3 B4"), "");
 }
 
 TEST(HncAlarms, YInATurningCycle) {

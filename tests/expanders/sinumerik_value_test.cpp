@@ -66,7 +66,9 @@ TEST(SinumerikValue, BracketsNestSixtyFourDeep) {
   EXPECT_EQ(x_of(std::string(64, '(') + "1" + std::string(64, ')')), "1");
   EXPECT_EQ(x_of(std::string(65, '(') + "1" + std::string(65, ')')), "syntax");
   EXPECT_EQ(x_of(std::string(1'000'000, '(')), "syntax");
-  EXPECT_EQ(x_of(std::string(500'000, '-') + "1"), "1");
+  EXPECT_EQ(x_of("-(-(-1))"), "-1");
+  EXPECT_EQ(x_of("--1"), "syntax");
+  EXPECT_EQ(x_of(std::string(500'000, '-') + "1"), "syntax");
 }
 
 TEST(SinumerikValue, WhatIsNotImplemented) {

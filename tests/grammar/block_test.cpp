@@ -63,6 +63,20 @@ TEST(Block, ASlashAtTheHeadAsksForSkipping) {
   EXPECT_EQ(parsed(" / N5 X1"), want);
 }
 
+TEST(Block, CommentsStandBesideATapeMarkAndBeforeAHead) {
+  for (const Dialect dialect : {Dialect::gsk988ta, Dialect::hnc21t}) {
+    for (const char* line : {"% (c)", "(c) %", "%;c", " (a) % (b) ;c"}) {
+      const Block block = parsed(dialect, line);
+      EXPECT_TRUE(block.tape_mark && block.words.empty()) << line;
+    }
+    for (const char* line : {"(c) N10 G0", "(c) / N10 G0", "/ (c) N10 G0"}) {
+      const Block block = parsed(dialect, line);
+      EXPECT_TRUE(block.sequence_number.has_value() && block.words.size() == 1) << line;
+    }
+  }
+  EXPECT_TRUE(parsed(Dialect::hnc21t, "(c) % 12 G0").program_number.has_value());
+}
+
 TEST(Block, APercentSignAloneIsATapeMark) {
   Block want;
   want.tape_mark = true;

@@ -76,9 +76,7 @@ TEST(Fault, ACharacterThatMayNotStandWhereItStands) {
 TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
   const auto code = SyntaxCode::unexpected_character;
   for (const Dialect dialect : kLetterAddress) {
-    expect_faults(dialect, {{"% (c)", code, {2, 3}},
-                            {"%;", code, {1, 2}},
-                            {"%%", code, {1, 2}},
+    expect_faults(dialect, {{"%%", code, {1, 2}},
                             {"%-5", code, {1, 2}},
                             {"%O1", code, {1, 2}},
                             {" % x", code, {3, 4}}});
@@ -87,6 +85,9 @@ TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {
     expect_faults(dialect, {{"%1234", code, {1, 2}}});
     EXPECT_EQ(fault(dialect, "%G1").expected, "the end of the line after '%'");
   }
+  // In RS274/NGC not even a comment.
+  expect_faults(Dialect::rs274,
+                {{"% (c)", code, {2, 3}}, {"%;", code, {1, 2}}, {"(c) %", code, {4, 5}}});
   EXPECT_EQ(fault(Dialect::hnc21t, "%G1").expected,
             "a program number or the end of the line after '%'");
 }
@@ -204,12 +205,13 @@ TEST(Fault, AnUnclosedCommentSpansTheRestOfTheLine) {
 
 TEST(Fault, NumberWordsBehindTheHead) {
   const auto code = SyntaxCode::misplaced_number_word;
-  expect_faults({{"G1 N10", code, {3, 4}}, {"N1 N2", code, {3, 4}}, {"(c) N1", code, {4, 5}}});
+  expect_faults({{"G1 N10", code, {3, 4}}, {"N1 N2", code, {3, 4}}});
   for (const Dialect dialect : kLathes) {
     expect_faults(dialect,
                   {{"X1O5", code, {2, 3}}, {"N1 O2", code, {3, 4}}, {"O2 N1", code, {3, 4}}});
   }
-  expect_faults(Dialect::rs274, {{"g1 n10", code, {3, 4}}});
+  expect_faults(Dialect::rs274,
+                {{"g1 n10", code, {3, 4}}, {"(c) N1", code, {4, 5}}, {"/(c) N1", code, {5, 6}}});
 }
 
 TEST(Fault, OutsideConstructsCloseTheirBrackets) {
