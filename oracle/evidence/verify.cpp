@@ -120,13 +120,12 @@ ResultsFacts read_results(const std::string& path, const IdSet* known) {
       text_of(facts.header.value("subject", Json::object()), "spec").starts_with("capture:");
   Tally tally;
   Json line;
-  std::string text;
-  while (reader.next(line, &text)) {
+  while (reader.next(line)) {
     const CaseRow row = case_row(line);
     if (known != nullptr && !known->contains(row.id)) {
       facts.strangers.push_back(fmt::format("{} is no case of the corpus.", row.id));
     }
-    const VerdictKind kind = tally.add(facts_of(text));
+    const VerdictKind kind = tally.add(facts_of(reader.text()));
     if (kind != row.kind) {
       facts.inconsistent.push_back(
           fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
