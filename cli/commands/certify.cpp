@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/first_subject.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -206,9 +207,11 @@ std::string write_evidence(const CertifyOptions& options, const std::string& res
 int certify_one(const CertifyOptions& options, const std::string& subject,
                 const std::string& report) {
   const oracle::CampaignOptions campaign = campaign_options(options);
-  const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
+  oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
-  const oracle::SubjectInfo info = maker()->info();
+  std::unique_ptr<oracle::Subject> first = make();
+  const oracle::SubjectInfo info = first->info();
+  const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
   std::filesystem::create_directories(report);
   const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;
