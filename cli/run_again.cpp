@@ -10,12 +10,12 @@
 
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
+#include "cli/run_limits.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/evidence/statement.hpp"
-#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::cli {
@@ -67,12 +67,6 @@ void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaig
   }
 }
 
-// A limit of the run, as its command line gives it.
-long limit_of(const Json& header, std::string_view option) {
-  const auto values = oracle::report::option_values(header.value("argv", Json::array()), option);
-  return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
-}
-
 oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   using oracle::report::text_of;
   oracle::CampaignOptions campaign;
@@ -87,10 +81,7 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
       2) {
     campaign.shard = campaign.shards = 1;
   }
-  LimitOptions limits;
-  limits.timeout = limit_of(header, "--timeout");
-  limits.memory = limit_of(header, "--memory");
-  campaign.limits = limits.limits();
+  campaign.limits = limits_of_run(header).limits();
   campaign.jobs = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   read_subject_files(folder, campaign);
   return campaign;

@@ -74,7 +74,8 @@ Json without_defaults(const Json& document, const Json& base) {
 }  // namespace
 
 std::string profile_json(const Profile& profile) {
-  Profile base = std::get<Profile>(default_profile(profile.dialect));
+  const Profile base = std::get<Profile>(default_profile(profile.dialect));
+  if (profile == base) return "{}";
   return without_defaults(whole_json(profile), whole_json(base)).dump();
 }
 

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -14,8 +13,11 @@
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/first_subject.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/progress_line.hpp"
+#include "cli/run_limits.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
@@ -111,33 +113,6 @@ std::string sha256_of(const std::string& path) {
   return hash.hex();
 }
 
-// A line that is rewritten in place on a terminal; nothing in a pipe.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::string subject)
-      : subject_(std::move(subject)), on_(::isatty(STDERR_FILENO) == 1) {}
-  ~ProgressLine() {
-    if (on_) fmt::print(stderr, "\r\033[K");
-  }
-  void show(std::size_t done, std::size_t all, std::size_t no_go) {
-    using Clock = std::chrono::steady_clock;
-    const auto now = Clock::now();
-    if (!on_ || (done < all && now - shown_ < std::chrono::milliseconds(100))) return;
-    shown_ = now;
-    const std::chrono::duration<double> spent = now - start_;
-    const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-    fmt::print(stderr, "\r\033[K{}: {} of about {} cases, {} NO-GO, about {:.0f} s left", subject_,
-               done, all, no_go, left);
-    std::fflush(stderr);
-  }
-
- private:
-  std::string subject_;
-  bool on_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point shown_{};
-};
-
 oracle::ResultsHeader results_header(const CertifyOptions& options, const std::string& subject,
                                      const oracle::Corpus& corpus,
                                      const oracle::CampaignOptions& campaign,
@@ -165,6 +140,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
 oracle::ResultsWriter open_results(const CertifyOptions& options, const std::string& path,
                                    const oracle::ResultsHeader& header) {
   const std::string journal = oracle::ResultsWriter::journal_of(path);
+  if (options.resume) need_same_limits(journal, options.limits);
   if (!options.resume && std::filesystem::exists(journal)) {
     fmt::print(stderr,
                "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from "
@@ -231,9 +207,11 @@ std::string write_evidence(const CertifyOptions& options, const std::string& res
 int certify_one(const CertifyOptions& options, const std::string& subject,
                 const std::string& report) {
   const oracle::CampaignOptions campaign = campaign_options(options);
-  const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
+  oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
-  const oracle::SubjectInfo info = maker()->info();
+  std::unique_ptr<oracle::Subject> first = make();
+  const oracle::SubjectInfo info = first->info();
+  const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
   std::filesystem::create_directories(report);
   const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;

@@ -141,6 +141,23 @@ std::size_t digits_end(std::string_view line, std::size_t at) {
   return at;
 }
 
+// Where `us` and `attempts` stand in a case line as written here. No key of that name stands before
+// it, and in a text the quotes would be escaped.
+struct Timing {
+  std::size_t begin;
+  std::size_t end;
+};
+
+std::optional<Timing> timing_in(std::string_view line) {
+  constexpr std::string_view kTime = ",\"us\":";
+  constexpr std::string_view kAttempts = ",\"attempts\":";
+  const std::size_t begin = line.find(kTime);
+  if (begin == std::string_view::npos) return std::nullopt;
+  const std::size_t end = digits_end(line, begin + kTime.size());
+  if (line.substr(end, kAttempts.size()) != kAttempts) return std::nullopt;
+  return Timing{begin, digits_end(line, end + kAttempts.size())};
+}
+
 }  // namespace
 
 std::string case_line(const CaseResult& result, bool with_timing) {
@@ -169,20 +186,21 @@ std::string case_line(const CaseResult& result, bool with_timing) {
 }
 
 std::string line_without_timing(std::string_view line) {
-  // No key of that name stands before it, and in a text the quotes would be escaped.
-  constexpr std::string_view kTime = ",\"us\":";
-  constexpr std::string_view kAttempts = ",\"attempts\":";
-  const std::size_t begin = line.find(kTime);
-  if (begin != std::string_view::npos) {
-    std::size_t end = digits_end(line, begin + kTime.size());
-    if (line.substr(end, kAttempts.size()) == kAttempts) {
-      end = digits_end(line, end + kAttempts.size());
-      return std::string(line.substr(0, begin)) + std::string(line.substr(end));
-    }
-  }
+  const std::optional<Timing> timing = timing_in(line);
+  if (timing) return std::string(line.substr(0, timing->begin)).append(line.substr(timing->end));
   std::string text = hashed_text(Json::parse(line));
   text.pop_back();
   return text;
+}
+
+void hash_case_line(std::string_view line, Sha256& hash) {
+  if (const std::optional<Timing> timing = timing_in(line)) {
+    hash.update(line.substr(0, timing->begin));
+    hash.update(line.substr(timing->end));
+    hash.update("\n");
+  } else {
+    hash.update(hashed_text(Json::parse(line)));
+  }
 }
 
 std::string id_of_line(std::string_view line) {

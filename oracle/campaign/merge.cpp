@@ -46,10 +46,10 @@ Shard look_at(const std::string& path) {
       shard.number < 1 || shard.number > shard.of) {
     throw MergeError(fmt::format("{}: \"{}\" is no shard i/n.", path, text));
   }
-  for (Json line; reader.next(line);) {
-    const auto id = line["id"].get<std::string>();
-    if (shard_of(id, shard.of) != shard.number) {
-      throw MergeError(fmt::format("{}: the case {} does not belong to shard {}.", path, id, text));
+  for (CaseHead head; reader.next(head);) {
+    if (shard_of(head.id, shard.of) != shard.number) {
+      throw MergeError(
+          fmt::format("{}: the case {} does not belong to shard {}.", path, head.id, text));
     }
   }
   shard.footer = reader.footer();
@@ -138,11 +138,10 @@ ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
 
 void add_lines(const Shard& shard, ResultsWriter& writer) {
   ResultsReader reader = open(shard.path);
-  std::string text;
-  for (Json line; reader.next(line, &text);) {
+  for (CaseHead head; reader.next(head);) {
     // As it was before the readings of the shard alone were reconciled.
-    writer.add_line(line.contains("readings") ? reconciled_line(text, facts_of(text).verdict)
-                                              : text);
+    const CaseFacts facts = facts_of(reader.text());
+    writer.add_line(facts.readings ? reconciled_line(reader.text(), facts.verdict) : reader.text());
   }
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oracle/campaign/tally.hpp"
+#include "oracle/corpus/sha256.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/verdict.hpp"
 
@@ -79,6 +80,8 @@ std::string case_line(const CaseResult& result, bool with_timing);
 // A case line as written here without `us` and `attempts`, as the hash of the footer takes it but
 // for the line end.
 std::string line_without_timing(std::string_view line);
+// Takes a case line, as written here, into the hash of the footer.
+void hash_case_line(std::string_view line, Sha256& hash);
 // A case line as it is in a run where the readings leave the case the verdict `kind`.
 std::string reconciled_line(const std::string& line, VerdictKind kind);
 // The id that a case line begins with.

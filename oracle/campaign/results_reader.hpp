@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracle/case_head.hpp"
 #include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::oracle {
@@ -33,11 +34,15 @@ class ResultsReader {
 
   const std::string& path() const { return path_; }
   const Json& header() const { return header_; }
-  // The next case line, `text` as it stands in the file without its line end. False after the last.
-  // Throws ResultsError for a line that is cut off, is no JSON, is neither case nor footer, names
-  // no verdict, stands there twice or out of order, and for a footer whose hash or number of cases
-  // the lines do not have.
-  bool next(Json& line, std::string* text = nullptr);
+  // The next case line: what lists show of it. False after the last. Throws ResultsError for a line
+  // that is cut off, is no JSON, is neither case nor footer, names no verdict, stands there twice
+  // or out of order, and for a footer whose hash or number of cases the lines do not have.
+  bool next(CaseHead& head);
+  // The same: the whole line.
+  bool next(Json& line);
+  // The line that was read last, as it stands in the file without its line end, and as JSON.
+  const std::string& text() const { return text_; }
+  Json json() const { return parsed(); }
   // After the last case line; nothing: the file is incomplete.
   const std::optional<Json>& footer() const { return footer_; }
   // Of the case lines read so far, as in the footer: without `us` and `attempts`.
@@ -51,8 +56,10 @@ class ResultsReader {
  private:
   bool read_line();
   Json parsed() const;
-  void check_case(const Json& line);
+  void read_head(CaseHead& head) const;
+  void check_case(const CaseHead& head);
   void take_footer(Json line);
+  std::string sha256_of_values() const;
   [[noreturn]] void fail(const std::string& sentence) const;
 
   std::string path_;
@@ -63,7 +70,9 @@ class ResultsReader {
   std::uint64_t whole_bytes_ = 0;
   Json header_;
   std::optional<Json> footer_;
-  Sha256 hash_;
+  Sha256 hash_;         // of the lines as they stand there
+  std::string sha256_;  // what the footer says, once it is found to be true
+  CaseHead head_;
   std::string last_id_;
   std::uint64_t cases_ = 0;
 };

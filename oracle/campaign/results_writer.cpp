@@ -116,7 +116,7 @@ void ResultsWriter::resume() {
           "with, or leave --resume out to begin anew.",
           journal, key));
     }
-    for (Json line; reader.next(line);) resumed_.insert(line["id"].get<std::string>());
+    for (CaseHead head; reader.next(head);) resumed_.insert(head.id);
     whole = reader.whole_bytes();
   } catch (const ResultsError& error) {
     throw ResumeError(fmt::format("{} Leave --resume out to begin the run anew.", error.what()));
@@ -167,8 +167,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
     if (!facts.mapped.empty()) mapped.insert(std::move(facts.mapped));
     const std::string written = facts.readings ? reconciled_line(line, kind) : line;
     out.put(written);
-    hash.update(line_without_timing(written));
-    hash.update("\n");
+    hash_case_line(written, hash);
     if (visit) visit(written, kind);
   });
   footer.left_out = ending.left_out;

@@ -4,33 +4,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "oracle/corpus/corpus.hpp"
 
 namespace gonogo::oracle {
 
-JsonPlace::JsonPlace(const JsonPlace& parent, std::string_view key, simdjson::dom::element value)
-    : file_(parent.file_), pointer_(parent.pointer_ + "/"), value_(value) {
-  for (const char byte : key) {  // RFC 6901
-    if (byte == '~') {
-      pointer_ += "~0";
-    } else if (byte == '/') {
-      pointer_ += "~1";
-    } else {
-      pointer_ += byte;
+JsonPlace::JsonPlace(const JsonPlace& parent, Step step, simdjson::dom::element value)
+    : file_(parent.file_), depth_(parent.depth_), value_(value) {
+  std::copy_n(parent.steps_.begin(), depth_, steps_.begin());
+  if (depth_ < steps_.size()) steps_[depth_++] = step;
+}
+
+// RFC 6901
+std::string JsonPlace::pointer() const {
+  std::string text;
+  for (const Step& step : std::span(steps_).first(depth_)) {
+    text += '/';
+    if (step.key.data() == nullptr) text += std::to_string(step.index);
+    for (const char byte : step.key) {
+      if (byte == '~') {
+        text += "~0";
+      } else if (byte == '/') {
+        text += "~1";
+      } else {
+        text += byte;
+      }
     }
   }
+  return text;
 }
 
 void JsonPlace::fail(std::string_view message) const {
   throw CorpusError(
-      fmt::format("{}: at {}: {}", *file_, pointer_.empty() ? "the top" : pointer_, message));
+      fmt::format("{}: at {}: {}", *file_, depth_ == 0 ? "the top" : pointer(), message));
 }
 
 void JsonPlace::need_object(std::initializer_list<std::string_view> known) const {
   for (const auto field : object()) {
     if (std::ranges::find(known, field.key) == known.end()) {
-      JsonPlace(*this, field.key, field.value).fail("There is no such key in the format.");
+      JsonPlace(*this, {field.key}, field.value).fail("There is no such key in the format.");
     }
   }
 }
@@ -51,13 +64,13 @@ JsonPlace JsonPlace::member(std::string_view key) const {
   if (object()[key].get(value) != simdjson::SUCCESS) {
     fail(fmt::format("The key \"{}\" is missing.", key));
   }
-  return {*this, key, value};
+  return {*this, {key}, value};
 }
 
 std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
   std::vector<std::pair<std::string, JsonPlace>> list;
   for (const auto field : object()) {
-    list.emplace_back(std::string(field.key), JsonPlace(*this, field.key, field.value));
+    list.emplace_back(std::string(field.key), JsonPlace(*this, {field.key}, field.value));
   }
   return list;
 }
@@ -66,8 +79,9 @@ std::vector<JsonPlace> JsonPlace::items() const {
   simdjson::dom::array array;
   if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
   std::vector<JsonPlace> list;
+  list.reserve(array.size());
   for (const simdjson::dom::element item : array) {
-    list.push_back({*this, std::to_string(list.size()), item});
+    list.push_back({*this, {{}, list.size()}, item});
   }
   return list;
 }
@@ -79,8 +93,12 @@ std::string JsonPlace::text() const {
 }
 
 std::vector<std::string> JsonPlace::texts() const {
+  simdjson::dom::array array;
+  if (value_.get_array().get(array) != simdjson::SUCCESS) fail("An array must stand here.");
   std::vector<std::string> list;
-  for (const JsonPlace& item : items()) list.push_back(item.text());
+  for (const simdjson::dom::element item : array) {
+    list.push_back(JsonPlace(*this, {{}, list.size()}, item).text());
+  }
   return list;
 }
 

@@ -6,9 +6,9 @@
 
 #include <simdjson.h>
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +19,9 @@ namespace gonogo::oracle {
 
 class JsonPlace {
  public:
-  // The top of a document.
-  JsonPlace(std::string file, simdjson::dom::object root)
-      : file_(std::make_shared<const std::string>(std::move(file))), root_(root) {}
+  // The top of a document, which must outlive the places in it, and so must `file`.
+  JsonPlace(const std::string& file, simdjson::dom::object root) : file_(&file), root_(root) {}
+  JsonPlace(std::string&&, simdjson::dom::object) = delete;
 
   // Throws CorpusError: "<file>: at <pointer>: <message>".
   [[noreturn]] void fail(std::string_view message) const;
@@ -42,12 +42,21 @@ class JsonPlace {
   std::string json() const;
 
  private:
-  JsonPlace(const JsonPlace& parent, std::string_view key, simdjson::dom::element value);
+  // A key, or the place in an array.
+  struct Step {
+    std::string_view key;
+    std::size_t index = 0;
+  };
+  JsonPlace(const JsonPlace& parent, Step step, simdjson::dom::element value);
 
   simdjson::dom::object object() const;
+  std::string pointer() const;
 
-  std::shared_ptr<const std::string> file_;
-  std::string pointer_;
+  const std::string* file_;
+  // Written out only where something is wrong: a corpus has millions of places. No format of the
+  // corpus nests as deep; of steps beyond that the pointer says nothing.
+  std::array<Step, 10> steps_;
+  std::size_t depth_ = 0;
   std::optional<simdjson::dom::object> root_;  // the top; else `value_` counts
   simdjson::dom::element value_;
 };

@@ -32,6 +32,19 @@ CaseRow case_row(const Json& line) {
   return facts;
 }
 
+CaseRow case_row(const CaseHead& line) {
+  CaseRow facts;
+  facts.id = line.id;
+  facts.dialect = line.dialect;
+  facts.cycle = line.cycle;
+  facts.kind = verdict_kind(line.verdict).value_or(VerdictKind::oracle_error);
+  facts.clause = line.clause;
+  facts.message = line.message;
+  facts.microseconds = line.microseconds;
+  facts.expected = line.expected;
+  return facts;
+}
+
 std::string deviation_text(const CaseRow& facts) {
   if (facts.deviation_exact.empty()) return {};
   if (facts.deviation_exact == facts.deviation_mm) return facts.deviation_mm + " mm";

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "oracle/case_head.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -38,6 +39,8 @@ struct CaseRow {
 
 // `line` has passed ResultsReader.
 CaseRow case_row(const Json& line);
+// What the head of a line says: all there is to say of a pass or a skip.
+CaseRow case_row(const CaseHead& line);
 
 // Message, clause with its text, line, want, got, deviation, other reading: some lines for people.
 std::string row_text(const CaseRow& facts);

@@ -27,30 +27,71 @@ void copy_results(const std::string& results, const fs::path& target) {
   fs::rename(part, target);
 }
 
-// All but the HTML report, which reads the file for itself.
-void write_all(ResultsReader& reader, const fs::path& folder) {
-  JunitWriter junit(folder / "junit.xml", reader.header());
-  SarifWriter sarif(folder / "results.sarif", reader.header());
-  MarkdownSummary markdown(reader.header());
-  ProgramFolder programs(folder / "programs");
-  report::Summary summary;
-  Json line;
-  while (reader.next(line)) {
-    const CaseRow facts = case_row(line);
-    summary.add(line);
-    junit.add(facts);
-    sarif.add(facts);
-    markdown.add(facts);
-    programs.add(facts);
-  }
-  const RunState state =
-      run_state(summary, reader.header(), reader.footer() ? &*reader.footer() : nullptr);
-  programs.finish();
-  junit.finish(state.unfinished);
-  sarif.finish(state.unfinished);
-  write_file(folder / "badge.json", badge_json(state));
-  write_file(folder / "summary.md", markdown.text(state));
+// Passes and skips are said in full by the head of their line.
+bool is_told_by_head(const CaseRow& row) {
+  return row.decision() == Decision::go && row.kind != VerdictKind::xfail;
 }
+
+// What the lines of a run are written to, in one pass over them.
+class Writers {
+ public:
+  Writers(ResultsReader& reader, const fs::path& folder)
+      : reader_(reader),
+        folder_(folder),
+        junit_(folder / "junit.xml", reader.header()),
+        sarif_(folder / "results.sarif", reader.header()),
+        markdown_(reader.header()),
+        programs_(folder / "programs"),
+        page_(folder, reader.header()) {}
+
+  // All lines that the reader still has.
+  void write_lines() {
+    CaseHead head;
+    while (reader_.next(head)) {
+      summary_.add(head);
+      page_.add(head);
+      const CaseRow row = case_row(head);
+      if (is_told_by_head(row)) {
+        junit_.add(row);
+      } else {
+        write_whole(reader_.json());
+      }
+    }
+  }
+  // All but the page.
+  void finish() {
+    const Json* footer = reader_.footer() ? &*reader_.footer() : nullptr;
+    const RunState state = run_state(summary_, reader_.header(), footer);
+    programs_.finish();
+    junit_.finish(state.unfinished);
+    sarif_.finish(state.unfinished);
+    write_file(folder_ / "badge.json", badge_json(state));
+    write_file(folder_ / "summary.md", markdown_.text(state));
+  }
+  std::optional<report::ReportError> finish_page() {
+    const Json* footer = reader_.footer() ? &*reader_.footer() : nullptr;
+    return page_.finish(summary_.finish(reader_.header(), footer, 0));
+  }
+
+ private:
+  void write_whole(const Json& line) {
+    const CaseRow row = case_row(line);
+    junit_.add(row);
+    sarif_.add(row);
+    markdown_.add(row);
+    programs_.add(row);
+    if (row.decision() != Decision::go) page_.add_detail(line);
+  }
+
+  ResultsReader& reader_;
+  fs::path folder_;
+  JunitWriter junit_;
+  SarifWriter sarif_;
+  MarkdownSummary markdown_;
+  ProgramFolder programs_;
+  report::HtmlPage page_;
+  report::Summary summary_;
+};
 
 }  // namespace
 
@@ -58,9 +99,11 @@ std::optional<std::string> write_evidence(const std::string& results, const std:
   try {
     ResultsReader reader(results);
     fs::create_directories(folder);
-    write_all(reader, folder);
+    Writers writers(reader, folder);
+    writers.write_lines();
+    writers.finish();
     copy_results(results, fs::path(folder) / "results.jsonl");
-    if (auto error = report::write_html_report(results, folder)) return error->message;
+    if (auto error = writers.finish_page()) return error->message;
     return std::nullopt;
   } catch (const ResultsError& error) {
     return error.what();

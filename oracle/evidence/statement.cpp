@@ -183,10 +183,10 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
   report::Summary summary;
   Waivers waivers(reasons);
   std::map<VerdictKind, std::vector<std::string>> findings;
-  Json line;
-  while (reader.next(line)) {
-    const CaseRow row = case_row(line);
-    summary.add(line);
+  CaseHead head;
+  while (reader.next(head)) {
+    summary.add(head);
+    const CaseRow row = case_row(head);
     if (row.kind == VerdictKind::xfail && !waivers.add(row)) {
       throw ResultsError(fmt::format(
           "{}: the case {} is known to fail, but the file of known failures that was given does "

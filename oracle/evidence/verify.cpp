@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
-#include <sstream>
 
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/corpus.hpp"
@@ -14,6 +12,7 @@
 #include "oracle/evidence/compare.hpp"
 #include "oracle/evidence/rejudge.hpp"
 #include "oracle/evidence/statement.hpp"
+#include "oracle/evidence/verify_sums.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -23,72 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using report::text_of;
 using Result = Check::Result;
-
-// Of many faults of one kind, the first are named.
-constexpr std::size_t kNamed = 10;
-
-// Collects what the checks say, and faults of one kind as one list.
-class Findings {
- public:
-  void add(Result result, std::string sentence) {
-    checks_.push_back({result, std::move(sentence)});
-  }
-  // `ok` when there is no fault.
-  void add_list(const std::vector<std::string>& faults, std::string ok) {
-    for (std::size_t i = 0; i < std::min(kNamed, faults.size()); ++i) {
-      add(Result::fails, faults[i]);
-    }
-    if (faults.size() > kNamed) {
-      add(Result::fails, fmt::format("And {} more of this kind.", faults.size() - kNamed));
-    }
-    if (faults.empty()) add(Result::holds, std::move(ok));
-  }
-  std::vector<Check> take() { return std::move(checks_); }
-
- private:
-  std::vector<Check> checks_;
-};
-
-// SHA256SUMS: name -> sum.
-std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& findings) {
-  std::map<std::string, std::string> sums;
-  std::istringstream lines(file_text((folder / kSums).string()));
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    constexpr std::size_t kHex = 64;
-    const bool is_entry = line.size() > kHex + 2 && line.substr(kHex, 2) == "  ";
-    const std::string name = is_entry ? line.substr(kHex + 2) : std::string();
-    if (!is_entry || name.find('/') != std::string::npos) {
-      findings.add(Result::fails,
-                   fmt::format("{}: line {} is no sum of a file beside it.", kSums, number));
-      continue;
-    }
-    sums[name] = line.substr(0, kHex);
-  }
-  return sums;
-}
-
-void check_sums(const fs::path& folder, Findings& findings) {
-  const auto sums = read_sums(folder, findings);
-  std::vector<std::string> faults;
-  for (const auto& [name, sum] : sums) {
-    if (!fs::exists(folder / name)) {
-      faults.push_back(fmt::format("{} is missing.", name));
-    } else if (const std::string own = file_sha256((folder / name).string()); own != sum) {
-      faults.push_back(
-          fmt::format("{} has been changed: its SHA-256 is {}, not {}.", name, own, sum));
-    }
-  }
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name == kSums || sums.contains(name)) continue;
-    faults.push_back(fmt::format("{} does not stand in {}.", name, kSums));
-  }
-  for (const char* name : {kResultsFile, kStatementJson, kStatementText}) {
-    if (!sums.contains(name)) faults.push_back(fmt::format("{} has no sum.", name));
-  }
-  findings.add_list(faults, fmt::format("The sums of {} files hold.", sums.size()));
-}
 
 // What one reading of the results gives the checks.
 struct ResultsFacts {
@@ -120,13 +53,12 @@ ResultsFacts read_results(const std::string& path, const IdSet* known) {
       text_of(facts.header.value("subject", Json::object()), "spec").starts_with("capture:");
   Tally tally;
   Json line;
-  std::string text;
-  while (reader.next(line, &text)) {
+  while (reader.next(line)) {
     const CaseRow row = case_row(line);
     if (known != nullptr && !known->contains(row.id)) {
       facts.strangers.push_back(fmt::format("{} is no case of the corpus.", row.id));
     }
-    const VerdictKind kind = tally.add(facts_of(text));
+    const VerdictKind kind = tally.add(facts_of(reader.text()));
     if (kind != row.kind) {
       facts.inconsistent.push_back(
           fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",

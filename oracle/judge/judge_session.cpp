@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -16,7 +17,33 @@ using reference::ReadingKey;
 namespace {
 
 bool is_open(const ReadingChoice& choice, const Reading& reading) {
-  return choice.is(reading.key, "any") && !reading.by_properties;
+  return !reading.by_properties && choice.is(reading.key, "any");
+}
+
+// The readings of a dialect that may be open.
+std::vector<ReadingKey> openable_in(std::string_view dialect) {
+  std::vector<ReadingKey> keys;
+  for (const Reading& reading : reference::readings()) {
+    if (!reading.by_properties && reading.belongs_to(dialect)) keys.push_back(reading.key);
+  }
+  return keys;
+}
+
+// Whether a program can touch an open reading. Those of other dialects are open by default, too.
+bool can_be_open(const reference::Profile& profile) {
+  static const auto kOpenable = [] {
+    std::map<std::string_view, std::vector<ReadingKey>> by_dialect;
+    for (const Reading& reading : reference::readings()) {
+      for (const std::string_view dialect : {reading.dialect, reading.also}) {
+        by_dialect.try_emplace(dialect, openable_in(dialect));
+      }
+    }
+    return by_dialect;
+  }();
+  const auto own = kOpenable.find(profile.dialect);
+  return own != kOpenable.end() && std::ranges::any_of(own->second, [&](ReadingKey key) {
+           return profile.readings.is(key, "any");
+         });
 }
 
 }  // namespace
@@ -36,10 +63,7 @@ std::vector<ReadingKey> touched_by(const reference::Profile& profile, std::strin
 Assignments assignments_of(const reference::Profile& profile, std::string_view program) {
   Assignments result;
   result.choices.push_back(profile.readings);
-  const bool any = std::ranges::any_of(reference::readings(), [&](const Reading& reading) {
-    return is_open(profile.readings, reading);
-  });
-  if (!any) return result;
+  if (!can_be_open(profile)) return result;
   // Each assignment is run until it touches an open reading; that one is then split.
   std::set<ReadingKey> open;
   for (std::size_t i = 0; i < result.choices.size();) {

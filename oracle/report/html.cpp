@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
+#include <utility>
 
 #include "oracle/report/assets.hpp"
 #include "oracle/report/case_detail.hpp"
@@ -18,51 +18,27 @@ namespace {
 // What drawings and records of all failures together may take of the page.
 constexpr std::size_t kMostPathBytes = std::size_t{64} << 20;
 
+constexpr std::size_t kRowBytes = std::size_t{1} << 20;
+
 std::optional<Json> parse_object(const std::string& line) {
   Json value = Json::parse(line, nullptr, false);
   if (!value.is_object()) return std::nullopt;
   return value;
 }
 
-// The data of the page, written as it comes: a block of rows for the list, a block a failure.
-class PageWriter {
- public:
-  PageWriter(std::ostream& out, std::string subject) : out_(out), subject_(std::move(subject)) {}
+bool is_plain(char c) {
+  return c >= 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '<' && c != '>' && c != '&';
+}
 
-  void add(const Json& line) {
-    append_row(line);
-    if (rows_.size() > kRowBytes) flush_rows();
-    if (decision_of(text_of(line, "verdict")) == Decision::go) return;
-    const bool with_paths = path_bytes_ < kMostPathBytes;
-    const std::string detail = script_json(dump(case_detail(line, subject_, with_paths)));
-    path_bytes_ += detail.size();
-    out_ << "<script type=\"application/json\" id=\"d" << index_ - 1 << "\">" << detail
-         << "</script>\n";
+void append_text(std::string_view text, std::string& out) {
+  if (!std::ranges::all_of(text, is_plain)) {
+    out += script_json(dump(Json(text)));
+    return;
   }
-  void flush_rows() {
-    if (rows_.empty()) return;
-    out_ << "<script type=\"application/json\" class=\"rows\">[" << rows_ << "]</script>\n";
-    rows_.clear();
-  }
-
- private:
-  static constexpr std::size_t kRowBytes = std::size_t{1} << 20;
-
-  void append_row(const Json& line) {
-    Json row = Json::array({text_of(line, "id"), text_of(line, "dialect"), text_of(line, "cycle"),
-                            text_of(line, "verdict"), text_of(line, "clause"),
-                            text_of(line, "message"), line.value("clauses", Json::array())});
-    if (!rows_.empty()) rows_ += ',';
-    rows_ += script_json(dump(row));
-    ++index_;
-  }
-
-  std::ostream& out_;
-  std::string subject_;
-  std::string rows_;
-  std::size_t index_ = 0;
-  std::size_t path_bytes_ = 0;
-};
+  out += '"';
+  out += text;
+  out += '"';
+}
 
 std::string subject_name(const Json& header) {
   const Json subject = header.value("subject", Json::object());
@@ -92,61 +68,107 @@ Skeleton skeleton() {
   return parts;
 }
 
-std::optional<ReportError> write_page(std::istream& in, const Json& header, std::ostream& out) {
-  const Skeleton page = skeleton();
-  out << page.before;
-  PageWriter writer(out, subject_name(header));
-  Summary summary;
-  std::optional<Json> footer;
-  std::uint64_t bad_lines = 0;
-  std::string line;
-  while (std::getline(in, line)) {
-    if (line.empty()) continue;
-    std::optional<Json> value = parse_object(line);
-    if (value && value->contains("totals")) {
-      footer = std::move(value);
-    } else if (value && !text_of(*value, "id").empty() && !text_of(*value, "verdict").empty()) {
-      summary.add(*value);
-      writer.add(*value);
-    } else {
-      ++bad_lines;
-    }
-  }
-  writer.flush_rows();
-  const Json whole = summary.finish(header, footer ? &*footer : nullptr, bad_lines);
-  out << "<script type=\"application/json\" id=\"summary\">" << script_json(dump(whole))
-      << "</script>\n"
-      << page.after;
-  out.flush();
-  if (!out) return ReportError{"The report cannot be written; is the disk full?"};
-  return std::nullopt;
+}  // namespace
+
+HtmlPage::HtmlPage(const std::string& directory, const Json& header)
+    : target_(std::filesystem::path(directory) / "index.html"),
+      part_(target_.string() + ".part"),
+      subject_(subject_name(header)) {
+  std::error_code ignored;  // what comes of it shows in the file
+  std::filesystem::create_directories(directory, ignored);
+  out_.open(part_, std::ios::binary | std::ios::trunc);
+  Skeleton page = skeleton();
+  out_ << page.before;
+  after_ = std::move(page.after);
 }
 
-}  // namespace
+HtmlPage::~HtmlPage() {
+  if (done_) return;
+  out_.close();
+  std::error_code ignored;
+  std::filesystem::remove(part_, ignored);
+}
+
+void HtmlPage::add(const CaseHead& line) {
+  if (!rows_.empty()) rows_ += ',';
+  char between = '[';
+  for (const std::string* text :
+       {&line.id, &line.dialect, &line.cycle, &line.verdict, &line.clause, &line.message}) {
+    rows_ += std::exchange(between, ',');
+    append_text(*text, rows_);
+  }
+  rows_ += ",[";
+  for (std::size_t i = 0; i < line.clauses.size(); ++i) {
+    if (i > 0) rows_ += ',';
+    append_text(line.clauses[i], rows_);
+  }
+  rows_ += "]]";
+  ++index_;
+  if (rows_.size() > kRowBytes) flush_rows();
+}
+
+void HtmlPage::add_detail(const Json& line) {
+  const bool with_paths = path_bytes_ < kMostPathBytes;
+  const std::string detail = script_json(dump(case_detail(line, subject_, with_paths)));
+  path_bytes_ += detail.size();
+  out_ << "<script type=\"application/json\" id=\"d" << index_ - 1 << "\">" << detail
+       << "</script>\n";
+}
+
+void HtmlPage::flush_rows() {
+  if (rows_.empty()) return;
+  out_ << "<script type=\"application/json\" class=\"rows\">[" << rows_ << "]</script>\n";
+  rows_.clear();
+}
+
+std::optional<ReportError> HtmlPage::finish(const Json& summary) {
+  if (!out_.is_open()) return ReportError{fmt::format("{} cannot be written.", part_.string())};
+  flush_rows();
+  out_ << "<script type=\"application/json\" id=\"summary\">" << script_json(dump(summary))
+       << "</script>\n"
+       << after_;
+  out_.close();
+  if (!out_) return ReportError{"The report cannot be written; is the disk full?"};
+  std::error_code failure;
+  std::filesystem::rename(part_, target_, failure);
+  if (failure) return ReportError{fmt::format("{} cannot be written.", target_.string())};
+  done_ = true;
+  return std::nullopt;
+}
 
 std::optional<ReportError> write_html_report(const std::string& results,
                                              const std::string& directory) {
   std::ifstream in(results, std::ios::binary);
   if (!in) return ReportError{fmt::format("{} cannot be opened.", results)};
-  std::string first;
-  std::getline(in, first);
-  const std::optional<Json> header = parse_object(first);
+  std::string line;
+  std::getline(in, line);
+  const std::optional<Json> header = parse_object(line);
   if (!header || count_of(*header, "format") != 1) {
     return ReportError{
         fmt::format("{} does not begin with the header of a results file of format 1.", results)};
   }
-  std::error_code failure;
-  std::filesystem::create_directories(directory, failure);
-  const std::filesystem::path target = std::filesystem::path(directory) / "index.html";
-  std::filesystem::path part = target;
-  part += ".part";
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  if (!out) return ReportError{fmt::format("{} cannot be written.", part.string())};
-  if (auto error = write_page(in, *header, out)) return error;
-  out.close();
-  std::filesystem::rename(part, target, failure);
-  if (failure) return ReportError{fmt::format("{} cannot be written.", target.string())};
-  return std::nullopt;
+  HtmlPage page(directory, *header);
+  Summary summary;
+  std::optional<Json> footer;
+  std::uint64_t bad_lines = 0;
+  CaseHead head;
+  while (std::getline(in, line)) {
+    if (line.empty()) continue;
+    const bool is_object = read_case_head(line, head);
+    if (is_object && !head.id.empty() && !head.verdict.empty()) {
+      summary.add(head);
+      page.add(head);
+      if (decision_of(head.verdict) != Decision::go) page.add_detail(Json::parse(line));
+      continue;
+    }
+    std::optional<Json> value = parse_object(line);
+    if (value && value->contains("totals")) {
+      footer = std::move(value);
+    } else {
+      ++bad_lines;
+    }
+  }
+  return page.finish(summary.finish(*header, footer ? &*footer : nullptr, bad_lines));
 }
 
 }  // namespace gonogo::oracle::report

@@ -3,8 +3,13 @@
 // The HTML report: one file that opens offline.
 #pragma once
 
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+
+#include "oracle/case_head.hpp"
 
 namespace gonogo::oracle::report {
 
@@ -13,10 +18,41 @@ struct ReportError {
   std::string message;
 };
 
-// Reads a results file line by line and writes `directory`/index.html, in place only when it is
-// complete. A results file without footer, or with lines that cannot be read, still makes a page;
-// the page says so. Errors: a file that cannot be opened or written, a first line that is not the
-// header of format 1.
+// The page while it is written: a block of rows for the list, a block a failure. It is in place
+// only when it is complete.
+class HtmlPage {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  // `directory`/index.html, of a run with this header.
+  HtmlPage(const std::string& directory, const Json& header);
+  ~HtmlPage();
+  HtmlPage(const HtmlPage&) = delete;
+  HtmlPage& operator=(const HtmlPage&) = delete;
+
+  void add(const CaseHead& line);
+  // The whole line of the case that was added last. REQUIRES: it is not GO.
+  void add_detail(const Json& line);
+  // What Summary::finish() says. An error when anything could not be written.
+  std::optional<ReportError> finish(const Json& summary);
+
+ private:
+  void flush_rows();
+
+  std::filesystem::path target_;
+  std::filesystem::path part_;
+  std::ofstream out_;
+  std::string after_;  // of the skeleton, behind the data
+  std::string subject_;
+  std::string rows_;
+  std::size_t index_ = 0;
+  std::size_t path_bytes_ = 0;
+  bool done_ = false;
+};
+
+// Reads a results file line by line and writes `directory`/index.html. A results file without
+// footer, or with lines that cannot be read, still makes a page; the page says so. Errors: a file
+// that cannot be opened or written, a first line that is not the header of format 1.
 std::optional<ReportError> write_html_report(const std::string& results,
                                              const std::string& directory);
 

@@ -87,40 +87,36 @@ Decision decision_of(const std::string& verdict) {
   return kind ? decision(*kind) : Decision::no_go;
 }
 
-void Summary::add(const Json& line) {
-  const std::string verdict = text_of(line, "verdict");
-  const std::string dialect = text_of(line, "dialect");
-  const std::string cycle = text_of(line, "cycle");
+void Summary::add(const CaseHead& line) {
   ++cases_;
-  ++totals_[verdict];
-  cycles_.insert(cycle);
-  judged_.try_emplace(dialect, 0);
-  if (verdict == "skip") {
-    const std::string feature = text_of(line, "feature");
-    ++skips_[feature.empty() ? text_of(line, "message") : feature];
+  ++totals_[line.verdict];
+  cycles_.insert(line.cycle);
+  std::uint64_t& judged = judged_[line.dialect];
+  if (line.verdict == "skip") {
+    ++skips_[line.feature.empty() ? line.message : line.feature];
     return;
   }
-  ++judged_[dialect];
-  const std::string departed = text_of(line, "clause");
-  std::set<std::string> hit;
-  if (!departed.empty()) hit.insert(departed);
-  if (auto clauses = line.find("clauses"); clauses != line.end() && clauses->is_array()) {
-    for (const Json& clause : *clauses) {
-      if (clause.is_string()) hit.insert(clause.get<std::string>());
-    }
-  }
-  for (const std::string& clause : hit) {
-    MatrixCell& cell = cells_[clause][cycle];
-    switch (decision_of(verdict)) {
+  ++judged;
+  const Decision its = decision_of(line.verdict);
+  auto hit = [&](const std::string& clause) {
+    MatrixCell& cell = cells_[clause][line.cycle];
+    switch (its) {
       case Decision::go:
-        ++(verdict == "xfail" ? cell.elsewhere : cell.passed);
+        ++(line.verdict == "xfail" ? cell.elsewhere : cell.passed);
         break;
       case Decision::no_go:
-        ++(clause == departed ? cell.failed : cell.elsewhere);
+        ++(clause == line.clause ? cell.failed : cell.elsewhere);
         break;
       case Decision::undecided:
         ++cell.undecided;
         break;
+    }
+  };
+  if (!line.clause.empty()) hit(line.clause);
+  for (auto clause = line.clauses.begin(); clause != line.clauses.end(); ++clause) {
+    // Each clause counts once a case.
+    if (*clause != line.clause && std::find(line.clauses.begin(), clause, *clause) == clause) {
+      hit(*clause);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "oracle/case_head.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::oracle::report {
@@ -31,7 +32,7 @@ struct MatrixCell {
 
 class Summary {
  public:
-  void add(const Json& line);
+  void add(const CaseHead& line);
   // `footer` null when the file has none; `bad_lines` could not be read.
   Json finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
 

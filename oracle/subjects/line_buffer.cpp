@@ -30,6 +30,12 @@ std::span<char> LineBuffer::room() {
   return {bytes_.data() + end_, bytes_.size() - end_ - kPadding};
 }
 
+std::size_t LineBuffer::whole_lines() const {
+  const auto from = bytes_.begin() + static_cast<std::ptrdiff_t>(searched_);
+  const auto to = bytes_.begin() + static_cast<std::ptrdiff_t>(end_);
+  return static_cast<std::size_t>(std::count(from, to, '\n'));
+}
+
 std::optional<std::string_view> LineBuffer::next() {
   if (searched_ == end_) return std::nullopt;
   const void* found = std::memchr(bytes_.data() + searched_, '\n', end_ - searched_);

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <thread>
+#include <utility>
+
 #include "oracle/subjects/record_json.hpp"
 #include "oracle/subjects/start_reply.hpp"
 #include "oracle/subjects/text.hpp"
@@ -86,6 +90,18 @@ std::optional<RunEnd> PipeSession::ask(std::string line, std::chrono::millisecon
   return std::nullopt;
 }
 
+// Waits for output, and a little longer where the subject has enough to do meanwhile.
+Process::Event PipeSession::look() {
+  waited_ = true;
+  const auto patience = std::min<Process::Clock::duration>(pace_.patience(open_.size()), time_ / 8);
+  if (patience > Process::Clock::duration::zero()) std::this_thread::sleep_for(patience);
+  const Process::Event event = process_.pump(lines_);
+  if (event != Process::Event::output) return event;
+  const auto now = Process::Clock::now();
+  pace_.note(lines_.whole_lines(), open_.size() + 1, now - std::exchange(looked_, now));
+  return event;
+}
+
 PipeSession::Parsed PipeSession::read_line() {
   while (true) {
     auto line = lines_.next();
@@ -100,7 +116,7 @@ PipeSession::Parsed PipeSession::read_line() {
       }
       return std::get<object>(parsed);
     }
-    switch (process_.pump(lines_)) {
+    switch (look()) {
       case Process::Event::output:
         break;
       case Process::Event::closed:
@@ -169,12 +185,23 @@ RunEnd PipeSession::receive_run(const RecordSink& sink) {
   const auto begin = Process::Clock::now();
   in_sink_ = Process::Clock::duration::zero();
   arm(limits_.run);
+  waited_ = false;
   if (!outgoing_.empty()) process_.send(std::exchange(outgoing_, {}));
   RunEnd end = receive(run.seq, sink);
-  end.microseconds = std::chrono::duration_cast<std::chrono::microseconds>(Process::Clock::now() -
-                                                                           begin - in_sink_)
-                         .count();
+  const auto spent = share_of(Process::Clock::now() - begin - in_sink_);
+  end.microseconds = std::chrono::duration_cast<std::chrono::microseconds>(spent).count();
   return end;
+}
+
+Process::Clock::duration PipeSession::share_of(Process::Clock::duration spent) {
+  if (waited_) {
+    sharers_ = open_.empty() ? 0 : lines_.whole_lines();
+    share_ = spent / static_cast<Process::Clock::rep>(sharers_ + 1);
+    return share_;
+  }
+  if (sharers_ == 0) return spent;
+  --sharers_;
+  return spent + share_;
 }
 
 RunEnd PipeSession::receive(std::int64_t seq, const RecordSink& sink) {

@@ -9,6 +9,7 @@
 #include "oracle/subjects/line_buffer.hpp"
 #include "oracle/subjects/pipe_reply.hpp"
 #include "oracle/subjects/process.hpp"
+#include "oracle/subjects/reply_pace.hpp"
 
 namespace gonogo::oracle {
 
@@ -27,7 +28,8 @@ class PipeSession {
   void send_run(std::string_view id, std::string_view program);
   std::size_t open_runs() const { return open_.size(); }
   // The reply to the first of the open runs. Its time begins with the call: when it was sent, or
-  // when the reply to its predecessor had been read. REQUIRES: open_runs() > 0
+  // when the reply to its predecessor had been read; of replies that came together each is given
+  // its part of the time. REQUIRES: open_runs() > 0
   RunEnd receive_run(const RecordSink& sink);
   // For the runs from now on.
   void set_run_limit(std::chrono::milliseconds limit) { limits_.run = limit; }
@@ -45,6 +47,8 @@ class PipeSession {
   void arm(std::chrono::milliseconds time);
   RunEnd receive(std::int64_t seq, const RecordSink& sink);
   Parsed read_line();
+  Process::Event look();
+  Process::Clock::duration share_of(Process::Clock::duration spent);
   std::optional<RunEnd> deliver(const PipeReply& reply, const RecordSink& sink);
   std::optional<RunEnd> unasked(bool look);
   RunEnd fail(RunEnd::Kind kind, std::string message);
@@ -61,7 +65,12 @@ class PipeSession {
   std::string doing_ = "starting";  // for messages
   std::chrono::milliseconds time_{0};
   Process::Clock::duration in_sink_{0};
-  std::string outgoing_;  // runs to be sent
+  ReplyPace pace_;
+  Process::Clock::time_point looked_;  // when output came last
+  bool waited_ = false;                // the present run, for its reply
+  std::size_t sharers_ = 0;            // replies, not yet delivered, that came with the last one
+  Process::Clock::duration share_{0};  // of each of them in the time until they came
+  std::string outgoing_;               // runs to be sent
   std::int64_t seq_ = 0;
   std::deque<OpenRun> open_;           // sent, not yet answered
   std::optional<RunEnd> unasked_for_;  // what was wrong before the first of them was sent

@@ -8,6 +8,7 @@
 
 #include "corpus_testing.hpp"
 #include "oracle/features.hpp"
+#include "oracle/judge/judge_session.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::testing {
@@ -71,6 +72,16 @@ TEST(Coverage, EveryAlternativeOfAReadingIsSetByAProfileOrIsTheDefault) {
     EXPECT_GE(set.size(), 2U) << reading.name;
     for (const std::string_view alternative : reading.alternatives) {
       EXPECT_TRUE(set.contains(std::string(alternative))) << reading.name << "=" << alternative;
+    }
+  }
+}
+
+// The judge looks for open readings of the dialect alone: others are open by default, too.
+TEST(Coverage, NoProgramTouchesAReadingOfAnotherDialect) {
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const reference::ReadingKey key : oracle::touched_by(test.profile, test.program)) {
+      const reference::Reading& reading = reference::reading(key);
+      EXPECT_TRUE(reading.belongs_to(test.dialect)) << id << ": " << reading.name;
     }
   }
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "oracle/campaign/results_reader.hpp"
+#include "oracle/report/command.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using oracle::ResultsReader;
+
+long limit_of(const Json& header, std::string_view option) {
+  const auto values = oracle::report::option_values(header.value("argv", Json::array()), option);
+  return values.empty() ? 0 : std::strtol(values.back().c_str(), nullptr, 10);
+}
+
+[[noreturn]] void refuse(const std::string& journal, std::string_view option, long begun,
+                         long now) {
+  throw UsageError(
+      fmt::format("{} is of a run with {} {}, this one has {}. Run the command that it was begun "
+                  "with, or leave "
+                  "--resume out to begin anew.",
+                  journal, option, begun, now));
+}
+
+}  // namespace
+
+LimitOptions limits_of_run(const Json& header) {
+  LimitOptions limits;
+  limits.timeout = limit_of(header, "--timeout");
+  limits.memory = limit_of(header, "--memory");
+  return limits;
+}
+
+void need_same_limits(const std::string& journal, const LimitOptions& limits) {
+  oracle::Limits begun;
+  try {
+    begun = limits_of_run(ResultsReader(journal, ResultsReader::Order::as_run).header()).limits();
+  } catch (const oracle::ResultsError&) {
+    return;
+  }
+  const oracle::Limits now = limits.limits();
+  if (begun.run != now.run) refuse(journal, "--timeout", begun.run.count(), now.run.count());
+  if (begun.memory_bytes != now.memory_bytes) {
+    constexpr int kMegabyte = 20;
+    refuse(journal, "--memory", static_cast<long>(begun.memory_bytes >> kMegabyte),
+           static_cast<long>(now.memory_bytes >> kMegabyte));
+  }
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What lists, totals and matrices show of a case line of results.jsonl, read without building the
+// whole line: there are millions of them, and nearly all are GO.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonogo::oracle {
+
+struct CaseHead {
+  std::string id;  // texts that are missing or of another kind are empty
+  std::string dialect;
+  std::string cycle;
+  std::string verdict;
+  std::string clause;  // departed from
+  std::string feature;
+  std::string message;
+  std::vector<std::string> clauses;
+  std::uint64_t microseconds = 0;
+  bool expected = false;  // an oracle-gap that the corpus expects
+};
+
+// False for a line that is no JSON object, and for JSON that a message of the protocol may not be
+// (a key twice, deep nesting); `head` is then of no use.
+bool read_case_head(std::string_view line, CaseHead& head);
+
+}  // namespace gonogo::oracle

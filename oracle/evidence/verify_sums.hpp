@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of verify that looks at the files of a certificate and not into them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/evidence/verify.hpp"
+
+namespace gonogo::oracle::evidence {
+
+// Collects what the checks say, and faults of one kind as one list.
+class Findings {
+ public:
+  void add(Check::Result result, std::string sentence) {
+    checks_.push_back({result, std::move(sentence)});
+  }
+  // `ok` when there is no fault; of many the first are named.
+  void add_list(const std::vector<std::string>& faults, std::string ok);
+  std::vector<Check> take() { return std::move(checks_); }
+
+ private:
+  std::vector<Check> checks_;
+};
+
+// Whether the files are those that SHA256SUMS names.
+void check_sums(const std::filesystem::path& folder, Findings& findings);
+
+}  // namespace gonogo::oracle::evidence
