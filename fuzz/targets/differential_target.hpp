@@ -36,7 +36,7 @@ inline void keep(const reference::Profile& profile, std::string_view program) {
   const char* const folder = std::getenv("GONOGO_FUZZ_FINDING");
   if (folder == nullptr) return;
   std::ofstream(folder + std::string("/program.nc"), std::ios::binary) << program;
-  std::ofstream(folder + std::string("/profile.json")) << reference::profile_json(profile);
+  std::ofstream(folder + std::string("/profile.json")) << profile_text(profile);
 }
 
 inline void check(oracle::Subject& subject, const reference::Profile& profile,
