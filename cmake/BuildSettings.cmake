@@ -33,7 +33,7 @@ if(GONOGO_SANITIZE)
   target_link_options(gonogo_build_settings INTERFACE -fsanitize=address,undefined)
 endif()
 if(GONOGO_FUZZ)
-  target_compile_options(gonogo_build_settings INTERFACE -fsanitize=fuzzer-no-link)
+  target_compile_options(gonogo_build_settings INTERFACE ${GONOGO_FUZZ_INSTRUMENTATION})
 endif()
 
 # gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar,

@@ -45,4 +45,10 @@ std::string failure_text(const oracle::Verdict& verdict, const reference::Profil
       verdict.want, verdict.got, verdict.witness, reference::profile_json(profile), program);
 }
 
+std::string profile_text(const reference::Profile& profile) {
+  const std::string keys = reference::profile_json(profile);
+  return fmt::format("{{\"dialect\":\"{}\"{}{}\n", profile.dialect, keys == "{}" ? "" : ",",
+                     keys.substr(1));
+}
+
 }  // namespace gonogo::fuzz

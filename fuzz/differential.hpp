@@ -23,5 +23,7 @@ std::string trace_text(oracle::Subject& subject, const reference::Profile& profi
 // The verdict, the program and how to see it again, for a failed run.
 std::string failure_text(const oracle::Verdict& verdict, const reference::Profile& profile,
                          std::string_view program);
+// The profile as --profile takes it from a JSON file.
+std::string profile_text(const reference::Profile& profile);
 
 }  // namespace gonogo::fuzz

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "fuzz/differential.hpp"
 #include "fuzz/hunt/program_codes.hpp"
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/judge/evidence.hpp"
@@ -105,13 +106,6 @@ std::string trace_of(const Evidence& evidence) {
     text += oracle::alarm_text(evidence.end.alarm) + "\n";
   }
   return text;
-}
-
-// The profile as --profile takes it.
-std::string profile_text(const reference::Profile& profile) {
-  const std::string keys = reference::profile_json(profile);
-  return fmt::format("{{\"dialect\":\"{}\"{}{}\n", profile.dialect, keys == "{}" ? "" : ",",
-                     keys.substr(1));
 }
 
 void write_manifest(const fs::path& folder) {

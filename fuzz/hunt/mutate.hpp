@@ -3,9 +3,12 @@
 // A program made out of others: by changing the generator's decisions, or the text itself.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "fuzz/hunt/dice.hpp"
 #include "fuzz/hunt/program_text.hpp"
-#include "fuzz/hunt/specimen.hpp"
 
 namespace gonogo::fuzz {
 

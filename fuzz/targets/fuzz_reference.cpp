@@ -39,6 +39,7 @@ void expand_and_judge(const Profile& profile, std::string_view program) {
       return;
     }
   }
+  if (fuzz::planted_fault() == "record-lost" && !records.empty()) records.erase(records.begin());
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
   const oracle::JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);

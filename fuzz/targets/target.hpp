@@ -16,6 +16,13 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
+// The fault that is planted in what the target tries, so that the bench itself can be checked: of a
+// built-in expander, or one of the target's own. Empty: none.
+inline std::string_view planted_fault() {
+  static const char* const kFault = std::getenv("GONOGO_FUZZ_FAULT");
+  return kFault == nullptr ? std::string_view() : kFault;
+}
+
 // A finding: said on standard error, then an abort for the engine to catch.
 [[noreturn]] inline void fail(const std::string& what, std::string_view input) {
   std::fprintf(stderr, "%s\n%.*s\n", what.c_str(), static_cast<int>(input.size()), input.data());

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What the scripts of this folder know of the fuzz targets; for `source`. BUILD is a configured build
+# folder, in which the list of the targets stands.
+
+fuzz_folder=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+
+# target_names BUILD: every target, one a line.
+target_names() { cut -d ' ' -f 1 "$1/fuzz/targets.txt"; }
+
+# target_dialect TARGET BUILD: the dialect of NC text ("any": of all of them); nothing where the input
+# is no text.
+target_dialect() { sed -n "s/^$1 \([^ ]*\) .*/\1/p" "$2/fuzz/targets.txt"; }
+
+# target_most_bytes TARGET BUILD: of its inputs that are text.
+target_most_bytes() { sed -n "s/^$1 [^ ]* //p" "$2/fuzz/targets.txt"; }
+
+# write_dictionary DIALECT FILE
+write_dictionary() {
+  if [ "$1" = any ]; then
+    cat "$fuzz_folder"/dictionaries/*.dict >"$2"
+  else
+    cp "$fuzz_folder/dictionaries/$1.dict" "$2"
+  fi
+}
+
+# engine_options TARGET BUILD FOLDER: libFuzzer's options of the target, one a line; its dictionary is
+# written into FOLDER.
+engine_options() {
+  local dialect
+  dialect=$(target_dialect "$1" "$2")
+  [ -n "$dialect" ] || return 0
+  mkdir -p "$3"
+  write_dictionary "$dialect" "$3/$1.dict"
+  printf '%s\n' "-dict=$3/$1.dict" "-max_len=$(target_most_bytes "$1" "$2")"
+}
+
+# copy_seeds TARGET BUILD FOLDER: the target's seeds, and for NC text the short programs of the corpus.
+copy_seeds() {
+  local dialect
+  mkdir -p "$3"
+  cp -R "$fuzz_folder/seeds/$1/." "$3"
+  dialect=$(target_dialect "$1" "$2")
+  [ -z "$dialect" ] ||
+    "$fuzz_folder/seed-programs" "$dialect" "$3" "$(target_most_bytes "$1" "$2")" 20
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spelling: a generated program, of any dialect, means the same in other spellings: as the grammar
+// prints its blocks, with CR LF, with blanks between its words. The first byte chooses dialect and
+// spelling, the others are the generator's decisions. Cost cap: 5,000 items, since a tiny Q over a
+// great depth is a long program.
+#include <set>
+
+#include "fuzz/generator.hpp"
+#include "fuzz/hunt/program_text.hpp"
+#include "fuzz/targets/target.hpp"
+#include "grammar/parser.hpp"
+#include "reference/dialect.hpp"
+
+namespace {
+
+using namespace gonogo;
+
+// A line that cannot be read stays as it is.
+std::string printed(grammar::Dialect dialect, std::string line) {
+  grammar::Block block;
+  if (grammar::parse_block(dialect, line, block)) return line;
+  return grammar::print(dialect, block);
+}
+
+std::string spelled(grammar::Dialect dialect, std::string_view program, std::uint32_t spelling) {
+  std::vector<fuzz::TextLine> lines = fuzz::lines_of(program);
+  for (fuzz::TextLine& line : lines) {
+    if (spelling == 0) {
+      line = {{{"", printed(dialect, fuzz::text_of({{line.words, line.rest, ""}}))}}, "", line.end};
+    } else if (spelling == 1 && !line.end.empty()) {
+      line.end = "\r\n";
+    } else if (spelling == 2) {
+      for (fuzz::TextWord& word : line.words) word.gap += " \t";
+    }
+  }
+  return fuzz::text_of(lines);
+}
+
+// All that a program means, as text. Words of an alarm may stand elsewhere; what they are may not.
+std::string meaning(const reference::Profile& profile, std::string_view program) {
+  constexpr std::size_t kMostItems = 5'000;
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  reference::Expander expander(profile, lines, reference::OpenPaths::shown);
+  std::string text;
+  std::size_t items = 0;
+  while (const reference::Item* item = expander.next()) {
+    if (++items > kMostItems) break;
+    if (auto* record = std::get_if<reference::Record>(item)) {
+      append_json(*record, text);
+    } else if (auto* report = std::get_if<reference::AlarmReport>(item)) {
+      std::set<std::string_view> classes;
+      for (const reference::Alarm& alarm : report->alarms) classes.insert(name(alarm.alarm));
+      text += "alarm " + std::to_string(report->block);
+      for (const std::string_view name : classes) text += " " + std::string(name);
+    } else if (auto* end = std::get_if<reference::NotCovered>(item)) {
+      text += "not covered " + std::to_string(end->block);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Choices choices(std::span<const std::uint8_t>(data, size));
+  const std::uint32_t choice = choices.below(256);
+  const auto all = fuzz::generators();
+  const fuzz::Generator& generator = all[choice % all.size()];
+  const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
+  const grammar::Dialect dialect = reference::find_dialect(generator.dialect)->grammar;
+  std::string other =
+      spelled(dialect, program.text, choice / static_cast<std::uint32_t>(all.size()) % 3);
+  if (fuzz::planted_fault() == "line-added") other.insert(0, "\n");
+  if (meaning(program.profile, program.text) != meaning(program.profile, other)) {
+    fuzz::fail("another spelling means something else: " + other, program.text);
+  }
+  return 0;
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The structured mutator in the fuzz targets whose input is NC text, as the engines call it.
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "fuzz/mutator/program_mutator.hpp"
+#include "fuzz/targets/target.hpp"
+
+// libFuzzer's own mutations, with its dictionary and what it saw compared. Other engines have none.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t most);
+
+namespace {
+
+using namespace gonogo::fuzz;
+
+// The dialect that the target reads; of a target that reads all of them none.
+const Dictionary* dictionary() {
+  static const Dictionary* const kDictionary = find_dictionary(GONOGO_FUZZ_DIALECT);
+  return kDictionary;
+}
+
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned int seed) {
+  if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
+  const std::string text = mutate_program(text_of(data, size), most, seed, dictionary());
+  std::ranges::copy(text, data);
+  return text.size();
+}
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_size,
+                                                 const std::uint8_t* other, std::size_t other_size,
+                                                 std::uint8_t* out, std::size_t most,
+                                                 unsigned int seed) {
+  const std::string text =
+      cross_programs(text_of(one, one_size), text_of(other, other_size), most, seed);
+  std::ranges::copy(text, out);
+  return text.size();
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Defaults of the address sanitizer in the fuzz targets; ASAN_OPTIONS goes before them. The
+// grammars throw where a line cannot be read, and with fake stacks each throw costs a sweep over
+// all of them, three quarters of the time of fuzz_parse. The tests under the sanitizers keep that
+// check. Of an allocation one caller is kept, which saves a quarter of the differential targets'
+// time; ASAN_OPTIONS=malloc_context_size=30 shows the others when an input is run again.
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() {
+  return "detect_stack_use_after_return=0:malloc_context_size=1";
+}
