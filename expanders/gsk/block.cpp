@@ -45,6 +45,7 @@ Block::Reading Block::read(std::string_view line, bool block_skip, bool later_wi
         break;
       case Token::kWord:
         last_address_ = word.address;
+        if (tokens.from_token()[0] >= 'a') return Reading::kSyntax;  // a small letter
         if (word.address == 'N' || word.address == 'O') {
           if (!first_word || !is_plain_number(word.number)) return Reading::kSyntax;
           begins_program_ = word.address == 'O';

@@ -18,8 +18,12 @@ TEST(GskText, EveryLineEndCounts) {
 
 TEST(GskText, NumberProgramNumberAndComments) {
   EXPECT_EQ(
-      run("%\nO0001(A;B)\nN0010 G00(\xd0\xc2\xe5\x8a) X2 ; G999 )(\nn20g1x4f9\n%\nX9\n").motions(),
+      run("%\nO0001(A;B)\nN0010 G00(\xd0\xc2\xe5\x8a) X2 ; G999 )(\nN20G1X4F9\n%\nX9\n").motions(),
       "rapid x=1\nfeed x=2 f=9\n");
+}
+
+TEST(GskText, SmallLettersAreNoAddresses) {
+  EXPECT_EQ(run("G00 X2\ng1 x4 f9\n").alarm, "syntax");
 }
 
 TEST(GskText, BlockSkip) {

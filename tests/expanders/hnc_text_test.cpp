@@ -20,7 +20,8 @@ TEST(HncText, ProgramHeads) {
 }
 
 TEST(HncText, WordsMayRunTogetherOrApart) {
-  EXPECT_EQ(run_hnc("g80x-4Z-30I-8.5F 40").records[0], "rapid x=-10.5");
+  EXPECT_EQ(run_hnc("G80X-4Z-30I-8.5F 40").records[0], "rapid x=-10.5");
+  EXPECT_EQ(run_hnc("g80x-4Z-30I-8.5F 40").alarm, "syntax");
 }
 
 TEST(HncText, Comments) {
