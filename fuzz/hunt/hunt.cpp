@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "fuzz/differential.hpp"
 #include "fuzz/hunt/coverage.hpp"
 #include "fuzz/hunt/mutate.hpp"
+#include "fuzz/hunt/profile_parts.hpp"
 #include "fuzz/hunt/program_codes.hpp"
 
 namespace gonogo::fuzz {
@@ -75,7 +77,9 @@ Specimen Hunt::fresh() {
 Specimen Hunt::mutant() {
   --litter_;
   Specimen specimen{parent_.program, {}};
-  specimen.program.text = mutate_text(dice_, parent_.program.text, pool_.pick(dice_).program.text);
+  const GeneratedProgram& other = pool_.pick(dice_).program;
+  specimen.program.text = mutate_text(dice_, parent_.program.text, other.text);
+  if (dice_.one_in(4)) mutate_profile(dice_, specimen.program.profile, other.profile);
   return specimen;
 }
 
@@ -126,7 +130,13 @@ std::optional<Finding> Hunt::step() {
 // A finding of a new signature is run again alone in a fresh process.
 std::optional<Finding> Hunt::examine(const Verdict& verdict, const GeneratedProgram& program) {
   Finding finding{signature_of(verdict, program), verdict, {{}, program}, count_.programs};
-  if (!known_.insert(finding.signature).second) return std::nullopt;
+  if (known_.contains(finding.signature)) return std::nullopt;
+  if (contradicts_itself(program.profile, program.text, options_.most_items)) {
+    --count_.no_go;
+    ++count_.gaps;
+    return std::nullopt;
+  }
+  known_.insert(finding.signature);
   if (!trial_.keeps_state()) return finding;
   const std::optional<Verdict> alone = trial_.run_alone(finding.exhibit);
   if (is_of(alone, program, finding.signature)) return finding;

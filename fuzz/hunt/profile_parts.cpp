@@ -2,6 +2,7 @@
 #include "fuzz/hunt/profile_parts.hpp"
 
 #include <array>
+#include <vector>
 
 namespace gonogo::fuzz {
 namespace {
@@ -28,6 +29,17 @@ constexpr std::array<Take, 16> kParts = {{
     [](Profile& to, const Profile& from) { to.block_skip = from.block_skip; },
 }};
 
+void choose_another_reading(Dice& dice, Profile& profile) {
+  std::vector<const reference::Reading*> choices;
+  for (const reference::Reading& reading : reference::readings()) {
+    const bool has_choice = reading.alternatives.size() > 1;
+    if (has_choice && reading.belongs_to(profile.dialect)) choices.push_back(&reading);
+  }
+  if (choices.empty()) return;
+  const reference::Reading& reading = *dice.pick(choices);
+  profile.readings.set(reading.key, dice.pick(reading.alternatives));
+}
+
 }  // namespace
 
 std::size_t profile_parts() {
@@ -44,6 +56,14 @@ bool reset_part(Profile& profile, std::size_t part) {
     profile.readings.set(key, fallback.readings.get(key));
   }
   return !(profile == before);
+}
+
+void mutate_profile(Dice& dice, Profile& profile, const Profile& other) {
+  if (dice.one_in(2)) {
+    choose_another_reading(dice, profile);
+  } else {
+    kParts[dice.below(kParts.size())](profile, other);
+  }
 }
 
 }  // namespace gonogo::fuzz

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "fuzz/differential.hpp"
 #include "fuzz/hunt/profile_parts.hpp"
 #include "fuzz/hunt/program_text.hpp"
 
@@ -45,6 +46,7 @@ class Reducer {
  public:
   Reducer(Exhibit exhibit, const StillShows& shows, const ReduceLimits& limits)
       : best_(std::move(exhibit)),
+        has_right_path_(has_right_path(best_.program)),
         shows_(shows),
         limits_(limits),
         deadline_(Clock::now() + limits.time) {}
@@ -64,6 +66,8 @@ class Reducer {
   bool accepts(Exhibit candidate) {
     if (spent()) return false;
     ++runs_;
+    // What no path is right for shows nothing of the subject.
+    if (has_right_path_ && !has_right_path(candidate.program)) return false;
     if (!shows_(candidate)) return false;
     best_ = std::move(candidate);
     ++smaller_;
@@ -192,7 +196,13 @@ class Reducer {
     }
   }
 
+  static bool has_right_path(const GeneratedProgram& program) {
+    constexpr std::size_t kMostRecords = 3'000;
+    return !contradicts_itself(program.profile, program.text, kMostRecords);
+  }
+
   Exhibit best_;
+  bool has_right_path_;
   const StillShows& shows_;
   const ReduceLimits& limits_;
   Clock::time_point deadline_;

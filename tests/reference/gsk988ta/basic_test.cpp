@@ -222,6 +222,11 @@ TEST(Basic, AnAlarmHasTheNumberOfItsLine) {
   EXPECT_EQ(ending("\r\r\rG71"), "not-covered b4 G71");
 }
 
+TEST(Basic, WhatStandsBehindTheProgramIsNotRun) {
+  EXPECT_EQ(ending("%\nO0230\nG00 X50\n%\nG00 X40 X30\n"), "end x25 y0 z0 a0 c0");
+  EXPECT_EQ(ending("%\nO0230\nG00 X50\nO0231\nG00 X40\n"), "not-covered b4 program-head");
+}
+
 TEST(Basic, AnEmptyProgramEndsAtTheInitialState) {
   Profile profile;
   profile.initial.at[Axis::x] = num("1.5");

@@ -27,6 +27,12 @@ TEST(Programs, CompoundCyclesAreNotCovered) {
   EXPECT_EQ(ending_of(head + "N15 G70 P6 Q14"), "not-covered b6 G70");
 }
 
+TEST(Programs, WhatStandsBehindAProgramIsNotRun) {
+  EXPECT_EQ(ending_of("%1\nG00 X50\n%\nG00 X40 X30\n"), "end x25 y0 z0 a0 c0");
+  EXPECT_EQ(ending_of("%1\nG00 X50\n%2\nG00 X40\n"), "not-covered b3 program-head");
+  EXPECT_EQ(ending_of("O1\nG00 X50\nO2\nG00 X40\n"), "not-covered b3 program-head");
+}
+
 TEST(Programs, Example16IsReadUpToG76) {
   const Lines got = path(
       "O3338\nN1 T0101\nN2 G90 G00 X100 Z100\nN3 M03 S400\nN4 G00 X90 Z4\n"

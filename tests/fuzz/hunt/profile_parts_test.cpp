@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machines that a hunt tries, and programs for which no path is right.
+#include "fuzz/hunt/profile_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fuzz/differential.hpp"
+#include "hunting.hpp"
+
+namespace gonogo::fuzz {
+namespace {
+
+using reference::Profile;
+using reference::Reading;
+using testing::defaults;
+
+std::size_t readings_changed(const Profile& a, const Profile& b) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(reference::readings(), [&](const Reading& reading) {
+        return a.readings.get(reading.key) != b.readings.get(reading.key);
+      }));
+}
+
+TEST(MutateProfile, ChangesAReadingOrTakesASetting) {
+  const Profile before = defaults("gsk988ta");
+  Profile other = before;
+  other.parameters["5920"] = reference::Number(30);
+  other.x_diameter = false;
+  std::size_t readings = 0;
+  std::size_t parameters = 0;
+  std::size_t scales = 0;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Dice dice(seed);
+    Profile after = before;
+    mutate_profile(dice, after, other);
+    const bool has_parameter = after.parameters == other.parameters;
+    const bool has_scale = !after.x_diameter;
+    const std::size_t changed = readings_changed(before, after);
+    EXPECT_LE(changed + has_parameter + has_scale, 1U) << "seed " << seed;
+    readings += changed;
+    parameters += has_parameter;
+    scales += has_scale;
+  }
+  EXPECT_GT(readings, 50U);
+  EXPECT_GT(parameters, 5U);
+  EXPECT_GT(scales, 5U);
+}
+
+TEST(MutateProfile, ChoosesAmongTheReadingsOfTheDialect) {
+  for (const char* dialect : {"gsk988ta", "hnc21t", "rs274", "sinumerik840d", "sinumerik802s"}) {
+    const Profile before = defaults(dialect);
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Dice dice(seed);
+      Profile after = before;
+      mutate_profile(dice, after, before);
+      for (const Reading& reading : reference::readings()) {
+        const auto value = after.readings.get(reading.key);
+        if (value == before.readings.get(reading.key)) continue;
+        EXPECT_TRUE(reading.belongs_to(dialect)) << dialect << ' ' << reading.name;
+        EXPECT_NE(std::ranges::find(reading.alternatives, value), reading.alternatives.end())
+            << reading.name << '=' << value;
+      }
+    }
+  }
+}
+
+// The pass of a thread 0.5 high in a bore of radius 2.5, by a tool of radius 1, has radius 2. Run
+// out along its tangent for 4, the tool stands sqrt(2^2 + 4^2) = 4.47 from the middle: deeper than
+// its pass, which GSK-G114-10 forbids. Without a run-out it does not.
+TEST(ContradictsItself, AThreadWhoseRunOutGouges) {
+  const std::string text = "F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J4 K0\n";
+  Profile profile = defaults("gsk988ta");
+  profile.initial.plane = reference::Plane::g17;
+  profile.readings.set(reference::ReadingKey::thread_runout, "tangent");
+  EXPECT_TRUE(contradicts_itself(profile, text, 1'000));
+  EXPECT_FALSE(contradicts_itself(profile, "F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J0 K0\n", 1'000));
+}
+
+TEST(ContradictsItself, NotWhatAlarmsOrIsNotCovered) {
+  const Profile profile = defaults("gsk988ta");
+  EXPECT_FALSE(contradicts_itself(profile, "G01 X10\n", 1'000));
+  EXPECT_FALSE(contradicts_itself(profile, "G00 X10\nG71 U1\n", 1'000));
+  EXPECT_FALSE(contradicts_itself(profile, "G00 X10 Z5\nX20\n", 1'000));
+}
+
+}  // namespace
+}  // namespace gonogo::fuzz
