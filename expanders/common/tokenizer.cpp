@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/common/tokenizer.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace gonogo::expanders {
@@ -35,6 +36,12 @@ bool Tokenizer::skip_blanks() {
     }
   }
   return true;
+}
+
+bool Tokenizer::has_plain_number() const {
+  const char* digits = token_ + 1;
+  while (digits != cursor_ && (*digits == ' ' || *digits == '\t')) ++digits;
+  return std::all_of(digits, cursor_, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 bool Tokenizer::skip_digits() {

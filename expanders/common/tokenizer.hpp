@@ -49,6 +49,8 @@ class Tokenizer {
   Token next(Word& word);
   /// The line from the first byte of the token that was read last.
   std::string_view from_token() const { return {token_, static_cast<std::size_t>(end_ - token_)}; }
+  /// Whether the number of the word is nothing but digits, as those of N and O are.
+  bool has_plain_number() const;
   /// Passes over the digits that follow the token; false: there are none.
   bool skip_digits();
 

@@ -5,15 +5,6 @@
 
 namespace gonogo::expanders::gsk {
 
-namespace {
-
-// N and O are numbers without sign and decimals.
-bool is_plain_number(const Decimal& number) {
-  return number.overflow || (number.value >= 0 && number.value % kOne == 0 && !number.finer);
-}
-
-}  // namespace
-
 void Block::clear() {
   words_ = AddressSet{};
   codes_.fill(nullptr);
@@ -47,7 +38,7 @@ Block::Reading Block::read(std::string_view line, bool block_skip, bool later_wi
         last_address_ = word.address;
         if (tokens.from_token()[0] >= 'a') return Reading::kSyntax;  // a small letter
         if (word.address == 'N' || word.address == 'O') {
-          if (!first_word || !is_plain_number(word.number)) return Reading::kSyntax;
+          if (!first_word || !tokens.has_plain_number()) return Reading::kSyntax;
           begins_program_ = word.address == 'O';
         } else if (word.address == 'G') {
           take_code(word.number, later_wins);

@@ -44,11 +44,6 @@ std::string_view macro_at(std::string_view rest) {
   return begins ? rest.substr(0, 1) : std::string_view{};
 }
 
-// N is a number without sign and decimals.
-bool is_plain_number(const Decimal& number) {
-  return number.overflow || (number.value >= 0 && number.value % kOne == 0 && !number.finer);
-}
-
 // NGC-COM-01: `%` with nothing but blanks beside it.
 bool is_alone(std::string_view line) {
   return std::all_of(line.begin(), line.end(), [](char c) { return is_blank(c) || c == '%'; }) &&
@@ -108,7 +103,7 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
         if (manner.capitals_only && is_small(tokens.from_token())) return Reading::kSyntax;
         if (word.address != 'N') {
           take(word, position);
-        } else if (!first_word || !is_plain_number(word.number) ||
+        } else if (!first_word || !tokens.has_plain_number() ||
                    follows_comment(line, tokens.from_token())) {
           return Reading::kSyntax;
         }

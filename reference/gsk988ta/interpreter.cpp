@@ -155,7 +155,7 @@ void Interpreter::check_cycle_words(const BlockContext& block) const {
   std::vector<Alarm>& alarms = block.out.alarms;
   const CycleFamily family = machine_.milling.family();
   if (family == CycleFamily::none && !is_cutting_cycle(machine_.motion)) return;
-  check_ranges(words, family, profile_, machine_.units, alarms);
+  check_ranges(words, family, last_wins(words.block()), profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
     check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,

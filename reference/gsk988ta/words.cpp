@@ -109,10 +109,11 @@ void check_decimals(const BlockWords& words, const Profile& profile, Units units
   }
 }
 
-void check_ranges(const BlockWords& words, CycleFamily family, const Profile& profile, Units units,
-                  std::vector<Alarm>& alarms) {
+void check_ranges(const BlockWords& words, CycleFamily family, bool last_wins,
+                  const Profile& profile, Units units, std::vector<Alarm>& alarms) {
   const Number upper = upper_end(profile, units);
   for (const grammar::Word& word : words.block().words) {
+    if (last_wins && words.word(word.address) != &word) continue;        // GSK-COM-07
     if (family == CycleFamily::helix && word.address == 'L') continue;   // check_turns
     if (family == CycleFamily::thread && word.address == 'K') continue;  // check_run_out_angle
     const bool unsigned_p = family == CycleFamily::thread && word.address == 'P';

@@ -48,9 +48,9 @@ void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& al
 void check_decimals(const BlockWords& words, const Profile& profile, Units units,
                     std::vector<Alarm>& alarms);
 // GSK-COM-06: the ranges of the words in blocks of the cycles; P takes no sign in the thread
-// cycles.
-void check_ranges(const BlockWords& words, CycleFamily family, const Profile& profile, Units units,
-                  std::vector<Alarm>& alarms);
+// cycles. `last_wins`: of an address that stands twice only the last word counts.
+void check_ranges(const BlockWords& words, CycleFamily family, bool last_wins,
+                  const Profile& profile, Units units, std::vector<Alarm>& alarms);
 // GSK-G112-01: L of the helical pocket, a whole number from 1 to 99999.
 void check_turns(const BlockWords& words, std::vector<Alarm>& alarms);
 // GSK-G114-13: K of the thread cycles, 0 to 360 degrees; or as far as the table of lengths says.

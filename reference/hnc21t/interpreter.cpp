@@ -130,7 +130,7 @@ void Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
                               BlockOutput& out) const {
   const ClauseId clause = "HNC-COM-01"_clause;
   check_repeated_addresses(words, clause, out.alarms);
-  if (codes.once != 4) check_axis_letters(words, kAxisAddresses, clause, out.alarms);
+  check_axis_letters(words, kAxisAddresses, clause, out.alarms);
   if (cuts_thread(machine_.motion)) {
     check_lead_words(words, out.alarms);
   } else {

@@ -34,8 +34,9 @@ TEST(HncText, BlocksAreLines) {
 }
 
 TEST(HncText, WhatCannotBeRead) {
-  const std::string texts[] = {"X",       "X--1", "X.",     "X1.2.3",  "5",   "X1 (a", "N1.5", "*",
-                               "X1 / Y2", "% X1", "X1 \x80", "X=1", "X1\0"s, "ABC"};
+  const std::string texts[] = {"X",    "X--1",    "X.",      "X1.2.3", "5",   "X1 (a",
+                               "N1.5", "*",       "X1 / Y2", "% X1",   "N5.", "O0230.",
+                               "N+5",  "X1 \x80", "X=1",     "X1\0"s,  "ABC"};
   for (const std::string& text : texts) {
     EXPECT_EQ(run_hnc("G00 Z1\n" + text + "\n").alarm, "syntax") << text;
   }
