@@ -14,12 +14,10 @@ bool turns_alone(const EndPoint& end) {
   return !any_nonzero({end.by[Axis::x], end.by[Axis::y], end.by[Axis::z]});
 }
 
-// SIE-MOD-04: F is millimetres, or under G70 and that reading inches; degrees where rotary axes
-// turn alone.
+// Degrees where rotary axes turn alone.
 Number feed_of(const BlockContext& block, const EndPoint& end, RecordKind kind) {
-  const Number& written = block.machine.feed;
-  if (!block.machine.modes.inch || (kind == RecordKind::feed && turns_alone(end))) return written;
-  return block.readings.is(ReadingKey::sie_g70_f, "inch") ? inches(written) : written;
+  const bool turns = kind == RecordKind::feed && turns_alone(end);
+  return turns ? block.machine.feed : linear_feed(block);
 }
 
 // What was known of a place in a plane, as long as no axis of the plane moves.
@@ -69,6 +67,13 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
 }
 
 }  // namespace
+
+// SIE-MOD-04
+Number linear_feed(const BlockContext& block) {
+  const Number& written = block.machine.feed;
+  if (!block.machine.modes.inch) return written;
+  return block.readings.is(ReadingKey::sie_g70_f, "inch") ? inches(written) : written;
+}
 
 void refuse_words(BlockContext& block, std::initializer_list<Address> addresses) {
   for (const Address address : addresses) {

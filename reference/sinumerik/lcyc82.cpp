@@ -22,7 +22,7 @@ void run_lcyc82(const CycleCall& call) {
   if (!block.out.alarms.empty()) return;
   const Axis d = block.plane_axes().d;
   put_cycle_motion(call, RecordKind::rapid, clause, {{d, call.clearance()}});
-  put_cycle_motion(call, RecordKind::feed, clause, {{d, call.parameter(104)}}, block.machine.feed);
+  put_cycle_motion(call, RecordKind::feed, clause, {{d, call.parameter(104)}}, linear_feed(block));
   if (dwell.sign() > 0) {
     Record record;
     record.kind = RecordKind::dwell;

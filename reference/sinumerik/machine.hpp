@@ -99,6 +99,8 @@ void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own)
 bool cycle_stands_alone(BlockContext& block);
 
 // In basic_motion.cpp.
+// The feed in force of linear axes: F is millimetres, or under G70 and sie.g70.f = inch inches.
+Number linear_feed(const BlockContext& block);
 void run_dwell(BlockContext& block);
 void run_line(BlockContext& block, RecordKind kind);
 // The alarms of a cutting motion that has no feed, or no spindle that turns.

@@ -42,6 +42,12 @@ TEST(Lcyc82, ItsPlanesAreOfTheFrame) {
   EXPECT_EQ(drills("G258 RPL=17"), drills(""));
 }
 
+TEST(Lcyc82, ItsFeedIsInInchesWhereThoseOfMotionsAre) {
+  const std::string text = "G70 F10\nR101=5 R102=2 R104=-1\nLCYC82\n";
+  EXPECT_EQ(path(text, s802({{"sie.g70.f", "inch"}})).at(1), "feed z-1 f254");
+  EXPECT_EQ(path(text, s802({{"sie.g70.f", "mm"}})).at(1), "feed z-1 f10");
+}
+
 TEST(Lcyc82, ItsFeedIsThatInForce) {
   EXPECT_EQ(drills("G95 F0.1")[1], "feed z-17.5 f0.1/rev");
 }
