@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <string_view>
 
 #include "expanders/common/flow.hpp"
@@ -23,6 +25,16 @@ Flow run_lines(std::string_view program, Counting counting, std::uint64_t& numbe
     if (flow != Flow::kContinue) return flow;
   }
   return Flow::kContinue;
+}
+
+/// Notes that the expander lacks something that the control has; `what` is short.
+template <typename Trace>
+Flow not_implemented(Trace& trace, std::string_view what) {
+  std::array<char, 64> message;
+  const int size = std::snprintf(message.data(), message.size(), "%.*s is not implemented.",
+                                 static_cast<int>(what.size()), what.data());
+  trace.note(GONOGO_NOTE_ERROR, {message.data(), static_cast<std::size_t>(size)});
+  return Flow::kUnsupported;
 }
 
 /// What `run` of the C interface answers. `send_alarm()` closes the trace of an alarm, `send_end()`

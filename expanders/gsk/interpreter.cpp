@@ -75,11 +75,7 @@ Flow Interpreter::run_block() {
 }
 
 Flow Interpreter::unsupported(std::string_view what) {
-  char message[64];
-  const int size = std::snprintf(message, sizeof message, "%.*s is not implemented.",
-                                 static_cast<int>(what.size()), what.data());
-  machine_.trace.note(GONOGO_NOTE_ERROR, {message, static_cast<std::size_t>(size)});
-  return Flow::kUnsupported;
+  return not_implemented(machine_.trace, what);
 }
 
 Flow Interpreter::unsupported(char letter, unsigned tenths) {

@@ -93,12 +93,7 @@ Flow Interpreter::run_block() {
 
 // What the control can do and this expander cannot; it goes before every alarm of the block.
 Flow Interpreter::unsupported() {
-  char message[64];
-  const std::string_view what = block_.outside();
-  const int size = std::snprintf(message, sizeof message, "%.*s is not implemented.",
-                                 static_cast<int>(what.size()), what.data());
-  machine_.tracer.note(GONOGO_NOTE_ERROR, {message, static_cast<std::size_t>(size)});
-  return Flow::kUnsupported;
+  return not_implemented(machine_.tracer, block_.outside());
 }
 
 void Interpreter::warn() {

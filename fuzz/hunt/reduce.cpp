@@ -66,9 +66,9 @@ class Reducer {
   bool accepts(Exhibit candidate) {
     if (spent()) return false;
     ++runs_;
+    if (!shows_(candidate)) return false;
     // What no path is right for shows nothing of the subject.
     if (has_right_path_ && !has_right_path(candidate.program)) return false;
-    if (!shows_(candidate)) return false;
     best_ = std::move(candidate);
     ++smaller_;
     return true;

@@ -38,7 +38,8 @@ constexpr auto construct =
     | outside<kFileName>[file_name >> macro_rest<>]
     | macro_word<>;
 
-constexpr auto line = blanks >> leading_comments >> (tape_mark | block<kKeywords>(numbered_head, construct));
+constexpr auto line =
+    blanks >> leading_comments >> (tape_mark | block<kKeywords>(numbered_head, construct));
 // clang-format on
 
 }  // namespace

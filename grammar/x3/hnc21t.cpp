@@ -34,7 +34,8 @@ constexpr auto percent_head =
 constexpr auto construct = control_statement<kKeywords> | macro_word<>;
 
 constexpr auto line =
-    blanks >> leading_comments >> (tape_mark | block<kKeywords>(percent_head | numbered_head, construct));
+    blanks >> leading_comments
+    >> (tape_mark | block<kKeywords>(percent_head | numbered_head, construct));
 // clang-format on
 
 }  // namespace

@@ -30,13 +30,13 @@ class Interpreter : public BlockInterpreter {
   }
 
  private:
-  bool last_wins(const grammar::Block& block) const;
+  bool later_wins(const grammar::Block& block) const;
   void take_modes(const BlockCodes& codes);
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
-  void check_words(const BlockContext& block) const;
-  void check_cycle_words(const BlockContext& block) const;
+  void check_words(const BlockContext& block, bool last_wins) const;
+  void check_cycle_words(const BlockContext& block, bool last_wins) const;
   void take_in_entry_words(BlockContext& block) const;
   void run_code(BlockContext& block);
   void run_motion(BlockContext& block) const;
@@ -53,7 +53,7 @@ class Interpreter : public BlockInterpreter {
 };
 
 // GSK-COM-07: parameter 3403#6 decides on the machine (0: the later one wins).
-bool Interpreter::last_wins(const grammar::Block& block) const {
+bool Interpreter::later_wins(const grammar::Block& block) const {
   if (!repeats_address(block) && !repeats_group(block)) return false;
   if (auto parameter = profile_.parameter("3403.6")) return parameter->sign() == 0;
   return readings_.is(ReadingKey::duplicate, "last");
@@ -136,10 +136,10 @@ void Interpreter::take_feed(const BlockWords& words) {
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
 }
 
-void Interpreter::check_words(const BlockContext& block) const {
+void Interpreter::check_words(const BlockContext& block, bool last_wins) const {
   const BlockWords& words = block.words;
   std::vector<Alarm>& alarms = block.out.alarms;
-  check_pairs(words, last_wins(words.block()), alarms);
+  check_pairs(words, last_wins, alarms);
   check_code_groups(words, block.codes, alarms);
   check_feed_word(words, alarms);
   if (block.codes.once != 4 && has_fine_words(words.block(), profile_, machine_.units) &&
@@ -147,15 +147,15 @@ void Interpreter::check_words(const BlockContext& block) const {
     check_decimals(words, profile_, machine_.units, alarms);
   }
   // The words of a code of group 00 are its own, but for those of a cycle that is entered.
-  if (block.codes.once < 0 || is_entry(block)) check_cycle_words(block);
+  if (block.codes.once < 0 || is_entry(block)) check_cycle_words(block, last_wins);
 }
 
-void Interpreter::check_cycle_words(const BlockContext& block) const {
+void Interpreter::check_cycle_words(const BlockContext& block, bool last_wins) const {
   const BlockWords& words = block.words;
   std::vector<Alarm>& alarms = block.out.alarms;
   const CycleFamily family = machine_.milling.family();
   if (family == CycleFamily::none && !is_cutting_cycle(machine_.motion)) return;
-  check_ranges(words, family, last_wins(words.block()), profile_, machine_.units, alarms);
+  check_ranges(words, family, last_wins, profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
     check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,
@@ -251,7 +251,8 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   if (block.words.empty()) return;
   has_begun_ = true;
-  read_codes(block, last_wins(block), reading_);
+  const bool last_wins = later_wins(block);
+  read_codes(block, last_wins, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
     out.not_covered->block = line;
@@ -269,7 +270,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_motion_code(context);
   take_cycle_code(context);
   put_m_function_of(context);
-  check_words(context);
+  check_words(context, last_wins);
   take_feed(words);
   run_code(context);
   sort_by_place(out.alarms);
