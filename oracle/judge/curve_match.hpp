@@ -56,6 +56,8 @@ class CurveMatch {
   MatchResult match_chord(const Motion& subject);
   MatchResult match_arc3(const Motion& subject);
   MatchResult end_of_piece(const Motion& subject, double turns);
+  // Whether the points of the arc3 are those of the reference's, rounded.
+  bool names_points_of_program(const Motion& arc3) const;
   // An arc3 of the subject as a piece of the curve, but for where it ends; its sweep in turns.
   MatchResult follow_arc3(const Motion& subject, double& turns) const;
   Departure on_curve(const Position& point, double turns, const Number& tolerance) const;

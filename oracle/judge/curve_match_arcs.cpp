@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/approximate.hpp"
 #include "oracle/judge/curve_match.hpp"
 
 namespace gonogo::oracle {
@@ -15,6 +16,22 @@ using reference::PlaneAxes;
 
 // Differences of less than this are no difference of whole turns.
 constexpr double kQuarterTurn = 0.25;
+
+// Whether the arc's ends, each moved by no more than the tolerance an axis, may lie on one ray from
+// its centre: what it sweeps beside other whole turns is nil or a full turn then, and its numbers
+// do not tell which. An estimate, for only what fits the curve is taken.
+bool nearly_whole(const Motion& arc, const Number& tolerance) {
+  const PlaneVector a = from_centre(arc.record, arc.from);
+  const PlaneVector b = from_centre(arc.record, arc.to());
+  const std::array from = {estimate(a.p), estimate(a.q)};
+  const std::array to = {estimate(b.p), estimate(b.q)};
+  const double tau = approximate(tolerance);
+  const double sides =
+      std::abs(from[0]) + std::abs(from[1]) + std::abs(to[0]) + std::abs(to[1]) + 2 * tau;
+  const double along = from[0] * to[0] + from[1] * to[1];
+  const double across = from[0] * to[1] - from[1] * to[0];
+  return along >= -tau * sides && std::abs(across) <= tau * sides;
+}
 
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 
@@ -98,21 +115,20 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   }
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
+  if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
+  // The nil and the full turn are tried, and the one that fits is taken. After other whole turns, a
+  // turn that the arc does make is no nil one; and an arc that ends exactly where it starts is a
+  // full turn by what a record means, unless the reference's is as small.
   const PlaneAxes axes = reference::axes_of(got.plane);
   const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
-  if (!closes) return end_of_piece(subject, turns);
-  // Start and end agree: the nil and the full turn are tried, and the one that fits is taken. After
-  // other whole turns, a turn that the arc does make is no nil one; and an arc that ends exactly
-  // where it starts is a full turn by what a record means, unless the reference's is as small.
   const double before = std::abs(got.rot) - 1;
   const double part = turns - before;
   const double small = part < 0.5 ? part : part - 1;
   MatchResult full = end_of_piece(subject, before + small + 1);
   const bool exactly_whole = part == 1.0 && !is_too_small_to_see(reference_, terms_.tolerance);
-  if (full.departure == Departure::none || exactly_whole || (before > 0 && part >= 0.5)) {
-    return full;
-  }
+  const bool is_full = closes && (exactly_whole || (before > 0 && part >= 0.5));
+  if (full.departure == Departure::none || is_full) return full;
   MatchResult nil = end_of_piece(subject, before + small);
   const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;
   return open ? full : nil;
@@ -151,12 +167,19 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   return {};
 }
 
+bool CurveMatch::names_points_of_program(const Motion& arc3) const {
+  const Number& tau = terms_.tolerance;
+  return reference_.record.kind == RecordKind::arc3 && agree(arc3.from, reference_.from, tau) &&
+         agree(via_of(arc3), via_of(reference_), tau) && agree(arc3.to(), reference_.to(), tau);
+}
+
 // A record of an arc in space has no centre: its three points stand for it. They agree with points
 // of the reference's curve in their order, and the arc turns in its sense. The middles of its two
 // parts agree with points of it too, to within twice the tolerance: that much may come of rounding
 // three points that are well apart, while an intermediate point near an end that makes another
-// circle of it shows there. What nothing tells from its chord has no sense of its own, and follows
-// the curve forward as a chord does.
+// circle of it shows there. Not where the program itself names the three points: what circle they
+// make when they are rounded is its doing then. What nothing tells from its chord has no sense of
+// its own, and follows the curve forward as a chord does.
 MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const {
   const ThreePoints points(subject);
   const Number& tau = terms_.tolerance;
@@ -192,6 +215,7 @@ MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const 
   };
   const Position via = via_of(subject);
   if (const Departure at = departure_at(via, to_via, tau); at != Departure::none) return off(at);
+  if (names_points_of_program(subject)) return {};
   // Rationals in place of other numbers move a middle by far less than this.
   const Number slack = points.exact() ? Number(0) : Number::binary(1, -20);
   for (const bool first : {true, false}) {

@@ -145,6 +145,23 @@ TEST(Arc3, AnIntermediatePointNearTheStartMayNotMakeAnotherCircle) {
   EXPECT_TRUE(fits(short_way, {short_way}));
 }
 
+// The program's own points 11 mm and 9 m apart, rounded to 1e-6: the circle through them is one of
+// kilometres, and its middles move by 1e-6 * 9000 / 11 = 0.0008.
+TEST(Arc3, TheProgramsOwnPointsMayBeRoundedWhateverCircleTheyMake) {
+  const Position from = xyz("0.0000004", "0", "0");
+  const Position via = xyz("9000", "0.0000004", "0");
+  const Position to = xyz("0", "11.0000004", "3");
+  const Motion want = arc3(from, via, to);
+  const auto fits_within = [&](const Motion& subject, const char* tolerance) {
+    JudgeTerms terms;
+    terms.tolerance = *Number::parse(tolerance);
+    return CurveMatch(want, terms).match(subject).departure == Departure::none;
+  };
+  const Motion rounded = arc3(xyz("0", "0", "0"), xyz("9000", "0", "0"), xyz("0", "11", "3"));
+  EXPECT_TRUE(fits_within(rounded, "0.000001"));
+  EXPECT_FALSE(fits_within(rounded, "0.0000003"));
+}
+
 TEST(Arc3, ThreePointsInLineAreNoArc) {
   EXPECT_EQ(match(kHalf, {arc3(tenths(10, 0), xyz("10", "20", "20"), tenths(-10, 0))}).departure,
             Departure::geometry);

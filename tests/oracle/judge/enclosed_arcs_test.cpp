@@ -115,5 +115,32 @@ TEST(EnclosedArcs, ACircleInSpaceFromAPolarPointIsFollowed) {
   EXPECT_EQ(decision(judge_trace(program, trace(0.01).text(), sinumerik()).kind), Decision::no_go);
 }
 
+// The end on the ray of the start, 0.003 further in: the angle of both is the same, and a subject's
+// rounding puts its end on either side of the ray. The reference turns fully.
+TEST(EnclosedArcs, AnArcToTheRayOfItsStartFitsOnEitherSideOfIt) {
+  const std::string program =
+      "G17 G90 G71 G94 F100\nG111 X0 Y0\nG0 AP=58.585 RP=6.978 Z0\nG2 AP=IC(0) RP=6.975\nG0 X0\n";
+  Judging judging = sinumerik();
+  judging.binary64 = false;
+  judging.resolution = "0.000001";
+  judging.reading = "sie.arc.correct=programmed";
+  const double p = std::cos(58.585 * kDegree);
+  const double q = std::sin(58.585 * kDegree);
+  const auto trace = [&](double across, double radius) {
+    TraceText text(3, 0);
+    text.rapid({{'x', 6.978 * p}, {'y', 6.978 * q}, {'z', 0}}).block(4, 100);
+    text.arc("G17", {{'x', 0}, {'y', 0}}, -1,
+             {{'x', radius * p - across * q}, {'y', radius * q + across * p}});
+    text.block(5, 0).rapid({{'x', 0}});
+    return text.text();
+  };
+  for (const double across : {-2e-7, 2e-7}) {
+    const Verdict verdict = judge_trace(program, trace(across, 6.975), judging);
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << across << verdict.message << verdict.want;
+    EXPECT_EQ(decision(judge_trace(program, trace(across, 6.9749), judging).kind), Decision::no_go);
+  }
+  EXPECT_EQ(decision(judge_trace(program, trace(1e-4, 6.975), judging).kind), Decision::no_go);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
