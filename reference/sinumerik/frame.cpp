@@ -91,10 +91,30 @@ void turn_last_motion(LastMotion& last, const Frame& old, const Frame& next) {
   last.direction = next.turned_back(old.turned(last.direction));
 }
 
+// The same place seen in another frame, where its centre stays a rational point. Nothing where it
+// does not, or where a rotation tilts its plane.
+std::optional<PlaceMark> in_frame(const PlaceMark& mark, const Frame& old, const Frame& next) {
+  Number turned_back;  // degrees
+  for (const auto& [frame, sense] : {std::pair(&old, 1), {&next, -1}}) {
+    if (!frame->is_rotated()) continue;
+    if (frame->plane() != mark.plane) return std::nullopt;
+    turned_back += frame->angle() * sense;
+  }
+  const PlaneAxes axes = axes_of(mark.plane);
+  Position centre;
+  centre[axes.p] = mark.centre[0];
+  centre[axes.q] = mark.centre[1];
+  centre = next.to_workpiece(old.to_base(centre));
+  if (!centre[axes.p].is_rational() || !centre[axes.q].is_rational()) return std::nullopt;
+  PlaceMark found{mark.plane, {centre[axes.p], centre[axes.q]}, mark.radius_2, mark.polar};
+  if (found.polar) found.polar->angle += turned_back;
+  return found;
+}
+
 // SIE-FRM-04: what stood in the old frame stands in the new one, and nothing moves.
 void stand_in(Machine& machine, const Frame& next) {
   machine.position = next.to_workpiece(machine.base);
-  machine.mark.reset();
+  if (machine.mark) machine.mark = in_frame(*machine.mark, machine.frame, next);
   if (machine.last) turn_last_motion(*machine.last, machine.frame, next);
   machine.frame = next;
 }

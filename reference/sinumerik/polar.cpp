@@ -172,12 +172,12 @@ void run_pole(BlockContext& block) {
   if (block.codes.once == 112) base = machine.pole;
   machine.pole = {base[0] + (*by)[0], base[1] + (*by)[1]};
   forget_polar(machine);
-  if (block.codes.once == 110 && block.words.is_polar()) {
+  if (block.words.is_polar() && surely_equal(base, block.position_in(axes))) {
     // SIE-ARC-10: seen from the pole the machine stands on the other side, exactly RP away.
     const Number radius = block.words.length(Address::rp);
     const Number angle = block.words.written(Address::ap) + 180;
-    machine.mark = PlaceMark{machine.plane, machine.pole, radius * radius,
-                             PlaceMark::Polar{radius, angle}};
+    machine.mark =
+        PlaceMark{machine.plane, machine.pole, radius * radius, PlaceMark::Polar{radius, angle}};
   }
 }
 

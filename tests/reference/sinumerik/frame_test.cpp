@@ -77,6 +77,19 @@ TEST(SieFrame, OneAxisOfATurnedPlaneMovesBoth) {
   EXPECT_EQ(moves("G0 X2 Y3\nG258 RPL=90\nG0 X1"), (Lines{"rapid x2 y3", "rapid x2 y1"}));
 }
 
+// The place 50 from the zero at 20 degrees: half a turn on, the pole of the translated frame is
+// that zero again, and the arc about it needs no correction. At 20 degrees in base coordinates the
+// tool stands at -160 in the turned frame.
+TEST(SieFrame, APolarPlaceIsKnownInAnotherFrame) {
+  const std::string before = "F9 S1 M3\nG0 RP=50 AP=20\n";
+  EXPECT_EQ(touched(before + "G259 RPL=180\nG158\nG3 AP=70 RP=50", s802()), Lines{});
+  EXPECT_EQ(touched(before + "G158 X5 Y-3\nG111 X-5 Y3\nG3 AP=70 RP=50", s802()), Lines{});
+  const std::string turned = before + "G259 RPL=180\nG3 RP=50 AP=";
+  EXPECT_EQ(outcome_of_program(turned + "-160", s802()), "end");
+  EXPECT_EQ(clauses(turned + "-160", s802()).back(), "SIE-ARC-06");
+  EXPECT_EQ(path(turned + "-160", s802()).back().substr(0, 3), "arc");
+}
+
 // sqrt(2)/2 and sqrt(3)/2.
 TEST(SieFrame, OfFortyFiveAndThirtyDegreesItIsExact) {
   const Number half = num("1/2");

@@ -142,6 +142,17 @@ TEST(SiePolar, TheWayAboutAPoleBesideAnEnclosedPlaceIsExact) {
   EXPECT_EQ(outcome_of_program(before + "G2 Y=IC(1) CR=0.5"), "end");
 }
 
+// The pole is put by polar coordinates from where the machine stands: 40 away, and
+// CIRCLE_ERROR_FACTOR lets the end be 0.04 off. cos 143.064 is an enclosure.
+TEST(SiePolar, APolePutPolarFromThePlaceHasItsExactDistance) {
+  const std::string zero = "F9\nG111 AP=-143.064 RP=40\nG2 AP=277.57 RP=";
+  EXPECT_EQ(outcome_of_program(zero + "40.04"), "end");
+  EXPECT_EQ(outcome_of_program(zero + "40.041"), "arc-end-point RP");
+  const std::string pole = "F9\nG0 X3 Y4\nG111 X3 Y4\nG112 AP=-143.064 RP=40\nG2 AP=277.57 RP=";
+  EXPECT_EQ(outcome_of_program(pole + "40.04"), "end");
+  EXPECT_EQ(outcome_of_program(pole + "40.041"), "arc-end-point RP");
+}
+
 // Start, end and pole on one ray: the centre lies on the line of the chord, and would go to its
 // perpendicular, by nearly 90 degrees.
 TEST(SiePolar, AnArcFromRadiusToRadiusOnOneRayIsRefused) {
