@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/version.hpp"
+#include "oracle/corpus/corpus.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::cli {
@@ -63,6 +64,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const gonogo::oracle::SubjectUnusable& error) {
+    fmt::print(stderr, "gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const gonogo::oracle::CorpusError& error) {
     fmt::print(stderr, "gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const OutputError& error) {
