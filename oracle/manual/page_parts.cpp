@@ -117,18 +117,20 @@ std::vector<std::string> values_of(const Reading& reading, const ReadingExample&
   return values;
 }
 
-// The line below a reading's text: clause, default, what `any` means.
+// The line below a reading's text: clause, default, the other values, what `any` means.
 std::string choices(const Reading& reading) {
   std::string text =
       fmt::format("Clause {}. Default `{}`", clause_link(reading.clause), reading.fallback);
   if (reading.is_length) return text + "; a length in mm may be given instead.";
+  std::string others;
   for (const std::string_view value : reading.alternatives) {
-    if (value != reading.fallback) text += fmt::format(", else `{}`", value);
+    if (value != reading.fallback)
+      others += fmt::format("{}`{}`", others.empty() ? "" : ", ", value);
   }
-  if (reading.fallback != "any") text += ", or `any`";
+  text += fmt::format("; else {}. ", others);
   return text + (reading.by_properties
-                     ? ". `any`: every path that keeps the limits."
-                     : ". `any`: each of them is admissible, one for a whole program.");
+                     ? "With `any` every path that keeps the limits is admissible."
+                     : "With `any` each of them is admissible, one for a whole program.");
 }
 
 std::string value_name(const Reading& reading, std::string_view value) {
