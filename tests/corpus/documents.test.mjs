@@ -183,3 +183,40 @@ test("statements of certificates are valid", () => {
     });
   }
 });
+
+// The keys that the program names when it refuses an unknown one.
+function keysThatItReads(text, ...words) {
+  return inFolder((folder) => {
+    const file = join(folder, "file.toml");
+    writeFileSync(file, text);
+    const run = spawnSync(program, words.map((word) => (word === "FILE" ? file : word)), { cwd: folder });
+    assert.equal(run.status, 2);
+    const list = run.stderr.toString().match(/Write (?:one of: )?(.+)\.\n/);
+    return list[1].split(", ").sort();
+  });
+}
+
+test("a profile has the keys that the program reads", () => {
+  const profile = schemas.get("vectors-1").$defs.profile.properties;
+  const read = (text) => keysThatItReads(text, "expand", "/dev/null", "--profile", "FILE");
+  assert.deepEqual(read('foo = "1"'), ["dialect", ...Object.keys(profile)].sort());
+  assert.deepEqual(read('[initial]\nfoo = "1"'), Object.keys(profile.initial.properties).sort());
+  assert.deepEqual(read('[tools.1]\nfoo = "1"'), Object.keys(profile.tools.additionalProperties.properties).sort());
+});
+
+test("the parameters of every dialect are documented", () => {
+  for (const dialect of ["gsk988ta", "hnc21t", "sinumerik840d", "sinumerik802s"]) {
+    const text = `dialect = "${dialect}"\n[parameters]\nfoo = "1"`;
+    for (const name of keysThatItReads(text, "expand", "/dev/null", "--profile", "FILE")) {
+      assert.ok(documents[1].includes(`\`${name}\``), name);
+    }
+  }
+});
+
+test("known failures have the documented keys", () => {
+  const text = readFileSync(join(root, "docs/known-failures.md"), "utf8");
+  const documented = [...text.matchAll(/^\| `([a-z]+)` \|/gm)].map((row) => row[1]).sort();
+  const read = (file) => keysThatItReads(file, "certify", "--subject", "builtin:ngc", "--corpus", join(root, "corpus"),
+    "--case", "ngc.basic.000001", "--known-failures", "FILE");
+  assert.deepEqual(read("[[failure]]\nfoo = 1"), documented);
+});
