@@ -153,8 +153,11 @@ void append_view(std::string& out, const View& view, const Figure& figure) {
   append_limits(out, view, figure.limits);
   append_path(out, view, *figure.path, 'r');
   if (figure.other != nullptr) append_path(out, view, *figure.other, 's');
-  append_marks(out, view, *figure.path, 'r');
-  if (figure.other != nullptr) append_marks(out, view, *figure.other, 's');
+  for (const Path* path : {figure.path, figure.other}) {
+    if (path != nullptr) append_start(out, view, *path);
+  }
+  append_end(out, view, *figure.path, 'r');
+  if (figure.other != nullptr) append_end(out, view, *figure.other, 's');
   out += "</g>\n";
 }
 

@@ -27,8 +27,9 @@ void append_view(std::string& out, const View& view, const Sheet& sheet) {
   append_view_frame(out, view);
   append_path(out, view, *sheet.reference, 'r');
   if (sheet.departing != nullptr) append_path(out, view, *sheet.departing, 's');
-  append_marks(out, view, *sheet.reference, 'r');
-  if (sheet.departing != nullptr) append_marks(out, view, *sheet.departing, 's');
+  append_start(out, view, *sheet.reference);
+  append_end(out, view, *sheet.reference, 'r');
+  if (sheet.departing != nullptr) append_end(out, view, *sheet.departing, 's');
   if (sheet.witness) append_witness(out, view.place(*sheet.witness));
   out += "</g>\n";
 }

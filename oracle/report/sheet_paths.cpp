@@ -85,14 +85,16 @@ void append_path(std::string& out, const View& view, const Path& path, char owne
   append_strand(out, heads, owner, "gs-head");
 }
 
-void append_marks(std::string& out, const View& view, const Path& path, char owner) {
+void append_start(std::string& out, const View& view, const Path& path) {
   if (path.motions.empty()) return;
   const SheetPoint start = view.place(path.motions.front().points.front());
+  out += fmt::format("<circle class=\"gs-start\" cx=\"{}\" cy=\"{}\" r=\"5.5\"/>\n",
+                     svg::number(start.x), svg::number(start.y));
+}
+
+void append_end(std::string& out, const View& view, const Path& path, char owner) {
+  if (path.motions.empty()) return;
   const SheetPoint end = view.place(path.motions.back().points.back());
-  if (owner == 'r') {
-    out += fmt::format("<circle class=\"gs-start\" cx=\"{}\" cy=\"{}\" r=\"5.5\"/>\n",
-                       svg::number(start.x), svg::number(start.y));
-  }
   out += fmt::format("<rect class=\"gs-end gs-{}\" x=\"{}\" y=\"{}\" width=\"7\" height=\"7\"/>\n",
                      owner, svg::number(end.x - 3.5), svg::number(end.y - 3.5));
 }

@@ -13,6 +13,7 @@ namespace gonogo::oracle::report {
 
 // `owner` is 'r' (drawn broad) or 's' (drawn fine, above it).
 void append_path(std::string& out, const View& view, const Path& path, char owner);
-void append_marks(std::string& out, const View& view, const Path& path, char owner);
+void append_start(std::string& out, const View& view, const Path& path);
+void append_end(std::string& out, const View& view, const Path& path, char owner);
 
 }  // namespace gonogo::oracle::report
