@@ -133,6 +133,17 @@ std::string choices(const Reading& reading) {
                      : "With `any` each of them is admissible, one for a whole program.");
 }
 
+// Lines as code inside a table.
+std::string code_lines(std::string_view text) {
+  std::string out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    out += fmt::format("{}`{}`", out.empty() ? "" : "<br>", text.substr(from, end - from));
+    from = end + 1;
+  }
+  return out;
+}
+
 std::string value_name(const Reading& reading, std::string_view value) {
   return fmt::format("{} = {}", reading.name, value);
 }
@@ -216,13 +227,7 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
   for (const AlarmExample* example : alarms) {
     const Trial trial =
         try_program(example_profile(page.dialect, example->profile), example->program);
-    std::string program;
-    for (std::size_t from = 0; from < example->program.size();) {
-      const std::size_t end = example->program.find('\n', from);
-      program += fmt::format("{}`{}`", program.empty() ? "" : "<br>",
-                             example->program.substr(from, end - from));
-      from = end + 1;
-    }
+    const std::string program = code_lines(example->program);
     std::string what = "no alarm";
     reference::ClauseId clause = reference::kNoClause;
     if (trial.alarm) {
@@ -230,10 +235,7 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
       what = fmt::format("line {}: {}", trial.alarm->block, escaped(alarm.message));
       clause = alarm.clause;
     }
-    for (const Reading& reading : reference::readings()) {
-      if (example->profile.find(fmt::format("\"{}\"", reading.name)) == std::string::npos) continue;
-      what += fmt::format(" (with another `{}`)", reading.name);
-    }
+    if (!example->profile.empty()) what += "<br>With the profile " + code_lines(example->profile);
     page.text += fmt::format("| `{}` | {} | {} | {} |\n", example->alarm, program, what,
                              clause_link(clause));
   }
