@@ -2,6 +2,7 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <utility>
 
 #include "cli/exit_code.hpp"
@@ -70,6 +71,51 @@ Command& Command::flag(const std::string& name, bool& value, const std::string& 
 
 void Command::run(std::function<int()> action) {
   app_->callback([action = std::move(action), exit_code = exit_code_] { *exit_code = action(); });
+}
+
+namespace {
+
+// The parser names the words of a choice in the type of its option: TEXT:{a,b}.
+std::vector<std::string> choices_of(const std::string& type) {
+  std::vector<std::string> choices;
+  const std::size_t open = type.find('{');
+  if (open == std::string::npos) return choices;
+  const std::string words = type.substr(open + 1, type.rfind('}') - open - 1);
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t end = std::min(words.find(',', from), words.size());
+    choices.push_back(words.substr(from, end - from));
+    from = end + 1;
+  }
+  return choices;
+}
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  text.argument = option.get_positional();
+  text.name = text.argument || option.get_lnames().empty() ? option.get_single_name()
+                                                           : "--" + option.get_lnames().front();
+  text.text = option.get_description();
+  text.takes_value = option.get_items_expected_max() > 0;
+  text.choices = choices_of(option.get_type_name());
+  text.needed = option.get_required();
+  text.repeated = option.get_items_expected_max() > 1;
+  return text;
+}
+
+CommandText text_of(const CLI::App& app) {
+  CommandText text{app.get_name(), app.get_description(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) text.options.push_back(text_of(*option));
+  const auto is_shown = [](const CLI::App* command) { return !command->get_group().empty(); };
+  for (const CLI::App* command : app.get_subcommands(is_shown)) {
+    text.commands.push_back(text_of(*command));
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandText CommandLine::description() const {
+  return text_of(*app_);
 }
 
 CommandLine::CommandLine(const std::string& name, const std::string& text,

@@ -15,6 +15,23 @@ class App;
 
 namespace gonogo::cli {
 
+// What a command takes, for the manual page and the completion of words.
+struct OptionText {
+  std::string name;                  // "--dialect"; of an argument its name
+  std::string text;                  // the line of the help
+  std::vector<std::string> choices;  // the words that it takes; empty: any
+  bool argument = false;             // a word without a name
+  bool takes_value = true;
+  bool needed = false;
+  bool repeated = false;
+};
+struct CommandText {
+  std::string name;
+  std::string text;
+  std::vector<OptionText> options;
+  std::vector<CommandText> commands;  // without hidden ones
+};
+
 // A command and its words. The variables given must outlive the parse; a command keeps them in what
 // it gives to `run`. Every text is the line of the help.
 class Command {
@@ -59,6 +76,8 @@ class CommandLine {
   ~CommandLine();
 
   Command& program() { return program_; }
+  // All that was added until now.
+  CommandText description() const;
   // Runs the command that the words choose: its exit code. Says what is wrong with the words, and
   // returns kWrongUse, where they choose none.
   int parse(int argc, char** argv);

@@ -27,5 +27,8 @@ void add_hunt(Command& program);
 void add_reduce(Command& program);
 void add_identify(Command& program);
 void add_generate(Command& program);
+// These two describe every command that was added, themselves among them.
+void add_completion(CommandLine& line);
+void add_man(CommandLine& line);
 
 }  // namespace gonogo::cli

@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/version.hpp"
+#include "oracle/corpus/corpus.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::cli {
@@ -46,6 +47,8 @@ int run(int argc, char** argv) {
   add_reduce(program);
   add_identify(program);
   add_generate(program);
+  add_completion(line);
+  add_man(line);
   return line.parse(argc, argv);
 }
 
@@ -61,6 +64,9 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const gonogo::oracle::SubjectUnusable& error) {
+    fmt::print(stderr, "gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const gonogo::oracle::CorpusError& error) {
     fmt::print(stderr, "gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const OutputError& error) {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo spec: the clauses and readings of a dialect, and what lies outside.
+// gonogo spec: the clauses and readings of a dialect, and what lies outside; as text, or as a page
+// with drawings.
 #include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "oracle/features.hpp"
+#include "oracle/manual/page.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
@@ -17,6 +22,8 @@ namespace {
 struct SpecOptions {
   std::string dialect;
   bool features = false;
+  std::string format = "text";
+  std::string out;
 };
 
 void append_features(std::string& out) {
@@ -65,6 +72,28 @@ void append_outside(const reference::Dialect& dialect, std::string& out) {
   out += '\n';
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw UsageError(fmt::format("{} cannot be written.", path.string()));
+}
+
+// The page of each dialect chosen, with its drawings.
+int write_pages(const SpecOptions& options) {
+  if (options.out.empty()) {
+    throw UsageError("A page comes with its drawings: name the folder for both with --out.");
+  }
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    if (!options.dialect.empty() && options.dialect != dialect.name) continue;
+    for (const oracle::manual::PageFile& file : oracle::manual::page_of(dialect)) {
+      write_file(std::filesystem::path(options.out) / file.name, file.text);
+    }
+  }
+  return kGo;
+}
+
 int spec(const SpecOptions& options) {
   Output output;
   if (options.features) {
@@ -73,6 +102,8 @@ int spec(const SpecOptions& options) {
     return kGo;
   }
   if (!options.dialect.empty()) load_profile({options.dialect, "", {}});  // unknown: wrong use
+  if (options.format == "markdown") return write_pages(options);
+  if (!options.out.empty()) throw UsageError("--out goes with --format markdown.");
   for (const reference::Dialect& dialect : reference::dialects()) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
     output.text() += fmt::format("Dialect {}\n", dialect.name);
@@ -92,6 +123,9 @@ void add_spec(Command& program) {
   command.option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
   command.flag("--features", options->features,
                "the words by which a subject declares what it has");
+  command.choice("--format", options->format, {"text", "markdown"},
+                 "text, or markdown: a page with drawings (text)");
+  command.option("--out", options->out, "folder for pages and drawings");
   command.run([options] { return spec(*options); });
 }
 

@@ -86,12 +86,14 @@ void append_grid(std::string& out, const View& view) {
   std::string lines;
   std::string zeros;
   std::string labels;
-  for (const GridLine& line : grid_lines(view, false)) {
+  const bool across = axis_of(view.right) == view.spread_axis;
+  const bool upwards = axis_of(view.up) == view.spread_axis;
+  for (const GridLine& line : across ? std::vector<GridLine>() : grid_lines(view, false)) {
     svg::append_line(line.zero ? zeros : lines, {line.at, field.y}, {line.at, bottom});
     svg::append_text(labels, {line.at, bottom + 14}, "gs-label", line.label,
                      "text-anchor=\"middle\"");
   }
-  for (const GridLine& line : grid_lines(view, true)) {
+  for (const GridLine& line : upwards ? std::vector<GridLine>() : grid_lines(view, true)) {
     svg::append_line(line.zero ? zeros : lines, {field.x, line.at},
                      {field.x + field.width, line.at});
     svg::append_text(labels, {field.x - 6, line.at + 3.5}, "gs-label", line.label,
@@ -122,9 +124,10 @@ void append_axis(std::string& out, SheetPoint from, double dx, double dy, char l
 
 // The three axes as this view shows them, beside its title.
 void append_axes(std::string& out, const View& view) {
-  const SheetPoint corner{view.frame.x + view.frame.width - 46, view.frame.y + 36};
+  const SheetPoint corner{view.frame.x + view.frame.width - 46, view.frame.y + 32};
   const std::array<Direction, 3> axes = {Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Direction& axis : axes) {
+    if (axis_of(axis) == view.spread_axis) continue;
     const Point3 unit{axis.x, axis.y, axis.z};
     append_axis(out, corner, view.right.of(unit), -view.up.of(unit), axis_of(axis));
   }
@@ -132,6 +135,10 @@ void append_axes(std::string& out, const View& view) {
 
 std::string view_title(const View& view) {
   if (view.isometric) return std::string(view.title) + ", own scale";
+  if (view.spread_axis != 0) {
+    const char shown = axis_of(axis_of(view.right) == view.spread_axis ? view.up : view.right);
+    return fmt::format("{}  {}, motions side by side", view.title, shown);
+  }
   return fmt::format("{}  {}\xE2\x80\x93{}", view.title, axis_of(view.right), axis_of(view.up));
 }
 
@@ -218,6 +225,10 @@ void append_names(std::string& out, const Sheet& sheet, double x, double y) {
 }
 
 }  // namespace
+
+std::string_view sheet_style() {
+  return kStyle;
+}
 
 void append_sheet_head(std::string& out, const Sheet& sheet) {
   out += fmt::format(

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "oracle/report/sheet.hpp"
 #include "oracle/report/svg.hpp"
@@ -19,6 +20,8 @@ inline constexpr double kTitleBlock = 104;
 inline constexpr SheetBox kDrawingArea{kMargin + 6, kMargin + 6, kSheetWidth - 2 * (kMargin + 6),
                                        kSheetHeight - 2 * kMargin - kTitleBlock - 12};
 
+// The <style> of every drawing.
+std::string_view sheet_style();
 void append_sheet_head(std::string& out, const Sheet& sheet);
 // Title, grid with coordinates, axes.
 void append_view_frame(std::string& out, const View& view);

@@ -53,6 +53,7 @@ struct View {
   double scale = 1;         // pixels a mm
   double middle_right = 0;  // mm, at the middle of the field
   double middle_up = 0;
+  char spread_axis = 0;  // motions stand side by side along it, so it has no scale; 0: none
 
   SheetPoint place(const Point3& point) const;
 };

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/manual/limits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "oracle/approximate.hpp"
+
+namespace gonogo::oracle::manual {
+namespace {
+
+using reference::Number;
+using reference::Plane;
+using report::Limit;
+using report::Point3;
+
+constexpr int kStepsPerTurn = 128;
+constexpr int kMostPasses = 8;  // of a thread that are drawn
+
+// A plane at a coordinate of its depth axis.
+struct Level {
+  Plane plane;
+  double depth;
+
+  Point3 point(double p, double q) const {
+    switch (plane) {
+      case Plane::g17:
+        return {p, q, depth};
+      case Plane::g18:
+        return {q, depth, p};
+      case Plane::g19:
+        return {depth, p, q};
+    }
+    return {};
+  }
+};
+
+Limit circle(Limit::Kind kind, const char* text, const Level& level,
+             const std::array<Number, 2>& centre, double radius) {
+  Limit limit{kind, text, {}};
+  const double p = approximate(centre[0]);
+  const double q = approximate(centre[1]);
+  for (int i = 0; i <= kStepsPerTurn; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kStepsPerTurn;
+    limit.points.push_back(level.point(p + radius * std::cos(angle), q + radius * std::sin(angle)));
+  }
+  return limit;
+}
+
+// A rectangle with round corners, turned.
+struct Rectangle {
+  double p, q, cosine, sine, length, width, corner;
+};
+
+Limit rectangle(Limit::Kind kind, const char* text, const Level& level, const Rectangle& shape) {
+  Limit limit{kind, text, {}};
+  const double half_length = shape.length / 2 - shape.corner;
+  const double half_width = shape.width / 2 - shape.corner;
+  constexpr int kQuarter = kStepsPerTurn / 4;
+  constexpr std::array<std::array<double, 2>, 4> kCorners = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+  const auto add = [&](double along, double across) {
+    limit.points.push_back(level.point(shape.p + along * shape.cosine - across * shape.sine,
+                                       shape.q + along * shape.sine + across * shape.cosine));
+  };
+  for (int corner = 0; corner < 4; ++corner) {
+    const auto& [x, y] = kCorners[static_cast<std::size_t>(corner)];
+    for (int i = 0; i <= kQuarter; ++i) {
+      const double angle = std::numbers::pi / 2 * (corner + static_cast<double>(i) / kQuarter);
+      add(x * half_length + shape.corner * std::cos(angle),
+          y * half_width + shape.corner * std::sin(angle));
+    }
+  }
+  limit.points.push_back(limit.points.front());
+  return limit;
+}
+
+constexpr const char* kPocketBorder = "border of the pocket";
+constexpr const char* kReach = "limit of the tool's centre";
+
+struct Draw {
+  std::vector<Limit> operator()(const reference::PocketLevel& pocket) const {
+    const Level level{pocket.plane, approximate(pocket.depth)};
+    const double radius = approximate(pocket.pocket_radius);
+    return {circle(Limit::Kind::border, kPocketBorder, level, pocket.centre, radius),
+            circle(Limit::Kind::reach, kReach, level, pocket.centre,
+                   radius - approximate(pocket.tool_radius))};
+  }
+  std::vector<Limit> operator()(const reference::HelixPocket& pocket) const {
+    const double radius = approximate(pocket.radius);
+    std::vector<Limit> limits;
+    for (const Number& depth : {pocket.r_plane, pocket.bottom}) {
+      limits.push_back(circle(Limit::Kind::reach, "circle of radius I - D",
+                              {pocket.plane, approximate(depth)}, pocket.centre, radius));
+    }
+    return limits;
+  }
+  std::vector<Limit> operator()(const reference::ThreadMilling& thread) const {
+    std::vector<Limit> limits;
+    for (const Number& depth : {thread.r_plane, thread.bottom}) {
+      const Level level{thread.plane, approximate(depth)};
+      for (int pass = 1; pass <= kMostPasses; ++pass) {
+        if (Number(pass) > thread.passes()) break;
+        limits.push_back(circle(Limit::Kind::reach, "circle of a pass", level, thread.centre,
+                                approximate(thread.radius_of_pass(Number(pass)))));
+      }
+    }
+    return limits;
+  }
+  std::vector<Limit> operator()(const reference::PocketMilling& pocket) const {
+    const Level level{pocket.plane, approximate(pocket.floor)};
+    const double tool = approximate(pocket.tool_radius);
+    Rectangle shape{approximate(pocket.centre[0]),    approximate(pocket.centre[1]),
+                    approximate(pocket.direction[0]), approximate(pocket.direction[1]),
+                    approximate(pocket.length),       approximate(pocket.width),
+                    approximate(pocket.corner_radius)};
+    std::vector<Limit> limits = {rectangle(Limit::Kind::border, kPocketBorder, level, shape)};
+    shape.length -= 2 * tool;
+    shape.width -= 2 * tool;
+    shape.corner -= tool;
+    limits.push_back(rectangle(Limit::Kind::reach, kReach, level, shape));
+    return limits;
+  }
+  template <typename Other>
+  std::vector<Limit> operator()(const Other&) const {
+    return {};
+  }
+};
+
+}  // namespace
+
+std::vector<Limit> limits_of(const reference::Item& item) {
+  return std::visit(Draw{}, item);
+}
+
+}  // namespace gonogo::oracle::manual

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Paths in a view of a drawing: their motions by style, arrowheads, start and end. Private to the
+// drawings.
+#pragma once
+
+#include <string>
+
+#include "oracle/report/path.hpp"
+#include "oracle/report/views.hpp"
+
+namespace gonogo::oracle::report {
+
+// `owner` is 'r' (drawn broad) or 's' (drawn fine, above it).
+void append_path(std::string& out, const View& view, const Path& path, char owner);
+void append_start(std::string& out, const View& view, const Path& path);
+void append_end(std::string& out, const View& view, const Path& path, char owner);
+
+}  // namespace gonogo::oracle::report
