@@ -10,6 +10,9 @@ set(CMAKE_CXX_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORC
 set(CMAKE_C_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORCE)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
 set(CMAKE_C_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
+# Fuzz: the sanitizers' checks of optimised code cost half; line tables are what their reports need.
+set(CMAKE_CXX_FLAGS_FUZZ "-O2 -gline-tables-only" CACHE STRING "Flags of the Fuzz build type" FORCE)
+set(CMAKE_C_FLAGS_FUZZ "-O2 -gline-tables-only" CACHE STRING "Flags of the Fuzz build type" FORCE)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 
 find_program(GONOGO_CCACHE ccache)
@@ -32,9 +35,21 @@ if(GONOGO_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gonogo_build_settings INTERFACE -fsanitize=address,undefined)
 endif()
-if(GONOGO_FUZZ)
-  target_compile_options(gonogo_build_settings INTERFACE ${GONOGO_FUZZ_INSTRUMENTATION})
-endif()
+
+# What a fuzzer is told of: which branches the grammar, the reference and the expanders take, and in the
+# grammar, whose input is the fuzzer's text, what they compare with. The judge only follows the two
+# sides; what it takes of the counters says nothing new and costs as much again.
+function(gonogo_instrument_for_fuzzing name folder)
+  if(NOT (GONOGO_FUZZ AND GONOGO_FUZZ_INSTRUMENTATION))
+    return()
+  endif()
+  if(folder MATCHES "^grammar(/|$)")
+    target_compile_options(gonogo_${name} PRIVATE -fsanitize=fuzzer-no-link)
+  elseif(folder MATCHES "^(reference|expanders)(/|$)")
+    target_compile_options(gonogo_${name} PRIVATE
+      -fsanitize-coverage=inline-8bit-counters,pc-table)
+  endif()
+endfunction()
 
 # gonogo_folder(NAME SOURCES...): the static library of one folder of the house. Those of grammar,
 # reference and oracle are what `gonogo::oracle` of the installed package consists of.
@@ -45,6 +60,7 @@ function(gonogo_folder name)
   target_include_directories(gonogo_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:include/gonogo-oracle>)
   file(RELATIVE_PATH folder ${CMAKE_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  gonogo_instrument_for_fuzzing(${name} ${folder})
   if(folder MATCHES "^(grammar|reference|oracle)(/|$)")
     set_property(GLOBAL APPEND PROPERTY GONOGO_ORACLE_FOLDERS ${name})
   endif()

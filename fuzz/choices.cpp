@@ -4,7 +4,7 @@
 namespace gonogo::fuzz {
 
 std::uint32_t Choices::next_byte() {
-  if (seeded_) return static_cast<std::uint32_t>(random_() >> 56);
+  if (random_) return static_cast<std::uint32_t>((*random_)() >> 56);
   if (bytes_.empty()) return 0;
   const std::uint8_t byte = bytes_.front();
   bytes_ = bytes_.subspan(1);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <random>
 #include <span>
 
@@ -14,7 +15,7 @@ namespace gonogo::fuzz {
 class Choices {
  public:
   // Endless decisions of a seed.
-  explicit Choices(std::uint64_t seed) : random_(seed), seeded_(true) {}
+  explicit Choices(std::uint64_t seed) : random_(seed) {}
   // As many as there are bytes; 0 after that.
   explicit Choices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
@@ -28,13 +29,12 @@ class Choices {
     return items.begin()[below(static_cast<std::uint32_t>(items.size()))];
   }
   // Whether the bytes are used up; never for a seed.
-  bool exhausted() const { return !seeded_ && bytes_.empty(); }
+  bool exhausted() const { return !random_ && bytes_.empty(); }
 
  private:
   std::uint32_t next_byte();
 
-  std::mt19937_64 random_;
-  bool seeded_ = false;
+  std::optional<std::mt19937_64> random_;  // of a seed
   std::span<const std::uint8_t> bytes_;
 };
 

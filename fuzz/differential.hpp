@@ -17,6 +17,10 @@ std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,
                                              std::string_view program, std::size_t most_records);
 
+// The same without the judge and the reference: what the subject alone costs.
+void run_alone(oracle::Subject& subject, const reference::Profile& profile,
+               std::string_view program, std::size_t most_records);
+
 // Whether the reference's own path is NO-GO: where a reading and a rule contradict each other no
 // path is right (gsk.thread.runout = tangent, and a bore that is too small for it).
 bool contradicts_itself(const reference::Profile& profile, std::string_view program,

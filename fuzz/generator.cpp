@@ -5,41 +5,62 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
 #include "fuzz/gsk_generator.hpp"
 #include "fuzz/hnc_generator.hpp"
 #include "fuzz/ngc_generator.hpp"
+#include "fuzz/raw_program.hpp"
 #include "fuzz/sinumerik_generator.hpp"
 
 namespace gonogo::fuzz {
 
+namespace {
+
+ProgramKind choose_kind(Choices& choices, const KindWeights& kinds) {
+  const std::array<std::uint32_t, kProgramKinds> weights = {kinds.valid, kinds.near_invalid,
+                                                            kinds.boundary, kinds.raw};
+  std::uint32_t place = choices.below(std::accumulate(weights.begin(), weights.end(), 0U));
+  std::size_t kind = 0;
+  while (place >= weights[kind]) place -= weights[kind++];
+  return static_cast<ProgramKind>(kind);
+}
+
+template <const std::string_view& kDialect>
+GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& settings,
+                                 ProgramKind kind, Distribution* distribution) {
+  return generate_sinumerik(kDialect, choices, settings, kind, distribution);
+}
+
+constexpr std::string_view k840d = "sinumerik840d";
+constexpr std::string_view k802s = "sinumerik802s";
+
+}  // namespace
+
+std::string_view name(ProgramKind kind) {
+  constexpr std::array<std::string_view, kProgramKinds> kNames = {"valid", "near-invalid",
+                                                                  "boundary", "raw"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 std::span<const Generator> generators() {
   static const auto kGenerators = std::to_array<Generator>({
-      {"gsk988ta", "gsk",
-       [](Choices& choices, Distribution* distribution) {
-         return generate_gsk(choices, {}, distribution);
-       }},
-      {"hnc21t", "hnc",
-       [](Choices& choices, Distribution* distribution) {
-         return generate_hnc(choices, {}, distribution);
-       }},
-      {"rs274", "ngc",
-       [](Choices& choices, Distribution* distribution) {
-         return generate_ngc(choices, {}, distribution);
-       }},
-      {"sinumerik840d", "sinumerik",
-       [](Choices& choices, Distribution* distribution) {
-         return generate_sinumerik(choices, {}, distribution);
-       }},
-      {"sinumerik802s", "sinumerik",
-       [](Choices& choices, Distribution* distribution) {
-         SinumerikSettings settings;
-         settings.dialect = "sinumerik802s";
-         return generate_sinumerik(choices, settings, distribution);
-       }},
+      {"gsk988ta", "gsk", generate_gsk},
+      {"hnc21t", "hnc", generate_hnc},
+      {"rs274", "ngc", generate_ngc},
+      {k840d, "sinumerik", write_sinumerik<k840d>},
+      {k802s, "sinumerik", write_sinumerik<k802s>},
   });
   return kGenerators;
+}
+
+GeneratedProgram Generator::generate(Choices& choices, const GeneratorSettings& settings,
+                                     Distribution* distribution) const {
+  const ProgramKind kind = choose_kind(choices, settings.kinds);
+  if (distribution != nullptr) ++(*distribution)[fmt::format("kind {}", name(kind))];
+  if (kind == ProgramKind::raw) return raw_program(dialect, choices, settings);
+  return write(choices, settings, kind, distribution);
 }
 
 const Generator* find_generator(std::string_view expander, std::string_view dialect) {

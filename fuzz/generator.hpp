@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs of a dialect, valid and nearly valid, from decisions.
+// Programs of a dialect, from decisions: valid, nearly valid, on boundaries, raw.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "fuzz/choices.hpp"
+#include "fuzz/generator_settings.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::fuzz {
@@ -26,14 +27,25 @@ using Distribution = std::map<std::string, std::size_t>;
 struct Generator {
   std::string_view dialect;   // "gsk988ta"
   std::string_view expander;  // "gsk"
-  // With the dialect's own default settings. `distribution` may be null.
-  GeneratedProgram (*generate)(Choices& choices, Distribution* distribution);
+  // The dialect's own writer; of every kind but raw.
+  GeneratedProgram (*write)(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+                            Distribution* distribution);
+
+  // A program of a kind that the settings have. `distribution` may be null.
+  GeneratedProgram generate(Choices& choices, const GeneratorSettings& settings,
+                            Distribution* distribution) const;
+  // With the default settings.
+  GeneratedProgram generate(Choices& choices, Distribution* distribution) const {
+    return generate(choices, {}, distribution);
+  }
 };
 
 std::span<const Generator> generators();
 // By the name of a built-in expander, and its dialect; the first one where none is given. Null:
 // none.
 const Generator* find_generator(std::string_view expander, std::string_view dialect = {});
+
+std::string_view name(ProgramKind kind);  // "near-invalid"
 
 // Sets one reading of the profile's dialect to an alternative that need not be the default.
 // Returns "name=value".

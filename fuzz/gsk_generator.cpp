@@ -12,17 +12,21 @@ using reference::Plane;
 using reference::ReadingKey;
 using reference::Units;
 
-void GskWriter::make_profile() {
+void GskWriter::make_state() {
   if (choices_.one_in(4)) profile_.increment = Increment::isc;
   if (choices_.one_in(4)) profile_.x_diameter = false;
   if (choices_.one_in(8)) profile_.units = Units::inch;
   if (choices_.one_in(8)) profile_.initial.plane = choices_.pick({Plane::g17, Plane::g19});
   if (choices_.one_in(12)) profile_.block_skip = true;
-  // Any other choice than the default, of any reading but those that the settings leave out.
-  if (choices_.one_in(3)) {
+}
+
+void GskWriter::make_profile() {
+  if (settings_.machine.state) make_state();
+  // Any other choice than the default.
+  if (settings_.machine.readings && choices_.one_in(3)) {
     count("reading " + choose_reading(choices_, profile_));
   }
-  if (choices_.one_in(4)) {
+  if (settings_.machine.parameters && choices_.one_in(4)) {
     profile_.parameters["5920"] = reference::Number(choices_.between(0, 360));
     profile_.parameters["5921"] = reference::Number::millionths(choices_.between(0, 9'999) * 1'000);
   }
@@ -80,7 +84,7 @@ void GskWriter::mode_block() {
 void GskWriter::make_block() {
   const std::uint32_t kind = choices_.below(16);
   if (kind < 2) return basic_block();
-  if (kind < 3) return settings_.arcs ? arc_block() : basic_block();
+  if (kind < 3) return arc_block();
   if (kind < 7) return turning_block();
   if (kind < 9) return settings_.pockets ? pocket_block() : turning_block();
   if (kind < 11) return helix_block();
@@ -91,15 +95,15 @@ void GskWriter::make_block() {
 GeneratedProgram GskWriter::run() {
   make_profile();
   make_head();
-  const std::int64_t blocks = choices_.between(1, settings_.blocks);
+  const std::int64_t blocks = number_of_blocks(8);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
   if (choices_.one_in(2)) text_ += "M30\n";
   return {std::move(profile_), std::move(text_)};
 }
 
-GeneratedProgram generate_gsk(Choices& choices, const GskSettings& settings,
+GeneratedProgram generate_gsk(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
                               Distribution* distribution) {
-  return GskWriter(choices, settings, distribution).run();
+  return GskWriter(choices, settings, kind, distribution).run();
 }
 
 }  // namespace gonogo::fuzz

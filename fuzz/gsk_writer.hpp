@@ -13,8 +13,9 @@ namespace gonogo::fuzz {
 
 class GskWriter final : ProgramWriter {
  public:
-  GskWriter(Choices& choices, const GskSettings& settings, Distribution* distribution)
-      : ProgramWriter(choices, settings.fault_one_in, distribution), settings_(settings) {}
+  GskWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+            Distribution* distribution)
+      : ProgramWriter(choices, settings, kind, distribution) {}
 
   GeneratedProgram run();
 
@@ -23,6 +24,7 @@ class GskWriter final : ProgramWriter {
   enum class Mode { basic, turning, pocket, helix, thread };
 
   void make_profile();
+  void make_state();
   void make_head();
   void make_block();
 
@@ -44,6 +46,8 @@ class GskWriter final : ProgramWriter {
   std::string axis_word(std::size_t axis, std::int64_t most_mm);
   int decimals() const override;
   std::string stray_word() override;
+  // D is a radius here, L a step.
+  std::string_view letters_of_codes() const override { return "GMNFSTOHC"; }
   bool may_have(Fault fault, const std::string& word) const override;
   std::array<std::size_t, 3> plane_axes() const;
   // A word of axis 0 is a diameter where X is: twice the length.
@@ -51,7 +55,6 @@ class GskWriter final : ProgramWriter {
     return axis == 0 && profile_.x_diameter ? value * 2 : value;
   }
 
-  const GskSettings& settings_;
   reference::Units units_ = reference::Units::mm;
   reference::Plane plane_ = reference::Plane::g18;
   Mode mode_ = Mode::basic;

@@ -12,6 +12,18 @@ using reference::Units;
 
 void HncWriter::make_profile() {
   profile_.dialect = "hnc21t";
+  if (settings_.machine.state) make_state();
+  if (settings_.machine.offsets) make_offsets();
+  if (settings_.machine.parameters && choices_.one_in(4)) {
+    profile_.parameters["3410"] = Number::millionths(choices_.between(-2, 20) * 1'000);
+  }
+  if (settings_.machine.readings) choose_readings();
+  units_ = profile_.units;
+  far_ = units_ == Units::inch;
+  diameter_ = profile_.x_diameter;
+}
+
+void HncWriter::make_state() {
   if (choices_.one_in(4)) profile_.x_diameter = false;
   if (choices_.one_in(8)) profile_.units = Units::inch;
   if (choices_.one_in(12)) profile_.block_skip = true;
@@ -21,22 +33,15 @@ void HncWriter::make_profile() {
     }
   }
   if (choices_.one_in(8)) profile_.initial.feed = choices_.between(1, 500);
+}
+
+void HncWriter::make_offsets() {
   for (int number = 54; number <= 59; ++number) {
     if (!choices_.one_in(3)) continue;
     reference::Position& offset = profile_.offsets[fmt::format("G{}", number)];
     offset[reference::Axis::x] = Number::millionths(choices_.between(-20'000, 20'000) * 1'000);
     offset[reference::Axis::z] = Number::millionths(choices_.between(-20'000, 20'000) * 1'000);
   }
-  if (choices_.one_in(4)) {
-    profile_.parameters["3410"] = Number::millionths(choices_.between(-2, 20) * 1'000);
-  }
-  // Any other choice than the default, of any reading; now and then of several.
-  while (choices_.one_in(2) && !choices_.exhausted()) {
-    count("reading " + choose_reading(choices_, profile_));
-  }
-  units_ = profile_.units;
-  far_ = units_ == Units::inch;
-  diameter_ = profile_.x_diameter;
 }
 
 void HncWriter::make_head() {
@@ -60,7 +65,7 @@ void HncWriter::make_head() {
 void HncWriter::make_block() {
   const std::uint32_t kind = choices_.below(20);
   if (kind < 2) return basic_block();
-  if (kind < 3) return settings_.arcs ? arc_block() : basic_block();
+  if (kind < 3) return arc_block();
   if (kind < 4) return thread_line();
   if (kind < 8) return cut_block(choices_.pick({80, 81}));
   if (kind < 11) return thread_block();
@@ -87,7 +92,7 @@ void HncWriter::repeat_block() {
 GeneratedProgram HncWriter::run() {
   make_profile();
   make_head();
-  const std::int64_t blocks = choices_.between(1, settings_.blocks);
+  const std::int64_t blocks = number_of_blocks(8);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) {
     // Cycles and thread lines are repeated by blocks without their code.
     if (code_ >= 32 && choices_.one_in(2)) {
@@ -100,9 +105,9 @@ GeneratedProgram HncWriter::run() {
   return {std::move(profile_), std::move(text_)};
 }
 
-GeneratedProgram generate_hnc(Choices& choices, const HncSettings& settings,
+GeneratedProgram generate_hnc(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
                               Distribution* distribution) {
-  return HncWriter(choices, settings, distribution).run();
+  return HncWriter(choices, settings, kind, distribution).run();
 }
 
 }  // namespace gonogo::fuzz

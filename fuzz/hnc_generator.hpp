@@ -7,19 +7,9 @@
 
 namespace gonogo::fuzz {
 
-// Documented bounds: a failure is reproduced by the choices and these. With the defaults a program
-// has some hundred motions at most.
-struct HncSettings {
-  int blocks = 8;                   // at most, after the head
-  int pecks = 8;                    // of a hole or plunge whose depth is an increment, at most
-  int steps = 6;                    // axial steps of a groove, at most
-  int starts = 4;                   // of a thread, at most
-  std::uint32_t fault_one_in = 12;  // blocks in which one thing is put wrong; 0: never
-  bool arcs = true;
-};
-
-// REQUIRES: the dialect hnc21t. Avoids what the manual and the reading leave undecided.
-GeneratedProgram generate_hnc(Choices& choices, const HncSettings& settings,
-                              Distribution* distribution = nullptr);
+// REQUIRES: a kind other than raw. The dialect hnc21t. Avoids what the manual and the reading leave
+// undecided.
+GeneratedProgram generate_hnc(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+                              Distribution* distribution);
 
 }  // namespace gonogo::fuzz

@@ -107,7 +107,7 @@ void HncWriter::mode_block() {
       count("dwell");
       return write({"G04", fmt::format("P{}", choices_.below(5000))});
     case 8:
-      if (choices_.one_in(4)) return outside_block();
+      if (puts_wrong(4)) return outside_block();
       return write({choices_.pick(
           {"M03", "M08", "G18", "G40", "G61", "G64", "G96", "G97", "S800", "T0101", "F120"})});
     default:

@@ -15,8 +15,9 @@ namespace gonogo::fuzz {
 
 class HncWriter final : ProgramWriter {
  public:
-  HncWriter(Choices& choices, const HncSettings& settings, Distribution* distribution)
-      : ProgramWriter(choices, settings.fault_one_in, distribution), settings_(settings) {}
+  HncWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+            Distribution* distribution)
+      : ProgramWriter(choices, settings, kind, distribution) {}
 
   GeneratedProgram run();
 
@@ -24,6 +25,8 @@ class HncWriter final : ProgramWriter {
   enum Axis : std::size_t { x, z };
 
   void make_profile();
+  void make_state();
+  void make_offsets();
   void make_head();
   void make_block();
   void repeat_block();
@@ -85,7 +88,6 @@ class HncWriter final : ProgramWriter {
 
   using Place = std::array<std::optional<std::int64_t>, 2>;
 
-  const HncSettings& settings_;
   reference::Units units_ = reference::Units::mm;
   bool diameter_ = true;
   bool incremental_ = false;

@@ -121,7 +121,7 @@ void NgcWriter::helix_words(Words& words) {
 
 // Words that do not go with the others.
 void NgcWriter::arc_faults(Words& words, bool by_radius) {
-  if (!choices_.one_in(25)) return;
+  if (!puts_wrong(25)) return;
   const auto [p, q, third] = plane_axes();
   switch (choices_.below(3)) {
     case 0:

@@ -12,6 +12,14 @@ using reference::Units;
 
 void NgcWriter::make_profile() {
   profile_ = std::get<reference::Profile>(reference::default_profile("rs274"));
+  if (settings_.machine.state) make_state();
+  if (settings_.machine.readings) choose_readings();
+  inch_ = profile_.units == Units::inch;
+  motion_ = profile_.initial.motion;
+  plane_ = plane_code(profile_.initial.plane);
+}
+
+void NgcWriter::make_state() {
   if (choices_.one_in(8)) profile_.units = Units::inch;
   if (choices_.one_in(12)) profile_.block_skip = true;
   for (const auto axis : reference::kAllAxes) {
@@ -24,13 +32,6 @@ void NgcWriter::make_profile() {
   if (choices_.one_in(8)) {
     profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
   }
-  // Any other choice than the default, of any reading; now and then of several.
-  while (choices_.one_in(2) && !choices_.exhausted()) {
-    count("reading " + choose_reading(choices_, profile_));
-  }
-  inch_ = profile_.units == Units::inch;
-  motion_ = profile_.initial.motion;
-  plane_ = plane_code(profile_.initial.plane);
 }
 
 void NgcWriter::make_head() {
@@ -63,7 +64,7 @@ void NgcWriter::make_block() {
 GeneratedProgram NgcWriter::run() {
   make_profile();
   make_head();
-  const std::int64_t blocks = choices_.between(1, settings_.blocks);
+  const std::int64_t blocks = number_of_blocks(10);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
   if (choices_.one_in(2)) {
     text_ +=
@@ -72,9 +73,9 @@ GeneratedProgram NgcWriter::run() {
   return {std::move(profile_), std::move(text_)};
 }
 
-GeneratedProgram generate_ngc(Choices& choices, const NgcSettings& settings,
+GeneratedProgram generate_ngc(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
                               Distribution* distribution) {
-  return NgcWriter(choices, settings, distribution).run();
+  return NgcWriter(choices, settings, kind, distribution).run();
 }
 
 }  // namespace gonogo::fuzz

@@ -107,7 +107,7 @@ void NgcWriter::mode_block() {
     case 6:
       return dwell_block();
     case 7:
-      if (choices_.one_in(4)) return outside_block();
+      if (puts_wrong(4)) return outside_block();
       return write({choices_.one_in(4) ? "F0" : feed_word()});
     case 8:
       return write({choices_.pick({"M3", "M5", "M8", "M9", "M0", "M1", "M60", "M48", "G40", "G49",

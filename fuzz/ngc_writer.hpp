@@ -14,8 +14,9 @@ namespace gonogo::fuzz {
 
 class NgcWriter final : ProgramWriter {
  public:
-  NgcWriter(Choices& choices, const NgcSettings& settings, Distribution* distribution)
-      : ProgramWriter(choices, settings.fault_one_in, distribution), settings_(settings) {}
+  NgcWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+            Distribution* distribution)
+      : ProgramWriter(choices, settings, kind, distribution) {}
 
   GeneratedProgram run();
 
@@ -28,6 +29,7 @@ class NgcWriter final : ProgramWriter {
   };
 
   void make_profile();
+  void make_state();
   void make_head();
   void make_block();
   // In ngc_modes.cpp: what changes modes, or has nothing to do with them.
@@ -79,7 +81,6 @@ class NgcWriter final : ProgramWriter {
 
   using Place = std::array<std::optional<std::int64_t>, 5>;
 
-  const NgcSettings& settings_;
   bool inch_ = false;
   bool incremental_ = false;
   bool absolute_centre_ = false;

@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
 namespace gonogo::fuzz {
 namespace {
 
@@ -15,6 +20,28 @@ std::string decimal(std::int64_t increments, int decimals) {
   while (digits.back() == '0') digits.pop_back();
   if (digits.back() == '.') digits.pop_back();
   return (negative ? "-" : "") + digits;
+}
+
+// What a word of a letter and a plain decimal says, in least increments; nothing of other words,
+// and of more decimals than these.
+std::optional<std::int64_t> increments_of(const std::string& word, int decimals) {
+  constexpr std::size_t kMostDigits = 12;
+  if (word.size() < 2) return std::nullopt;
+  std::int64_t value = 0;
+  int behind = -1;  // digits behind the point; -1: before it
+  for (const char c : std::string_view(word).substr(word[1] == '-' ? 2 : 1)) {
+    if (c == '.' && behind < 0) {
+      behind = 0;
+    } else if (c >= '0' && c <= '9' && word.size() <= kMostDigits) {
+      value = value * 10 + (c - '0');
+      if (behind >= 0) ++behind;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (behind > decimals) return std::nullopt;
+  for (int i = std::max(behind, 0); i < decimals; ++i) value *= 10;
+  return value;
 }
 
 bool is_code(const std::string& word) {
@@ -75,10 +102,11 @@ std::string ProgramWriter::with_value(const std::string& word, const char* value
 }
 
 void ProgramWriter::put(Words words) {
-  if (fault_one_in_ != 0 && choices_.one_in(fault_one_in_)) {
+  if (puts_wrong(settings_.fault_one_in)) {
     spoil(words);
     on_fault();
   }
+  if (program_kind_ == ProgramKind::boundary && choices_.one_in(2)) move_to_boundary(words);
   std::string line = head();
   const bool together = choices_.one_in(6);
   for (const std::string& item : words) {
@@ -88,6 +116,33 @@ void ProgramWriter::put(Words words) {
   line += tail();
   text_ += line + (choices_.one_in(30) ? "\r\n" : "\n");
   if (choices_.one_in(30)) text_ += "\n";
+}
+
+void ProgramWriter::choose_readings() {
+  while (choices_.one_in(2) && !choices_.exhausted()) {
+    count("reading " + choose_reading(choices_, profile_));
+  }
+}
+
+// One value to another of the block, its double or its half, or the least increment beside; the
+// sign stays. Of words that may have any value.
+void ProgramWriter::move_to_boundary(Words& words) {
+  std::vector<std::size_t> values;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (letters_of_codes().find(words[i][0]) != std::string_view::npos) continue;
+    if (increments_of(words[i], decimals())) values.push_back(i);
+  }
+  if (values.size() < 2) return;
+  const auto one_of_them = [&] {
+    return values[choices_.below(static_cast<std::uint32_t>(values.size()))];
+  };
+  std::string& victim = words[one_of_them()];
+  const std::int64_t other = std::abs(*increments_of(words[one_of_them()], decimals()));
+  const std::int64_t value = choices_.pick({other, 2 * other, other / 2}) + choices_.between(-1, 1);
+  if (value < 0 || !may_have(Fault::far, victim) || !may_have(Fault::zero, victim)) return;
+  count("boundary");
+  victim = word(victim[0], victim[1] == '-' ? -value : value);
+  on_fault();
 }
 
 // What is left may alarm, or may not.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/generator.hpp"
@@ -22,9 +23,10 @@ class ProgramWriter {
  protected:
   using Words = std::vector<std::string>;
 
-  // One block in `fault_one_in` is put wrong; 0: none. `distribution` may be null.
-  ProgramWriter(Choices& choices, std::uint32_t fault_one_in, Distribution* distribution)
-      : choices_(choices), fault_one_in_(fault_one_in), distribution_(distribution) {}
+  // `settings` must outlive the writer; `distribution` may be null.
+  ProgramWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
+                Distribution* distribution)
+      : choices_(choices), settings_(settings), program_kind_(kind), distribution_(distribution) {}
   ~ProgramWriter() = default;
 
   // Decimals of the least increment of a length.
@@ -34,6 +36,8 @@ class ProgramWriter {
   // Whether the word may have this fault; false where the reading leaves open what follows, or
   // where motions would come by the thousands.
   virtual bool may_have(Fault fault, const std::string& word) const = 0;
+  // Letters of words that are no lengths.
+  virtual std::string_view letters_of_codes() const { return "GMNFSTOHDL"; }
   // A word as it stands in the text.
   virtual std::string printed(const std::string& word) { return word; }
   // What stands before and behind the words of a block: a slash and a number, comments.
@@ -53,20 +57,33 @@ class ProgramWriter {
   std::string word(char address, std::int64_t increments) const;
   std::string feed_word();
 
-  // Called when a block was put wrong.
+  // How many blocks come after the head, where the dialect's own programs have so many at most.
+  std::int64_t number_of_blocks(int own_most) {
+    return choices_.between(1, settings_.most_blocks.value_or(own_most));
+  }
+  // Whether something is put wrong here, as in one of so many places.
+  bool puts_wrong(std::uint32_t one_in) {
+    return program_kind_ == ProgramKind::near_invalid && choices_.one_in(one_in);
+  }
+  // Any alternative of any reading; now and then of several.
+  void choose_readings();
+
+  // Called when a block does not say what the dialect's writer meant.
   virtual void on_fault() {}
 
-  // Writes the block, now and then with one thing put wrong.
+  // Writes the block; with one thing put wrong or on a boundary, as the kind of program says.
   void put(Words words);
 
   Choices& choices_;
+  const GeneratorSettings& settings_;
   reference::Profile profile_;
   std::string text_;
 
  private:
   void spoil(Words& words);
+  void move_to_boundary(Words& words);
 
-  std::uint32_t fault_one_in_;
+  ProgramKind program_kind_;
   Distribution* distribution_;
 };
 

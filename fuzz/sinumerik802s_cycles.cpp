@@ -34,7 +34,9 @@ std::int64_t told_apart(std::int64_t room, const Values& values, const Sinumerik
 // Small ones, so that a pocket has few passes.
 void SinumerikWriter::make_tools() {
   for (int tool = 1; tool <= kTools; ++tool) {
-    const std::int64_t radius = choices_.pick({0, 1'000, 2'000, 2'500, 3'000, 5'000});
+    const std::int64_t radius = settings_.machine.tools
+                                    ? choices_.pick({0, 1'000, 2'000, 2'500, 3'000, 5'000})
+                                    : tool * 1'000;
     tools_.push_back(radius != 0 ? radius : 800 + choices_.between(0, 6'000));
     profile_.tools[std::to_string(tool)] = reference::Number::millionths(tools_.back() * 1'000);
   }
@@ -75,7 +77,7 @@ void SinumerikWriter::choose_planes(Values& values) {
   values[103] = reference;
   values[104] = reference - depth;
   if (is_shallow(values)) values[101] += kTold;
-  if (!choices_.one_in(24)) return;
+  if (!puts_wrong(24)) return;
   count("fault: planes of a cycle");
   switch (choices_.below(4)) {
     case 0:
@@ -101,7 +103,7 @@ void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
   // The allowance has no say in how large a finished pocket must be.
   const std::int64_t least = 2 * (radius + (finishes ? 0 : allowance));
   std::int64_t room = choices_.one_in(4) ? choices_.between(0, 3) : length(2 * radius / 1'000);
-  if (!faulted_ && choices_.one_in(30)) {
+  if (!faulted_ && puts_wrong(30)) {
     count("fault: pocket too small for the tool");
     room = -1;
     faulted_ = true;
@@ -199,7 +201,7 @@ bool SinumerikWriter::tool_block(int tool) {
   words.push_back(choices_.pick({"S300", "S600", "S1200"}));
   words.push_back(choices_.pick({"M3", "M3", "M4"}));
   state_.speed = std::stoll(words[words.size() - 2].substr(1));
-  const bool lacks = choices_.one_in(24);
+  const bool lacks = puts_wrong(24);
   if (lacks) {
     count("fault: tool or spindle");
     switch (choices_.below(5)) {
@@ -229,7 +231,7 @@ void SinumerikWriter::call(const char* name) {
   const PlaneOf axes = plane_of(state_.plane);
   const bool was_faulted = faulted_;
   Words words = {name};
-  if (choices_.one_in(30)) {
+  if (puts_wrong(30)) {
     count("fault: word beside a cycle");
     words.push_back(choices_.pick({"F100", "X5", "G90", "M8", "R105=1", "G1", "S500"}));
     faulted_ = true;
@@ -271,7 +273,7 @@ void SinumerikWriter::drilling_block() {
   const bool broken = faulted_;
   faulted_ = false;
   values[105] = choices_.pick({0, 0, 500, 1'000, 2'250});
-  const bool negative = !broken && choices_.one_in(30);
+  const bool negative = !broken && puts_wrong(30);
   if (negative) values[105] = -1;
   assign(values);
   faulted_ = broken || negative;
@@ -295,7 +297,7 @@ void SinumerikWriter::pocket_block() {
   choose_depths(values);
   values[122] = (20 + choices_.below(200)) * 1'000;
   values[123] = (20 + choices_.below(200)) * 1'000;
-  if (!faulted_ && !lacks && choices_.one_in(12)) break_pocket(values);
+  if (!faulted_ && !lacks && puts_wrong(12)) break_pocket(values);
   const bool broken = faulted_ || lacks;
   faulted_ = false;
   assign(values);

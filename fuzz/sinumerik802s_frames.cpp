@@ -113,8 +113,9 @@ void SinumerikWriter::rotation_words(Words& words, bool adds) {
   }
   frame.plane = state_.plane;
   // Which one reading does not have; whether a word may follow without a blank is undecided.
-  const bool without_equals = angle >= 0 && choices_.one_in(8);
-  if (without_equals && profile_.readings.is(reference::ReadingKey::sie_rpl_equals, "required")) {
+  const bool required = profile_.readings.is(reference::ReadingKey::sie_rpl_equals, "required");
+  const bool without_equals = angle >= 0 && (required ? puts_wrong(8) : choices_.one_in(8));
+  if (without_equals && required) {
     count("fault: RPL without =");
     faulted_ = true;
   }
@@ -152,7 +153,7 @@ void SinumerikWriter::frame_block() {
   state_.spoke.reset();
   state_.at_polar = false;
   state_.moved = true;
-  if (!faulted_ && choices_.one_in(25)) {
+  if (!faulted_ && puts_wrong(25)) {
     count("fault: word of a frame");
     words.push_back(choices_.pick({"F100", "A5", "G90", "M8", "CR=5", "G1", "S300"}));
     faulted_ = true;
@@ -169,7 +170,7 @@ bool SinumerikWriter::make_802s_block() {
     return true;
   }
   if (kind < 7) {
-    kind < 5 ? drilling_block() : pocket_block();
+    kind < 5 || !settings_.pockets ? drilling_block() : pocket_block();
     return true;
   }
   return false;

@@ -269,7 +269,7 @@ void SinumerikWriter::helix_words(Words& words) {
 
 // Words that do not go with the others, and none that would.
 void SinumerikWriter::arc_faults(Words& words) {
-  if (!choices_.one_in(20)) return;
+  if (!puts_wrong(20)) return;
   count("fault: form of arc");
   words.push_back(choices_.pick({"CR=12", "AR=90", "AP=30", "RP=5", "TURN=1000", "TURN=-1",
                                  "TURN=1.5", "I1=3", "CR=0", "I3 J4", "K2"}));

@@ -15,10 +15,26 @@ using reference::Number;
 using reference::Units;
 
 void SinumerikWriter::make_profile() {
-  profile_ = std::get<reference::Profile>(reference::default_profile(settings_.dialect));
-  if (choices_.one_in(8)) profile_.units = Units::inch;
-  if (choices_.one_in(12)) profile_.block_skip = true;
+  profile_ = std::get<reference::Profile>(reference::default_profile(dialect_));
+  // In this order, so that a seed's program stays what it is.
+  if (settings_.machine.state) {
+    if (choices_.one_in(8)) profile_.units = Units::inch;
+    if (choices_.one_in(12)) profile_.block_skip = true;
+  }
   if (is_802s()) make_tools();
+  if (settings_.machine.state) make_state();
+  if (settings_.machine.parameters) make_parameters();
+  if (settings_.machine.readings) choose_readings();
+  inch_feed_ = profile_.readings.is(reference::ReadingKey::sie_g70_f, "inch");
+  spindle_alarm_ = profile_.readings.is(reference::ReadingKey::sie_spindle, "alarm");
+  // Whether the feed of the profile is in inches is undecided.
+  if (inch_feed_) profile_.initial.feed = 0;
+  state_.inch = profile_.units == Units::inch;
+  state_.motion = profile_.initial.motion;
+  target_ = state_.at;
+}
+
+void SinumerikWriter::make_state() {
   for (const std::size_t axis : {0U, 1U, 2U}) {
     if (!choices_.one_in(3)) continue;
     const std::int64_t steps = choices_.between(-500'000, 500'000);
@@ -32,6 +48,9 @@ void SinumerikWriter::make_profile() {
     state_.plane = profile_.initial.plane == reference::Plane::g18 ? 18 : 19;
   }
   if (choices_.one_in(8)) profile_.initial.spindle = choices_.pick({3, 4});
+}
+
+void SinumerikWriter::make_parameters() {
   if (choices_.one_in(8)) {
     error_const_ = choices_.pick({0, 20, 500});
     profile_.parameters["CIRCLE_ERROR_CONST"] = Number::millionths(error_const_ * 100);
@@ -40,17 +59,6 @@ void SinumerikWriter::make_profile() {
     error_factor_ = choices_.pick({0, 100, 5'000});
     profile_.parameters["CIRCLE_ERROR_FACTOR"] = Number::millionths(error_factor_);
   }
-  // Any other choice than the default, of any reading; now and then of several.
-  while (choices_.one_in(2) && !choices_.exhausted()) {
-    count("reading " + choose_reading(choices_, profile_));
-  }
-  inch_feed_ = profile_.readings.is(reference::ReadingKey::sie_g70_f, "inch");
-  spindle_alarm_ = profile_.readings.is(reference::ReadingKey::sie_spindle, "alarm");
-  // Whether the feed of the profile is in inches is undecided.
-  if (inch_feed_) profile_.initial.feed = 0;
-  state_.inch = profile_.units == Units::inch;
-  state_.motion = profile_.initial.motion;
-  target_ = state_.at;
 }
 
 void SinumerikWriter::make_head() {
@@ -191,7 +199,7 @@ void SinumerikWriter::write(Words words, Kind kind) {
 GeneratedProgram SinumerikWriter::run() {
   make_profile();
   make_head();
-  const std::int64_t blocks = choices_.between(1, settings_.blocks);
+  const std::int64_t blocks = number_of_blocks(12);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
   if (choices_.one_in(2)) {
     text_ += choices_.pick({"M30\n", "M5\nM2\n", "m17\n", "M30 ;end\nX99\n", "G0 X7 M30\nX99\n",
@@ -200,9 +208,10 @@ GeneratedProgram SinumerikWriter::run() {
   return {std::move(profile_), std::move(text_)};
 }
 
-GeneratedProgram generate_sinumerik(Choices& choices, const SinumerikSettings& settings,
+GeneratedProgram generate_sinumerik(std::string_view dialect, Choices& choices,
+                                    const GeneratorSettings& settings, ProgramKind kind,
                                     Distribution* distribution) {
-  return SinumerikWriter(choices, settings, distribution).run();
+  return SinumerikWriter(dialect, choices, settings, kind, distribution).run();
 }
 
 }  // namespace gonogo::fuzz

@@ -183,7 +183,7 @@ void SinumerikWriter::mode_block() {
     case 6:
       return dwell_block();
     case 7:
-      if (!choices_.one_in(4)) return passed_over_block();
+      if (!puts_wrong(4)) return passed_over_block();
       return choices_.one_in(3) ? syntax_line() : outside_block();
     case 8:
       return write({new_feed()}, Kind::other);

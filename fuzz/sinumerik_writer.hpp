@@ -15,8 +15,9 @@ namespace gonogo::fuzz {
 
 class SinumerikWriter final : ProgramWriter {
  public:
-  SinumerikWriter(Choices& choices, const SinumerikSettings& settings, Distribution* distribution)
-      : ProgramWriter(choices, settings.fault_one_in, distribution), settings_(settings) {}
+  SinumerikWriter(std::string_view dialect, Choices& choices, const GeneratorSettings& settings,
+                  ProgramKind kind, Distribution* distribution)
+      : ProgramWriter(choices, settings, kind, distribution), dialect_(dialect) {}
 
   GeneratedProgram run();
 
@@ -40,6 +41,8 @@ class SinumerikWriter final : ProgramWriter {
   using Triple = std::array<std::int64_t, 3>;
 
   void make_profile();
+  void make_state();
+  void make_parameters();
   void make_head();
   void make_block();
   void resync();
@@ -151,7 +154,7 @@ class SinumerikWriter final : ProgramWriter {
   std::string with_value(const std::string& word, const char* value) const override;
   void on_fault() override { faulted_ = true; }
 
-  const SinumerikSettings& settings_;
+  std::string_view dialect_;
   SinumerikState state_;
   std::vector<std::int64_t> tools_;  // of sinumerik802s: radii, 0.001 mm; tool 1 first
   Place target_;                     // of the block that is being written

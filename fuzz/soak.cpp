@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo_soak: generated programs through a built-in expander and the judge, until one is not GO.
-//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--distribution]
-//   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D]
+//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
+//               [--distribution]
+//   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
+// LIST is as fuzz/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution prints
+// what the programs hold and reach: kinds, machines, records, planes, clauses, alarms, verdicts.
 // An expander of several dialects gets programs of the first one where none is named. --input tries
 // the one program that a fuzzer's input decides, and prints it first: also one that never ends.
 // Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2 wrong use.
@@ -22,6 +25,7 @@
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
 #include "fuzz/generator.hpp"
+#include "fuzz/program_report.hpp"
 
 namespace {
 
@@ -36,6 +40,7 @@ struct SoakOptions {
   std::string dialect;  // "": the expander's first
   std::string input;    // a fuzzer's input: its bytes decide one program
   bool distribution = false;
+  fuzz::GeneratorSettings settings;
 };
 
 bool parse(int argc, char** argv, SoakOptions& options) {
@@ -44,6 +49,10 @@ bool parse(int argc, char** argv, SoakOptions& options) {
     const bool has_value = i + 1 < argc;
     if (word == "--distribution") {
       options.distribution = true;
+    } else if (word == "--settings" && has_value) {
+      const auto settings = fuzz::read_settings(argv[++i]);
+      if (!settings) return false;
+      options.settings = *settings;
     } else if (word == "--programs" && has_value) {
       options.programs = std::strtoull(argv[++i], nullptr, 10);
     } else if (word == "--input" && has_value) {
@@ -93,7 +102,7 @@ int try_input(const SoakOptions& options, const fuzz::Generator& generator,
   const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   fuzz::Choices choices{std::span<const std::uint8_t>(bytes)};
-  const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
+  const fuzz::GeneratedProgram program = generator.generate(choices, options.settings, nullptr);
   fmt::print("profile: {}\nprogram:\n{}", reference::profile_json(program.profile), program.text);
   std::fflush(stdout);
   const auto verdict = fuzz::run_and_judge(subject, program.profile, program.text,
@@ -123,8 +132,9 @@ int soak(const SoakOptions& options) {
   for (std::uint64_t i = 0; i < options.programs; ++i) {
     // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
     fuzz::Choices choices(options.seed + i);
-    const fuzz::GeneratedProgram program =
-        generator->generate(choices, options.distribution ? &distribution : nullptr);
+    const fuzz::GeneratedProgram program = generator->generate(
+        choices, options.settings, options.distribution ? &distribution : nullptr);
+    if (options.distribution) fuzz::count_program(program, distribution);
     const auto verdict = judged(*subject, program, options.seed + i);
     ++distribution[verdict ? fmt::format("verdict {}", name(verdict->kind)) : "too long"];
     if (!verdict || decision(verdict->kind) == oracle::Decision::go) continue;
@@ -137,7 +147,7 @@ int soak(const SoakOptions& options) {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   fmt::print("{} programs from seed {} on: no failure ({:.0f} a second)\n", options.programs,
              options.seed, static_cast<double>(options.programs) / spent.count());
-  for (const auto& [what, times] : distribution) fmt::print("  {:<40} {}\n", what, times);
+  fmt::print("{}", fuzz::distribution_text(distribution));
   return 0;
 }
 
@@ -148,8 +158,8 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, options)) {
     fmt::print(stderr,
                "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] "
-               "[--distribution]\n"
-               "       {} --input FILE [--subject NAME[+FAULT]] [--dialect D]\n",
+               "[--settings LIST] [--distribution]\n"
+               "       {} --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]\n",
                argv[0], argv[0]);
     return 2;
   }

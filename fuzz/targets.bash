@@ -12,8 +12,18 @@ target_names() { cut -d ' ' -f 1 "$1/fuzz/targets.txt"; }
 # is no text.
 target_dialect() { sed -n "s/^$1 \([^ ]*\) .*/\1/p" "$2/fuzz/targets.txt"; }
 
-# target_most_bytes TARGET BUILD: of its inputs that are text.
-target_most_bytes() { sed -n "s/^$1 [^ ]* //p" "$2/fuzz/targets.txt"; }
+# Where an input is a generator's decisions, so many bytes at most: some five blocks. Long programs are
+# the soak's; here many short ones find more in the same time.
+most_decisions=128
+
+# target_most_bytes TARGET BUILD: of its inputs.
+target_most_bytes() {
+  if [ -n "$(target_dialect "$1" "$2")" ]; then
+    sed -n "s/^$1 [^ ]* //p" "$2/fuzz/targets.txt"
+  else
+    echo "$most_decisions"
+  fi
+}
 
 # write_dictionary DIALECT FILE
 write_dictionary() {
@@ -25,14 +35,16 @@ write_dictionary() {
 }
 
 # engine_options TARGET BUILD FOLDER: libFuzzer's options of the target, one a line; its dictionary is
-# written into FOLDER.
+# written into FOLDER. Its entropic schedule goes over all rare features at each execution, which
+# takes longer than a short program.
 engine_options() {
   local dialect
+  printf '%s\n' "-max_len=$(target_most_bytes "$1" "$2")" -entropic=0
   dialect=$(target_dialect "$1" "$2")
   [ -n "$dialect" ] || return 0
   mkdir -p "$3"
   write_dictionary "$dialect" "$3/$1.dict"
-  printf '%s\n' "-dict=$3/$1.dict" "-max_len=$(target_most_bytes "$1" "$2")"
+  printf '%s\n' "-dict=$3/$1.dict"
 }
 
 # copy_seeds TARGET BUILD FOLDER: the target's seeds, and for NC text the short programs of the corpus.

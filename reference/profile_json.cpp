@@ -22,61 +22,71 @@ Json position_json(const Position& at) {
   return object;
 }
 
-Json whole_json(const Profile& profile) {
-  Json document;
-  document["units"] = profile.units == Units::mm ? "mm" : "inch";
-  document["increment"] = profile.increment == Increment::isb ? "ISB" : "ISC";
-  if (profile.given_resolution) document["resolution"] = number_text(*profile.given_resolution);
-  document["x_diameter"] = profile.x_diameter;
-  document["initial"] = position_json(profile.initial.at);
-  document["initial"]["f"] = number_text(profile.initial.feed);
-  document["initial"]["plane"] = fmt::format("G{}", plane_code(profile.initial.plane));
-  document["initial"]["motion"] = profile.initial.motion == kNoMotion
-                                      ? std::string("none")
-                                      : fmt::format("G{:02}", profile.initial.motion);
-  document["initial"]["spindle"] = fmt::format("M{}", profile.initial.spindle);
-  document["offsets"] = Json::object();
-  for (const auto& [name, at] : profile.offsets) document["offsets"][name] = position_json(at);
-  document["tools"] = Json::object();
-  for (const auto& [name, radius] : profile.tools) {
-    document["tools"][name]["radius"] = number_text(radius);
+// Key by key, what is not in `base`.
+template <typename Value, typename ToJson>
+void add_changed(Json& document, const char* member, const std::map<std::string, Value>& values,
+                 const std::map<std::string, Value>& base, ToJson to_json) {
+  for (const auto& [name, value] : values) {
+    const auto known = base.find(name);
+    if (known == base.end() || known->second != value) document[member][name] = to_json(value);
   }
-  document["parameters"] = Json::object();
-  for (const auto& [name, value] : profile.parameters) {
-    document["parameters"][name] = number_text(value);
-  }
-  document["reference_point"] = position_json(profile.reference_point);
-  for (const Reading& reading : readings()) {
-    if (!reading.belongs_to(profile.dialect)) continue;
-    document["readings"][std::string(reading.name)] = profile.readings.get(reading.key);
-  }
-  document["alarm_timing"] = profile.alarm_timing == AlarmTiming::block ? "block" : "program";
-  document["block_skip"] = profile.block_skip;
-  return document;
 }
 
-// Drops what `base` says too, key by key, one level deep.
-Json without_defaults(const Json& document, const Json& base) {
-  Json kept = Json::object();
-  for (const auto& [name, value] : document.items()) {
-    if (!base.contains(name)) {
-      kept[name] = value;
-    } else if (value.is_object()) {
-      Json inner = without_defaults(value, base[name]);
-      if (!inner.empty()) kept[name] = inner;
-    } else if (value != base[name]) {
-      kept[name] = value;
-    }
+void add_position(Json& document, const char* member, const Position& at, const Position& base) {
+  for (Axis axis : kAllAxes) {
+    if (at[axis] == base[axis]) continue;
+    document[member][std::string(1, letter(axis))] = number_text(at[axis]);
   }
-  return kept;
+}
+
+void add_initial(Json& document, const InitialState& initial, const InitialState& base) {
+  add_position(document, "initial", initial.at, base.at);
+  const auto add = [&](const char* name, std::string value) {
+    document["initial"][name] = std::move(value);
+  };
+  if (initial.feed != base.feed) add("f", number_text(initial.feed));
+  if (initial.plane != base.plane) add("plane", fmt::format("G{}", plane_code(initial.plane)));
+  if (initial.motion != base.motion) {
+    add("motion",
+        initial.motion == kNoMotion ? std::string("none") : fmt::format("G{:02}", initial.motion));
+  }
+  if (initial.spindle != base.spindle) add("spindle", fmt::format("M{}", initial.spindle));
+}
+
+void add_readings(Json& document, const Profile& profile, const Profile& base) {
+  if (profile.readings == base.readings) return;
+  for (const Reading& reading : readings()) {
+    if (!reading.belongs_to(profile.dialect)) continue;
+    const std::string_view value = profile.readings.get(reading.key);
+    if (value == base.readings.get(reading.key)) continue;
+    document["readings"][std::string(reading.name)] = value;
+  }
 }
 
 }  // namespace
 
 std::string profile_json(const Profile& profile) {
   const Profile base = std::get<Profile>(default_profile(profile.dialect));
-  if (profile == base) return "{}";
-  return without_defaults(whole_json(profile), whole_json(base)).dump();
+  Json document = Json::object();
+  if (profile.units != base.units) document["units"] = profile.units == Units::mm ? "mm" : "inch";
+  if (profile.increment != base.increment) {
+    document["increment"] = profile.increment == Increment::isb ? "ISB" : "ISC";
+  }
+  if (profile.given_resolution) document["resolution"] = number_text(*profile.given_resolution);
+  if (profile.x_diameter != base.x_diameter) document["x_diameter"] = profile.x_diameter;
+  add_initial(document, profile.initial, base.initial);
+  add_changed(document, "offsets", profile.offsets, base.offsets, position_json);
+  add_changed(document, "tools", profile.tools, base.tools, [](const Number& radius) {
+    return Json{{"radius", number_text(radius)}};
+  });
+  add_changed(document, "parameters", profile.parameters, base.parameters, number_text);
+  add_position(document, "reference_point", profile.reference_point, base.reference_point);
+  add_readings(document, profile, base);
+  if (profile.alarm_timing != base.alarm_timing) {
+    document["alarm_timing"] = profile.alarm_timing == AlarmTiming::block ? "block" : "program";
+  }
+  if (profile.block_skip != base.block_skip) document["block_skip"] = profile.block_skip;
+  return document.dump();
 }
 
 }  // namespace gonogo::reference

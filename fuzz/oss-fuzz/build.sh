@@ -26,7 +26,7 @@ export CFLAGS=${CFLAGS:-} CXXFLAGS=${CXXFLAGS:-}
 CXXFLAGS=${CXXFLAGS//-stdlib=libc++/}
 
 cmake -G Ninja -S "$root" -B "$work" -DCMAKE_BUILD_TYPE=None -DGONOGO_TESTS=OFF -DGONOGO_FUZZ=ON \
-  -DGONOGO_FUZZ_INSTRUMENTATION= -DGONOGO_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" \
+  -DGONOGO_FUZZ_INSTRUMENTATION=OFF -DGONOGO_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" \
   -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
   -DCMAKE_BUILD_RPATH="\$ORIGIN/lib" -DCMAKE_BUILD_RPATH_USE_ORIGIN=ON
 source "$root/fuzz/targets.bash"
@@ -40,10 +40,9 @@ copy_libraries() {
 }
 
 write_options() {
-  local bytes
-  bytes=$(target_most_bytes "$1" "$work")
-  printf '[libfuzzer]\ntimeout = 20\nrss_limit_mb = 2048\n'
-  [ -z "$bytes" ] || printf 'max_len = %s\ndict = %s.dict\n' "$bytes" "$1"
+  printf '[libfuzzer]\ntimeout = 20\nrss_limit_mb = 2048\nmax_len = %s\n' \
+    "$(target_most_bytes "$1" "$work")"
+  [ -z "$(target_dialect "$1" "$work")" ] || printf 'dict = %s.dict\n' "$1"
   printf '\n[asan]\ndetect_stack_use_after_return = 0\n'
 }
 

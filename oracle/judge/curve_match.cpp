@@ -40,6 +40,12 @@ Span01 agreeing_parameters(const Motion& line, const Position& point, const Numb
   return span;
 }
 
+// Whether the point agrees with a point of the line. Mostly it is an end, which takes no division.
+bool is_on_line(const Motion& line, const Position& point, const Number& tolerance) {
+  return agree(point, line.to(), tolerance) || agree(point, line.from, tolerance) ||
+         !agreeing_parameters(line, point, tolerance).empty();
+}
+
 // By estimates: of two that are as long as each other either will do, and enclosures of one length
 // could not be told apart.
 Axis longest_axis(const Motion& motion) {
@@ -143,14 +149,13 @@ MatchResult CurveMatch::match_rapid(const Motion& subject) {
 }
 
 MatchResult CurveMatch::match_line(const Motion& subject) {
-  const Span01 start = agreeing_parameters(reference_, subject.from, terms_.tolerance);
-  const Span01 end = agreeing_parameters(reference_, subject.to(), terms_.tolerance);
+  const Number& tau = terms_.tolerance;
   // Or where the reference stood before what it dropped, and the subject may not have.
-  const bool stood = reference_.stood && agree(subject.from, *reference_.stood, terms_.tolerance);
-  if (start.empty() && !stood) {
+  const bool stood = reference_.stood && agree(subject.from, *reference_.stood, tau);
+  if (!is_on_line(reference_, subject.from, tau) && !stood) {
     return MatchResult::departs(Departure::geometry, "The cut does not start on the line.");
   }
-  if (end.empty())
+  if (!is_on_line(reference_, subject.to(), tau))
     return MatchResult::departs(Departure::geometry, "The cut does not end on the line.");
   const Axis axis = longest_axis(reference_);
   const int direction = (reference_.to()[axis] - reference_.from[axis]).sign();
@@ -166,7 +171,7 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
 MatchResult CurveMatch::match_flat(const Motion& subject) {
   const Position via = via_of(subject);
   if (!ThreePoints(subject).is_flat(terms_.tolerance) ||
-      agreeing_parameters(reference_, via, terms_.tolerance).empty()) {
+      !is_on_line(reference_, via, terms_.tolerance)) {
     return MatchResult::departs(Departure::kind,
                                 "The cut goes along an arc instead of a straight line.");
   }
@@ -188,8 +193,7 @@ bool CurveMatch::line_goes_beyond(const Motion& subject) const {
       (!moves_one_axis(subject, tau) || moved_axes(reference_, tau) != moved_axes(subject, tau))) {
     return false;
   }
-  return !agreeing_parameters(reference_, subject.from, tau).empty() &&
-         !agreeing_parameters(subject, reference_.to(), tau).empty();
+  return is_on_line(reference_, subject.from, tau) && is_on_line(subject, reference_.to(), tau);
 }
 
 }  // namespace gonogo::oracle
