@@ -2,6 +2,7 @@
 #include "oracle/trace_reader.hpp"
 
 #include "oracle/subjects/json_document.hpp"
+#include "oracle/subjects/plain_record.hpp"
 #include "oracle/subjects/record_json.hpp"
 
 namespace gonogo::oracle {
@@ -14,6 +15,8 @@ TraceReader::TraceReader() : impl_(std::make_unique<Impl>()) {}
 TraceReader::~TraceReader() = default;
 
 TraceLine TraceReader::read(std::string_view line) {
+  TraceLine plain;
+  if (read_plain_record(line, std::get<reference::Record>(plain))) return plain;
   auto parsed = impl_->document.parse(line);
   if (auto* fault = std::get_if<JsonFault>(&parsed)) return TraceFault{std::move(fault->message)};
   return read_trace_line(std::get<simdjson::dom::object>(parsed));
