@@ -32,6 +32,7 @@ class ProgramFile {
   // The size of a regular file; -1 for a pipe.
   long long size() const { return size_; }
   grammar::ByteSource& bytes() { return *bytes_; }
+  int descriptor() const { return descriptor_; }
 
  private:
   std::string name_;

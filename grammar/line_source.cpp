@@ -8,6 +8,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "grammar/file_source.hpp"
+
 namespace gonogo::grammar {
 namespace {
 
@@ -15,20 +17,52 @@ constexpr std::size_t kChunk = std::size_t{1} << 16;
 // Most programs of a campaign fit into this.
 constexpr std::size_t kFirstChunk = std::size_t{1} << 11;
 
-bool ends_line(char byte) {
-  return byte == '\n' || byte == '\r';
+// The first byte of [first, last) that ends a line, or `last`. Looked for in short stretches, so
+// that lines that end in CR do not make a search for LF run on.
+const char* find_line_end(const char* first, const char* last) {
+  constexpr std::ptrdiff_t kStretch = 256;
+  while (first != last) {
+    const char* const end = last - first > kStretch ? first + kStretch : last;
+    const auto find = [first](char byte, const char* before) {
+      return static_cast<const char*>(
+          std::memchr(first, byte, static_cast<std::size_t>(before - first)));
+    };
+    const char* const feed = find('\n', end);
+    const char* const carriage_return = find('\r', feed != nullptr ? feed : end);
+    if (carriage_return != nullptr) return carriage_return;
+    if (feed != nullptr) return feed;
+    first = end;
+  }
+  return last;
 }
 
-}  // namespace
+std::size_t line_end(const std::string& buffer, std::size_t begin, std::size_t end) {
+  const char* const data = buffer.data();
+  return static_cast<std::size_t>(find_line_end(data + begin, data + end) - data);
+}
 
-std::size_t DescriptorSource::read(char* data, std::size_t capacity) {
+// Calls `read` until no signal comes between.
+template <typename Read>
+std::size_t read_again(const Read& read) {
   for (;;) {
-    const ssize_t count = ::read(descriptor_, data, capacity);
+    const ssize_t count = read();
     if (count >= 0) return static_cast<std::size_t>(count);
     if (errno != EINTR) {
       throw std::system_error(errno, std::generic_category(), "reading the program");
     }
   }
+}
+
+}  // namespace
+
+std::size_t DescriptorSource::read(char* data, std::size_t capacity) {
+  return read_again([&] { return ::read(descriptor_, data, capacity); });
+}
+
+std::size_t FileSource::read(char* data, std::size_t capacity) {
+  const std::size_t count = read_again([&] { return ::pread(descriptor_, data, capacity, at_); });
+  at_ += static_cast<std::int64_t>(count);
+  return count;
 }
 
 std::size_t MemorySource::read(char* data, std::size_t capacity) {
@@ -60,7 +94,7 @@ bool LineSource::fill() {
 // Drops what is left of a line that was too long, one chunk after the other.
 void LineSource::drop_line() {
   for (;;) {
-    while (begin_ != end_ && !ends_line(buffer_[begin_])) ++begin_;
+    begin_ = line_end(buffer_, begin_, end_);
     if (begin_ != end_) {
       skip_line_feed_ = buffer_[begin_++] == '\r';
       return;
@@ -79,7 +113,7 @@ bool LineSource::next(Line& line) {
 
   std::size_t size = 0;
   for (;;) {
-    while (begin_ + size != end_ && !ends_line(buffer_[begin_ + size])) ++size;
+    size = line_end(buffer_, begin_ + size, end_) - begin_;
     if (begin_ + size != end_ || size > kMaximumLine || !fill()) break;
   }
   ++number_;

@@ -2,6 +2,7 @@
 #include "grammar/parser.hpp"
 
 #include "grammar/line_source.hpp"
+#include "grammar/plain_block.hpp"
 #include "grammar/x3/gsk988ta.hpp"
 #include "grammar/x3/hnc21t.hpp"
 #include "grammar/x3/rs274.hpp"
@@ -12,6 +13,7 @@ namespace gonogo::grammar {
 std::optional<SyntaxError> parse_block(Dialect dialect, std::string_view line, Block& block) {
   block.clear();
   if (line.size() > kMaximumLine) return line_too_long();
+  if (read_plain_block(dialect, line, block)) return std::nullopt;
   switch (dialect) {
     case Dialect::gsk988ta:
       return gsk988ta::parse_line(line, block);

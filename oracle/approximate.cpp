@@ -4,13 +4,20 @@
 #include <cstdlib>
 
 namespace gonogo::oracle {
+namespace {
+
+// Whole numbers up to here are doubles, and then the quotient of two is correctly rounded: what the
+// long way by text comes to.
+constexpr std::int64_t kExactDouble = std::int64_t{1} << 53;
+
+}  // namespace
 
 double approximate(const exact::Number& value) {
-  // Both are doubles without rounding, and so their quotient is the nearest one to the value.
-  constexpr std::int64_t kEveryInteger = std::int64_t{1} << 53;
   if (exact::NumberAccess::node(value) == nullptr) {
     const std::int64_t count = exact::NumberAccess::millionths(value);
-    if (-kEveryInteger < count && count < kEveryInteger) return static_cast<double>(count) / 1e6;
+    if (count >= -kExactDouble && count <= kExactDouble) {
+      return static_cast<double>(count) / static_cast<double>(exact::detail::kUnit);
+    }
   }
   // Whether an enclosure is a whole number cannot be decided, and need not be.
   if (value.is_rational()) {

@@ -2,11 +2,17 @@
 #include "oracle/trace_reader.hpp"
 
 #include "oracle/subjects/json_document.hpp"
+#include "oracle/subjects/plain_record.hpp"
 #include "oracle/subjects/record_json.hpp"
 
 namespace gonogo::oracle {
 
 struct TraceReader::Impl {
+  TraceLine read(std::string_view line) {
+    auto parsed = document.parse(line);
+    if (auto* fault = std::get_if<JsonFault>(&parsed)) return TraceFault{std::move(fault->message)};
+    return read_trace_line(std::get<simdjson::dom::object>(parsed));
+  }
   JsonDocument document;
 };
 
@@ -14,9 +20,9 @@ TraceReader::TraceReader() : impl_(std::make_unique<Impl>()) {}
 TraceReader::~TraceReader() = default;
 
 TraceLine TraceReader::read(std::string_view line) {
-  auto parsed = impl_->document.parse(line);
-  if (auto* fault = std::get_if<JsonFault>(&parsed)) return TraceFault{std::move(fault->message)};
-  return read_trace_line(std::get<simdjson::dom::object>(parsed));
+  TraceLine result;
+  if (!read_plain_record(line, std::get<reference::Record>(result))) result = impl_->read(line);
+  return result;
 }
 
 }  // namespace gonogo::oracle

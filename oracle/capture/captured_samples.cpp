@@ -13,7 +13,7 @@ namespace gonogo::oracle {
 class CapturedSamples::Judging {
  public:
   Judging(const CapturedSamples& samples, const reference::Profile& profile,
-          std::string_view program, const JudgeTerms& terms, const RunEnd& end)
+          const ProgramText& program, const JudgeTerms& terms, const RunEnd& end)
       : samples_(samples), profile_(profile), program_(program), terms_(terms), end_(end) {
     Number tau = profile.resolution();
     if (terms.resolution) tau = min(tau, *terms.resolution);
@@ -33,7 +33,7 @@ class CapturedSamples::Judging {
 
   const CapturedSamples& samples_;
   const reference::Profile& profile_;
-  std::string_view program_;
+  ProgramText program_;
   JudgeTerms terms_;
   const RunEnd& end_;
   mutable Sample last_;
@@ -139,7 +139,7 @@ Verdict CapturedSamples::Judging::judge_end(const SampledRun& run) const {
 CapturedSamples::CapturedSamples(std::string path, SampledTerms sampled)
     : path_(std::move(path)), sampled_(std::move(sampled)) {}
 
-SampledVerdict CapturedSamples::judge(const reference::Profile& profile, std::string_view program,
+SampledVerdict CapturedSamples::judge(const reference::Profile& profile, const ProgramText& program,
                                       const JudgeTerms& terms, const RunEnd& end) const {
   try {
     return Judging(*this, profile, program, terms, end).judge();

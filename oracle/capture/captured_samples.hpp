@@ -12,7 +12,7 @@ namespace gonogo::oracle {
 class CapturedSamples : public SampledOutcome {
  public:
   CapturedSamples(std::string path, SampledTerms sampled);
-  SampledVerdict judge(const reference::Profile& profile, std::string_view program,
+  SampledVerdict judge(const reference::Profile& profile, const ProgramText& program,
                        const JudgeTerms& terms, const RunEnd& end) const override;
 
  private:

@@ -35,7 +35,7 @@ std::string sample_text(const Sample& sample, reference::AxisSet seen) {
   return text + (point.size() > 2 ? "," : "") + point.substr(1);
 }
 
-SampledRun::SampledRun(const reference::Profile& profile, std::string_view program,
+SampledRun::SampledRun(const reference::Profile& profile, const ProgramText& program,
                        const JudgeTerms& terms, const SampledTerms& sampled,
                        reference::AxisSet seen, bool strict, double patience)
     : sampled_(sampled),

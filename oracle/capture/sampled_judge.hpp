@@ -47,7 +47,7 @@ struct SampledTerms {
 class SampledRun {
  public:
   // `patience`: how many times the way that the feeds allow lies between two samples at most.
-  SampledRun(const reference::Profile& profile, std::string_view program, const JudgeTerms& terms,
+  SampledRun(const reference::Profile& profile, const ProgramText& program, const JudgeTerms& terms,
              const SampledTerms& sampled, reference::AxisSet seen, bool strict, double patience);
 
   // The next sample; false when nothing can change the answer.

@@ -33,7 +33,7 @@ Motion back_to_start(Motion motion, const Position& shift) {
 
 }  // namespace
 
-SampledPath::SampledPath(const reference::Profile& profile, std::string_view program,
+SampledPath::SampledPath(const reference::Profile& profile, const ProgramText& program,
                          const JudgeTerms& terms, reference::AxisSet seen, double fastest)
     : input_(program),
       stream_(profile, input_.lines, terms),
@@ -102,7 +102,7 @@ void SampledPath::drop_before(std::size_t i) {
   }
 }
 
-void SampledPath::replay(const reference::Profile& profile, std::string_view program,
+void SampledPath::replay(const reference::Profile& profile, const ProgramText& program,
                          const JudgeTerms& terms, std::size_t pieces, ProgramJudge& judge) {
   ProgramInput input(program);
   ReferenceStream stream(profile, input.lines, terms);

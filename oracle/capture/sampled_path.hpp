@@ -15,8 +15,8 @@ namespace gonogo::oracle {
 class SampledPath {
  public:
   // `profile`, `program` and `terms` must outlive the path. `seen`: the axes that samples have.
-  SampledPath(const reference::Profile& profile, std::string_view program, const JudgeTerms& terms,
-              reference::AxisSet seen, double fastest);
+  SampledPath(const reference::Profile& profile, const ProgramText& program,
+              const JudgeTerms& terms, reference::AxisSet seen, double fastest);
 
   // Piece `i`; null after the last one, a `stand` or an `open`. It must not have been dropped.
   const PathPiece* piece(std::size_t i);
@@ -25,7 +25,7 @@ class SampledPath {
   std::size_t first_kept() const { return first_; }
 
   // The reference's own records up to, not including, piece `i`, to a judge of records.
-  static void replay(const reference::Profile& profile, std::string_view program,
+  static void replay(const reference::Profile& profile, const ProgramText& program,
                      const JudgeTerms& terms, std::size_t pieces, ProgramJudge& judge);
 
  private:

@@ -40,9 +40,18 @@ Span01 agreeing_parameters(const Motion& line, const Position& point, const Numb
   return span;
 }
 
-// Whether the point agrees with a point of the line. Mostly it is an end, which takes no division.
-bool is_on_line(const Motion& line, const Position& point, const Number& tolerance) {
-  return agree(point, line.to(), tolerance) || agree(point, line.from, tolerance) ||
+// Whether two rational points agree; false also where that takes more than rationals.
+bool rationally_agree(const Position& a, const Position& b, const Number& tolerance) {
+  return std::ranges::all_of(kAllAxes, [&](Axis axis) {
+    const Number difference = a[axis] - b[axis];
+    return difference.is_rational() && difference <= tolerance && -difference <= tolerance;
+  });
+}
+
+// Whether there is such a parameter. Most often it is an end of the line, without a division.
+bool agrees_with_line(const Motion& line, const Position& point, const Number& tolerance) {
+  return rationally_agree(point, line.to(), tolerance) ||
+         rationally_agree(point, line.from, tolerance) ||
          !agreeing_parameters(line, point, tolerance).empty();
 }
 
@@ -152,10 +161,10 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   const Number& tau = terms_.tolerance;
   // Or where the reference stood before what it dropped, and the subject may not have.
   const bool stood = reference_.stood && agree(subject.from, *reference_.stood, tau);
-  if (!is_on_line(reference_, subject.from, tau) && !stood) {
+  if (!stood && !agrees_with_line(reference_, subject.from, tau)) {
     return MatchResult::departs(Departure::geometry, "The cut does not start on the line.");
   }
-  if (!is_on_line(reference_, subject.to(), tau))
+  if (!agrees_with_line(reference_, subject.to(), tau))
     return MatchResult::departs(Departure::geometry, "The cut does not end on the line.");
   const Axis axis = longest_axis(reference_);
   const int direction = (reference_.to()[axis] - reference_.from[axis]).sign();
@@ -171,7 +180,7 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
 MatchResult CurveMatch::match_flat(const Motion& subject) {
   const Position via = via_of(subject);
   if (!ThreePoints(subject).is_flat(terms_.tolerance) ||
-      !is_on_line(reference_, via, terms_.tolerance)) {
+      !agrees_with_line(reference_, via, terms_.tolerance)) {
     return MatchResult::departs(Departure::kind,
                                 "The cut goes along an arc instead of a straight line.");
   }
@@ -193,7 +202,8 @@ bool CurveMatch::line_goes_beyond(const Motion& subject) const {
       (!moves_one_axis(subject, tau) || moved_axes(reference_, tau) != moved_axes(subject, tau))) {
     return false;
   }
-  return is_on_line(reference_, subject.from, tau) && is_on_line(subject, reference_.to(), tau);
+  return agrees_with_line(reference_, subject.from, tau) &&
+         agrees_with_line(subject, reference_.to(), tau);
 }
 
 }  // namespace gonogo::oracle

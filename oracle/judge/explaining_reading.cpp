@@ -24,7 +24,7 @@ reference::Profile with(const reference::Profile& profile, ReadingKey key, std::
 
 // An alternative may lead to blocks that another one alarms before.
 std::set<ReadingKey> touched_under_any(const reference::Profile& profile,
-                                       std::string_view program) {
+                                       const ProgramText& program) {
   std::set<ReadingKey> touched;
   for (const reference::ReadingChoice& choice : assignments_of(profile, program).choices) {
     reference::Profile assigned = profile;
@@ -49,8 +49,8 @@ std::vector<std::string_view> other_values(const reference::Profile& profile,
 
 }  // namespace
 
-std::string explaining_reading(const reference::Profile& profile, std::string_view program,
-                               const JudgeTerms& terms, std::span<const Record> records,
+std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
+                               const JudgeTerms& terms, const RecordSeries& records,
                                const RunEnd& end, std::size_t most_records) {
   std::size_t cost = 0;
   for (const ReadingKey key : touched_under_any(profile, program)) {
@@ -66,6 +66,12 @@ std::string explaining_reading(const reference::Profile& profile, std::string_vi
     }
   }
   return {};
+}
+
+std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
+                               const JudgeTerms& terms, std::span<const Record> records,
+                               const RunEnd& end, std::size_t most_records) {
+  return explaining_reading(profile, program, terms, RecordsInMemory(records), end, most_records);
 }
 
 }  // namespace gonogo::oracle

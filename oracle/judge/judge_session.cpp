@@ -48,7 +48,7 @@ bool can_be_open(const reference::Profile& profile) {
 
 }  // namespace
 
-std::vector<ReadingKey> touched_by(const reference::Profile& profile, std::string_view program) {
+std::vector<ReadingKey> touched_by(const reference::Profile& profile, const ProgramText& program) {
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
   try {
@@ -60,7 +60,7 @@ std::vector<ReadingKey> touched_by(const reference::Profile& profile, std::strin
   return expander.readings().touched();
 }
 
-Assignments assignments_of(const reference::Profile& profile, std::string_view program) {
+Assignments assignments_of(const reference::Profile& profile, const ProgramText& program) {
   Assignments result;
   result.choices.push_back(profile.readings);
   if (!can_be_open(profile)) return result;
@@ -97,7 +97,7 @@ Assignments assignments_of(const reference::Profile& profile, std::string_view p
   return result;
 }
 
-JudgeSession::JudgeSession(const reference::Profile& profile, std::string_view program,
+JudgeSession::JudgeSession(const reference::Profile& profile, const ProgramText& program,
                            const JudgeTerms& terms)
     : profile_(profile), program_(program), terms_(terms) {
   Assignments assignments = assignments_of(profile, program);
@@ -157,14 +157,24 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
   return result;
 }
 
-SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view program,
-                             const JudgeTerms& terms, std::span<const Record> records,
+void RecordsInMemory::each(const std::function<bool(const Record&)>& take) const {
+  for (const Record& record : records_) {
+    if (!take(record)) return;
+  }
+}
+
+SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
+                             const JudgeTerms& terms, const RecordSeries& records,
                              const RunEnd& end) {
   JudgeSession session(profile, program, terms);
-  for (const Record& record : records) {
-    if (!session.record(record)) break;
-  }
+  records.each([&](const Record& record) { return session.record(record); });
   return session.finish(end);
+}
+
+SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
+                             const JudgeTerms& terms, std::span<const Record> records,
+                             const RunEnd& end) {
+  return judge_outcome(profile, program, terms, RecordsInMemory(records), end);
 }
 
 }  // namespace gonogo::oracle

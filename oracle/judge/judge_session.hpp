@@ -3,7 +3,9 @@
 // One program against one subject under every admissible assignment of readings.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +15,27 @@
 namespace gonogo::oracle {
 
 inline constexpr std::size_t kMaximumAssignments = 64;
+// What explaining_reading judges again, in records.
+inline constexpr std::size_t kMostRecordsAgain = 4'000'000;
+
+// The records of an outcome, as often as they are asked for: in memory, or read from a file anew.
+class RecordSeries {
+ public:
+  virtual ~RecordSeries() = default;
+  virtual std::size_t size() const = 0;
+  // Hands them out in their order until `take` says false.
+  virtual void each(const std::function<bool(const Record&)>& take) const = 0;
+};
+
+class RecordsInMemory : public RecordSeries {
+ public:
+  explicit RecordsInMemory(std::span<const Record> records) : records_(records) {}
+  std::size_t size() const override { return records_.size(); }
+  void each(const std::function<bool(const Record&)>& take) const override;
+
+ private:
+  std::span<const Record> records_;
+};
 
 // What the judge says under every assignment.
 struct SessionVerdict {
@@ -24,7 +47,7 @@ struct SessionVerdict {
 class JudgeSession {
  public:
   // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
-  JudgeSession(const reference::Profile& profile, std::string_view program,
+  JudgeSession(const reference::Profile& profile, const ProgramText& program,
                const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
@@ -35,7 +58,7 @@ class JudgeSession {
   SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
 
   const reference::Profile& profile_;
-  std::string_view program_;
+  ProgramText program_;
   const JudgeTerms& terms_;
   std::vector<reference::ReadingChoice> choices_;
   std::vector<std::unique_ptr<ProgramJudge>> judges_;
@@ -50,7 +73,7 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
 // The readings that a run of the reference under this profile asks for.
 std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
-                                              std::string_view program);
+                                              const ProgramText& program);
 
 // The assignments of the open readings ("any", not judged by properties) that the program touches.
 struct Assignments {
@@ -58,10 +81,13 @@ struct Assignments {
   std::vector<reference::ReadingKey> open;
   bool too_many = false;
 };
-Assignments assignments_of(const reference::Profile& profile, std::string_view program);
+Assignments assignments_of(const reference::Profile& profile, const ProgramText& program);
 
 // Judges a recorded outcome.
-SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view program,
+SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
+                             const JudgeTerms& terms, const RecordSeries& records,
+                             const RunEnd& end);
+SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,
                              const JudgeTerms& terms, std::span<const Record> records,
                              const RunEnd& end);
 
@@ -69,8 +95,11 @@ SessionVerdict judge_outcome(const reference::Profile& profile, std::string_view
 // is GO; else "". Every reading is tried that the program touches under any assignment; readings
 // that are open already have been. Gives up, with "", where it would judge more records than that
 // (each assignment counting for 1,000 more).
-std::string explaining_reading(const reference::Profile& profile, std::string_view program,
+std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
+                               const JudgeTerms& terms, const RecordSeries& records,
+                               const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
+std::string explaining_reading(const reference::Profile& profile, const ProgramText& program,
                                const JudgeTerms& terms, std::span<const Record> records,
-                               const RunEnd& end, std::size_t most_records = 4'000'000);
+                               const RunEnd& end, std::size_t most_records = kMostRecordsAgain);
 
 }  // namespace gonogo::oracle

@@ -24,6 +24,15 @@ void shift(Position& position, const Position& by) {
 }
 
 bool agree(const Number& a, const Number& b, const Number& tolerance) {
+  using exact::NumberAccess;
+  std::int64_t apart = 0;
+  const bool small = NumberAccess::node(a) == nullptr && NumberAccess::node(b) == nullptr &&
+                     NumberAccess::node(tolerance) == nullptr;
+  if (small &&
+      !__builtin_sub_overflow(NumberAccess::millionths(a), NumberAccess::millionths(b), &apart)) {
+    const std::int64_t most = NumberAccess::millionths(tolerance);
+    return apart <= most && apart >= -most;
+  }
   const Number difference = a - b;
   if (difference.form() == Number::Form::enclosure) {
     // The bounds that it has already decide nearly always.

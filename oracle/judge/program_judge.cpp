@@ -8,7 +8,7 @@
 
 namespace gonogo::oracle {
 
-ProgramJudge::ProgramJudge(reference::Profile profile, std::string_view program,
+ProgramJudge::ProgramJudge(reference::Profile profile, const ProgramText& program,
                            const JudgeTerms& terms)
     : profile_(std::move(profile)),
       terms_(terms),
@@ -123,7 +123,8 @@ void ProgramJudge::follow_renamings(std::uint64_t block) {
 void ProgramJudge::take_motion(const Record& record) {
   follow_renamings(terms_.compare_blocks ? record.block : 0);
   if (verdict_) return;
-  Motion motion = straightened(motion_from(position_, record, records_ - 1));
+  Motion motion = motion_from(position_, record, records_ - 1);
+  if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
   if (!terms_.compare_blocks) {
     motion.record.block = 0;
   } else if (record.block == 0) {

@@ -24,7 +24,7 @@ namespace gonogo::oracle {
 class ProgramJudge {
  public:
   // `profile` says every reading that counts; `program` and `terms` must outlive the judge.
-  ProgramJudge(reference::Profile profile, std::string_view program, const JudgeTerms& terms);
+  ProgramJudge(reference::Profile profile, const ProgramText& program, const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   // The subject's end; the verdict.

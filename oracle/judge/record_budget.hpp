@@ -13,7 +13,7 @@ namespace gonogo::oracle {
 // 10 times those of the reference and 1,000. The reference's are counted only as far as needed.
 class RecordBudget {
  public:
-  RecordBudget(const reference::Profile& profile, std::string_view program)
+  RecordBudget(const reference::Profile& profile, const ProgramText& program)
       : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
   // `live` counts what the judge's own reference has put out. It counts too, because a subject's
   // own path may end elsewhere than the one that is shown, and other blocks follow from that.

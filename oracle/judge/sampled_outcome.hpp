@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "oracle/judge/program_input.hpp"
 #include "oracle/judge/terms.hpp"
 #include "oracle/verdict.hpp"
 
@@ -27,7 +28,7 @@ class SampledOutcome {
   SampledOutcome& operator=(const SampledOutcome&) = delete;
   virtual ~SampledOutcome() = default;
   // `profile` says every reading that counts; `end` is how the run ended.
-  virtual SampledVerdict judge(const reference::Profile& profile, std::string_view program,
+  virtual SampledVerdict judge(const reference::Profile& profile, const ProgramText& program,
                                const JudgeTerms& terms, const RunEnd& end) const = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "oracle/subjects/record_keys.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
@@ -21,67 +22,6 @@ using simdjson::dom::array;
 using simdjson::dom::element;
 using simdjson::dom::element_type;
 using simdjson::dom::object;
-
-constexpr std::size_t kLongestString = 1000;
-
-enum class Key : std::uint8_t {
-  k,
-  b,
-  to,
-  f,
-  fm,
-  plane,
-  c,
-  rot,
-  via,
-  lead,
-  start,
-  s,
-  m,
-  alarm_class,
-  word,
-  native,
-  count
-};
-constexpr std::size_t kKeys = static_cast<std::size_t>(Key::count);
-constexpr std::array<std::string_view, kKeys> kKeyNames = {
-    "k",   "b",    "to",    "f", "fm", "plane", "c",    "rot",
-    "via", "lead", "start", "s", "m",  "class", "word", "native"};
-constexpr std::string_view name_of(Key key) {
-  return kKeyNames[static_cast<std::size_t>(key)];
-}
-
-constexpr std::uint32_t bit(Key key) {
-  return 1U << static_cast<unsigned>(key);
-}
-template <class... Keys>
-constexpr std::uint32_t bits(Keys... keys) {
-  return (0U | ... | bit(keys));
-}
-
-// The keys of one kind of record; `k` and `b` go with all.
-struct Shape {
-  std::string_view name;
-  RecordKind kind;
-  std::uint32_t required;
-  std::uint32_t allowed;
-};
-constexpr std::uint32_t kCommon = bits(Key::k, Key::b);
-constexpr Shape shape(std::string_view name, RecordKind kind, std::uint32_t required,
-                      std::uint32_t optional = 0) {
-  return {name, kind, required, required | optional | kCommon};
-}
-constexpr std::array<Shape, 8> kShapes = {
-    shape("rapid", RecordKind::rapid, bits(Key::to)),
-    shape("feed", RecordKind::feed, bits(Key::to, Key::f), bits(Key::fm)),
-    shape("arc", RecordKind::arc, bits(Key::plane, Key::c, Key::rot, Key::to, Key::f),
-          bits(Key::fm)),
-    shape("arc3", RecordKind::arc3, bits(Key::via, Key::to, Key::f), bits(Key::fm)),
-    shape("thread", RecordKind::thread, bits(Key::to, Key::lead, Key::start)),
-    shape("dwell", RecordKind::dwell, bits(Key::s)),
-    shape("m", RecordKind::m, bits(Key::m)),
-    shape("end", RecordKind::end, bits(Key::to))};
-constexpr std::uint32_t kAlarmKeys = bits(Key::b, Key::alarm_class, Key::word, Key::native);
 
 // Thrown inside this file only; every entry point turns it into a TraceFault.
 struct Fault {

@@ -24,6 +24,10 @@ std::optional<Word> whole_sqrt(Word value) {
 
 // take_out_squares() of a word; the primes are constants, so that no division is one.
 Word take_out_squares(Word& radicand) {
+  if (const std::optional<Word> whole = whole_sqrt(radicand); whole && *whole != 0) {
+    radicand = 1;
+    return *whole;
+  }
   Word square_root = 1;
   Word rest = radicand;
   Word small_part = 1;
@@ -93,6 +97,22 @@ struct Fraction {
 
 bool is_small(const std::array<Number, 2>& pair) {
   return NumberAccess::node(pair[0]) == nullptr && NumberAccess::node(pair[1]) == nullptr;
+}
+
+// a[i] + b[i] * p/q of small numbers where they are small again.
+std::optional<std::array<Number, 2>> small_sums(const std::array<Number, 2>& a,
+                                                const std::array<Number, 2>& b, Word p, Word q) {
+  std::array<Number, 2> sums;
+  for (std::size_t i = 0; i < 2; ++i) {
+    detail::Wide product = NumberAccess::millionths(b[i]);
+    if (__builtin_mul_overflow(product, p, &product) || product % q != 0) return std::nullopt;
+    std::int64_t sum = 0;
+    if (__builtin_add_overflow(product / q, NumberAccess::millionths(a[i]), &sum)) {
+      return std::nullopt;
+    }
+    sums[i] = Number::millionths(sum);
+  }
+  return sums;
 }
 
 bool is_rational(const Root& x) {
@@ -167,7 +187,7 @@ std::optional<std::array<Number, 2>> small_roots(const std::array<Number, 2>& a,
   outer /= common;
   const Word outer_root = take_out_squares(outer);
   const Word inner_root = take_out_squares(inner);
-  if (inner == 1 && outer == 1) return std::nullopt;
+  if (inner == 1 && outer == 1) return small_sums(a, b, inner_root, outer_root);
   std::array<Number, 2> found;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::int64_t factor = NumberAccess::millionths(b[i]);

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "grammar/file_source.hpp"
 
 namespace gonogo::grammar {
 namespace {
@@ -91,6 +94,41 @@ TEST(LineSource, WhereTheChunksEndDoesNotMatter) {
       EXPECT_EQ(lines_of(bytes), want) << first << ' ' << most;
     }
   }
+}
+
+TEST(LineSource, LinesOfEveryLengthEndAtTheFirstEnd) {
+  // Ends are looked for in stretches of some hundred bytes: CR before LF, both in one or apart.
+  std::string text;
+  std::vector<std::string> want;
+  for (std::size_t size = 0; size < 700; size += 3) {
+    for (const std::string_view end : {"\n", "\r", "\r\n"}) {
+      want.emplace_back(size, 'x');
+      text += want.back();
+      text += end;
+      if (end == "\r") {  // else a blank line's LF would belong to it
+        want.emplace_back("y");
+        text += "y\n";
+      }
+    }
+  }
+  EXPECT_EQ(lines_of(text), want);
+}
+
+TEST(FileSource, IsReadFromTheBeginningByEachThatReadsIt) {
+  std::FILE* const file = std::tmpfile();
+  ASSERT_NE(file, nullptr);
+  std::fputs("G1\nG2\n", file);
+  std::fflush(file);
+  const int descriptor = ::fileno(file);
+  FileSource one(descriptor);
+  FileSource other(descriptor);
+  char first = 0;
+  EXPECT_EQ(one.read(&first, 1), 1U);
+  EXPECT_EQ(lines_of(other), (std::vector<std::string>{"G1", "G2"}));
+  char second = 0;
+  EXPECT_EQ(one.read(&second, 1), 1U);
+  EXPECT_EQ(std::string({first, second}), "G1");
+  std::fclose(file);
 }
 
 TEST(LineSource, LinesLongerThanAChunkAreWhole) {

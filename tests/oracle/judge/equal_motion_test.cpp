@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge takes a motion that is the reference's own without looking further. That is right only
+// if CurveMatch, which has the rules, says of every such motion that it is the whole of it.
+#include <gtest/gtest.h>
+
+#include "oracle/judge/curve_match.hpp"
+#include "tests/trials.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::kAllAxes;
+
+Number any_length(Trials& trials) {
+  const auto count = static_cast<std::int64_t>(trials.below(200'001)) - 100'000;
+  return Number::millionths(count * trials.one_of(std::to_array<std::int64_t>({1, 1000, 10'000})));
+}
+
+// A line, a traverse or an arc: also a helix, a full circle, several turns, one whose radii differ,
+// one that is too small to see.
+Motion any_motion(Trials& trials) {
+  Motion motion;
+  Record& record = motion.record;
+  record.kind = trials.one_of(
+      std::to_array({RecordKind::rapid, RecordKind::feed, RecordKind::arc, RecordKind::arc}));
+  record.feed = any_length(trials);
+  for (const Axis axis : kAllAxes) {
+    motion.from[axis] = any_length(trials);
+    record.to[axis] = trials.once_in(2) ? motion.from[axis] : any_length(trials);
+  }
+  record.plane = trials.one_of(
+      std::to_array({reference::Plane::g17, reference::Plane::g18, reference::Plane::g19}));
+  record.rot = trials.one_of(std::to_array({-3, -2, -1, 1, 2, 3}));
+  record.centre = {any_length(trials), any_length(trials)};
+  return motion;
+}
+
+TEST(EqualMotion, IsTheWholeOfTheReferencesByTheRulesOfTheMatch) {
+  Trials trials(20'000);
+  JudgeTerms terms;
+  terms.tolerance = Number::millionths(1000);
+  for (long i = 0; i < trials.count; ++i) {
+    const Motion motion = any_motion(trials);
+    CurveMatch match(motion, terms);
+    const MatchResult result = match.match(motion);
+    std::string text;
+    append_json(motion.record, text);
+    ASSERT_EQ(result.departure, Departure::none) << text << ": " << result.reason;
+    ASSERT_TRUE(result.done) << text;
+  }
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
