@@ -250,7 +250,8 @@ void Interpreter::run_motion(BlockContext& block) {
 }
 
 void Interpreter::run_once(BlockContext& block) {
-  if (block.codes.several_once) return;  // which of them is meant is not known
+  // Which of them is meant is not known.
+  if (block.codes.several_once) return refuse_beside_frame(block);
   const PlaneAxes axes = block.plane_axes();
   switch (block.codes.once) {
     case 4:
