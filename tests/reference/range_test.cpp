@@ -47,7 +47,7 @@ TEST(Range, ZerosBeforeANumberDoNotMatter) {
   }
 }
 
-// Ten steps of 9,900 km each: the eleventh would leave the 100,000 km that every sum may have.
+// Ten steps of 9.9 km each: the eleventh leaves the 100 km that a place may be away.
 TEST(Range, ASumOfWordsHasARangeToo) {
   std::string program = "G91 G0 X9900000\n";
   for (int i = 0; i < 9; ++i) program += "X9900000\n";
