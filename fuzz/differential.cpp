@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/judge/program_input.hpp"
-#include "reference/expander.hpp"
+#include "fuzz/reference_run.hpp"
 
 namespace gonogo::fuzz {
 
@@ -35,32 +34,9 @@ void run_alone(oracle::Subject& subject, const reference::Profile& profile,
 
 bool contradicts_itself(const reference::Profile& profile, std::string_view program,
                         std::size_t most_records) {
-  oracle::SubjectInfo reference_as_subject;
-  reference_as_subject.features = {"blocks", "m"};
-  const oracle::JudgeTerms terms =
-      make_terms(reference_as_subject, profile, std::nullopt, std::nullopt);
-  oracle::JudgeSession session(profile, program, terms);
-  oracle::ProgramInput input(program);
-  reference::Expander expander(profile, input.lines, reference::OpenPaths::shown);
-  oracle::RunEnd end;
-  std::size_t records = 0;
-  try {
-    while (const reference::Item* item = expander.next()) {
-      if (const auto* record = std::get_if<reference::Record>(item)) {
-        if (++records > most_records) return false;
-        if (!session.record(*record)) break;
-      } else if (const auto* report = std::get_if<reference::AlarmReport>(item)) {
-        end.kind = oracle::RunEnd::Kind::alarm;
-        end.alarm.block = report->block;
-        end.alarm.alarm_class = name(report->alarms.front().alarm);
-      } else if (std::holds_alternative<reference::NotCovered>(*item)) {
-        return false;
-      }
-    }
-  } catch (const exact::Undecided&) {
-    return false;
-  }
-  return oracle::decision(session.finish(end).verdict.kind) == oracle::Decision::no_go;
+  const ReferenceRun run = run_reference(profile, program, most_records);
+  return run.is_told() &&
+         oracle::decision(judge_reference(profile, program, run).kind) == oracle::Decision::no_go;
 }
 
 std::string trace_text(oracle::Subject& subject, const reference::Profile& profile,

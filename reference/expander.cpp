@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/expander.hpp"
 
+#include <algorithm>
+
 #include "reference/dialect.hpp"
+#include "reference/range.hpp"
 
 namespace gonogo::reference {
 
@@ -22,6 +25,7 @@ void BlockOutput::clear() {
   alarms.clear();
   warnings.clear();
   not_covered.reset();
+  beyond_range.reset();
   program_end = false;
 }
 
@@ -38,6 +42,22 @@ const Item* Expander::finish(Item item) {
   ended_ = true;
   last_ = std::move(item);
   return &last_;
+}
+
+// What is beyond the range of any machine is not covered, but where a manual names the range.
+void Expander::leave_out_of_range() {
+  const grammar::Word* const word = word_beyond_range(block_);
+  const bool is_beyond =
+      word != nullptr || out_.beyond_range || is_beyond_range(interpreter_->position());
+  if (!is_beyond || out_.not_covered) return;
+  const auto has_range = [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::value_out_of_range;
+  };
+  if (std::ranges::any_of(out_.alarms, has_range)) return;
+  out_.alarms.clear();
+  out_.not_covered = NotCovered{
+      line_.number, "range", "No manual says what a control does with a number as large as this.",
+      word != nullptr ? word->where : out_.beyond_range.value_or(grammar::Span{})};
 }
 
 const Item* Expander::next() {
@@ -73,6 +93,7 @@ const Item* Expander::next() {
     }
     if (block_.skip && profile_.block_skip) continue;
     interpreter_->run(line_.number, block_, out_);
+    leave_out_of_range();
     if (warn_) {
       for (const Warning& warning : out_.warnings) warn_(warning, line_);
     }

@@ -27,6 +27,7 @@ struct BlockOutput {
   std::vector<Alarm> alarms;
   std::vector<Warning> warnings;
   std::optional<NotCovered> not_covered;
+  std::optional<grammar::Span> beyond_range;  // a value that an expression has, reference/range.hpp
   bool program_end = false;
 
   void clear();
@@ -73,6 +74,7 @@ class Expander {
 
  private:
   const Item* finish(Item item);
+  void leave_out_of_range();
 
   const Profile& profile_;
   grammar::LineSource& lines_;

@@ -84,8 +84,8 @@ std::vector<fuzz::Method> methods_of(const std::string& text) {
     const std::string word = text.substr(begin, end - begin);
     const std::optional<fuzz::Method> method = fuzz::method_named(word);
     if (!method) {
-      throw UsageError(
-          fmt::format("There is no method \"{}\". Write some of: corpus,hunt,fuzz.", word));
+      throw UsageError(fmt::format(
+          "There is no method \"{}\". Write some of: corpus,properties,hunt,fuzz.", word));
     }
     if (std::ranges::find(methods, *method) == methods.end()) methods.push_back(*method);
     begin = end + 1;
@@ -188,7 +188,8 @@ void add_faults(Command& program) {
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.flag("--list", options->list, "only name the faults and what they do");
   command.flag("--matrix", options->matrix, "what it costs each method to find each fault");
-  command.option("--method", options->methods, "with --matrix, of corpus,hunt,fuzz (corpus,hunt)");
+  command.option("--method", options->methods,
+                 "with --matrix, of corpus,properties,hunt,fuzz (corpus,hunt)");
   command.choice("--format", options->format, {"text", "markdown"},
                  "with --matrix; markdown: docs/kill-matrix.md");
   command.option("--only", options->only, "with --matrix, faults whose name holds this");

@@ -12,8 +12,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
-#include "cli/trial_options.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::cli {
@@ -21,72 +21,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct HuntWords {
-  TrialWords trial;
-  std::string dialect;
-  std::string profile;
-  std::vector<std::string> readings;
-  std::string time;
-  long seed = 1;
-  long programs = 0;    // 0: no limit
-  long stop_after = 0;  // findings; 0: no limit
-};
-
-// "90", "90s", "10m", "2h".
-std::chrono::milliseconds time_of(const std::string& text) {
-  long count = 0;
-  char unit = 's';
-  char rest = 0;
-  const int fields = std::sscanf(text.c_str(), "%9ld%c%c", &count, &unit, &rest);
-  const long seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
-  if (fields < 1 || fields > 2 || count < 1 || seconds == 0) {
-    throw UsageError(fmt::format("--time {} is no time. Write seconds, or 90s, 10m, 2h.", text));
-  }
-  return std::chrono::seconds(count * seconds);
-}
-
 fuzz::HuntOptions hunt_options(const HuntWords& words) {
   fuzz::HuntOptions options;
   const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
   options.dialect = profile.dialect;
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
-  for (const std::string& choice : words.readings) {
-    const std::size_t equals = choice.find('=');
-    const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
-    options.readings.emplace_back(reading->key, choice.substr(equals + 1));
-  }
+  options.readings = readings_of(words);
   return options;
 }
-
-// When a hunt is over, and how far it is.
-struct HuntEnd {
-  Clock::time_point begin = Clock::now();
-  std::chrono::milliseconds time{0};  // 0: no limit
-  std::size_t programs = 0;           // 0: no limit
-  std::size_t findings = 0;           // 0: no limit
-
-  explicit HuntEnd(const HuntWords& words)
-      : programs(static_cast<std::size_t>(words.programs)),
-        findings(static_cast<std::size_t>(words.stop_after)) {
-    if (!words.time.empty()) time = time_of(words.time);
-    if (words.time.empty() && programs == 0) time = std::chrono::seconds(60);
-  }
-  bool reached(std::size_t tried, std::size_t found) const {
-    return (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
-           (time.count() != 0 && Clock::now() - begin >= time);
-  }
-  double seconds_left(std::size_t tried) const {
-    const std::chrono::duration<double> spent = Clock::now() - begin;
-    double left = std::numeric_limits<double>::max();
-    if (time.count() != 0) left = std::chrono::duration<double>(time).count() - spent.count();
-    if (programs != 0 && tried != 0) {
-      const double each = spent.count() / static_cast<double>(tried);
-      left = std::min(left, each * static_cast<double>(programs - std::min(programs, tried)));
-    }
-    return std::max(0.0, left);
-  }
-};
 
 // A line that is rewritten in place on a terminal; nothing in a pipe.
 class HuntProgress {
@@ -156,6 +99,7 @@ std::string summary(const HuntWords& words, const fuzz::Hunt& hunt, const HuntTa
 }
 
 int hunt(HuntWords words) {
+  if (words.method == "properties") return hunt_properties(words);
   fuzz::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
   const HuntEnd end(words);
@@ -196,6 +140,8 @@ void add_hunt(Command& program) {
       program.add_command("hunt", "Look for programs on which a subject departs from the gauge");
   add_trial_options(command, words->trial);
   command.option("--dialect", words->dialect, "dialect of the programs");
+  command.choice("--method", words->method, {"reference", "properties"},
+                 "held against the reference, or against the subject's own answers (reference)");
   command.option("--profile", words->profile, "the machine of every program; without: any");
   command.repeated_option("--reading", words->readings, "one reading as key=value");
   command.option("--time", words->time,

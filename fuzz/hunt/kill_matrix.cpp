@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "fuzz/hunt/program_text.hpp"
+#include "fuzz/hunt/property_hunt.hpp"
 #include "oracle/campaign/campaign.hpp"
 #include "oracle/campaign/reading_tally.hpp"
 
@@ -89,12 +90,43 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
   return kill;
 }
 
+// The dialects of the expander in turn, until its answers contradict each other.
+Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
+  std::vector<std::unique_ptr<PropertyHunt>> hunts;
+  for (const std::string& dialect : target.dialects) {
+    PropertyOptions hunt;
+    hunt.dialect = dialect;
+    hunt.seed = options.seed;
+    hunt.blind = options.blind;
+    hunts.push_back(std::make_unique<PropertyHunt>(target.make, std::move(hunt)));
+  }
+  const bool has_fault = !target.clause.empty();
+  const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs * hunts.size();
+  const Stopwatch watch;
+  Kill kill;
+  while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
+    PropertyHunt& hunt = *hunts[kill.executions++ % hunts.size()];
+    std::optional<PropertyFinding> finding = hunt.step();
+    if (!finding) continue;
+    kill.killed = true;
+    kill.seconds = watch.seconds();
+    hunt.reduce(*finding, {});
+    kill.blocks = count_blocks(finding->program.text);
+    kill.how = finding->signature();
+    return kill;
+  }
+  kill.seconds = watch.seconds();
+  return kill;
+}
+
 }  // namespace
 
 std::string_view name(Method method) {
   switch (method) {
     case Method::corpus:
       return "corpus";
+    case Method::properties:
+      return "properties";
     case Method::hunt:
       return "hunt";
     case Method::fuzz:
@@ -104,7 +136,7 @@ std::string_view name(Method method) {
 }
 
 std::optional<Method> method_named(std::string_view text) {
-  for (const Method method : {Method::corpus, Method::hunt, Method::fuzz}) {
+  for (const Method method : kMethods) {
     if (name(method) == text) return method;
   }
   return std::nullopt;
@@ -113,9 +145,13 @@ std::optional<Method> method_named(std::string_view text) {
 MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options) {
   MatrixRow row{target.name, target.clause, {}};
   for (const Method method : options.methods) {
-    row.kills[method] = method == Method::corpus
-                            ? run_corpus(target, options)
-                            : run_hunts(target, options, method == Method::hunt);
+    if (method == Method::corpus) {
+      row.kills[method] = run_corpus(target, options);
+    } else if (method == Method::properties) {
+      row.kills[method] = run_properties(target, options);
+    } else {
+      row.kills[method] = run_hunts(target, options, method == Method::hunt);
+    }
   }
   return row;
 }

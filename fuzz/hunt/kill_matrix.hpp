@@ -12,10 +12,13 @@
 namespace gonogo::fuzz {
 
 enum class Method {
-  corpus,  // the vectors, in their order
-  hunt,    // led by the reference's coverage
-  fuzz,    // generated programs only
+  corpus,      // the vectors, in their order
+  properties,  // the subject's answers to related programs, without the reference
+  hunt,        // led by the reference's coverage
+  fuzz,        // generated programs only
 };
+inline constexpr Method kMethods[] = {Method::corpus, Method::properties, Method::hunt,
+                                      Method::fuzz};
 std::string_view name(Method method);
 std::optional<Method> method_named(std::string_view name);
 

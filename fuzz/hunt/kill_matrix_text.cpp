@@ -42,7 +42,8 @@ std::vector<std::string> complaints(const std::vector<MatrixRow>& rows,
       const bool has_fault = !row.clause.empty();
       faults += has_fault ? 1 : 0;
       killed += has_fault && kill.killed ? 1 : 0;
-      if (has_fault && !kill.killed) {
+      // Properties are not meant to find what is wrong everywhere in the same way.
+      if (has_fault && !kill.killed && method != Method::properties) {
         sentences.push_back(fmt::format("{} does not find {}.", name(method), row.target));
       } else if (!has_fault && kill.killed) {
         sentences.push_back(fmt::format("{} is NO-GO by {}, and has no fault: {}.", row.target,
@@ -117,6 +118,10 @@ std::string matrix_markdown(const std::vector<MatrixRow>& rows,
       "Written by\n`gonogo faults --matrix --format markdown`; seconds are of processor time on "
       "one core.\n\n"
       "- corpus: cases of the checked-in corpus until the first that is NO-GO\n"
+      "- properties: programs of `gonogo hunt --method properties`, each with those related to it, "
+      "until "
+      "two answers\n  contradict each other; a fault that is wrong in the same way everywhere "
+      "contradicts nothing\n"
       "- hunt: programs of `gonogo hunt` until the first finding, and its blocks when reduced\n"
       "- fuzz: the same with generated programs only, without coverage and mutation\n\n";
   for (const Method method : methods) {

@@ -46,7 +46,7 @@ class Reducer {
  public:
   Reducer(Exhibit exhibit, const StillShows& shows, const ReduceLimits& limits)
       : best_(std::move(exhibit)),
-        has_right_path_(has_right_path(best_.program)),
+        has_right_path_(limits.needs_right_path && has_right_path(best_.program)),
         shows_(shows),
         limits_(limits),
         deadline_(Clock::now() + limits.time) {}
@@ -202,7 +202,7 @@ class Reducer {
   }
 
   Exhibit best_;
-  bool has_right_path_;
+  bool has_right_path_;  // and has to keep it
   const StillShows& shows_;
   const ReduceLimits& limits_;
   Clock::time_point deadline_;

@@ -17,6 +17,8 @@ using StillShows = std::function<bool(const Exhibit&)>;
 struct ReduceLimits {
   std::size_t runs = 2'000;
   std::chrono::milliseconds time{30'000};
+  // What no path is right for shows nothing of a subject that is held against the reference.
+  bool needs_right_path = true;
 };
 
 struct Reduced {

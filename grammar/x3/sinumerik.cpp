@@ -121,7 +121,7 @@ constexpr auto named_address =
 
 // RPL45 is left to a reading of the 802S.
 constexpr auto rotation =
-    RotationAddress<kRotations>{} >> blanks >> -(Equals{} >> value | Leaf<read_constant>{} >> -exponent);
+    NamedAddress<kRotations>{} >> blanks >> -(Equals{} >> value | Leaf<read_constant>{} >> -exponent);
 
 constexpr auto control = outside<kControl>[NameOf<kControlWords>{} >> rest];
 

@@ -53,6 +53,10 @@ struct Silent : spirit::parser<Self> {
   static constexpr bool has_attribute = false;
 };
 
+inline bool is_digit(char byte) {
+  return kDigit.contains(byte);
+}
+
 // The bytes of the name at `first`: two letters and what follows; empty when there is none.
 inline std::string_view name_at(Iterator first, Iterator last) {
   if (last - first < 2 || !kNameStart.contains(first[0]) || !kNameStart.contains(first[1])) {
@@ -77,14 +81,15 @@ std::size_t place_of(std::string_view written, const std::array<std::string_view
   return place;
 }
 
-// One of the addresses of several letters, of which a digit is not a part: CR5.
+// One of the addresses of several letters, with nothing but digits behind it: CR5, RPL45. CR5X is a
+// name of its own, since a name goes on as far as it can.
 template <std::size_t size>
 std::string_view address_at(std::string_view name,
                             const std::array<std::string_view, size>& addresses) {
-  std::size_t letters = 0;
-  while (letters < name.size() && !kDigit.contains(name[letters])) ++letters;
-  name = name.substr(0, letters);
-  return place_of(name, addresses) < size ? name : std::string_view{};
+  const auto digits = std::find_if(name.begin(), name.end(), is_digit);
+  if (!std::all_of(digits, name.end(), is_digit)) return {};
+  const std::string_view address(name.begin(), digits);
+  return place_of(address, addresses) < size ? address : std::string_view{};
 }
 
 inline void set_name(std::string_view written, NamedWord& word) {
@@ -112,25 +117,6 @@ struct NamedAddress : Silent<NamedAddress<addresses>> {
              Attribute&) const {
     const std::string_view name = address_at(name_at(first, last), addresses);
     if (name.empty()) return false;
-    set_name(name, current(context));
-    first += name.size();
-    return true;
-  }
-};
-
-// The name of a word: an address that digits may follow at once, RPL45, but no other name: RPL45G.
-template <const auto& addresses>
-struct RotationAddress : Silent<RotationAddress<addresses>> {
-  template <typename Context, typename RuleContext, typename Attribute>
-  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&,
-             Attribute&) const {
-    const std::string_view whole = name_at(first, last);
-    const std::string_view name = address_at(whole, addresses);
-    if (name.empty()) return false;
-    const std::string_view behind = whole.substr(name.size());
-    if (!std::all_of(behind.begin(), behind.end(), [](char c) { return kDigit.contains(c); })) {
-      return false;
-    }
     set_name(name, current(context));
     first += name.size();
     return true;

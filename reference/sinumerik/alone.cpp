@@ -46,6 +46,25 @@ void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own)
   }
 }
 
+// SIE-FRM-04: a frame stands alone among the codes that hold once, too. Where none of them is one,
+// or all are, the second is one too many of its group and no more (SIE-MOD-05).
+void refuse_beside_frame(BlockContext& block) {
+  constexpr ClauseId kFrame = "SIE-FRM-04"_clause;
+  const grammar::Block& text = block.words.block();
+  const auto code_of = [&](const grammar::NamedWord& word) { return once_code_of(text, word); };
+  std::optional<int> frame;
+  for (const grammar::NamedWord& word : text.named) {
+    const std::optional<int> code = code_of(word);
+    if (code && alone_by(*code) == kFrame) frame = code;
+  }
+  if (!frame) return;
+  for (const grammar::NamedWord& word : text.named) {
+    const std::optional<int> code = code_of(word);
+    if (!code || alone_by(*code) == kFrame) continue;
+    refuse_beside(block, word, kFrame, fmt::format("G{}", *frame));
+  }
+}
+
 // SIE-LC82-03
 bool cycle_stands_alone(BlockContext& block) {
   bool alone = true;

@@ -176,6 +176,13 @@ void read_name(Control control, const grammar::NamedWord& word, CodeReading& rea
 
 }  // namespace
 
+std::optional<int> once_code_of(const grammar::Block& block, const grammar::NamedWord& word) {
+  if (address_of(word) != Address::g) return std::nullopt;
+  const Code* const code = kTable.find(block.terms[word.first_term].number);
+  if (code == nullptr || code->group != Group::once) return std::nullopt;
+  return code->tenths / 10;
+}
+
 Cycle cycle_of(const grammar::NamedWord& word) {
   if (word.terms != 0 || word.is_call) return Cycle::none;
   if (word.name == "LCYC75") return Cycle::lcyc75;

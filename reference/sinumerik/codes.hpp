@@ -69,6 +69,8 @@ void read_codes(Control control, const grammar::Block& block, CodeReading& readi
 
 // The codes and names that the gauge does not read, and those that it passes over.
 std::span<const OutsideCode> outside_codes();
+// The number of a G code that holds once: a dwell, a pole, a frame. Nothing for other words.
+std::optional<int> once_code_of(const grammar::Block& block, const grammar::NamedWord& word);
 // A name that calls a cycle; `none` for others.
 Cycle cycle_of(const grammar::NamedWord& word);
 std::span<const std::string_view> codes_without_effect();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "reference/range.hpp"
 #include "reference/sinumerik/cycle.hpp"
 #include "reference/sinumerik/machine.hpp"
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr ClauseId kCommon = "SIE-COM-01"_clause;
 constexpr std::int64_t kLastM = 99;
+// SIE-LC82-01, SIE-LC75-01
+constexpr std::uint64_t kFirstCycleParameter = 101;
+constexpr std::uint64_t kLastCycleParameter = 127;
 
 class Interpreter : public BlockInterpreter {
  public:
@@ -132,6 +136,11 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
   if (m >= 3 && m <= 5) machine_.spindle = m;
 }
 
+// Lengths, angles, feeds and speeds; tools and turns are numbers.
+bool is_measured(Address address) {
+  return address != Address::t && address != Address::d && address != Address::turn;
+}
+
 // SIE-PAR-01: from left to right, each assignment at once. SIE-COM-01: no address twice. Whether
 // all words have values.
 bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
@@ -168,6 +177,7 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
     } else if (*address == Address::m) {
       take_m(line, word, *value, out);
     } else {
+      if (is_measured(*address) && is_beyond_range(*value)) out.beyond_range = word.where;
       words.take(*address, word, *std::move(value));
     }
   }
@@ -250,7 +260,8 @@ void Interpreter::run_motion(BlockContext& block) {
 }
 
 void Interpreter::run_once(BlockContext& block) {
-  if (block.codes.several_once) return;  // which of them is meant is not known
+  // Which of them is meant is not known.
+  if (block.codes.several_once) return refuse_beside_frame(block);
   const PlaneAxes axes = block.plane_axes();
   switch (block.codes.once) {
     case 4:
@@ -270,6 +281,9 @@ void Interpreter::run_once(BlockContext& block) {
 
 void Interpreter::run_cycle(BlockContext& block) {
   if (!cycle_stands_alone(block)) return;  // no call, whose parameters could be wrong
+  for (std::uint64_t number = kFirstCycleParameter; number <= kLastCycleParameter; ++number) {
+    if (is_beyond_range(calculator_.parameter(number))) block.out.beyond_range.emplace();
+  }
   const CycleCall call{block, calculator_, open_paths_};
   block.codes.cycle == Cycle::lcyc82 ? run_lcyc82(call) : run_lcyc75(call);
 }

@@ -94,8 +94,10 @@ struct ArcPath {
 };
 
 // In alone.cpp. An alarm for each word beside the code of the block that holds once, but for words
-// of its own. Whether the call of a cycle stands alone; the same alarms.
+// of its own; where the block has several such codes, for each that stands beside a frame. Whether
+// the call of a cycle stands alone; the same alarms.
 void refuse_all_but(BlockContext& block, std::initializer_list<Address> its_own);
+void refuse_beside_frame(BlockContext& block);
 bool cycle_stands_alone(BlockContext& block);
 
 // In basic_motion.cpp.

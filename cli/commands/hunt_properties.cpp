@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo hunt --method properties: a subject's answers to related programs, held against each
+// other. The reference is not asked.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "cli/exit_code.hpp"
+#include "cli/hunt_words.hpp"
+#include "cli/output.hpp"
+#include "fuzz/differential.hpp"
+#include "fuzz/hunt/property_hunt.hpp"
+#include "oracle/subjects/text.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fuzz::PropertyOptions property_options(const HuntWords& words) {
+  const fuzz::TrialOptions trial = trial_options(words.trial);
+  const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
+  fuzz::PropertyOptions options;
+  options.dialect = profile.dialect;
+  options.seed = static_cast<std::uint64_t>(words.seed);
+  if (!words.profile.empty()) options.profile = profile;
+  options.readings = readings_of(words);
+  options.tolerance = trial.tolerance;
+  options.run_limit = trial.run_limit;
+  return options;
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  if (!file) {
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("{} cannot be written", path.string()));
+  }
+}
+
+std::string listed(const std::string& program) {
+  std::string text;
+  std::size_t begin = 0;
+  while (begin < program.size()) {
+    const std::size_t end = std::min(program.find('\n', begin), program.size());
+    text += "    " + oracle::readable(program.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
+  return text;
+}
+
+std::string text_of(const fuzz::PropertyFinding& finding) {
+  const fuzz::Difference& difference = finding.difference;
+  std::string text = fmt::format("  {}\n", finding.relation->sentence);
+  if (difference.block != 0) text += fmt::format("  line       {}\n", difference.block);
+  if (difference.record != 0) text += fmt::format("  record     {}\n", difference.record);
+  auto put = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
+  };
+  put("want", difference.want);
+  put("got", difference.got);
+  put("profile", reference::profile_json(finding.program.profile));
+  text += "  program:\n" + listed(finding.program.text);
+  put("profile", reference::profile_json(finding.other.profile));
+  text += "  the other program:\n" + listed(finding.other.text);
+  if (!finding.is_reduced) text += "  It may not be the smallest.\n";
+  return text;
+}
+
+// The two programs and what differs, below --out.
+void keep(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {
+  if (words.trial.out.empty()) return;
+  const fs::path folder = fs::path(words.trial.out) / "findings" /
+                          fmt::format("properties.{}.{:06}-{}", finding.program.profile.dialect,
+                                      number, finding.relation->name);
+  fs::create_directories(folder);
+  write_file(folder / "program.nc", finding.program.text);
+  write_file(folder / "profile.json", fuzz::profile_text(finding.program.profile));
+  write_file(folder / "other.nc", finding.other.text);
+  write_file(folder / "other-profile.json", fuzz::profile_text(finding.other.profile));
+  write_file(folder / "difference.txt", finding.signature() + "\n" + text_of(finding));
+}
+
+void report(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {
+  Output output;
+  output.text() = fmt::format("{}. {}\n{}", number, finding.signature(), text_of(finding));
+  output.text() += fmt::format(
+      "  again: gonogo hunt --method properties --subject {} --dialect {} --seed {} --programs "
+      "{}\n\n",
+      oracle::shell_quoted(words.trial.subject), words.dialect, words.seed, finding.number);
+  output.flush();
+}
+
+}  // namespace
+
+int hunt_properties(const HuntWords& words) {
+  fuzz::PropertyOptions options = property_options(words);
+  HuntWords named = words;
+  named.dialect = options.dialect;
+  const HuntEnd end(words);
+  fuzz::PropertyHunt hunt(trial_subject(words.trial), std::move(options));
+  check_dialect(hunt.info(), named.dialect);
+  std::size_t findings = 0;
+  bool complete = true;
+  try {
+    while (!end.reached(hunt.count().programs, findings)) {
+      std::optional<fuzz::PropertyFinding> finding = hunt.step();
+      if (!finding) continue;
+      hunt.reduce(*finding, {});
+      keep(named, ++findings, *finding);
+      report(named, findings, *finding);
+    }
+  } catch (const oracle::SubjectUnusable& error) {
+    complete = false;
+    fmt::print(stderr, "gonogo: {}\n", error.what());
+  }
+  const fuzz::PropertyCount& count = hunt.count();
+  Output output;
+  output.text() = fmt::format(
+      "{}, {}: {} programs from seed {}, {} pairs compared, {} without an answer, {} pairs differ; "
+      "{} findings{}\n",
+      words.trial.subject, named.dialect, count.programs, words.seed, count.pairs, count.skipped,
+      count.different, findings, complete ? "" : "; the hunt is incomplete");
+  output.flush();
+  if (findings > 0) return kNoGo;
+  return complete && count.pairs > 0 ? kGo : kUndecided;
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/hunt_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace gonogo::cli {
+
+std::chrono::milliseconds time_of(const std::string& text) {
+  long count = 0;
+  char unit = 's';
+  char rest = 0;
+  const int fields = std::sscanf(text.c_str(), "%9ld%c%c", &count, &unit, &rest);
+  const long seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
+  if (fields < 1 || fields > 2 || count < 1 || seconds == 0) {
+    throw UsageError(fmt::format("--time {} is no time. Write seconds, or 90s, 10m, 2h.", text));
+  }
+  return std::chrono::seconds(count * seconds);
+}
+
+std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words) {
+  std::vector<std::pair<reference::ReadingKey, std::string>> readings;
+  for (const std::string& choice : words.readings) {
+    const std::size_t equals = choice.find('=');
+    const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
+    readings.emplace_back(reading->key, choice.substr(equals + 1));
+  }
+  return readings;
+}
+
+HuntEnd::HuntEnd(const HuntWords& words)
+    : programs(static_cast<std::size_t>(words.programs)),
+      findings(static_cast<std::size_t>(words.stop_after)) {
+  if (!words.time.empty()) time = time_of(words.time);
+  if (words.time.empty() && programs == 0) time = std::chrono::seconds(60);
+}
+
+bool HuntEnd::reached(std::size_t tried, std::size_t found) const {
+  return (programs != 0 && tried >= programs) || (findings != 0 && found >= findings) ||
+         (time.count() != 0 && Clock::now() - begin >= time);
+}
+
+double HuntEnd::seconds_left(std::size_t tried) const {
+  const std::chrono::duration<double> spent = Clock::now() - begin;
+  double left = std::numeric_limits<double>::max();
+  if (time.count() != 0) left = std::chrono::duration<double>(time).count() - spent.count();
+  if (programs != 0 && tried != 0) {
+    const double each = spent.count() / static_cast<double>(tried);
+    left = std::min(left, each * static_cast<double>(programs - std::min(programs, tried)));
+  }
+  return std::max(0.0, left);
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the two ways to hunt have in common: their words, and when they are over.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/trial_options.hpp"
+
+namespace gonogo::cli {
+
+struct HuntWords {
+  TrialWords trial;
+  std::string dialect;
+  std::string method = "reference";
+  std::string profile;
+  std::vector<std::string> readings;
+  std::string time;
+  long seed = 1;
+  long programs = 0;    // 0: no limit
+  long stop_after = 0;  // findings; 0: no limit
+};
+
+// "90", "90s", "10m", "2h". Throws UsageError.
+std::chrono::milliseconds time_of(const std::string& text);
+
+// REQUIRES: load_profile has taken them.
+std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words);
+
+// When a hunt is over, and how far it is.
+struct HuntEnd {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin = Clock::now();
+  std::chrono::milliseconds time{0};  // 0: no limit
+  std::size_t programs = 0;           // 0: no limit
+  std::size_t findings = 0;           // 0: no limit
+
+  explicit HuntEnd(const HuntWords& words);
+  bool reached(std::size_t tried, std::size_t found) const;
+  double seconds_left(std::size_t tried) const;
+};
+
+// gonogo hunt --method properties
+int hunt_properties(const HuntWords& words);
+
+}  // namespace gonogo::cli
