@@ -104,7 +104,7 @@ Verdict judge_samples(const SampledCase& test, const std::string& csv) {
   RunEnd end = check_samples(file.path(), sampled);
   if (end.alarm.block > test.header_lines) end.alarm.block -= test.header_lines;
   end.sampled = std::make_shared<const CapturedSamples>(file.path(), sampled);
-  return judge_outcome(profile, test.program, terms, {}, end).verdict;
+  return judge_outcome(profile, test.program, terms, std::span<const Record>(), end).verdict;
 }
 
 TemporaryFile::TemporaryFile(std::string_view text) {
