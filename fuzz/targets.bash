@@ -35,13 +35,17 @@ write_dictionary() {
 }
 
 # engine_options TARGET BUILD FOLDER: libFuzzer's options of the target, one a line; its dictionary is
-# written into FOLDER. Its entropic schedule goes over all rare features at each execution, which
-# takes longer than a short program.
+# written into FOLDER. Where an input is decisions, it is long from the beginning (a program of four bytes is
+# a head alone), and the entropic schedule is off, which goes over all rare features at each execution
+# and takes longer than a short program.
 engine_options() {
   local dialect
-  printf '%s\n' "-max_len=$(target_most_bytes "$1" "$2")" -entropic=0
+  printf '%s\n' "-max_len=$(target_most_bytes "$1" "$2")"
   dialect=$(target_dialect "$1" "$2")
-  [ -n "$dialect" ] || return 0
+  if [ -z "$dialect" ]; then
+    printf '%s\n' -len_control=0 -entropic=0
+    return
+  fi
   mkdir -p "$3"
   write_dictionary "$dialect" "$3/$1.dict"
   printf '%s\n' "-dict=$3/$1.dict"

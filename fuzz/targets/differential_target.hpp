@@ -40,8 +40,8 @@ inline void keep(const reference::Profile& profile, std::string_view program) {
   std::ofstream(folder + std::string("/profile.json")) << profile_text(profile);
 }
 
-// Environment GONOGO_FUZZ_ALONE=1: the expander runs, and nobody judges it; for fuzz/rate, which
-// compares the two.
+// Environment GONOGO_FUZZ_ALONE=1: the expander runs, and nobody judges it; for
+// tests/bench/fuzz_rate, which compares the two.
 inline bool runs_alone() {
   static const bool kAlone = std::getenv("GONOGO_FUZZ_ALONE") != nullptr;
   return kAlone;
