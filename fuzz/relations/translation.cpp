@@ -105,6 +105,11 @@ bool is_axis(std::size_t axis) {
   return axis != std::string_view::npos;
 }
 
+// A block that the machine passes over unread.
+bool is_left_out(const TextLine& line, const Profile& profile) {
+  return profile.block_skip && !line.words.empty() && line.words.front().text.front() == '/';
+}
+
 // The modes that say what a number means, as the codes of the lines set them.
 struct Modes {
   bool inch = false;
@@ -135,6 +140,7 @@ std::optional<Related> translated_ngc(const GeneratedProgram& program) {
   if (has_split_words(lines)) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G20", "G21");
     for (TextWord& word : line.words) {
       const std::string address = address_of(word);
@@ -162,6 +168,7 @@ std::optional<Related> translated_gsk(const GeneratedProgram& program) {
   }
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G20", "G21");
     if (holds(line, "G4")) continue;  // its X is a time
     for (TextWord& word : line.words) {
@@ -237,6 +244,7 @@ std::optional<Related> translated_840d(const GeneratedProgram& program) {
   if (has_split_words(lines) || holds_any(lines, {"G110", "G111", "G112"})) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G70", "G71");
     for (TextWord& word : line.words) {
       const std::string address = address_of(word);

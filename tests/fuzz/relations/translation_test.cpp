@@ -66,6 +66,14 @@ TEST(Translation, MovesTheMachine) {
             Number::millionths(25'400'000));
 }
 
+// Modes of a block that is passed over do not hold.
+TEST(Translation, LeavesOutWhatTheMachineLeavesOut) {
+  GeneratedProgram program = program_of("rs274", "/ G91 X1\nG0 X1\n");
+  EXPECT_EQ(translated(program)->program.text, "/ G91 X1\nG0 X1\n");
+  program.profile.block_skip = true;
+  EXPECT_EQ(translated(program)->program.text, "/ G91 X1\nG0 X26.4\n");
+}
+
 TEST(Translation, LeavesWordsWithoutRoomAlone) {
   EXPECT_EQ(moved("gsk988ta", "G00 X9001\n"), "none");
   EXPECT_EQ(moved("rs274", "G0 X1234567890123456789\n"), "none");
