@@ -94,8 +94,12 @@ bool has_bare_g(const std::vector<TextLine>& lines) {
   return has_word(lines, [](const std::string& text) { return text == "G" || text == "g"; });
 }
 bool has_split_words(const std::vector<TextLine>& lines) {
-  return has_bare_g(lines) ||
-         has_word(lines, [](const std::string& text) { return text.starts_with("="); });
+  return has_bare_g(lines) || has_word(lines, [](const std::string& text) {
+           const bool goes_on =
+               std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
+           return text.starts_with("=") ||
+                  (goes_on && text != "/");  // a block that may be left out
+         });
 }
 
 std::size_t axis_of(const std::string& address) {
