@@ -114,9 +114,11 @@ NotCovered m_function_outside(std::int64_t number, std::string_view title,
 
 std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
                                       ClauseId clause, BlockOutput& out) {
-  const std::optional<std::int64_t> number = to_number(word.value).to_int64();
+  const Number value = to_number(word.value);
+  const std::optional<std::int64_t> number = value.to_int64();  // nothing: not whole, or too large
   if (!number || *number < 0 || *number > 9999) {
-    out.alarms.push_back({number ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
+    const bool is_whole = value == value.floor();
+    out.alarms.push_back({is_whole ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
                           clause, 'M', word.where,
                           "An M function is a whole number from 0 to 9999."});
     return std::nullopt;

@@ -93,24 +93,31 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
 // The dialects of the expander in turn, until its answers contradict each other.
 Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
   std::vector<std::unique_ptr<PropertyHunt>> hunts;
+  PropertyOptions hunt;
+  hunt.seed = options.seed;
   for (const std::string& dialect : target.dialects) {
-    PropertyOptions hunt;
     hunt.dialect = dialect;
-    hunt.seed = options.seed;
     hunt.blind = options.blind;
-    hunts.push_back(std::make_unique<PropertyHunt>(target.make, std::move(hunt)));
+    hunts.push_back(std::make_unique<PropertyHunt>(target.make, hunt));
   }
+  hunt.blind = false;
+  PropertyHunt control(target.control, hunt);
   const bool has_fault = !target.clause.empty();
   const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs * hunts.size();
   const Stopwatch watch;
   Kill kill;
   while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
-    PropertyHunt& hunt = *hunts[kill.executions++ % hunts.size()];
-    std::optional<PropertyFinding> finding = hunt.step();
+    PropertyHunt& one = *hunts[kill.executions++ % hunts.size()];
+    std::optional<PropertyFinding> finding = one.step();
     if (!finding) continue;
+    // What the expander without the fault shows too is not of the fault.
+    const StillShows is_of_the_fault = [&](const Exhibit& exhibit) {
+      return !has_fault || !control.differs(exhibit.program, *finding->relation, finding->variant);
+    };
+    if (!is_of_the_fault({{}, finding->program})) continue;
     kill.killed = true;
     kill.seconds = watch.seconds();
-    hunt.reduce(*finding, {});
+    one.reduce(*finding, {}, is_of_the_fault);
     kill.blocks = count_blocks(finding->program.text);
     kill.how = finding->signature();
     return kill;

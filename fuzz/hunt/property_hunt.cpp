@@ -153,6 +153,13 @@ std::optional<PropertyFinding> PropertyHunt::step() {
   return found;
 }
 
+bool PropertyHunt::differs(const GeneratedProgram& program, const Relation& relation,
+                           std::size_t variant) {
+  if (variant >= relation.variants(program)) return false;
+  const Trace trace = run(program);
+  return trace.answered() && compare(relation, variant, program, trace);
+}
+
 void PropertyHunt::reduce(PropertyFinding& finding, ReduceLimits limits, const StillShows& also) {
   limits.needs_right_path = false;
   std::optional<PropertyFinding> last;

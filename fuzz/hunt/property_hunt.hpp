@@ -56,6 +56,9 @@ class PropertyHunt {
   // Makes both programs small, with the same signature. What `also` is given holds of the result.
   void reduce(PropertyFinding& finding, ReduceLimits limits, const StillShows& also = nullptr);
 
+  // Whether the subject does not answer the program and its relation alike.
+  bool differs(const GeneratedProgram& program, const Relation& relation, std::size_t variant);
+
   const PropertyCount& count() const { return count_; }
   const oracle::SubjectInfo& info() const { return subject_->info(); }
 

@@ -62,10 +62,15 @@ ReadingFound Identifier::length_found(ReadingKey key) const {
   const bool ran = std::ranges::any_of(found_.runs, [&](const ProbeRun& run) {
     return run.probe->lengths.contains(key) && run.outcome.answered();
   });
-  return {key,
-          {std::string(base_.get(key)), "another length"},
-          ran ? "no length explains the programs that show it"
-              : "the subject answers no program that shows it"};
+  const LengthsLeft& left = lengths_left_.at(key);
+  std::vector<std::string> values = left.lengths;
+  std::string why = "the subject answers no program that shows it";
+  if (ran) why = "no length explains the programs that show it";
+  if (!values.empty()) why = "the programs that show it come out the same under each";
+  if (left.any_longer) why = "the programs that show it have room for no more than they show";
+  if (values.empty()) values.emplace_back(base_.get(key));
+  if (left.any_longer || !ran || left.lengths.empty()) values.emplace_back("another length");
+  return {key, std::move(values), std::move(why)};
 }
 
 std::vector<ReadingFound> Identifier::findings() const {

@@ -28,7 +28,15 @@ class Identifier {
 
   // Readings that are lengths, in lengths.cpp.
   void find_lengths();
-  bool explain_length(Item& item, ReadingKey key);
+  struct LengthsLeft {
+    std::vector<std::string> lengths;  // that explain all that was seen
+    bool any_longer = false;           // whatever is longer than these does, too
+    bool is_one() const { return lengths.size() == 1 && !any_longer; }
+  };
+  LengthsLeft narrow_length(ReadingKey key, std::vector<Item*>& asked);
+  std::vector<Item*> showing(ReadingKey key);
+  std::vector<std::string> lengths_shown(const Item& item, ReadingKey key) const;
+  bool explains(const Item& item, ReadingKey key, const std::string& length);
 
   // Readings told apart by paths and alarms, in identify.cpp.
   void find_choices();
@@ -77,6 +85,7 @@ class Identifier {
   reference::ReadingChoice base_;  // what has been found of lengths and properties
   std::set<ReadingKey> unknown_lengths_;
   std::set<ReadingKey> known_lengths_;
+  std::map<ReadingKey, LengthsLeft> lengths_left_;
   std::set<ReadingKey> seen_properties_;  // a program showed the path
   std::set<std::string> skipped_features_;
   bool paths_found_ = false;

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "oracle/judge/program_input.hpp"
+#include "fuzz/reference_run.hpp"
 
 namespace gonogo::identify {
-
-using reference::Item;
 
 std::string KeptOutcome::text() const {
   std::string text;
@@ -34,28 +32,14 @@ KeptOutcome run_subject(oracle::Subject& subject, std::string_view id, std::stri
 
 std::optional<KeptOutcome> run_reference(const Profile& profile, std::string_view program,
                                          std::size_t most) {
-  KeptOutcome outcome;
-  oracle::ProgramInput input(program);
-  reference::Expander expander(profile, input.lines, reference::OpenPaths::shown);
-  try {
-    while (const Item* item = expander.next()) {
-      if (auto* record = std::get_if<Record>(item)) {
-        outcome.records.push_back(*record);
-      } else if (auto* report = std::get_if<reference::AlarmReport>(item)) {
-        outcome.end.kind = oracle::RunEnd::Kind::alarm;
-        outcome.end.alarm.block = report->block;
-        outcome.end.alarm.alarm_class = name(report->alarms.front().alarm);
-        for (const reference::Alarm& alarm : report->alarms) {
-          outcome.alarms += fmt::format("{} {} ", report->block, name(alarm.alarm));
-        }
-      } else if (std::holds_alternative<reference::NotCovered>(*item)) {
-        outcome.not_covered = true;
-      }
-      if (outcome.records.size() > most) return std::nullopt;
-    }
-  } catch (const exact::Undecided&) {
-    return std::nullopt;
+  using Ending = fuzz::ReferenceRun::Ending;
+  fuzz::ReferenceRun run = fuzz::run_reference(profile, program, most);
+  if (run.ending == Ending::too_long || run.ending == Ending::undecided) return std::nullopt;
+  KeptOutcome outcome{std::move(run.records), std::move(run.end), {}, false};
+  for (const reference::Alarm& alarm : run.alarms) {
+    outcome.alarms += fmt::format("{} {} ", outcome.end.alarm.block, name(alarm.alarm));
   }
+  outcome.not_covered = run.ending == Ending::not_covered;
   return outcome;
 }
 

@@ -53,7 +53,8 @@ void PoolMaker::take(std::string id, std::string program, const Profile& profile
 void PoolMaker::keep(Probe probe) {
   std::string key = probe.by_reading.signature() + "|" + probe.by_property.signature();
   if (probe.named_paths) key += "|named";
-  for (const ReadingKey length : probe.lengths) key += fmt::format("|{}", index(length));
+  for (const ReadingKey length : probe.lengths)
+    key += fmt::format("|{}:{}", index(length), probe.by_length);
   std::vector<Probe>& equal = equal_[key];
   const auto place = std::ranges::upper_bound(equal, probe.program.size(), {},
                                               [](const Probe& one) { return one.program.size(); });

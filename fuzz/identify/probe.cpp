@@ -154,17 +154,37 @@ std::optional<Probe> with_named_paths(const Probe& probe) {
   return with;
 }
 
+namespace {
+
+// How many different outcomes the program has under the default, short, middling and endless
+// lengths.
+std::size_t outcomes_by_length(const Probe& probe, ReadingKey key) {
+  Profile profile = probe.profile;
+  std::set<std::string> texts;
+  for (const std::string_view length : {"", "0.125", "1", "3", "1000"}) {
+    if (!length.empty()) profile.readings.set(key, length);
+    const auto outcome = run_reference(profile, probe.program, kMostProbeRecords);
+    if (outcome) texts.insert(outcome->text());
+  }
+  return texts.size();
+}
+
+}  // namespace
+
 std::optional<Probe> make_probe(std::string id, std::string program, Profile profile) {
   const ReadingKinds kinds = reading_kinds(profile.dialect);
   profile.readings = ReadingChoice();
   const std::vector<ReadingKey> touched = oracle::touched_by(profile, program);
-  Probe probe{std::move(id), std::move(program), std::move(profile), {}, {}, {}, {}, false};
+  Probe probe{std::move(id), std::move(program), std::move(profile), {}, {}, {}, {}};
   if (touched.empty()) return std::nullopt;
   auto by_reading = Enumeration(probe.profile, probe.program, kinds.choices).run();
   if (!by_reading) return std::nullopt;
   probe.by_reading = std::move(*by_reading);
   for (const ReadingKey key : touched) {
-    if (std::ranges::find(kinds.lengths, key) != kinds.lengths.end()) probe.lengths.insert(key);
+    if (std::ranges::find(kinds.lengths, key) == kinds.lengths.end()) continue;
+    const std::size_t outcomes = outcomes_by_length(probe, key);
+    if (outcomes > 1) probe.lengths.insert(key);
+    probe.by_length = std::max(probe.by_length, outcomes);
   }
   const bool has_property = std::ranges::any_of(touched, [&](ReadingKey key) {
     return std::ranges::find(kinds.properties, key) != kinds.properties.end();

@@ -45,6 +45,7 @@ struct Probe {
   Outcomes by_reading;           // of the readings that are not judged by properties
   Outcomes by_property;          // of the others, under the defaults of the first
   std::set<ReadingKey> lengths;  // readings that are lengths and matter here
+  std::size_t by_length = 1;     // different outcomes under some lengths of them
   // `by_reading` is what comes out under named paths: of use once they have been found.
   bool named_paths = false;
 };

@@ -20,9 +20,10 @@ bool near(const Number& a, const Number& b, const Number& tolerance) {
   }
 }
 
-// The line of the other program; 0: not known, or not there.
+// The line of the other program; 0: not known, or not there. A line that the first program has not
+// stays what it is.
 std::uint64_t line_of(std::uint64_t block, const Related& related) {
-  return block == 0 || block > related.lines.size() ? 0 : related.lines[block - 1];
+  return block == 0 || block > related.lines.size() ? block : related.lines[block - 1];
 }
 
 // The record that the other program has to give for this one.

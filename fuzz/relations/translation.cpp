@@ -94,8 +94,12 @@ bool has_bare_g(const std::vector<TextLine>& lines) {
   return has_word(lines, [](const std::string& text) { return text == "G" || text == "g"; });
 }
 bool has_split_words(const std::vector<TextLine>& lines) {
-  return has_bare_g(lines) ||
-         has_word(lines, [](const std::string& text) { return text.starts_with("="); });
+  return has_bare_g(lines) || has_word(lines, [](const std::string& text) {
+           const bool goes_on =
+               std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
+           return text.starts_with("=") ||
+                  (goes_on && text != "/");  // a block that may be left out
+         });
 }
 
 std::size_t axis_of(const std::string& address) {
@@ -103,6 +107,11 @@ std::size_t axis_of(const std::string& address) {
 }
 bool is_axis(std::size_t axis) {
   return axis != std::string_view::npos;
+}
+
+// A block that the machine passes over unread.
+bool is_left_out(const TextLine& line, const Profile& profile) {
+  return profile.block_skip && !line.words.empty() && line.words.front().text.front() == '/';
 }
 
 // The modes that say what a number means, as the codes of the lines set them.
@@ -135,6 +144,7 @@ std::optional<Related> translated_ngc(const GeneratedProgram& program) {
   if (has_split_words(lines)) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G20", "G21");
     for (TextWord& word : line.words) {
       const std::string address = address_of(word);
@@ -162,6 +172,7 @@ std::optional<Related> translated_gsk(const GeneratedProgram& program) {
   }
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G20", "G21");
     if (holds(line, "G4")) continue;  // its X is a time
     for (TextWord& word : line.words) {
@@ -237,6 +248,7 @@ std::optional<Related> translated_840d(const GeneratedProgram& program) {
   if (has_split_words(lines) || holds_any(lines, {"G110", "G111", "G112"})) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
+    if (is_left_out(line, program.profile)) continue;
     modes.take(line, "G70", "G71");
     for (TextWord& word : line.words) {
       const std::string address = address_of(word);

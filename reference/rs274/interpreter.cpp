@@ -75,13 +75,14 @@ void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& ou
 // NGC-COM-01
 void take_m_function(const grammar::Word& word, std::uint64_t line, BlockOutput& out) {
   const ClauseId clause = "NGC-COM-01"_clause;
-  const std::optional<std::int64_t> number = to_number(word.value).to_int64();
-  if (!number) {
+  const Number value = to_number(word.value);
+  if (value != value.floor()) {
     out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
                           "The number of an M function is whole."});
     return;
   }
-  const MFunction function = m_function(*number);
+  const std::optional<std::int64_t> number = value.to_int64();  // nothing: too large
+  const MFunction function = number ? m_function(*number) : MFunction::undefined;
   if (function == MFunction::undefined) {
     out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
                           fmt::format("The control has no function {}.", text_of(word))});

@@ -71,6 +71,8 @@ TEST(Range, ValuesOfExpressionsHaveTheRangeAndRParametersHaveNot) {
 TEST(Range, CodesAndToolsAreNoLengths) {
   EXPECT_EQ(end_of("rs274", "G99999999"), "undefined-code@1");
   EXPECT_EQ(end_of("rs274", "T99999999 G0 X1"), "end");
+  EXPECT_EQ(end_of("rs274", "M600000000000000000000"),
+            "undefined-code@1");  // whole, not a fraction
 }
 
 }  // namespace

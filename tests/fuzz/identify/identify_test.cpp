@@ -77,6 +77,35 @@ TEST(Identify, WritesAProfileThatSaysWhatWasFound) {
   EXPECT_EQ(expected.readings.get(ReadingKey::hnc_modal_f), "forgotten");
 }
 
+// gsk.pocket.p-omitted is 0 by default, and 0 is all that the catalog names.
+TEST(Identify, FindsALengthThatTheCatalogDoesNotName) {
+  for (const std::string_view length : {"0.375", "1", "2.5"}) {
+    SecretSubject subject(std::make_unique<testing::ReferenceSubject>(),
+                          with({{ReadingKey::pocket_p_omitted, length}}));
+    const Identification found = identify_readings(subject, pool_of("gsk988ta"), {});
+    EXPECT_TRUE(found.contradiction.empty()) << length;
+    EXPECT_EQ(found_of(found, ReadingKey::pocket_p_omitted).values,
+              (std::vector<std::string>{std::string(length)}));
+  }
+}
+
+TEST(Identify, FindsTheLengthOfTheDefault) {
+  SecretSubject subject(builtin("gsk"), {});
+  const Identification found = identify_readings(subject, pool_of("gsk988ta"), {});
+  EXPECT_EQ(found_of(found, ReadingKey::pocket_p_omitted).values, (std::vector<std::string>{"0"}));
+}
+
+// A tool that goes down from the R plane each time: whatever is longer than the pocket is deep
+// explains it as well.
+TEST(Identify, SaysWhenALengthIsLongerThanThereIsRoomFor) {
+  SecretSubject subject(std::make_unique<testing::ReferenceSubject>(),
+                        with({{ReadingKey::pocket_p_omitted, "100000"}}));
+  const Identification found = identify_readings(subject, pool_of("gsk988ta"), {});
+  const ReadingFound& clearance = found_of(found, ReadingKey::pocket_p_omitted);
+  EXPECT_EQ(clearance.values.back(), "another length");
+  EXPECT_EQ(clearance.why, "the programs that show it have room for no more than they show");
+}
+
 TEST(Identify, WhatDepartsUnderEveryReadingFollowsNone) {
   const auto subject = builtin("hnc", "withdrawal-twice");
   const Identification found = identify_readings(*subject, pool_of("hnc21t"), {});

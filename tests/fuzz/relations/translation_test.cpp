@@ -59,11 +59,27 @@ TEST(Translation, MovesByOffsetsOrFramesWhereTheDialectHasThem) {
   EXPECT_EQ(related->shift[1], Number(0));  // a lathe has no Y
 }
 
+// What stands behind the blank belongs to the word.
+TEST(Translation, LeavesProgramsWithBlanksInTheirWordsAlone) {
+  EXPECT_EQ(moved("sinumerik840d", "G1 X= AC(1) F9\n"), "none");
+  EXPECT_EQ(moved("sinumerik840d", "G1 X=1 + 2 F9\n"), "none");
+  EXPECT_EQ(moved("rs274", "G 91 X1\n"), "none");
+}
+
 // The machine stands where the program begins.
 TEST(Translation, MovesTheMachine) {
   const auto related = translated(program_of("rs274", "G0 Y1\n"));
   EXPECT_EQ(related->program.profile.initial.at[reference::Axis::x],
             Number::millionths(25'400'000));
+}
+
+// Modes of a block that is passed over do not hold.
+TEST(Translation, LeavesOutWhatTheMachineLeavesOut) {
+  GeneratedProgram program = program_of("rs274", "/ G91 X1\nG0 X1\n");
+  ASSERT_TRUE(translated(program));
+  EXPECT_EQ(translated(program)->program.text, "/ G91 X1\nG0 X1\n");
+  program.profile.block_skip = true;
+  EXPECT_EQ(translated(program)->program.text, "/ G91 X1\nG0 X26.4\n");
 }
 
 TEST(Translation, LeavesWordsWithoutRoomAlone) {
