@@ -74,7 +74,8 @@ BorderFilter::Middle BorderFilter::middle_of(const BorderPiece& piece) const {
     const double dx = (line->b.x - line->a.x).middle();
     const double dy = (line->b.y - line->a.y).middle();
     const double length = std::sqrt(dx * dx + dy * dy);
-    return {line->a.x.middle() + dx / 2, line->a.y.middle() + dy / 2, dy / length, -dx / length,
+    const double unit = length > 0 ? length : 1;  // a line of no length has no side
+    return {line->a.x.middle() + dx / 2, line->a.y.middle() + dy / 2, dy / unit, -dx / unit,
             length};
   }
   const auto& arc = std::get<CirclePiece>(piece.curve);
