@@ -61,6 +61,9 @@ TEST(HncArc, ARadiusOfZeroIsAnAlarmOrNoMotion) {
   EXPECT_EQ(path("G02 X0 Z0 I0 K0 F100", none), Lines{});
   EXPECT_EQ(ending_of("G02 X0 Z5 I0 K0 F100"), "alarm b1 arc-radius arc-end-point");
   EXPECT_EQ(ending_of("G02 X0 Z5 I0 K0 F100", none), "alarm b1 arc-end-point");
+  Profile any_end = hnc();
+  any_end.parameters["3410"] = -1;
+  EXPECT_EQ(ending_of("G02 X0 Z5 I0 K0 F100", any_end), "alarm b1 arc-radius");
 }
 
 TEST(HncArc, MovesNothingWithoutWords) {
