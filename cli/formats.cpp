@@ -7,27 +7,16 @@
 #include <optional>
 
 #include "cli/svg_format.hpp"
+#include "oracle/manual/motion_text.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-using reference::Axis;
-using reference::kAllAxes;
+using oracle::manual::capital;
+using oracle::manual::point_text;
+using oracle::manual::shown_number;
 using reference::Record;
 using reference::RecordKind;
-
-// Decimals shown to people and to machines that read plain codes.
-constexpr int kShownDecimals = 6;
-
-std::string shown(const reference::Number& value) {
-  std::string text = value.is_rational() ? value.text() : std::string();
-  if (text.empty() || text.find('/') != std::string::npos) {
-    text = value.decimal_text(kShownDecimals);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
-}
 
 class JsonLines : public RecordFormat {
  public:
@@ -46,13 +35,7 @@ class JsonLines : public RecordFormat {
 };
 
 std::string end_point(const Record& record) {
-  std::string text;
-  for (Axis axis : kAllAxes) {
-    if (!record.axes.has(axis)) continue;
-    text += fmt::format("{}{}{}", text.empty() ? "" : " ",
-                        static_cast<char>(letter(axis) - 'a' + 'A'), shown(record.to[axis]));
-  }
-  return text;
+  return point_text(record.to, record.axes);
 }
 
 class Table : public RecordFormat {
@@ -68,15 +51,14 @@ class Table : public RecordFormat {
     std::string detail;
     if (record.kind == RecordKind::arc) {
       const reference::PlaneAxes axes = reference::axes_of(record.plane);
-      detail = fmt::format("{}{} {}{} {:+d}", static_cast<char>(letter(axes.p) - 'a' + 'A'),
-                           shown(record.centre[0]), static_cast<char>(letter(axes.q) - 'a' + 'A'),
-                           shown(record.centre[1]), record.rot);
+      detail = fmt::format("{}{} {}{} {:+d}", capital(axes.p), shown_number(record.centre[0]),
+                           capital(axes.q), shown_number(record.centre[1]), record.rot);
     }
-    if (record.kind == RecordKind::dwell) what = fmt::format("{} s", shown(record.seconds));
+    if (record.kind == RecordKind::dwell) what = fmt::format("{} s", shown_number(record.seconds));
     if (record.kind == RecordKind::m) what = fmt::format("M{}", record.m);
     std::string feed;
     if (record.kind == RecordKind::feed || record.kind == RecordKind::arc) {
-      feed = shown(record.feed);
+      feed = shown_number(record.feed);
       if (record.feed_mode == reference::FeedMode::per_revolution) feed += "/rev";
     }
     out += fmt::format("{:>6}  {:<6} {:<36} {:<30} {:<12} {}\n", line, name(record.kind), what,
@@ -108,14 +90,14 @@ class PlainCodes : public RecordFormat {
         out += fmt::format("G00 {}\n", end_point(record));
         break;
       case RecordKind::feed:
-        out +=
-            fmt::format("{}G01 {} F{}\n", feed_mode(record), end_point(record), shown(record.feed));
+        out += fmt::format("{}G01 {} F{}\n", feed_mode(record), end_point(record),
+                           shown_number(record.feed));
         break;
       case RecordKind::arc:
         arc(record, out);
         break;
       case RecordKind::dwell:
-        out += fmt::format("G04 P{}\n", shown(record.seconds));
+        out += fmt::format("G04 P{}\n", shown_number(record.seconds));
         break;
       case RecordKind::m:
         ended_ = ended_ || record.m == 2 || record.m == 30;
@@ -124,7 +106,7 @@ class PlainCodes : public RecordFormat {
       default:
         break;
     }
-    for (Axis axis : kAllAxes) {
+    for (reference::Axis axis : reference::kAllAxes) {
       if (record.axes.has(axis)) at_[axis] = record.to[axis];
     }
   }
@@ -152,9 +134,9 @@ class PlainCodes : public RecordFormat {
     if (plane_ != record.plane) out += fmt::format("G{}\n", plane_code(record.plane));
     plane_ = record.plane;
     out += fmt::format("{} {} {}{} {}{} F{}\n", record.rot < 0 ? "G02" : "G03", end_point(record),
-                       "IJK"[index(axes.p)], shown(record.centre[0] - at_[axes.p]),
-                       "IJK"[index(axes.q)], shown(record.centre[1] - at_[axes.q]),
-                       shown(record.feed));
+                       "IJK"[index(axes.p)], shown_number(record.centre[0] - at_[axes.p]),
+                       "IJK"[index(axes.q)], shown_number(record.centre[1] - at_[axes.q]),
+                       shown_number(record.feed));
   }
 
   reference::Position at_;

@@ -16,7 +16,26 @@ using reference::RecordKind;
 
 constexpr int kShownDecimals = 6;
 
-std::string shown(const reference::Number& value) {
+std::string feed_text(const Record& record) {
+  return fmt::format("{} {}", shown_number(record.feed),
+                     record.feed_mode == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min");
+}
+
+std::string arc_text(const Record& record) {
+  const reference::PlaneAxes axes = reference::axes_of(record.plane);
+  const int turns = std::abs(record.rot) - 1;
+  return fmt::format("{} arc (G{}) about {}{} {}{} to {}{}, {}",
+                     record.rot < 0 ? "clockwise" : "counterclockwise", plane_code(record.plane),
+                     capital(axes.p), shown_number(record.centre[0]), capital(axes.q),
+                     shown_number(record.centre[1]), point_text(record.to, record.axes),
+                     turns > 0 ? fmt::format(" after {} whole turn{}", turns, turns > 1 ? "s" : "")
+                               : std::string(),
+                     feed_text(record));
+}
+
+}  // namespace
+
+std::string shown_number(const reference::Number& value) {
   std::string text = value.is_rational() ? value.text() : std::string();
   if (text.empty() || text.find('/') != std::string::npos) {
     text = value.decimal_text(kShownDecimals);
@@ -30,36 +49,17 @@ char capital(Axis axis) {
   return static_cast<char>(letter(axis) - 'a' + 'A');
 }
 
-std::string point(const Position& at, const AxisSet& axes) {
+std::string point_text(const Position& at, const AxisSet& axes) {
   std::string text;
   for (Axis axis : reference::kAllAxes) {
     if (!axes.has(axis)) continue;
-    text += fmt::format("{}{}{}", text.empty() ? "" : " ", capital(axis), shown(at[axis]));
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", capital(axis), shown_number(at[axis]));
   }
   return text;
 }
 
-std::string feed_text(const Record& record) {
-  return fmt::format("{} {}", shown(record.feed),
-                     record.feed_mode == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min");
-}
-
-std::string arc_text(const Record& record) {
-  const reference::PlaneAxes axes = reference::axes_of(record.plane);
-  const int turns = std::abs(record.rot) - 1;
-  return fmt::format("{} arc (G{}) about {}{} {}{} to {}{}, {}",
-                     record.rot < 0 ? "clockwise" : "counterclockwise", plane_code(record.plane),
-                     capital(axes.p), shown(record.centre[0]), capital(axes.q),
-                     shown(record.centre[1]), point(record.to, record.axes),
-                     turns > 0 ? fmt::format(" after {} whole turn{}", turns, turns > 1 ? "s" : "")
-                               : std::string(),
-                     feed_text(record));
-}
-
-}  // namespace
-
 std::string motion_text(const Record& record) {
-  const std::string to = point(record.to, record.axes);
+  const std::string to = point_text(record.to, record.axes);
   switch (record.kind) {
     case RecordKind::rapid:
       return "rapid to " + to;
@@ -68,13 +68,13 @@ std::string motion_text(const Record& record) {
     case RecordKind::arc:
       return arc_text(record);
     case RecordKind::arc3:
-      return fmt::format("arc through {} to {}, {}", point(record.via, record.via_axes), to,
+      return fmt::format("arc through {} to {}, {}", point_text(record.via, record.via_axes), to,
                          feed_text(record));
     case RecordKind::thread:
-      return fmt::format("thread to {}, lead {} mm, start {} degrees", to, shown(record.lead),
-                         shown(record.start));
+      return fmt::format("thread to {}, lead {} mm, start {} degrees", to,
+                         shown_number(record.lead), shown_number(record.start));
     case RecordKind::dwell:
-      return fmt::format("dwell of {} s", shown(record.seconds));
+      return fmt::format("dwell of {} s", shown_number(record.seconds));
     case RecordKind::m:
       return fmt::format("M{}", record.m);
     case RecordKind::end:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A record in words.
+// Numbers, points and records as people read them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,13 @@
 
 namespace gonogo::oracle::manual {
 
-// "feed to X25 Z-30, 300 mm/min". Exact where a number is a short decimal, else six decimals.
+// Exact where a number is a short decimal, else six decimals.
+std::string shown_number(const reference::Number& value);
+// 'X'
+char capital(reference::Axis axis);
+// "X25 Z-30": the coordinates along `axes`.
+std::string point_text(const reference::Position& at, const reference::AxisSet& axes);
+// "feed to X25 Z-30, 300 mm/min", with shown_number.
 std::string motion_text(const reference::Record& record);
 
 }  // namespace gonogo::oracle::manual

@@ -114,13 +114,7 @@ Legend legend_of(const Figure& figure, double top) {
 }
 
 Extent extent_of(const Figure& figure) {
-  Extent extent;
-  for (const Path* path : {figure.path, figure.other}) {
-    if (path == nullptr) continue;
-    for (const Motion& motion : path->motions) {
-      for (const Point3& point : motion.points) extent.include(point);
-    }
-  }
+  Extent extent = extent_of_paths({figure.path, figure.other});
   for (const Limit& limit : figure.limits) {
     for (const Point3& point : limit.points) extent.include(point);
   }

@@ -35,13 +35,7 @@ void append_view(std::string& out, const View& view, const Sheet& sheet) {
 }
 
 Extent extent_of(const Sheet& sheet) {
-  Extent extent;
-  for (const Path* path : {sheet.reference, sheet.departing}) {
-    if (path == nullptr) continue;
-    for (const Motion& motion : path->motions) {
-      for (const Point3& point : motion.points) extent.include(point);
-    }
-  }
+  Extent extent = extent_of_paths({sheet.reference, sheet.departing});
   if (sheet.witness) extent.include(*sheet.witness);
   return extent;
 }

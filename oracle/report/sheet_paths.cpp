@@ -61,6 +61,17 @@ bool append_arrowhead(std::string& d, const View& view, const std::vector<Point3
 
 }  // namespace
 
+Extent extent_of_paths(std::initializer_list<const Path*> paths) {
+  Extent extent;
+  for (const Path* path : paths) {
+    if (path == nullptr) continue;
+    for (const Motion& motion : path->motions) {
+      for (const Point3& point : motion.points) extent.include(point);
+    }
+  }
+  return extent;
+}
+
 void append_path(std::string& out, const View& view, const Path& path, char owner) {
   Strand rapids;
   Strand feeds;

@@ -4,6 +4,7 @@
 // drawings.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "oracle/report/path.hpp"
@@ -11,6 +12,8 @@
 
 namespace gonogo::oracle::report {
 
+// Of all motions; a null path has none.
+Extent extent_of_paths(std::initializer_list<const Path*> paths);
 // `owner` is 'r' (drawn broad) or 's' (drawn fine, above it).
 void append_path(std::string& out, const View& view, const Path& path, char owner);
 void append_start(std::string& out, const View& view, const Path& path);
