@@ -28,13 +28,13 @@ PocketMillingJudge& ProgramJudge::pocket_judge(const PocketMilling& pocket) {
 }
 
 bool ProgramJudge::mills_pocket(const Motion& motion) {
-  auto* approach = std::get_if<Motion>(&reference_.current());
+  auto* approach = std::get_if<Motion>(&reference_.behind_m_functions());
   if (approach != nullptr && approach->record.clause == "SIE-LC75-04"_clause &&
       approach->record.block == motion.record.block) {
     flush_pending();
     if (verdict_) return false;
   }
-  auto* pocket = std::get_if<PocketMilling>(&reference_.current());
+  auto* pocket = std::get_if<PocketMilling>(&reference_.behind_m_functions());
   if (pocket == nullptr || (terms_.compare_blocks && motion.record.block != pocket->block)) {
     return false;
   }

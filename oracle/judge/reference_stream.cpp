@@ -85,13 +85,18 @@ void ReferenceStream::stand_at(const Position& position) {
   expander_.stand_at(position);
 }
 
+namespace {
+
+bool is_m_function(const ReferenceStep& step) {
+  const Record* record = std::get_if<Record>(&step);
+  return record != nullptr && record->kind == RecordKind::m;
+}
+
+}  // namespace
+
 // Until a step is ready that is no M function: those do not hold up the motions round them.
 void ReferenceStream::pull() {
-  auto is_m = [](const ReferenceStep& step) {
-    const Record* record = std::get_if<Record>(&step);
-    return record != nullptr && record->kind == RecordKind::m;
-  };
-  while (std::ranges::all_of(ready_, is_m)) {
+  while (std::ranges::all_of(ready_, is_m_function)) {
     const reference::Item* item = expander_.next();
     if (item == nullptr) return;
     ++items_;
@@ -102,6 +107,12 @@ void ReferenceStream::pull() {
 const ReferenceStep& ReferenceStream::current() {
   pull();
   return ready_.front();
+}
+
+const ReferenceStep& ReferenceStream::behind_m_functions() {
+  pull();
+  const auto step = std::ranges::find_if_not(ready_, is_m_function);
+  return step == ready_.end() ? ready_.front() : *step;
 }
 
 bool ReferenceStream::renaming_ahead() {

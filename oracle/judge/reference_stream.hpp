@@ -29,6 +29,8 @@ class ReferenceStream {
   // The current step: a motion, a dwell, an M function, a level, or the end (an `end` record, an
   // alarm, not covered), which stays.
   const ReferenceStep& current();
+  // The first step that is no M function, which do not hold up the motions round them.
+  const ReferenceStep& behind_m_functions();
   // Goes on to the next one.
   void advance();
   bool at_end();

@@ -55,6 +55,25 @@ void expect_go(const SmallPocket& pocket, ReadingsOf readings = {}) {
   }
 }
 
+// The tool stands above the centre, so that approach and plunge are one line down, and M3 waits in
+// front of it. Room: 5.998 less twice 1.999 is the tool.
+TEST(SmallPockets, PlungeOfTheToleranceIsSeenBehindAnMFunction) {
+  const std::string program =
+      "T1 S300 M3\nR101=-12.875 R102=0 R103=-12.895 R104=-12.896 R116=0 R117=0\n"
+      "R118=5.998 R119=5.998 R120=0 R121=1 R122=20 R123=20 R124=1.999 R125=0 R126=2 R127=1\n"
+      "LCYC75\nM2\n";
+  reference::Profile profile = profile_802s({});
+  profile.tools = {{"1", Number(1)}};
+  for (const bool blocks : {true, false}) {
+    const Verdict verdict = judge_records(program, shown(program, profile), {blocks, profile});
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+    // Without the plunge the pocket is not milled.
+    std::vector<Record> records = shown(program, profile);
+    std::erase_if(records, [](const Record& record) { return record.kind == RecordKind::feed; });
+    EXPECT_EQ(decision(judge_records(program, records, {blocks, profile}).kind), Decision::no_go);
+  }
+}
+
 // Two levels, -1.45 and -2.9, a square of half side 0.001 in each.
 TEST(SmallPockets, RoomOfTheToleranceIsGo) {
   expect_go({});
