@@ -19,10 +19,7 @@ bool is_blank(std::string_view line) {
 }
 
 oracle::RunEnd fault(std::string message) {
-  oracle::RunEnd end;
-  end.kind = oracle::RunEnd::Kind::protocol;
-  end.message = std::move(message);
-  return end;
+  return oracle::RunEnd::of(oracle::RunEnd::Kind::protocol, std::move(message));
 }
 
 // The records of a trace until `take` says false, and how it ends.

@@ -22,8 +22,7 @@ namespace gonogo::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace evidence = oracle::evidence;
-using Json = oracle::ResultsReader::Json;
+using Json = nlohmann::ordered_json;
 
 // A folder that is gone in the end.
 class ScratchFolder {
@@ -56,13 +55,13 @@ std::vector<std::string> texts(const Json& list) {
 }
 
 void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
-  if (const fs::path path = folder / evidence::kWaiversFile; fs::exists(path)) {
+  if (const fs::path path = folder / oracle::evidence::kWaiversFile; fs::exists(path)) {
     campaign.known_failures = load_known_failures(path.string());
   }
-  if (const fs::path path = folder / evidence::kAlarmMapFile; fs::exists(path)) {
+  if (const fs::path path = folder / oracle::evidence::kAlarmMapFile; fs::exists(path)) {
     campaign.alarm_map = load_alarm_map(path.string());
   }
-  if (const fs::path path = folder / evidence::kProfileFile; fs::exists(path)) {
+  if (const fs::path path = folder / oracle::evidence::kProfileFile; fs::exists(path)) {
     campaign.profile = load_profile({"", path.string(), {}});
   }
 }
@@ -89,15 +88,16 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<evidence::Check> run_again(const std::string& certificate,
-                                       const std::string& corpus_path, const std::string& subject) {
-  const std::string certified = (fs::path(certificate) / evidence::kResultsFile).string();
+std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
+                                               const std::string& corpus_path,
+                                               const std::string& subject) {
+  const std::string certified = (fs::path(certificate) / oracle::evidence::kResultsFile).string();
   Json header = oracle::ResultsReader(certified).header();
   const oracle::CampaignOptions campaign = options_of(header, certificate);
   const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_path);
   const ScratchFolder scratch;
-  const std::string path = (scratch.path() / evidence::kResultsFile).string();
+  const std::string path = (scratch.path() / oracle::evidence::kResultsFile).string();
   oracle::ResultsWriter results(path, header.dump());
   const oracle::CampaignEnd end = oracle::run_campaign(
       corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
@@ -109,7 +109,7 @@ std::vector<evidence::Check> run_again(const std::string& certificate,
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   oracle::ResultsFooter footer;
   results.close(ending, footer);
-  return evidence::same_cases(certified, path);
+  return oracle::evidence::same_cases(certified, path);
 }
 
 }  // namespace gonogo::cli

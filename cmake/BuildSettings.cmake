@@ -15,6 +15,11 @@ set(CMAKE_CXX_FLAGS_FUZZ "-O2 -gline-tables-only" CACHE STRING "Flags of the Fuz
 set(CMAKE_C_FLAGS_FUZZ "-O2 -gline-tables-only" CACHE STRING "Flags of the Fuzz build type" FORCE)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 
+# The headers of the standard library, of Boost and of CGAL cost far more than our own text. Names in
+# anonymous namespaces are therefore distinct within a target.
+set(CMAKE_UNITY_BUILD ${GONOGO_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)
   # Paths relative to the checkout, so that another clone of it finds what this one compiled.

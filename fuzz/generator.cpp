@@ -70,6 +70,10 @@ const Generator* find_generator(std::string_view expander, std::string_view dial
   return found == generators().end() ? nullptr : &*found;
 }
 
+const Generator& generator_of(std::string_view dialect) {
+  return *std::ranges::find(generators(), dialect, &Generator::dialect);
+}
+
 std::string choose_reading(Choices& choices, reference::Profile& profile) {
   std::vector<const reference::Reading*> own;
   for (const reference::Reading& reading : reference::readings()) {

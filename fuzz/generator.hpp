@@ -45,6 +45,9 @@ std::span<const Generator> generators();
 // none.
 const Generator* find_generator(std::string_view expander, std::string_view dialect = {});
 
+// By its dialect, which has to be one of them.
+const Generator& generator_of(std::string_view dialect);
+
 std::string_view name(ProgramKind kind);  // "near-invalid"
 
 // Sets one reading of the profile's dialect to an alternative that need not be the default.

@@ -9,7 +9,7 @@
 namespace gonogo::grammar {
 namespace {
 
-constexpr std::ptrdiff_t kMostDigits = 18;  // above them a Decimal has its digits as text
+constexpr std::ptrdiff_t kMostPlainDigits = 18;  // above them a Decimal has its digits as text
 
 // The line while it is read.
 struct Cursor {
@@ -40,7 +40,7 @@ struct Cursor {
       value.scale = static_cast<std::uint32_t>(places);
       digits += places;
     }
-    return digits > 0 && digits <= kMostDigits;
+    return digits > 0 && digits <= kMostPlainDigits;
   }
   std::uint32_t place(const char* byte) const { return static_cast<std::uint32_t>(byte - line); }
   Span from(const char* begin) const { return {place(begin), place(at)}; }
@@ -55,7 +55,7 @@ bool take_sequence_number(Cursor& cursor, Block& block) {
   ++cursor.at;
   cursor.skip_blanks();
   const std::ptrdiff_t digits = cursor.take_digits(block.sequence_number.emplace().magnitude);
-  return digits > 0 && digits <= kMostDigits;
+  return digits > 0 && digits <= kMostPlainDigits;
 }
 
 // ';' and the rest of the line, which is a comment where there is any.

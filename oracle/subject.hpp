@@ -72,6 +72,13 @@ struct RunEnd {
   bool given_up = false;  // nothing was run: the subject had failed too often in a row
   // Positions sampled from a machine in place of records, which have a judge of their own.
   std::shared_ptr<const SampledOutcome> sampled = nullptr;
+
+  static RunEnd of(Kind kind, std::string message) {
+    RunEnd end;
+    end.kind = kind;
+    end.message = std::move(message);
+    return end;
+  }
 };
 
 // Takes the records of a run as they come. Returning false stops the run.

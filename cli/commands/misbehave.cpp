@@ -22,8 +22,6 @@
 namespace gonogo::cli {
 namespace {
 
-using Json = nlohmann::json;
-
 void send(const std::string& line) {
   Output output;
   output.text() = line + "\n";
@@ -71,7 +69,7 @@ class Misbehaviour {
  public:
   explicit Misbehaviour(std::string kind) : kind_(std::move(kind)) {}
 
-  void run(const Json& message) {
+  void run(const nlohmann::json& message) {
     const long long seq = message["seq"];
     const std::string program = message["program"];
     ++runs_;
@@ -99,12 +97,12 @@ class Misbehaviour {
     send(reference_reply(profile_, program, seq));
   }
 
-  void configure(const Json& message) {
-    Json keys = message["profile"];
+  void configure(const nlohmann::json& message) {
+    nlohmann::json keys = message["profile"];
     keys["dialect"] = message["dialect"];
     auto profile = reference::profile_from_json(keys.dump());
     if (auto* error = std::get_if<reference::ProfileError>(&profile)) {
-      return send(Json{{"ok", false}, {"message", error->message}}.dump());
+      return send(nlohmann::json{{"ok", false}, {"message", error->message}}.dump());
     }
     profile_ = std::get<reference::Profile>(std::move(profile));
     send(R"({"ok":true})");
@@ -120,7 +118,7 @@ int misbehave(const std::string& kind) {
   Misbehaviour subject(kind);
   std::string line;
   while (std::getline(std::cin, line)) {
-    const Json message = Json::parse(line);
+    const nlohmann::json message = nlohmann::json::parse(line);
     const std::string command = message["cmd"];
     if (command == "start") send(start_reply());
     if (command == "configure") subject.configure(message);

@@ -18,7 +18,7 @@ using oracle::CorpusError;
 
 namespace {
 
-toml::table document_of(const std::string& path) {
+toml::table toml_of(const std::string& path) {
   try {
     return toml::parse_file(path);
   } catch (const toml::parse_error& error) {
@@ -66,11 +66,11 @@ Making making_of(const toml::table& cover, const std::string& path) {
 }  // namespace
 
 bool is_cover_recipe(const std::string& path) {
-  return document_of(path).contains("cover");
+  return toml_of(path).contains("cover");
 }
 
 std::vector<Case> cover_recipe_cases(const std::string& path) {
-  const toml::table document = document_of(path);
+  const toml::table document = toml_of(path);
   const toml::table* cover = document["cover"].as_table();
   if (cover == nullptr || document.size() != 1) {
     throw CorpusError(fmt::format("{}: a recipe of a covering array has one table, cover.", path));

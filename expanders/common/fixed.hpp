@@ -13,6 +13,7 @@ using Fixed = std::int64_t;
 using Wide = __int128;
 
 inline constexpr Fixed kOne = 1'000'000'000;
+inline constexpr Fixed kFullTurn = 360 * kOne;  // degrees
 /// No coordinate is larger: sums and differences of two fit in Fixed, their squares in Wide.
 inline constexpr Fixed kLargest = 4'000'000'000 * kOne;
 

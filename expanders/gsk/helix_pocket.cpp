@@ -9,7 +9,7 @@ namespace {
 
 // GSK-G112-01: I and D are modal; L is a number of turns and holds for its block, as R does, or is
 // modal (readings gsk.helix.L, gsk.pocket.R).
-void take_words(Machine& machine, const Block& block) {
+void take_helix_words(Machine& machine, const Block& block) {
   PocketStore& store = machine.state.pocket;
   const Configuration& configuration = machine.configuration;
   if (!configuration.pocket_r_modal) store.r_plane = {};
@@ -20,7 +20,7 @@ void take_words(Machine& machine, const Block& block) {
   if (block.has('L')) store.turns = {true, false, block.number('L').value};
 }
 
-Flow check_modal_words(Machine& machine) {
+Flow check_helix_modal_words(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
   if (!store.radius.present) return machine.raise(AlarmKind::kMissingWord, 'I');
   if (!store.tool_radius.present) return machine.raise(AlarmKind::kMissingWord, 'D');
@@ -28,7 +28,7 @@ Flow check_modal_words(Machine& machine) {
 }
 
 // GSK-G110-16, GSK-G112-02.
-Flow check_sizes(Machine& machine) {
+Flow check_helix_sizes(Machine& machine) {
   const Fixed radius = machine.state.pocket.radius.value;
   const Fixed tool = machine.state.pocket.tool_radius.value;
   if (radius <= 0) return machine.raise(AlarmKind::kValueOutOfRange, 'I');
@@ -41,8 +41,8 @@ Flow check_sizes(Machine& machine) {
 
 Flow prepare_milling(Machine& machine, const Block& block, Helix& helix) {
   const PocketStore& store = machine.state.pocket;
-  Flow flow = check_modal_words(machine);
-  if (flow == Flow::kContinue) flow = check_sizes(machine);
+  Flow flow = check_helix_modal_words(machine);
+  if (flow == Flow::kContinue) flow = check_helix_sizes(machine);
   if (flow == Flow::kContinue) flow = find_depth(machine, block, store.r_plane, {}, helix.site);
   if (flow != Flow::kContinue) return flow;
   if (helix.site.depth != 0 && machine.state.feed == 0) {
@@ -111,9 +111,9 @@ bool mill(Machine& machine, const Helix& helix) {
 Flow prepare_helix(Machine& machine, const Block& block, bool entering, bool mills, Plan& plan) {
   const Flow ranges = check_ranges(machine, block);
   if (ranges != Flow::kContinue) return ranges;
-  take_words(machine, block);
+  take_helix_words(machine, block);
   if (entering) {
-    const Flow missing = check_modal_words(machine);
+    const Flow missing = check_helix_modal_words(machine);
     if (missing != Flow::kContinue) return missing;
   }
   if (!mills) return Flow::kContinue;

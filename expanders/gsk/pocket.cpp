@@ -10,7 +10,7 @@ namespace {
 
 // GSK-G110-02, GSK-MOD-02, GSK-MOD-03: I L Q D are modal; R and P hold for the block, or are modal
 // by reading gsk.pocket.R.
-void take_words(Machine& machine, const Block& block) {
+void take_pocket_words(Machine& machine, const Block& block) {
   PocketStore& store = machine.state.pocket;
   if (!machine.configuration.pocket_r_modal) {
     store.r_plane = {};
@@ -26,7 +26,7 @@ void take_words(Machine& machine, const Block& block) {
 }
 
 // GSK-G110-02.
-Flow check_modal_words(Machine& machine) {
+Flow check_pocket_modal_words(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
   const bool one_layer = machine.has(Fault::kMissingStepDownAccepted);
   if (!store.radius.present) return machine.raise(AlarmKind::kMissingWord, 'I');
@@ -37,7 +37,7 @@ Flow check_modal_words(Machine& machine) {
 }
 
 // GSK-G110-16, GSK-G110-03.
-Flow check_sizes(Machine& machine) {
+Flow check_pocket_sizes(Machine& machine) {
   const PocketStore& store = machine.state.pocket;
   const Fixed radius = store.radius.value;
   const Fixed step = store.step.value;
@@ -66,8 +66,8 @@ int commanded_sense(const Machine& machine) {
 
 Flow prepare_milling(Machine& machine, const Block& block, Pocket& pocket) {
   const PocketStore& store = machine.state.pocket;
-  Flow flow = check_modal_words(machine);
-  if (flow == Flow::kContinue) flow = check_sizes(machine);
+  Flow flow = check_pocket_modal_words(machine);
+  if (flow == Flow::kContinue) flow = check_pocket_sizes(machine);
   const DepthRules rules{.from_initial = machine.has(Fault::kDepthFromInitialPlane)};
   if (flow == Flow::kContinue) {
     flow = find_depth(machine, block, store.r_plane, rules, pocket.site);
@@ -181,9 +181,9 @@ bool mill_layers(Machine& machine, const Pocket& pocket) {
 Flow prepare_pocket(Machine& machine, const Block& block, bool entering, bool mills, Plan& plan) {
   const Flow ranges = check_ranges(machine, block);
   if (ranges != Flow::kContinue) return ranges;
-  take_words(machine, block);
+  take_pocket_words(machine, block);
   if (entering) {
-    const Flow missing = check_modal_words(machine);
+    const Flow missing = check_pocket_modal_words(machine);
     if (missing != Flow::kContinue) return missing;
   }
   if (!mills) return Flow::kContinue;

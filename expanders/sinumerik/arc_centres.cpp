@@ -8,7 +8,7 @@ namespace gonogo::expanders::sinumerik {
 namespace {
 
 // Where a complaint about the circle belongs.
-Address first_word(const Block& block) {
+Address first_centre_word(const Block& block) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (block.has(centre_address(axis))) return centre_address(axis);
   }
@@ -67,7 +67,7 @@ bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenC
   centre.place.p += rest.p;
   centre.place.q += rest.q;
   if (centre.whole.square() != 0) return true;
-  machine.complain(AlarmKind::kArcRadius, first_word(block), block);
+  machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   return false;
 }
 
@@ -114,7 +114,7 @@ void correct_centre(Machine& machine, const Block& block, const GivenCentre& cen
   }
   const Vector corrected = on_bisector(sketch.way, side);
   if (too_far_turned(centre.place, corrected)) {
-    return machine.complain(AlarmKind::kArcEndPoint, first_word(block), block);
+    return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
   }
   put_centre(machine, corrected, sketch);
 }
@@ -140,7 +140,7 @@ void take_circle(Machine& machine, const Block& block, const GivenCentre& centre
   if (sketch.chord.square() == 0) return put_exact_centre(machine, centre, sketch);
   const Agreement agreement = compare(machine, radii, sketch.rounded);
   if (agreement == Agreement::kApart && !machine.has(Fault::kEndPointUnchecked)) {
-    return machine.complain(AlarmKind::kArcEndPoint, first_word(block), block);
+    return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
   }
   if (machine.has(Fault::kEndOntoCircle)) {
     move_end_onto_circle(machine, centre, sketch);
@@ -203,7 +203,7 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   GivenCentre centre;
   centre.whole = {pole.p - state.position[plane.p], pole.q - state.position[plane.q]};
   if (centre.whole.square() == 0) {
-    return machine.complain(AlarmKind::kArcRadius, first_word(block), block);
+    return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
   centre.place = vector_of(centre.whole);
   centre.place.p += pole.rest_p - state.remainder[plane.p];

@@ -9,8 +9,6 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-constexpr Fixed kTurn = 360 * kOne;
-
 // SIE-ARC-12: two end-point axes, of which one is the third of the plane in force, choose theirs.
 const Plane& arc_plane(const Machine& machine, const Block& block) {
   const Plane& active = plane_of(machine.state.plane);
@@ -98,9 +96,9 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
 // SIE-ARC-05: above 0 and below 360 degrees.
 bool check_angle(Machine& machine, const Block& block) {
   const Decimal& angle = block.value(Address::kOpeningAngle).number;
-  const bool full = angle.value == kTurn && !angle.finer;
+  const bool full = angle.value == kFullTurn && !angle.finer;
   if (full && machine.has(Fault::kFullAngleAccepted)) return true;
-  if (angle.value > 0 && angle.value < kTurn) return true;
+  if (angle.value > 0 && angle.value < kFullTurn) return true;
   machine.complain(AlarmKind::kValueOutOfRange, Address::kOpeningAngle, block);
   return false;
 }

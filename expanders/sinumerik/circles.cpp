@@ -49,13 +49,12 @@ Real side_of_radius(const Vector& chord, Real radius_square) {
 
 Real side_of_angle(Fixed angle) {
   constexpr Fixed kHalfTurn = 180 * kOne;
-  constexpr Fixed kTurn = 360 * kOne;
   // Both parts of the cotangent from the nearest of 0, 180 and 360 degrees: no digits are lost.
   auto tangent = [](Fixed part) {
-    return std::tan(static_cast<Real>(part) * (std::numbers::pi_v<Real> / kTurn));
+    return std::tan(static_cast<Real>(part) * (std::numbers::pi_v<Real> / kFullTurn));
   };
-  if (angle > kHalfTurn / 2 && angle < kTurn - kHalfTurn / 2) return tangent(kHalfTurn - angle);
-  return angle < kHalfTurn ? 1 / tangent(angle) : -1 / tangent(kTurn - angle);
+  if (angle > kHalfTurn / 2 && angle < kFullTurn - kHalfTurn / 2) return tangent(kHalfTurn - angle);
+  return angle < kHalfTurn ? 1 / tangent(angle) : -1 / tangent(kFullTurn - angle);
 }
 
 Real side_of_projection(const Vector& chord, const Vector& centre) {

@@ -30,7 +30,7 @@ constexpr std::array kCodes{
 
 // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference points,
 // soft approach, tapping, corner behaviour, further frames, units of the feed.
-constexpr std::uint16_t kOutside[] = {
+constexpr std::uint16_t kOutsideCodes[] = {
     25,  26,  33,  34,  35,  41,  42,  62,  63,  74,  75,  93,  96,  97,  147, 148, 153, 247, 248,
     290, 291, 331, 332, 340, 341, 347, 348, 450, 451, 603, 641, 642, 700, 710, 961, 962, 971};
 
@@ -60,8 +60,8 @@ const Code* find_code(Fixed number, Control control) {
     if (const Code* code = find_in(kFrames, number)) return code;
   }
   const bool frame = number >= 505 && number <= 599;
-  const bool outside =
-      frame || std::find(std::begin(kOutside), std::end(kOutside), number) != std::end(kOutside);
+  const bool outside = frame || std::find(std::begin(kOutsideCodes), std::end(kOutsideCodes),
+                                          number) != std::end(kOutsideCodes);
   return outside ? &kOutsideCode : nullptr;
 }
 

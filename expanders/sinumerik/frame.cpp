@@ -4,8 +4,6 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-constexpr Fixed kTurn = 360 * kOne;
-
 // `factor` is a whole number when one of the two is: then no digit is lost.
 Wide combined(Wide a, Real a_factor, Wide b, Real b_factor) {
   if (a_factor == 0) return b * static_cast<Fixed>(b_factor);
@@ -64,11 +62,11 @@ void Frame::shift_to(const Point& place, Axes rounded) {
 void Frame::turn_by(Fixed degrees, int plane) {
   plane_ = plane;
   const bool flipped = flipped_in_g18_ && plane == 18;
-  turn_to(angle_ + (flipped ? -degrees : degrees) % kTurn);
+  turn_to(angle_ + (flipped ? -degrees : degrees) % kFullTurn);
 }
 
 void Frame::turn_to(Fixed degrees) {
-  angle_ = (degrees % kTurn + kTurn) % kTurn;
+  angle_ = (degrees % kFullTurn + kFullTurn) % kFullTurn;
   turn_ = direction_of(static_cast<Real>(angle_) / kOne);
 }
 

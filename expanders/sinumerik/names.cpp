@@ -33,7 +33,7 @@ constexpr std::string_view kPassedOver[] = {"MSG",    "STOPRE", "SOFT", "BRISK",
                                             "FFWON",  "FFWOF",  "CFC",  "CFTCP", "CFIN",
                                             "COMPOF", "DIAMOF", "LIMS", "SPOS"};
 
-constexpr std::string_view kOutside[] = {
+constexpr std::string_view kOutsideNames[] = {
     "SUPA",    "TRANS",    "ATRANS",   "ROT",    "AROT",   "SCALE",    "ASCALE",  "MIRROR",
     "AMIRROR", "ROTS",     "AROTS",    "RPL",    "DIAMON", "DIAM90",   "INVCW",   "INVCCW",
     "ASPLINE", "BSPLINE",  "CSPLINE",  "POLY",   "COMPON", "COMPCURV", "COMPCAD", "TRAORI",
@@ -75,7 +75,7 @@ Name find_name(std::string_view name, Control control) {
   Name found;
   if (find_in(kControl, name, NameKind::kControl, found)) return found;
   if (find_in(kPassedOver, name, NameKind::kPassedOver, found)) return found;
-  if (find_in(kOutside, name, NameKind::kOutside, found)) return found;
+  if (find_in(kOutsideNames, name, NameKind::kOutside, found)) return found;
   if (is_cycle(name)) return {kCycle, NameKind::kOutside};
   return {};
 }

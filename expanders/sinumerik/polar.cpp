@@ -5,18 +5,16 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-constexpr Fixed kTurn = 360 * kOne;
-
 Fixed within_turn(Wide angle) {
-  const auto rest = static_cast<Fixed>(angle % kTurn);
-  return rest < 0 ? rest + kTurn : rest;
+  const auto rest = static_cast<Fixed>(angle % kFullTurn);
+  return rest < 0 ? rest + kFullTurn : rest;
 }
 
 // SIE-POL-02: absolute whatever G90 and G91 say.
 void take_angle(Machine& machine, const Block& block, Polar& polar) {
   const Value& value = block.value(Address::kPolarAngle);
   const Fixed written = value.number.value;
-  if (magnitude(written) > kTurn || (magnitude(written) == kTurn && value.number.finer)) {
+  if (magnitude(written) > kFullTurn || (magnitude(written) == kFullTurn && value.number.finer)) {
     return machine.complain(AlarmKind::kValueOutOfRange, Address::kPolarAngle, block);
   }
   const bool by_g91 = machine.has(Fault::kPolarAngleByG91) && machine.state.incremental &&

@@ -118,7 +118,7 @@ Target take_intermediate(Machine& machine, const Block& block) {
   return via;
 }
 
-Address first_word(const Block& block) {
+Address first_intermediate_word(const Block& block) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (block.has(intermediate_address(axis))) return intermediate_address(axis);
   }
@@ -144,13 +144,13 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   const Way via_to_end = way(arc.via, arc.target.to);
   const AlarmKind kBroken = AlarmKind::kArcIntermediatePoint;
   if (is_nothing(to_via) || is_nothing(to_end) || is_nothing(via_to_end)) {
-    return machine.complain(kBroken, first_word(block), block);
+    return machine.complain(kBroken, first_intermediate_word(block), block);
   }
   arc.target.axes |= kLinearAxes;
   if (on_line(to_via, to_end, (rounded & kLinearAxes) != 0)) {
     const bool between = dot(to_via, to_end) > 0 && dot(via_to_end, to_end) > 0;
     if (!between || machine.has(Fault::kIntermediateStraightRefused)) {
-      return machine.complain(kBroken, first_word(block), block);
+      return machine.complain(kBroken, first_intermediate_word(block), block);
     }
     plan.heading = straight_heading(state, arc.target);
     plan.motion = Line{arc.target, false, arc.feed};

@@ -26,7 +26,7 @@ std::string taper_word(const Pick& pick, const Drawing& drawing) {
 }
 
 // `along` is the way of the axis that R lies along, `across` that of the other.
-void draw_cutting(const Pick& pick, Drawing& drawing, int code) {
+void draw_gsk_cutting(const Pick& pick, Drawing& drawing, int code) {
   const Role along = code == 94 ? Role::p : Role::q;
   const Role across = code == 94 ? Role::q : Role::p;
   const std::string g = fmt::format("G{}", code);
@@ -52,16 +52,16 @@ void draw_cutting(const Pick& pick, Drawing& drawing, int code) {
 }
 
 void draw_g90(const Pick& pick, Drawing& drawing) {
-  draw_cutting(pick, drawing, 90);
+  draw_gsk_cutting(pick, drawing, 90);
 }
 void draw_g92(const Pick& pick, Drawing& drawing) {
-  draw_cutting(pick, drawing, 92);
+  draw_gsk_cutting(pick, drawing, 92);
 }
 void draw_g94(const Pick& pick, Drawing& drawing) {
-  draw_cutting(pick, drawing, 94);
+  draw_gsk_cutting(pick, drawing, 94);
 }
 
-constexpr std::string_view kCutting = R"(
+constexpr std::string_view kGskCutting = R"(
 plane: G18 G17 G19
 x: diameter radius
 units: mm inch
@@ -76,14 +76,14 @@ reading: default rewrite=gsk.g94.rewrite=clear empty=gsk.g94.empty-block=repeat
 no: along=least R=opposite
 no: along=zero R=opposite,below,at,above
 )";
-constexpr std::string_view kFeed = R"(
+constexpr std::string_view kGskFeed = R"(
 F: here=200 before !none@feed-missing !zero=0@feed-missing !minus=-5@value-sign+feed-missing
 )";
 constexpr std::string_view kLead = R"(
 F: here=1.5 fine=0.001 coarse=20 !none@lead-missing !zero=0@lead-missing !minus=-5@value-sign+lead-missing
 )";
 
-void draw_arc(const Pick& pick, Drawing& drawing) {
+void draw_gsk_arc(const Pick& pick, Drawing& drawing) {
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) ways.end[0] = ways.end[0] + pick.length("radii");
   drawing.stand(mm(40), mm(30), mm(20), pick.is("F", "before") ? "F120" : "");
@@ -98,7 +98,7 @@ void draw_arc(const Pick& pick, Drawing& drawing) {
   if (pick.is("then", "line")) drawing.put({"G01", drawing.letters(Role::p, mm(2)), "F90"});
 }
 
-constexpr std::string_view kArcParameters = R"(
+constexpr std::string_view kGskArc = R"(
 code: G02 G03
 plane: G18 G17 G19
 x: diameter radius
@@ -128,7 +128,7 @@ no: form=none end=full
 
 // Each step in increments, so that it can follow any other. `arc`: an arc is the motion in force,
 // so that a block of axis words alone needs a radius.
-void draw_step(const std::string& step, bool arc, Drawing& drawing) {
+void draw_gsk_step(const std::string& step, bool arc, Drawing& drawing) {
   const auto way = [&](Role role, std::int64_t length) {
     return drawing.letters(role, mm(length));
   };
@@ -163,12 +163,12 @@ void draw_step(const std::string& step, bool arc, Drawing& drawing) {
   if (step == "turn") drawing.put({"G99 F0.2"});
 }
 
-void draw_sequence(const Pick& pick, Drawing& drawing) {
+void draw_gsk_sequence(const Pick& pick, Drawing& drawing) {
   drawing.stand(mm(40), mm(30), mm(20), "F90");
   bool arc = false;
   for (const char* place : {"first", "second", "third"}) {
     const std::string& step = pick[place];
-    draw_step(step, arc, drawing);
+    draw_gsk_step(step, arc, drawing);
     constexpr std::string_view kWithoutMotion = "dwell home rename bare plane inch turn";
     if (kWithoutMotion.find(step) == std::string_view::npos) arc = step == "arc";
   }
@@ -176,7 +176,7 @@ void draw_sequence(const Pick& pick, Drawing& drawing) {
   drawing.put({"M30"});
 }
 
-constexpr std::string_view kSteps =
+constexpr std::string_view kGskSteps =
     "rapid feed arc dwell home rename bare G90 G92 G94 pocket helix thread off plane inch turn\n";
 
 }  // namespace
@@ -190,7 +190,7 @@ std::span<const Model> gsk_models() {
             {3, 2},
             "basic g90",
             "GSK-G90-01..12 GSK-COM-01",
-            joined({kCutting, kFeed}),
+            joined({kGskCutting, kGskFeed}),
             draw_g90},
       Model{"gsk.g92",
             1,
@@ -199,7 +199,7 @@ std::span<const Model> gsk_models() {
             {3, 2},
             "basic g92",
             "GSK-G92-01..06 GSK-G92-08..12 GSK-COM-01",
-            joined({kCutting, kLead}),
+            joined({kGskCutting, kLead}),
             draw_g92},
       Model{"gsk.g94",
             1,
@@ -208,7 +208,7 @@ std::span<const Model> gsk_models() {
             {3, 3},
             "basic g94",
             "GSK-G94-01..12 GSK-COM-01",
-            joined({kCutting, kFeed}),
+            joined({kGskCutting, kGskFeed}),
             draw_g94},
       gsk_g110_model(),
       gsk_g112_model(),
@@ -220,8 +220,8 @@ std::span<const Model> gsk_models() {
             {3, 3},
             "basic arc",
             "GSK-COM-05 GSK-COM-04",
-            std::string(kArcParameters),
-            draw_arc},
+            std::string(kGskArc),
+            draw_gsk_arc},
       Model{"gsk.sequence",
             1,
             "gsk988ta",
@@ -229,9 +229,9 @@ std::span<const Model> gsk_models() {
             {2, 2},
             "basic arc g90 g92 g94 g110 g112 g114",
             "GSK-MOD-01..08 GSK-G94-06 GSK-G94-07 GSK-G110-15",
-            joined(
-                {"first: ", kSteps, "second: ", kSteps, "third: ", kSteps, "x: diameter radius\n"}),
-            draw_sequence},
+            joined({"first: ", kGskSteps, "second: ", kGskSteps, "third: ", kGskSteps,
+                    "x: diameter radius\n"}),
+            draw_gsk_sequence},
   };
   return kModels;
 }

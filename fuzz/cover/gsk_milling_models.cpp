@@ -22,7 +22,7 @@ std::vector<std::string> site(const Pick& pick, const Drawing& drawing) {
   return words;
 }
 
-void add(std::vector<std::string>& words, const std::vector<std::string>& more) {
+void add_words(std::vector<std::string>& words, const std::vector<std::string>& more) {
   words.insert(words.end(), more.begin(), more.end());
 }
 
@@ -30,8 +30,8 @@ void add(std::vector<std::string>& words, const std::vector<std::string>& more) 
 void draw_mill(const Pick& pick, Drawing& drawing, const std::vector<std::string>& own) {
   drawing.stand(mm(12), mm(30), mm(25), pick.is("F", "before") ? "F150" : "");
   std::vector<std::string> words = {pick["code"]};
-  add(words, site(pick, drawing));
-  add(words, own);
+  add_words(words, site(pick, drawing));
+  add_words(words, own);
   if (pick.is("F", "here")) words.emplace_back("F200");
   if (!pick.is("extra", "none")) words.push_back(pick["extra"]);
   if (pick.is("fault", "both"))
@@ -42,7 +42,7 @@ void draw_mill(const Pick& pick, Drawing& drawing, const std::vector<std::string
   if (pick.is("then", "line")) drawing.put({"G01", drawing.letters(Role::q, mm(-3)), "F80"});
 }
 
-void draw_pocket(const Pick& pick, Drawing& drawing) {
+void draw_gsk_pocket(const Pick& pick, Drawing& drawing) {
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("L", "L"), drawing.word("Q", "Q"),
              drawing.word("D", "D"), drawing.word("P", "P")});
@@ -53,7 +53,7 @@ void draw_pocket(const Pick& pick, Drawing& drawing) {
   }
 }
 
-void draw_helix(const Pick& pick, Drawing& drawing) {
+void draw_gsk_helix(const Pick& pick, Drawing& drawing) {
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("D", "D"),
              pick.is("L", "none") ? "" : "L" + pick["L"]});
@@ -63,7 +63,7 @@ void draw_helix(const Pick& pick, Drawing& drawing) {
   }
 }
 
-void draw_thread(const Pick& pick, Drawing& drawing) {
+void draw_gsk_thread(const Pick& pick, Drawing& drawing) {
   const std::string k = pick.is("K", "none") ? "" : "K" + pick["K"];
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("P", "P"), drawing.word("Q", "Q"),
@@ -177,7 +177,7 @@ Model gsk_g110_model() {
           "basic g110",
           "GSK-G110-01..04 GSK-G110-06..18 GSK-COM-01 GSK-COM-06",
           kPocketParameters,
-          draw_pocket};
+          draw_gsk_pocket};
 }
 
 Model gsk_g112_model() {
@@ -189,7 +189,7 @@ Model gsk_g112_model() {
           "basic g112",
           "GSK-G112-01..09 GSK-G110-16..18 GSK-COM-01 GSK-COM-06",
           kHelixParameters,
-          draw_helix};
+          draw_gsk_helix};
 }
 
 Model gsk_g114_model() {
@@ -201,7 +201,7 @@ Model gsk_g114_model() {
           "basic g114 g116",
           "GSK-G114-01..13 GSK-COM-01 GSK-COM-06",
           kThreadParameters,
-          draw_thread};
+          draw_gsk_thread};
 }
 
 }  // namespace gonogo::fuzz::cover

@@ -35,8 +35,8 @@ void draw_after(const Pick& pick, Drawing& drawing, const std::string& code) {
 }
 
 // G80 with I and G81 with K.
-void draw_cutting(const Pick& pick, Drawing& drawing, const std::string& code,
-                  std::string_view taper) {
+void draw_hnc_cutting(const Pick& pick, Drawing& drawing, const std::string& code,
+                      std::string_view taper) {
   drawing.stand(mm(4), mm(30), {}, pick.is("F", "before") ? "F120" : "");
   drawing.test({code, way_of(pick, drawing, Role::q, "X"), way_of(pick, drawing, Role::p, "Z"),
                 drawing.word(taper, "taper"), pick.is("F", "here") ? "F200" : "",
@@ -45,27 +45,27 @@ void draw_cutting(const Pick& pick, Drawing& drawing, const std::string& code,
 }
 
 void draw_g80(const Pick& pick, Drawing& drawing) {
-  draw_cutting(pick, drawing, "G80", "I");
+  draw_hnc_cutting(pick, drawing, "G80", "I");
 }
 void draw_g81(const Pick& pick, Drawing& drawing) {
-  draw_cutting(pick, drawing, "G81", "K");
+  draw_hnc_cutting(pick, drawing, "G81", "K");
 }
 
 // What all cycles have in common.
-constexpr std::string_view kHead = R"(
+constexpr std::string_view kHncHead = R"(
 x: diameter radius
 units: mm inch
 distance: absolute letters modal
 )";
-constexpr std::string_view kFeed = R"(
+constexpr std::string_view kHncFeed = R"(
 F: here before !none@feed-missing !minus@value-sign+feed-missing
 )";
-constexpr std::string_view kFaults = R"(
+constexpr std::string_view kHncFaults = R"(
 fault: none !both@conflicting-words !twice=S100&S200@duplicate-word !Y=Y5@undefined-code !plane=G17@plane-not-allowed
 then: nothing again code dwell rapid
 )";
 
-constexpr std::string_view kCutting = R"(
+constexpr std::string_view kHncCutting = R"(
 X: minus=-8 plus=6.25 zero=0 least=-e !missing@missing-word
 Z: minus=-30 plus=12.5 zero=0 least=-e !missing@missing-word
 taper: none zero=0 minus=-2.5 plus=1.75 least=e large=400
@@ -93,7 +93,7 @@ void draw_g82(const Pick& pick, Drawing& drawing) {
   draw_after(pick, drawing, "G82");
 }
 
-constexpr std::string_view kThread = R"(
+constexpr std::string_view kHncThread = R"(
 X: minus=-2 plus=1.25 zero=0 !missing@missing-word
 Z: minus=-30 plus=12.5 !missing@missing-word
 I: none zero=0 minus=-1.5 plus=0.75
@@ -184,7 +184,7 @@ fault: none !both@conflicting-words !twice=S100&S200@duplicate-word !plane=G17@p
 then: nothing again rapid
 )";
 
-void draw_arc(const Pick& pick, Drawing& drawing) {
+void draw_hnc_arc(const Pick& pick, Drawing& drawing) {
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) ways.end[0] = ways.end[0] + pick.length("radii");
   drawing.stand(mm(-12), mm(40), {}, pick.is("F", "before") ? "F120" : "");
@@ -199,7 +199,7 @@ void draw_arc(const Pick& pick, Drawing& drawing) {
   if (pick.is("then", "line")) drawing.put({"G01", drawing.travel(Role::p, mm(2)), "F90"});
 }
 
-constexpr std::string_view kArc = R"(
+constexpr std::string_view kHncArc = R"(
 code: G02 G03
 form: centre R=10 large=-10 !short=10-e@arc-radius !none@missing-word
 centre: along-p along-q both
@@ -231,7 +231,7 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic g74",
             "HNC-G74-01..04 HNC-MOD-03",
-            joined({kHead, kDrill, kPecks}),
+            joined({kHncHead, kDrill, kPecks}),
             draw_g74},
       Model{"hnc.g75",
             1,
@@ -240,7 +240,7 @@ std::span<const Model> hnc_models() {
             {3, 2},
             "basic g75",
             "HNC-G75-01..05 HNC-MOD-03",
-            joined({kHead, kGroove, kPecks}),
+            joined({kHncHead, kGroove, kPecks}),
             draw_g75},
       Model{"hnc.g80",
             1,
@@ -249,7 +249,7 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic g80",
             "HNC-G80-01 HNC-G80-02 HNC-MOD-02",
-            joined({kHead, kFeed, kFaults, kCutting}),
+            joined({kHncHead, kHncFeed, kHncFaults, kHncCutting}),
             draw_g80},
       Model{"hnc.g81",
             1,
@@ -258,7 +258,7 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic g81",
             "HNC-G81-01 HNC-G81-02 HNC-MOD-02",
-            joined({kHead, kFeed, kFaults, kCutting}),
+            joined({kHncHead, kHncFeed, kHncFaults, kHncCutting}),
             draw_g81},
       Model{"hnc.g82",
             1,
@@ -267,7 +267,7 @@ std::span<const Model> hnc_models() {
             {3, 2},
             "basic g82",
             "HNC-G82-01..10 HNC-MOD-02",
-            joined({kHead, kFaults, kThread}),
+            joined({kHncHead, kHncFaults, kHncThread}),
             draw_g82},
       Model{"hnc.g32",
             1,
@@ -276,7 +276,7 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic g32",
             "HNC-MOD-04 HNC-COM-01",
-            joined({kHead, kLineThread}),
+            joined({kHncHead, kLineThread}),
             draw_g32},
       Model{"hnc.arc",
             1,
@@ -285,8 +285,8 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic arc",
             "HNC-COM-01",
-            joined({kHead, kArc}),
-            draw_arc},
+            joined({kHncHead, kHncArc}),
+            draw_hnc_arc},
       hnc_sequence_model(),
   };
   return kModels;

@@ -9,7 +9,7 @@ namespace gonogo::fuzz::cover {
 namespace {
 
 // Each step in increments, so that it can follow any other. `arc`: an arc is the motion in force.
-void draw_step(const std::string& step, bool arc, Drawing& drawing) {
+void draw_hnc_step(const std::string& step, bool arc, Drawing& drawing) {
   const auto x = [&](std::int64_t length) { return drawing.letters(Role::q, mm(length)); };
   const auto z = [&](std::int64_t length) { return drawing.letters(Role::p, mm(length)); };
   if (step == "rapid") drawing.put({"G00", x(4), z(-3)});
@@ -31,14 +31,14 @@ void draw_step(const std::string& step, bool arc, Drawing& drawing) {
   if (step == "modal") drawing.put({"G91"});
 }
 
-void draw_sequence(const Pick& pick, Drawing& drawing) {
+void draw_hnc_sequence(const Pick& pick, Drawing& drawing) {
   drawing.profile.offsets["G55"][reference::Axis::x] = reference::Number(7);
   drawing.profile.offsets["G55"][reference::Axis::z] = reference::Number(-15);
   drawing.stand(mm(4), mm(50), {}, "F90");
   bool arc = false;
   for (const char* place : {"first", "second", "third"}) {
     const std::string& step = pick[place];
-    draw_step(step, arc, drawing);
+    draw_hnc_step(step, arc, drawing);
     constexpr std::string_view kWithoutMotion = "dwell rename offset bare radius inch turn modal";
     if (kWithoutMotion.find(step) == std::string_view::npos) arc = step == "arc";
   }
@@ -47,22 +47,22 @@ void draw_sequence(const Pick& pick, Drawing& drawing) {
   drawing.put({"M30"});
 }
 
-constexpr std::string_view kSteps =
+constexpr std::string_view kHncSteps =
     "rapid feed arc dwell rename offset bare G32 G74 G75 G80 G81 G82 radius inch turn modal\n";
 
 }  // namespace
 
 Model hnc_sequence_model() {
-  return {
-      "hnc.sequence",
-      1,
-      "hnc21t",
-      "modes",
-      {2, 2},
-      "basic arc g32 g74 g75 g80 g81 g82",
-      "HNC-MOD-01..05 HNC-COM-01",
-      joined({"first: ", kSteps, "second: ", kSteps, "third: ", kSteps, "x: diameter radius\n"}),
-      draw_sequence};
+  return {"hnc.sequence",
+          1,
+          "hnc21t",
+          "modes",
+          {2, 2},
+          "basic arc g32 g74 g75 g80 g81 g82",
+          "HNC-MOD-01..05 HNC-COM-01",
+          joined({"first: ", kHncSteps, "second: ", kHncSteps, "third: ", kHncSteps,
+                  "x: diameter radius\n"}),
+          draw_hnc_sequence};
 }
 
 }  // namespace gonogo::fuzz::cover

@@ -11,7 +11,7 @@ namespace gonogo::fuzz::cover {
 namespace {
 
 // What the arc needs of a subject beyond arcs in G17.
-void add_features(const Pick& pick, Drawing& drawing) {
+void add_ngc_features(const Pick& pick, Drawing& drawing) {
   if (drawing.plane() != 17) drawing.features.emplace_back("planes");
   if (!pick.is("helix", "none")) drawing.features.emplace_back("helix");
   if (!pick.is("P", "none")) drawing.features.emplace_back("turns");
@@ -36,8 +36,8 @@ void finish_arc(const Pick& pick, Drawing& drawing, std::vector<std::string> wor
   if (pick.is("then", "line")) drawing.put({"G1", drawing.travel(Role::p, mm(2)), "F90"});
 }
 
-void draw_centre(const Pick& pick, Drawing& drawing) {
-  add_features(pick, drawing);
+void draw_ngc_centre(const Pick& pick, Drawing& drawing) {
+  add_ngc_features(pick, drawing);
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) ways.end[0] = ways.end[0] + pick.length("radii");
   drawing.stand(mm(40), mm(30), mm(20), pick.is("F", "before") ? "F120" : "");
@@ -58,7 +58,7 @@ void draw_centre(const Pick& pick, Drawing& drawing) {
   finish_arc(pick, drawing, std::move(words));
 }
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view kNgcHead = R"(
 code: G2 G3
 plane: G17 G18 G19
 units: mm inch
@@ -69,7 +69,7 @@ F: here before !none@feed-missing !zero@feed-missing
 then: nothing line
 )";
 
-constexpr std::string_view kCentre = R"(
+constexpr std::string_view kNgcCentre = R"(
 offsets: incremental absolute
 centre: along-p along-q both
 end: opposite left right full
@@ -85,8 +85,8 @@ no: radii=least,below,at,above units=inch
 no: reading=tolerance radii=above
 )";
 
-void draw_radius(const Pick& pick, Drawing& drawing) {
-  add_features(pick, drawing);
+void draw_ngc_radius(const Pick& pick, Drawing& drawing) {
+  add_ngc_features(pick, drawing);
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   drawing.stand(mm(40), mm(30), mm(20), pick.is("F", "before") ? "F120" : "");
   std::vector<std::string> words = arc_words(pick, drawing, ways);
@@ -94,7 +94,7 @@ void draw_radius(const Pick& pick, Drawing& drawing) {
   finish_arc(pick, drawing, std::move(words));
 }
 
-constexpr std::string_view kRadius = R"(
+constexpr std::string_view kNgcRadius = R"(
 centre: along-p along-q both
 end: opposite left right !full@arc-end-point
 full: written
@@ -105,7 +105,7 @@ no: R=larger end=opposite,left,right
 no: R=less units=inch helix=least
 )";
 
-void draw_line(const Pick& pick, Drawing& drawing) {
+void draw_ngc_line(const Pick& pick, Drawing& drawing) {
   drawing.stand(mm(4), mm(-3), mm(20), pick.is("F", "before") ? "F120" : "");
   std::vector<std::string> words = {pick["code"]};
   for (const auto& [role, name] : {std::pair{Role::p, "p"}, {Role::q, "q"}, {Role::d, "d"}}) {
@@ -119,7 +119,7 @@ void draw_line(const Pick& pick, Drawing& drawing) {
     drawing.put({"G4 P0.5"}), drawing.put({drawing.travel(Role::p, mm(7))});
 }
 
-constexpr std::string_view kLine = R"(
+constexpr std::string_view kNgcLine = R"(
 code: G0 G1
 plane: G17 G18 G19
 units: mm inch
@@ -134,7 +134,7 @@ no: F=none code=G0
 no: p=none q=none d=none
 )";
 
-void draw_step(const std::string& step, Drawing& drawing) {
+void draw_ngc_step(const std::string& step, Drawing& drawing) {
   const auto to = [&](Role role, std::int64_t length) {
     return drawing.absolute(role, mm(length));
   };
@@ -167,20 +167,20 @@ void draw_step(const std::string& step, Drawing& drawing) {
   }
 }
 
-void draw_sequence(const Pick& pick, Drawing& drawing) {
+void draw_ngc_sequence(const Pick& pick, Drawing& drawing) {
   for (const char* feature : {"planes", "helix", "turns", "arc-distance"}) {
     drawing.features.emplace_back(feature);
   }
   drawing.stand(mm(1), mm(2), mm(3), "F90");
-  for (const char* place : {"first", "second", "third"}) draw_step(pick[place], drawing);
+  for (const char* place : {"first", "second", "third"}) draw_ngc_step(pick[place], drawing);
   drawing.put({"G1", drawing.absolute(Role::q, mm(12))});
   drawing.put({"M2"});
 }
 
-constexpr std::string_view kSteps =
+constexpr std::string_view kNgcSteps =
     "rapid feed circle helix bare dwell plane inch modal point centre offset off passed\n";
 // Axis words alone need a motion that they are enough for.
-constexpr std::string_view kSequence = R"(
+constexpr std::string_view kNgcSequence = R"(
 code: one
 no: first=circle,helix,off second=bare
 no: second=circle,helix,off third=bare
@@ -198,8 +198,8 @@ std::span<const Model> ngc_models() {
             {3, 3},
             "basic",
             "NGC-G0-01 NGC-DIS-01 NGC-UNI-01",
-            std::string(kLine),
-            draw_line},
+            std::string(kNgcLine),
+            draw_ngc_line},
       Model{"ngc.centre",
             1,
             "rs274",
@@ -207,8 +207,8 @@ std::span<const Model> ngc_models() {
             {3, 3},
             "basic arc",
             "NGC-ARC-01 NGC-ARC-02 NGC-ARC-03 NGC-ARC-05",
-            joined({kHead, kCentre}),
-            draw_centre},
+            joined({kNgcHead, kNgcCentre}),
+            draw_ngc_centre},
       Model{"ngc.radius",
             1,
             "rs274",
@@ -216,17 +216,18 @@ std::span<const Model> ngc_models() {
             {3, 3},
             "basic arc-r",
             "NGC-ARC-01 NGC-ARC-04 NGC-ARC-05",
-            joined({kHead, kRadius}),
-            draw_radius},
-      Model{"ngc.sequence",
-            1,
-            "rs274",
-            "basic",
-            {2, 2},
-            "basic arc",
-            "NGC-MOD-01 NGC-DIS-01",
-            joined({"first: ", kSteps, "second: ", kSteps, "third: ", kSteps, kSequence}),
-            draw_sequence},
+            joined({kNgcHead, kNgcRadius}),
+            draw_ngc_radius},
+      Model{
+          "ngc.sequence",
+          1,
+          "rs274",
+          "basic",
+          {2, 2},
+          "basic arc",
+          "NGC-MOD-01 NGC-DIS-01",
+          joined({"first: ", kNgcSteps, "second: ", kNgcSteps, "third: ", kNgcSteps, kNgcSequence}),
+          draw_ngc_sequence},
   };
   return kModels;
 }

@@ -40,7 +40,7 @@ std::vector<std::string> planes(const Pick& pick) {
           parameter(104, depth)};
 }
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view k802sHead = R"(
 plane: G17 G18 G19
 frame: none moved turned both
 R102: typical=2 zero=0 least=e !minus=-0.5@value-sign
@@ -50,7 +50,7 @@ R101: above at !below@reference-plane
 start: above=30 below=-30
 )";
 
-void draw_drilling(const Pick& pick, Drawing& drawing) {
+void draw_lcyc82(const Pick& pick, Drawing& drawing) {
   drawing.stand(mm(40), mm(30), pick.length("start"), pick.is("F", "before") ? "F120" : "");
   put_frame(pick, drawing);
   drawing.put(planes(pick));
@@ -63,7 +63,7 @@ void draw_drilling(const Pick& pick, Drawing& drawing) {
   if (pick.is("then", "line")) drawing.put({std::string("G1 ") + drawing.letter(Role::q) + "7"});
 }
 
-constexpr std::string_view kDrilling = R"(
+constexpr std::string_view kLcyc82 = R"(
 R105: none zero=0 typical=2 least=0.001 !minus=-1@value-sign
 F: before !none@feed-missing
 fault: none !X=LCYC82&X5@conflicting-words !M=LCYC82&M8@conflicting-words !unknown=LCYC99@undefined-code
@@ -71,7 +71,7 @@ then: nothing again line
 )";
 
 // Lengths of the pocket by its shape; its narrowest width is 20 but where the tool just fits.
-void draw_pocket(const Pick& pick, Drawing& drawing) {
+void draw_lcyc75(const Pick& pick, Drawing& drawing) {
   drawing.profile.tools["1"] = reference::Number(5);
   drawing.profile.tools["2"] = reference::Number(5) / reference::Number(2);
   const bool roughs = !pick.is("R127", "finish");
@@ -102,7 +102,7 @@ void draw_pocket(const Pick& pick, Drawing& drawing) {
   drawing.test({"LCYC75"});
 }
 
-constexpr std::string_view kPocket = R"(
+constexpr std::string_view kLcyc75 = R"(
 shape: rounded sharp slot circle
 width: typical fit !narrow@tool-too-large
 tool: T1 T2 !none@no-tool
@@ -157,7 +157,7 @@ fault: none !G259@missing-word !axis=G258&X5@conflicting-words !angle=G158&RPL=3
 reading: default additive=sie.g158=additive only=sie.g258=rotation-only
 )";
 
-void draw_step(const std::string& step, Drawing& drawing) {
+void draw_802s_step(const std::string& step, Drawing& drawing) {
   if (step == "rapid") drawing.put({"G0 X4 Y-3 Z20"});
   if (step == "feed") drawing.put({"G1 X=IC(-2) Z=IC(5) F100"});
   if (step == "circle") drawing.put({"G2 I9 J-12 F110"});
@@ -182,22 +182,22 @@ void draw_step(const std::string& step, Drawing& drawing) {
   if (step == "modal") drawing.put({"G91"});
 }
 
-void draw_sequence(const Pick& pick, Drawing& drawing) {
+void draw_802s_sequence(const Pick& pick, Drawing& drawing) {
   for (const char* feature : {"cr", "polar", "ct", "frames", "lcyc82", "lcyc75"}) {
     drawing.features.emplace_back(feature);
   }
   drawing.profile.tools["1"] = reference::Number(5);
   drawing.stand(mm(1), mm(2), mm(30), "S400 M3 T1 D1");
   drawing.put({"G1 X3 Y14 F90"});
-  for (const char* place : {"first", "second", "third"}) draw_step(pick[place], drawing);
+  for (const char* place : {"first", "second", "third"}) draw_802s_step(pick[place], drawing);
   drawing.put({"G1 X=IC(1) Y12"});
   drawing.put({"M2"});
 }
 
-constexpr std::string_view kSteps =
+constexpr std::string_view k802sSteps =
     "rapid feed circle radius polar pole CT G158 G258 G259 clear LCYC82 LCYC75 inch modal\n";
 // A cycle ends upright on the plane: nothing for an arc to be tangent to.
-constexpr std::string_view kSequence = R"(
+constexpr std::string_view k802sSequence = R"(
 no: first=LCYC82,LCYC75 second=CT
 no: second=LCYC82,LCYC75 third=CT
 no: first=LCYC82,LCYC75 second=pole,G158,G258,G259,clear,inch,modal third=CT
@@ -214,8 +214,8 @@ std::span<const Model> sinumerik802s_models() {
             {3, 3},
             "basic lcyc82",
             "SIE-LC82-01..03",
-            joined({kHead, kDrilling}),
-            draw_drilling},
+            joined({k802sHead, kLcyc82}),
+            draw_lcyc82},
       Model{"s802.lcyc75",
             1,
             "sinumerik802s",
@@ -223,8 +223,8 @@ std::span<const Model> sinumerik802s_models() {
             {3, 2},
             "basic lcyc75",
             "SIE-LC75-01..13",
-            joined({kHead, kPocket}),
-            draw_pocket},
+            joined({k802sHead, kLcyc75}),
+            draw_lcyc75},
       Model{"s802.frame",
             1,
             "sinumerik802s",
@@ -241,8 +241,9 @@ std::span<const Model> sinumerik802s_models() {
             {2, 2},
             "basic arc",
             "SIE-MOD-01 SIE-FRM-01..02 SIE-FRM-04 SIE-LC82-03 SIE-LC75-13",
-            joined({"first: ", kSteps, "second: ", kSteps, "third: ", kSteps, kSequence}),
-            draw_sequence},
+            joined({"first: ", k802sSteps, "second: ", k802sSteps, "third: ", k802sSteps,
+                    k802sSequence}),
+            draw_802s_sequence},
   };
   return kModels;
 }

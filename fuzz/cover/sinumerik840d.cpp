@@ -13,7 +13,7 @@
 namespace gonogo::fuzz::cover {
 namespace {
 
-constexpr std::string_view kHead = R"(
+constexpr std::string_view k840dHead = R"(
 plane: G17 G18 G19
 units: mm inch
 distance: absolute modal IC AC
@@ -25,7 +25,7 @@ helix: none up=6 down=-0.5 least=e
 turn: none zero=0 one=1 three=3 !part=1.5@not-an-integer !over=1000@value-out-of-range
 )";
 
-void add_features(const Pick& pick, Drawing& drawing) {
+void add_840d_features(const Pick& pick, Drawing& drawing) {
   if (drawing.plane() != 17) drawing.features.emplace_back("planes");
   if (!pick.is("helix", "none") || (pick.has("turn") && !pick.is("turn", "none"))) {
     drawing.features.emplace_back("helix");
@@ -68,8 +68,8 @@ void add_centre(const Pick& pick, const Drawing& drawing, const ArcWays& ways,
   }
 }
 
-void draw_centre(const Pick& pick, Drawing& drawing) {
-  add_features(pick, drawing);
+void draw_840d_centre(const Pick& pick, Drawing& drawing) {
+  add_840d_features(pick, drawing);
   ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   if (!pick.is("radii", "same")) {
     // Away from the centre at (10, 0), to the right or down.
@@ -83,7 +83,7 @@ void draw_centre(const Pick& pick, Drawing& drawing) {
   finish(pick, drawing, std::move(words));
 }
 
-constexpr std::string_view kCentre = R"(
+constexpr std::string_view k840dCentre = R"(
 code: G2 G3
 centre: along-p along-q both
 end: opposite left right full
@@ -97,8 +97,8 @@ no: radii=least,below,at,above centre=along-q,both
 no: radii=least,below,at,above units=inch
 )";
 
-void draw_radius(const Pick& pick, Drawing& drawing) {
-  add_features(pick, drawing);
+void draw_840d_radius(const Pick& pick, Drawing& drawing) {
+  add_840d_features(pick, drawing);
   drawing.features.emplace_back("cr");
   const ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   stand(pick, drawing);
@@ -108,7 +108,7 @@ void draw_radius(const Pick& pick, Drawing& drawing) {
   finish(pick, drawing, std::move(words));
 }
 
-constexpr std::string_view kRadius = R"(
+constexpr std::string_view k840dRadius = R"(
 code: G2 G3
 centre: along-p along-q both
 end: opposite left right !full@arc-end-point
@@ -118,7 +118,7 @@ no: CR=less end=left,right
 )";
 
 void draw_angle(const Pick& pick, Drawing& drawing) {
-  add_features(pick, drawing);
+  add_840d_features(pick, drawing);
   drawing.features.emplace_back("ar");
   const ArcWays ways = arc_ways(pick["centre"], pick["end"]);
   stand(pick, drawing);
@@ -239,7 +239,7 @@ no: F=none before=line,arc
 no: before=arc along=none aside=right
 )";
 
-void draw_line(const Pick& pick, Drawing& drawing) {
+void draw_840d_line(const Pick& pick, Drawing& drawing) {
   stand(pick, drawing);
   std::vector<std::string> words = {pick["code"]};
   for (const auto& [role, name] : {std::pair{Role::p, "p"}, {Role::q, "q"}, {Role::d, "d"}}) {
@@ -252,7 +252,7 @@ void draw_line(const Pick& pick, Drawing& drawing) {
   finish(pick, drawing, std::move(words));
 }
 
-constexpr std::string_view kLine = R"(
+constexpr std::string_view k840dLine = R"(
 code: G1 G0
 p: none zero=0 plus=12.5 minus=-7.25 least=e
 q: none plus=3 minus=-80
@@ -275,8 +275,8 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-G1-01 SIE-G1-03 SIE-ADDR-01 SIE-COM-01",
-            joined({kHead, kLine}),
-            draw_line},
+            joined({k840dHead, k840dLine}),
+            draw_840d_line},
       Model{"s840.centre",
             1,
             "sinumerik840d",
@@ -284,8 +284,8 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic arc",
             "SIE-ARC-01..03 SIE-ARC-07..09 SIE-ARC-13",
-            joined({kHead, kHelix, kCentre}),
-            draw_centre},
+            joined({k840dHead, kHelix, k840dCentre}),
+            draw_840d_centre},
       Model{"s840.radius",
             1,
             "sinumerik840d",
@@ -293,8 +293,8 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-ARC-04 SIE-ARC-09 SIE-ARC-11",
-            joined({kHead, kHelix, kRadius}),
-            draw_radius},
+            joined({k840dHead, kHelix, k840dRadius}),
+            draw_840d_radius},
       Model{"s840.angle",
             1,
             "sinumerik840d",
@@ -302,7 +302,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-ARC-05 SIE-ARC-09 SIE-ARC-11",
-            joined({kHead, kHelix, kAngle}),
+            joined({k840dHead, kHelix, kAngle}),
             draw_angle},
       Model{"s840.polar",
             1,
@@ -311,7 +311,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic polar",
             "SIE-ARC-06 SIE-ARC-10 SIE-POL-01 SIE-POL-02",
-            joined({kHead, kPolar}),
+            joined({k840dHead, kPolar}),
             draw_polar},
       Model{"s840.cip",
             1,
@@ -320,7 +320,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-CIP-01 SIE-CIP-02",
-            joined({kHead, kIntermediate}),
+            joined({k840dHead, kIntermediate}),
             draw_cip},
       Model{"s840.ct",
             1,
@@ -329,7 +329,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic cr",
             "SIE-CT-01 SIE-CT-02",
-            joined({kHead, kTangent}),
+            joined({k840dHead, kTangent}),
             draw_ct},
       sinumerik840d_sequence_model(),
   };

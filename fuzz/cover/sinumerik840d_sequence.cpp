@@ -8,7 +8,7 @@
 namespace gonogo::fuzz::cover {
 namespace {
 
-void draw_step(const std::string& step, Drawing& drawing) {
+void draw_840d_step(const std::string& step, Drawing& drawing) {
   const std::string p(1, drawing.letter(Role::p));
   const std::string q(1, drawing.letter(Role::q));
   const std::string d(1, drawing.letter(Role::d));
@@ -37,18 +37,18 @@ void draw_step(const std::string& step, Drawing& drawing) {
   if (step == "turn") drawing.put({"G95 F0.2"});
 }
 
-void draw_sequence(const Pick& pick, Drawing& drawing) {
+void draw_840d_sequence(const Pick& pick, Drawing& drawing) {
   for (const char* feature : {"cr", "ar", "polar", "planes", "cip", "ct"}) {
     drawing.features.emplace_back(feature);
   }
   drawing.stand(mm(1), mm(2), mm(3));
   drawing.put({"G1 Y14 Z5 F90"});
-  for (const char* place : {"first", "second", "third"}) draw_step(pick[place], drawing);
+  for (const char* place : {"first", "second", "third"}) draw_840d_step(pick[place], drawing);
   drawing.put({"G1", std::string(1, drawing.letter(Role::q)) + "12"});
   drawing.put({"M30"});
 }
 
-constexpr std::string_view kSteps =
+constexpr std::string_view k840dSteps =
     "rapid feed circle radius angle polar pole CIP CT dwell plane inch modal turn\n";
 
 }  // namespace
@@ -61,8 +61,8 @@ Model sinumerik840d_sequence_model() {
           {2, 2},
           "basic arc",
           "SIE-MOD-01 SIE-MOD-04 SIE-POL-02 SIE-ADDR-01",
-          joined({"first: ", kSteps, "second: ", kSteps, "third: ", kSteps}),
-          draw_sequence};
+          joined({"first: ", k840dSteps, "second: ", k840dSteps, "third: ", k840dSteps}),
+          draw_840d_sequence};
 }
 
 }  // namespace gonogo::fuzz::cover

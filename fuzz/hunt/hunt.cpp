@@ -17,10 +17,6 @@ using oracle::VerdictKind;
 
 namespace {
 
-const Generator& generator_of(std::string_view dialect) {
-  return *std::ranges::find(generators(), dialect, &Generator::dialect);
-}
-
 bool is_finding(const Verdict& verdict) {
   return decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::oracle_error;
 }

@@ -10,10 +10,6 @@
 namespace gonogo::fuzz {
 namespace {
 
-const Generator& generator_of(std::string_view dialect) {
-  return *std::ranges::find(generators(), dialect, &Generator::dialect);
-}
-
 // The kind of a record or the class of an alarm, from its text.
 std::string kind_in(const std::string& text) {
   if (text.empty()) return "none";

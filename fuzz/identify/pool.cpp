@@ -14,7 +14,7 @@ namespace {
 // A subject may skip one.
 constexpr std::size_t kEqualProbes = 3;
 // A longer program is no probe for people to read.
-constexpr std::size_t kMostBytes = 2'000;
+constexpr std::size_t kMostPoolBytes = 2'000;
 
 class PoolMaker {
  public:
@@ -41,7 +41,7 @@ class PoolMaker {
 void PoolMaker::take(std::string id, std::string program, const Profile& profile,
                      std::set<std::string> features) {
   ++pool_.seen;
-  if (program.size() > kMostBytes) return;
+  if (program.size() > kMostPoolBytes) return;
   auto probe =
       make_probe(std::move(id), std::move(program), options_.machine ? *options_.machine : profile);
   if (!probe) return;

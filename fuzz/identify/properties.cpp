@@ -19,7 +19,7 @@ namespace {
 // Programs for one reading.
 constexpr std::size_t kEnough = 2;
 // Assignments of the other readings under which a path is tried.
-constexpr std::size_t kMostRows = 64;
+constexpr std::size_t kMostPropertyRows = 64;
 
 }  // namespace
 
@@ -42,8 +42,8 @@ Identifier::Item* Identifier::best_property_item(ReadingKey key,
 
 void Identifier::narrow_properties(Item& item) {
   const Outcomes& outcomes = item.probe->by_property;
-  const auto rows = choices_.joined(item.probe->by_reading.keys, kMostRows);
-  if (!rows || !properties_.joined(outcomes.keys, kMostRows)) return;
+  const auto rows = choices_.joined(item.probe->by_reading.keys, kMostPropertyRows);
+  if (!rows || !properties_.joined(outcomes.keys, kMostPropertyRows)) return;
   std::vector<PartialAssignment> left;
   for (const Outcomes::Leaf& leaf : outcomes.leaves) {
     const bool explains = std::ranges::any_of(rows->rows, [&](const auto& row) {
@@ -53,7 +53,7 @@ void Identifier::narrow_properties(Item& item) {
     });
     if (explains) left.push_back(leaf.readings);
   }
-  if (!properties_.keep(outcomes.keys, left, kMostRows)) return;
+  if (!properties_.keep(outcomes.keys, left, kMostPropertyRows)) return;
   seen_properties_.insert(outcomes.keys.begin(), outcomes.keys.end());
 }
 

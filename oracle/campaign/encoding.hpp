@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include "oracle/subjects/text.hpp"
@@ -12,6 +13,11 @@ namespace gonogo::oracle {
 inline nlohmann::ordered_json program_json(std::string_view program) {
   if (is_utf8(program)) return program;
   return {{"base64", base64(program)}};
+}
+
+// JSON on one line, with U+FFFD for bytes that are not UTF-8.
+inline std::string dump(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace gonogo::oracle

@@ -49,7 +49,7 @@ class RunReader {
   std::size_t size_ = 0;
 };
 
-[[noreturn]] void fail(const std::string& folder) {
+[[noreturn]] void fail_to_sort(const std::string& folder) {
   throw ResultsUnwritable(
       fmt::format("The results cannot be sorted in {}: {}", folder, std::strerror(errno)));
 }
@@ -57,12 +57,12 @@ class RunReader {
 void put(std::FILE* file, const std::string& line, const std::string& folder) {
   if (std::fwrite(line.data(), 1, line.size(), file) != line.size() ||
       std::fputc('\n', file) == EOF) {
-    fail(folder);
+    fail_to_sort(folder);
   }
 }
 
 void flush(std::FILE* file, const std::string& folder) {
-  if (std::fflush(file) != 0) fail(folder);
+  if (std::fflush(file) != 0) fail_to_sort(folder);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ FileHandle LineSorter::temporary() const {
   const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
   if (descriptor >= 0) ::unlink(path.c_str());
   FileHandle file(descriptor >= 0 ? ::fdopen(descriptor, "w+") : nullptr);
-  if (file == nullptr) fail(folder_);
+  if (file == nullptr) fail_to_sort(folder_);
   return file;
 }
 

@@ -5,15 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "oracle/campaign/encoding.hpp"
+
 namespace gonogo::oracle {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-std::string dump(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 Json numeric_json(const SubjectInfo& subject) {
   Json numeric = {{"kind", subject.numeric_kind}};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/campaign/encoding.hpp"
 #include "oracle/campaign/results.hpp"
 #include "oracle/verdict.hpp"
 
@@ -11,10 +12,6 @@ namespace gonogo::oracle {
 using Json = ResultsReader::Json;
 
 namespace {
-
-std::string dump(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 // The text member; nothing when it is missing, empty or no text.
 std::optional<std::string> text_of(const Json& object, const char* key) {

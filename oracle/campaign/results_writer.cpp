@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path) {
+[[noreturn]] void fail_to_write(const std::string& path) {
   throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(errno)));
 }
 
@@ -58,7 +58,7 @@ class ResultsWriter::Sorted {
  public:
   explicit Sorted(const std::string& path)
       : path_(path), sorted_(path + ".sorted"), file_(std::fopen(sorted_.c_str(), "we")) {
-    if (file_ == nullptr) fail(sorted_);
+    if (file_ == nullptr) fail_to_write(sorted_);
   }
   Sorted(const Sorted&) = delete;
   Sorted& operator=(const Sorted&) = delete;
@@ -70,13 +70,14 @@ class ResultsWriter::Sorted {
   void put(const std::string& line) {
     if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
         std::fputc('\n', file_.get()) == EOF) {
-      fail(sorted_);
+      fail_to_write(sorted_);
     }
   }
   void finish() {
-    if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(sorted_);
-    if (std::fclose(file_.release()) != 0) fail(sorted_);
-    if (std::rename(sorted_.c_str(), path_.c_str()) != 0) fail(path_);
+    if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0)
+      fail_to_write(sorted_);
+    if (std::fclose(file_.release()) != 0) fail_to_write(sorted_);
+    if (std::rename(sorted_.c_str(), path_.c_str()) != 0) fail_to_write(path_);
     is_whole_ = true;
   }
 
@@ -100,7 +101,7 @@ ResultsWriter::ResultsWriter(std::string path, std::string header)
 void ResultsWriter::create() {
   const std::string journal = journal_of(path_);
   journal_.reset(std::fopen(journal.c_str(), "w+e"));
-  if (journal_ == nullptr) fail(journal);
+  if (journal_ == nullptr) fail_to_write(journal);
   add_line(header_);
 }
 
@@ -125,7 +126,7 @@ void ResultsWriter::resume() {
   if (journal_ == nullptr ||
       ::ftruncate(::fileno(journal_.get()), static_cast<off_t>(whole)) != 0 ||
       std::fseek(journal_.get(), 0, SEEK_END) != 0) {
-    fail(journal);
+    fail_to_write(journal);
   }
 }
 
@@ -133,7 +134,7 @@ void ResultsWriter::resume() {
 void ResultsWriter::add_line(std::string_view line) {
   if (std::fwrite(line.data(), 1, line.size(), journal_.get()) != line.size() ||
       std::fputc('\n', journal_.get()) == EOF || std::fflush(journal_.get()) != 0) {
-    fail(journal_of(path_));
+    fail_to_write(journal_of(path_));
   }
 }
 

@@ -14,7 +14,7 @@
 namespace gonogo::oracle {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) {
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
   throw ResultsUnwritable(fmt::format("{} cannot be written: {}", path, std::strerror(error)));
 }
 
@@ -63,22 +63,22 @@ void TraceFile::finish(const RunEnd& end) {
                            end.kind == RunEnd::Kind::stopped;
   if (end.kind == RunEnd::Kind::alarm) put(alarm_text(end.alarm));
   if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
-  if (error_ != 0) fail(part_, error_);
+  if (error_ != 0) fail_to_write(part_, error_);
   if (!has_outcome || end.sampled != nullptr) return;
-  if (std::rename(part_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+  if (std::rename(part_.c_str(), path_.c_str()) != 0) fail_to_write(path_, errno);
   file_.reset();
 }
 
 void begin_traces(const std::string& folder, const SubjectInfo& subject) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) fail(folder, error.value());
+  if (error) fail_to_write(folder, error.value());
   const std::string path = folder + "/subject.json";
   const std::string text = subject_json(subject);
   FileHandle file(std::fopen(path.c_str(), "we"));
   if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
       std::fflush(file.get()) != 0) {
-    fail(path, errno);
+    fail_to_write(path, errno);
   }
 }
 

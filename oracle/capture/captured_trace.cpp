@@ -71,10 +71,7 @@ class HeaderFilter {
 };
 
 RunEnd protocol(const std::string& path, std::uint64_t line, const std::string& message) {
-  RunEnd end;
-  end.kind = RunEnd::Kind::protocol;
-  end.message = fmt::format("{}, line {}: {}", path, line, message);
-  return end;
+  return RunEnd::of(RunEnd::Kind::protocol, fmt::format("{}, line {}: {}", path, line, message));
 }
 
 }  // namespace

@@ -12,9 +12,7 @@
 namespace gonogo::oracle {
 namespace {
 
-using Json = nlohmann::json;
-
-ExportedProgram program_of(const Json& entry) {
+ExportedProgram program_of(const nlohmann::json& entry) {
   ExportedProgram program;
   program.stem = std::filesystem::path(entry.at("file").get<std::string>()).stem().string();
   program.header_lines = entry.at("header_lines").get<std::uint64_t>();
@@ -36,8 +34,8 @@ std::map<std::string, ExportedProgram> read_export_manifest(const std::string& p
   if (!file) throw SubjectUnusable(fmt::format("The manifest {} cannot be opened.", path));
   std::map<std::string, ExportedProgram> programs;
   try {
-    const Json manifest = Json::parse(file);
-    for (const Json& entry : manifest.at("programs")) {
+    const nlohmann::json manifest = nlohmann::json::parse(file);
+    for (const nlohmann::json& entry : manifest.at("programs")) {
       programs.emplace(entry.at("id").get<std::string>(), program_of(entry));
     }
   } catch (const std::exception& error) {

@@ -14,8 +14,6 @@ using reference::index;
 using reference::kAllAxes;
 using reference::kAxes;
 
-constexpr double kSecondsAMinute = 60;
-
 // Along round motions places are counted in millionths of a millimetre.
 Number place_of(double value) {
   constexpr double kMillion = 1e6;

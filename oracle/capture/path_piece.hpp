@@ -13,6 +13,8 @@
 
 namespace gonogo::oracle {
 
+inline constexpr double kSecondsAMinute = 60;
+
 enum class PieceKind : std::uint8_t {
   line,      // straight cut, thread
   traverse,  // anywhere in the box of its ends, monotone on each axis

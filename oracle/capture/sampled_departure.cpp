@@ -12,7 +12,6 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::size_t kLookAhead = 500;
-constexpr double kSecondsAMinute = 60;
 
 bool is_cut(const PathPiece& piece) {
   return piece.kind() == PieceKind::line || piece.kind() == PieceKind::round;

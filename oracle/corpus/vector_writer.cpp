@@ -15,7 +15,7 @@ namespace {
 
 using Cases = std::vector<const Case*>;
 
-std::string quoted(std::string_view text) {
+std::string json_string(std::string_view text) {
   std::string out;
   append_json_string(text, out);
   return out;
@@ -43,7 +43,7 @@ std::string block_list(const std::vector<std::string>& items, std::size_t indent
 }
 
 std::string program_json(std::string_view program) {
-  if (is_utf8(program)) return quoted(program);
+  if (is_utf8(program)) return json_string(program);
   return fmt::format("{{\"base64\": \"{}\"}}", base64(program));
 }
 
@@ -65,9 +65,9 @@ std::string case_json(const Case& test) {
      "tags": {{"tway": {}, "sign": {}}},
      "provenance": {}
     }})",
-                     quoted(test.id), quoted(test.comment), program_json(test.program),
+                     json_string(test.id), json_string(test.comment), program_json(test.program),
                      block_list(expect, 5), text_list(test.tags_tway), text_list(test.tags_sign),
-                     quoted(test.provenance));
+                     json_string(test.provenance));
 }
 
 std::string group_json(const Cases& cases) {
@@ -89,7 +89,7 @@ std::string group_json(const Cases& cases) {
    "profile": {},
    "cases": {}
   }})",
-                     quoted(first.group), text_list(first.features), text_list(first.clauses),
+                     json_string(first.group), text_list(first.features), text_list(first.clauses),
                      reference::profile_json(first.profile), block_list(texts, 3));
 }
 
@@ -101,7 +101,7 @@ std::string expectation_json(const Expectation& expectation) {
     out += "\"when\": {";
     bool first = true;
     for (const auto& [reading, value] : expectation.when) {
-      out += fmt::format("{}{}: {}", first ? "" : ", ", quoted(reading), quoted(value));
+      out += fmt::format("{}{}: {}", first ? "" : ", ", json_string(reading), json_string(value));
       first = false;
     }
     out += "}, ";
@@ -143,8 +143,8 @@ std::string vector_file_text(std::string_view corpus_version, const std::vector<
  "groups": {}
 }}
 )",
-                     quoted(corpus_version), quoted(head.dialect), quoted(head.cycle),
-                     block_list(texts, 1));
+                     json_string(corpus_version), json_string(head.dialect),
+                     json_string(head.cycle), block_list(texts, 1));
 }
 
 }  // namespace gonogo::oracle

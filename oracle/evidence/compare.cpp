@@ -17,7 +17,7 @@ using report::text_of;
 
 namespace {
 
-constexpr std::size_t kNamed = 1'000;
+constexpr std::size_t kNamedDifferences = 1'000;
 
 // What a verdict rests on; run time, notes and traces may differ.
 constexpr std::array<const char*, 12> kDeparture = {"verdict",   "clause",  "b",       "record",
@@ -70,7 +70,7 @@ class Side {
 
 void add_one(std::uint64_t& count, std::vector<std::string>& first, const std::string& id) {
   ++count;
-  if (first.size() < kNamed) first.push_back(id);
+  if (first.size() < kNamedDifferences) first.push_back(id);
 }
 
 void add_both(Comparison& comparison, const Json& before, const Json& after) {

@@ -20,7 +20,7 @@ using report::text_of;
 
 namespace {
 
-constexpr std::size_t kNamed = 20;
+constexpr std::size_t kNamedCases = 20;
 
 // Cases that are known to fail, by reason.
 class Waivers {
@@ -40,7 +40,7 @@ class Waivers {
     }
     if (own == nullptr) return false;
     ++own->cases;
-    if (own->first.size() < kNamed) own->first.push_back(row.id);
+    if (own->first.size() < kNamedCases) own->first.push_back(row.id);
     return true;
   }
   Json json() const {
@@ -195,7 +195,7 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
     }
     if (row.decision() == Decision::no_go || row.is_unexpected_gap()) {
       std::vector<std::string>& ids = findings[row.kind];
-      if (ids.size() < kNamed) ids.push_back(row.id);
+      if (ids.size() < kNamedCases) ids.push_back(row.id);
     }
   }
   if (!reader.footer()) {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using Result = Check::Result;
 
 // Of many faults of one kind, the first are named.
-constexpr std::size_t kNamed = 10;
+constexpr std::size_t kNamedFaults = 10;
 
 // SHA256SUMS: name -> sum.
 std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& findings) {
@@ -41,9 +41,10 @@ std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& f
 }  // namespace
 
 void Findings::add_list(const std::vector<std::string>& faults, std::string ok) {
-  for (std::size_t i = 0; i < std::min(kNamed, faults.size()); ++i) add(Result::fails, faults[i]);
-  if (faults.size() > kNamed) {
-    add(Result::fails, fmt::format("And {} more of this kind.", faults.size() - kNamed));
+  for (std::size_t i = 0; i < std::min(kNamedFaults, faults.size()); ++i)
+    add(Result::fails, faults[i]);
+  if (faults.size() > kNamedFaults) {
+    add(Result::fails, fmt::format("And {} more of this kind.", faults.size() - kNamedFaults));
   }
   if (faults.empty()) add(Result::holds, std::move(ok));
 }

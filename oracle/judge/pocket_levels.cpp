@@ -28,7 +28,7 @@ Number sharp(const Number& value) {
   return (bounds[0] * scale).floor() / scale;
 }
 
-bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
+bool same_rounded_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
   return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
          (!a.is_arc || a.centre == b.centre);
 }
@@ -109,7 +109,7 @@ OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
   const region::RectangularLevel level = level_at(depth_);
   const bool whole = !level.cleared;
   const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
-                     std::ranges::equal(judged_->motions, motions_, same_motion);
+                     std::ranges::equal(judged_->motions, motions_, same_rounded_motion);
   if (known) return OpenPathAnswer::take();
   const region::LevelVerdict answer = region::judge_level(level, motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);

@@ -11,7 +11,7 @@ namespace {
 // Halvings of one motion before it is called undecided.
 constexpr int kMaximumPieces = 20'000;
 // A piece no longer than this that is still open leaves the motion undecided, mm.
-constexpr double kShortestPiece = 1e-9;
+constexpr double kShortestBorderPiece = 1e-9;
 
 }  // namespace
 
@@ -74,7 +74,7 @@ Against BorderSense::along(const LinePiece& whole_line) const {
     if (lies_outside(piece, enclosed_inner_)) continue;
     const IntervalVector middle = Interval{0.5, 0.5} * (piece.a + piece.b);
     if (is_nearly_inside(middle)) return Against::no;
-    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kShortestPiece)) {
+    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kShortestBorderPiece)) {
       result = Against::undecided;
       continue;
     }
@@ -108,7 +108,7 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
     const auto parts = halves(stretch);
     if (is_nearly_inside(arc.c + parts[0].rb * parts[0].ub)) return Against::no;
     const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi;
-    if (budget <= 0 || (short_enough && !(size > kShortestPiece))) {
+    if (budget <= 0 || (short_enough && !(size > kShortestBorderPiece))) {
       result = Against::undecided;
       continue;
     }

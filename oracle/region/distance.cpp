@@ -6,7 +6,7 @@
 namespace gonogo::oracle::region {
 namespace {
 
-constexpr int kMaximumStretches = 4'000;
+constexpr int kMaximumDistanceStretches = 4'000;
 
 // Bounds of the distance to a round arc; the lower one holds wherever the nearest point is.
 Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
@@ -46,7 +46,7 @@ std::optional<double> clear_of_spiral(const Arc& arc, const IntervalVector& poin
   std::vector<Stretch> open{whole(arc)};
   double least = std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  for (int budget = kMaximumStretches; !open.empty(); --budget) {
+  for (int budget = kMaximumDistanceStretches; !open.empty(); --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
     const Interval distance = distance_to_stretch(arc, stretch, point);

@@ -5,7 +5,7 @@ namespace gonogo::oracle::region {
 namespace {
 
 // Halvings of a spiral before it is called undecided.
-constexpr int kMaximumStretches = 20'000;
+constexpr int kMaximumGougeStretches = 20'000;
 
 Reach outside(const PlanePoint& witness, const Number& beyond) {
   return {Reach::Kind::outside, witness, beyond};
@@ -99,7 +99,7 @@ double SpiralReach::squared_distance(const Stretch& stretch) const {
 Reach SpiralReach::farthest() const {
   std::vector<Stretch> open{whole(arc_)};
   bool undecided = false;
-  for (int budget = kMaximumStretches; !open.empty() && budget > 0; --budget) {
+  for (int budget = kMaximumGougeStretches; !open.empty() && budget > 0; --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
     if (squared_distance(stretch) <= limit_.radius2.lo) continue;

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 9> kKept = {
     "--corpus",  "--profile", "--reading",   "--tolerance",     "--chord",
     "--timeout", "--memory",  "--alarm-map", "--known-failures"};
 
-bool is_plain(char c) {
+bool is_plain_in_shell(char c) {
   constexpr std::string_view kPlain = "_@%+=:,./-";
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          kPlain.find(c) != std::string_view::npos;
@@ -27,7 +27,7 @@ bool is_plain(char c) {
 }  // namespace
 
 std::string shell_word(std::string_view word) {
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return std::string(word);
+  if (!word.empty() && std::ranges::all_of(word, is_plain_in_shell)) return std::string(word);
   std::string quoted = "'";
   for (char c : word) {
     if (c == '\'') {

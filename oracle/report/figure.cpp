@@ -156,7 +156,6 @@ void append_view(std::string& out, const View& view, const Figure& figure) {
 }
 
 bool still(const Extent& extent) {
-  constexpr double kStill = 1e-6;
   return extent.empty() ||
          (extent.high.x - extent.low.x < kStill && extent.high.y - extent.low.y < kStill &&
           extent.high.z - extent.low.z < kStill);

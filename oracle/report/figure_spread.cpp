@@ -6,8 +6,7 @@
 namespace gonogo::oracle::report {
 namespace {
 
-constexpr double kStill = 1e-6;  // mm
-constexpr double kGap = 0.06;    // of the line's length between two motions
+constexpr double kGap = 0.06;  // of the line's length between two motions
 
 Point3 shifted(const Point3& point, const Direction& step, double times) {
   return {point.x + step.x * times, point.y + step.y * times, point.z + step.z * times};

@@ -26,12 +26,12 @@ std::optional<Json> parse_object(const std::string& line) {
   return value;
 }
 
-bool is_plain(char c) {
+bool is_plain_in_script(char c) {
   return c >= 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '<' && c != '>' && c != '&';
 }
 
 void append_text(std::string_view text, std::string& out) {
-  if (!std::ranges::all_of(text, is_plain)) {
+  if (!std::ranges::all_of(text, is_plain_in_script)) {
     out += script_json(dump(Json(text)));
     return;
   }

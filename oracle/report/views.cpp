@@ -8,7 +8,6 @@
 namespace gonogo::oracle::report {
 namespace {
 
-constexpr double kStill = 1e-6;  // mm: an axis that spans less does not move
 constexpr Direction kX{1, 0, 0};
 constexpr Direction kY{0, 1, 0};
 constexpr Direction kZ{0, 0, 1};

@@ -25,6 +25,8 @@ struct SheetBox {
   double height = 0;
 };
 
+inline constexpr double kStill = 1e-6;  // mm: an axis that spans less does not move
+
 // What a drawing spans, mm.
 struct Extent {
   Point3 low{kNone, kNone, kNone};

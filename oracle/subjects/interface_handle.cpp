@@ -9,7 +9,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::size_t kMostNotes = 16384;
+constexpr std::size_t kMostCallNotes = 16384;
 
 // Calls the subject; an exception that escapes it becomes a sentence.
 template <class Function>
@@ -22,13 +22,6 @@ std::optional<std::string> escaped(Function&& function) noexcept {
   } catch (...) {
     return "An exception left the subject.";
   }
-}
-
-RunEnd end_of(RunEnd::Kind kind, std::string message) {
-  RunEnd end;
-  end.kind = kind;
-  end.message = std::move(message);
-  return end;
 }
 
 }  // namespace
@@ -72,7 +65,7 @@ void InterfaceHandle::take_alarm(void* context, const gonogo_alarm_v1* alarm) no
 void InterfaceHandle::take_note(void* context, int, gonogo_text message) noexcept {
   Call& call = *static_cast<Call*>(context);
   call.note = excerpt(view(message), 1000);
-  if (call.notes.size() < kMostNotes) call.notes += call.note + "\n";
+  if (call.notes.size() < kMostCallNotes) call.notes += call.note + "\n";
 }
 
 InterfaceHandle::InterfaceHandle(const gonogo_subject_v1& subject) : subject_(subject) {
@@ -127,7 +120,7 @@ void InterfaceHandle::close() {
 std::optional<RunEnd> InterfaceHandle::prepare() {
   call_ = Call();
   if (configuration_.empty()) {
-    return end_of(RunEnd::Kind::error, "The subject has not been configured.");
+    return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
   }
   if (!open_) return create();
   if (!used_) return std::nullopt;
@@ -136,9 +129,10 @@ std::optional<RunEnd> InterfaceHandle::prepare() {
   used_ = false;
   if (!thrown && call_.fault.empty() && answer == GONOGO_OK) return std::nullopt;
   close();
-  if (thrown) return end_of(RunEnd::Kind::crash, *thrown);
-  if (!call_.fault.empty()) return end_of(RunEnd::Kind::protocol, call_.fault);
-  return end_of(RunEnd::Kind::error, fmt::format("`reset` answered {}. {}", answer, call_.note));
+  if (thrown) return RunEnd::of(RunEnd::Kind::crash, *thrown);
+  if (!call_.fault.empty()) return RunEnd::of(RunEnd::Kind::protocol, call_.fault);
+  return RunEnd::of(RunEnd::Kind::error,
+                    fmt::format("`reset` answered {}. {}", answer, call_.note));
 }
 
 std::optional<RunEnd> InterfaceHandle::create() {
@@ -148,23 +142,23 @@ std::optional<RunEnd> InterfaceHandle::create() {
   });
   open_ = !thrown && answer == GONOGO_OK;
   used_ = false;
-  if (thrown) return end_of(RunEnd::Kind::crash, *thrown);
+  if (thrown) return RunEnd::of(RunEnd::Kind::crash, *thrown);
   if (!call_.fault.empty()) {
     close();
-    return end_of(RunEnd::Kind::protocol, call_.fault);
+    return RunEnd::of(RunEnd::Kind::protocol, call_.fault);
   }
   switch (answer) {
     case GONOGO_OK:
       return std::nullopt;
     case GONOGO_UNSUPPORTED:
-      return end_of(RunEnd::Kind::refused, call_.note.empty()
-                                               ? "The subject does not say which key it refuses."
-                                               : call_.note);
+      return RunEnd::of(
+          RunEnd::Kind::refused,
+          call_.note.empty() ? "The subject does not say which key it refuses." : call_.note);
     case GONOGO_ERROR:
-      return end_of(RunEnd::Kind::error, "`create` failed. " + call_.note);
+      return RunEnd::of(RunEnd::Kind::error, "`create` failed. " + call_.note);
     default:
-      return end_of(RunEnd::Kind::protocol,
-                    fmt::format("`create` answered {}, which is none of its answers.", answer));
+      return RunEnd::of(RunEnd::Kind::protocol,
+                        fmt::format("`create` answered {}, which is none of its answers.", answer));
   }
 }
 
@@ -186,32 +180,32 @@ RunEnd InterfaceHandle::run_program(std::string_view program, const RawSink& sin
   auto thrown = escaped([&] { answer = subject_.run(handle_, {program.data(), program.size()}); });
   if (thrown) {
     close();
-    return end_of(RunEnd::Kind::crash, *thrown);
+    return RunEnd::of(RunEnd::Kind::crash, *thrown);
   }
-  if (!call_.fault.empty()) return end_of(RunEnd::Kind::protocol, call_.fault);
-  if (call_.stopped) return end_of(RunEnd::Kind::stopped, "The run was stopped.");
+  if (!call_.fault.empty()) return RunEnd::of(RunEnd::Kind::protocol, call_.fault);
+  if (call_.stopped) return RunEnd::of(RunEnd::Kind::stopped, "The run was stopped.");
   return read_answer(answer);
 }
 
 RunEnd InterfaceHandle::read_answer(int answer) {
   if ((answer == GONOGO_ALARM) != (call_.alarms == 1)) {
-    return end_of(RunEnd::Kind::protocol,
-                  answer == GONOGO_ALARM
-                      ? "`run` answered that there was an alarm, and none came."
-                      : fmt::format("An alarm came, and `run` answered {}.", answer));
+    return RunEnd::of(RunEnd::Kind::protocol,
+                      answer == GONOGO_ALARM
+                          ? "`run` answered that there was an alarm, and none came."
+                          : fmt::format("An alarm came, and `run` answered {}.", answer));
   }
-  RunEnd end = end_of(RunEnd::Kind::ok, call_.note);
+  RunEnd end = RunEnd::of(RunEnd::Kind::ok, call_.note);
   switch (answer) {
     case GONOGO_OK:
-      return end_of(RunEnd::Kind::ok, {});
+      return RunEnd::of(RunEnd::Kind::ok, {});
     case GONOGO_ALARM:
       end.kind = RunEnd::Kind::alarm;
       end.alarm = std::move(call_.alarm);
       return end;
     case GONOGO_UNSUPPORTED:
       if (call_.note.empty()) {
-        return end_of(RunEnd::Kind::protocol,
-                      "`run` answered that a feature is not supported, and no note names it.");
+        return RunEnd::of(RunEnd::Kind::protocol,
+                          "`run` answered that a feature is not supported, and no note names it.");
       }
       end.kind = RunEnd::Kind::skip;
       end.feature = call_.note;
@@ -220,10 +214,11 @@ RunEnd InterfaceHandle::read_answer(int answer) {
       end.kind = RunEnd::Kind::error;
       return end;
     default:
-      return end_of(RunEnd::Kind::protocol,
-                    answer == GONOGO_STOPPED
-                        ? "`run` answered that it was stopped, and nobody had asked for it."
-                        : fmt::format("`run` answered {}, which is none of its answers.", answer));
+      return RunEnd::of(
+          RunEnd::Kind::protocol,
+          answer == GONOGO_STOPPED
+              ? "`run` answered that it was stopped, and nobody had asked for it."
+              : fmt::format("`run` answered {}, which is none of its answers.", answer));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "oracle/subjects/record_fault.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
@@ -20,15 +21,6 @@ using reference::RecordKind;
 
 constexpr std::size_t kLongestNumber = 1000;
 
-// Thrown inside this file only.
-struct Fault {
-  std::string message;
-};
-template <class... Arguments>
-[[noreturn]] void fail(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-  throw Fault{fmt::format(text, std::forward<Arguments>(arguments)...)};
-}
-
 // The value of a finite double, exactly: 53 bits of mantissa.
 Number exact_value(double value) {
   int exponent = 0;
@@ -38,23 +30,23 @@ Number exact_value(double value) {
 
 void check_number(std::string_view key, const gonogo_number& source) {
   if (source.form > GONOGO_NUMBER_BINARY64) {
-    fail("The number \"{}\" has the unknown form {}.", key, source.form);
+    fail_record("The number \"{}\" has the unknown form {}.", key, source.form);
   }
   if (source.form == GONOGO_NUMBER_BINARY64 && !std::isfinite(source.binary64)) {
-    fail("The number \"{}\" is not finite.", key);
+    fail_record("The number \"{}\" is not finite.", key);
   }
   if (source.form == GONOGO_NUMBER_TEXT && source.text.size > kLongestNumber) {
-    fail("The number \"{}\" has more than {} characters.", key, kLongestNumber);
+    fail_record("The number \"{}\" has more than {} characters.", key, kLongestNumber);
   }
 }
 
 Number number_of(std::string_view key, const gonogo_number& source) {
   check_number(key, source);
-  if (source.form == GONOGO_NUMBER_ABSENT) fail("The number \"{}\" is missing.", key);
+  if (source.form == GONOGO_NUMBER_ABSENT) fail_record("The number \"{}\" is missing.", key);
   if (source.form == GONOGO_NUMBER_BINARY64) return exact_value(source.binary64);
   if (auto number = Number::parse(view(source.text))) return *std::move(number);
-  fail("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
-       excerpt(view(source.text), 60), key);
+  fail_record("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
+              excerpt(view(source.text), 60), key);
 }
 
 AxisSet read_position(const gonogo_number (&source)[GONOGO_AXES], Position& at) {
@@ -67,12 +59,6 @@ AxisSet read_position(const gonogo_number (&source)[GONOGO_AXES], Position& at) 
     named.add(axis);
   }
   return named;
-}
-
-void require_axes(std::string_view key, AxisSet named, std::initializer_list<Axis> needed) {
-  for (Axis axis : needed) {
-    if (!named.has(axis)) fail("\"{}\" lacks the axis {}.", key, reference::letter(axis));
-  }
 }
 
 bool given(const gonogo_number& number) {
@@ -89,7 +75,7 @@ bool any_given(const gonogo_number (&numbers)[N]) {
 
 void refuse_unused(const gonogo_record_v1& source, RecordKind kind) {
   auto check = [&](bool used, bool set, std::string_view key) {
-    if (!used && set) fail("A record \"{}\" has no \"{}\".", reference::name(kind), key);
+    if (!used && set) fail_record("A record \"{}\" has no \"{}\".", reference::name(kind), key);
   };
   const bool arc = kind == RecordKind::arc;
   const bool arc3 = kind == RecordKind::arc3;
@@ -109,27 +95,28 @@ void refuse_unused(const gonogo_record_v1& source, RecordKind kind) {
 }
 
 void check_arc(const gonogo_record_v1& source) {
-  if (source.plane < 17 || source.plane > 19) fail("\"plane\" must be 17, 18 or 19.");
+  if (source.plane < 17 || source.plane > 19) fail_record("\"plane\" must be 17, 18 or 19.");
   if (source.rot == 0 || source.rot == INT32_MIN) {
-    fail("\"rot\" of an arc must not be 0 and must lie above -2^31.");
+    fail_record("\"rot\" of an arc must not be 0 and must lie above -2^31.");
   }
 }
 
 // Everything but the values of the numbers.
 void check_form(const gonogo_record_v1& source) {
   if (source.struct_size < sizeof source) {
-    fail("A record has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
+    fail_record("A record has struct_size {}; version 1 has {}.", source.struct_size,
+                sizeof source);
   }
   if (source.kind < GONOGO_RAPID || source.kind > GONOGO_END) {
-    fail("The record kind {} is unknown.", source.kind);
+    fail_record("The record kind {} is unknown.", source.kind);
   }
   const auto kind = static_cast<RecordKind>(source.kind - GONOGO_RAPID);
   refuse_unused(source, kind);
   if (source.feed_mode > GONOGO_FEED_PER_REVOLUTION) {
-    fail("\"feed_mode\" has the unknown value {}.", source.feed_mode);
+    fail_record("\"feed_mode\" has the unknown value {}.", source.feed_mode);
   }
   if (kind == RecordKind::arc) check_arc(source);
-  if (source.m < 0) fail("\"m\" must not be negative.");
+  if (source.m < 0) fail_record("\"m\" must not be negative.");
 }
 
 void read_arc(const gonogo_record_v1& source, Record& record) {
@@ -184,7 +171,8 @@ Record record_of(const gonogo_record_v1& source) {
 
 SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
   if (source.struct_size < sizeof source) {
-    fail("An alarm has struct_size {}; version 1 has {}.", source.struct_size, sizeof source);
+    fail_record("An alarm has struct_size {}; version 1 has {}.", source.struct_size,
+                sizeof source);
   }
   SubjectAlarm alarm;
   alarm.block = source.block;
@@ -192,7 +180,7 @@ SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
   alarm.alarm_class = readable(view(source.klass));
   alarm.word = source.word;
   if (alarm.native.empty() && alarm.alarm_class.empty()) {
-    fail("An alarm needs a class or the subject's own text.");
+    fail_record("An alarm needs a class or the subject's own text.");
   }
   return alarm;
 }
@@ -218,7 +206,7 @@ std::string_view view(const gonogo_text& text) {
 
 std::variant<Record, TraceFault> convert_record(const gonogo_record_v1& source) try {
   return record_of(source);
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 
@@ -226,13 +214,13 @@ std::optional<TraceFault> form_fault(const gonogo_record_v1& source) try {
   check_form(source);
   check_numbers(source);
   return std::nullopt;
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 
 std::variant<SubjectAlarm, TraceFault> convert_alarm(const gonogo_alarm_v1& source) try {
   return alarm_of(source);
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 

@@ -23,13 +23,6 @@ constexpr int kExpanded = 0;
 constexpr int kAlarm = 1;
 constexpr int kUnsupported = 3;
 
-RunEnd end_of(RunEnd::Kind kind, std::string message) {
-  RunEnd end;
-  end.kind = kind;
-  end.message = std::move(message);
-  return end;
-}
-
 bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
@@ -64,12 +57,14 @@ class OneshotRun {
     while (true) {
       const Process::Event event = process_.pump(lines_);
       if (event == Process::Event::deadline) {
-        return end_of(RunEnd::Kind::timeout,
-                      fmt::format("The subject did not end within {} ms.", limits_.run.count()));
+        return RunEnd::of(
+            RunEnd::Kind::timeout,
+            fmt::format("The subject did not end within {} ms.", limits_.run.count()));
       }
       if (event == Process::Event::memory) {
-        return end_of(RunEnd::Kind::out_of_memory, fmt::format("The subject held more than {} MiB.",
-                                                               limits_.memory_bytes >> 20));
+        return RunEnd::of(
+            RunEnd::Kind::out_of_memory,
+            fmt::format("The subject held more than {} MiB.", limits_.memory_bytes >> 20));
       }
       if (auto end = read_lines()) return *std::move(end);
       if (event == Process::Event::exited) return read_ending();
@@ -89,8 +84,8 @@ class OneshotRun {
       end = read_line(*line);
     }
     if (!end && lines_.too_long()) {
-      end = end_of(RunEnd::Kind::protocol,
-                   fmt::format("A line has more than {} bytes.", limits_.line_bytes));
+      end = RunEnd::of(RunEnd::Kind::protocol,
+                       fmt::format("A line has more than {} bytes.", limits_.line_bytes));
     }
     if (records > 0) {
       in_sink_ += Clock::now() - begin;
@@ -102,19 +97,19 @@ class OneshotRun {
   std::optional<RunEnd> read_line(std::string_view text) {
     auto parsed = document_.parse(text);
     if (auto* fault = std::get_if<JsonFault>(&parsed)) {
-      return end_of(RunEnd::Kind::protocol, std::move(fault->message));
+      return RunEnd::of(RunEnd::Kind::protocol, std::move(fault->message));
     }
-    if (alarm_) return end_of(RunEnd::Kind::protocol, "A line came after the alarm.");
+    if (alarm_) return RunEnd::of(RunEnd::Kind::protocol, "A line came after the alarm.");
     auto line = read_trace_line(std::get<simdjson::dom::object>(parsed));
     if (auto* fault = std::get_if<TraceFault>(&line)) {
-      return end_of(RunEnd::Kind::protocol, std::move(fault->message));
+      return RunEnd::of(RunEnd::Kind::protocol, std::move(fault->message));
     }
     if (auto* alarm = std::get_if<SubjectAlarm>(&line)) {
       alarm_ = std::move(*alarm);
       return std::nullopt;
     }
     if (sink_(std::get<reference::Record>(line))) return std::nullopt;
-    return end_of(RunEnd::Kind::stopped, "The run was stopped.");
+    return RunEnd::of(RunEnd::Kind::stopped, "The run was stopped.");
   }
 
   // Only the exits of the contract are answers; everything else is a crash and no rejection.
@@ -122,10 +117,10 @@ class OneshotRun {
     const Ending ending = process_.kill();
     if (ending.signal != 0 ||
         (ending.code != kExpanded && ending.code != kAlarm && ending.code != kUnsupported)) {
-      return end_of(RunEnd::Kind::crash, "The subject " + ending.text() + ".");
+      return RunEnd::of(RunEnd::Kind::crash, "The subject " + ending.text() + ".");
     }
     if (ending.code == kUnsupported) {
-      RunEnd end = end_of(RunEnd::Kind::skip, "The subject does not support this.");
+      RunEnd end = RunEnd::of(RunEnd::Kind::skip, "The subject does not support this.");
       const std::string notes = process_.take_notes();
       if (!notes.empty()) end.message = excerpt(notes, 1000);
       return end;
@@ -136,12 +131,13 @@ class OneshotRun {
       if (auto end = read_line(last)) return *std::move(end);
     }
     if (alarm_.has_value() != (ending.code == kAlarm)) {
-      return end_of(RunEnd::Kind::protocol, alarm_ ? "The subject reported an alarm and exited "
-                                                     "with 0; an alarm exits with 1."
-                                                   : "The subject exited with 1, and its last line "
-                                                     "is not an alarm.");
+      return RunEnd::of(RunEnd::Kind::protocol,
+                        alarm_ ? "The subject reported an alarm and exited "
+                                 "with 0; an alarm exits with 1."
+                               : "The subject exited with 1, and its last line "
+                                 "is not an alarm.");
     }
-    RunEnd end = end_of(alarm_ ? RunEnd::Kind::alarm : RunEnd::Kind::ok, {});
+    RunEnd end = RunEnd::of(alarm_ ? RunEnd::Kind::alarm : RunEnd::Kind::ok, {});
     if (alarm_) end.alarm = *std::move(alarm_);
     return end;
   }
@@ -180,13 +176,13 @@ class OneshotSubject : public Subject {
 
   RunEnd run(std::string_view, std::string_view program, const RecordSink& sink) override {
     if (full_command_.empty()) {
-      return end_of(RunEnd::Kind::error, "The subject has not been configured.");
+      return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
     try {
       return OneshotRun(full_command_, limits_, sink, document_).run(program);
     } catch (const std::system_error& error) {
-      return end_of(RunEnd::Kind::error,
-                    fmt::format("No process could be started: {}.", error.what()));
+      return RunEnd::of(RunEnd::Kind::error,
+                        fmt::format("No process could be started: {}.", error.what()));
     }
   }
 

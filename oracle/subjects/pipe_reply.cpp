@@ -14,7 +14,7 @@ using simdjson::dom::element_type;
 using simdjson::dom::object;
 
 // Thrown inside this file only.
-struct Fault {
+struct ReplyFault {
   std::string message;
 };
 
@@ -24,12 +24,12 @@ template <class Value>
 Value value_of(std::string_view key, const element& source, std::string_view type) {
   Value value;
   if (source.get(value) != simdjson::SUCCESS) {
-    throw Fault{fmt::format("The key \"{}\" of a reply must be {}.", key, type)};
+    throw ReplyFault{fmt::format("The key \"{}\" of a reply must be {}.", key, type)};
   }
   return value;
 }
 
-std::string text_of(std::string_view key, const element& value) {
+std::string reply_text(std::string_view key, const element& value) {
   return excerpt(value_of<std::string_view>(key, value, "a string"), kLongestMessage);
 }
 
@@ -38,7 +38,7 @@ RunEnd::Kind outcome_of(std::string_view text) {
   if (text == "alarm") return RunEnd::Kind::alarm;
   if (text == "skip") return RunEnd::Kind::skip;
   if (text == "error") return RunEnd::Kind::error;
-  throw Fault{fmt::format("The outcome \"{}\" is unknown.", excerpt(text, 60))};
+  throw ReplyFault{fmt::format("The outcome \"{}\" is unknown.", excerpt(text, 60))};
 }
 
 // What stands in a reply, before the keys are checked against each other.
@@ -53,7 +53,7 @@ void read_field(std::string_view key, const element& value, Parts& parts) {
   PipeReply& reply = parts.reply;
   if (key == "seq") {
     if (value.type() != element_type::INT64) {
-      throw Fault{"The key \"seq\" of a reply must be a JSON integer."};
+      throw ReplyFault{"The key \"seq\" of a reply must be a JSON integer."};
     }
     parts.seq = value_of<std::int64_t>(key, value, "a JSON integer");
   } else if (key == "outcome") {
@@ -66,34 +66,34 @@ void read_field(std::string_view key, const element& value, Parts& parts) {
   } else if (key == "alarm") {
     parts.has_alarm = true;
     auto alarm = read_alarm(value_of<object>(key, value, "an object"));
-    if (auto* fault = std::get_if<TraceFault>(&alarm)) throw Fault{fault->message};
+    if (auto* fault = std::get_if<TraceFault>(&alarm)) throw ReplyFault{fault->message};
     reply.alarm = std::get<SubjectAlarm>(std::move(alarm));
   } else if (key == "feature") {
-    reply.feature = text_of(key, value);
+    reply.feature = reply_text(key, value);
   } else if (key == "message") {
-    reply.message = text_of(key, value);
+    reply.message = reply_text(key, value);
   } else if (key.substr(0, 2) != "x-") {
-    throw Fault{fmt::format("A reply has no key \"{}\"; a key of your own begins with x-.",
-                            excerpt(key, 60))};
+    throw ReplyFault{fmt::format("A reply has no key \"{}\"; a key of your own begins with x-.",
+                                 excerpt(key, 60))};
   }
 }
 
 void check(const Parts& parts, std::int64_t seq) {
-  if (!parts.seq) throw Fault{"The reply has no \"seq\"."};
+  if (!parts.seq) throw ReplyFault{"The reply has no \"seq\"."};
   if (*parts.seq != seq) {
-    throw Fault{fmt::format("The reply has \"seq\":{}; {} was asked.", *parts.seq, seq)};
+    throw ReplyFault{fmt::format("The reply has \"seq\":{}; {} was asked.", *parts.seq, seq)};
   }
   const PipeReply& reply = parts.reply;
   if (parts.has_outcome == reply.more) {
-    throw Fault{reply.more ? "A part with \"more\":true has no outcome yet."
-                           : "The reply has neither \"outcome\" nor \"more\":true."};
+    throw ReplyFault{reply.more ? "A part with \"more\":true has no outcome yet."
+                                : "The reply has neither \"outcome\" nor \"more\":true."};
   }
   if (parts.has_alarm != (parts.has_outcome && reply.outcome == RunEnd::Kind::alarm)) {
-    throw Fault{parts.has_alarm ? "The reply has an \"alarm\" and another outcome."
-                                : "The outcome \"alarm\" needs the key \"alarm\"."};
+    throw ReplyFault{parts.has_alarm ? "The reply has an \"alarm\" and another outcome."
+                                     : "The outcome \"alarm\" needs the key \"alarm\"."};
   }
   if (!reply.more && reply.outcome == RunEnd::Kind::skip && reply.feature.empty()) {
-    throw Fault{"The outcome \"skip\" needs the key \"feature\"."};
+    throw ReplyFault{"The outcome \"skip\" needs the key \"feature\"."};
   }
 }
 
@@ -104,7 +104,7 @@ std::variant<PipeReply, TraceFault> read_pipe_reply(const object& reply, std::in
   for (auto field : reply) read_field(field.key, field.value, parts);
   check(parts, seq);
   return std::move(parts.reply);
-} catch (const Fault& fault) {
+} catch (const ReplyFault& fault) {
   return TraceFault{fault.message};
 }
 

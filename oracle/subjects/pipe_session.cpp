@@ -41,10 +41,7 @@ PipeSession::PipeSession(const std::string& command, const Limits& limits)
 RunEnd PipeSession::fail(RunEnd::Kind kind, std::string message) {
   usable_ = false;
   process_.kill();
-  RunEnd end;
-  end.kind = kind;
-  end.message = std::move(message);
-  return end;
+  return RunEnd::of(kind, std::move(message));
 }
 
 // The subject closed its output or is gone. A process that closes its output is about to end, and

@@ -14,13 +14,6 @@
 namespace gonogo::oracle {
 namespace {
 
-RunEnd end_of(RunEnd::Kind kind, std::string message) {
-  RunEnd end;
-  end.kind = kind;
-  end.message = std::move(message);
-  return end;
-}
-
 class PipeSubject : public Subject {
  public:
   PipeSubject(const std::string& command, const Limits& limits)
@@ -53,18 +46,19 @@ class PipeSubject : public Subject {
 
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
     if (failures_ > limits_.restarts) {
-      RunEnd end = end_of(RunEnd::Kind::crash,
-                          fmt::format("The subject was given up after {} restarts in a row without "
-                                      "an answer.",
-                                      limits_.restarts));
+      RunEnd end =
+          RunEnd::of(RunEnd::Kind::crash,
+                     fmt::format("The subject was given up after {} restarts in a row without "
+                                 "an answer.",
+                                 limits_.restarts));
       end.given_up = true;
       return end;
     }
     if (configuration_.empty()) {
-      return end_of(RunEnd::Kind::error, "The subject has not been configured.");
+      return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
     if (!takes(program)) {
-      RunEnd end = end_of(RunEnd::Kind::skip, "The program is not UTF-8.");
+      RunEnd end = RunEnd::of(RunEnd::Kind::skip, "The program is not UTF-8.");
       end.feature = "bytes";
       return end;
     }
@@ -117,8 +111,8 @@ class PipeSubject : public Subject {
     try {
       session_ = std::make_unique<PipeSession>(command_, limits_);
     } catch (const std::system_error& error) {
-      return end_of(RunEnd::Kind::crash,
-                    fmt::format("No process could be started: {}.", error.what()));
+      return RunEnd::of(RunEnd::Kind::crash,
+                        fmt::format("No process could be started: {}.", error.what()));
     }
     auto started = session_->start();
     if (auto* failed = std::get_if<RunEnd>(&started)) {

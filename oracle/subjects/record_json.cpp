@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "oracle/subjects/record_fault.hpp"
 #include "oracle/subjects/record_keys.hpp"
 #include "oracle/subjects/text.hpp"
 
@@ -23,20 +24,11 @@ using simdjson::dom::element;
 using simdjson::dom::element_type;
 using simdjson::dom::object;
 
-// Thrown inside this file only; every entry point turns it into a TraceFault.
-struct Fault {
-  std::string message;
-};
-template <class... Arguments>
-[[noreturn]] void fail(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
-  throw Fault{fmt::format(text, std::forward<Arguments>(arguments)...)};
-}
-
 std::string_view string_of(std::string_view key, const element& value) {
   std::string_view text;
-  if (value.get(text) != simdjson::SUCCESS) fail("The key \"{}\" must be a string.", key);
+  if (value.get(text) != simdjson::SUCCESS) fail_record("The key \"{}\" must be a string.", key);
   if (text.size() > kLongestString) {
-    fail("The string of \"{}\" has more than {} characters.", key, kLongestString);
+    fail_record("The string of \"{}\" has more than {} characters.", key, kLongestString);
   }
   return text;
 }
@@ -46,7 +38,7 @@ std::int64_t integer_of(std::string_view key, const element& value, std::int64_t
   std::int64_t number = 0;
   if (value.type() != element_type::INT64 || value.get(number) != simdjson::SUCCESS ||
       number < low || number > high) {
-    fail("The key \"{}\" must be a JSON integer from {} to {}.", key, low, high);
+    fail_record("The key \"{}\" must be a JSON integer from {} to {}.", key, low, high);
   }
   return number;
 }
@@ -54,15 +46,15 @@ std::int64_t integer_of(std::string_view key, const element& value, std::int64_t
 Number rational_of(std::string_view key, const element& value) {
   const std::string_view text = string_of(key, value);
   if (auto number = Number::parse(text)) return *std::move(number);
-  fail("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
-       excerpt(text, 60), key);
+  fail_record("\"{}\" of \"{}\" is not a number: write a decimal, p/q or a hexadecimal float.",
+              excerpt(text, 60), key);
 }
 
 template <std::size_t N>
 std::array<Number, N> rationals_of(std::string_view key, const element& value) {
   array items;
   if (value.get(items) != simdjson::SUCCESS || items.size() != N) {
-    fail("A root or enclosure of \"{}\" must be an array of {} strings.", key, N);
+    fail_record("A root or enclosure of \"{}\" must be an array of {} strings.", key, N);
   }
   std::array<Number, N> numbers;
   std::size_t i = 0;
@@ -73,14 +65,14 @@ std::array<Number, N> rationals_of(std::string_view key, const element& value) {
 Number enclosure_of(std::string_view key, const element& value) {
   static const Number kWidest = Number::decimal(false, 1, 15);
   auto [low, high] = rationals_of<2>(key, value);
-  if (low > high) fail("The enclosure of \"{}\" has its bounds the wrong way round.", key);
-  if (high - low > kWidest) fail("The enclosure of \"{}\" is wider than 1e-15.", key);
+  if (low > high) fail_record("The enclosure of \"{}\" has its bounds the wrong way round.", key);
+  if (high - low > kWidest) fail_record("The enclosure of \"{}\" is wider than 1e-15.", key);
   return low == high ? low : Number::between(low, high);
 }
 
 Number root_of(std::string_view key, const element& value) {
   auto [a, b, c] = rationals_of<3>(key, value);
-  if (c.sign() < 0) fail("The root of \"{}\" is taken of a negative number.", key);
+  if (c.sign() < 0) fail_record("The root of \"{}\" is taken of a negative number.", key);
   return Number::root(a, b, c);
 }
 
@@ -88,39 +80,34 @@ Number number_of(std::string_view key, const element& value) {
   if (value.type() == element_type::STRING) return rational_of(key, value);
   object form;
   if (value.get(form) != simdjson::SUCCESS || form.size() != 1) {
-    fail("The number \"{}\" must be a string, {{\"root\":[a,b,c]}} or {{\"enclosure\":[lo,hi]}}.",
-         key);
+    fail_record(
+        "The number \"{}\" must be a string, {{\"root\":[a,b,c]}} or {{\"enclosure\":[lo,hi]}}.",
+        key);
   }
   auto field = *form.begin();
   if (field.key == "root") return root_of(key, field.value);
   if (field.key == "enclosure") return enclosure_of(key, field.value);
-  fail("The number \"{}\" has the unknown form \"{}\".", key, excerpt(field.key, 60));
+  fail_record("The number \"{}\" has the unknown form \"{}\".", key, excerpt(field.key, 60));
 }
 
 AxisSet read_position(std::string_view key, const element& value, Position& at) {
   object axes;
   if (value.get(axes) != simdjson::SUCCESS) {
-    fail("The key \"{}\" must be an object of axes.", key);
+    fail_record("The key \"{}\" must be an object of axes.", key);
   }
   AxisSet named;
   for (auto field : axes) {
     constexpr std::string_view kLetters = "xyzac";
     const std::size_t place = field.key.size() == 1 ? kLetters.find(field.key[0]) : kLetters.npos;
     if (place == kLetters.npos) {
-      fail("\"{}\" of \"{}\" is no axis: the axes are x, y, z, a and c.", excerpt(field.key, 60),
-           key);
+      fail_record("\"{}\" of \"{}\" is no axis: the axes are x, y, z, a and c.",
+                  excerpt(field.key, 60), key);
     }
     const Axis axis = reference::kAllAxes[place];
     at[axis] = number_of(field.key, field.value);
     named.add(axis);
   }
   return named;
-}
-
-void require_axes(std::string_view key, AxisSet named, std::initializer_list<Axis> needed) {
-  for (Axis axis : needed) {
-    if (!named.has(axis)) fail("\"{}\" lacks the axis {}.", key, reference::letter(axis));
-  }
 }
 
 // The fields of one object by key. Those that the judge ignores are left out.
@@ -143,10 +130,10 @@ class Fields {
     for (std::size_t i = 0; i < kKeys; ++i) {
       const std::uint32_t mask = 1U << i;
       if ((required & ~present_ & mask) != 0) {
-        fail("A record \"{}\" needs the key \"{}\".", kind, kKeyNames[i]);
+        fail_record("A record \"{}\" needs the key \"{}\".", kind, kKeyNames[i]);
       }
       if ((present_ & ~allowed & mask) != 0) {
-        fail("A record \"{}\" has no key \"{}\".", kind, kKeyNames[i]);
+        fail_record("A record \"{}\" has no key \"{}\".", kind, kKeyNames[i]);
       }
     }
   }
@@ -156,7 +143,7 @@ class Fields {
     for (std::size_t i = 0; i < kKeys; ++i) {
       if (kKeyNames[i] == text) return static_cast<Key>(i);
     }
-    fail("The key \"{}\" is unknown; a key of your own begins with x-.", excerpt(text, 60));
+    fail_record("The key \"{}\" is unknown; a key of your own begins with x-.", excerpt(text, 60));
   }
 
   std::array<element, kKeys> values_;
@@ -178,7 +165,7 @@ SubjectAlarm alarm_of(const Fields& fields) {
     alarm.word = reference::WordName(fields.text(Key::word));
   }
   if (alarm.alarm_class.empty() && alarm.native.empty()) {
-    fail("An alarm needs \"class\" or \"native\".");
+    fail_record("An alarm needs \"class\" or \"native\".");
   }
   return alarm;
 }
@@ -190,24 +177,24 @@ void read_feed(const Fields& fields, Record& record) {
   if (mode == "rev") {
     record.feed_mode = FeedMode::per_revolution;
   } else if (mode != "min") {
-    fail("\"fm\" must be \"min\" or \"rev\".");
+    fail_record("\"fm\" must be \"min\" or \"rev\".");
   }
 }
 
 void read_arc(const Fields& fields, Record& record) {
   const std::string_view plane = fields.text(Key::plane);
   if (plane != "G17" && plane != "G18" && plane != "G19") {
-    fail("\"plane\" must be \"G17\", \"G18\" or \"G19\".");
+    fail_record("\"plane\" must be \"G17\", \"G18\" or \"G19\".");
   }
   record.plane = plane == "G17" ? Plane::g17 : plane == "G18" ? Plane::g18 : Plane::g19;
   const auto [p, q, d] = reference::axes_of(record.plane);
   Position centre;
   const AxisSet named = read_position("c", fields[Key::c], centre);
-  if (named != AxisSet{p, q}) fail("\"c\" must have the two axes of the plane {}.", plane);
+  if (named != AxisSet{p, q}) fail_record("\"c\" must have the two axes of the plane {}.", plane);
   record.centre = {centre[p], centre[q]};
   constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
   record.rot = static_cast<std::int32_t>(integer_of("rot", fields[Key::rot], -kMost, kMost));
-  if (record.rot == 0) fail("\"rot\" of an arc must not be 0.");
+  if (record.rot == 0) fail_record("\"rot\" of an arc must not be 0.");
   require_axes("to", record.axes, {p, q});
 }
 
@@ -249,15 +236,15 @@ Record record_of(const Shape& shape, const Fields& fields) {
 
 TraceLine read_trace_line(const object& source) try {
   const Fields fields(source);
-  if (!fields.has(Key::k)) fail("A record needs the key \"k\".");
+  if (!fields.has(Key::k)) fail_record("A record needs the key \"k\".");
   const std::string_view kind = fields.text(Key::k);
   for (const Shape& shape : kShapes) {
     if (shape.name == kind) return record_of(shape, fields);
   }
-  if (kind != "alarm") fail("The record kind \"{}\" is unknown.", excerpt(kind, 60));
+  if (kind != "alarm") fail_record("The record kind \"{}\" is unknown.", excerpt(kind, 60));
   fields.check("alarm", 0, kAlarmKeys | bit(Key::k));
   return alarm_of(fields);
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 
@@ -265,13 +252,13 @@ std::variant<SubjectAlarm, TraceFault> read_alarm(const object& source) try {
   const Fields fields(source);
   fields.check("alarm", 0, kAlarmKeys);
   return alarm_of(fields);
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 
 std::variant<Number, TraceFault> read_number(std::string_view key, const element& value) try {
   return number_of(key, value);
-} catch (const Fault& fault) {
+} catch (const RecordFault& fault) {
   return TraceFault{fault.message};
 }
 

@@ -38,11 +38,12 @@ Interval half_turn_in_degrees(mpfr_prec_t bits) {
   return half;
 }
 
-using Operation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+using MpfrOperation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
 // The hull of the operation on the four pairs of ends; the whole line when one of them is no
 // number, such as 0 * infinity.
-Interval hull_of_ends(Operation operation, const Interval& x, const Interval& y, mpfr_prec_t bits) {
+Interval hull_of_ends(MpfrOperation operation, const Interval& x, const Interval& y,
+                      mpfr_prec_t bits) {
   Interval hull(bits);
   Interval candidate(bits);
   bool first = true;

@@ -12,7 +12,7 @@
 namespace gonogo::exact {
 namespace {
 
-constexpr std::size_t kMaxLength = 1000;
+constexpr std::size_t kMaxParsedLength = 1000;
 constexpr int kMaxExponent = 9999;
 constexpr std::size_t kMaxWordDigits = 19;  // fit in 64 bits
 
@@ -149,7 +149,7 @@ std::optional<Number> parse_short_decimal(bool negative, std::string_view text) 
 }  // namespace
 
 std::optional<Number> Number::parse(std::string_view text) {
-  if (text.size() > kMaxLength) return std::nullopt;
+  if (text.size() > kMaxParsedLength) return std::nullopt;
   const bool negative = take_sign(text);
   if (auto value = parse_short_decimal(negative, text)) return value;
   if (text.size() > 2 && text[0] == '0' && is_letter(text[1], 'x')) {

@@ -41,13 +41,13 @@ Generator<Item> mill(MillingSite site, HelixPocket pocket, bool open_side) {
 }
 
 // GSK-G112-01: L of the block, or the one that the mode retains; 1 without it.
-Number turns_of(const BlockContext& block) {
+Number pocket_turns_of(const BlockContext& block) {
   if (block.words.has('L')) return block.words.written('L');
   const std::optional<Number>& retained = block.machine.milling.turns;
   return retained && block.readings.is(ReadingKey::helix_turns, "modal") ? *retained : Number(1);
 }
 
-HelixPocket make_pocket(BlockContext& block, const MillingSite& site) {
+HelixPocket make_helix_pocket(BlockContext& block, const MillingSite& site) {
   const MillingMode& mode = block.machine.milling;
   HelixPocket pocket;
   pocket.block = block.line;
@@ -57,7 +57,7 @@ HelixPocket make_pocket(BlockContext& block, const MillingSite& site) {
   pocket.r_plane = site.r_plane;
   pocket.bottom = site.bottom;
   pocket.radius = mode.radius.value() - mode.tool.value();
-  pocket.turns = static_cast<std::int32_t>(turns_of(block).to_int64().value());
+  pocket.turns = static_cast<std::int32_t>(pocket_turns_of(block).to_int64().value());
   pocket.sense = sense_of(mode.code);
   pocket.flat = block.readings.is(ReadingKey::helix_flat, "on");
   pocket.feed = site.feed;  // GSK-G112-08: along the helix
@@ -95,7 +95,7 @@ void run_g112(BlockContext& block) {
   position[site.axes.d] = site.initial_plane;
   // The side of the entry is open unless a reading names one.
   const bool any = cuts && block.readings.is(ReadingKey::helix_entry_side, "any");
-  HelixPocket pocket = cuts ? make_pocket(block, site) : HelixPocket{};
+  HelixPocket pocket = cuts ? make_helix_pocket(block, site) : HelixPocket{};
   block.out.cycle = mill(site, std::move(pocket), any && block.open_paths == OpenPaths::judged);
 }
 

@@ -8,6 +8,8 @@
 
 namespace gonogo::reference::sinumerik {
 
+inline const Number kHalf = Number::millionths(500'000);
+
 // The arc of a block. Geometry is seen from the start: enclosures of the position then stay out.
 struct ArcCommand {
   Plane plane;

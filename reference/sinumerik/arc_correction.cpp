@@ -8,7 +8,6 @@ namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kCorrected = "SIE-ARC-08"_clause;
-const Number kHalf = Number::millionths(500'000);
 const Number kPerMille = Number::millionths(1000);
 
 // um^2 of mm^2, as OffsetCentre has them.

@@ -6,8 +6,6 @@
 namespace gonogo::reference::sinumerik {
 namespace {
 
-const Number kHalf = Number::millionths(500'000);
-
 PlanePoint plus(const PlanePoint& a, const PlanePoint& b) {
   return {a[0] + b[0], a[1] + b[1]};
 }

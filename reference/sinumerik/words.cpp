@@ -8,7 +8,7 @@ namespace {
 
 using grammar::Dimension;
 
-constexpr std::array<std::string_view, kAddresses> kNames = {
+constexpr std::array<std::string_view, kAddresses> kAddressNames = {
     "X",  "Y",  "Z",    "A",   "C", "I", "J", "K", "I1", "J1", "K1", "CR", "AR",
     "AP", "RP", "TURN", "RPL", "F", "S", "D", "G", "H",  "M",  "R",  "T"};
 
@@ -24,14 +24,14 @@ std::optional<Address> numbered(const grammar::NamedWord& word) {
 }  // namespace
 
 WordName name_of(Address address) {
-  return WordName(kNames[index(address)]);
+  return WordName(kAddressNames[index(address)]);
 }
 
 std::optional<Address> address_of(const grammar::NamedWord& word) {
   if (word.is_call || word.terms == 0) return std::nullopt;
   if (word.index) return word.name.size() == 1 ? numbered(word) : std::nullopt;
   for (std::size_t i = 0; i < kAddresses; ++i) {
-    if (word.name == kNames[i] && kNames[i] != "R") return static_cast<Address>(i);
+    if (word.name == kAddressNames[i] && kAddressNames[i] != "R") return static_cast<Address>(i);
   }
   return std::nullopt;
 }
@@ -56,7 +56,7 @@ AxisWord BlockWords::centre_word(Axis axis) const {
 
 std::optional<grammar::Span> BlockWords::place_of(const WordName& name) const {
   for (std::size_t i = 0; i < kAddresses; ++i) {
-    if (words_[i].word != nullptr && name.text() == kNames[i]) return words_[i].word->where;
+    if (words_[i].word != nullptr && name.text() == kAddressNames[i]) return words_[i].word->where;
   }
   return std::nullopt;
 }

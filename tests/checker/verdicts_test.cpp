@@ -8,9 +8,9 @@
 namespace gonogo::checker {
 namespace {
 
-const std::string kLine = "tiny.line.000001";
-const std::string kArc = "tiny.arc.000001";
-const std::string kAlarm = "tiny.alarm.000001";
+const std::string kLineCase = "tiny.line.000001";
+const std::string kArcCase = "tiny.arc.000001";
+const std::string kAlarmCase = "tiny.alarm.000001";
 
 void expect_said(Workshop& shop, int exit_code, const std::string& sentence) {
   const Said said = shop.check_verdicts();
@@ -32,35 +32,36 @@ TEST(CheckerVerdicts, WhatIsWholeAgrees) {
 }
 
 TEST(CheckerVerdicts, AGoThatIsNoneIsNoticed) {
-  expect_differs(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0011"},"f")", "the line");
+  expect_differs(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0011"},"f")", "the line");
 }
 
 TEST(CheckerVerdicts, WithinTheToleranceIsNoDeparture) {
   Workshop shop;
   // rs274 has the resolution 0.0001, which is smaller than the declared 0.001.
-  shop.change_trace(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0001"},"f")");
+  shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.0001"},"f")");
   expect_said(shop, 0, "3 verdicts derived again");
 }
 
 TEST(CheckerVerdicts, OneUnitBeyondTheToleranceIsADeparture) {
-  expect_differs(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.00010000001"},"f")", "Record 1");
+  expect_differs(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"2.00010000001"},"f")",
+                 "Record 1");
 }
 
 TEST(CheckerVerdicts, ANoGoThatIsNoneIsNoticed) {
   Workshop shop;
-  shop.set_verdict(kLine, "fail.geometry");
-  expect_said(shop, 1, "differs  " + kLine + ": The file says fail.geometry; derived: GO.");
+  shop.set_verdict(kLineCase, "fail.geometry");
+  expect_said(shop, 1, "differs  " + kLineCase + ": The file says fail.geometry; derived: GO.");
 }
 
 TEST(CheckerVerdicts, ANoGoThatIsOneAgrees) {
   Workshop shop;
-  shop.change_trace(kLine, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
-  shop.set_verdict(kLine, "fail.geometry");
+  shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+  shop.set_verdict(kLineCase, "fail.geometry");
   expect_said(shop, 0, "3 verdicts derived again (2 GO, 1 NO-GO, 0 not covered)");
 }
 
 TEST(CheckerVerdicts, AFeedOffByOneInTheLastPlaceIsADeparture) {
-  expect_differs(kLine, R"("f":"100")", R"("f":"100.000000001")", "feed");
+  expect_differs(kLineCase, R"("f":"100")", R"("f":"100.000000001")", "feed");
 }
 
 TEST(CheckerVerdicts, AFeedThatIsRoundedAsDeclaredIsNone) {
@@ -74,25 +75,25 @@ TEST(CheckerVerdicts, AFeedThatIsRoundedTheOtherWayIsADeparture) {
   Workshop shop;
   shop.change_vectors(R"("f":"100"})", R"("f":"100.06"})");
   shop.change_results(R"("resolution":"0.001")", R"("resolution":"0.001","feed_resolution":"0.1")");
-  expect_said(shop, 1, "differs  " + kLine);
+  expect_said(shop, 1, "differs  " + kLineCase);
 }
 
 TEST(CheckerVerdicts, AnAlarmOneLineLateIsNoticed) {
-  expect_differs(kAlarm, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)",
+  expect_differs(kAlarmCase, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)",
                  "The alarm is feed-missing in line 3 for feed-missing in line 2.");
 }
 
 TEST(CheckerVerdicts, AnAlarmOfAnotherClassIsNoticed) {
-  expect_differs(kAlarm, "feed-missing", "arc-radius", "The alarm is arc-radius");
+  expect_differs(kAlarmCase, "feed-missing", "arc-radius", "The alarm is arc-radius");
 }
 
 TEST(CheckerVerdicts, AnAlarmThatIsMissingIsNoticed) {
-  expect_differs(kAlarm, R"({"k":"alarm","b":2,"class":"feed-missing"})", "",
+  expect_differs(kAlarmCase, R"({"k":"alarm","b":2,"class":"feed-missing"})", "",
                  "The alarm is missing");
 }
 
 TEST(CheckerVerdicts, MotionOfTheAlarmsLineIsNoticed) {
-  expect_differs(kAlarm, R"({"k":"alarm")",
+  expect_differs(kAlarmCase, R"({"k":"alarm")",
                  R"({"k":"feed","b":2,"to":{"y":"2"},"f":"1"})"
                  "\n"
                  R"({"k":"alarm")",
@@ -100,7 +101,7 @@ TEST(CheckerVerdicts, MotionOfTheAlarmsLineIsNoticed) {
 }
 
 TEST(CheckerVerdicts, AnAlarmWhereNoneMustComeIsNoticed) {
-  expect_differs(kArc, R"("f":"50"})",
+  expect_differs(kArcCase, R"("f":"50"})",
                  R"("f":"50"})"
                  "\n"
                  R"({"k":"alarm","b":2,"class":"arc-radius"})",
@@ -108,38 +109,38 @@ TEST(CheckerVerdicts, AnAlarmWhereNoneMustComeIsNoticed) {
 }
 
 TEST(CheckerVerdicts, AnArcTheOtherWayIsNoticed) {
-  expect_differs(kArc, R"("rot":-1)", R"("rot":1)", "the senses differ");
+  expect_differs(kArcCase, R"("rot":-1)", R"("rot":1)", "the senses differ");
 }
 
 TEST(CheckerVerdicts, AnArcWithATurnTooManyIsNoticed) {
-  expect_differs(kArc, R"("rot":-1)", R"("rot":-2)", "the turns differ");
+  expect_differs(kArcCase, R"("rot":-1)", R"("rot":-2)", "the turns differ");
 }
 
 TEST(CheckerVerdicts, ACentreThatIsOffIsNoticed) {
-  expect_differs(kArc, R"("c":{"x":"0","y":"0"})", R"("c":{"x":"0.01","y":"0"})",
+  expect_differs(kArcCase, R"("c":{"x":"0","y":"0"})", R"("c":{"x":"0.01","y":"0"})",
                  "the centres differ");
 }
 
 TEST(CheckerVerdicts, AMotionOfAnotherLineIsNoticed) {
-  expect_differs(kLine, R"({"k":"feed","b":2)", R"({"k":"feed","b":1)", "source lines differ");
+  expect_differs(kLineCase, R"({"k":"feed","b":2)", R"({"k":"feed","b":1)", "source lines differ");
 }
 
 TEST(CheckerVerdicts, ATraverseForACutIsNoticed) {
-  expect_differs(kLine, R"({"k":"rapid","b":1,"to":{"x":"1"}})",
+  expect_differs(kLineCase, R"({"k":"rapid","b":1,"to":{"x":"1"}})",
                  R"({"k":"feed","b":1,"to":{"x":"1"},"f":"100"})", "the kinds differ");
 }
 
 TEST(CheckerVerdicts, AnMFunctionThatIsMissingIsNoticed) {
-  expect_differs(kLine, R"({"k":"m","b":3,"m":3})", "", "The M functions are not");
+  expect_differs(kLineCase, R"({"k":"m","b":3,"m":3})", "", "The M functions are not");
 }
 
 TEST(CheckerVerdicts, AnEndElsewhereIsNoticed) {
-  expect_differs(kLine, R"("to":{"x":"1","y":"2"}})", R"("to":{"x":"1","y":"3"}})",
+  expect_differs(kLineCase, R"("to":{"x":"1","y":"2"}})", R"("to":{"x":"1","y":"3"}})",
                  "The end is at");
 }
 
 TEST(CheckerVerdicts, AMotionThatIsMissingIsNoticed) {
-  expect_differs(kArc, R"({"k":"rapid","b":1,"to":{"x":"10"}})", "", "the kinds differ");
+  expect_differs(kArcCase, R"({"k":"rapid","b":1,"to":{"x":"10"}})", "", "the kinds differ");
 }
 
 TEST(CheckerVerdicts, AHashThatIsNotThatOfTheLinesIsNoticed) {
@@ -159,8 +160,8 @@ TEST(CheckerVerdicts, TimesAreNotHashed) {
 
 TEST(CheckerVerdicts, ACaseThatIsMissingIsNoticed) {
   Workshop shop;
-  shop.drop_line(kArc);
-  expect_said(shop, 3, "1 cases that were asked for are not there, " + kArc);
+  shop.drop_line(kArcCase);
+  expect_said(shop, 3, "1 cases that were asked for are not there, " + kArcCase);
 }
 
 TEST(CheckerVerdicts, ACaseThatTheCorpusDoesNotHaveIsNoticed) {
@@ -203,26 +204,26 @@ TEST(CheckerVerdicts, ALineUnderAnotherProfileIsNoticed) {
 
 TEST(CheckerVerdicts, ATraceThatIsNoneIsNoticed) {
   Workshop shop;
-  shop.set_trace(kArc, R"({"k":"rapid","b":1,"to":{"x":10}})");
+  shop.set_trace(kArcCase, R"({"k":"rapid","b":1,"to":{"x":10}})");
   expect_said(shop, 1, "stands in quotes");
 }
 
 TEST(CheckerVerdicts, AKnownFailureMustFail) {
   Workshop shop;
-  shop.set_verdict(kLine, "xfail");
-  expect_said(shop, 1, "differs  " + kLine + ": The file says xfail; derived: GO.");
+  shop.set_verdict(kLineCase, "xfail");
+  expect_said(shop, 1, "differs  " + kLineCase + ": The file says xfail; derived: GO.");
 }
 
 TEST(CheckerVerdicts, ASkippedCaseIsLeftOutWithItsReason) {
   Workshop shop;
-  shop.set_verdict(kLine, "skip");
+  shop.set_verdict(kLineCase, "skip");
   expect_said(shop, 0, "1  skipped: the subject was not asked");
 }
 
 TEST(CheckerVerdicts, WithoutLineNumbersAnAlarmIsJudgedByItsClass) {
   Workshop shop;
   shop.change_results(R"("features":["blocks","m"])", R"("features":["m"])");
-  shop.change_trace(kAlarm, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)");
+  shop.change_trace(kAlarmCase, R"({"k":"alarm","b":2)", R"({"k":"alarm","b":3)");
   expect_said(shop, 0, "3 verdicts derived again");
 }
 

@@ -14,35 +14,36 @@ std::vector<oracle::Case> cases_of(const std::string& text) {
   return recipes::cover_recipe_cases(scratch.write("cover.toml", text));
 }
 
-std::string error_of(const std::string& text) {
+std::string cover_recipe_error(const std::string& text) {
   return corpus_error([&] { cases_of(text); });
 }
 
-constexpr const char* kGood =
+constexpr const char* kGoodCoverRecipe =
     "[cover]\nmodel = \"ngc.line\"\nversion = 1\nstrength = 1\nfault_strength = 1\nseed = 1\n";
 
 TEST(CoverRecipe, GivesTheCasesOfTheModel) {
-  const std::vector<oracle::Case> cases = cases_of(kGood);
+  const std::vector<oracle::Case> cases = cases_of(kGoodCoverRecipe);
   ASSERT_FALSE(cases.empty());
   EXPECT_EQ(cases.front().id, "ngc.line.v1-t1f1-s1.000001");
 }
 
 TEST(CoverRecipe, LeavesOutWhatItNames) {
-  const auto cases = cases_of(std::string(kGood) + "left_out = [\"ngc.line.v1-t1f1-s1.000001\"]\n");
-  EXPECT_EQ(cases.size() + 1, cases_of(kGood).size());
+  const auto cases =
+      cases_of(std::string(kGoodCoverRecipe) + "left_out = [\"ngc.line.v1-t1f1-s1.000001\"]\n");
+  EXPECT_EQ(cases.size() + 1, cases_of(kGoodCoverRecipe).size());
 }
 
 TEST(CoverRecipe, AnotherVersionOfTheModelIsNoticed) {
-  std::string text(kGood);
+  std::string text(kGoodCoverRecipe);
   text.replace(text.find("version = 1"), 11, "version = 9");
-  EXPECT_NE(error_of(text).find("is at version 1"), std::string::npos);
+  EXPECT_NE(cover_recipe_error(text).find("is at version 1"), std::string::npos);
 }
 
 TEST(CoverRecipe, AnUnknownModelOrKeyIsNamed) {
-  std::string text(kGood);
-  EXPECT_NE(error_of(text + "colour = 1\n").find("no key colour"), std::string::npos);
+  std::string text(kGoodCoverRecipe);
+  EXPECT_NE(cover_recipe_error(text + "colour = 1\n").find("no key colour"), std::string::npos);
   text.replace(text.find("ngc.line"), 8, "ngc.none");
-  EXPECT_NE(error_of(text).find("no model ngc.none"), std::string::npos);
+  EXPECT_NE(cover_recipe_error(text).find("no model ngc.none"), std::string::npos);
 }
 
 // The completeness that the corpus states, counted from the tags of its cases alone.

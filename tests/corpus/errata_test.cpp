@@ -9,13 +9,13 @@ namespace gonogo::testing {
 namespace {
 
 // What is wrong with an errata file of this text.
-std::string error_of(std::string_view text) {
+std::string errata_error(std::string_view text) {
   const ScratchFolder scratch;
   scratch.write("errata.toml", text);
   return corpus_error([&] { oracle::read_errata(scratch.path().string()); });
 }
 
-constexpr std::string_view kGood =
+constexpr std::string_view kGoodErratum =
     "[[erratum]]\nid = \"a.b.000001\"\nversion = \"2026.9.0\"\nwhat = \"A sentence.\"\n"
     "since = \"2026.10.0\"\n";
 
@@ -25,7 +25,7 @@ TEST(Errata, ACorpusWithoutAFileHasNone) {
 
 TEST(Errata, AnEntryHasFourTexts) {
   const ScratchFolder scratch;
-  scratch.write("errata.toml", kGood);
+  scratch.write("errata.toml", kGoodErratum);
   const auto errata = oracle::read_errata(scratch.path().string());
   ASSERT_EQ(errata.size(), 1U);
   EXPECT_EQ(errata[0].id, "a.b.000001");
@@ -33,13 +33,14 @@ TEST(Errata, AnEntryHasFourTexts) {
 }
 
 TEST(Errata, AMissingTextIsNamed) {
-  std::string text(kGood);
+  std::string text(kGoodErratum);
   text.erase(text.find("what"), text.find("since") - text.find("what"));
-  EXPECT_NE(error_of(text).find("needs the text what"), std::string::npos);
+  EXPECT_NE(errata_error(text).find("needs the text what"), std::string::npos);
 }
 
 TEST(Errata, AnUnknownKeyIsNamed) {
-  EXPECT_NE(error_of(std::string(kGood) + "why = \"x\"\n").find("no key why"), std::string::npos);
+  EXPECT_NE(errata_error(std::string(kGoodErratum) + "why = \"x\"\n").find("no key why"),
+            std::string::npos);
 }
 
 // 2026.10.0 is after 2026.9.0 though it sorts before it as a text.
@@ -50,9 +51,9 @@ TEST(Errata, VersionsAreComparedByTheirNumbers) {
 }
 
 TEST(Errata, WhatWasWrongWasWrongBeforeItWasRight) {
-  std::string text(kGood);
+  std::string text(kGoodErratum);
   text.replace(text.find("2026.10.0"), 9, "2026.9.0");
-  EXPECT_NE(error_of(text).find("which is not before 2026.9.0"), std::string::npos);
+  EXPECT_NE(errata_error(text).find("which is not before 2026.9.0"), std::string::npos);
 }
 
 TEST(Errata, TheCheckedInOnesAreOfCasesThatAreRetired) {

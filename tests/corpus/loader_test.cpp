@@ -8,22 +8,23 @@
 namespace gonogo::testing {
 namespace {
 
-constexpr std::string_view kGood = R"({"format":1,"corpus":"2026.1.0","dialect":"gsk988ta",
+constexpr std::string_view kGoodVectorFile =
+    R"({"format":1,"corpus":"2026.1.0","dialect":"gsk988ta",
 "cycle":"g94","groups":[{"gid":"t.a","features":["g94"],"clauses":["GSK-G94-01"],"profile":{},
 "cases":[{"id":"t.a.000001","comment":"one","program":"G00 X2\n",
 "expect":[{"records":[{"k":"rapid","b":1,"to":{"x":"1"},"clause":"GSK-COM-05"},
 {"k":"end","to":{"x":"1"}}]}],
 "tags":{"tway":[],"sign":[]},"provenance":"hand"}]}]})";
 
-// kGood with one text in place of another.
+// kGoodVectorFile with one text in place of another.
 std::string broken(std::string_view from, std::string_view to) {
-  std::string text(kGood);
+  std::string text(kGoodVectorFile);
   const std::size_t place = text.find(from);
   if (place == std::string::npos) ADD_FAILURE() << from;
   return text.replace(place, from.size(), to);
 }
 
-std::string error_of(const std::string& text) {
+std::string vector_file_error(const std::string& text) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("bad.json", text);
   const std::string message = corpus_error([&] { oracle::read_vector_file(file); });
@@ -33,7 +34,7 @@ std::string error_of(const std::string& text) {
 
 TEST(Loader, ReadsAGoodFile) {
   const ScratchFolder scratch;
-  const auto cases = oracle::read_vector_file(scratch.write("good.json", kGood));
+  const auto cases = oracle::read_vector_file(scratch.write("good.json", kGoodVectorFile));
   ASSERT_EQ(cases.size(), 1U);
   EXPECT_EQ(cases[0].id, "t.a.000001");
   EXPECT_EQ(cases[0].program, "G00 X2\n");
@@ -45,62 +46,63 @@ TEST(Loader, ReadsAGoodFile) {
 }
 
 TEST(Loader, AnotherFormat) {
-  EXPECT_EQ(error_of(broken("\"format\":1", "\"format\":2")),
+  EXPECT_EQ(vector_file_error(broken("\"format\":1", "\"format\":2")),
             ": at /format: This program reads vector files of format 1, not 2.");
 }
 
 TEST(Loader, NoJson) {
-  EXPECT_GT(error_of("{\"format\":").size(), 5U);
+  EXPECT_GT(vector_file_error("{\"format\":").size(), 5U);
 }
 
 TEST(Loader, AKeyTwice) {
-  EXPECT_NE(
-      error_of(broken("\"cycle\":\"g94\"", "\"cycle\":\"g94\",\"cycle\":\"g94\"")).find("cycle"),
-      std::string::npos);
+  EXPECT_NE(vector_file_error(broken("\"cycle\":\"g94\"", "\"cycle\":\"g94\",\"cycle\":\"g94\""))
+                .find("cycle"),
+            std::string::npos);
 }
 
 TEST(Loader, AMissingKey) {
-  EXPECT_EQ(error_of(broken("\"comment\":\"one\",", "")),
+  EXPECT_EQ(vector_file_error(broken("\"comment\":\"one\",", "")),
             ": at /groups/0/cases/0: The key \"comment\" is missing.");
 }
 
 TEST(Loader, AnUnknownKey) {
-  EXPECT_EQ(error_of(broken("\"comment\"", "\"x/y\":1,\"comment\"")),
+  EXPECT_EQ(vector_file_error(broken("\"comment\"", "\"x/y\":1,\"comment\"")),
             ": at /groups/0/cases/0/x~1y: There is no such key in the format.");
 }
 
 TEST(Loader, AnUnknownClause) {
-  EXPECT_EQ(error_of(broken("GSK-G94-01", "GSK-G94-99")),
+  EXPECT_EQ(vector_file_error(broken("GSK-G94-01", "GSK-G94-99")),
             ": at /groups/0/clauses/0: There is no clause GSK-G94-99.");
-  EXPECT_EQ(error_of(broken("GSK-COM-05", "GSK-COM-99")),
+  EXPECT_EQ(vector_file_error(broken("GSK-COM-05", "GSK-COM-99")),
             ": at /groups/0/cases/0/expect/0/records/0/clause: There is no clause GSK-COM-99.");
 }
 
 TEST(Loader, ABareNumber) {
-  EXPECT_TRUE(error_of(broken("{\"x\":\"1\"},\"cl", "{\"x\":1},\"cl"))
+  EXPECT_TRUE(vector_file_error(broken("{\"x\":\"1\"},\"cl", "{\"x\":1},\"cl"))
                   .starts_with(": at /groups/0/cases/0/expect/0/records/0: "));
 }
 
 TEST(Loader, ATextThatIsNoNumber) {
-  EXPECT_TRUE(error_of(broken("{\"x\":\"1\"},\"cl", "{\"x\":\"1.2.3\"},\"cl"))
+  EXPECT_TRUE(vector_file_error(broken("{\"x\":\"1\"},\"cl", "{\"x\":\"1.2.3\"},\"cl"))
                   .starts_with(": at /groups/0/cases/0/expect/0/records/0: "));
 }
 
 TEST(Loader, AnUnknownRecord) {
-  EXPECT_TRUE(error_of(broken("\"k\":\"rapid\"", "\"k\":\"jump\""))
+  EXPECT_TRUE(vector_file_error(broken("\"k\":\"rapid\"", "\"k\":\"jump\""))
                   .starts_with(": at /groups/0/cases/0/expect/0/records/0: "));
 }
 
 TEST(Loader, ARecordWithoutItsLine) {
-  EXPECT_EQ(error_of(broken("\"b\":1,", "")),
+  EXPECT_EQ(vector_file_error(broken("\"b\":1,", "")),
             ": at /groups/0/cases/0/expect/0/records/0: A record of the corpus carries b, its "
             "source line.");
 }
 
 TEST(Loader, ABadBase64) {
   for (const char* text : {"abc", "YQ", "YR==", "YQ==\\n", "Y Q=", "YQ=a", "="}) {
-    EXPECT_EQ(error_of(broken("\"G00 X2\\n\"", std::string("{\"base64\":\"") + text + "\"}")),
-              ": at /groups/0/cases/0/program/base64: This is not base64.")
+    EXPECT_EQ(
+        vector_file_error(broken("\"G00 X2\\n\"", std::string("{\"base64\":\"") + text + "\"}")),
+        ": at /groups/0/cases/0/program/base64: This is not base64.")
         << text;
   }
 }
@@ -110,13 +112,13 @@ TEST(Loader, AnIdTwiceInAFile) {
   const std::size_t begin = text.find("{\"id\"");
   const std::size_t end = text.find(",X");
   text.replace(end + 1, 1, text.substr(begin, end - begin));
-  EXPECT_EQ(error_of(text), ": at /groups/0/cases/1/id: The id t.a.000001 stands twice.");
+  EXPECT_EQ(vector_file_error(text), ": at /groups/0/cases/1/id: The id t.a.000001 stands twice.");
 }
 
 TEST(Loader, AnUnknownAlarm) {
-  EXPECT_EQ(error_of(broken("{\"k\":\"end\",\"to\":{\"x\":\"1\"}}]",
-                            "{\"k\":\"rapid\",\"b\":1,\"to\":{\"x\":\"1\"}}],"
-                            "\"alarm\":{\"any_of\":[{\"class\":\"bang\",\"b\":1}]}")),
+  EXPECT_EQ(vector_file_error(broken("{\"k\":\"end\",\"to\":{\"x\":\"1\"}}]",
+                                     "{\"k\":\"rapid\",\"b\":1,\"to\":{\"x\":\"1\"}}],"
+                                     "\"alarm\":{\"any_of\":[{\"class\":\"bang\",\"b\":1}]}")),
             ": at /groups/0/cases/0/expect/0/alarm/any_of/0/class: There is no alarm class bang.");
 }
 
@@ -124,28 +126,29 @@ TEST(Loader, NoEndingAndTwoEndings) {
   const std::string message =
       ": at /groups/0/cases/0/expect/0: An expectation ends with one of: an end record, an alarm, "
       "not_covered.";
-  EXPECT_EQ(error_of(broken(",\n{\"k\":\"end\",\"to\":{\"x\":\"1\"}}", "")), message);
-  EXPECT_EQ(error_of(broken("{\"x\":\"1\"}}]}", "{\"x\":\"1\"}}],\"not_covered\":true}")), message);
+  EXPECT_EQ(vector_file_error(broken(",\n{\"k\":\"end\",\"to\":{\"x\":\"1\"}}", "")), message);
+  EXPECT_EQ(vector_file_error(broken("{\"x\":\"1\"}}]}", "{\"x\":\"1\"}}],\"not_covered\":true}")),
+            message);
 }
 
 TEST(Loader, NoExpectation) {
-  std::string text(kGood);
+  std::string text(kGoodVectorFile);
   const std::size_t begin = text.find("\"expect\":[") + 10;
   text.erase(begin, text.find("\"tags\"") - begin);
   text.insert(begin, "],");
-  EXPECT_EQ(error_of(text),
+  EXPECT_EQ(vector_file_error(text),
             ": at /groups/0/cases/0/expect: A case needs at least one expectation.");
 }
 
 TEST(Loader, AnUnknownReading) {
   const std::string message =
-      error_of(broken("[{\"records\"", "[{\"when\":{\"gsk.no\":\"1\"},\"records\""));
+      vector_file_error(broken("[{\"records\"", "[{\"when\":{\"gsk.no\":\"1\"},\"records\""));
   EXPECT_TRUE(message.starts_with(": at /groups/0/cases/0/expect/0/when/gsk.no: ")) << message;
 }
 
 TEST(Loader, ABadProfile) {
   const std::string message =
-      error_of(broken("\"profile\":{}", "\"profile\":{\"units\":\"yards\"}"));
+      vector_file_error(broken("\"profile\":{}", "\"profile\":{\"units\":\"yards\"}"));
   EXPECT_TRUE(message.starts_with(": at /groups/0/profile: ")) << message;
 }
 
@@ -163,7 +166,7 @@ std::string corpus_error_with(std::string_view second, std::string_view retired 
                 "{\"format\":1,\"version\":\"2026.1.0\",\"license\":\"CC0-1.0\","
                 "\"files\":[" +
                     std::string(files) + "],\"retired\":[" + std::string(retired) + "]}");
-  scratch.write("vectors/a.json", kGood);
+  scratch.write("vectors/a.json", kGoodVectorFile);
   scratch.write("vectors/b.json", second);
   const std::string message = corpus_error([&] {
     oracle::Corpus(scratch.path().string()).for_each([](const oracle::Case&) { return true; });
@@ -177,7 +180,7 @@ TEST(Corpus, TwoGoodFiles) {
 }
 
 TEST(Corpus, AnIdInTwoFiles) {
-  EXPECT_EQ(corpus_error_with(kGood),
+  EXPECT_EQ(corpus_error_with(kGoodVectorFile),
             "/vectors/b.json: The id t.a.000001 stands in vectors/a.json too.");
 }
 

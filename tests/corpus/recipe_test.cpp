@@ -12,7 +12,7 @@ namespace gonogo::testing {
 namespace {
 
 // A recipe of one case with these further lines.
-std::string error_of(std::string_view lines) {
+std::string recipe_error(std::string_view lines) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.toml", R"(dialect = "gsk988ta"
 cycle = "g94"
@@ -30,40 +30,40 @@ comment = "one"
 }
 
 TEST(Recipe, AGoodOne) {
-  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\n"), "");
+  EXPECT_EQ(recipe_error("program = \"G00 X1\\n\"\n"), "");
 }
 
 TEST(Recipe, AnAlarmThatTheRecipeDoesNotExpect) {
-  EXPECT_EQ(error_of("program = \"G94 X1\\n\"\n"),
+  EXPECT_EQ(recipe_error("program = \"G94 X1\\n\"\n"),
             "t.a.000001: the recipe wants the alarms none, the reference gives feed-missing@1.");
 }
 
 TEST(Recipe, AnAlarmThatDoesNotCome) {
-  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\nalarm = [\"feed-missing@1\"]\n"),
+  EXPECT_EQ(recipe_error("program = \"G00 X1\\n\"\nalarm = [\"feed-missing@1\"]\n"),
             "t.a.000001: the recipe wants the alarms feed-missing@1, the reference gives none.");
 }
 
 TEST(Recipe, AnAlarmOfAnotherBlock) {
-  EXPECT_NE(error_of("program = \"G94 X1\\n\"\nalarm = [\"feed-missing@2\"]\n"), "");
+  EXPECT_NE(recipe_error("program = \"G94 X1\\n\"\nalarm = [\"feed-missing@2\"]\n"), "");
 }
 
 TEST(Recipe, AnUnexpectedGap) {
-  EXPECT_NE(error_of("program = \"G71\\n\"\n"), "");
-  EXPECT_EQ(error_of("program = \"G71\\n\"\noutside = true\n"), "");
+  EXPECT_NE(recipe_error("program = \"G71\\n\"\n"), "");
+  EXPECT_EQ(recipe_error("program = \"G71\\n\"\noutside = true\n"), "");
 }
 
 TEST(Recipe, AReadingWithoutEffect) {
-  EXPECT_EQ(error_of("program = \"G00 X1\\n\"\n"
-                     "readings = { \"gsk.g94.rewrite\" = [\"keep\", \"clear\"] }\n"),
+  EXPECT_EQ(recipe_error("program = \"G00 X1\\n\"\n"
+                         "readings = { \"gsk.g94.rewrite\" = [\"keep\", \"clear\"] }\n"),
             "t.a.000001: the reading gsk.g94.rewrite makes no difference.");
 }
 
 TEST(Recipe, AKeyThatRecipesDoNotHave) {
-  EXPECT_NE(error_of("program = \"\"\nalarms = []\n").find("alarms"), std::string::npos);
+  EXPECT_NE(recipe_error("program = \"\"\nalarms = []\n").find("alarms"), std::string::npos);
 }
 
 TEST(Recipe, NoToml) {
-  EXPECT_NE(error_of("program = \n").find("a.toml:"), std::string::npos);
+  EXPECT_NE(recipe_error("program = \n").find("a.toml:"), std::string::npos);
 }
 
 TEST(Recipes, AnIdIsUsedOnce) {

@@ -18,15 +18,29 @@ struct Exhibit {
   const char* want;  ///< what the faulty expander does, without its `end`
 };
 
+/// The same under a profile of its own; what the faulty expander does is left to other tests.
+struct ProfiledExhibit {
+  const char* fault;
+  const char* program;
+  const char* profile = "{}";
+};
+
 inline void PrintTo(const Exhibit& exhibit, std::ostream* out) {
   *out << exhibit.fault;
 }
-
-inline std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
-  std::string name = exhibit.param.fault;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+inline void PrintTo(const ProfiledExhibit& exhibit, std::ostream* out) {
+  *out << exhibit.fault;
 }
+
+/// Names a test after its fault.
+struct FaultName {
+  template <typename AnyExhibit>
+  std::string operator()(const ::testing::TestParamInfo<AnyExhibit>& exhibit) const {
+    std::string name = exhibit.param.fault;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+  }
+};
 
 /// That the expander with the fault does something else than without, in the program or in
 /// `after_reset`, which is run once more after a reset.
@@ -35,6 +49,20 @@ inline void expect_shown(const Exhibit& exhibit, const char* expander, const cha
   Session faulty("{}", exhibit.fault, expander);
   std::string want = sound.run(exhibit.program).all();
   std::string got = faulty.run(exhibit.program).all();
+  sound.reset();
+  faulty.reset();
+  want += sound.run(after_reset).all();
+  got += faulty.run(after_reset).all();
+  EXPECT_NE(got, want);
+}
+
+/// The same; the faulty expander is stopped after 10,000 records of the program.
+inline void expect_shown(const ProfiledExhibit& exhibit, const char* expander,
+                         const char* after_reset) {
+  Session sound(exhibit.profile, {}, expander);
+  Session faulty(exhibit.profile, exhibit.fault, expander);
+  std::string want = sound.run(exhibit.program).all();
+  std::string got = faulty.run(exhibit.program, 10'000).all();
   sound.reset();
   faulty.reset();
   want += sound.run(after_reset).all();

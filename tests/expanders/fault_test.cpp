@@ -2,37 +2,26 @@
 // Every planted fault shows on the program below that is meant for it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "harness.hpp"
+#include "fault_exhibit.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
-struct Exhibit {
-  const char* fault;
-  const char* program;
-  const char* profile = "{}";
-};
-
-void PrintTo(const Exhibit& exhibit, std::ostream* out) {
-  *out << exhibit.fault;
-}
-
 constexpr const char* kTaper = "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\n";
 constexpr const char* kPocket = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\n";
 constexpr const char* kPocketTwice = "G110 X50 Z50 Y-20 R-5 I16 L3 Q5 P1 D4 F800\nX0 Z0 Y-20 R-5\n";
-constexpr const char* kTenths = "G110 X0 Z0 Y-6.3 I9 L3 Q0.7 D4 F8\n";
-constexpr const char* kUneven = "G110 X50 Z50 Y-18 I9 L3 Q5 P1 D2 F800\n";
+constexpr const char* kTenthsPocket = "G110 X0 Z0 Y-6.3 I9 L3 Q0.7 D4 F8\n";
+constexpr const char* kUnevenPocket = "G110 X50 Z50 Y-18 I9 L3 Q5 P1 D2 F800\n";
 constexpr const char* kHelix = "G113 X0 Z0 V-9 R-1 I5 L3 D2 F8\n";
 constexpr const char* kThread = "G114 X0 Z0 V-11 R-5 I5 J2 K30 E30 P1.2 Q0.5 D3 F900\n";
 constexpr const char* kWhole = "G115 X0 Z0 V-10 I5 J2 K30 E30 P1 Q0.5 D3 F900\n";
 constexpr const char* kNoRunOut = "G116 X0 Z0 V-10 I5 E30 P1 D3 F900\n";
 constexpr const char* kParameters = R"({"parameters":{"5920":"30","5921":"2"}})";
 
-const Exhibit kExhibits[] = {
+const ProfiledExhibit kGskExhibits[] = {
     {"taper-sign", kTaper},
     {"taper-diameter", kTaper},
     {"taper-leaks-past-motion", "G0 X120 Z0\nG94 X108 Z-30 R-10 F300\nG0 X122\nG94 X100 Z-9\n"},
@@ -51,10 +40,10 @@ const Exhibit kExhibits[] = {
     {"g80-keeps-g94", "G94 X-8 Z-3 F9\nG80\nX5\n"},
     {"tool-equality-accepted", "G110 X0 Z0 Y-2 I4 L3 Q5 D4 F8\n"},
     {"step-equality-accepted", "G110 X0 Z0 Y-2 I9 L8 Q5 D4 F8\n"},
-    {"last-layer-dropped", kUneven},
-    {"last-layer-overshoots", kUneven},
+    {"last-layer-dropped", kUnevenPocket},
+    {"last-layer-overshoots", kUnevenPocket},
     // Nine times 0.7 summed in binary32 stays below 6.3; ten times 0.3 below 3.
-    {"extra-layer", kTenths},
+    {"extra-layer", kTenthsPocket},
     {"endless-layers", kPocket},
     {"clearance-twice", kPocket},
     {"clearance-unclamped", "G110 X0 Z0 Y-9 I9 L3 Q5 P6 D4 F8\n"},
@@ -63,7 +52,7 @@ const Exhibit kExhibits[] = {
     {"depth-from-initial-plane", "G110 X0 Z0 V-9 R-5 I9 L3 Q5 D4 F8\n"},
     {"step-down-forgotten", kPocketTwice},
     {"missing-step-down-accepted", "G110 X0 Z0 Y-9 I9 L3 D4 F8\n"},
-    {"closing-circle-missing", kUneven},
+    {"closing-circle-missing", kUnevenPocket},
     {"gouge", kPocket},
     {"island", kPocket},
     {"sense-in-g18", kPocket},
@@ -129,33 +118,18 @@ const Exhibit kExhibits[] = {
     {"feed-survives-reset", "G1 X1 F9\n"},
 };
 
-class PlantedFault : public ::testing::TestWithParam<Exhibit> {};
+class PlantedFault : public ::testing::TestWithParam<ProfiledExhibit> {};
 
 TEST_P(PlantedFault, Shows) {
-  const Exhibit& exhibit = GetParam();
-  Session sound(exhibit.profile);
-  Session faulty(exhibit.profile, exhibit.fault);
-  std::string want = sound.run(exhibit.program).all();
-  std::string got = faulty.run(exhibit.program, 10'000).all();
-  // Once more after a reset, without a feed of its own.
-  sound.reset();
-  faulty.reset();
-  want += sound.run("G1 Y1\n").all();
-  got += faulty.run("G1 Y1\n").all();
-  EXPECT_NE(got, want);
+  // After the reset without a feed of its own.
+  expect_shown(GetParam(), "gsk", "G1 Y1\n");
 }
 
-std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
-  std::string name = exhibit.param.fault;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Gsk, PlantedFault, ::testing::ValuesIn(kExhibits), test_name);
+INSTANTIATE_TEST_SUITE_P(Gsk, PlantedFault, ::testing::ValuesIn(kGskExhibits), FaultName());
 
 TEST(PlantedFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledExhibit& exhibit : kGskExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("gsk")) {
     known.insert(fault.name);
@@ -201,7 +175,8 @@ TEST(PlantedFaults, NamesBelongToTheirDefects) {
   EXPECT_EQ(run("G114\nX2 Y2 Z3\n", "{}", "thread-mode-lost").motions(), "rapid x=1 y=2 z=3\n");
   EXPECT_EQ(run(kPocket, "{}", "clearance-twice").records[13], "rapid y=-8");
   // One layer more: 6 records (re-entry, plunge, ...) and a plunge of hardly any depth.
-  EXPECT_GT(run(kTenths, "{}", "extra-layer").records.size(), run(kTenths).records.size());
+  EXPECT_GT(run(kTenthsPocket, "{}", "extra-layer").records.size(),
+            run(kTenthsPocket).records.size());
   EXPECT_EQ(run("G999\n", "{}", "alarm-next-block").alarm_block, 2u);
   EXPECT_EQ(Session("{}", "endless-layers").run(kPocket, 9'000).answer, GONOGO_STOPPED);
 }

@@ -6,12 +6,12 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-int answer_to(const std::string& profile) {
+int create_gsk(const std::string& profile) {
   return Session(profile).outcome().create;
 }
 
 TEST(GskConfiguration, DefaultsMayBeWrittenOut) {
-  EXPECT_EQ(answer_to(R"({"dialect":"gsk988ta","units":"mm","increment":"ISB","resolution":"0.001",
+  EXPECT_EQ(create_gsk(R"({"dialect":"gsk988ta","units":"mm","increment":"ISB","resolution":"0.001",
     "x_diameter":true,"initial":{"x":"0","y":"0","z":"0","a":"0","c":"0","f":"0","plane":"G18",
     "motion":"G00","spindle":"M5"},"offsets":{},"tools":{},"parameters":{"3410":"0.01",
     "3403.6":"1"},"reference_point":{"x":"0","z":"0"},"alarm_timing":"block","block_skip":false,

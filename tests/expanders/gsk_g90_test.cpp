@@ -7,11 +7,6 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-// The motions after the first record.
-std::string after_first(const Outcome& outcome) {
-  return joined({outcome.records.begin() + 1, outcome.records.end() - 1});
-}
-
 TEST(GskG90, MirrorsG94) {
   // A (120, 3), B (110, 3), C (110, -30), D (120, -30): X moves first, then the cut along Z.
   const Outcome outcome = run("G0 X120 Z3\nG18 G90 X110 Z-30 F200\nX100\n");

@@ -7,8 +7,6 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kRadius = R"({"x_diameter":false})";
-
 TEST(GskG94, FaceCycleGoesByBAndCAndDAndBack) {
   // The manual's example: A (130, 5), B (130, 0), C (0, 0), D (0, 5).
   const Outcome outcome = run("G00 X130 Z5 M3 S500;\nG94 X0 Z0 F200;\n");
@@ -150,7 +148,7 @@ TEST(GskG94, WordOffThePlaneAlarms) {
 TEST(GskG94, WordsAreKeptAsMillimetresAndWaitForTheirPlane) {
   // In G17 X is p and Y q: X80 (retained) is the end in p, Y is zero travel. Back in G18 Z-10
   // holds.
-  const Outcome outcome = run("G00 X100 Z0\nG94 X80 Z-10 F50\nG17 G20 Y1\n", kRadius);
+  const Outcome outcome = run("G00 X100 Z0\nG94 X80 Z-10 F50\nG17 G20 Y1\n", kRadiusProfile);
   EXPECT_EQ(joined({outcome.records.begin() + 5, outcome.records.end() - 1}),
             "rapid x=80\nfeed x=80 y=25.4 f=50\nfeed x=100 f=50\nrapid y=0\n");
 }

@@ -7,16 +7,11 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kRadius = R"({"x_diameter":false})";
 const std::string kManual = "G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\n";
-
-Outcome with(const std::string& reading, const std::string& value, const std::string& program) {
-  return run(program, R"({"x_diameter":false,"readings":{")" + reading + R"(":")" + value + "\"}}");
-}
 
 TEST(GskHelix, ManualExampleEntersTowardsMinusQ) {
   // I - D = 4 about (Z70, X70), no R plane; five turns from Y30 to Y20.
-  const Outcome outcome = run(kManual, kRadius);
+  const Outcome outcome = run(kManual, kRadiusProfile);
   EXPECT_EQ(outcome.motions(),
             "rapid x=70 y=30 z=70\n"
             "arc18 c=70,68 rot=-1 x=66 z=70 f=200\n"
@@ -28,7 +23,7 @@ TEST(GskHelix, ManualExampleEntersTowardsMinusQ) {
 
 TEST(GskHelix, EntrySideOfTheProfile) {
   // Through q = +2 to Z74, back through q = -2.
-  EXPECT_EQ(with("gsk.helix.entry-side", "+p", kManual).motions(),
+  EXPECT_EQ(run_with_reading("gsk.helix.entry-side", "+p", kManual).motions(),
             "rapid x=70 y=30 z=70\n"
             "arc18 c=72,70 rot=-1 x=70 z=74 f=200\n"
             "arc18 c=70,70 rot=-5 x=70 y=20 z=74 f=200\n"
@@ -38,13 +33,13 @@ TEST(GskHelix, EntrySideOfTheProfile) {
 
 TEST(GskHelix, G113TurnsTheOtherWay) {
   // R plane Y-1, bottom 9 below it; L omitted: one turn.
-  EXPECT_EQ(run("G113 X0 Z0 V-9 R-1 I5 D2 F8\n", kRadius).motions(),
+  EXPECT_EQ(run("G113 X0 Z0 V-9 R-1 I5 D2 F8\n", kRadiusProfile).motions(),
             "rapid y=-1\narc18 c=0,-1.5 rot=1 x=-3 z=0 f=8\narc18 c=0,0 rot=1 x=-3 y=-10 z=0 f=8\n"
             "arc18 c=0,-1.5 rot=1 x=0 z=0 f=8\nrapid y=0\n");
 }
 
 TEST(GskHelix, FlatCircleOfTheProfile) {
-  const Outcome outcome = with("gsk.helix.flat", "on", "G112 X0 Z0 Y-9 L2 I5 D2 F8\n");
+  const Outcome outcome = run_with_reading("gsk.helix.flat", "on", "G112 X0 Z0 Y-9 L2 I5 D2 F8\n");
   EXPECT_EQ(outcome.records[1], "arc18 c=0,0 rot=-2 x=-3 y=-9 z=0 f=8");
   EXPECT_EQ(outcome.records[2], "arc18 c=0,0 rot=-1 x=-3 z=0 f=8");
   EXPECT_EQ(outcome.records[3], "arc18 c=0,-1.5 rot=-1 x=0 z=0 f=8");
@@ -53,9 +48,9 @@ TEST(GskHelix, FlatCircleOfTheProfile) {
 TEST(GskHelix, TurnsHoldForTheirBlock) {
   const std::string program = "G112 X0 Z0 Y-9 L3 I5 D2 F8\nX0 Z0 Y-9\n";
   const std::size_t second = 5;  // the helix of the second block
-  EXPECT_EQ(with("gsk.helix.L", "per-block", program).records[second],
+  EXPECT_EQ(run_with_reading("gsk.helix.L", "per-block", program).records[second],
             "arc18 c=0,0 rot=-1 x=-3 y=-9 z=0 f=8");
-  EXPECT_EQ(with("gsk.helix.L", "modal", program).records[second],
+  EXPECT_EQ(run_with_reading("gsk.helix.L", "modal", program).records[second],
             "arc18 c=0,0 rot=-3 x=-3 y=-9 z=0 f=8");
 }
 
@@ -95,18 +90,19 @@ TEST(GskHelix, RPlaneAndDepthMustAgree) {
 }
 
 TEST(GskHelix, ZeroDepthPositionsOnlyAndNeedsNoFeed) {
-  EXPECT_EQ(run("G112 X1 Z2 V0 R-3 I5 D4\n", kRadius).motions(),
+  EXPECT_EQ(run("G112 X1 Z2 V0 R-3 I5 D4\n", kRadiusProfile).motions(),
             "rapid x=1 z=2\nrapid y=-3\nrapid y=0\n");
-  EXPECT_EQ(run("G112 X1 Z2 V-1 R-3 I5 D4\n", kRadius).alarm, "feed-missing");
+  EXPECT_EQ(run("G112 X1 Z2 V-1 R-3 I5 D4\n", kRadiusProfile).alarm, "feed-missing");
 }
 
 TEST(GskHelix, ReturnsToTheInitialPlaneWhateverEndsPockets) {
-  const Outcome outcome = with("gsk.pocket.end", "r-plane", "G112 X0 Z0 V-9 R-1 I5 D2 F8\n");
+  const Outcome outcome =
+      run_with_reading("gsk.pocket.end", "r-plane", "G112 X0 Z0 V-9 R-1 I5 D2 F8\n");
   EXPECT_EQ(outcome.records.back(), "end x=0 y=0 z=0 a=0 c=0");
 }
 
 TEST(GskHelix, ClampRunsBeforeTheMotion) {
-  const Outcome outcome = run("G112 X9 Z9 Y-9 I5 D2 F8 M35\n", kRadius);
+  const Outcome outcome = run("G112 X9 Z9 Y-9 I5 D2 F8 M35\n", kRadiusProfile);
   EXPECT_EQ(outcome.records[0], "m 35");
   EXPECT_EQ(outcome.records[1], "rapid x=9 z=9");
 }

@@ -9,11 +9,10 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kRadius = R"({"x_diameter":false})";
 constexpr const char* kEntry = "G110 X0 Z0 Y-1 I3 L3 Q5 D2 F100\n";
 
 Outcome after_entry(const std::string& rest) {
-  return run(kEntry + rest, kRadius);
+  return run(kEntry + rest, kRadiusProfile);
 }
 
 // The records of line `block`.
@@ -51,7 +50,8 @@ TEST(GskPocketMode, ClampRunsBeforeTheMotion) {
 }
 
 TEST(GskPocketMode, RPlaneAndClearanceHoldForTheirBlock) {
-  const Outcome outcome = run("G110 X0 Z0 Y-9 R-2 P1 I3 L3 Q5 D2 F100\nX9 Z9 Y-9\n", kRadius);
+  const Outcome outcome =
+      run("G110 X0 Z0 Y-9 R-2 P1 I3 L3 Q5 D2 F100\nX9 Z9 Y-9\n", kRadiusProfile);
   // No R: from Y0 to -5 to -9; no P: the rapid goes back to -5.
   EXPECT_EQ(of_block(outcome, 2),
             "rapid x=9 z=9\nfeed y=-5 f=100\nfeed z=10 f=100\n"
@@ -82,21 +82,22 @@ TEST(GskPocketMode, MotionCodeEndsTheMode) {
 }
 
 TEST(GskPocketMode, G80MovesAsG00InItsOwnBlockAndAfter) {
-  const Outcome outcome = run("G01 F50\n" + std::string(kEntry) + "G80 X5 Y6 Z7\nX8\n", kRadius);
+  const Outcome outcome =
+      run("G01 F50\n" + std::string(kEntry) + "G80 X5 Y6 Z7\nX8\n", kRadiusProfile);
   EXPECT_EQ(of_block(outcome, 3), "rapid x=5 y=6 z=7\n");
   EXPECT_EQ(of_block(outcome, 4), "rapid x=8\n");
 }
 
 TEST(GskPocketMode, InitialPlaneStaysThroughTheMode) {
   const Outcome outcome =
-      run("G0 Y50\nG110 X0 Z0 Y40 R-5 I3 L3 Q9 D2 F100\nX9 Z9 Y40 R-2\n", kRadius);
+      run("G0 Y50\nG110 X0 Z0 Y40 R-5 I3 L3 Q9 D2 F100\nX9 Z9 Y40 R-2\n", kRadiusProfile);
   EXPECT_EQ(of_block(outcome, 3).substr(0, 26), "rapid x=9 z=9\nrapid y=48\nf");
   EXPECT_EQ(outcome.records.back(), "end x=9 y=50 z=9 a=0 c=0");
 }
 
 TEST(GskPocketMode, PlaneCodeTakesTheNewAxisAsInitialPlane) {
   // After the G18 pocket at Z20 the depth axis of G17 is Z: it comes back to Z20.
-  const Outcome outcome = run("G110 X0 Z20 Y-1 I3 L3 Q5 D2 F100\nG17\nX0 Y0 W-3\n", kRadius);
+  const Outcome outcome = run("G110 X0 Z20 Y-1 I3 L3 Q5 D2 F100\nG17\nX0 Y0 W-3\n", kRadiusProfile);
   const std::string second = of_block(outcome, 3);
   EXPECT_EQ(second.substr(0, 15), "feed z=17 f=100");
   EXPECT_EQ(outcome.records.back(), "end x=0 y=0 z=20 a=0 c=0");
@@ -138,13 +139,14 @@ TEST(GskPocketMode, PocketsAndHelicesAreTwoModes) {
 TEST(GskPocketMode, G94WordsOutliveTheMode) {
   // G94 written again: X10, Z-5 and R-1 are kept, from A (0, 0): B is at Z-6.
   const Outcome outcome =
-      run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G94 X10\n", kRadius);
+      run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G94 X10\n", kRadiusProfile);
   EXPECT_EQ(of_block(outcome, 4), "rapid z=-6\nfeed x=10 z=-5 f=100\nfeed z=0 f=100\nrapid x=0\n");
 }
 
 TEST(GskPocketMode, G94WordsDoNotOutliveAnotherMotionCode) {
   const Outcome outcome =
-      run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G01\nG94 X10\n", kRadius);
+      run("G00 X40 Z0\nG94 X20 Z-5 R-1 F100\n" + std::string(kEntry) + "G01\nG94 X10\n",
+          kRadiusProfile);
   EXPECT_EQ(of_block(outcome, 5), "feed x=10 z=0 f=100\nrapid x=0\n");
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "expanders/registry.hpp"
 #include "harness.hpp"
@@ -13,24 +12,17 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string millimetres(long thousandths) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%s%ld.%03ld", thousandths < 0 ? "-" : "",
-                std::labs(thousandths) / 1000, std::labs(thousandths) % 1000);
-  return text;
-}
-
 long thousandths(const std::string& text) {
   return std::lround(std::stod(text) * 1000);
 }
 
 // The number after `key` in a record, in thousandths.
-long field(const std::string& record, const std::string& key) {
+long field_in_thousandths(const std::string& record, const std::string& key) {
   return thousandths(record.substr(record.find(key) + key.size()));
 }
 
 // Valid pockets of at most 40 rings and 20 layers.
-struct Shape {
+struct AnyPocket {
   long tool = *rc::gen::inRange(1L, 20'000L);
   long reach = *rc::gen::inRange(1L, 1 + std::min(40'000L, 60 * tool));
   long step = *rc::gen::inRange(std::max(1L, reach / 40), std::max(2L, 2 * tool));
@@ -44,7 +36,7 @@ struct Shape {
 };
 
 RC_GTEST_PROP(GskPocketProperty, RingsAreAtMostAStepApartAndTheLastIsClean, ()) {
-  const Shape shape;
+  const AnyPocket shape;
   const Outcome outcome = run(shape.program());
   RC_ASSERT(outcome.answer == GONOGO_OK);
   long radius = 0;
@@ -56,7 +48,7 @@ RC_GTEST_PROP(GskPocketProperty, RingsAreAtMostAStepApartAndTheLastIsClean, ()) 
       radius = 0;
     }
     if (!record.starts_with("arc17")) continue;
-    const long next = field(record, " x=");
+    const long next = field_in_thousandths(record, " x=");
     RC_ASSERT(record.starts_with("arc17 c=0,0 rot=-1 "));
     RC_ASSERT(next > radius);
     RC_ASSERT(next - radius <= shape.step);
@@ -71,14 +63,15 @@ RC_GTEST_PROP(GskPocketProperty, RingsAreAtMostAStepApartAndTheLastIsClean, ()) 
 }
 
 RC_GTEST_PROP(GskPocketProperty, LayersGoDownByTheStepToTheBottom, ()) {
-  const Shape shape;
+  const AnyPocket shape;
   const Outcome outcome = run(shape.program());
   long layer = 0;
   for (const std::string& record : outcome.records) {
     if (!record.starts_with("feed z=")) continue;
     ++layer;
     // Closed form: layer k is at min(k Q, depth).
-    RC_ASSERT(field(record, " z=") == -std::min(layer * shape.step_down, shape.depth));
+    RC_ASSERT(field_in_thousandths(record, " z=") ==
+              -std::min(layer * shape.step_down, shape.depth));
   }
   RC_ASSERT(layer == (shape.depth + shape.step_down - 1) / shape.step_down);
 }

@@ -7,63 +7,62 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-Outcome with(const std::string& reading, const std::string& value, const std::string& program) {
-  return run(program, R"({"x_diameter":false,"readings":{")" + reading + R"(":")" + value + "\"}}");
-}
-
 TEST(GskReading, PocketEnd) {
   const std::string program = "G0 Y50\nG110 X0 Z0 Y40 R-5 I3 L3 Q9 D2 F100\n";
-  EXPECT_EQ(with("gsk.pocket.end", "initial", program).records.back(), "end x=0 y=50 z=0 a=0 c=0");
-  EXPECT_EQ(with("gsk.pocket.end", "r-plane", program).records.back(), "end x=0 y=45 z=0 a=0 c=0");
+  EXPECT_EQ(run_with_reading("gsk.pocket.end", "initial", program).records.back(),
+            "end x=0 y=50 z=0 a=0 c=0");
+  EXPECT_EQ(run_with_reading("gsk.pocket.end", "r-plane", program).records.back(),
+            "end x=0 y=45 z=0 a=0 c=0");
 }
 
 TEST(GskReading, PocketEndKeepsTheInitialPlane) {
   // The next pocket still counts R from Y50.
-  const Outcome outcome = with("gsk.pocket.end", "r-plane",
-                               "G0 Y50\nG110 X0 Z0 Y40 R-5 I3 L3 Q9 D2 F100\nX9 Z9 Y40 R-3\n");
+  const Outcome outcome = run_with_reading(
+      "gsk.pocket.end", "r-plane", "G0 Y50\nG110 X0 Z0 Y40 R-5 I3 L3 Q9 D2 F100\nX9 Z9 Y40 R-3\n");
   EXPECT_EQ(outcome.records.back(), "end x=9 y=47 z=9 a=0 c=0");
 }
 
 TEST(GskReading, G94Rewrite) {
   const std::string program = "G94 X-8 Z-9 R-5 F50\nG94 X-6\n";
-  EXPECT_EQ(with("gsk.g94.rewrite", "keep", program).records[4], "rapid z=-14");
-  EXPECT_EQ(with("gsk.g94.rewrite", "clear", program).records[4], "rapid z=-9");
+  EXPECT_EQ(run_with_reading("gsk.g94.rewrite", "keep", program).records[4], "rapid z=-14");
+  EXPECT_EQ(run_with_reading("gsk.g94.rewrite", "clear", program).records[4], "rapid z=-9");
 }
 
 TEST(GskReading, G94AfterNonModalCode) {
   const std::string program = "G94 X-8 Z-9 F50\nG28\nX-6\n";
-  EXPECT_EQ(with("gsk.g94.after-00", "stays", program).records[4], "feed x=-6 z=0 f=50");
-  EXPECT_EQ(with("gsk.g94.after-00", "cancelled", program).records[4], "rapid x=-6");
+  EXPECT_EQ(run_with_reading("gsk.g94.after-00", "stays", program).records[4],
+            "feed x=-6 z=0 f=50");
+  EXPECT_EQ(run_with_reading("gsk.g94.after-00", "cancelled", program).records[4], "rapid x=-6");
 }
 
 TEST(GskReading, G94EmptyBlock) {
   const std::string program = "G94 X-8 Z-9 F50\nF60\n\nG04 P1\n";
-  EXPECT_EQ(with("gsk.g94.empty-block", "none", program).records.size(), 6u);
-  EXPECT_EQ(with("gsk.g94.empty-block", "repeat", program).records.size(), 10u);
+  EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "none", program).records.size(), 6u);
+  EXPECT_EQ(run_with_reading("gsk.g94.empty-block", "repeat", program).records.size(), 10u);
 }
 
 TEST(GskReading, MissingAxis) {
   const std::string program = "G110 I3 L3 Q9 D2 F100 X5 Y-3\n";
-  EXPECT_EQ(with("gsk.missing-axis", "skip", program).motions(), "");
-  EXPECT_EQ(with("gsk.missing-axis", "position", program).motions(), "rapid x=5\n");
+  EXPECT_EQ(run_with_reading("gsk.missing-axis", "skip", program).motions(), "");
+  EXPECT_EQ(run_with_reading("gsk.missing-axis", "position", program).motions(), "rapid x=5\n");
 }
 
 TEST(GskReading, ZeroDepth) {
   const std::string program = "G110 X5 Y0 Z0 I3 L3 Q9 D2\n";
-  EXPECT_EQ(with("gsk.zero-depth", "no-cut", program).motions(), "rapid x=5 z=0\n");
-  EXPECT_EQ(with("gsk.zero-depth", "alarm", program).alarm, "value-out-of-range");
+  EXPECT_EQ(run_with_reading("gsk.zero-depth", "no-cut", program).motions(), "rapid x=5 z=0\n");
+  EXPECT_EQ(run_with_reading("gsk.zero-depth", "alarm", program).alarm, "value-out-of-range");
 }
 
 TEST(GskReading, PocketPair) {
   const std::string program = "G110 I3 L3 Q9 D2 F100\nG111 X0 Z0 Y-1\n";
-  EXPECT_EQ(with("gsk.pocket.pair", "shared", program).answer, GONOGO_OK);
-  EXPECT_EQ(with("gsk.pocket.pair", "each", program).alarm, "missing-word");
+  EXPECT_EQ(run_with_reading("gsk.pocket.pair", "shared", program).answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.pocket.pair", "each", program).alarm, "missing-word");
 }
 
 TEST(GskReading, PocketR) {
   const std::string program = "G110 X0 Z0 Y-9 R-2 I3 L3 Q9 D2 F100\nX9 Z0 Y-9\n";
-  EXPECT_EQ(with("gsk.pocket.R", "per-block", program).records[8], "feed y=-9 f=100");
-  EXPECT_EQ(with("gsk.pocket.R", "modal", program).records[8], "rapid y=-2");
+  EXPECT_EQ(run_with_reading("gsk.pocket.R", "per-block", program).records[8], "feed y=-9 f=100");
+  EXPECT_EQ(run_with_reading("gsk.pocket.R", "modal", program).records[8], "rapid y=-2");
 }
 
 TEST(GskReading, XDepth) {
@@ -74,28 +73,31 @@ TEST(GskReading, XDepth) {
 }
 
 TEST(GskReading, Duplicate) {
-  EXPECT_EQ(with("gsk.duplicate", "alarm", "G01 G00 X1 X2\n").alarm, "duplicate-word");
-  EXPECT_EQ(with("gsk.duplicate", "last", "G01 G00 X1 X2\n").motions(), "rapid x=2\n");
+  EXPECT_EQ(run_with_reading("gsk.duplicate", "alarm", "G01 G00 X1 X2\n").alarm, "duplicate-word");
+  EXPECT_EQ(run_with_reading("gsk.duplicate", "last", "G01 G00 X1 X2\n").motions(), "rapid x=2\n");
 }
 
 TEST(GskReading, Decimals) {
-  EXPECT_EQ(with("gsk.decimals", "keep", "G0 Z1.0005\n").motions(), "rapid z=1.0005\n");
-  EXPECT_EQ(with("gsk.decimals", "nearest", "G0 Z1.0005\n").motions(), "rapid z=1.001\n");
-  EXPECT_EQ(with("gsk.decimals", "nearest", "G20 G0 Z1.00014\n").motions(), "rapid z=25.40254\n");
-  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.0005\n").alarm, "value-out-of-range");
-  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.001\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.decimals", "keep", "G0 Z1.0005\n").motions(), "rapid z=1.0005\n");
+  EXPECT_EQ(run_with_reading("gsk.decimals", "nearest", "G0 Z1.0005\n").motions(),
+            "rapid z=1.001\n");
+  EXPECT_EQ(run_with_reading("gsk.decimals", "nearest", "G20 G0 Z1.00014\n").motions(),
+            "rapid z=25.40254\n");
+  EXPECT_EQ(run_with_reading("gsk.decimals", "alarm", "G0 Z1.0005\n").alarm, "value-out-of-range");
+  EXPECT_EQ(run_with_reading("gsk.decimals", "alarm", "G0 Z1.001\n").answer, GONOGO_OK);
 }
 
 TEST(GskReading, DecimalsThatAreZeroDoNotCount) {
-  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.001000\n").answer, GONOGO_OK);
-  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.000000000000\n").answer, GONOGO_OK);
-  EXPECT_EQ(with("gsk.decimals", "alarm", "G0 Z1.000000000001\n").alarm, "value-out-of-range");
+  EXPECT_EQ(run_with_reading("gsk.decimals", "alarm", "G0 Z1.001000\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.decimals", "alarm", "G0 Z1.000000000000\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.decimals", "alarm", "G0 Z1.000000000001\n").alarm,
+            "value-out-of-range");
 }
 
 TEST(GskReading, G94InMode) {
   const std::string program = "G94 X-8 Z-9 R-5 F50\nG110 I3 L3 Q9 D2\nG94 X-6\n";
-  EXPECT_EQ(with("gsk.g94.in-mode", "keep", program).records[4], "rapid z=-14");
-  EXPECT_EQ(with("gsk.g94.in-mode", "clear", program).records[4], "feed x=-6 z=0 f=50");
+  EXPECT_EQ(run_with_reading("gsk.g94.in-mode", "keep", program).records[4], "rapid z=-14");
+  EXPECT_EQ(run_with_reading("gsk.g94.in-mode", "clear", program).records[4], "feed x=-6 z=0 f=50");
 }
 
 TEST(GskReading, ZeroDepthEndAppliesWherePocketsEndAtTheRPlane) {
@@ -111,14 +113,15 @@ TEST(GskReading, ZeroDepthEndAppliesWherePocketsEndAtTheRPlane) {
 }
 
 TEST(GskReading, DwellWithoutWord) {
-  EXPECT_EQ(with("gsk.dwell-without-word", "alarm", "G04\n").alarm, "missing-word");
-  EXPECT_EQ(with("gsk.dwell-without-word", "alarm", "G04 P0\n").answer, GONOGO_OK);
-  EXPECT_EQ(with("gsk.dwell-without-word", "none", "G04\n").motions(), "");
+  EXPECT_EQ(run_with_reading("gsk.dwell-without-word", "alarm", "G04\n").alarm, "missing-word");
+  EXPECT_EQ(run_with_reading("gsk.dwell-without-word", "alarm", "G04 P0\n").answer, GONOGO_OK);
+  EXPECT_EQ(run_with_reading("gsk.dwell-without-word", "none", "G04\n").motions(), "");
 }
 
 TEST(GskReading, ArcZeroRadius) {
-  EXPECT_EQ(with("gsk.arc.zero-radius", "alarm", "G2 I0 K0 F9\n").alarm, "arc-radius");
-  EXPECT_EQ(with("gsk.arc.zero-radius", "alarm", "G2 X0.005 K0 F9\n").alarm, "arc-radius");
+  EXPECT_EQ(run_with_reading("gsk.arc.zero-radius", "alarm", "G2 I0 K0 F9\n").alarm, "arc-radius");
+  EXPECT_EQ(run_with_reading("gsk.arc.zero-radius", "alarm", "G2 X0.005 K0 F9\n").alarm,
+            "arc-radius");
 }
 
 TEST(GskReading, ArcToleranceZero) {
@@ -136,12 +139,13 @@ TEST(GskReading, ArcToleranceZero) {
 TEST(GskReading, G50InitialPlane) {
   // The initial plane Y0 becomes Y100, or stays where its number is.
   const std::string program = "G110 I3 L3 Q9 D2 F9\nG50 Y100\nX0 Z0 Y99\n";
-  EXPECT_EQ(with("gsk.g50.initial-plane", "shifted", program).records[0], "feed y=99 f=9");
-  EXPECT_EQ(with("gsk.g50.initial-plane", "kept", program).records[0], "rapid y=0");
+  EXPECT_EQ(run_with_reading("gsk.g50.initial-plane", "shifted", program).records[0],
+            "feed y=99 f=9");
+  EXPECT_EQ(run_with_reading("gsk.g50.initial-plane", "kept", program).records[0], "rapid y=0");
 }
 
 TEST(GskReading, AnyTakesTheStandardOutcome) {
-  EXPECT_EQ(with("gsk.duplicate", "any", "G00 X1 X2\n").alarm, "duplicate-word");
+  EXPECT_EQ(run_with_reading("gsk.duplicate", "any", "G00 X1 X2\n").alarm, "duplicate-word");
 }
 
 }  // namespace

@@ -6,8 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <sstream>
 #include <string>
@@ -18,7 +16,6 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr double kNear = 1e-8;  // the records are rounded to 1e-9 mm
 using Point = std::array<long, 3>;
 
 // How the program is written; lengths are thousandths.
@@ -42,10 +39,7 @@ Point any_point() {
 }
 
 std::string word(char address, long thousandths) {
-  char text[32];
-  std::snprintf(text, sizeof text, " %c%s%ld.%03ld", address, thousandths < 0 ? "-" : "",
-                std::labs(thousandths) / 1000, std::labs(thousandths) % 1000);
-  return text;
+  return std::string(" ") + address + millimetres(thousandths);
 }
 
 // In G17; valid but for a taper now and then.
@@ -132,16 +126,16 @@ struct Work {
   }
 };
 
-struct Motion {
+struct RecordFields {
   std::string kind;
   std::map<std::string, double> fields;  // the centre as ci and cj
 };
 
-std::vector<Motion> motions(const Outcome& outcome) {
-  std::vector<Motion> all;
+std::vector<RecordFields> record_fields_of(const Outcome& outcome) {
+  std::vector<RecordFields> all;
   for (const std::string& record : outcome.records) {
     std::istringstream text(record);
-    Motion motion;
+    RecordFields motion;
     text >> motion.kind;
     for (std::string field; text >> field;) {
       const std::size_t equals = field.find('=');
@@ -181,8 +175,8 @@ void expect_the_same(const Work& work, const Way& way) {
   RC_ASSERT(other.alarm == plain.alarm);
   RC_ASSERT(other.alarm_block == plain.alarm_block);
   RC_ASSERT(other.blocks == plain.blocks);
-  const std::vector<Motion> want = motions(plain);
-  const std::vector<Motion> got = motions(other);
+  const std::vector<RecordFields> want = record_fields_of(plain);
+  const std::vector<RecordFields> got = record_fields_of(other);
   RC_ASSERT(got.size() == want.size());
   for (std::size_t i = 0; i < want.size(); ++i) {
     RC_ASSERT(got[i].kind == want[i].kind);

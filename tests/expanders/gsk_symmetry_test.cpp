@@ -15,10 +15,8 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kRadius = R"({"x_diameter":false})";
-
 // `units` times 0.0001.
-std::string decimal(long units) {
+std::string decimal_of_units(long units) {
   char text[32];
   std::snprintf(text, sizeof text, "%s%ld.%04ld", units < 0 ? "-" : "", std::labs(units) / 10'000,
                 std::labs(units) % 10'000);
@@ -31,14 +29,14 @@ struct Part {
   long units = 0;
   bool length = false;
 };
-using Program = std::vector<Part>;
+using ProgramParts = std::vector<Part>;
 
 long some_length(long lowest, long highest) {
   return *rc::gen::inRange(lowest, highest);
 }
 
 // Two taper cycles, a helical pocket and two threads, in G17.
-Program some_threads() {
+ProgramParts some_threads() {
   const auto coordinate = [] { return some_length(-500'000, 500'000); };
   const auto code = [](const char* a, const char* b) {
     return *rc::gen::arbitrary<bool>() ? a : b;
@@ -92,7 +90,7 @@ Program some_threads() {
 }
 
 // A rapid, then an arc by R, a taper cycle and two pockets, in G17.
-Program some_program() {
+ProgramParts some_pockets() {
   const auto coordinate = [] { return some_length(-500'000, 500'000); };
   const long tool = some_length(10'000, 50'000);
   const long travel = some_length(1, 100'000);
@@ -128,14 +126,14 @@ Program some_program() {
           {"\n"}};
 }
 
-Program some_work() {
-  return *rc::gen::arbitrary<bool>() ? some_threads() : some_program();
+ProgramParts some_work() {
+  return *rc::gen::arbitrary<bool>() ? some_threads() : some_pockets();
 }
 
-std::string written(const Program& program) {
+std::string written(const ProgramParts& program) {
   std::string text;
   for (const Part& part : program) {
-    text += part.length ? part.text + decimal(part.units) : part.text;
+    text += part.length ? part.text + decimal_of_units(part.units) : part.text;
   }
   return text;
 }
@@ -169,10 +167,10 @@ std::vector<std::vector<std::string>> fields(const Outcome& outcome, std::string
 
 RC_GTEST_PROP(GskSymmetry, EveryPlaneIsTheSame, ()) {
   const std::string g17 = written(some_work());
-  const Outcome want = run("G17 " + g17, kRadius);
+  const Outcome want = run("G17 " + g17, kRadiusProfile);
   // (X, Y, Z) of G17 is (Z, X, Y) of G18 and (Y, Z, X) of G19.
-  const Outcome in_g18 = run("G18 " + relabelled(g17, "XYZUVW", "ZXYWUV"), kRadius);
-  const Outcome in_g19 = run("G19 " + relabelled(g17, "XYZUVW", "YZXVWU"), kRadius);
+  const Outcome in_g18 = run("G18 " + relabelled(g17, "XYZUVW", "ZXYWUV"), kRadiusProfile);
+  const Outcome in_g19 = run("G19 " + relabelled(g17, "XYZUVW", "YZXVWU"), kRadiusProfile);
   RC_TAG(want.alarm.empty() ? std::string("no alarm") : want.alarm);
   RC_ASSERT(fields(in_g18, "zxy", "xyz") == fields(want, "", ""));
   RC_ASSERT(fields(in_g19, "yzx", "xyz") == fields(want, "", ""));
@@ -182,7 +180,7 @@ RC_GTEST_PROP(GskSymmetry, EveryPlaneIsTheSame, ()) {
 
 RC_GTEST_PROP(GskSymmetry, InchesAreTwentyFivePointFourMillimetres, ()) {
   // Lengths of k * 0.0254 mm are k * 0.001 in: 254 units of 0.0001 mm for 10 of 0.0001 in.
-  Program program = some_work();
+  ProgramParts program = some_work();
   for (Part& part : program) part.units = part.units / 254 * 254;
   const Outcome metric = run("G17 " + written(program));
   for (Part& part : program) part.units = part.units / 254 * 10;

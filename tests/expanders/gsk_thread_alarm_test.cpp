@@ -17,7 +17,8 @@ std::string thread(const std::string& words, const std::string& profile = "{}") 
   return outcome.alarm;
 }
 
-std::string with(const std::string& reading, const std::string& value, const std::string& words) {
+std::string thread_with_reading(const std::string& reading, const std::string& value,
+                                const std::string& words) {
   return thread(words, R"({"readings":{")" + reading + R"(":")" + value + "\"}}");
 }
 
@@ -72,8 +73,9 @@ TEST(GskThreadAlarm, ToolMustBeSmallerThanTheBore) {
 TEST(GskThreadAlarm, AngleReachesAFullCircle) {
   EXPECT_EQ(thread("G114 K360"), "");
   EXPECT_EQ(thread("G114 K360.001"), "value-out-of-range");
-  EXPECT_EQ(with("gsk.thread.k-range", "table", "G114 K999999.999"), "");
-  EXPECT_EQ(with("gsk.thread.k-range", "table", "G114 K1000000"), "value-out-of-range");
+  EXPECT_EQ(thread_with_reading("gsk.thread.k-range", "table", "G114 K999999.999"), "");
+  EXPECT_EQ(thread_with_reading("gsk.thread.k-range", "table", "G114 K1000000"),
+            "value-out-of-range");
   // In inches an angle is an angle.
   EXPECT_EQ(thread("G20 G114 K360"), "");
   EXPECT_EQ(thread("G20 G114 K360.0001"), "value-out-of-range");
@@ -82,15 +84,16 @@ TEST(GskThreadAlarm, AngleReachesAFullCircle) {
 TEST(GskThreadAlarm, DirectionAsTheReadingSays) {
   EXPECT_EQ(thread("G114 X0 Z0 V-5 R0.001 I5 E30 P1 D3 F9"), "direction-conflict");
   EXPECT_EQ(thread("G114 X0 Z0 V-5 R0 I5 E30 P1 D3 F9"), "");
-  EXPECT_EQ(with("gsk.thread.direction", "free", "G114 X0 Z0 V-5 R1 I5 E30 P1 D3 F9"), "");
+  EXPECT_EQ(
+      thread_with_reading("gsk.thread.direction", "free", "G114 X0 Z0 V-5 R1 I5 E30 P1 D3 F9"), "");
 }
 
 TEST(GskThreadAlarm, RAsTheReadingSays) {
   const std::string words = " X0 Z0 V-5 I5 E30 P1 D3 F9";
-  EXPECT_EQ(with("gsk.thread.r", "optional", "G116" + words), "");
-  EXPECT_EQ(with("gsk.thread.r", "required", "G116" + words), "missing-word");
-  EXPECT_EQ(with("gsk.thread.r", "required", "G117" + words + " R0"), "");
-  EXPECT_EQ(with("gsk.thread.r", "required", "G114" + words), "");
+  EXPECT_EQ(thread_with_reading("gsk.thread.r", "optional", "G116" + words), "");
+  EXPECT_EQ(thread_with_reading("gsk.thread.r", "required", "G116" + words), "missing-word");
+  EXPECT_EQ(thread_with_reading("gsk.thread.r", "required", "G117" + words + " R0"), "");
+  EXPECT_EQ(thread_with_reading("gsk.thread.r", "required", "G114" + words), "");
 }
 
 TEST(GskThreadAlarm, CutsNeedAFeed) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -14,15 +13,7 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr double kNear = 1e-8;  // the records are rounded to 1e-9 mm
-
-std::string millimetres(long thousandths) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%ld.%03ld", thousandths / 1000, thousandths % 1000);
-  return text;
-}
-
-double field(const std::string& record, const std::string& key, double otherwise) {
+double field_or(const std::string& record, const std::string& key, double otherwise) {
   const std::size_t place = record.find(key);
   return place == std::string::npos ? otherwise : std::stod(record.substr(place + key.size()));
 }
@@ -59,41 +50,41 @@ struct Thread {
 };
 
 // A motion with its ends filled in.
-struct Motion {
+struct MotionWithEnds {
   std::string record;
   double from[3];
   double to[3];
 };
 
-std::vector<Motion> motions_of(const Outcome& outcome) {
-  std::vector<Motion> motions;
+std::vector<MotionWithEnds> motions_with_ends(const Outcome& outcome) {
+  std::vector<MotionWithEnds> motions;
   double at[3] = {0, 0, 0};
   for (const std::string& record : outcome.records) {
     if (record.starts_with("end")) break;
-    Motion motion{record, {at[0], at[1], at[2]}, {}};
-    at[0] = motion.to[0] = field(record, " x=", at[0]);
-    at[1] = motion.to[1] = field(record, " y=", at[1]);
-    at[2] = motion.to[2] = field(record, " z=", at[2]);
+    MotionWithEnds motion{record, {at[0], at[1], at[2]}, {}};
+    at[0] = motion.to[0] = field_or(record, " x=", at[0]);
+    at[1] = motion.to[1] = field_or(record, " y=", at[1]);
+    at[2] = motion.to[2] = field_or(record, " z=", at[2]);
     motions.push_back(motion);
   }
   return motions;
 }
 
-bool is_helix(const Motion& motion) {
+bool is_helix(const MotionWithEnds& motion) {
   return motion.record.starts_with("arc17") && motion.from[2] != motion.to[2];
 }
 
 RC_GTEST_PROP(GskThreadProperty, HelicesHaveTheRadiusTheLeadAndTheSense, ()) {
   const Thread thread;
   long pass = 0;
-  for (const Motion& motion : motions_of(run(thread.program()))) {
+  for (const MotionWithEnds& motion : motions_with_ends(run(thread.program()))) {
     if (!is_helix(motion)) continue;
     ++pass;
     RC_ASSERT(motion.record.starts_with("arc17 c=0,0 "));
     RC_ASSERT(std::abs(std::hypot(motion.from[0], motion.from[1]) - thread.radius(pass)) < kNear);
     RC_ASSERT(std::abs(std::hypot(motion.to[0], motion.to[1]) - thread.radius(pass)) < kNear);
     const long turns = (thread.depth + thread.lead - 1) / thread.lead;
-    RC_ASSERT(field(motion.record, "rot=", 0) ==
+    RC_ASSERT(field_or(motion.record, "rot=", 0) ==
               static_cast<double>(thread.clockwise ? -turns : turns));
     // From -p, depth / lead turns.
     const double share = static_cast<double>(thread.depth % thread.lead) /
@@ -108,7 +99,7 @@ RC_GTEST_PROP(GskThreadProperty, HelicesHaveTheRadiusTheLeadAndTheSense, ()) {
 RC_GTEST_PROP(GskThreadProperty, BelowTheRPlaneOnlyHelixRunOutAndRetractMove, ()) {
   const Thread thread;
   int since_helix = 9;
-  for (const Motion& motion : motions_of(run(thread.program()))) {
+  for (const MotionWithEnds& motion : motions_with_ends(run(thread.program()))) {
     since_helix = is_helix(motion) ? 0 : since_helix + 1;
     const bool below = std::min(motion.from[2], motion.to[2]) < -1;
     // The helix, its run-out, and the rapid straight up.
@@ -125,7 +116,7 @@ RC_GTEST_PROP(GskThreadProperty, BelowTheRPlaneOnlyHelixRunOutAndRetractMove, ()
 
 RC_GTEST_PROP(GskThreadProperty, RunOutEndsOnTheFreeSideAtTheAngle, ()) {
   const Thread thread;
-  const std::vector<Motion> motions = motions_of(run(thread.program()));
+  const std::vector<MotionWithEnds> motions = motions_with_ends(run(thread.program()));
   long pass = 0;
   for (std::size_t i = 0; i + 1 < motions.size(); ++i) {
     if (!is_helix(motions[i])) continue;

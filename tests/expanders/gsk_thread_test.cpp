@@ -9,13 +9,11 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kRadius = R"({"x_diameter":false})";
-
 std::string readings(const std::string& settings) {
   return R"({"x_diameter":false,"readings":{)" + settings + "}}";
 }
 
-const std::string kPlain = readings(R"("gsk.thread.path":"arc")");
+const std::string kArcPathProfile = readings(R"("gsk.thread.path":"arc")");
 // R plane Y15, bottom Y-5: four turns; 18 is the surface, 17.5 and 17 the passes.
 const std::string kExternal =
     "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900\n";
@@ -24,7 +22,7 @@ const std::string kInternal =
     "G0 X70 Z70 Y30\nG18\nG116 X70 Z70 V-20 R-5 I5 J2 K30 E15 P1 Q0.5 D3 F900\n";
 
 // One pass of radius 17.5 about the origin, R plane at 0; `words` give depth, lead, run-out.
-Outcome one_pass(const std::string& words, const std::string& profile = kRadius) {
+Outcome one_pass(const std::string& words, const std::string& profile = kRadiusProfile) {
   return run("G114 X0 Z0 E30 P0.5 D3 F9 " + words + "\n", profile);
 }
 
@@ -33,7 +31,7 @@ double field(const std::string& record, const std::string& key) {
 }
 
 TEST(GskThread, ManualExampleOfAnExternalThread) {
-  const Outcome outcome = run(kExternal, kRadius);
+  const Outcome outcome = run(kExternal, kRadiusProfile);
   ASSERT_EQ(outcome.records.size(), 17u);
   EXPECT_EQ(joined({outcome.records.begin(), outcome.records.begin() + 6}),
             "rapid x=70 y=20 z=70\nrapid x=0 z=0\nrapid y=15\n"
@@ -54,7 +52,7 @@ TEST(GskThread, ManualExampleOfAnExternalThread) {
 }
 
 TEST(GskThread, ManualExampleOfAnInternalThread) {
-  const Outcome outcome = run(kInternal, kRadius);
+  const Outcome outcome = run(kInternal, kRadiusProfile);
   ASSERT_EQ(outcome.records.size(), 16u);
   EXPECT_EQ(joined({outcome.records.begin() + 1, outcome.records.begin() + 5}),
             "rapid y=25\n"
@@ -70,7 +68,7 @@ TEST(GskThread, ManualExampleOfAnInternalThread) {
 
 TEST(GskThread, PathOfTheProfileStartsAtPlusPAndGoesInStraight) {
   const std::string no_run_out = "G0 X70 Z70 Y20\nG114 X0 Z0 V-20 R-5 I5 E30 P1 Q0.5 D3 F900\n";
-  EXPECT_EQ(run(no_run_out, kPlain).motions(),
+  EXPECT_EQ(run(no_run_out, kArcPathProfile).motions(),
             "rapid x=70 y=20 z=70\nrapid x=0 z=0\nrapid y=15\n"
             "arc18 c=9,0 rot=-1 x=0 z=18 f=900\n"
             "feed z=17.5 f=900\narc18 c=0,0 rot=-4 x=0 y=-5 z=17.5 f=900\nrapid y=15\nrapid z=18\n"
@@ -80,10 +78,10 @@ TEST(GskThread, PathOfTheProfileStartsAtPlusPAndGoesInStraight) {
 
 TEST(GskThread, PathOfTheProfileRunsOutWhereTheReadingSays) {
   // The reading's numbers: Z16.887495 q-9.75, Z16.454483 q-9.5; Z72.598076 and Z73.031089.
-  const Outcome outside = run(kExternal, kPlain);
+  const Outcome outside = run(kExternal, kArcPathProfile);
   EXPECT_NE(outside.records[6].find("x=-9.75 z=16.887495"), std::string::npos);
   EXPECT_NE(outside.records[12].find("x=-9.5 z=16.454482"), std::string::npos);
-  const Outcome inside = run(kInternal, kPlain);
+  const Outcome inside = run(kInternal, kArcPathProfile);
   EXPECT_NE(inside.records[5].find("x=68.5 z=72.598076"), std::string::npos);
   EXPECT_NE(inside.records[11].find("x=68.25 z=73.031088"), std::string::npos);
 }
@@ -109,7 +107,7 @@ TEST(GskThread, RunOutWithoutAngleIsASemicircle) {
   // To the opposite side: the circle through -17.5 and 19.5.
   EXPECT_EQ(one_pass("V-5 I5 J2 K180").records[3], "arc18 c=1,0 rot=-1 x=0 z=19.5 f=9");
   // Internal, radius 5: to 3, turning with the helix.
-  EXPECT_EQ(run("G117 X0 Z0 V-5 I5 J2 E15 P0.5 D3 F9\n", kRadius).records[3],
+  EXPECT_EQ(run("G117 X0 Z0 V-5 I5 J2 E15 P0.5 D3 F9\n", kRadiusProfile).records[3],
             "arc18 c=-4,0 rot=1 x=0 z=-3 f=9");
 }
 
@@ -121,7 +119,7 @@ TEST(GskThread, RunOutIsStraightWhereItsArcIs) {
 TEST(GskThread, RunOutIntoABoreEndsAtItsCentreAtTheLatest) {
   // Radius 5, J7: to the centre, or by the reading to 2 on the other side.
   const std::string program = "G116 X0 Z0 V-5 I5 J7 E15 P0.5 D3 F9\n";
-  EXPECT_EQ(run(program, kRadius).records[3], "arc18 c=-2.5,0 rot=-1 x=0 z=0 f=9");
+  EXPECT_EQ(run(program, kRadiusProfile).records[3], "arc18 c=-2.5,0 rot=-1 x=0 z=0 f=9");
   EXPECT_EQ(run(program, readings(R"("gsk.thread.runout":"polar")")).records[3],
             "arc18 c=-1.5,0 rot=-1 x=0 z=2 f=9");
 }
@@ -157,7 +155,7 @@ TEST(GskThread, LastTurnMayBePartOfOne) {
 }
 
 TEST(GskThread, CounterclockwiseThreadsTurnTheOtherWay) {
-  const Outcome outcome = run("G115 X0 Z0 V-5 I4 E30 P0.5 D3 F9\n", kRadius);
+  const Outcome outcome = run("G115 X0 Z0 V-5 I4 E30 P0.5 D3 F9\n", kRadiusProfile);
   EXPECT_EQ(outcome.records[0], "arc18 c=-9,0 rot=1 x=0 z=-18 f=9");
   EXPECT_EQ(outcome.records[1], "arc18 c=-17.75,0 rot=-1 x=0 z=-17.5 f=9");
   EXPECT_EQ(outcome.records[2], "arc18 c=0,0 rot=2 x=-17.5 y=-5 z=0 f=9");
@@ -190,7 +188,7 @@ TEST(GskThread, IncrementalDepthCountsFromThePlaneOfTheReading) {
 TEST(GskThread, ModeLastsAsTheReadingSays) {
   const std::string program = "G114 X0 Z0 V-5 I5 E30 P0.5 D3 F9\nX1 Z1 V-5 I5 E30 P0.5 D3\n";
   // The first thread takes five records, the second one more for its centre.
-  EXPECT_EQ(run(program, kRadius).records.size(), 5u + 6u + 1u);
+  EXPECT_EQ(run(program, kRadiusProfile).records.size(), 5u + 6u + 1u);
   const Outcome once = run(program, readings(R"("gsk.thread.modal":"none")"));
   EXPECT_EQ(once.records[5], "rapid x=1 y=-5 z=1");
 }
@@ -198,12 +196,12 @@ TEST(GskThread, ModeLastsAsTheReadingSays) {
 TEST(GskThread, EndsWithG80AndMotionCodes) {
   const std::string entry = "G114 X0 Z0 V-5 I5 E30 P0.5 D3 F9\n";
   for (const char* leave : {"G80", "G00"}) {
-    EXPECT_EQ(run(entry + leave + " X1 Y2 Z3\n", kRadius).records[5], "rapid x=1 y=2 z=3");
+    EXPECT_EQ(run(entry + leave + " X1 Y2 Z3\n", kRadiusProfile).records[5], "rapid x=1 y=2 z=3");
   }
 }
 
 TEST(GskThread, ZeroDepthPositionsOnly) {
-  EXPECT_EQ(run("G116 X1 Z2 V0 R-3 I5 E15 P1 D3\n", kRadius).motions(),
+  EXPECT_EQ(run("G116 X1 Z2 V0 R-3 I5 E15 P1 D3\n", kRadiusProfile).motions(),
             "rapid x=1 z=2\nrapid y=-3\nrapid y=0\n");
 }
 

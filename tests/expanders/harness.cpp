@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness.hpp"
 
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "expanders/registry.hpp"
@@ -65,6 +67,17 @@ std::string describe(const gonogo_record_v1& record) {
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::string after_first(const Outcome& outcome) {
+  return joined({outcome.records.begin() + 1, outcome.records.end() - 1});
+}
+
+std::string millimetres(long thousandths) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%s%ld.%03ld", thousandths < 0 ? "-" : "",
+                std::labs(thousandths) / 1000, std::labs(thousandths) % 1000);
   return text;
 }
 
@@ -141,6 +154,11 @@ Outcome Session::run(std::string_view program, std::size_t most) {
 
 Outcome run(std::string_view program, std::string_view profile, std::string_view fault) {
   return Session(profile, fault).run(program);
+}
+
+Outcome run_with_reading(const std::string& reading, const std::string& value,
+                         std::string_view program) {
+  return run(program, R"({"x_diameter":false,"readings":{")" + reading + R"(":")" + value + "\"}}");
 }
 
 Outcome run_hnc(std::string_view program, std::string_view profile, std::string_view fault) {

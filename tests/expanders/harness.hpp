@@ -65,6 +65,13 @@ class Session {
 /// One program in a session of its own.
 Outcome run(std::string_view program, std::string_view profile = "{}", std::string_view fault = {});
 
+/// The profile under which X words are radii.
+inline constexpr const char* kRadiusProfile = R"({"x_diameter":false})";
+
+/// One program under that profile with one reading.
+Outcome run_with_reading(const std::string& reading, const std::string& value,
+                         std::string_view program);
+
 /// The same with the expander of hnc21t.
 Outcome run_hnc(std::string_view program, std::string_view profile = "{}",
                 std::string_view fault = {});
@@ -83,5 +90,14 @@ Outcome run_sinumerik802s(std::string_view program, std::string_view profile = "
 
 /// `lines` with a line end after each.
 std::string joined(const std::vector<std::string>& lines);
+
+/// The records between the first one and the `end`.
+std::string after_first(const Outcome& outcome);
+
+/// "-1.500"
+std::string millimetres(long thousandths);
+
+/// How far the numbers of records, which are rounded to 1e-9 mm, may be off, mm.
+inline constexpr double kNear = 1e-8;
 
 }  // namespace gonogo::expanders::testing

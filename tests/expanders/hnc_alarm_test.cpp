@@ -7,7 +7,7 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string alarm_of(const std::string& block) {
+std::string hnc_alarm(const std::string& block) {
   const Outcome outcome = run_hnc("G00 Z1\n" + block + "\n");
   EXPECT_EQ(outcome.motions(), "rapid z=1\n") << block;
   EXPECT_EQ(outcome.alarm_block, outcome.alarm.empty() ? 0u : 2u) << block;
@@ -15,57 +15,57 @@ std::string alarm_of(const std::string& block) {
 }
 
 TEST(HncAlarms, CommonRules) {
-  EXPECT_EQ(alarm_of("G999"), "undefined-code");
-  EXPECT_EQ(alarm_of("G54.1"), "undefined-code");
-  EXPECT_EQ(alarm_of("G43"), "undefined-code");
-  EXPECT_EQ(alarm_of("X1 X2"), "duplicate-word");
-  EXPECT_EQ(alarm_of("G00 G80"), "duplicate-word");
-  EXPECT_EQ(alarm_of("G90 G91"), "duplicate-word");
-  EXPECT_EQ(alarm_of("G54 G55"), "duplicate-word");
-  EXPECT_EQ(alarm_of("G04 G92 P1"), "duplicate-word");
-  EXPECT_EQ(alarm_of("X1 U2"), "conflicting-words");
-  EXPECT_EQ(alarm_of("G80 Z1 W2"), "conflicting-words");
-  EXPECT_EQ(alarm_of("G17"), "plane-not-allowed");
-  EXPECT_EQ(alarm_of("G19 X1"), "plane-not-allowed");
-  EXPECT_EQ(alarm_of("G01 X1"), "feed-missing");
-  EXPECT_EQ(alarm_of("F-1"), "value-sign");
-  EXPECT_EQ(alarm_of("M3.5"), "not-an-integer");
-  EXPECT_EQ(alarm_of("G04"), "missing-word");
-  EXPECT_EQ(alarm_of("G04 P-1"), "value-sign");
-  EXPECT_EQ(alarm_of("X99999999999"), "value-out-of-range");
+  EXPECT_EQ(hnc_alarm("G999"), "undefined-code");
+  EXPECT_EQ(hnc_alarm("G54.1"), "undefined-code");
+  EXPECT_EQ(hnc_alarm("G43"), "undefined-code");
+  EXPECT_EQ(hnc_alarm("X1 X2"), "duplicate-word");
+  EXPECT_EQ(hnc_alarm("G00 G80"), "duplicate-word");
+  EXPECT_EQ(hnc_alarm("G90 G91"), "duplicate-word");
+  EXPECT_EQ(hnc_alarm("G54 G55"), "duplicate-word");
+  EXPECT_EQ(hnc_alarm("G04 G92 P1"), "duplicate-word");
+  EXPECT_EQ(hnc_alarm("X1 U2"), "conflicting-words");
+  EXPECT_EQ(hnc_alarm("G80 Z1 W2"), "conflicting-words");
+  EXPECT_EQ(hnc_alarm("G17"), "plane-not-allowed");
+  EXPECT_EQ(hnc_alarm("G19 X1"), "plane-not-allowed");
+  EXPECT_EQ(hnc_alarm("G01 X1"), "feed-missing");
+  EXPECT_EQ(hnc_alarm("F-1"), "value-sign");
+  EXPECT_EQ(hnc_alarm("M3.5"), "not-an-integer");
+  EXPECT_EQ(hnc_alarm("G04"), "missing-word");
+  EXPECT_EQ(hnc_alarm("G04 P-1"), "value-sign");
+  EXPECT_EQ(hnc_alarm("X99999999999"), "value-out-of-range");
 }
 
 TEST(HncAlarms, CyclesNeedAFeed) {
   for (const char* block : {"G74 Z-1", "G75 X-1", "G80 X-1 Z-1", "G81 X-1 Z-1"}) {
-    EXPECT_EQ(alarm_of(block), "feed-missing") << block;
+    EXPECT_EQ(hnc_alarm(block), "feed-missing") << block;
   }
 }
 
 TEST(HncAlarms, Threads) {
-  EXPECT_EQ(alarm_of("G82 X-1 Z-1"), "lead-missing");
-  EXPECT_EQ(alarm_of("G32 X-1 Z-1"), "lead-missing");
-  EXPECT_EQ(alarm_of("G82 F1 J1"), "conflicting-words");
-  EXPECT_EQ(alarm_of("G82 F0"), "value-sign");
-  EXPECT_EQ(alarm_of("G32 J-1"), "value-sign");
-  EXPECT_EQ(alarm_of("G82 Q-1"), "value-sign");
-  EXPECT_EQ(alarm_of("G82 C-1"), "value-sign");
-  EXPECT_EQ(alarm_of("G82 C1.5"), "not-an-integer");
-  EXPECT_EQ(alarm_of("G82 X-1 Z-1 F1 C2"), "missing-word");
+  EXPECT_EQ(hnc_alarm("G82 X-1 Z-1"), "lead-missing");
+  EXPECT_EQ(hnc_alarm("G32 X-1 Z-1"), "lead-missing");
+  EXPECT_EQ(hnc_alarm("G82 F1 J1"), "conflicting-words");
+  EXPECT_EQ(hnc_alarm("G82 F0"), "value-sign");
+  EXPECT_EQ(hnc_alarm("G32 J-1"), "value-sign");
+  EXPECT_EQ(hnc_alarm("G82 Q-1"), "value-sign");
+  EXPECT_EQ(hnc_alarm("G82 C-1"), "value-sign");
+  EXPECT_EQ(hnc_alarm("G82 C1.5"), "not-an-integer");
+  EXPECT_EQ(hnc_alarm("G82 X-1 Z-1 F1 C2"), "missing-word");
 }
 
 TEST(HncAlarms, RulesOfOneCommandAreNotThoseOfAnother) {
   for (const char* block : {"G80 F1 J1 Q-1 C-1 R-1 A9", "G81 C1.5 I1", "G74 C-1 K1 F1 J-1",
                             "G75 C-1 E1", "G32 A1 F1", "G82 A1 K1 Q0"}) {
-    EXPECT_EQ(alarm_of(block), "") << block;
+    EXPECT_EQ(hnc_alarm(block), "") << block;
   }
 }
 
 TEST(HncAlarms, CodesWithoutEffect) {
-  EXPECT_EQ(alarm_of("G18 G21 G40 G94 G96 G64 S500 T0101 D1 H2 L3 B4"), "");
+  EXPECT_EQ(hnc_alarm("G18 G21 G40 G94 G96 G64 S500 T0101 D1 H2 L3 B4"), "");
 }
 
 TEST(HncAlarms, YInATurningCycle) {
-  EXPECT_EQ(alarm_of("G80 X1 Y1 Z1 F9"), "undefined-code");
+  EXPECT_EQ(hnc_alarm("G80 X1 Y1 Z1 F9"), "undefined-code");
   EXPECT_EQ(run_hnc("G81 F9\nX1 Z1 V1\n").alarm, "undefined-code");
 }
 

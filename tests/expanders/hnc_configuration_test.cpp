@@ -6,12 +6,12 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-int answer_to(const std::string& profile) {
+int create_hnc(const std::string& profile) {
   return Session(profile, {}, "hnc").outcome().create;
 }
 
 TEST(HncConfiguration, DefaultsMayBeWrittenOut) {
-  EXPECT_EQ(answer_to(R"({"dialect":"hnc21t","units":"mm","resolution":"0.001","x_diameter":true,
+  EXPECT_EQ(create_hnc(R"({"dialect":"hnc21t","units":"mm","resolution":"0.001","x_diameter":true,
     "initial":{"x":"0","y":"0","z":"0","a":"0","c":"0","f":"0","plane":"G18","motion":"G00",
     "spindle":"M5"},"offsets":{},"tools":{},"parameters":{"3410":"0.01"},"alarm_timing":"block",
     "block_skip":false,"readings":{"hnc.missing-axis":"reject","hnc.peck.clamp":"none",
@@ -29,7 +29,8 @@ TEST(HncConfiguration, EveryReadingMayBeAny) {
         "hnc.g82.exit", "hnc.g82.e-scale", "hnc.peck.from", "hnc.peck.withdraw", "hnc.g75.steps",
         "hnc.g75.end", "hnc.g75.mode3", "hnc.g75.depth-scale", "hnc.offset.initial",
         "hnc.lead.unit", "hnc.arc.zero-radius"}) {
-    EXPECT_EQ(answer_to(R"({"readings":{")" + std::string(key) + R"(":"any"}})"), GONOGO_OK) << key;
+    EXPECT_EQ(create_hnc(R"({"readings":{")" + std::string(key) + R"(":"any"}})"), GONOGO_OK)
+        << key;
   }
 }
 

@@ -2,28 +2,17 @@
 // Every planted fault of the expander of hnc21t shows on the program that is meant for it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "expanders/registry.hpp"
-#include "harness.hpp"
+#include "fault_exhibit.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
-struct Exhibit {
-  const char* fault;
-  const char* program;
-  const char* profile = "{}";
-};
-
-void PrintTo(const Exhibit& exhibit, std::ostream* out) {
-  *out << exhibit.fault;
-}
-
 // Ten times 0.1 summed in binary64 stays below 1.
-constexpr const char* kTenths = "G74 Z-1 R0.05 Q0.1 F9\n";
-constexpr const char* kUneven = "G74 Z-5 R1 Q2 F9\n";
+constexpr const char* kTenthsPeck = "G74 Z-1 R0.05 Q0.1 F9\n";
+constexpr const char* kUnevenPeck = "G74 Z-5 R1 Q2 F9\n";
 constexpr const char* kThirds = "G75 X-2 Z-1 I3 F9\n";
 constexpr const char* kTurn = "G80 X-4 Z-5 I-1 F9\n";
 constexpr const char* kFace = "G81 X-4 Z-5 K-1 F9\n";
@@ -31,13 +20,13 @@ constexpr const char* kRunOut = "G82 X-4 Z-5 R-1 E2 F2\n";
 constexpr const char* kStarts = "G82 X-4 Z-5 C3 P100 F2\n";
 constexpr const char* kOffset = R"({"offsets":{"G54":{"x":"1","z":"2"}}})";
 
-const Exhibit kExhibits[] = {
-    {"peck-running-sum", kTenths},
-    {"withdrawal-twice", kUneven},
+const ProfiledExhibit kHncExhibits[] = {
+    {"peck-running-sum", kTenthsPeck},
+    {"withdrawal-twice", kUnevenPeck},
     {"extra-peck-at-multiple", "G74 Z-4 R1 Q2 F9\n"},
-    {"last-peck-overshoots", kUneven},
-    {"withdrawal-at-bottom", kUneven},
-    {"withdrawal-at-feed", kUneven},
+    {"last-peck-overshoots", kUnevenPeck},
+    {"withdrawal-at-bottom", kUnevenPeck},
+    {"withdrawal-at-feed", kUnevenPeck},
     {"endless-pecks", "G74 Z-1 R0.001 Q0.002 F9\n"},
     {"withdrawal-sign-unchecked", "G74 Z-5 R-1 Q2 F9\n"},
     {"drill-takes-x", "G74 X4 Z-5 F9\n"},
@@ -86,33 +75,18 @@ const Exhibit kExhibits[] = {
     {"feed-survives-reset", "G01 X1 F9\n"},
 };
 
-class PlantedHncFault : public ::testing::TestWithParam<Exhibit> {};
+class PlantedHncFault : public ::testing::TestWithParam<ProfiledExhibit> {};
 
 TEST_P(PlantedHncFault, Shows) {
-  const Exhibit& exhibit = GetParam();
-  Session sound(exhibit.profile, {}, "hnc");
-  Session faulty(exhibit.profile, exhibit.fault, "hnc");
-  std::string want = sound.run(exhibit.program).all();
-  std::string got = faulty.run(exhibit.program, 10'000).all();
-  // Once more after a reset, without a feed of its own.
-  sound.reset();
-  faulty.reset();
-  want += sound.run("G01 Z1\n").all();
-  got += faulty.run("G01 Z1\n").all();
-  EXPECT_NE(got, want);
+  // After the reset without a feed of its own.
+  expect_shown(GetParam(), "hnc", "G01 Z1\n");
 }
 
-std::string test_name(const ::testing::TestParamInfo<Exhibit>& exhibit) {
-  std::string name = exhibit.param.fault;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Hnc, PlantedHncFault, ::testing::ValuesIn(kExhibits), test_name);
+INSTANTIATE_TEST_SUITE_P(Hnc, PlantedHncFault, ::testing::ValuesIn(kHncExhibits), FaultName());
 
 TEST(PlantedHncFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledExhibit& exhibit : kHncExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("hnc")) {
     known.insert(fault.name);
@@ -128,13 +102,13 @@ TEST(PlantedHncFaults, NamesBelongToTheirDefects) {
     return run_hnc(program, "{}", fault);
   };
   // An eleventh peck: withdrawn from the bottom and down again.
-  EXPECT_EQ(faulty(kTenths, "peck-running-sum").records.size(), 23u);
-  EXPECT_EQ(faulty(kUneven, "withdrawal-twice").records[1], "rapid z=0");
+  EXPECT_EQ(faulty(kTenthsPeck, "peck-running-sum").records.size(), 23u);
+  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-twice").records[1], "rapid z=0");
   EXPECT_EQ(faulty("G74 Z-4 R1 Q2 F9\n", "extra-peck-at-multiple").motions(),
             "feed z=-2 f=9\nrapid z=-1\nfeed z=-4 f=9\nrapid z=-3\nfeed z=-4 f=9\nrapid z=0\n");
-  EXPECT_EQ(faulty(kUneven, "last-peck-overshoots").records[4], "feed z=-6 f=9");
-  EXPECT_EQ(faulty(kUneven, "withdrawal-at-bottom").records[5], "rapid z=-4");
-  EXPECT_EQ(faulty(kUneven, "withdrawal-at-feed").records[1], "feed z=-1 f=9");
+  EXPECT_EQ(faulty(kUnevenPeck, "last-peck-overshoots").records[4], "feed z=-6 f=9");
+  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-at-bottom").records[5], "rapid z=-4");
+  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-at-feed").records[1], "feed z=-1 f=9");
   EXPECT_EQ(Session("{}", "endless-pecks", "hnc").run("G74 Z-1 R0.001 Q0.002 F9\n", 9'000).answer,
             GONOGO_STOPPED);
   EXPECT_EQ(faulty("G74 X4 Z-5 F9\n", "drill-takes-x").records[0], "rapid x=2");

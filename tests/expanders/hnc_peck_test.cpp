@@ -12,10 +12,6 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string after_first(const Outcome& outcome) {
-  return joined({outcome.records.begin() + 1, outcome.records.end() - 1});
-}
-
 // Turns "F-4 R-3" into records along `axis`, with the feed 50.
 std::string path(char axis, std::initializer_list<const char*> moves) {
   std::string text;

@@ -25,7 +25,7 @@ using hnc::Writing;
 using reference::testing::Lengths;
 using reference::testing::Repeats;
 
-constexpr double kNear = 2e-9;  // the records are rounded to 1e-9 mm
+constexpr double kTwoCounts = 2e-9;  // the records are rounded to 1e-9 mm
 
 struct Motion {
   std::string kind;
@@ -90,7 +90,7 @@ void expect_related(const Outcome& other, const Outcome& plain, const Change& ch
     for (const auto& [key, value] : want[i].fields) {
       const double wanted = change(key, value);
       // The centre of a shallow arc is far.
-      RC_ASSERT(std::abs(got[i].fields.at(key) - wanted) <= kNear * (1 + std::abs(wanted)));
+      RC_ASSERT(std::abs(got[i].fields.at(key) - wanted) <= kTwoCounts * (1 + std::abs(wanted)));
     }
   }
 }

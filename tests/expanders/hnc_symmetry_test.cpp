@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -13,6 +11,7 @@
 
 #include "expanders/common/fixed.hpp"
 #include "harness.hpp"
+#include "random_numbers.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -22,34 +21,24 @@ struct Item {
   char address;
   long value;
 };
-struct Step {
+struct HncBlock {
   std::string code;
   std::vector<Item> words;
 };
-using Program = std::vector<Step>;
+using HncProgram = std::vector<HncBlock>;
 
-std::string decimal(long thousandths) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%s%ld.%03ld", thousandths < 0 ? "-" : "",
-                std::labs(thousandths) / 1000, std::labs(thousandths) % 1000);
-  return text;
-}
-
-long between(long lowest, long highest) {
-  return *rc::gen::inRange(lowest, highest + 1);
-}
 long coordinate() {
   return between(-200'000, 200'000);
 }
 // An axis word, absolute or incremental; X even, so that its half is a thousandth.
-Item word(char absolute, char incremental) {
+Item any_axis_word(char absolute, char incremental) {
   const char address = *rc::gen::arbitrary<bool>() ? absolute : incremental;
   return {address, absolute == 'X' ? 2 * coordinate() : coordinate()};
 }
 
-Step some_step() {
-  const Item x = word('X', 'U');
-  const Item z = word('Z', 'W');
+HncBlock some_block() {
+  const Item x = any_axis_word('X', 'U');
+  const Item z = any_axis_word('Z', 'W');
   switch (between(0, 6)) {
     case 0:
       return {"G74", {z, {'R', between(0, 3'000)}, {'Q', between(9'000, 40'000)}, {'F', 50'000}}};
@@ -76,31 +65,31 @@ Step some_step() {
   }
 }
 
-Program some_program() {
-  Program program;
-  for (long steps = between(1, 8); steps > 0; --steps) program.push_back(some_step());
+HncProgram some_hnc_program() {
+  HncProgram program;
+  for (long steps = between(1, 8); steps > 0; --steps) program.push_back(some_block());
   return program;
 }
 
-using Change = std::function<long(const Step&, const Item&)>;
+using Change = std::function<long(const HncBlock&, const Item&)>;
 
-std::string written(const Program& program, const Change& change) {
+std::string program_text(const HncProgram& program, const Change& change) {
   std::string text;
-  for (const Step& step : program) {
+  for (const HncBlock& step : program) {
     text += step.code;
-    for (const Item& item : step.words) text += item.address + decimal(change(step, item));
+    for (const Item& item : step.words) text += item.address + millimetres(change(step, item));
     text += '\n';
   }
   return text;
 }
 
-std::string written(const Program& program) {
-  return written(program, [](const Step&, const Item& item) { return item.value; });
+std::string program_text(const HncProgram& program) {
+  return program_text(program, [](const HncBlock&, const Item& item) { return item.value; });
 }
 
 // The records with `change` made to the values of `field` ("x=" or "z=").
-std::vector<std::string> changed(const Outcome& outcome, std::string_view field,
-                                 const std::function<Fixed(Fixed)>& change) {
+std::vector<std::string> with_changed_field(const Outcome& outcome, std::string_view field,
+                                            const std::function<Fixed(Fixed)>& change) {
   std::vector<std::string> records;
   for (const std::string& record : outcome.records) {
     std::istringstream text(record);
@@ -133,54 +122,59 @@ void expect_same(const Outcome& got, const Outcome& want, const std::vector<std:
 }
 
 RC_GTEST_PROP(HncSymmetry, MirroredAlongZ, ()) {
-  const Program program = some_program();
-  const Outcome plain = run_hnc(written(program));
-  const Outcome mirrored = run_hnc(written(program, [](const Step& step, const Item& item) {
-    const bool along_z = std::string_view("ZWK").find(item.address) != std::string_view::npos ||
-                         (item.address == 'R' && step.code == "G82");
-    return along_z ? -item.value : item.value;
-  }));
-  expect_same(mirrored, plain, changed(plain, "z=", negative));
+  const HncProgram program = some_hnc_program();
+  const Outcome plain = run_hnc(program_text(program));
+  const Outcome mirrored =
+      run_hnc(program_text(program, [](const HncBlock& step, const Item& item) {
+        const bool along_z = std::string_view("ZWK").find(item.address) != std::string_view::npos ||
+                             (item.address == 'R' && step.code == "G82");
+        return along_z ? -item.value : item.value;
+      }));
+  expect_same(mirrored, plain, with_changed_field(plain, "z=", negative));
 }
 
 RC_GTEST_PROP(HncSymmetry, MirroredAlongX, ()) {
-  const Program program = some_program();
-  const Outcome plain = run_hnc(written(program));
-  const Outcome mirrored = run_hnc(written(program, [](const Step& step, const Item& item) {
-    const bool along_x = std::string_view("XUE").find(item.address) != std::string_view::npos ||
-                         (item.address == 'I' && step.code != "G75");
-    return along_x ? -item.value : item.value;
-  }));
-  expect_same(mirrored, plain, changed(plain, "x=", negative));
+  const HncProgram program = some_hnc_program();
+  const Outcome plain = run_hnc(program_text(program));
+  const Outcome mirrored =
+      run_hnc(program_text(program, [](const HncBlock& step, const Item& item) {
+        const bool along_x = std::string_view("XUE").find(item.address) != std::string_view::npos ||
+                             (item.address == 'I' && step.code != "G75");
+        return along_x ? -item.value : item.value;
+      }));
+  expect_same(mirrored, plain, with_changed_field(plain, "x=", negative));
 }
 
 RC_GTEST_PROP(HncSymmetry, MovedByTheWorkOffset, ()) {
-  const Program program = some_program();
+  const HncProgram program = some_hnc_program();
   const long shift = coordinate();
-  const std::string by = "\"" + decimal(shift) + "\"";
-  const Outcome plain = run_hnc(written(program));
-  const Outcome moved = run_hnc(
-      written(program), R"({"initial":{"z":)" + by + R"(},"offsets":{"G54":{"z":)" + by + "}}}");
-  expect_same(moved, plain, changed(plain, "z=", [&](Fixed z) { return z + shift * 1'000'000; }));
+  const std::string by = "\"" + millimetres(shift) + "\"";
+  const Outcome plain = run_hnc(program_text(program));
+  const Outcome moved =
+      run_hnc(program_text(program),
+              R"({"initial":{"z":)" + by + R"(},"offsets":{"G54":{"z":)" + by + "}}}");
+  expect_same(moved, plain,
+              with_changed_field(plain, "z=", [&](Fixed z) { return z + shift * 1'000'000; }));
 }
 
 RC_GTEST_PROP(HncSymmetry, WrittenInRadii, ()) {
-  const Program program = some_program();
-  const Outcome plain = run_hnc(written(program));
-  const Outcome radii = run_hnc(written(program,
-                                        [](const Step&, const Item& item) {
-                                          const bool x = item.address == 'X' || item.address == 'U';
-                                          return x ? item.value / 2 : item.value;
-                                        }),
+  const HncProgram program = some_hnc_program();
+  const Outcome plain = run_hnc(program_text(program));
+  const Outcome radii = run_hnc(program_text(program,
+                                             [](const HncBlock&, const Item& item) {
+                                               const bool x =
+                                                   item.address == 'X' || item.address == 'U';
+                                               return x ? item.value / 2 : item.value;
+                                             }),
                                 R"({"x_diameter":false})");
   expect_same(radii, plain, plain.records);
 }
 
 // A cycle ends where it began, whatever its words are.
 RC_GTEST_PROP(HncSymmetry, CyclesEndAtTheirStart, ()) {
-  Step step = some_step();
+  HncBlock step = some_block();
   RC_PRE(step.code != "G00" && step.code != "G01");
-  const Outcome outcome = run_hnc(written({{"G00", {{'X', 14'000}, {'Z', 3'000}}}, step}));
+  const Outcome outcome = run_hnc(program_text({{"G00", {{'X', 14'000}, {'Z', 3'000}}}, step}));
   RC_PRE(outcome.alarm.empty());
   RC_ASSERT(outcome.records.back() == "end x=7 y=0 z=3 a=0 c=0");
 }

@@ -7,10 +7,6 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string after_first(const Outcome& outcome) {
-  return joined({outcome.records.begin() + 1, outcome.records.end() - 1});
-}
-
 TEST(HncG82, StraightThreadOfTheMakersExample) {
   // A (35, 104).
   EXPECT_EQ(after_first(run_hnc("G55 G90 G00 X35 Z104\nG82 X29.2 Z56 F1.5\nG82 X28.6 Z56\n")),

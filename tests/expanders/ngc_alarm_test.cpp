@@ -7,20 +7,20 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string alarm(const std::string& block, const char* profile = "{}") {
+std::string ngc_alarm(const std::string& block, const char* profile = "{}") {
   return run_ngc("F9\n" + block + "\n", profile).alarm;
 }
 
 TEST(NgcAlarm, AnAxisWordNeedsAMotionCode) {
   for (const char* block : {"X1", "A1", "I1", "R1", "P1", "G80 X1", "G4 P1 X1", "G1\nG80\nY1"}) {
-    EXPECT_EQ(alarm(block), "missing-word") << block;
+    EXPECT_EQ(ngc_alarm(block), "missing-word") << block;
   }
 }
 
 TEST(NgcAlarm, AFeed) {
-  EXPECT_EQ(alarm("F0 G1 X1"), "feed-missing");
-  EXPECT_EQ(alarm("F0 G2 X2 I1"), "feed-missing");
-  EXPECT_EQ(alarm("F-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("F0 G1 X1"), "feed-missing");
+  EXPECT_EQ(ngc_alarm("F0 G2 X2 I1"), "feed-missing");
+  EXPECT_EQ(ngc_alarm("F-1"), "value-sign");
   EXPECT_EQ(run_ngc("G1 X0\n").alarm, "feed-missing");
   EXPECT_EQ(run_ngc("G1\nG0 X1\n").motions(), "rapid x=1\n");
 }
@@ -28,57 +28,57 @@ TEST(NgcAlarm, AFeed) {
 TEST(NgcAlarm, UnknownCodes) {
   for (const char* block : {"G6", "G1.1", "G100", "G-1", "G5.1", "G38", "G999 X1 X2", "M10", "M17",
                             "M74", "M200", "M-1"}) {
-    EXPECT_EQ(alarm(block), "undefined-code") << block;
+    EXPECT_EQ(ngc_alarm(block), "undefined-code") << block;
   }
 }
 
 TEST(NgcAlarm, Twice) {
   for (const char* block : {"G1 X1 X2", "G0 G1 X1", "G17 G18", "G90 G91", "G20 G21", "G2 G80",
                             "G4 G4 P1", "F1 F2", "S1 S2", "G61 G64", "G90.1 G91.1", "G54 G54"}) {
-    EXPECT_EQ(alarm(block), "duplicate-word") << block;
+    EXPECT_EQ(ngc_alarm(block), "duplicate-word") << block;
   }
-  EXPECT_EQ(alarm("M3 M8"), "");
-  EXPECT_EQ(alarm("G90 G90.1"), "");
+  EXPECT_EQ(ngc_alarm("M3 M8"), "");
+  EXPECT_EQ(ngc_alarm("G90 G90.1"), "");
 }
 
 TEST(NgcAlarm, WordsOfAnArc) {
-  EXPECT_EQ(alarm("G2 X2 R1 I1"), "conflicting-words");
-  EXPECT_EQ(alarm("G2 X2"), "missing-word");
-  EXPECT_EQ(alarm("G2"), "missing-word");
-  EXPECT_EQ(alarm("G2 Z1 R1"), "missing-word");
-  EXPECT_EQ(alarm("G2 R1"), "missing-word");
-  EXPECT_EQ(alarm("G2 X2 K1"), "axis-not-in-plane");
-  EXPECT_EQ(alarm("G18 G2 X2 I1 J1"), "axis-not-in-plane");
-  EXPECT_EQ(alarm("G19 G2 Y2 I1"), "axis-not-in-plane");
-  EXPECT_EQ(alarm("G90.1 G2 X2 I1"), "missing-word");
-  EXPECT_EQ(alarm("G2 X0 R1"), "arc-end-point");
-  EXPECT_EQ(alarm("G2 X3 R1"), "arc-radius");
+  EXPECT_EQ(ngc_alarm("G2 X2 R1 I1"), "conflicting-words");
+  EXPECT_EQ(ngc_alarm("G2 X2"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 Z1 R1"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 R1"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 X2 K1"), "axis-not-in-plane");
+  EXPECT_EQ(ngc_alarm("G18 G2 X2 I1 J1"), "axis-not-in-plane");
+  EXPECT_EQ(ngc_alarm("G19 G2 Y2 I1"), "axis-not-in-plane");
+  EXPECT_EQ(ngc_alarm("G90.1 G2 X2 I1"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 X0 R1"), "arc-end-point");
+  EXPECT_EQ(ngc_alarm("G2 X3 R1"), "arc-radius");
 }
 
 TEST(NgcAlarm, FullCirclesMayNeedAWord) {
   constexpr const char* kNeeded = R"({"readings":{"ngc.full-circle-words":"needed"}})";
-  EXPECT_EQ(alarm("G2 I1", kNeeded), "missing-word");
-  EXPECT_EQ(alarm("G2 Z1 I1", kNeeded), "missing-word");
-  EXPECT_EQ(alarm("G2 Y0 I1", kNeeded), "");
-  EXPECT_EQ(alarm("G2 I1"), "");
+  EXPECT_EQ(ngc_alarm("G2 I1", kNeeded), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 Z1 I1", kNeeded), "missing-word");
+  EXPECT_EQ(ngc_alarm("G2 Y0 I1", kNeeded), "");
+  EXPECT_EQ(ngc_alarm("G2 I1"), "");
 }
 
 TEST(NgcAlarm, Turns) {
-  EXPECT_EQ(alarm("G2 X2 I1 P0"), "value-sign");
-  EXPECT_EQ(alarm("G2 X2 I1 P-1"), "value-sign");
-  EXPECT_EQ(alarm("G2 X2 I1 P1.5"), "not-an-integer");
-  EXPECT_EQ(alarm("G2 X2 R1 P0.5"), "not-an-integer");
+  EXPECT_EQ(ngc_alarm("G2 X2 I1 P0"), "value-sign");
+  EXPECT_EQ(ngc_alarm("G2 X2 I1 P-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("G2 X2 I1 P1.5"), "not-an-integer");
+  EXPECT_EQ(ngc_alarm("G2 X2 R1 P0.5"), "not-an-integer");
 }
 
 TEST(NgcAlarm, Dwell) {
-  EXPECT_EQ(alarm("G4"), "missing-word");
-  EXPECT_EQ(alarm("G4 P-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("G4"), "missing-word");
+  EXPECT_EQ(ngc_alarm("G4 P-1"), "value-sign");
 }
 
 TEST(NgcAlarm, TooLarge) {
-  EXPECT_EQ(alarm("G0 X99999999999999999999"), "value-out-of-range");
-  EXPECT_EQ(alarm("G91 G0 X3000000000\nX3000000000"), "value-out-of-range");
-  EXPECT_EQ(alarm("G0 X2000000000\nG2 X0 R3000000000 Y4000000000"), "value-out-of-range");
+  EXPECT_EQ(ngc_alarm("G0 X99999999999999999999"), "value-out-of-range");
+  EXPECT_EQ(ngc_alarm("G91 G0 X3000000000\nX3000000000"), "value-out-of-range");
+  EXPECT_EQ(ngc_alarm("G0 X2000000000\nG2 X0 R3000000000 Y4000000000"), "value-out-of-range");
 }
 
 TEST(NgcAlarm, NothingOfTheBlockMoves) {

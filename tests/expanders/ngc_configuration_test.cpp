@@ -7,7 +7,7 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-int created(const char* profile) {
+int create_ngc(const char* profile) {
   return Session(profile, {}, "ngc").outcome().create;
 }
 
@@ -23,7 +23,7 @@ TEST(NgcConfiguration, ThePowerOnState) {
 }
 
 TEST(NgcConfiguration, DefaultsWrittenOutAreAccepted) {
-  EXPECT_EQ(created(R"({"dialect":"rs274","units":"mm","increment":"ISB","resolution":"0.0001",
+  EXPECT_EQ(create_ngc(R"({"dialect":"rs274","units":"mm","increment":"ISB","resolution":"0.0001",
       "x_diameter":false,"initial":{"x":"0","y":"0","z":"0","a":"0","c":"0","f":"0","plane":"G17",
       "motion":"none","spindle":"0"},"offsets":{},"tools":{},"parameters":{},"readings":
       {"ngc.arc-tolerance":"any","ngc.full-circle-words":"free"},"alarm_timing":"block",
@@ -37,7 +37,7 @@ TEST(NgcConfiguration, WhatIsNotImplementedIsRefused) {
         R"({"initial":{"motion":"G02"}})", R"({"readings":{"ngc.arc-tolerance":"other"}})",
         R"({"readings":{"hnc.g75.i":"I"}})", R"({"alarm_timing":"program"})", R"({"unknown":1})",
         R"({"initial":{"f":"-1"}})"}) {
-    EXPECT_EQ(created(profile), GONOGO_UNSUPPORTED) << profile;
+    EXPECT_EQ(create_ngc(profile), GONOGO_UNSUPPORTED) << profile;
   }
 }
 

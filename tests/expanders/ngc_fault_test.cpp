@@ -11,7 +11,7 @@ namespace gonogo::expanders::testing {
 namespace {
 
 // What each fault must lead to follows from its description and the program by hand.
-const Exhibit kExhibits[] = {
+const Exhibit kNgcExhibits[] = {
     {"g18-sense-flipped", "G18 G2 Z4 K2 F9\nG17 G2 X4 I2\n",
      "1 arc18 c=2,0 rot=1 x=0 z=4 f=9\n2 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"g3-clockwise", "G3 X4 I2 F9\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
@@ -69,11 +69,11 @@ TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
   EXPECT_EQ(run_ngc(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kExhibits), test_name);
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kNgcExhibits), FaultName());
 
 TEST(PlantedNgcFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  for (const Exhibit& exhibit : kNgcExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
     known.insert(fault.name);

@@ -10,7 +10,7 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-int created(const char* profile) {
+int create_sinumerik(const char* profile) {
   return Session(profile, {}, "sinumerik").outcome().create;
 }
 
@@ -26,7 +26,7 @@ TEST(SinumerikConfiguration, ThePowerOnState) {
 }
 
 TEST(SinumerikConfiguration, DefaultsWrittenOutAreAccepted) {
-  EXPECT_EQ(created(R"({"dialect":"sinumerik840d","units":"mm","increment":"ISB",
+  EXPECT_EQ(create_sinumerik(R"({"dialect":"sinumerik840d","units":"mm","increment":"ISB",
       "resolution":"0.001","x_diameter":false,"initial":{"x":"0","y":"0","z":"0","a":"0","c":"0",
       "f":"0","plane":"G17","motion":"none","spindle":"0"},"offsets":{},"tools":{},
       "parameters":{"CIRCLE_ERROR_CONST":"0.01","CIRCLE_ERROR_FACTOR":"0.001"},"readings":
@@ -42,7 +42,7 @@ TEST(SinumerikConfiguration, WhatIsNotImplementedIsRefused) {
         R"({"readings":{"hnc.g75.i":"I"}})", R"({"alarm_timing":"program"})", R"({"unknown":1})",
         R"({"initial":{"f":"-1"}})", R"({"parameters":{"3410":"1"}})",
         R"({"parameters":{"CIRCLE_ERROR_CONST":"-1"}})", R"({"initial":{"x":"2000000000"}})"}) {
-    EXPECT_EQ(created(profile), GONOGO_UNSUPPORTED) << profile;
+    EXPECT_EQ(create_sinumerik(profile), GONOGO_UNSUPPORTED) << profile;
   }
 }
 
@@ -60,7 +60,7 @@ TEST(SinumerikConfiguration, ToolsAndReadingsOf802S) {
         R"({"readings":{"sie.infeed":"other"}})", R"({"readings":{"sie.finish.levels":"one"}})"}) {
     EXPECT_EQ(created802s(profile), GONOGO_UNSUPPORTED) << profile;
   }
-  EXPECT_EQ(created(R"({"tools":{"1":{"radius":"5"}}})"), GONOGO_UNSUPPORTED);
+  EXPECT_EQ(create_sinumerik(R"({"tools":{"1":{"radius":"5"}}})"), GONOGO_UNSUPPORTED);
 }
 
 TEST(SinumerikConfiguration, DescribesItself) {

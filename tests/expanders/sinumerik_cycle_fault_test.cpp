@@ -11,7 +11,7 @@
 namespace gonogo::expanders::testing {
 namespace {
 
-constexpr const char* kTools = R"({"tools":{"1":{"radius":"5"},"2":{"radius":"1"}}})";
+constexpr const char* kToolsProfile = R"({"tools":{"1":{"radius":"5"},"2":{"radius":"1"}}})";
 
 // Three lines. With tool 1 the pocket leaves the tool its centre only.
 const std::string kPoint =
@@ -23,7 +23,7 @@ const std::string kDrill = "G1 F9\nR101=5 R102=1 R104=-2 R105=3\n";
 
 // What each fault must lead to follows from its description and the program by hand. With tool 1,
 // radius 5, a pocket of 12 x 12 leaves a square of half side 1, one of 14 x 14 of half side 2.
-const Exhibit kExhibits[] = {
+const Exhibit kCycleExhibits[] = {
     {"g158-adds", "G158 X1\nG158 X2\nG0 X0\n", "rapid x=3\n"},
     // Under the rotation the tool stands at (0, 1).
     {"g158-keeps-rotation", "G258 RPL=90\nG158 X1\nG0 X2\n", "rapid y=2\n"},
@@ -112,20 +112,21 @@ class PlantedCycleFault : public ::testing::TestWithParam<Exhibit> {};
 
 TEST_P(PlantedCycleFault, Shows) {
   const Exhibit& exhibit = GetParam();
-  const Outcome sound = run_sinumerik802s(exhibit.program, kTools);
-  EXPECT_NE(run_sinumerik802s(exhibit.program, kTools, exhibit.fault).all(), sound.all());
+  const Outcome sound = run_sinumerik802s(exhibit.program, kToolsProfile);
+  EXPECT_NE(run_sinumerik802s(exhibit.program, kToolsProfile, exhibit.fault).all(), sound.all());
 }
 
 TEST_P(PlantedCycleFault, IsTheOneThatItsNameSays) {
   const Exhibit& exhibit = GetParam();
-  EXPECT_EQ(trace(run_sinumerik802s(exhibit.program, kTools, exhibit.fault)), exhibit.want);
+  EXPECT_EQ(trace(run_sinumerik802s(exhibit.program, kToolsProfile, exhibit.fault)), exhibit.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedCycleFault, ::testing::ValuesIn(kExhibits), test_name);
+INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedCycleFault, ::testing::ValuesIn(kCycleExhibits),
+                         FaultName());
 
 TEST(PlantedCycleFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  for (const Exhibit& exhibit : kCycleExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("sinumerik")) {
     const bool path = !fault.clause.starts_with("SIE-FRM") && !fault.clause.starts_with("SIE-LC");

@@ -11,7 +11,7 @@ namespace gonogo::expanders::testing {
 namespace {
 
 // What each fault must lead to follows from its description and the program by hand.
-const Exhibit kExhibits[] = {
+const Exhibit kPathExhibits[] = {
     {"g18-sense-flipped", "G18 G2 Z4 K2 F9\nG17 G2 X4 I2\n",
      "1 arc18 c=2,0 rot=1 x=0 z=4 f=9\n2 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
     {"cr-sign-swapped", "G2 X6 CR=5 F9\nG3 X0 CR=-5\n",
@@ -89,12 +89,12 @@ TEST_P(PlantedSinumerikFault, IsTheOneThatItsNameSays) {
   EXPECT_EQ(run_sinumerik(exhibit.program, "{}", exhibit.fault).trace(), exhibit.want);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedSinumerikFault, ::testing::ValuesIn(kExhibits),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Sinumerik, PlantedSinumerikFault, ::testing::ValuesIn(kPathExhibits),
+                         FaultName());
 
 TEST(PlantedSinumerikFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
-  for (const Exhibit& exhibit : kExhibits) shown.insert(exhibit.fault);
+  for (const Exhibit& exhibit : kPathExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   std::set<std::string_view> names;
   for (const FaultDescription& fault : faults("sinumerik")) {

@@ -6,20 +6,14 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "harness.hpp"
+#include "sinumerik_outcomes.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string last(const std::string& program) {
-  const Outcome outcome = run_sinumerik(program);
-  if (!outcome.alarm.empty() || outcome.records.size() < 2) return outcome.alarm + outcome.note;
-  return outcome.records[outcome.records.size() - 2];
-}
-
 /// How far the centre of the last arc is off, millimetres; infinite when there is none.
 long double off_centre(const std::string& program, long double p, long double q) {
-  const std::string record = last(program);
+  const std::string record = last_motion_or_alarm(program);
   const std::size_t at = record.find("c=");
   if (!record.starts_with("arc") || at == std::string::npos) return INFINITY;
   char* rest = nullptr;
@@ -35,21 +29,22 @@ constexpr long double kClose = 1e-6L;
 // 1500 - (0.0010001 * 10000000000.010001) / 2 = -4999000.00000500100005,
 // 0.00150005 + (1000 * 10000000000.010001) / 2 = 5000000000005.00200005.
 TEST(SinumerikFlatArc, AlmostStraightOnHasItsTrueCentre) {
-  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X2000 Y0.0020001\n"),
+  EXPECT_EQ(last_motion_or_alarm("G1 X1000 Y0.001 F9\nCT X2000 Y0.0020001\n"),
             "arc17 c=-4999000.000005001,5000000000005.00200005 rot=1 x=2000 y=0.0020001 f=9");
 }
 
 // 10140690700.2500010140691401, -1014059070025000101.40591401
 TEST(SinumerikFlatArc, AlmostBehindHasItsTrueCentre) {
-  EXPECT_EQ(last("G1 X100000 Y0.001 F9\nCT X-700.5 Y-0.00000701\n"),
+  EXPECT_EQ(last_motion_or_alarm("G1 X100000 Y0.001 F9\nCT X-700.5 Y-0.00000701\n"),
             "arc17 c=10140690700.250001014,-1014059070025000101.40591401 rot=-1 x=-700.5 "
             "y=-0.00000701 f=9");
 }
 
 // 0.5 and 0.0000005 are 0.0005 times the place before.
 TEST(SinumerikFlatArc, ExactlyBehindIsAnAlarmAndACountBesideItIsNone) {
-  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X0.5 Y0.0000005\n"), "arc-tangent");
-  EXPECT_EQ(last("G1 X1000 Y0.001 F9\nCT X0.5 Y0.000000501\n").substr(0, 6), "arc17 ");
+  EXPECT_EQ(last_motion_or_alarm("G1 X1000 Y0.001 F9\nCT X0.5 Y0.0000005\n"), "arc-tangent");
+  EXPECT_EQ(last_motion_or_alarm("G1 X1000 Y0.001 F9\nCT X0.5 Y0.000000501\n").substr(0, 6),
+            "arc17 ");
 }
 
 // 500000 / tan(0.0005 degrees) = 57295779511.6278798334621626987
@@ -79,7 +74,8 @@ TEST(SinumerikFlatArc, TangentOfAHelixRises) {
   EXPECT_LT(off_centre("G3 X2 Z3 I1 J0 F9\nG19 CT Y4 Z5\n", 5.24767752883019885553L,
                        -2.49535505766039771108L),
             kClose);
-  EXPECT_EQ(last("G3 X2 Z3 I1 J0 F9\nG18 CT X4\n"), "arc18 c=3,3 rot=1 x=4 z=3 f=9");
+  EXPECT_EQ(last_motion_or_alarm("G3 X2 Z3 I1 J0 F9\nG18 CT X4\n"),
+            "arc18 c=3,3 rot=1 x=4 z=3 f=9");
   // Five half turns.
   EXPECT_LT(off_centre("G3 X2 Z3 I1 J0 TURN=2 F9\nG19 CT Y4 Z5\n", -1.54512327519025523409L,
                        11.0902465503805104682L),
@@ -103,10 +99,10 @@ TEST(SinumerikFlatArc, APoleOnTheChordTakesTheShorterWay) {
 
 // The largest length is that in millimetres.
 TEST(SinumerikFlatArc, LargestLength) {
-  EXPECT_EQ(last("G0 X1000000000\n"), "rapid x=1000000000");
-  EXPECT_EQ(last("G0 X1000000000.001\n"), "value-out-of-range");
-  EXPECT_EQ(last("G70 G0 X39370078\n"), "rapid x=999999981.2");
-  EXPECT_EQ(last("G70\nG0 X39370079\n"), "value-out-of-range");
+  EXPECT_EQ(last_motion_or_alarm("G0 X1000000000\n"), "rapid x=1000000000");
+  EXPECT_EQ(last_motion_or_alarm("G0 X1000000000.001\n"), "value-out-of-range");
+  EXPECT_EQ(last_motion_or_alarm("G70 G0 X39370078\n"), "rapid x=999999981.2");
+  EXPECT_EQ(last_motion_or_alarm("G70\nG0 X39370079\n"), "value-out-of-range");
 }
 
 }  // namespace

@@ -3,17 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "sinumerik_motions.hpp"
+#include "sinumerik_outcomes.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
 std::string moved(const std::string& program, const char* profile = "{}") {
   return moving(run_sinumerik802s(program, profile));
-}
-
-std::string alarm(const std::string& program, const char* profile = "{}") {
-  const Outcome outcome = run_sinumerik802s(program, profile);
-  return outcome.alarms == 0 ? "" : outcome.alarm + " " + std::to_string(outcome.alarm_block);
 }
 
 TEST(SinumerikFrames, TranslationReplacesTheOneBefore) {
@@ -73,31 +69,32 @@ TEST(SinumerikFrames, ArcsAndPolesTurn) {
 }
 
 TEST(SinumerikFrames, OtherPlanesAreRefusedUnderARotation) {
-  EXPECT_EQ(alarm("G258 RPL=90\nG18\n"), "plane-not-allowed 2");
-  EXPECT_EQ(alarm("G258 RPL=90\nG17\n"), "");
-  EXPECT_EQ(alarm("G258 RPL=720\nG18\n"), "");
-  EXPECT_EQ(alarm("G258 RPL=90\nG258\nG18\n"), "");
-  EXPECT_EQ(alarm("G258 RPL=90\nG2 X4 Z0 I2 F9\n"), "plane-not-allowed 2");
+  EXPECT_EQ(alarm_and_block("G258 RPL=90\nG18\n"), "plane-not-allowed 2");
+  EXPECT_EQ(alarm_and_block("G258 RPL=90\nG17\n"), "");
+  EXPECT_EQ(alarm_and_block("G258 RPL=720\nG18\n"), "");
+  EXPECT_EQ(alarm_and_block("G258 RPL=90\nG258\nG18\n"), "");
+  EXPECT_EQ(alarm_and_block("G258 RPL=90\nG2 X4 Z0 I2 F9\n"), "plane-not-allowed 2");
 }
 
 TEST(SinumerikFrames, StandAlone) {
   for (const char* block :
        {"G158 X1 F5", "G158 G0", "G158 X1 RPL=3", "G158 A1", "G258 X1 RPL=3", "G258 RPL=3 M3",
         "G158 G4 F1", "G158 X=IC(1)", "G158 X1 R1=2", "RPL=3", "G0 RPL=3"}) {
-    EXPECT_EQ(alarm(std::string(block) + "\n"), "conflicting-words 1") << block;
+    EXPECT_EQ(alarm_and_block(std::string(block) + "\n"), "conflicting-words 1") << block;
   }
-  EXPECT_EQ(alarm("G158 G258\n"), "duplicate-word 1");
-  EXPECT_EQ(alarm("G259\n"), "missing-word 1");
-  EXPECT_EQ(alarm("N10 G158 X1 ; here\n"), "");
+  EXPECT_EQ(alarm_and_block("G158 G258\n"), "duplicate-word 1");
+  EXPECT_EQ(alarm_and_block("G259\n"), "missing-word 1");
+  EXPECT_EQ(alarm_and_block("N10 G158 X1 ; here\n"), "");
 }
 
 TEST(SinumerikFrames, TheEqualsOfRpl) {
   const Outcome lenient = run_sinumerik802s("G258 RPL90\nG0 X1\n");
   EXPECT_EQ(moving(lenient), "rapid y=1\n");
-  EXPECT_EQ(alarm("G258 RPL90\n", R"({"readings":{"sie.rpl-equals":"required"}})"), "syntax 1");
-  EXPECT_EQ(alarm("G258 RPL=90\n", R"({"readings":{"sie.rpl-equals":"required"}})"), "");
+  EXPECT_EQ(alarm_and_block("G258 RPL90\n", R"({"readings":{"sie.rpl-equals":"required"}})"),
+            "syntax 1");
+  EXPECT_EQ(alarm_and_block("G258 RPL=90\n", R"({"readings":{"sie.rpl-equals":"required"}})"), "");
   EXPECT_EQ(moved("G258 RPL-90.0\nG0 X1\n"), "rapid y=-1\n");
-  EXPECT_EQ(alarm("G258 RPL\n"), "syntax 1");
+  EXPECT_EQ(alarm_and_block("G258 RPL\n"), "syntax 1");
 }
 
 TEST(SinumerikFrames, Only802SHasThem) {

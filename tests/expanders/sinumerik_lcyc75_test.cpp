@@ -21,7 +21,7 @@ Outcome milled(const std::string& program, const std::string& readings = "") {
   return run_sinumerik802s(program, profile(readings));
 }
 
-std::string alarm(const std::string& program, const std::string& readings = "") {
+std::string pocket_alarm(const std::string& program, const std::string& readings = "") {
   const Outcome outcome = milled(program, readings);
   return outcome.alarms == 0 ? "" : outcome.alarm;
 }
@@ -31,7 +31,7 @@ const std::string kFirst =
     "G0 G17 G90 F200 S300 M3 T1 D1\nR101=5 R102=2 R103=0 R104=-17.5 R105=2\n"
     "R116=60 R117=40 R118=60 R119=40 R120=8\nR121=4 R122=120 R123=300 R124=0.75 R125=0.5\n"
     "R126=2 R127=1\n";
-const std::string kPlain =
+const std::string kSmallPocket =
     "T1 S1 M3\nR101=5 R102=1 R104=-2 R118=10 R119=10 R120=5 R121=2 R122=20 R123=30 R126=2 "
     "R127=1\n";
 
@@ -51,9 +51,9 @@ TEST(SinumerikPocket, LevelsOfTheFirstExample) {
 
 TEST(SinumerikPocket, LevelsThatAreThirds) {
   // 19 by 19/3 is three levels, whatever binary64 makes of the third.
-  EXPECT_EQ(plunges(milled(kPlain + "R104=-19 R121=19/3\nLCYC75\n")).size(), 3u);
-  EXPECT_EQ(plunges(milled(kPlain + "R104=-17 R121=17/3\nLCYC75\n")).size(), 3u);
-  EXPECT_EQ(plunges(milled(kPlain + "R104=-19 R121=6.333\nLCYC75\n")).size(), 4u);
+  EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-19 R121=19/3\nLCYC75\n")).size(), 3u);
+  EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-17 R121=17/3\nLCYC75\n")).size(), 3u);
+  EXPECT_EQ(plunges(milled(kSmallPocket + "R104=-19 R121=6.333\nLCYC75\n")).size(), 4u);
 }
 
 // (0, 40) as printed has R126=0.
@@ -61,7 +61,7 @@ TEST(SinumerikPocket, TheSecondExample) {
   const std::string program =
       "G0 G19 G90 S200 M3 T1 D1\nZ60 X40 Y5\nR101=4 R102=2 R103=0 R104=-20 R116=50 R117=50\n"
       "R118=50 R119=50 R120=50 R121=4 R122=100\nR123=200 R124=0 R125=0R126=0 R127=1\n";
-  EXPECT_EQ(alarm(program + "LCYC75\n"), "direction-parameter");
+  EXPECT_EQ(pocket_alarm(program + "LCYC75\n"), "direction-parameter");
   const Outcome outcome = milled(program + "R126=3\nLCYC75\n");
   EXPECT_EQ(plunges(outcome, 0), (Depths{-4, -8, -12, -16, -20}));
   const std::vector<Motion> motions = motions_of(outcome);
@@ -81,16 +81,16 @@ TEST(SinumerikPocket, TheThirdExampleMillsItsSlots) {
 
 // Half sides 1: the tool goes round a square, clockwise, from the centre and back to it.
 TEST(SinumerikPocket, ASmallSquare) {
-  EXPECT_EQ(moving(milled(kPlain + "R118=12 R119=12 R116=7\nLCYC75\n")),
+  EXPECT_EQ(moving(milled(kSmallPocket + "R118=12 R119=12 R116=7\nLCYC75\n")),
             "rapid x=7 z=5\nrapid z=1\nfeed z=-2 f=20\nfeed y=-1 f=30\nfeed x=6 f=30\n"
             "feed y=1 f=30\nfeed x=8 f=30\nfeed y=-1 f=30\nfeed x=7 f=30\nfeed y=0 f=30\n"
             "rapid z=5\n");
 }
 
 TEST(SinumerikPocket, ALineAndAPoint) {
-  EXPECT_EQ(moving(milled(kPlain + "LCYC75\n")),
+  EXPECT_EQ(moving(milled(kSmallPocket + "LCYC75\n")),
             "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nrapid z=5\n");
-  EXPECT_EQ(moving(milled(kPlain + "R119=14\nLCYC75\n")),
+  EXPECT_EQ(moving(milled(kSmallPocket + "R119=14\nLCYC75\n")),
             "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nfeed y=2 f=30\nfeed y=-2 f=30\n"
             "feed y=0 f=30\nrapid z=5\n");
 }
@@ -130,23 +130,24 @@ TEST(SinumerikPocket, RulesOfItsNumbers) {
       {"T3", "no-tool"},
   };
   for (const auto& [words, expected] : cases) {
-    EXPECT_EQ(alarm(kPlain + words + "\nLCYC75\n"), expected) << words;
+    EXPECT_EQ(pocket_alarm(kSmallPocket + words + "\nLCYC75\n"), expected) << words;
   }
-  EXPECT_EQ(alarm("S1 M3\nR101=5 R104=-2 R118=10 R119=10 R121=2 R122=20 R123=30 R126=2 R127=1\n"
-                  "LCYC75\n"),
-            "no-tool");
-  EXPECT_EQ(alarm("LCYC75\n").empty(), false);
+  EXPECT_EQ(
+      pocket_alarm("S1 M3\nR101=5 R104=-2 R118=10 R119=10 R121=2 R122=20 R123=30 R126=2 R127=1\n"
+                   "LCYC75\n"),
+      "no-tool");
+  EXPECT_EQ(pocket_alarm("LCYC75\n").empty(), false);
 }
 
 TEST(SinumerikPocket, LargeCorners) {
   const char* reject = R"({"sie.corner":"reject"})";
-  EXPECT_EQ(alarm(kPlain + "R120=5.001\nLCYC75\n"), "");
-  EXPECT_EQ(alarm(kPlain + "R120=5.001\nLCYC75\n", reject), "pocket-size");
-  EXPECT_EQ(alarm(kPlain + "R120=5\nLCYC75\n", reject), "");
+  EXPECT_EQ(pocket_alarm(kSmallPocket + "R120=5.001\nLCYC75\n"), "");
+  EXPECT_EQ(pocket_alarm(kSmallPocket + "R120=5.001\nLCYC75\n", reject), "pocket-size");
+  EXPECT_EQ(pocket_alarm(kSmallPocket + "R120=5\nLCYC75\n", reject), "");
 }
 
 TEST(SinumerikPocket, LeavesModesAsTheyWere) {
-  EXPECT_EQ(moving(milled("G1 F9 G91\n" + kPlain + "LCYC75\nX1 Y=R104\n")),
+  EXPECT_EQ(moving(milled("G1 F9 G91\n" + kSmallPocket + "LCYC75\nX1 Y=R104\n")),
             "rapid z=5\nrapid z=1\nfeed z=-2 f=20\nrapid z=5\nfeed x=1 y=-2 f=9\n");
 }
 
@@ -213,14 +214,14 @@ Path last_level(const Outcome& outcome) {
   return path;
 }
 
-struct Shape {
+struct PocketShape {
   double length;
   double width;
   double corner;
   double allowance;
 };
 
-std::string program_of(const Shape& s, int type, double bottom_allowance) {
+std::string program_of(const PocketShape& s, int type, double bottom_allowance) {
   auto number = [](double value) { return std::to_string(value); };
   return "T2 S1 M3\nR101=5 R102=1 R104=-2 R121=2 R122=20 R123=30 R126=3\nR118=" + number(s.length) +
          " R119=" + number(s.width) + " R120=" + number(s.corner) + " R124=" + number(s.allowance) +
@@ -228,7 +229,7 @@ std::string program_of(const Shape& s, int type, double bottom_allowance) {
 }
 
 /// Where the middle of a tool of radius 2 may be when `allowance` is left.
-Rounded room(const Shape& s, double allowance) {
+Rounded room(const PocketShape& s, double allowance) {
   const double off = allowance + 2;
   return {s.length / 2 - off, s.width / 2 - off, std::max(s.corner - off, 0.)};
 }
@@ -257,12 +258,13 @@ void check(const Path& path, const Rounded& area, const Rounded* rest, const std
   EXPECT_EQ(uncut(path, area, rest), 0) << name;
 }
 
-const Shape kShapes[] = {{60, 40, 8, 0.75}, {40, 60, 8, 0.75}, {50, 50, 25, 0},  {30, 15, 7.5, 0},
-                         {15, 30, 7.5, 1},  {20, 20, 0, 1.9},  {20, 20, 2, 3.9}, {13, 40, 3, 2.5},
-                         {20, 11, 5, 3.4},  {9, 8.5, 1, 2.2},  {12, 12, 6, 3.9}, {24, 16, 4.5, 3}};
+const PocketShape kShapes[] = {{60, 40, 8, 0.75}, {40, 60, 8, 0.75}, {50, 50, 25, 0},
+                               {30, 15, 7.5, 0},  {15, 30, 7.5, 1},  {20, 20, 0, 1.9},
+                               {20, 20, 2, 3.9},  {13, 40, 3, 2.5},  {20, 11, 5, 3.4},
+                               {9, 8.5, 1, 2.2},  {12, 12, 6, 3.9},  {24, 16, 4.5, 3}};
 
 TEST(SinumerikPocket, RoughingClearsTheInsetPocketAndNoMore) {
-  for (const Shape& shape : kShapes) {
+  for (const PocketShape& shape : kShapes) {
     const std::string program = program_of(shape, 1, 0.5);
     if (shape.width < 2 * (shape.allowance + 2)) continue;
     const Rounded area = room(shape, shape.allowance);
@@ -275,7 +277,7 @@ TEST(SinumerikPocket, RoughingClearsTheInsetPocketAndNoMore) {
 }
 
 TEST(SinumerikPocket, FinishingClearsTheWholeFloor) {
-  for (const Shape& shape : kShapes) {
+  for (const PocketShape& shape : kShapes) {
     const std::string program = program_of(shape, 2, 0.5);
     const Outcome outcome = milled(program);
     ASSERT_EQ(outcome.alarms, 0u) << program;
@@ -284,7 +286,7 @@ TEST(SinumerikPocket, FinishingClearsTheWholeFloor) {
 }
 
 TEST(SinumerikPocket, ContourOnlyClearsWhatRoughingHasLeft) {
-  for (const Shape& shape : kShapes) {
+  for (const PocketShape& shape : kShapes) {
     if (shape.allowance == 0) continue;
     const std::string program = program_of(shape, 2, 0);
     const Outcome outcome = milled(program);
@@ -296,7 +298,7 @@ TEST(SinumerikPocket, ContourOnlyClearsWhatRoughingHasLeft) {
 }
 
 TEST(SinumerikPocket, TheSamplesShowWhatIsLeft) {
-  const Shape shape{24, 16, 4.5, 3};
+  const PocketShape shape{24, 16, 4.5, 3};
   auto left = [&](const char* fault, int type, double at_bottom, const Rounded* rest) {
     const std::string program = program_of(shape, type, at_bottom);
     const Path path = last_level(run_sinumerik802s(program, profile(), fault));

@@ -3,14 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "sinumerik_motions.hpp"
+#include "sinumerik_outcomes.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
-
-std::string alarm(const std::string& program, const char* profile = "{}") {
-  const Outcome outcome = run_sinumerik802s(program, profile);
-  return outcome.alarms == 0 ? "" : outcome.alarm + " " + std::to_string(outcome.alarm_block);
-}
 
 // The first part of the example of the manual, with R103=0: Z2, Z-17.5, 2 s, Z5.
 TEST(SinumerikDrilling, TheExampleWithItsReferencePlaneAtZero) {
@@ -24,7 +20,8 @@ TEST(SinumerikDrilling, TheExampleWithItsReferencePlaneAtZero) {
 
 // R103=9 puts the clearance at 11, above R101=5.
 TEST(SinumerikDrilling, TheExampleAsPrintedIsRefused) {
-  EXPECT_EQ(alarm("F200\nR101=5 R102=2 R103=9 R104=-17.5 R105=2\nLCYC82\n"), "reference-plane 3");
+  EXPECT_EQ(alarm_and_block("F200\nR101=5 R102=2 R103=9 R104=-17.5 R105=2\nLCYC82\n"),
+            "reference-plane 3");
 }
 
 TEST(SinumerikDrilling, GoesAlongTheThirdAxisInTheFrame) {
@@ -33,29 +30,31 @@ TEST(SinumerikDrilling, GoesAlongTheThirdAxisInTheFrame) {
 }
 
 TEST(SinumerikDrilling, PlanesOnTheBorder) {
-  EXPECT_EQ(alarm("F9 R101=1 R102=1 R104=-1\nLCYC82\n"), "");
-  EXPECT_EQ(alarm("F9 R101=0.3 R102=0.1 R103=0.2\nLCYC82\n"), "");
-  EXPECT_EQ(alarm("F9 R101=0.999 R102=1 R104=-1\nLCYC82\n"), "reference-plane 2");
-  EXPECT_EQ(alarm("F9 R101=1 R104=0\nLCYC82\n"), "reference-plane 2");
-  EXPECT_EQ(alarm("F9\nLCYC82\n"), "reference-plane 2");
+  EXPECT_EQ(alarm_and_block("F9 R101=1 R102=1 R104=-1\nLCYC82\n"), "");
+  EXPECT_EQ(alarm_and_block("F9 R101=0.3 R102=0.1 R103=0.2\nLCYC82\n"), "");
+  EXPECT_EQ(alarm_and_block("F9 R101=0.999 R102=1 R104=-1\nLCYC82\n"), "reference-plane 2");
+  EXPECT_EQ(alarm_and_block("F9 R101=1 R104=0\nLCYC82\n"), "reference-plane 2");
+  EXPECT_EQ(alarm_and_block("F9\nLCYC82\n"), "reference-plane 2");
 }
 
 TEST(SinumerikDrilling, RulesOfItsNumbers) {
-  EXPECT_EQ(alarm("F9 R101=1 R104=-1 R105=-1\nLCYC82\n"), "value-sign 2");
-  EXPECT_EQ(alarm("F9 R101=1 R104=-1 R102=-1\nLCYC82\n"), "value-sign 2");
-  EXPECT_EQ(alarm("R101=1 R104=-1\nLCYC82\n"), "feed-missing 2");
-  EXPECT_EQ(alarm("F9 R101=1 R104=-1\nLCYC82\n", R"({"readings":{"sie.spindle":"alarm"}})"),
-            "spindle-stopped 2");
+  EXPECT_EQ(alarm_and_block("F9 R101=1 R104=-1 R105=-1\nLCYC82\n"), "value-sign 2");
+  EXPECT_EQ(alarm_and_block("F9 R101=1 R104=-1 R102=-1\nLCYC82\n"), "value-sign 2");
+  EXPECT_EQ(alarm_and_block("R101=1 R104=-1\nLCYC82\n"), "feed-missing 2");
+  EXPECT_EQ(
+      alarm_and_block("F9 R101=1 R104=-1\nLCYC82\n", R"({"readings":{"sie.spindle":"alarm"}})"),
+      "spindle-stopped 2");
 }
 
 TEST(SinumerikDrilling, StandsAlone) {
   for (const char* block : {"LCYC82 X1", "LCYC82 R105=1", "G0 LCYC82", "LCYC82 M3", "T1 LCYC82",
                             "LCYC82 LCYC82", "LCYC75 LCYC82"}) {
-    EXPECT_EQ(alarm("F9 R101=1 R104=-1\n" + std::string(block) + "\n"), "conflicting-words 2")
+    EXPECT_EQ(alarm_and_block("F9 R101=1 R104=-1\n" + std::string(block) + "\n"),
+              "conflicting-words 2")
         << block;
   }
-  EXPECT_EQ(alarm("F9 R101=1 R104=-1\nN20 LCYC82 ; here\n"), "");
-  EXPECT_EQ(alarm("LCYC82=1\n"), "syntax 1");
+  EXPECT_EQ(alarm_and_block("F9 R101=1 R104=-1\nN20 LCYC82 ; here\n"), "");
+  EXPECT_EQ(alarm_and_block("LCYC82=1\n"), "syntax 1");
 }
 
 TEST(SinumerikDrilling, LeavesModesAsTheyWere) {
@@ -65,14 +64,14 @@ TEST(SinumerikDrilling, LeavesModesAsTheyWere) {
 
 TEST(SinumerikDrilling, Only802SHasIt) {
   EXPECT_EQ(run_sinumerik("LCYC82\n").alarm, "undefined-code");
-  EXPECT_EQ(alarm("LCYC99\n"), "undefined-code 1");
+  EXPECT_EQ(alarm_and_block("LCYC99\n"), "undefined-code 1");
   EXPECT_EQ(run_sinumerik802s("LCYC83\n").answer, GONOGO_UNSUPPORTED);
 }
 
 TEST(SinumerikDrilling, ThereAreThreeHundredParameters) {
-  EXPECT_EQ(alarm("R299=1\nG0 X=R299\n"), "");
-  EXPECT_EQ(alarm("R300=1\n"), "value-out-of-range 1");
-  EXPECT_EQ(alarm("G0 X=R300\n"), "value-out-of-range 1");
+  EXPECT_EQ(alarm_and_block("R299=1\nG0 X=R299\n"), "");
+  EXPECT_EQ(alarm_and_block("R300=1\n"), "value-out-of-range 1");
+  EXPECT_EQ(alarm_and_block("G0 X=R300\n"), "value-out-of-range 1");
   EXPECT_EQ(run_sinumerik("R300=1\nG0 X=R300\n").alarms, 0u);
 }
 

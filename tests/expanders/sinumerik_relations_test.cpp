@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,6 +13,7 @@
 
 #include "expanders/common/axes.hpp"
 #include "harness.hpp"
+#include "random_numbers.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -41,9 +40,6 @@ struct Step {
 };
 using Program = std::vector<Step>;
 
-long between(long lowest, long highest) {
-  return *rc::gen::inRange(lowest, highest + 1);
-}
 long length() {
   return between(-200'000, 200'000);
 }
@@ -94,13 +90,6 @@ Program some_program(Step::Kind last_kind) {
     at = program.back().to;
   }
   return program;
-}
-
-std::string decimal(long thousandths) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%s%ld.%03ld", thousandths < 0 ? "-" : "",
-                std::labs(thousandths) / 1000, std::labs(thousandths) % 1000);
-  return text;
 }
 
 /// A plane and where its zero lies.
@@ -158,7 +147,7 @@ class Writer {
                  bool incremental, std::size_t axes, std::size_t first = 0) {
     for (std::size_t i = first; i < axes; ++i) {
       const long value = incremental ? to[i] - from[i] : to[i] + setting_.shift[i];
-      text_ += setting_.letter(i, letters) + sign + decimal(value);
+      text_ += setting_.letter(i, letters) + sign + millimetres(value);
     }
   }
 
@@ -184,17 +173,17 @@ class Writer {
       case Form::kAbsoluteCentre:
         for (std::size_t i = 0; i < 2; ++i) {
           text_ += setting_.letter(i, "IJK") + "=AC(" +
-                   decimal(step.centre[i] + setting_.shift[i]) + ")";
+                   millimetres(step.centre[i] + setting_.shift[i]) + ")";
         }
         break;
       case Form::kAngleAndEnd:
         text_ += angle;
         break;
       case Form::kRadius:
-        text_ += " CR=" + decimal(step.quarters == 3 ? -step.radius : step.radius);
+        text_ += " CR=" + millimetres(step.quarters == 3 ? -step.radius : step.radius);
         break;
       case Form::kPolar:
-        text_ += " RP=" + decimal(step.radius) + " AP=" + std::to_string(polar_angle(step));
+        text_ += " RP=" + millimetres(step.radius) + " AP=" + std::to_string(polar_angle(step));
         break;
     }
     text_ += "\n";
@@ -215,8 +204,8 @@ class Writer {
 std::string profile_at(const Setting& setting) {
   Vector at{};
   for (std::size_t i = 0; i < 3; ++i) at[setting.axis(i)] = setting.shift[i];
-  return R"({"initial":{"x":")" + decimal(at[0]) + R"(","y":")" + decimal(at[1]) + R"(","z":")" +
-         decimal(at[2]) + R"("}})";
+  return R"({"initial":{"x":")" + millimetres(at[0]) + R"(","y":")" + millimetres(at[1]) +
+         R"(","z":")" + millimetres(at[2]) + R"("}})";
 }
 
 /// A number of a record: what it is, in the names p, q and d of the plane, and how much.
@@ -226,7 +215,7 @@ struct Quantity {
   bool operator<(const Quantity& other) const { return name < other.name; }
 };
 /// A record: its kind, and its numbers in the order of their names.
-struct Motion {
+struct PlaneMotion {
   std::string kind;
   std::vector<Quantity> numbers;
 };
@@ -239,7 +228,7 @@ Fixed number(const std::string& text) {
 }
 
 // Adds a coordinate of the axis `axis`.
-void add_place(Motion& motion, const char* what, std::size_t axis, const std::string& text,
+void add_place(PlaneMotion& motion, const char* what, std::size_t axis, const std::string& text,
                const Setting& setting) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (setting.axis(i) != axis) continue;
@@ -255,8 +244,8 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-Motion motion_of(const std::string& record, const Setting& setting) {
-  Motion motion;
+PlaneMotion plane_motion_of(const std::string& record, const Setting& setting) {
+  PlaneMotion motion;
   for (const std::string& part : split(record, ' ')) {
     const std::size_t sign = part.find('=');
     const std::string value = sign == std::string::npos ? "" : part.substr(sign + 1);
@@ -284,14 +273,16 @@ Motion motion_of(const std::string& record, const Setting& setting) {
   return motion;
 }
 
-std::vector<Motion> motions_of(const Outcome& outcome, const Setting& setting) {
-  std::vector<Motion> motions;
-  for (const std::string& record : outcome.records) motions.push_back(motion_of(record, setting));
+std::vector<PlaneMotion> plane_motions_of(const Outcome& outcome, const Setting& setting) {
+  std::vector<PlaneMotion> motions;
+  for (const std::string& record : outcome.records)
+    motions.push_back(plane_motion_of(record, setting));
   return motions;
 }
 
 // `tolerance` in counts of 1e-9.
-void compare(const std::vector<Motion>& got, const std::vector<Motion>& want, Fixed tolerance) {
+void compare(const std::vector<PlaneMotion>& got, const std::vector<PlaneMotion>& want,
+             Fixed tolerance) {
   RC_ASSERT(got.size() == want.size());
   for (std::size_t i = 0; i < got.size(); ++i) {
     RC_ASSERT(got[i].kind == want[i].kind);
@@ -321,7 +312,7 @@ RC_GTEST_PROP(SinumerikRelations, FormsOfAnArcAgree, ()) {
   const Outcome other = run_written(program, setting, true);
   RC_ASSERT(other.alarm.empty());
   // Names of plane axes stand in every arc, those of the third axis where they were written.
-  compare(motions_of(other, setting), motions_of(one, setting), 10);
+  compare(plane_motions_of(other, setting), plane_motions_of(one, setting), 10);
 }
 
 // The direction at the end of an arc is square to its radius: a CT to another of its points keeps
@@ -341,14 +332,15 @@ RC_GTEST_PROP(SinumerikRelations, TangentGoesOnRoundTheSameCircle, ()) {
   // Opposite of the start.
   tangent.to = {2 * arc.centre[0], 2 * arc.centre[1], 0};
   const Setting setting;
-  const std::vector<Motion> motions = motions_of(run_written({arc, tangent}, setting), setting);
+  const std::vector<PlaneMotion> motions =
+      plane_motions_of(run_written({arc, tangent}, setting), setting);
   RC_ASSERT(motions.size() == 3u);
-  Motion first = motions[0];
-  Motion second = motions[1];
+  PlaneMotion first = motions[0];
+  PlaneMotion second = motions[1];
   RC_ASSERT(first.kind == "arc");
   RC_ASSERT(second.kind == "arc");
   for (const char* name : {"cp", "cq", "rot"}) {
-    auto find = [&](const Motion& motion) {
+    auto find = [&](const PlaneMotion& motion) {
       return std::find_if(motion.numbers.begin(), motion.numbers.end(),
                           [&](const Quantity& quantity) { return quantity.name == name; });
     };

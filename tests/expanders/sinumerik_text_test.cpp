@@ -2,59 +2,56 @@
 // How the expander of sinumerik840d reads lines.
 #include <gtest/gtest.h>
 
-#include "harness.hpp"
+#include "sinumerik_outcomes.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
 
-std::string motions(const std::string& program, const char* profile = "{}") {
-  const Outcome outcome = run_sinumerik(program, profile);
-  return outcome.motions() + outcome.alarm;
-}
-
 TEST(SinumerikText, WordsMayTouch) {
-  EXPECT_EQ(motions("G0X10Y20\n"), "rapid x=10 y=20\n");
-  EXPECT_EQ(motions("R125=3R126=4G0X=R125Y=R126\n"), "rapid x=3 y=4\n");
-  EXPECT_EQ(motions("G2X10CR=5F100\n"), "arc17 c=5,0 rot=-1 x=10 y=0 f=100\n");
-  EXPECT_EQ(motions("CIPX10\n"), "undefined-code");
+  EXPECT_EQ(motions_and_alarm("G0X10Y20\n"), "rapid x=10 y=20\n");
+  EXPECT_EQ(motions_and_alarm("R125=3R126=4G0X=R125Y=R126\n"), "rapid x=3 y=4\n");
+  EXPECT_EQ(motions_and_alarm("G2X10CR=5F100\n"), "arc17 c=5,0 rot=-1 x=10 y=0 f=100\n");
+  EXPECT_EQ(motions_and_alarm("CIPX10\n"), "undefined-code");
 }
 
 TEST(SinumerikText, NumbersOfOneLetter) {
-  EXPECT_EQ(motions("g00 x-.5 y+2. z=3 A= -4\n"), "rapid x=-0.5 y=2 z=3 a=-4\n");
-  EXPECT_EQ(motions("G0 X 10 Y\t-2\n"), "rapid x=10 y=-2\n");
+  EXPECT_EQ(motions_and_alarm("g00 x-.5 y+2. z=3 A= -4\n"), "rapid x=-0.5 y=2 z=3 a=-4\n");
+  EXPECT_EQ(motions_and_alarm("G0 X 10 Y\t-2\n"), "rapid x=10 y=-2\n");
   for (const char* word : {"X", "X-", "X- 1", "X.", "X--1", "X1.2.3", "G=1", "L=5", "R5", "R5 3",
                            "X(5)", "#1", "X1 N5"}) {
-    EXPECT_EQ(motions(word), "syntax") << word;
+    EXPECT_EQ(motions_and_alarm(word), "syntax") << word;
   }
 }
 
 TEST(SinumerikText, NamesNeedTheirEqualsSign) {
   for (const char* word : {"CR5", "CR 5", "AR90", "AP5", "RP5", "TURN2", "CR", "cr-5"}) {
-    EXPECT_EQ(motions("G2 X10 F9 " + std::string(word)), "syntax") << word;
+    EXPECT_EQ(motions_and_alarm("G2 X10 F9 " + std::string(word)), "syntax") << word;
   }
-  EXPECT_EQ(motions("G2 X10 F9 cr = 5"), "arc17 c=5,0 rot=-1 x=10 y=0 f=9\n");
+  EXPECT_EQ(motions_and_alarm("G2 X10 F9 cr = 5"), "arc17 c=5,0 rot=-1 x=10 y=0 f=9\n");
 }
 
 TEST(SinumerikText, HeadsOfLines) {
-  EXPECT_EQ(motions("%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G0 X1\n:20 X2\n/N30 X3\n/8 N40 X4\n"
-                    "N50 AGAIN: X5\nEND_1: X6\n"),
-            "rapid x=1\nrapid x=2\nrapid x=3\nrapid x=4\nrapid x=5\nrapid x=6\n");
+  EXPECT_EQ(
+      motions_and_alarm("%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G0 X1\n:20 X2\n/N30 X3\n/8 N40 X4\n"
+                        "N50 AGAIN: X5\nEND_1: X6\n"),
+      "rapid x=1\nrapid x=2\nrapid x=3\nrapid x=4\nrapid x=5\nrapid x=6\n");
   for (const char* line : {"N", "N-1", "N1.5", "N=1", "X1 / Y1", "/10 X1", "N10 / X1"}) {
-    EXPECT_EQ(motions(line), "syntax") << line;
+    EXPECT_EQ(motions_and_alarm(line), "syntax") << line;
   }
 }
 
 TEST(SinumerikText, BlocksMayBeSkipped) {
-  EXPECT_EQ(motions("/G0 X1\n/3 N5 G0 X2\nG0 X3\n", R"({"block_skip":true})"), "rapid x=3\n");
+  EXPECT_EQ(motions_and_alarm("/G0 X1\n/3 N5 G0 X2\nG0 X3\n", R"({"block_skip":true})"),
+            "rapid x=3\n");
 }
 
 TEST(SinumerikText, CommentsHoldAnything) {
-  EXPECT_EQ(motions("G0 X1 ; (\xE5\x88\x80 \xB5\xB6 \"\n; X2\n\n"), "rapid x=1\n");
-  EXPECT_EQ(motions("G0 X1 (comment)\n"), "syntax");
-  EXPECT_EQ(motions("G0 X\xE2\x80\x93"
-                    "1\n"),
+  EXPECT_EQ(motions_and_alarm("G0 X1 ; (\xE5\x88\x80 \xB5\xB6 \"\n; X2\n\n"), "rapid x=1\n");
+  EXPECT_EQ(motions_and_alarm("G0 X1 (comment)\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("G0 X\xE2\x80\x93"
+                              "1\n"),
             "syntax");
-  EXPECT_EQ(motions("G0 X1\xFF\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("G0 X1\xFF\n"), "syntax");
 }
 
 TEST(SinumerikText, CallsThatArePassedOver) {
@@ -62,8 +59,8 @@ TEST(SinumerikText, CallsThatArePassedOver) {
       run_sinumerik("MSG(\"A ; ) \xE5\x88\x80\")\nG0 SOFT X1 LIMS=3000 H5=12\n");
   EXPECT_EQ(outcome.motions(), "rapid x=1\n");
   EXPECT_EQ(outcome.note, "LIMS is passed over.");
-  EXPECT_EQ(motions("MSG(\"A\"\n"), "syntax");
-  EXPECT_EQ(motions("MSG(\"A)\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("MSG(\"A\"\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("MSG(\"A)\n"), "syntax");
 }
 
 TEST(SinumerikText, LineEnds) {
@@ -73,8 +70,8 @@ TEST(SinumerikText, LineEnds) {
 }
 
 TEST(SinumerikText, LongLines) {
-  EXPECT_EQ(motions("G0 X1 " + std::string(100'000, ' ') + "Y1\n"), "rapid x=1 y=1\n");
-  EXPECT_EQ(motions("G0 X1 " + std::string(std::size_t{1} << 20, ' ') + "\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("G0 X1 " + std::string(100'000, ' ') + "Y1\n"), "rapid x=1 y=1\n");
+  EXPECT_EQ(motions_and_alarm("G0 X1 " + std::string(std::size_t{1} << 20, ' ') + "\n"), "syntax");
 }
 
 TEST(SinumerikText, WhatIsNotImplemented) {

@@ -6,7 +6,7 @@
 namespace gonogo::grammar {
 namespace {
 
-Block sinumerik(std::string_view line) {
+Block sinumerik_block(std::string_view line) {
   return parsed(Dialect::sinumerik, line);
 }
 
@@ -33,15 +33,15 @@ TEST(SinumerikWord, EveryLetterButNIsAnAddress) {
 TEST(SinumerikWord, ALetterWithANumberAndEqualsSignHasAnIndex) {
   EXPECT_EQ(words_of("R101=5 I1=3 H5=12 S2=500 M2=3 X1=4"),
             "R101={5} I1={3} H5={12} S2={500} M2={3} X1={4}");
-  EXPECT_EQ(sinumerik("R0=1").named[0].index, 0U);
-  EXPECT_EQ(sinumerik("R=R").outside->name, "expression");  // no index
+  EXPECT_EQ(sinumerik_block("R0=1").named[0].index, 0U);
+  EXPECT_EQ(sinumerik_block("R=R").outside->name, "expression");  // no index
 }
 
 TEST(SinumerikWord, AnIndexAbove64BitsIsTheLargest) {
-  EXPECT_EQ(sinumerik("R18446744073709551615=1").named[0].index, UINT64_MAX);
-  EXPECT_EQ(sinumerik("R18446744073709551616=1").named[0].index, UINT64_MAX);
-  EXPECT_EQ(sinumerik("R99999999999999999999999=1").named[0].index, UINT64_MAX);
-  EXPECT_EQ(sinumerik("R000000000000000000000000000012=1").named[0].index, 12U);
+  EXPECT_EQ(sinumerik_block("R18446744073709551615=1").named[0].index, UINT64_MAX);
+  EXPECT_EQ(sinumerik_block("R18446744073709551616=1").named[0].index, UINT64_MAX);
+  EXPECT_EQ(sinumerik_block("R99999999999999999999999=1").named[0].index, UINT64_MAX);
+  EXPECT_EQ(sinumerik_block("R000000000000000000000000000012=1").named[0].index, 12U);
 }
 
 TEST(SinumerikWord, NamesOfSeveralLettersTakeAValueBehindAnEqualsSign) {
@@ -102,7 +102,7 @@ TEST(SinumerikWord, OneAddressMayStandTwice) {  // whether that is an alarm is n
 }
 
 TEST(SinumerikWord, SpansAreBytesOfTheWordWithoutBlanksBehindIt) {
-  const Block block = sinumerik(" G1 X = R1 * 2  CIP ;c");
+  const Block block = sinumerik_block(" G1 X = R1 * 2  CIP ;c");
   ASSERT_EQ(block.named.size(), 3U);
   EXPECT_EQ(block.named[0].where, (Span{1, 3}));
   EXPECT_EQ(block.named[1].where, (Span{4, 14}));
@@ -114,16 +114,16 @@ TEST(SinumerikWord, SpansAreBytesOfTheWordWithoutBlanksBehindIt) {
 }
 
 TEST(SinumerikNumber, IsKeptAsWritten) {
-  EXPECT_EQ(sinumerik("X1.50").terms[0].number, decimal(150, 2));
-  EXPECT_EQ(sinumerik("X-0").terms[0].number, (Decimal{true, 0, 0, {}}));
-  EXPECT_EQ(sinumerik("X=-0.0").terms[0].number, (Decimal{true, 1, 0, {}}));
-  EXPECT_EQ(sinumerik("X1234567890123456789").terms[0].number,
+  EXPECT_EQ(sinumerik_block("X1.50").terms[0].number, decimal(150, 2));
+  EXPECT_EQ(sinumerik_block("X-0").terms[0].number, (Decimal{true, 0, 0, {}}));
+  EXPECT_EQ(sinumerik_block("X=-0.0").terms[0].number, (Decimal{true, 1, 0, {}}));
+  EXPECT_EQ(sinumerik_block("X1234567890123456789").terms[0].number,
             (Decimal{false, 0, 0, "1234567890123456789"}));
 }
 
 TEST(SinumerikHead, NOrAColonIsTheBlockNumber) {
   for (const char* line : {"N10 G0", "n10G0", "N 10 G0", ":10 G0", ": 10G0", " N0010 G0"}) {
-    const Block block = sinumerik(line);
+    const Block block = sinumerik_block(line);
     EXPECT_EQ(block.sequence_number, decimal(10)) << line;
     EXPECT_EQ(short_form(block), "G{0}") << line;
   }
@@ -131,38 +131,38 @@ TEST(SinumerikHead, NOrAColonIsTheBlockNumber) {
 
 TEST(SinumerikHead, ASlashWithOrWithoutALevelAsksForSkipping) {
   for (const char* line : {"/N10 G0", "/ N10 G0", "/0N10G0", "/9 N10 G0", "/5 :10 G0"}) {
-    const Block block = sinumerik(line);
+    const Block block = sinumerik_block(line);
     EXPECT_TRUE(block.skip) << line;
     EXPECT_EQ(block.sequence_number, decimal(10)) << line;
     EXPECT_EQ(short_form(block), "G{0}") << line;
   }
-  EXPECT_FALSE(sinumerik("N10 G0").skip);
+  EXPECT_FALSE(sinumerik_block("N10 G0").skip);
 }
 
 TEST(SinumerikHead, ALabelIsPassedOver) {
   EXPECT_EQ(words_of("START: G0"), "G{0}");
   EXPECT_EQ(words_of("/N10 AB_1:X5"), "X{5}");
   EXPECT_EQ(words_of("LOOP:"), "");
-  EXPECT_FALSE(sinumerik("LOOP: X1").outside);
-  EXPECT_EQ(sinumerik("N10 END:").sequence_number, decimal(10));
+  EXPECT_FALSE(sinumerik_block("LOOP: X1").outside);
+  EXPECT_EQ(sinumerik_block("N10 END:").sequence_number, decimal(10));
 }
 
 TEST(SinumerikHead, ALineWithAPercentSignIsTheNameOfTheProgram) {
   Block want;
   want.tape_mark = true;
   for (const char* line : {"%", "%_N_SLOT_MPF", " % x", "%1234", "% (a) \"b"}) {
-    EXPECT_EQ(sinumerik(line), want) << line;
+    EXPECT_EQ(sinumerik_block(line), want) << line;
   }
   want.comments = {line_comment("c")};
-  EXPECT_EQ(sinumerik("%MPF1;c"), want);
+  EXPECT_EQ(sinumerik_block("%MPF1;c"), want);
 }
 
 TEST(SinumerikHead, NothingAndBlanksAreBlocksWithoutWords) {
-  for (const char* line : {"", " \t", ";"}) EXPECT_EQ(sinumerik(line), Block{}) << line;
+  for (const char* line : {"", " \t", ";"}) EXPECT_EQ(sinumerik_block(line), Block{}) << line;
 }
 
 TEST(SinumerikComment, GoesFromASemicolonToTheEndOfTheLine) {
-  const Block block = sinumerik("X5;(a; G1 \"");
+  const Block block = sinumerik_block("X5;(a; G1 \"");
   EXPECT_EQ(short_form(block), "X{5}");
   EXPECT_EQ(block.comments, (std::vector<Comment>{line_comment("(a; G1 \"")}));
 }
@@ -170,7 +170,7 @@ TEST(SinumerikComment, GoesFromASemicolonToTheEndOfTheLine) {
 TEST(SinumerikComment, AndStringsHoldEveryByte) {
   for (int value = 0; value < 256; ++value) {
     const std::string byte(1, static_cast<char>(value));
-    EXPECT_EQ(sinumerik("X1;" + byte).comments, (std::vector<Comment>{line_comment(byte)}));
+    EXPECT_EQ(sinumerik_block("X1;" + byte).comments, (std::vector<Comment>{line_comment(byte)}));
     if (byte == "\"") continue;
     EXPECT_EQ(words_of("MSG(\"" + byte + "\")X1"), "MSG() X{1}") << value;
   }

@@ -12,21 +12,21 @@ constexpr auto kNumber = SyntaxCode::number_expected;
 constexpr auto kCharacter = SyntaxCode::unexpected_character;
 constexpr auto kHead = SyntaxCode::misplaced_number_word;
 
-struct FaultCase {
+struct SinumerikFaultCase {
   std::string line;
   SyntaxCode code;
   std::uint32_t begin;
   std::uint32_t end;
 };
 
-SyntaxError sinumerik(std::string_view line) {
+SyntaxError sinumerik_fault(std::string_view line) {
   return fault(Dialect::sinumerik, line);
 }
 
 // All of them expect the same.
-void expect_faults(std::string_view expected, const std::vector<FaultCase>& cases) {
-  for (const FaultCase& wanted : cases) {
-    const SyntaxError error = sinumerik(wanted.line);
+void expect_faults(std::string_view expected, const std::vector<SinumerikFaultCase>& cases) {
+  for (const SinumerikFaultCase& wanted : cases) {
+    const SyntaxError error = sinumerik_fault(wanted.line);
     EXPECT_EQ(name(error.code), name(wanted.code)) << wanted.line;
     EXPECT_EQ(error.where, (Span{wanted.begin, wanted.end})) << wanted.line;
     EXPECT_EQ(error.expected, expected) << wanted.line;
@@ -205,7 +205,7 @@ TEST(SinumerikFault, ADashInPlaceOfAMinusIsNamed) {
                                Dashed{"X=5*(\xE2\x80\x93"
                                       "5",
                                       5}}) {
-    const SyntaxError error = sinumerik(wanted.line);
+    const SyntaxError error = sinumerik_fault(wanted.line);
     EXPECT_EQ(error.code, kCharacter) << wanted.line;
     EXPECT_EQ(error.where, (Span{wanted.begin, wanted.begin + 3})) << wanted.line;
     EXPECT_EQ(error.expected, "'-' of ASCII and not U+2013, which looks like it") << wanted.line;
@@ -213,7 +213,7 @@ TEST(SinumerikFault, ADashInPlaceOfAMinusIsNamed) {
 }
 
 TEST(SinumerikFault, OtherLookalikesAreNamed) {
-  const auto hint = [](std::string_view line) { return sinumerik(line).expected; };
+  const auto hint = [](std::string_view line) { return sinumerik_fault(line).expected; };
   EXPECT_EQ(hint("X\xE2\x88\x92"
                  "5"),
             "'-' of ASCII and not U+2212, which looks like it");
@@ -229,20 +229,21 @@ TEST(SinumerikFault, OtherLookalikesAreNamed) {
 }
 
 TEST(SinumerikFault, InAnOutsideConstructBytesThatNoProgramHas) {
-  EXPECT_EQ(sinumerik("GOTOF A\xC3\xA4").where, (Span{7, 9}));
-  EXPECT_EQ(sinumerik("X=(POT(\xE2\x88\x92"
-                      "5))")
+  EXPECT_EQ(sinumerik_fault("GOTOF A\xC3\xA4").where, (Span{7, 9}));
+  EXPECT_EQ(sinumerik_fault("X=(POT(\xE2\x88\x92"
+                            "5))")
                 .expected,
             "'-' of ASCII and not U+2212, which looks like it");
 }
 
 TEST(SinumerikFault, ALineAboveTheLimit) {
-  EXPECT_EQ(sinumerik(std::string(kMaximumLine + 1, ' ')), line_too_long());
+  EXPECT_EQ(sinumerik_fault(std::string(kMaximumLine + 1, ' ')), line_too_long());
 }
 
 TEST(SinumerikMessage, IsAWholeSentence) {
-  EXPECT_EQ(message(sinumerik("G2 CR5")), "This cannot stand here; expected is '=' after CR.");
-  EXPECT_EQ(message(sinumerik("X=")),
+  EXPECT_EQ(message(sinumerik_fault("G2 CR5")),
+            "This cannot stand here; expected is '=' after CR.");
+  EXPECT_EQ(message(sinumerik_fault("X=")),
             "A number is missing here; expected is a number, an R parameter, a function or '('.");
 }
 

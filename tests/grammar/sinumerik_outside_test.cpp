@@ -7,15 +7,15 @@
 namespace gonogo::grammar {
 namespace {
 
-struct OutsideCase {
+struct SinumerikOutsideCase {
   const char* line;
   const char* name;
   const char* words;  // before it
   Span where;
 };
 
-void expect_outside(const std::vector<OutsideCase>& cases) {
-  for (const OutsideCase& expected : cases) {
+void expect_outside(const std::vector<SinumerikOutsideCase>& cases) {
+  for (const SinumerikOutsideCase& expected : cases) {
     const Block block = parsed(Dialect::sinumerik, expected.line);
     ASSERT_TRUE(block.outside) << expected.line;
     EXPECT_EQ(block.outside->name, expected.name) << expected.line;

@@ -11,7 +11,7 @@
 namespace gonogo::grammar {
 namespace {
 
-rc::Gen<Decimal> any_decimal(bool negative) {
+rc::Gen<Decimal> any_sinumerik_decimal(bool negative) {
   return rc::gen::exec([negative] {
     Decimal value;
     value.negative = negative && *rc::gen::arbitrary<bool>();
@@ -30,7 +30,7 @@ rc::Gen<Decimal> any_decimal(bool negative) {
 void append_value(std::vector<Term>& terms, int room) {
   const int kind = room == 0 ? *rc::gen::inRange(0, 2) : *rc::gen::inRange(0, 7);
   if (kind == 0) {
-    terms.push_back({TermKind::number, *any_decimal(true), {}});
+    terms.push_back({TermKind::number, *any_sinumerik_decimal(true), {}});
   } else if (kind == 1) {
     Decimal number;
     number.magnitude = *rc::gen::inRange<std::uint64_t>(0, 2000);
@@ -66,7 +66,7 @@ NamedWord with_constant(std::string name, std::vector<Term>& terms) {
   word.name = std::move(name);
   word.first_term = static_cast<std::uint32_t>(terms.size());
   word.terms = 1;
-  terms.push_back({TermKind::number, *any_decimal(true), {}});
+  terms.push_back({TermKind::number, *any_sinumerik_decimal(true), {}});
   return word;
 }
 
@@ -106,7 +106,7 @@ NamedWord any_named_word(std::vector<Term>& terms) {
 }
 
 // A tree that a line can have. MOD behind a value is an operator, so a value is not before it.
-rc::Gen<Block> any_block() {
+rc::Gen<Block> any_sinumerik_block() {
   return rc::gen::exec([] {
     Block block;
     block.tape_mark = *rc::gen::weightedElement<bool>({{1, true}, {30, false}});
@@ -133,7 +133,7 @@ rc::Gen<Block> any_block() {
 }
 
 // Text of a program, more often well formed than not.
-rc::Gen<std::string> any_line() {
+rc::Gen<std::string> any_sinumerik_line() {
   const auto usual = rc::gen::element<std::string>("G1", " X10", "Y=R1*2", " CR=5", "R5=(1+2)", " ",
                                                    "I1=AC(2)", " CIP ", "F100", "MSG(\"a\")",
                                                    "Z=-SIN(30)", "+1", "*R2", " RPL45", "TURN=2");
@@ -151,7 +151,7 @@ rc::Gen<std::string> any_line() {
 }
 
 RC_GTEST_PROP(SinumerikRoundTrip, APrintedTreeIsReadAsTheSameTree, ()) {
-  const Block tree = *any_block();
+  const Block tree = *any_sinumerik_block();
   RC_TAG(tree.outside ? tree.outside->name : "read");
   const std::string text = print(Dialect::sinumerik, tree);
   Block again;
@@ -162,7 +162,7 @@ RC_GTEST_PROP(SinumerikRoundTrip, APrintedTreeIsReadAsTheSameTree, ()) {
 }
 
 RC_GTEST_PROP(SinumerikRoundTrip, APrintedLineIsPrintedTheSameAgain, ()) {
-  const std::string line = *any_line();
+  const std::string line = *any_sinumerik_line();
   Block block;
   const bool good = !parse_block(Dialect::sinumerik, line, block);
   RC_PRE(good);
@@ -212,7 +212,7 @@ void assert_outcome_is_located(std::string_view line) {
 }
 
 RC_GTEST_PROP(SinumerikOutcome, OfMostlyWellFormedTextIsLocated, ()) {
-  assert_outcome_is_located(*any_line());
+  assert_outcome_is_located(*any_sinumerik_line());
 }
 
 RC_GTEST_PROP(SinumerikOutcome, OfAnyBytesIsLocated, ()) {
@@ -221,7 +221,7 @@ RC_GTEST_PROP(SinumerikOutcome, OfAnyBytesIsLocated, ()) {
 
 // Case and blanks between items carry no meaning.
 RC_GTEST_PROP(SinumerikOutcome, OfALineInLowerCaseIsTheSameTree, ()) {
-  const std::string line = *any_line();
+  const std::string line = *any_sinumerik_line();
   Block block;
   const bool good = !parse_block(Dialect::sinumerik, line, block);
   RC_PRE(good && line.find(';') == std::string::npos);

@@ -12,7 +12,7 @@
 namespace gonogo::reference::testing {
 namespace {
 
-struct Look {
+struct PathItemOf {
   PathItem operator()(const Record& record) const {
     PathItem item;
     item.record = record.kind;
@@ -44,11 +44,6 @@ struct Look {
     return {};
   }
 };
-
-template <typename Numbers>
-bool same_values(const Numbers& a, const Numbers& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_value);
-}
 
 PathItem changed(const PathItem& old, const AxesChange& change) {
   PathItem item = old;
@@ -103,7 +98,7 @@ std::ostream& operator<<(std::ostream& out, const PathTrace& trace) {
 }
 
 PathItem path_item(const Item& item) {
-  PathItem seen = std::visit(Look{}, item);
+  PathItem seen = std::visit(PathItemOf{}, item);
   seen.kind = static_cast<int>(item.index());
   return seen;
 }

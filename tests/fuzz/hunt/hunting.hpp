@@ -11,6 +11,8 @@
 
 namespace gonogo::fuzz::testing {
 
+inline constexpr const char* kTaper = "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n";
+
 inline reference::Profile defaults(const std::string& dialect) {
   return std::get<reference::Profile>(reference::default_profile(dialect));
 }

@@ -10,8 +10,6 @@ namespace {
 
 using oracle::VerdictKind;
 
-constexpr const char* kTaper = "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n";
-
 // A subject of a given end.
 class Scripted : public oracle::Subject {
  public:

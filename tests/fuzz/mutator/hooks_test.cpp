@@ -23,13 +23,13 @@ std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_s
 namespace gonogo::fuzz {
 namespace {
 
-constexpr std::string_view kProgram = "G94 X50 Z-10 F100\n";
+constexpr std::string_view kFaceCut = "G94 X50 Z-10 F100\n";
 constexpr std::size_t kRoom = 64;
 constexpr std::uint8_t kBeyond = 0xAA;  // what stands behind the room
 
 Bytes buffer() {
   Bytes bytes(kRoom + 8, kBeyond);
-  std::ranges::copy(kProgram, bytes.begin());
+  std::ranges::copy(kFaceCut, bytes.begin());
   return bytes;
 }
 
@@ -42,15 +42,15 @@ void expect_kept_within(const Bytes& bytes, std::size_t size) {
 TEST(MutatorHooks, MutateInPlaceWithTheTargetsDictionary) {
   for (unsigned int seed = 0; seed < 500; ++seed) {
     Bytes bytes = buffer();
-    const std::size_t size = LLVMFuzzerCustomMutator(bytes.data(), kProgram.size(), kRoom, seed);
+    const std::size_t size = LLVMFuzzerCustomMutator(bytes.data(), kFaceCut.size(), kRoom, seed);
     expect_kept_within(bytes, size);
     EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)),
-              mutate_program(kProgram, kRoom, seed, find_dictionary(GONOGO_FUZZ_DIALECT)));
+              mutate_program(kFaceCut, kRoom, seed, find_dictionary(GONOGO_FUZZ_DIALECT)));
   }
 }
 
 TEST(MutatorHooks, CrossIntoTheRoom) {
-  const Bytes one(kProgram.begin(), kProgram.end());
+  const Bytes one(kFaceCut.begin(), kFaceCut.end());
   for (unsigned int seed = 0; seed < 500; ++seed) {
     Bytes out(kRoom + 8, kBeyond);
     const std::size_t size = LLVMFuzzerCustomCrossOver(one.data(), one.size(), one.data(),

@@ -14,13 +14,14 @@
 namespace gonogo::fuzz {
 namespace {
 
-constexpr const char* kProgram = "G00 X100 Z5\nG94 X50 Z-10 R-2.5 F100\n";
+constexpr const char* kTaperFaceCut = "G00 X100 Z5\nG94 X50 Z-10 R-2.5 F100\n";
 
 // Bytes of any kind, or a program.
 rc::Gen<std::string> any_text() {
-  return rc::gen::oneOf(rc::gen::arbitrary<std::string>(),
-                        rc::gen::element<std::string>(kProgram, "", "\n", "%\r\n(\xE5\xAD\x97)\r",
-                                                      "R1=R2+SIN(30)", "G1X1Y1"));
+  return rc::gen::oneOf(
+      rc::gen::arbitrary<std::string>(),
+      rc::gen::element<std::string>(kTaperFaceCut, "", "\n", "%\r\n(\xE5\xAD\x97)\r",
+                                    "R1=R2+SIN(30)", "G1X1Y1"));
 }
 
 std::size_t any_room() {
@@ -57,7 +58,7 @@ TEST(ProgramMutator, TakesWordsOfTheDialectAsked) {
   const Dictionary words{"none", {"QQQ7"}};
   std::size_t with_word = 0;
   for (std::uint32_t seed = 0; seed < 1'000; ++seed) {
-    const std::string after = mutate_program(kProgram, 200, seed, &words);
+    const std::string after = mutate_program(kTaperFaceCut, 200, seed, &words);
     with_word += after.find("QQQ") != std::string::npos ? 1U : 0U;
   }
   EXPECT_GT(with_word, 200U);
@@ -68,7 +69,7 @@ TEST(ProgramMutator, KeepsMostBlocksReadable) {
   std::size_t blocks = 0;
   std::size_t readable = 0;
   for (std::uint32_t seed = 0; seed < 2'000; ++seed) {
-    const std::string after = mutate_program(kProgram, 500, seed, find_dictionary("gsk988ta"));
+    const std::string after = mutate_program(kTaperFaceCut, 500, seed, find_dictionary("gsk988ta"));
     for (const TextLine& line : lines_of(after)) {
       grammar::Block block;
       const std::string text = text_of({{line.words, line.rest, ""}});
@@ -82,7 +83,7 @@ TEST(ProgramMutator, KeepsMostBlocksReadable) {
 TEST(ProgramMutator, MakesMostlyDifferentTexts) {
   std::set<std::string> texts;
   for (std::uint32_t seed = 0; seed < 1'000; ++seed) {
-    texts.insert(mutate_program(kProgram, 500, seed, nullptr));
+    texts.insert(mutate_program(kTaperFaceCut, 500, seed, nullptr));
   }
   EXPECT_GT(texts.size(), 850U);
 }

@@ -17,9 +17,9 @@
 namespace gonogo::oracle::evidence {
 namespace {
 
-const std::string kPass =
+const std::string kG94Pass =
     R"({"id":"a.1","dialect":"gsk988ta","cycle":"g94","clauses":[],"verdict":"pass-exact"})";
-const std::string kKnown =
+const std::string kG94Known =
     R"j({"id":"b.1","dialect":"gsk988ta","cycle":"g94","clauses":[],"verdict":"xfail",)j"
     R"j("message":"Known: chords (fail.order: x)"})j";
 const std::string kWaivers =
@@ -78,7 +78,7 @@ class Certificate : public testing::Test {
 };
 
 TEST_F(Certificate, HoldsWhereItWasWritten) {
-  ASSERT_FALSE(write(results_text({kPass, departure()}, "NO-GO")));
+  ASSERT_FALSE(write(results_text({kG94Pass, departure()}, "NO-GO")));
   EXPECT_EQ(faults(), "");
   for (const char* name : {"STATEMENT.md", "statement.json", "results.jsonl", "SHA256SUMS"}) {
     EXPECT_TRUE(scratch_.has(std::string("certificate/") + name)) << name;
@@ -86,19 +86,19 @@ TEST_F(Certificate, HoldsWhereItWasWritten) {
 }
 
 TEST_F(Certificate, SaysWhatCouldNotBeChecked) {
-  ASSERT_FALSE(write(results_text({kPass})));
+  ASSERT_FALSE(write(results_text({kG94Pass})));
   const auto checks = verify();
   EXPECT_EQ(std::ranges::count(checks, Check::Result::unchecked, &Check::result), 1);
 }
 
 // sha256sum -c is the judge of the format.
 TEST_F(Certificate, SumsAreThoseOfSha256sum) {
-  ASSERT_FALSE(write(results_text({kPass})));
+  ASSERT_FALSE(write(results_text({kG94Pass})));
   EXPECT_EQ(std::system(("cd '" + folder() + "' && sha256sum --quiet -c SHA256SUMS").c_str()), 0);
 }
 
 TEST_F(Certificate, StatementNamesSubjectCorpusDecisionAndWaivers) {
-  ASSERT_FALSE(write(results_text({kPass, kKnown}), kWaivers));
+  ASSERT_FALSE(write(results_text({kG94Pass, kG94Known}), kWaivers));
   const std::string text = scratch_.read("certificate/STATEMENT.md");
   for (const char* part : {"# GO", "acme 3.2", "2026.6.0", "gonogo 0.1.0", "- chords (1): `b.1`"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
@@ -111,34 +111,34 @@ TEST_F(Certificate, StatementNamesSubjectCorpusDecisionAndWaivers) {
 }
 
 TEST_F(Certificate, NeedsTheReasonsOfItsWaivers) {
-  const auto error = write(results_text({kPass, kKnown}));
+  const auto error = write(results_text({kG94Pass, kG94Known}));
   ASSERT_TRUE(error);
   EXPECT_NE(error->find("b.1 is known to fail"), std::string::npos) << *error;
 }
 
 TEST_F(Certificate, IsNotWrittenOfAnIncompleteRun) {
-  const auto error = write(std::string(kHeaderLine) + "\n" + kPass + "\n");
+  const auto error = write(std::string(kHeaderLine) + "\n" + kG94Pass + "\n");
   ASSERT_TRUE(error);
   EXPECT_NE(error->find("no footer"), std::string::npos) << *error;
 }
 
 TEST_F(Certificate, IsNotWrittenAmongOtherFiles) {
   scratch_.write("certificate/thesis.txt", "years of work");
-  const auto error = write(results_text({kPass}));
+  const auto error = write(results_text({kG94Pass}));
   ASSERT_TRUE(error);
   EXPECT_NE(error->find("thesis.txt"), std::string::npos) << *error;
   EXPECT_TRUE(scratch_.has("certificate/thesis.txt"));
 }
 
 TEST_F(Certificate, ReplacesAnEarlierOne) {
-  ASSERT_FALSE(write(results_text({kPass, kKnown}), kWaivers));
-  ASSERT_FALSE(write(results_text({kPass})));
+  ASSERT_FALSE(write(results_text({kG94Pass, kG94Known}), kWaivers));
+  ASSERT_FALSE(write(results_text({kG94Pass})));
   EXPECT_FALSE(scratch_.has("certificate/waivers.toml"));
   EXPECT_EQ(faults(), "");
 }
 
 TEST_F(Certificate, AChangedByteIsFound) {
-  ASSERT_FALSE(write(results_text({kPass})));
+  ASSERT_FALSE(write(results_text({kG94Pass})));
   std::string text = scratch_.read("certificate/STATEMENT.md");
   text[2] ^= 1;
   scratch_.write("certificate/STATEMENT.md", text);
@@ -146,7 +146,7 @@ TEST_F(Certificate, AChangedByteIsFound) {
 }
 
 TEST_F(Certificate, AFileTooManyOrTooFewIsFound) {
-  ASSERT_FALSE(write(results_text({kPass})));
+  ASSERT_FALSE(write(results_text({kG94Pass})));
   scratch_.write("certificate/more.txt", "x");
   EXPECT_NE(faults().find("more.txt does not stand in SHA256SUMS"), std::string::npos);
   std::filesystem::remove(scratch_.path() / "certificate/statement.json");
@@ -154,7 +154,7 @@ TEST_F(Certificate, AFileTooManyOrTooFewIsFound) {
 }
 
 TEST_F(Certificate, AStatementOfSomethingElseIsFoundThoughTheSumsFit) {
-  ASSERT_FALSE(write(results_text({kPass, departure()}, "NO-GO")));
+  ASSERT_FALSE(write(results_text({kG94Pass, departure()}, "NO-GO")));
   std::string text = scratch_.read("certificate/STATEMENT.md");
   text.replace(text.find("# NO-GO"), 7, "# GO   ");
   forge("STATEMENT.md", text);
@@ -162,7 +162,7 @@ TEST_F(Certificate, AStatementOfSomethingElseIsFoundThoughTheSumsFit) {
 }
 
 TEST_F(Certificate, ADecisionThatTheCasesDoNotGiveIsFound) {
-  ASSERT_FALSE(write(results_text({kPass, departure()}, "GO")));
+  ASSERT_FALSE(write(results_text({kG94Pass, departure()}, "GO")));
   EXPECT_NE(faults().find("The footer says decision \"GO\", but the cases come to \"NO-GO\"."),
             std::string::npos)
       << faults();
@@ -172,22 +172,22 @@ TEST_F(Certificate, AVerdictThatProgramAndTraceDoNotGiveIsFound) {
   Json line = Json::parse(departure());
   ASSERT_EQ(line["verdict"], "fail.geometry");
   line["deviation"]["exact"] = "77";
-  ASSERT_FALSE(write(results_text({kPass, line.dump()}, "NO-GO")));
+  ASSERT_FALSE(write(results_text({kG94Pass, line.dump()}, "NO-GO")));
   EXPECT_TRUE(faults().starts_with("gsk.g94.000002: the deviation was 77, but judged again it is "))
       << faults();
 }
 
 TEST_F(Certificate, ResultsOfAnotherRunAreFound) {
-  ASSERT_FALSE(write(results_text({kPass})));
-  std::string other = kPass;
+  ASSERT_FALSE(write(results_text({kG94Pass})));
+  std::string other = kG94Pass;
   other.replace(other.find("a.1"), 3, "z.9");
   forge("results.jsonl", results_text({other}));
   EXPECT_NE(faults().find("The statement is of other results"), std::string::npos) << faults();
 }
 
 TEST_F(Certificate, ARunOfTheSubjectThatDiffersIsFound) {
-  const std::string before = scratch_.write("old", results_text({kPass}));
-  std::string line = kPass;
+  const std::string before = scratch_.write("old", results_text({kG94Pass}));
+  std::string line = kG94Pass;
   line.replace(line.find("pass-exact"), 10, "pass-rounded");
   const std::string after = scratch_.write("new", results_text({line}));
   EXPECT_EQ(same_cases(before, before)[0].result, Check::Result::holds);

@@ -82,16 +82,16 @@ bool fits(const Motion& reference, const std::vector<Motion>& pieces, const char
   return result.departure == Departure::none && result.done;
 }
 
-const Motion kHalf = arc3(tenths(10, 0), tenths(0, 10), tenths(-10, 0));
+const Motion kHalfCircle = arc3(tenths(10, 0), tenths(0, 10), tenths(-10, 0));
 
 TEST(Arc3, AnyPointOfTheArcServesAsIntermediatePoint) {
   for (const Position& via : {tenths(0, 10), tenths(8, 6), tenths(6, 8), tenths(-8, 6)}) {
-    EXPECT_TRUE(fits(kHalf, {arc3(tenths(10, 0), via, tenths(-10, 0))}));
+    EXPECT_TRUE(fits(kHalfCircle, {arc3(tenths(10, 0), via, tenths(-10, 0))}));
   }
 }
 
 TEST(Arc3, TheOtherWayRoundIsTheWrongSense) {
-  EXPECT_EQ(match(kHalf, {arc3(tenths(10, 0), tenths(0, -10), tenths(-10, 0))}).departure,
+  EXPECT_EQ(match(kHalfCircle, {arc3(tenths(10, 0), tenths(0, -10), tenths(-10, 0))}).departure,
             Departure::sense);
 }
 
@@ -99,19 +99,19 @@ TEST(Arc3, PiecesOfTheCircleAreTheSameCircle) {
   const Motion first = arc3(tenths(10, 0), tenths(8, 6), tenths(6, 8));
   const Motion second = arc3(tenths(6, 8), tenths(0, 10), tenths(-6, 8));
   const Motion third = arc3(tenths(-6, 8), tenths(-8, 6), tenths(-10, 0));
-  EXPECT_TRUE(fits(kHalf, {first, second, third}));
-  EXPECT_FALSE(match(kHalf, {first, second}).done);
+  EXPECT_TRUE(fits(kHalfCircle, {first, second, third}));
+  EXPECT_FALSE(match(kHalfCircle, {first, second}).done);
 }
 
 TEST(Arc3, APieceMayNotGoBeyondTheEnd) {
-  EXPECT_EQ(match(kHalf, {arc3(tenths(10, 0), tenths(0, 10), tenths(-8, -6))}).departure,
+  EXPECT_EQ(match(kHalfCircle, {arc3(tenths(10, 0), tenths(0, 10), tenths(-8, -6))}).departure,
             Departure::geometry);
 }
 
 TEST(Arc3, APieceMayNotGoBack) {
   const Motion there = arc3(tenths(10, 0), tenths(6, 8), tenths(0, 10));
   const Motion back = arc3(tenths(0, 10), tenths(6, 8), tenths(8, 6));
-  EXPECT_EQ(match(kHalf, {there, back}).departure, Departure::sense);
+  EXPECT_EQ(match(kHalfCircle, {there, back}).departure, Departure::sense);
 }
 
 TEST(Arc3, EndsAndIntermediatePointMayBeOffByTheToleranceAnAxis) {
@@ -139,7 +139,7 @@ TEST(Arc3, AnIntermediatePointNearTheStartMayNotMakeAnotherCircle) {
   const Position good = xyz("5.02", "10.01", "9.98");
   const Position bad = xyz("5.0197", "10.0094", "9.9794");
   const Motion short_way = arc3(tenths(10, 0), good, tenths(-10, 0));
-  EXPECT_EQ(match(kHalf, {arc3(tenths(10, 0), bad, tenths(-10, 0))}).departure,
+  EXPECT_EQ(match(kHalfCircle, {arc3(tenths(10, 0), bad, tenths(-10, 0))}).departure,
             Departure::geometry);
   // Its own circle is the one that it stands for.
   EXPECT_TRUE(fits(short_way, {short_way}));
@@ -163,8 +163,9 @@ TEST(Arc3, TheProgramsOwnPointsMayBeRoundedWhateverCircleTheyMake) {
 }
 
 TEST(Arc3, ThreePointsInLineAreNoArc) {
-  EXPECT_EQ(match(kHalf, {arc3(tenths(10, 0), xyz("10", "20", "20"), tenths(-10, 0))}).departure,
-            Departure::geometry);
+  EXPECT_EQ(
+      match(kHalfCircle, {arc3(tenths(10, 0), xyz("10", "20", "20"), tenths(-10, 0))}).departure,
+      Departure::geometry);
 }
 
 TEST(Arc3, ADoubleSubjectMayPutItInManyPieces) {
@@ -193,9 +194,9 @@ TEST(Arc3, ChordsNeedTheCertifiersGrant) {
     path.push_back(motion(RecordKind::feed, here, next));
     here = next;
   }
-  EXPECT_EQ(match(kHalf, path).departure, Departure::kind);
-  EXPECT_FALSE(fits(kHalf, path, "0.0001"));
-  EXPECT_TRUE(fits(kHalf, path, "0.002"));
+  EXPECT_EQ(match(kHalfCircle, path).departure, Departure::kind);
+  EXPECT_FALSE(fits(kHalfCircle, path, "0.0001"));
+  EXPECT_TRUE(fits(kHalfCircle, path, "0.002"));
 }
 
 // Radius 10 about the origin, 3 above it, from +X over +Y to -X: counterclockwise in G17.
@@ -222,8 +223,9 @@ TEST(Arc3, TheSenseOfAnArcIsThatOfItsPlane) {
 }
 
 TEST(Arc3, AnArcIsNoCircleAcrossThePlanes) {
-  EXPECT_EQ(match(kHalf, {arc(Plane::g17, tenths(10, 0), {0, 0}, 1, tenths(-10, 0))}).departure,
-            Departure::geometry);
+  EXPECT_EQ(
+      match(kHalfCircle, {arc(Plane::g17, tenths(10, 0), {0, 0}, 1, tenths(-10, 0))}).departure,
+      Departure::geometry);
 }
 
 TEST(Arc3, ServesForAnArcOfTheReference) {
@@ -309,7 +311,7 @@ TEST(Arc3, OtherCirclesAndOtherSensesAreNotJoined) {
 }
 
 TEST(Arc3, IsNotJoinedToAFullTurn) {
-  Motion path = kHalf;
+  Motion path = kHalfCircle;
   EXPECT_FALSE(join(path, arc3(tenths(-10, 0), tenths(0, -10), tenths(10, 0))));
   EXPECT_FALSE(join(path, arc3(tenths(-10, 0), tenths(0, -10), tenths(8, 6))));
   EXPECT_TRUE(join(path, arc3(tenths(-10, 0), tenths(-6, -8), tenths(0, -10))));

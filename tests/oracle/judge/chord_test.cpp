@@ -20,7 +20,7 @@ Judging rs274(std::string chord = "0.01") {
 
 // Half a turn clockwise about (10010, 0), in so many chords. Of 3,000 the sagitta is
 // 10000 (1 - cos(pi/6000)) = 0.00137.
-constexpr std::string_view kHalf = "G0 X10\nG2 X20010 I10000 F100\n";
+constexpr std::string_view kHalfTurnProgram = "G0 X10\nG2 X20010 I10000 F100\n";
 TraceText chords(int count) {
   TraceText trace(1);
   trace.rapid({{'x', 10}}).block(2, 100);
@@ -32,12 +32,12 @@ TraceText chords(int count) {
 }
 
 TEST(Chords, AsManyAsAnArcTakesAreNoOverrun) {
-  const Verdict verdict = judge_trace(kHalf, chords(3000).text(), rs274());
+  const Verdict verdict = judge_trace(kHalfTurnProgram, chords(3000).text(), rs274());
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
 }
 
 TEST(Chords, ThatAreNotGrantedAreNone) {
-  const Verdict verdict = judge_trace(kHalf, chords(3000).text(), rs274(""));
+  const Verdict verdict = judge_trace(kHalfTurnProgram, chords(3000).text(), rs274(""));
   EXPECT_EQ(decision(verdict.kind), Decision::no_go);
 }
 
@@ -45,7 +45,7 @@ TEST(Chords, ThatAreNotGrantedAreNone) {
 TEST(Chords, DoNotPayForOtherRecords) {
   TraceText trace = chords(2000);
   for (int i = 0; i < 1100; ++i) trace.feed({{'x', 20010}});
-  const Verdict verdict = judge_trace(kHalf, trace.text(), rs274());
+  const Verdict verdict = judge_trace(kHalfTurnProgram, trace.text(), rs274());
   EXPECT_EQ(verdict.kind, VerdictKind::fail_overrun) << verdict.message;
 }
 
@@ -53,7 +53,7 @@ TEST(Chords, DoNotPayForOtherRecords) {
 TEST(Chords, ThatGoBackAreADeparture) {
   TraceText trace = chords(3000);
   trace.feed({{'x', 20000}, {'y', 447.1}});
-  EXPECT_EQ(decision(judge_trace(kHalf, trace.text(), rs274()).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_trace(kHalfTurnProgram, trace.text(), rs274()).kind), Decision::no_go);
 }
 
 // A quarter about (0, 0); the tolerance is 0.0001.

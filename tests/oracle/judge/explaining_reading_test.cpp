@@ -36,7 +36,7 @@ TEST(ExplainingReading, MayBeOneThatOnlyAnotherAssignmentTouches) {
 }
 
 // A pocket of 60 by 40, 7.5 deep by 4: levels of 3.75, or of 4 and 3.5.
-constexpr std::string_view kPocket =
+constexpr std::string_view kRectangularPocket =
     "T4 M3 S500 F100\nR101=5 R102=2 R103=0 R104=-7.5 R116=60 R117=40 R118=60 R119=40 R120=8\n"
     "R121=4 R122=100 R123=200 R124=0 R125=0 R126=2 R127=1\nLCYC75\n";
 
@@ -49,11 +49,13 @@ TEST(ExplainingReading, MayBeOneThatIsJudgedByProperties) {
   const reference::Profile says = with_tool(profile_of("sinumerik802s", {{"sie.infeed", "equal"}}));
   const reference::Profile follows =
       with_tool(profile_of("sinumerik802s", {{"sie.infeed", "max-rest"}}));
-  const OwnOutcome own = own_outcome(kPocket, follows);
+  const OwnOutcome own = own_outcome(kRectangularPocket, follows);
   const JudgeTerms terms = exact_terms(says);
-  EXPECT_EQ(decision(judge_outcome(says, kPocket, terms, own.records, own.end).verdict.kind),
-            Decision::no_go);
-  EXPECT_EQ(explaining_reading(says, kPocket, terms, own.records, own.end), "sie.infeed=max-rest");
+  EXPECT_EQ(
+      decision(judge_outcome(says, kRectangularPocket, terms, own.records, own.end).verdict.kind),
+      Decision::no_go);
+  EXPECT_EQ(explaining_reading(says, kRectangularPocket, terms, own.records, own.end),
+            "sie.infeed=max-rest");
 }
 
 TEST(ExplainingReading, IsNoneWhereNoReadingExplainsIt) {

@@ -12,7 +12,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::string_view kPocket =
+constexpr std::string_view kHelixPocket =
     "G00 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200\nG00 X80\n";
 
 struct Pocket {
@@ -64,18 +64,19 @@ struct Pocket {
   }
 };
 
-Verdict judge(const Pocket& pocket, const Judging& judging = {}) {
-  return judge_trace(kPocket, pocket.text(), judging);
+Verdict judge_pocket(const Pocket& pocket, const Judging& judging = {}) {
+  return judge_trace(kHelixPocket, pocket.text(), judging);
 }
 
-void expect_go(const Pocket& pocket, const Judging& judging = {}) {
-  const Verdict verdict = judge(pocket, judging);
+void expect_pocket_go(const Pocket& pocket, const Judging& judging = {}) {
+  const Verdict verdict = judge_pocket(pocket, judging);
   EXPECT_EQ(decision(verdict.kind), Decision::go)
       << verdict.message << "\nwant " << verdict.want << "\ngot " << verdict.got;
 }
 
-void expect_no_go(const Pocket& pocket, std::string_view clause, const Judging& judging = {}) {
-  const Verdict verdict = judge(pocket, judging);
+void expect_pocket_no_go(const Pocket& pocket, std::string_view clause,
+                         const Judging& judging = {}) {
+  const Verdict verdict = judge_pocket(pocket, judging);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
   EXPECT_EQ(reference::clause_name(verdict.clause), clause) << verdict.message;
   EXPECT_FALSE(verdict.witness.empty());
@@ -86,15 +87,16 @@ TEST(HelixPocketJudge, AnyEntrySideIsGo) {
   for (double degrees : {0.0, 90.0, 180.0, 33.0, 211.7}) {
     Pocket pocket;
     pocket.degrees = degrees;
-    expect_go(pocket);
+    expect_pocket_go(pocket);
   }
 }
 
 TEST(HelixPocketJudge, ANamedSideIsGoOnlyThere) {
-  expect_go({}, {.reading = "gsk.helix.entry-side=+p"});
+  expect_pocket_go({}, {.reading = "gsk.helix.entry-side=+p"});
   Pocket pocket;
   pocket.degrees = 90;
-  EXPECT_EQ(decision(judge(pocket, {.reading = "gsk.helix.entry-side=+p"}).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_pocket(pocket, {.reading = "gsk.helix.entry-side=+p"}).kind),
+            Decision::no_go);
 }
 
 TEST(HelixPocketJudge, ArcsInPartsAreTheSameArcs) {
@@ -105,14 +107,14 @@ TEST(HelixPocketJudge, ArcsInPartsAreTheSameArcs) {
     pocket.degrees = 33;
     pocket.pieces = 5;
     pocket.entry_pieces = parts;
-    expect_go(pocket);
+    expect_pocket_go(pocket);
   }
 }
 
 TEST(HelixPocketJudge, AnEntryOfAnotherRadiusIsNoGo) {
   Pocket pocket;
   pocket.entry_radius = 1.9;
-  expect_no_go(pocket, "GSK-G112-04");
+  expect_pocket_no_go(pocket, "GSK-G112-04");
 }
 
 TEST(HelixPocketJudge, AMissingEntryIsNoGo) {
@@ -120,7 +122,7 @@ TEST(HelixPocketJudge, AMissingEntryIsNoGo) {
   const std::size_t entry = text.find("{\"k\":\"arc\"");
   text.replace(entry, text.find('\n', entry) - entry,
                R"({"k":"feed","b":3,"to":{"z":"74"},"f":"200"})");
-  const Verdict verdict = judge_trace(kPocket, text);
+  const Verdict verdict = judge_trace(kHelixPocket, text);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G112-04");
 }
@@ -128,47 +130,47 @@ TEST(HelixPocketJudge, AMissingEntryIsNoGo) {
 TEST(HelixPocketJudge, TheOppositeSenseIsNoGo) {
   Pocket pocket;
   pocket.sense = 1;
-  expect_no_go(pocket, "GSK-G112-04");
+  expect_pocket_no_go(pocket, "GSK-G112-04");
 }
 
 TEST(HelixPocketJudge, AnotherNumberOfTurnsIsNoGo) {
   Pocket pocket;
   pocket.turns = 4;
-  expect_no_go(pocket, "GSK-G112-05");
+  expect_pocket_no_go(pocket, "GSK-G112-05");
 }
 
 TEST(HelixPocketJudge, AnotherDepthIsNoGo) {
   Pocket pocket;
   pocket.bottom = 20.01;
-  EXPECT_EQ(decision(judge(pocket).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_pocket(pocket).kind), Decision::no_go);
 }
 
 TEST(HelixPocketJudge, AnExitElsewhereIsNoGo) {
   Pocket pocket;
   pocket.exit_degrees = 30;
-  expect_no_go(pocket, "GSK-G112-06");
+  expect_pocket_no_go(pocket, "GSK-G112-06");
 }
 
 TEST(HelixPocketJudge, AMissingExitIsNoGo) {
   Pocket pocket;
   pocket.exit = false;
-  expect_no_go(pocket, "GSK-G112-06");
+  expect_pocket_no_go(pocket, "GSK-G112-06");
 }
 
 TEST(HelixPocketJudge, AWrongFeedIsAFeedFailure) {
   Pocket pocket;
   pocket.feed = 201;
-  EXPECT_EQ(judge(pocket).kind, VerdictKind::fail_feed);
+  EXPECT_EQ(judge_pocket(pocket).kind, VerdictKind::fail_feed);
 }
 
 TEST(HelixPocketJudge, TheFlatCircleIsDueUnderItsReadingAlone) {
   Pocket pocket;
   pocket.flat = true;
   pocket.degrees = 45;
-  expect_go(pocket, {.reading = "gsk.helix.flat=on"});
-  expect_no_go(pocket, "GSK-G112-06");
+  expect_pocket_go(pocket, {.reading = "gsk.helix.flat=on"});
+  expect_pocket_no_go(pocket, "GSK-G112-06");
   pocket.flat = false;
-  expect_no_go(pocket, "GSK-G112-05", {.reading = "gsk.helix.flat=on"});
+  expect_pocket_no_go(pocket, "GSK-G112-05", {.reading = "gsk.helix.flat=on"});
 }
 
 }  // namespace

@@ -9,8 +9,6 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::string_view kProgram = "G00 X130 Z5\nG94 X120 Z-10 R20 F300\nG00 X200\n";
-const std::string kStart = R"({"k":"rapid","b":1,"to":{"x":"65","z":"5"}})"
-                           "\n";
 const std::string kMotion = R"({"k":"rapid","b":2,"to":{"z":"10"}})"
                             "\n";
 
@@ -21,19 +19,20 @@ std::string alarm(int block, const char* name) {
 }
 
 TEST(AlarmJudge, TheRightAlarmInTheRightBlockIsGo) {
-  EXPECT_EQ(judge_trace(kProgram, kStart + alarm(2, "taper-limit")).kind, VerdictKind::pass_exact);
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "taper-limit")).kind,
+            VerdictKind::pass_exact);
 }
 
 TEST(AlarmJudge, EachWrongAlarmHasItsOwnVerdict) {
-  EXPECT_EQ(judge_trace(kProgram, kStart + alarm(2, "value-sign")).kind,
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "value-sign")).kind,
             VerdictKind::fail_alarm_class);
-  EXPECT_EQ(judge_trace(kProgram, kStart + alarm(1, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(1, "taper-limit")).kind,
             VerdictKind::fail_alarm_spurious);
-  EXPECT_EQ(judge_trace(kProgram, kStart + alarm(3, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(3, "taper-limit")).kind,
             VerdictKind::fail_alarm_late);
-  EXPECT_EQ(judge_trace(kProgram, kStart + kMotion + alarm(2, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + kMotion + alarm(2, "taper-limit")).kind,
             VerdictKind::fail_alarm_late);
-  EXPECT_EQ(judge_trace(kProgram, kStart).kind, VerdictKind::fail_alarm_missing);
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart).kind, VerdictKind::fail_alarm_missing);
 }
 
 TEST(AlarmJudge, MotionOfEarlierBlocksMustHaveCome) {
@@ -41,7 +40,7 @@ TEST(AlarmJudge, MotionOfEarlierBlocksMustHaveCome) {
 }
 
 TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
-  EXPECT_EQ(judge_trace("G00 X130 Z5\n", kStart + alarm(1, "taper-limit")).kind,
+  EXPECT_EQ(judge_trace("G00 X130 Z5\n", kRapidToStart + alarm(1, "taper-limit")).kind,
             VerdictKind::fail_alarm_spurious);
 }
 

@@ -11,8 +11,6 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::string_view kFace = "G00 X130 Z5\nG94 X0 Z0 F200\n";
-const std::string kStart = R"({"k":"rapid","b":1,"to":{"x":"65","z":"5"}})"
-                           "\n";
 const std::string kToB = R"({"k":"rapid","b":2,"to":{"z":"0"}})"
                          "\n";
 const std::string kToC = R"({"k":"feed","b":2,"to":{"x":"0"},"f":"200"})"
@@ -23,13 +21,14 @@ const std::string kHome = R"({"k":"rapid","b":2,"to":{"x":"65"}})"
                           "\n";
 
 TEST(PathJudge, TheManualsPathIsExact) {
-  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD + kHome).kind, VerdictKind::pass_exact);
+  EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + kToC + kToD + kHome).kind,
+            VerdictKind::pass_exact);
 }
 
 TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
   const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"
                             "\n";
-  EXPECT_EQ(decision(judge_trace(kFace, kStart + kToB + piece + kToC + kToD + kHome).kind),
+  EXPECT_EQ(decision(judge_trace(kFace, kRapidToStart + kToB + piece + kToC + kToD + kHome).kind),
             Decision::go);
 }
 
@@ -38,9 +37,9 @@ TEST(PathJudge, OneIncrementOffPassesAndTwoDoNot) {
                            "\n";
   const std::string far = R"({"k":"feed","b":2,"to":{"x":"0.002"},"f":"200"})"
                           "\n";
-  EXPECT_EQ(judge_trace(kFace, kStart + kToB + near + kToD + kHome).kind,
+  EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + near + kToD + kHome).kind,
             VerdictKind::pass_tolerance);
-  const Verdict verdict = judge_trace(kFace, kStart + kToB + far + kToD + kHome);
+  const Verdict verdict = judge_trace(kFace, kRapidToStart + kToB + far + kToD + kHome);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(verdict.block, 2U);
 }
@@ -48,7 +47,7 @@ TEST(PathJudge, OneIncrementOffPassesAndTwoDoNot) {
 TEST(PathJudge, AWrongFeedIsAFeedFailure) {
   const std::string slow = R"({"k":"feed","b":2,"to":{"x":"0"},"f":"199"})"
                            "\n";
-  const Verdict verdict = judge_trace(kFace, kStart + kToB + slow + kToD + kHome);
+  const Verdict verdict = judge_trace(kFace, kRapidToStart + kToB + slow + kToD + kHome);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_feed);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G94-03");
 }
@@ -56,25 +55,27 @@ TEST(PathJudge, AWrongFeedIsAFeedFailure) {
 TEST(PathJudge, ARapidInsteadOfTheRetractFeedFails) {
   const std::string rapid = R"({"k":"rapid","b":2,"to":{"z":"5"}})"
                             "\n";
-  const Verdict verdict = judge_trace(kFace, kStart + kToB + kToC + rapid + kHome);
+  const Verdict verdict = judge_trace(kFace, kRapidToStart + kToB + kToC + rapid + kHome);
   EXPECT_EQ(decision(verdict.kind), Decision::no_go);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G94-04");
 }
 
 TEST(PathJudge, AnOmittedMotionIsAnOrderFailure) {
-  EXPECT_EQ(judge_trace(kFace, kStart + kToC + kToD + kHome).kind, VerdictKind::fail_geometry);
-  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD).kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToC + kToD + kHome).kind,
+            VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + kToC + kToD).kind,
+            VerdictKind::fail_geometry);
 }
 
 TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
   const std::string more = R"({"k":"rapid","b":2,"to":{"y":"1"}})"
                            "\n";
-  EXPECT_EQ(judge_trace(kFace, kStart + kToB + kToC + kToD + kHome + more).kind,
+  EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + kToC + kToD + kHome + more).kind,
             VerdictKind::fail_overrun);
 }
 
 TEST(PathJudge, ManyStepsWithinTheToleranceDoNotAddUpUnseen) {
-  std::string creeping = kStart;
+  std::string creeping = kRapidToStart;
   for (int i = 1; i <= 10; ++i) {
     creeping += fmt::format(R"({{"k":"rapid","b":1,"to":{{"z":"{}"}}}})"
                             "\n",

@@ -11,7 +11,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::string_view kPocket =
+constexpr std::string_view kG110Pocket =
     "G18 G0 X70 Z70 Y50\nG110 X50 Z50 Y40 R-5 I16 L3 Q5 P1 D4 F800\n";
 
 struct Clearing {
@@ -49,13 +49,13 @@ std::string trace(const Clearing& clearing) {
 }
 
 TEST(PocketJudge, ConcentricCirclesAreGo) {
-  EXPECT_EQ(decision(judge_trace(kPocket, trace({})).kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, trace({})).kind), Decision::go);
 }
 
 TEST(PocketJudge, ARingLeftOutIsNoGoWithAWitness) {
   Clearing clearing;
   clearing.radii = {3, 9, 12};
-  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  const Verdict verdict = judge_trace(kG110Pocket, trace(clearing));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
   EXPECT_FALSE(verdict.witness.empty());
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G110-09");
@@ -64,7 +64,7 @@ TEST(PocketJudge, ARingLeftOutIsNoGoWithAWitness) {
 TEST(PocketJudge, TheLastCircleAtTheWallGouges) {
   Clearing clearing;
   clearing.radii = {3, 6, 9, 12, 16};
-  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  const Verdict verdict = judge_trace(kG110Pocket, trace(clearing));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
   EXPECT_FALSE(verdict.witness.empty());
   EXPECT_NE(verdict.message.find("wall"), std::string::npos);
@@ -73,7 +73,7 @@ TEST(PocketJudge, TheLastCircleAtTheWallGouges) {
 TEST(PocketJudge, TheSenseTurnedIsNoGoWithAWitness) {
   Clearing clearing;
   clearing.rot = 1;
-  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  const Verdict verdict = judge_trace(kG110Pocket, trace(clearing));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
   EXPECT_FALSE(verdict.witness.empty());
 }
@@ -81,25 +81,25 @@ TEST(PocketJudge, TheSenseTurnedIsNoGoWithAWitness) {
 TEST(PocketJudge, AnOffCentrePlungeIsNoGoWithAWitness) {
   Clearing clearing;
   clearing.plunge_x = "25.1";
-  const Verdict verdict = judge_trace(kPocket, trace(clearing));
+  const Verdict verdict = judge_trace(kG110Pocket, trace(clearing));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G110-06");
   EXPECT_FALSE(verdict.witness.empty());
 }
 
 TEST(PocketJudge, ReadingsThatNameAPathJudgeThePath) {
-  EXPECT_EQ(decision(judge_trace(kPocket, trace({}), "gsk.pocket.path=concentric").kind),
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, trace({}), "gsk.pocket.path=concentric").kind),
             Decision::go);
-  EXPECT_EQ(decision(judge_trace(kPocket, trace({}), "gsk.pocket.path=semicircles").kind),
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, trace({}), "gsk.pocket.path=semicircles").kind),
             Decision::no_go);
 }
 
 TEST(PocketJudge, TheEndAtTheRPlaneIsGoOnlyUnderItsReading) {
   std::string text = trace({});
   text.erase(text.rfind("{\"k\":\"rapid\""));
-  EXPECT_EQ(decision(judge_trace(kPocket, text).kind), Decision::no_go);
-  EXPECT_EQ(decision(judge_trace(kPocket, text, "gsk.pocket.end=r-plane").kind), Decision::go);
-  EXPECT_EQ(decision(judge_trace(kPocket, text, "gsk.pocket.end=any").kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, text).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, text, "gsk.pocket.end=r-plane").kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(kG110Pocket, text, "gsk.pocket.end=any").kind), Decision::go);
 }
 
 }  // namespace

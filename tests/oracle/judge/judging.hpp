@@ -27,6 +27,10 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
 Verdict judge_trace(std::string_view program, std::string_view trace,
                     std::string_view reading = {});
 
+// The record of a G00 X130 Z5 in line 1, where X is a diameter.
+inline const std::string kRapidToStart = R"({"k":"rapid","b":1,"to":{"x":"65","z":"5"}})"
+                                         "\n";
+
 // A trace in the making. Coordinates by axis letter; numbers are written with nine decimals.
 struct AxisTo {
   char axis;

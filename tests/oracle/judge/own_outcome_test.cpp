@@ -67,7 +67,7 @@ std::string degrees(int most) {
              : fmt::format("{}.{:03}", thousandths / 1000, thousandths % 1000);
 }
 
-std::string motion(const Lengths& at) {
+std::string any_motion_block(const Lengths& at) {
   const std::string sense = *rc::gen::element<std::string>("G2", "G3");
   const std::string end = fmt::format("X{} Y{}", at.next(), at.next());
   switch (*rc::gen::inRange(0, 8)) {
@@ -101,7 +101,7 @@ TEST(OwnOutcome, OfRandomProgramsIsExact) {
     const Lengths lengths;
     std::string program = "G17 G90 F100\nG1 AP=20 RP=" + lengths.above_zero() + "\n";
     const int motions = *rc::gen::inRange(1, 6);
-    for (int i = 0; i < motions; ++i) program += motion(lengths) + "\n";
+    for (int i = 0; i < motions; ++i) program += any_motion_block(lengths) + "\n";
     for (const char* resolution : {"0.001", "0.000001"}) {
       const Verdict verdict = judge_own(program, profile, resolution);
       if (verdict.kind == VerdictKind::pass_exact) continue;

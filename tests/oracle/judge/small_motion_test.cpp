@@ -18,7 +18,7 @@ VerdictKind kind_of(std::string_view program, const TraceText& trace, bool block
   judging.binary64 = true;
   return judge_trace(program, trace.text(), judging).kind;
 }
-Decision decided(std::string_view program, const TraceText& trace, bool blocks = true) {
+Decision decided_as_binary64(std::string_view program, const TraceText& trace, bool blocks = true) {
   return decision(kind_of(program, trace, blocks));
 }
 
@@ -37,7 +37,7 @@ TEST(SmallMotions, OneThatOnlyTheSubjectKeepsIsNoOverrun) {
   for (double hair : {-kHair, 0.0, kHair}) {
     TraceText trace = at_ten(hair);
     trace.feed({{'z', 10 + kTau + hair}});
-    EXPECT_EQ(decided(kStep, trace), Decision::go) << hair;
+    EXPECT_EQ(decided_as_binary64(kStep, trace), Decision::go) << hair;
   }
 }
 
@@ -45,7 +45,7 @@ TEST(SmallMotions, OneThatOnlyTheSubjectKeepsMayStandBeforeAnother) {
   for (double hair : {-kHair, 0.0, kHair}) {
     TraceText trace = at_ten(hair);
     trace.feed({{'z', 10 + kTau + hair}}).block(3, 0).rapid({{'x', 10}});
-    EXPECT_EQ(decided(kStepAndOn, trace), Decision::go) << hair;
+    EXPECT_EQ(decided_as_binary64(kStepAndOn, trace), Decision::go) << hair;
   }
 }
 
@@ -59,7 +59,7 @@ TEST(SmallMotions, OneOfExactlyTheToleranceMayBeLongerAsADouble) {
   trace.line(R"({"k":"rapid","b":1,"to":{"x":"0x1.5333333333333p+2","z":"7"}})")
       .line(R"({"k":"feed","b":2,"to":{"z":"0x1.c010624dd2f1bp+2"},"f":"100"})")
       .line(R"({"k":"feed","b":3,"to":{"x":"0x1.534395810624ep+2"},"f":"100"})");
-  EXPECT_EQ(decided(program, trace), Decision::go);
+  EXPECT_EQ(decided_as_binary64(program, trace), Decision::go);
 }
 
 TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
@@ -67,7 +67,7 @@ TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
   trace.feed({{'z', 10 + 2 * kTau + kHair}});
   EXPECT_EQ(kind_of("G00 Z10\n", trace), VerdictKind::fail_overrun);
   trace.block(3, 0).rapid({{'x', 10}});
-  EXPECT_EQ(decided(kStepAndOn, trace), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64(kStepAndOn, trace), Decision::no_go);
 }
 
 TEST(SmallMotions, ManyOfThemCannotAddUp) {
@@ -76,9 +76,9 @@ TEST(SmallMotions, ManyOfThemCannotAddUp) {
   for (int i = 1; i <= 20; ++i) {
     trace.rapid({{'x', i % 2 == 0 ? 0 : 0.6 * kTau}, {'z', 10 + 0.6 * kTau * i}});
   }
-  EXPECT_EQ(decided("G00 Z10\n", trace), Decision::no_go);
-  EXPECT_EQ(decided("G00 Z10\nM30\n", trace), Decision::no_go);
-  EXPECT_EQ(decided("G00 Z10\nG00 X100\n", trace), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\n", trace), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\nM30\n", trace), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\nG00 X100\n", trace), Decision::no_go);
 }
 
 TEST(SmallMotions, ManyOfThemOnTheSpotAreNone) {
@@ -86,7 +86,7 @@ TEST(SmallMotions, ManyOfThemOnTheSpotAreNone) {
   for (int i = 1; i <= 20; ++i) {
     trace.rapid({{'x', i % 2 == 0 ? -0.9 * kTau : 0.9 * kTau}});
   }
-  EXPECT_EQ(decided("G00 Z10\n", trace), Decision::go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\n", trace), Decision::go);
 }
 
 TEST(SmallMotions, ManyDroppedOnesOfTheReferenceCannotAddUp) {
@@ -96,7 +96,7 @@ TEST(SmallMotions, ManyDroppedOnesOfTheReferenceCannotAddUp) {
     program += "G01 Z" + std::to_string(10 + 0.0006 * i) + " F100\n";
     program += "X" + std::to_string(0.0012 * i) + "\n";
   }
-  EXPECT_EQ(decided(program, at_ten()), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64(program, at_ten()), Decision::no_go);
 }
 
 // The reference keeps a motion of 0.0011; of the subject's, 0.001 long, nothing is left.
@@ -105,8 +105,8 @@ constexpr std::string_view kKept = "G00 Z10\nG01 Z10.0011 F100\n";
 TEST(SmallMotions, OneThatOnlyTheReferenceKeepsIsDoneWhereTheSubjectStands) {
   TraceText trace = at_ten();
   trace.feed({{'z', 10 + kTau}});
-  EXPECT_EQ(decided(kKept, trace), Decision::go);
-  EXPECT_EQ(decided(kKept, at_ten()), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64(kKept, trace), Decision::go);
+  EXPECT_EQ(decided_as_binary64(kKept, at_ten()), Decision::no_go);
 }
 
 TEST(SmallMotions, OneThatOnlyTheReferenceKeepsMayStandBeforeADwell) {
@@ -114,18 +114,18 @@ TEST(SmallMotions, OneThatOnlyTheReferenceKeepsMayStandBeforeADwell) {
   const char* dwell = R"({"k":"dwell","b":3,"s":"1"})";
   TraceText trace = at_ten();
   trace.feed({{'z', 10 + kTau}}).line(dwell);
-  EXPECT_EQ(decided(program, trace), Decision::go);
-  EXPECT_EQ(decided(program, at_ten().line(dwell)), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64(program, trace), Decision::go);
+  EXPECT_EQ(decided_as_binary64(program, at_ten().line(dwell)), Decision::no_go);
 }
 
 // Without line numbers the subject's 0.001 is one with the cut before it, or after it.
 TEST(SmallMotions, OneThatIsJoinedOnOneSideOnlyBelongsToTheCut) {
   TraceText before = at_ten();
   before.feed({{'z', 20}}).feed({{'z', 20 + kTau + kHair}});
-  EXPECT_EQ(decided("G00 Z10\nG01 Z20 F100\nZ20.001\n", before, false), Decision::go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\nG01 Z20 F100\nZ20.001\n", before, false), Decision::go);
   TraceText after(1, 100);
   after.decimals(15).rapid({{'z', 10 - kHair}}).feed({{'z', 10 + kTau}}).feed({{'z', 20}});
-  EXPECT_EQ(decided("G00 Z10\nG01 Z10.001 F100\nZ20\n", after, false), Decision::go);
+  EXPECT_EQ(decided_as_binary64("G00 Z10\nG01 Z10.001 F100\nZ20\n", after, false), Decision::go);
 }
 
 // A cut from (10, 10) to (15, 20), and on in the same direction after a code that is not covered.
@@ -172,7 +172,7 @@ TEST(NotCovered, WithoutLineNumbersAnArcMayGoOnPastIt) {
 TEST(NotCovered, WithLineNumbersACutEndsWhereItsBlockDoes) {
   TraceText trace(1, 100);
   trace.rapid({{'x', 10}, {'z', 10}}).block(2, 100).feed({{'x', 30}, {'z', 50}});
-  EXPECT_EQ(decided(kCutOn, trace), Decision::no_go);
+  EXPECT_EQ(decided_as_binary64(kCutOn, trace), Decision::no_go);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view kThread =
     "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K0 E30 P1 D3 F900\nG0 X70\n";
-constexpr std::string_view kPocket = "G0 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200 M35\n";
+constexpr std::string_view kHelixPocketWithM35 =
+    "G0 X70 Z70 Y30\nG18\nG112 X70 Z70 Y20 I8 L5 D4 F200 M35\n";
 
 TraceText to_the_start() {
   TraceText trace(1, 900);
@@ -122,7 +123,7 @@ Decision with_clamp_at(int place) {
   clamp(3);
   Judging judging;
   judging.m = true;
-  return decision(judge_trace(kPocket, trace.text(), judging).kind);
+  return decision(judge_trace(kHelixPocketWithM35, trace.text(), judging).kind);
 }
 
 TEST(HelixPocketJudge, TheClampHasToCloseBeforeTheToolCuts) {
@@ -139,7 +140,7 @@ TEST(HelixPocketJudge, ASixthCircleAtTheRPlaneIsNoGo) {
   trace.arc("G18", {{'x', 35}, {'z', 70}}, -1, {{'x', 35}, {'z', 74}});
   trace.arc("G18", {{'x', 35}, {'z', 70}}, -5, {{'x', 35}, {'z', 74}, {'y', 20}});
   trace.arc("G18", {{'x', 35}, {'z', 72}}, -1, {{'x', 35}, {'z', 70}}).rapid({{'y', 30}});
-  EXPECT_EQ(decision(judge_trace(kPocket, trace.text()).kind), Decision::no_go);
+  EXPECT_EQ(decision(judge_trace(kHelixPocketWithM35, trace.text()).kind), Decision::no_go);
 }
 
 }  // namespace

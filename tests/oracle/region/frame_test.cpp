@@ -83,7 +83,7 @@ TEST(RegionFrame, TheSlackOfALevelCoversTheWholeArea) {
 }
 
 // E reaches to 14.25; tolerance 0.001, slack 0.0004.
-Pocket poking(std::string_view beyond) {
+Pocket poking_through_the_side(std::string_view beyond) {
   Pocket job = pocket("60", "40", "8", "5", "0.75");
   job.level.slack = mm("0.0004");
   contour_parallel(job, 4);
@@ -92,29 +92,26 @@ Pocket poking(std::string_view beyond) {
 }
 
 TEST(RegionSlack, AGougeMustShowWhicheverWayThePointsMayBeOff) {
-  EXPECT_EQ(judge(poking("0.0006")).kind, LevelVerdict::Kind::go);
-  EXPECT_EQ(judge(poking("0.00061")).kind, LevelVerdict::Kind::gap);
-  EXPECT_EQ(judge(poking("0.0014")).kind, LevelVerdict::Kind::gap);
-  const Pocket job = poking("0.0015");
+  EXPECT_EQ(judge(poking_through_the_side("0.0006")).kind, LevelVerdict::Kind::go);
+  EXPECT_EQ(judge(poking_through_the_side("0.00061")).kind, LevelVerdict::Kind::gap);
+  EXPECT_EQ(judge(poking_through_the_side("0.0014")).kind, LevelVerdict::Kind::gap);
+  const Pocket job = poking_through_the_side("0.0015");
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
   EXPECT_EQ(verdict.finding->deviation, mm("0.0001"));
 }
 
-// Long sides 10 less than the width apart, plunged on one of them.
-Pocket sides_apart(std::string_view width) {
-  Pocket job = pocket("60", width, "5", "5", "0");
+Pocket sides_apart_with_slack(std::string_view width) {
+  Pocket job = sides_apart(width);
   job.level.slack = mm("0.0004");
-  job.level.plunge = {Number(), -border_of(job).core_q};
-  finish(job);
   return job;
 }
 
 TEST(RegionSlack, AHoleMustShowWhicheverWayThePointsMayBeOff) {
-  EXPECT_EQ(judge(sides_apart("20.0012")).kind, LevelVerdict::Kind::go);
-  EXPECT_EQ(judge(sides_apart("20.0014")).kind, LevelVerdict::Kind::gap);
-  EXPECT_EQ(judge(sides_apart("20.0028")).kind, LevelVerdict::Kind::gap);
-  const Pocket job = sides_apart("20.003");
+  EXPECT_EQ(judge(sides_apart_with_slack("20.0012")).kind, LevelVerdict::Kind::go);
+  EXPECT_EQ(judge(sides_apart_with_slack("20.0014")).kind, LevelVerdict::Kind::gap);
+  EXPECT_EQ(judge(sides_apart_with_slack("20.0028")).kind, LevelVerdict::Kind::gap);
+  const Pocket job = sides_apart_with_slack("20.003");
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::cover, job, verdict));
   EXPECT_EQ(verdict.finding->deviation.decimal_text(6), "0.000100");

@@ -9,15 +9,6 @@
 namespace gonogo::oracle::region {
 namespace {
 
-// Only the border, with a tool of 5: its long sides are 10 less than the pocket's width apart, and
-// reach 5.001 each.
-Pocket sides_apart(std::string_view width) {
-  Pocket job = pocket("60", width, "5", "5", "0");
-  job.level.plunge = {Number(), -border_of(job).core_q};
-  finish(job);
-  return job;
-}
-
 TEST(PocketEquality, AnIslandOfNoWidthIsGo) {
   const Pocket job = sides_apart("20.002");
   EXPECT_TRUE(is_go(job));

@@ -31,4 +31,13 @@ inline testing::AssertionResult breaks(Rule rule, const Pocket& pocket) {
   return breaks(rule, pocket, judge(pocket));
 }
 
+// Only the border, with a tool of 5, plunged on one of its long sides: they are 10 less than the
+// pocket's width apart, and reach 5.001 each.
+inline Pocket sides_apart(std::string_view width) {
+  Pocket job = pocket("60", width, "5", "5", "0");
+  job.level.plunge = {Number(), -border_of(job).core_q};
+  finish(job);
+  return job;
+}
+
 }  // namespace gonogo::oracle::region

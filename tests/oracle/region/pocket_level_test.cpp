@@ -116,7 +116,7 @@ TEST(PocketRegion, ACornerCutShortBreaksCover) {
 }
 
 // Out of the corner's centre (22, 12) along (0.6, 0.8), to 2.25 and a bit.
-Pocket poking(std::string_view beyond) {
+Pocket poking_into_the_corner(std::string_view beyond) {
   Pocket job = rectangle();
   contour_parallel(job, 4);
   const Number far = mm("2.25") + mm(beyond);
@@ -126,7 +126,7 @@ Pocket poking(std::string_view beyond) {
 }
 
 TEST(PocketRegion, ACornerGougedByTwiceTheToleranceBreaksGouge) {
-  const Pocket job = poking("0.002");
+  const Pocket job = poking_into_the_corner("0.002");
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
   EXPECT_EQ(verdict.finding->deviation, mm("0.001"));
@@ -134,12 +134,12 @@ TEST(PocketRegion, ACornerGougedByTwiceTheToleranceBreaksGouge) {
 }
 
 TEST(PocketRegion, ACornerGougedByHalfTheToleranceIsGo) {
-  EXPECT_TRUE(is_go(poking("0.0005")));
+  EXPECT_TRUE(is_go(poking_into_the_corner("0.0005")));
 }
 
 TEST(PocketRegion, ACornerGougedByTheToleranceIsGo) {
-  EXPECT_TRUE(is_go(poking("0.001")));
-  EXPECT_TRUE(breaks(Rule::gouge, poking("0.001000000001")));
+  EXPECT_TRUE(is_go(poking_into_the_corner("0.001")));
+  EXPECT_TRUE(breaks(Rule::gouge, poking_into_the_corner("0.001000000001")));
 }
 
 // The corner arc about (22, 12) + e (0.6, 0.8), between its ends e farther out than it should be.

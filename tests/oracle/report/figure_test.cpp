@@ -4,16 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "oracle/report/figure_spread.hpp"
+#include "tests/oracle/report/report_testing.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
-
-Motion line(Point3 from, Point3 to, bool rapid = false) {
-  Motion motion;
-  motion.rapid = rapid;
-  motion.points = {from, to};
-  return motion;
-}
 
 Motion standing(Point3 at) {
   Motion motion;

@@ -9,20 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/oracle/report/report_testing.hpp"
+
 namespace gonogo::oracle::report {
 namespace {
 
 using nlohmann::json;
 
 const std::filesystem::path kData = GONOGO_REPORT_DATA;
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++count;
-  }
-  return count;
-}
 
 class HtmlReport : public testing::Test {
  protected:

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "oracle/report/views.hpp"
+#include "tests/oracle/report/report_testing.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
@@ -32,21 +33,6 @@ bool well_formed(const std::string& text) {
   static const std::regex loose("&(?!amp;|lt;|gt;|quot;|#39;)");
   return at > 0 && open.empty() && text.find('<', at) == std::string::npos &&
          !std::regex_search(text, loose);
-}
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++count;
-  }
-  return count;
-}
-
-Motion line(Point3 from, Point3 to, bool rapid = false) {
-  Motion motion;
-  motion.rapid = rapid;
-  motion.points = {from, to};
-  return motion;
 }
 
 Path box_path() {

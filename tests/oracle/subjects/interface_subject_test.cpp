@@ -23,32 +23,32 @@ struct Fake {
   int resets = 0;
   int destroyed = 0;
 };
-Fake fake;
+Fake fake_interface;
 
 gonogo_text text(const std::string& from) {
   return {from.data(), from.size()};
 }
 
 gonogo_text describe() {
-  return text(fake.description);
+  return text(fake_interface.description);
 }
 int create(gonogo_text configuration, const gonogo_sink_v1* sink, void** handle) {
-  fake.configuration.assign(configuration.data, configuration.size);
-  fake.sink = *sink;
-  *handle = &fake;
-  ++fake.created;
-  return fake.create(*sink);
+  fake_interface.configuration.assign(configuration.data, configuration.size);
+  fake_interface.sink = *sink;
+  *handle = &fake_interface;
+  ++fake_interface.created;
+  return fake_interface.create(*sink);
 }
 int run_fake(void*, gonogo_text program) {
-  fake.program.assign(program.data, program.size);
-  return fake.run(fake.sink);
+  fake_interface.program.assign(program.data, program.size);
+  return fake_interface.run(fake_interface.sink);
 }
 int reset(void*) {
-  ++fake.resets;
-  return fake.reset_answer;
+  ++fake_interface.resets;
+  return fake_interface.reset_answer;
 }
 void destroy(void*) {
-  ++fake.destroyed;
+  ++fake_interface.destroyed;
 }
 
 gonogo_subject_v1 table() {
@@ -76,10 +76,10 @@ const std::string kBad = "1,5";
 
 class InterfaceSubject : public ::testing::Test {
  protected:
-  void SetUp() override { fake = Fake(); }
+  void SetUp() override { fake_interface = Fake(); }
 
   Ran run_with(std::function<int(const gonogo_sink_v1&)> action, std::size_t most = 1000) {
-    fake.run = std::move(action);
+    fake_interface.run = std::move(action);
     if (!subject_) {
       subject_ = make_interface_subject(table_);
       subject_->configure(gsk_profile());
@@ -237,16 +237,16 @@ TEST_F(InterfaceSubject, AnEscapingExceptionIsACrashAndTheHandleIsNotUsedAgain) 
   const Ran ran = run_with([](auto&) -> int { throw std::runtime_error("boom"); });
   EXPECT_EQ(ran.end.kind, Kind::crash);
   EXPECT_NE(ran.end.message.find("boom"), std::string::npos);
-  EXPECT_EQ(fake.destroyed, 1);
+  EXPECT_EQ(fake_interface.destroyed, 1);
   EXPECT_EQ(run_with([](auto&) { return GONOGO_OK; }).end.kind, Kind::ok);
-  EXPECT_EQ(fake.created, 2);
+  EXPECT_EQ(fake_interface.created, 2);
 }
 
 TEST_F(InterfaceSubject, WhatTheSinkThrowsCrossesTheBorderBehindTheSubject) {
   auto made = record(GONOGO_DWELL);
   made.seconds = number(kOne);
   bool returned = false;
-  fake.run = [&](const gonogo_sink_v1& sink) {
+  fake_interface.run = [&](const gonogo_sink_v1& sink) {
     const int answer = sink.record(sink.context, &made);
     returned = true;
     return answer == 0 ? GONOGO_OK : GONOGO_STOPPED;
@@ -262,28 +262,28 @@ TEST_F(InterfaceSubject, WhatTheSinkThrowsCrossesTheBorderBehindTheSubject) {
 TEST_F(InterfaceSubject, IsResetBetweenRunsAndRenewedOnRequest) {
   auto well = [](auto&) { return GONOGO_OK; };
   run_with(well);
-  EXPECT_EQ(fake.resets, 0);
+  EXPECT_EQ(fake_interface.resets, 0);
   run_with(well);
-  EXPECT_EQ(fake.resets, 1);
-  EXPECT_EQ(fake.created, 1);
+  EXPECT_EQ(fake_interface.resets, 1);
+  EXPECT_EQ(fake_interface.created, 1);
   subject_->renew();
   run_with(well);
-  EXPECT_EQ(fake.created, 2);
-  EXPECT_EQ(fake.resets, 1);
+  EXPECT_EQ(fake_interface.created, 2);
+  EXPECT_EQ(fake_interface.resets, 1);
   subject_.reset();
-  EXPECT_EQ(fake.destroyed, 2);
+  EXPECT_EQ(fake_interface.destroyed, 2);
 }
 
 TEST_F(InterfaceSubject, GetsTheConfigurationOfTheProtocol) {
   run_with([](auto&) { return GONOGO_OK; });
-  EXPECT_EQ(fake.configuration.find(R"({"dialect":"gsk988ta","profile":{)"), 0u)
-      << fake.configuration;
-  EXPECT_EQ(fake.program, "G0 X1\n");
+  EXPECT_EQ(fake_interface.configuration.find(R"({"dialect":"gsk988ta","profile":{)"), 0u)
+      << fake_interface.configuration;
+  EXPECT_EQ(fake_interface.program, "G0 X1\n");
 }
 
 TEST_F(InterfaceSubject, ARefusalToBeCreatedIsTold) {
   const std::string why = "no readings";
-  fake.create = [&](const gonogo_sink_v1& sink) {
+  fake_interface.create = [&](const gonogo_sink_v1& sink) {
     sink.note(sink.context, GONOGO_NOTE_ERROR, text(why));
     return GONOGO_UNSUPPORTED;
   };
@@ -302,7 +302,7 @@ TEST_F(InterfaceSubject, ATableThatDoesNotFitIsUnusable) {
   other = table();
   other.run = nullptr;
   EXPECT_THROW(make_interface_subject(other), SubjectUnusable);
-  fake.description = R"({"protocol":3})";
+  fake_interface.description = R"({"protocol":3})";
   EXPECT_THROW(make_interface_subject(table_), SubjectUnusable);
 }
 

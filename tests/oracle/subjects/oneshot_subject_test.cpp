@@ -6,18 +6,19 @@
 namespace gonogo::oracle {
 namespace {
 
-std::unique_ptr<Subject> fake(const std::string& mode, const Limits& limits = patient_limits()) {
+std::unique_ptr<Subject> fake_oneshot(const std::string& mode,
+                                      const Limits& limits = patient_limits()) {
   auto subject = make_oneshot_subject(std::string(FAKE_ONESHOT) + " " + mode, limits);
   subject->configure(gsk_profile());
   return subject;
 }
 
-RunEnd end_of(const std::string& mode) {
-  return run(*fake(mode)).end;
+RunEnd oneshot_end(const std::string& mode) {
+  return run(*fake_oneshot(mode)).end;
 }
 
 TEST(OneshotSubject, ExitZeroIsExpanded) {
-  auto subject = fake("good");
+  auto subject = fake_oneshot("good");
   const Ran ran = run(*subject);
   EXPECT_EQ(ran.end.kind, Kind::ok) << ran.end.message;
   ASSERT_EQ(ran.records.size(), 1u);
@@ -26,7 +27,7 @@ TEST(OneshotSubject, ExitZeroIsExpanded) {
 }
 
 TEST(OneshotSubject, ExitOneIsTheAlarmOfTheLastLine) {
-  auto subject = fake("alarm");
+  auto subject = fake_oneshot("alarm");
   const Ran ran = run(*subject);
   EXPECT_EQ(ran.end.kind, Kind::alarm);
   EXPECT_EQ(ran.end.alarm.alarm_class, "syntax");
@@ -35,51 +36,51 @@ TEST(OneshotSubject, ExitOneIsTheAlarmOfTheLastLine) {
 }
 
 TEST(OneshotSubject, AlarmAndExitCodeMustAgree) {
-  EXPECT_EQ(end_of("alarm-exit0").kind, Kind::protocol);
-  EXPECT_EQ(end_of("exit1").kind, Kind::protocol);
-  EXPECT_EQ(end_of("after-alarm").kind, Kind::protocol);
+  EXPECT_EQ(oneshot_end("alarm-exit0").kind, Kind::protocol);
+  EXPECT_EQ(oneshot_end("exit1").kind, Kind::protocol);
+  EXPECT_EQ(oneshot_end("after-alarm").kind, Kind::protocol);
 }
 
 TEST(OneshotSubject, ExitThreeIsASkipWithItsReason) {
-  const RunEnd end = end_of("exit3");
+  const RunEnd end = oneshot_end("exit3");
   EXPECT_EQ(end.kind, Kind::skip);
   EXPECT_EQ(end.message, "no G116 here\n");
 }
 
 TEST(OneshotSubject, AnyOtherEndIsACrashAndNoRejection) {
-  EXPECT_EQ(end_of("exit2").kind, Kind::crash);
-  EXPECT_EQ(end_of("abort").kind, Kind::crash);
+  EXPECT_EQ(oneshot_end("exit2").kind, Kind::crash);
+  EXPECT_EQ(oneshot_end("abort").kind, Kind::crash);
 }
 
 TEST(OneshotSubject, OutputThatIsNoTraceIsProtocol) {
-  EXPECT_EQ(end_of("garbage").kind, Kind::protocol);
-  EXPECT_EQ(end_of("cut").kind, Kind::protocol);
+  EXPECT_EQ(oneshot_end("garbage").kind, Kind::protocol);
+  EXPECT_EQ(oneshot_end("cut").kind, Kind::protocol);
 }
 
 TEST(OneshotSubject, TheLastLineMayLackItsEnd) {
-  auto subject = fake("no-newline");
+  auto subject = fake_oneshot("no-newline");
   EXPECT_EQ(run(*subject).records.size(), 1u);
 }
 
 TEST(OneshotSubject, AHangIsATimeout) {
-  EXPECT_EQ(run(*fake("hang", short_limits())).end.kind, Kind::timeout);
+  EXPECT_EQ(run(*fake_oneshot("hang", short_limits())).end.kind, Kind::timeout);
 }
 
 TEST(OneshotSubject, TheSinkStopsAFlood) {
-  auto subject = fake("flood");
+  auto subject = fake_oneshot("flood");
   const Ran ran = run(*subject, "G0\n", 3000);
   EXPECT_EQ(ran.end.kind, Kind::stopped);
   EXPECT_EQ(ran.records.size(), 3000u);
 }
 
 TEST(OneshotSubject, AGrandchildThatHoldsThePipesDelaysNothing) {
-  const RunEnd end = end_of("grandchild");
+  const RunEnd end = oneshot_end("grandchild");
   EXPECT_EQ(end.kind, Kind::ok) << end.message;
   EXPECT_LT(end.microseconds, 10'000'000);
 }
 
 TEST(OneshotSubject, MegabytesGoInAndComeOutAtTheSameTime) {
-  auto subject = fake("echo-size");
+  auto subject = fake_oneshot("echo-size");
   const std::string program(3'000'000, ' ');
   const Ran ran = run(*subject, program, 10'000);
   EXPECT_EQ(ran.end.kind, Kind::ok) << ran.end.message;
@@ -88,7 +89,7 @@ TEST(OneshotSubject, MegabytesGoInAndComeOutAtTheSameTime) {
 }
 
 TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
-  auto subject = fake("show 'a b'");
+  auto subject = fake_oneshot("show 'a b'");
   const std::string notes = run(*subject).end.notes;
   EXPECT_NE(notes.find("dialect=gsk988ta mode=600 profile={"), std::string::npos) << notes;
   const std::size_t at = notes.find("path=") + 5;
@@ -100,25 +101,25 @@ TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
 }
 
 TEST(OneshotSubject, WithoutADescriptionEverythingIsDeclared) {
-  auto subject = fake("good");
+  auto subject = fake_oneshot("good");
   EXPECT_TRUE(subject->info().declares("sinumerik840d", "cycle83"));
   EXPECT_EQ(subject->info().name, std::string(FAKE_ONESHOT) + " good");
 }
 
 TEST(OneshotSubject, ADescriptionCounts) {
-  auto subject = fake("described");
+  auto subject = fake_oneshot("described");
   EXPECT_EQ(subject->info().name, "shot");
   EXPECT_TRUE(subject->info().declares("rs274", "g81"));
   EXPECT_FALSE(subject->info().declares("gsk988ta", "g94"));
 }
 
 TEST(OneshotSubject, ABadDescriptionOrCommandIsUnusable) {
-  EXPECT_THROW(fake("described-badly"), SubjectUnusable);
+  EXPECT_THROW(fake_oneshot("described-badly"), SubjectUnusable);
   EXPECT_THROW(make_oneshot_subject("/no/such/program", short_limits()), SubjectUnusable);
 }
 
 TEST(OneshotSubject, ManyRunsLeaveNothingBehind) {
-  auto subject = fake("abort");
+  auto subject = fake_oneshot("abort");
   const std::size_t before = open_descriptors();
   for (int i = 0; i < 200; ++i) ASSERT_EQ(run(*subject).end.kind, Kind::crash);
   EXPECT_EQ(open_descriptors(), before);

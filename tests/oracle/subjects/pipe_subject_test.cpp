@@ -8,22 +8,23 @@
 namespace gonogo::oracle {
 namespace {
 
-std::unique_ptr<Subject> fake(const std::string& mode, const Limits& limits = patient_limits()) {
+std::unique_ptr<Subject> fake_pipe(const std::string& mode,
+                                   const Limits& limits = patient_limits()) {
   auto subject = make_pipe_subject(std::string(FAKE_PIPE) + " " + mode, limits);
   subject->configure(gsk_profile());
   return subject;
 }
 
-RunEnd end_of(const std::string& mode) {
-  return run(*fake(mode)).end;
+RunEnd pipe_end(const std::string& mode) {
+  return run(*fake_pipe(mode)).end;
 }
 
 RunEnd soon_end_of(const std::string& mode) {
-  return run(*fake(mode, short_limits())).end;
+  return run(*fake_pipe(mode, short_limits())).end;
 }
 
 TEST(PipeSubject, TellsWhatTheStartReplySays) {
-  auto subject = fake("good");
+  auto subject = fake_pipe("good");
   EXPECT_EQ(subject->info().name, "fake");
   EXPECT_EQ(subject->info().version, "1.0");
   EXPECT_TRUE(subject->info().declares("gsk988ta", "g94"));
@@ -34,7 +35,7 @@ TEST(PipeSubject, TellsWhatTheStartReplySays) {
 }
 
 TEST(PipeSubject, GivesTheRecordsOfAGoodReply) {
-  auto subject = fake("good");
+  auto subject = fake_pipe("good");
   const Ran ran = run(*subject);
   EXPECT_EQ(ran.end.kind, Kind::ok) << ran.end.message;
   ASSERT_EQ(ran.records.size(), 1u);
@@ -42,13 +43,13 @@ TEST(PipeSubject, GivesTheRecordsOfAGoodReply) {
 }
 
 TEST(PipeSubject, KeepsOneProcessForManyRuns) {
-  auto subject = fake("pid");
+  auto subject = fake_pipe("pid");
   const std::string first = run(*subject).end.message;
   EXPECT_EQ(run(*subject).end.message, first);
 }
 
 TEST(PipeSubject, GivesTheAlarmAndTheRecordsBeforeIt) {
-  auto subject = fake("alarm");
+  auto subject = fake_pipe("alarm");
   const Ran ran = run(*subject);
   EXPECT_EQ(ran.end.kind, Kind::alarm);
   EXPECT_EQ(ran.end.alarm.native, "PS0061");
@@ -59,17 +60,17 @@ TEST(PipeSubject, GivesTheAlarmAndTheRecordsBeforeIt) {
 }
 
 TEST(PipeSubject, ASkipNamesItsFeature) {
-  const RunEnd end = end_of("skip");
+  const RunEnd end = pipe_end("skip");
   EXPECT_EQ(end.kind, Kind::skip);
   EXPECT_EQ(end.feature, "g116");
 }
 
 TEST(PipeSubject, AnErrorIsNotACrash) {
-  EXPECT_EQ(end_of("error").kind, Kind::error);
+  EXPECT_EQ(pipe_end("error").kind, Kind::error);
 }
 
 TEST(PipeSubject, EveryRunOfARefusedProfileTellsTheRefusal) {
-  auto subject = fake("refuses");
+  auto subject = fake_pipe("refuses");
   EXPECT_EQ(run(*subject).end.kind, Kind::refused);
   const RunEnd second = run(*subject).end;
   EXPECT_EQ(second.kind, Kind::refused);
@@ -77,28 +78,28 @@ TEST(PipeSubject, EveryRunOfARefusedProfileTellsTheRefusal) {
 }
 
 TEST(PipeSubject, AnAbortIsACrashNamedByItsSignal) {
-  const RunEnd end = end_of("abort");
+  const RunEnd end = pipe_end("abort");
   EXPECT_EQ(end.kind, Kind::crash);
   EXPECT_NE(end.message.find("signal 6"), std::string::npos) << end.message;
 }
 
 TEST(PipeSubject, AnExitInARunIsACrashWhateverItsCode) {
-  EXPECT_EQ(end_of("exit7").kind, Kind::crash);
-  EXPECT_NE(end_of("exit7").message.find("exited with 7"), std::string::npos);
-  EXPECT_EQ(end_of("exit0").kind, Kind::crash);
-  EXPECT_EQ(end_of("half-exit").kind, Kind::crash);
-  EXPECT_EQ(end_of("dies-in-configure").kind, Kind::crash);
+  EXPECT_EQ(pipe_end("exit7").kind, Kind::crash);
+  EXPECT_NE(pipe_end("exit7").message.find("exited with 7"), std::string::npos);
+  EXPECT_EQ(pipe_end("exit0").kind, Kind::crash);
+  EXPECT_EQ(pipe_end("half-exit").kind, Kind::crash);
+  EXPECT_EQ(pipe_end("dies-in-configure").kind, Kind::crash);
 }
 
 TEST(PipeSubject, IsStartedAgainAfterACrash) {
-  auto subject = fake("second-aborts");
+  auto subject = fake_pipe("second-aborts");
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
   EXPECT_EQ(run(*subject).end.kind, Kind::crash);
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
 }
 
 TEST(PipeSubject, ADeathBetweenTwoRunsIsACrashOfTheSecond) {
-  auto subject = fake("exits-between");
+  auto subject = fake_pipe("exits-between");
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
   usleep(50'000);
   EXPECT_EQ(run(*subject).end.kind, Kind::crash);
@@ -106,7 +107,7 @@ TEST(PipeSubject, ADeathBetweenTwoRunsIsACrashOfTheSecond) {
 }
 
 TEST(PipeSubject, AHangIsATimeoutNearTheLimit) {
-  auto subject = fake("hang", short_limits());
+  auto subject = fake_pipe("hang", short_limits());
   const auto begin = std::chrono::steady_clock::now();
   const RunEnd end = run(*subject).end;
   const auto spent = std::chrono::steady_clock::now() - begin;
@@ -122,18 +123,18 @@ TEST(PipeSubject, AHangThatIgnoresSignalsIsKilled) {
 TEST(PipeSubject, AHangInConfigureIsATimeout) {
   Limits limits = patient_limits();
   limits.start = std::chrono::milliseconds(1000);
-  EXPECT_EQ(run(*fake("hangs-in-configure", limits)).end.kind, Kind::timeout);
+  EXPECT_EQ(run(*fake_pipe("hangs-in-configure", limits)).end.kind, Kind::timeout);
 }
 
 TEST(PipeSubject, AGrandchildThatHoldsThePipesHidesNoDeath) {
-  const RunEnd end = end_of("die-with-grandchild");
+  const RunEnd end = pipe_end("die-with-grandchild");
   EXPECT_EQ(end.kind, Kind::crash);
   EXPECT_NE(end.message.find("exited with 9"), std::string::npos) << end.message;
   EXPECT_EQ(soon_end_of("hang-with-grandchild").kind, Kind::timeout);
 }
 
 TEST(PipeSubject, TheSinkStopsAFloodOfRecords) {
-  auto subject = fake("flood");
+  auto subject = fake_pipe("flood");
   const Ran ran = run(*subject, "G0 X1\n", 5000);
   EXPECT_EQ(ran.end.kind, Kind::stopped);
   EXPECT_EQ(ran.records.size(), 5000u);
@@ -150,7 +151,7 @@ TEST(PipeSubject, PartsDoNotProlongTheTime) {
 TEST(PipeSubject, TheTimeOfTheSinkIsNotTheSubjects) {
   Limits limits = patient_limits();
   limits.run = std::chrono::milliseconds(1000);
-  auto subject = fake("parts", limits);
+  auto subject = fake_pipe("parts", limits);
   std::size_t records = 0;
   const RunEnd end = subject->run("slow.sink", "G0\n", [&](const reference::Record&) {
     if (++records % 10 == 0) usleep(200'000);  // 2 s in all; the limit is 1 s
@@ -162,21 +163,21 @@ TEST(PipeSubject, TheTimeOfTheSinkIsNotTheSubjects) {
 }
 
 TEST(PipeSubject, AReplyMayComeInManyParts) {
-  auto subject = fake("parts");
+  auto subject = fake_pipe("parts");
   EXPECT_EQ(run(*subject).records.size(), 101u);
   EXPECT_EQ(run(*subject).end.kind, Kind::ok);
 }
 
 TEST(PipeSubject, WhatIsNotTheProtocolIsNamedSo) {
   for (const char* mode : {"garbage", "wrong-seq", "duplicate-key", "bare-number", "two-replies"}) {
-    const RunEnd end = end_of(mode);
+    const RunEnd end = pipe_end(mode);
     EXPECT_EQ(end.kind, Kind::protocol) << mode << ": " << end.message;
     EXPECT_FALSE(end.message.empty()) << mode;
   }
 }
 
 TEST(PipeSubject, TheDuplicateKeyIsNamed) {
-  EXPECT_NE(end_of("duplicate-key").message.find("\"s\""), std::string::npos);
+  EXPECT_NE(pipe_end("duplicate-key").message.find("\"s\""), std::string::npos);
 }
 
 TEST(PipeSubject, HalfALineAndThenNothingIsATimeout) {
@@ -187,7 +188,7 @@ TEST(PipeSubject, ALateAnswerIsNeverTakenForTheNext) {
   const auto mark =
       std::filesystem::temp_directory_path() / ("gonogo-late-" + std::to_string(getpid()));
   setenv("FAKE_MARK", mark.c_str(), 1);
-  auto subject = fake("late-first", short_limits());
+  auto subject = fake_pipe("late-first", short_limits());
   EXPECT_EQ(run(*subject).end.kind, Kind::timeout);
   usleep(500'000);  // by now the first answer would have come
   const Ran second = run(*subject);
@@ -200,32 +201,32 @@ TEST(PipeSubject, ALateAnswerIsNeverTakenForTheNext) {
 TEST(PipeSubject, ALineAboveTheLimitIsProtocolAndIsNotKept) {
   Limits limits = patient_limits();
   limits.run = std::chrono::milliseconds(20'000);
-  const RunEnd end = run(*fake("long-line", limits)).end;  // 100 MiB, limit 64 MiB
+  const RunEnd end = run(*fake_pipe("long-line", limits)).end;  // 100 MiB, limit 64 MiB
   EXPECT_EQ(end.kind, Kind::protocol);
   EXPECT_NE(end.message.find("67108864"), std::string::npos) << end.message;
 }
 
 TEST(PipeSubject, StderrIsKeptAndNoVerdict) {
-  const RunEnd end = end_of("noise");
+  const RunEnd end = pipe_end("noise");
   EXPECT_EQ(end.kind, Kind::ok);
   EXPECT_EQ(end.notes, "tool \xEF\xBF\xBD\xEF\xBF\xBD is worn\n");
 }
 
 TEST(PipeSubject, BytesGoAsBase64ToThoseThatTakeThem) {
-  auto subject = fake("echo");
+  auto subject = fake_pipe("echo");
   const std::string message = run(*subject, "(\xB5\xB6)\n").end.message;  // 28 B5 B6 29 0A
   EXPECT_NE(message.find(R"("program":{"base64":"KLW2KQo="})"), std::string::npos) << message;
 }
 
 TEST(PipeSubject, BytesAreSkippedForTheOthers) {
-  auto subject = fake("good");
+  auto subject = fake_pipe("good");
   const RunEnd end = run(*subject, "(\xB5)\n").end;
   EXPECT_EQ(end.kind, Kind::skip);
   EXPECT_EQ(end.feature, "bytes");
 }
 
 TEST(PipeSubject, AProgramArrivesWholeWhateverItHolds) {
-  auto subject = fake("echo");
+  auto subject = fake_pipe("echo");
   const std::string message = run(*subject, "G0\t\"X\\1\"\r\n%\x01\n").end.message;
   EXPECT_NE(message.find(R"("program":"G0\u0009\"X\\1\"\u000d\n%\u0001\n")"), std::string::npos)
       << message;
@@ -235,11 +236,11 @@ TEST(PipeSubject, EatingMemoryIsToldApartFromACrash) {
   Limits limits = patient_limits();
   limits.run = std::chrono::milliseconds(20'000);
   limits.memory_bytes = std::size_t{256} << 20;
-  EXPECT_EQ(run(*fake("eat-memory", limits)).end.kind, Kind::out_of_memory);
+  EXPECT_EQ(run(*fake_pipe("eat-memory", limits)).end.kind, Kind::out_of_memory);
 }
 
 TEST(PipeSubject, RenewGivesAFreshProcess) {
-  auto subject = fake("leak");
+  auto subject = fake_pipe("leak");
   EXPECT_EQ(run(*subject).records.at(0).seconds, Number(1));
   EXPECT_EQ(run(*subject).records.at(0).seconds, Number(2));
   subject->renew();
@@ -249,7 +250,7 @@ TEST(PipeSubject, RenewGivesAFreshProcess) {
 TEST(PipeSubject, IsGivenUpAfterTheRestartsInARow) {
   Limits limits = patient_limits();
   limits.restarts = 2;
-  auto subject = fake("abort", limits);
+  auto subject = fake_pipe("abort", limits);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NE(run(*subject).end.message.find("signal 6"), std::string::npos);
   }
@@ -261,7 +262,7 @@ TEST(PipeSubject, IsGivenUpAfterTheRestartsInARow) {
 TEST(PipeSubject, AnAnswerBetweenTwoCrashesBeginsTheCountAgain) {
   Limits limits = patient_limits();
   limits.restarts = 1;
-  auto subject = fake("second-aborts", limits);
+  auto subject = fake_pipe("second-aborts", limits);
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(run(*subject).end.kind, Kind::ok);
     EXPECT_NE(run(*subject).end.message.find("signal 6"), std::string::npos);
@@ -272,11 +273,11 @@ TEST(PipeSubject, OneThatCannotStartIsUnusableAndSaysWhy) {
   Limits limits = patient_limits();
   limits.start = std::chrono::milliseconds(500);
   for (const char* mode : {"never-starts", "protocol2", "start-garbage", "talks-first"}) {
-    EXPECT_THROW(fake(mode, limits), SubjectUnusable) << mode;
+    EXPECT_THROW(fake_pipe(mode, limits), SubjectUnusable) << mode;
   }
   EXPECT_THROW(make_pipe_subject("/no/such/program", limits), SubjectUnusable);
   try {
-    fake("dies-at-start");
+    fake_pipe("dies-at-start");
     FAIL() << "it was taken for usable";
   } catch (const SubjectUnusable& error) {
     EXPECT_NE(std::string(error.what()).find("licence expired"), std::string::npos);
@@ -284,7 +285,7 @@ TEST(PipeSubject, OneThatCannotStartIsUnusableAndSaysWhy) {
 }
 
 TEST(PipeSubject, WhatTheSinkThrowsComesThrough) {
-  auto subject = fake("parts");
+  auto subject = fake_pipe("parts");
   EXPECT_THROW(subject->run("x", "G0\n",
                             [](const reference::Record&) -> bool { throw std::logic_error("x"); }),
                std::logic_error);
@@ -292,7 +293,7 @@ TEST(PipeSubject, WhatTheSinkThrowsComesThrough) {
 }
 
 TEST(PipeSubject, NoProcessOutlivesItsSubject) {
-  auto subject = fake("pid");
+  auto subject = fake_pipe("pid");
   const int pid = std::stoi(run(*subject).end.message);
   EXPECT_TRUE(is_alive(pid));
   subject.reset();
@@ -304,7 +305,7 @@ TEST(PipeSubject, TwoHundredRestartsLeaveNeitherZombiesNorDescriptors) {
   {
     Limits limits = patient_limits();
     limits.restarts = 1000;
-    auto crashing = fake("abort", limits);
+    auto crashing = fake_pipe("abort", limits);
     for (int i = 0; i < 200; ++i) ASSERT_EQ(run(*crashing).end.kind, Kind::crash);
     EXPECT_FALSE(has_children());
     EXPECT_EQ(open_descriptors(), before);

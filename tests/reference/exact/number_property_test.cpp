@@ -54,13 +54,13 @@ rc::Gen<std::string> rational_text() {
                       });
 }
 
-struct Pair {
+struct RationalWithModel {
   mpq_class model;
   Number number;
 };
 
 // The number by way of its decimal digits and a division, not of parse.
-Pair any_rational() {
+RationalWithModel any_rational() {
   const mpq_class model(*rational_text());
   const auto whole = [](const mpz_class& z) {
     return Number::decimal(sgn(z) < 0, mpz_class(abs(z)).get_str(), 0);
@@ -81,8 +81,8 @@ void expect_is(const Number& number, const mpq_class& model) {
 }
 
 RC_GTEST_PROP(NumberProperty, ArithmeticIsThatOfTheModel, ()) {
-  const Pair a = any_rational();
-  const Pair b = any_rational();
+  const RationalWithModel a = any_rational();
+  const RationalWithModel b = any_rational();
   expect_is(a.number, a.model);
   expect_is(a.number + b.number, mpq_class(a.model + b.model));
   expect_is(a.number - b.number, mpq_class(a.model - b.model));
@@ -110,8 +110,8 @@ RC_GTEST_PROP(NumberProperty, CountsOfAllSizesAreThoseOfTheModel, ()) {
 }
 
 RC_GTEST_PROP(NumberProperty, OrderIsThatOfTheModel, ()) {
-  const Pair a = any_rational();
-  const Pair b = any_rational();
+  const RationalWithModel a = any_rational();
+  const RationalWithModel b = any_rational();
   const int order = cmp(a.model, b.model);
   RC_ASSERT(Number::compare(a.number, b.number) == (order > 0) - (order < 0));
   RC_ASSERT((a.number == b.number) == (order == 0));
@@ -144,7 +144,7 @@ RC_GTEST_PROP(NumberProperty, FloorAndCeilSurroundTheNumber, ()) {
 }
 
 RC_GTEST_PROP(NumberProperty, ParseReadsWhatIsWritten, ()) {
-  const Pair a = any_rational();
+  const RationalWithModel a = any_rational();
   RC_ASSERT(Number::parse(a.number.text()) == a.number);
   RC_ASSERT(Number::parse(a.model.get_str()) == a.number);
   RC_ASSERT(json(a.number) == '"' + a.number.text() + '"');

@@ -23,7 +23,7 @@ struct Model {
   mpz_class high;
 };
 
-struct Pair {
+struct RootWithModel {
   Model model;
   Number number;
 };
@@ -57,7 +57,7 @@ Number number_from(const mpq_class& value) {
   return Number::parse(value.get_str()).value();
 }
 
-Pair any_root(const mpq_class& c) {
+RootWithModel any_root(const mpq_class& c) {
   const mpq_class a = any_fraction();
   const mpq_class b = any_fraction();
   return {model_of_root(a, b, c), Number::root(number_from(a), number_from(b), number_from(c))};
@@ -75,15 +75,15 @@ int order_of(const Model& x, const Model& y) {
 
 // The fractions above are so short that numbers 2^-500 apart are equal.
 RC_GTEST_PROP(RootProperty, OrderIsThatOfTheModelForAnyRadicands, ()) {
-  const Pair x = any_root(any_radicand());
-  const Pair y = any_root(any_radicand());
+  const RootWithModel x = any_root(any_radicand());
+  const RootWithModel y = any_root(any_radicand());
   RC_ASSERT(Number::compare(x.number, y.number) == order_of(x.model, y.model));
   RC_ASSERT(Number::compare(y.number, x.number) == order_of(y.model, x.model));
   RC_ASSERT(x.number.sign() == order_of(x.model, Model{0, 0}));
 }
 
 RC_GTEST_PROP(RootProperty, NumbersCloseToEachOtherAreOrdered, ()) {
-  const Pair x = any_root(any_radicand());
+  const RootWithModel x = any_root(any_radicand());
   const auto [low, high] = x.number.bounds(300);
   if (x.number.is_rational()) {
     RC_ASSERT(low == high);
@@ -120,7 +120,7 @@ RC_GTEST_PROP(RootProperty, RootsOfSquaresAreTheAbsoluteValue, ()) {
 }
 
 RC_GTEST_PROP(RootProperty, FloorIsTheIntegerBelow, ()) {
-  const Pair x = any_root(any_radicand());
+  const RootWithModel x = any_root(any_radicand());
   const Number floor = x.number.floor();
   RC_ASSERT(floor <= x.number);
   RC_ASSERT(x.number < floor + Number(1));
@@ -128,8 +128,8 @@ RC_GTEST_PROP(RootProperty, FloorIsTheIntegerBelow, ()) {
 }
 
 RC_GTEST_PROP(RootProperty, TwoRadicandsEncloseTheModel, ()) {
-  const Pair x = any_root(any_radicand());
-  const Pair y = any_root(any_radicand());
+  const RootWithModel x = any_root(any_radicand());
+  const RootWithModel y = any_root(any_radicand());
   const auto [low, high] = (x.number + y.number).bounds(200);
   const mpz_class unit = mpz_class(1) << kModelBits;
   RC_ASSERT(model_of(low) * unit <= x.model.high + y.model.high);

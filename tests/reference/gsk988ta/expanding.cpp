@@ -139,6 +139,16 @@ Lines lines(std::string_view program, const Profile& profile, OpenPaths open_pat
   return text;
 }
 
+Lines judged(std::string_view program, const Profile& profile) {
+  return lines(program, profile, OpenPaths::judged);
+}
+
+Lines lines_after(const std::string& start, const std::string& blocks, const Profile& profile) {
+  Lines all = lines(start + "\n" + blocks, profile);
+  all.erase(all.begin());
+  return all;
+}
+
 std::string ending(std::string_view program, const Profile& profile, OpenPaths open_paths) {
   return line_of(expand(program, profile, open_paths).back());
 }

@@ -45,6 +45,10 @@ std::string line_of(const Item& item);
 // All items of a program as such lines; without the `end` record.
 Lines lines(std::string_view program, const Profile& profile = {},
             OpenPaths open_paths = OpenPaths::shown);
+// The same with the open paths as the judge takes them.
+Lines judged(std::string_view program, const Profile& profile = {});
+// The lines of `blocks` after one line of `start`, the move to the start point.
+Lines lines_after(const std::string& start, const std::string& blocks, const Profile& profile = {});
 // The last line of a program: its `end` record, alarm or not-covered.
 std::string ending(std::string_view program, const Profile& profile = {},
                    OpenPaths open_paths = OpenPaths::shown);

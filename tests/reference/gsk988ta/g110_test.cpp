@@ -16,10 +16,6 @@ Lines operator+(Lines a, const Lines& b) {
   return a;
 }
 
-Lines judged(std::string_view program, const Profile& profile = {}) {
-  return lines(program, profile, OpenPaths::judged);
-}
-
 // The example of the manual: initial plane Y50, R plane Y45, bottom Y20 in five layers of 5;
 // I - D = 12 and L/2 = 1.5.
 const std::string kExample =
@@ -129,7 +125,7 @@ Lines depths(std::string_view program, const Profile& profile = {}) {
   }
   return along_d;
 }
-const std::string kPocket = " X0 Z0 I16 L3 D4 F800 ";
+const std::string kPocketWords = " X0 Z0 I16 L3 D4 F800 ";
 
 TEST(G110, Clause08TheLastLayerTakesWhatRemains) {
   // 23 below Y45 by 5: Y40, 35, 30, 25, and 22.
@@ -137,32 +133,32 @@ TEST(G110, Clause08TheLastLayerTakesWhatRemains) {
       "rapid y50", "rapid y45", "feed y40 f800", "rapid y45", "rapid y41", "feed y35 f800",
       "rapid y45", "rapid y36", "feed y30 f800", "rapid y45", "rapid y31", "feed y25 f800",
       "rapid y45", "rapid y26", "feed y22 f800", "rapid y45", "rapid y50"};
-  EXPECT_EQ(depths("G0 Y50\nG110 Y22 R-5 Q5 P1" + kPocket), want);
+  EXPECT_EQ(depths("G0 Y50\nG110 Y22 R-5 Q5 P1" + kPocketWords), want);
 }
 
 TEST(G110, Clause08ALayerThatReachesTheBottomIsTheOnlyOne) {
   const Lines want = {"rapid y0", "feed y-5 f800", "rapid y0", "rapid y0"};
   for (const char* q : {"5", "5.001", "999999.999"}) {
-    EXPECT_EQ(depths("G110 Y-5 Q" + std::string(q) + kPocket), want) << q;
+    EXPECT_EQ(depths("G110 Y-5 Q" + std::string(q) + kPocketWords), want) << q;
   }
   // One increment less: a second layer of that increment.
   const Lines two = {"rapid y0",      "feed y-4.999 f800", "rapid y0", "rapid y-4.999",
                      "feed y-5 f800", "rapid y0",          "rapid y0"};
-  EXPECT_EQ(depths("G110 Y-5 Q4.999" + kPocket), two);
+  EXPECT_EQ(depths("G110 Y-5 Q4.999" + kPocketWords), two);
 }
 
 TEST(G110, Clause01TheAbsoluteDepthIsTheBottom) {
-  EXPECT_EQ(depths("G0 Y50\nG110 Y20 R-5 Q100" + kPocket),
+  EXPECT_EQ(depths("G0 Y50\nG110 Y20 R-5 Q100" + kPocketWords),
             (Lines{"rapid y50", "rapid y45", "feed y20 f800", "rapid y45", "rapid y50"}));
 }
 
 TEST(G110, Clause01TheIncrementalDepthCountsFromTheRPlane) {
-  EXPECT_EQ(depths("G0 Y50\nG110 V-20 R-5 Q100" + kPocket),
+  EXPECT_EQ(depths("G0 Y50\nG110 V-20 R-5 Q100" + kPocketWords),
             (Lines{"rapid y50", "rapid y45", "feed y25 f800", "rapid y45", "rapid y50"}));
 }
 
 TEST(G110, Clause01WithoutRTheIncrementalDepthCountsFromTheInitialPlane) {
-  EXPECT_EQ(depths("G0 Y50\nG110 V-20 Q100" + kPocket),
+  EXPECT_EQ(depths("G0 Y50\nG110 V-20 Q100" + kPocketWords),
             (Lines{"rapid y50", "rapid y50", "feed y30 f800", "rapid y50", "rapid y50"}));
 }
 
@@ -181,13 +177,13 @@ TEST(G110, Clause10TheWayBackNamesThePlaneAxesAlone) {
 }
 
 TEST(G110, Clause11POnlySaysHowFar) {
-  EXPECT_EQ(depths("G110 Y-10 Q5 P-1" + kPocket), depths("G110 Y-10 Q5 P1" + kPocket));
+  EXPECT_EQ(depths("G110 Y-10 Q5 P-1" + kPocketWords), depths("G110 Y-10 Q5 P1" + kPocketWords));
 }
 
 TEST(G110, Clause11TheApproachNeverPassesTheRPlane) {
   // The first depth is 5 below the R plane.
   const auto approach = [](const char* p) {
-    return depths("G0 Y50\nG110 Y30 R-5 Q5" + kPocket + "P" + p)[4];
+    return depths("G0 Y50\nG110 Y30 R-5 Q5" + kPocketWords + "P" + p)[4];
   };
   EXPECT_EQ(approach("4.999"), "rapid y44.999");
   EXPECT_EQ(approach("5"), "rapid y45");
@@ -196,19 +192,19 @@ TEST(G110, Clause11TheApproachNeverPassesTheRPlane) {
 }
 
 TEST(G110, Clause11WithoutPTheApproachGoesToTheLastDepth) {
-  EXPECT_EQ(depths("G110 Y-10 Q5" + kPocket)[3], "rapid y-5");
+  EXPECT_EQ(depths("G110 Y-10 Q5" + kPocketWords)[3], "rapid y-5");
 }
 
 TEST(G110, ReadingPOmittedIsTheClearanceWherePIsLeftOut) {
   const Profile one = profile_with({{"gsk.pocket.p-omitted", "1"}});
-  EXPECT_EQ(depths("G110 Y-10 Q5" + kPocket, one)[3], "rapid y-4");
-  EXPECT_EQ(depths("G110 Y-10 Q5 P2" + kPocket, one)[3], "rapid y-3");
-  EXPECT_EQ(depths("G110 Y-10 Q5 P0" + kPocket, one)[3], "rapid y-5");
+  EXPECT_EQ(depths("G110 Y-10 Q5" + kPocketWords, one)[3], "rapid y-4");
+  EXPECT_EQ(depths("G110 Y-10 Q5 P2" + kPocketWords, one)[3], "rapid y-3");
+  EXPECT_EQ(depths("G110 Y-10 Q5 P0" + kPocketWords, one)[3], "rapid y-5");
 }
 
 TEST(G110, APocketMayLeadTheOtherWay) {
   // R up to Y5, bottom at Y15; the clearance is on the side of the R plane.
-  EXPECT_EQ(depths("G110 Y15 R5 Q5 P1" + kPocket),
+  EXPECT_EQ(depths("G110 Y15 R5 Q5 P1" + kPocketWords),
             (Lines{"rapid y5", "feed y10 f800", "rapid y5", "rapid y9", "feed y15 f800", "rapid y5",
                    "rapid y0"}));
 }

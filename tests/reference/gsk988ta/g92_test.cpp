@@ -6,15 +6,9 @@
 namespace gonogo::reference::testing {
 namespace {
 
-Lines after(const std::string& start, const std::string& blocks, const Profile& profile = {}) {
-  Lines all = lines(start + "\n" + blocks, profile);
-  all.erase(all.begin());
-  return all;
-}
-
 // The manual's thread without its run-out: A X65 Z5, C X58.7 Z-28.
 TEST(G92, CutsAThread) {
-  EXPECT_EQ(after("G0 X65 Z5", "G92 X58.7 Z-28 F3"),
+  EXPECT_EQ(lines_after("G0 X65 Z5", "G92 X58.7 Z-28 F3"),
             (Lines{"rapid x29.35", "thread x29.35 z-28 lead3 start0", "rapid x32.5", "rapid z5"}));
 }
 
@@ -24,15 +18,15 @@ TEST(G92, NamesTheClauseOfEachMotion) {
 }
 
 TEST(G92, RetainsWordsAndLead) {
-  EXPECT_EQ(after("G0 X65 Z5", "G92 X58.7 Z-28 F3\nX57.7").at(5),
+  EXPECT_EQ(lines_after("G0 X65 Z5", "G92 X58.7 Z-28 F3\nX57.7").at(5),
             "thread x28.85 z-28 lead3 start0");
-  EXPECT_EQ(after("G0 X65 Z5", "G92 X58.7 Z-28 F3\nG00 X65\nG92 X57.7 Z-28").at(6),
+  EXPECT_EQ(lines_after("G0 X65 Z5", "G92 X58.7 Z-28 F3\nG00 X65\nG92 X57.7 Z-28").at(6),
             "thread x28.85 z-28 lead3 start0");
 }
 
 // R is a true length: B lies 5 mm of radius beyond C on X.
 TEST(G92, CutsATaper) {
-  const Lines got = after("G0 X65 Z5", "G92 X60 Z-28 R-5 F3");
+  const Lines got = lines_after("G0 X65 Z5", "G92 X60 Z-28 R-5 F3");
   EXPECT_EQ(got.at(0), "rapid x25");
   EXPECT_EQ(got.at(1), "thread x30 z-28 lead3 start0");
 }
@@ -49,19 +43,21 @@ TEST(G92, NeedsALead) {
 }
 
 TEST(G92, KeepsItsLeadApartFromTheFeed) {
-  EXPECT_EQ(after("G00 X60", "F200\nG92 X58 Z-28 F3\nG01 Z0").back(), "feed z0 f200");
+  EXPECT_EQ(lines_after("G00 X60", "F200\nG92 X58 Z-28 F3\nG01 Z0").back(), "feed z0 f200");
   EXPECT_EQ(ending("G92 X58 Z-28 F3\nG01 Z1"), "alarm b2 feed-missing");
 }
 
 TEST(G92, TakesItsLeadInABlockThatCutsNothing) {
-  EXPECT_EQ(after("G00 X60", "G92 F2\nG04 P1 F3\nX58 Z-28").back(), "rapid z0");
-  EXPECT_EQ(after("G00 X60", "G92 F2\nG04 P1 F3\nX58 Z-28").at(2), "thread x29 z-28 lead3 start0");
+  EXPECT_EQ(lines_after("G00 X60", "G92 F2\nG04 P1 F3\nX58 Z-28").back(), "rapid z0");
+  EXPECT_EQ(lines_after("G00 X60", "G92 F2\nG04 P1 F3\nX58 Z-28").at(2),
+            "thread x29 z-28 lead3 start0");
 }
 
 TEST(G92, SharesOneFWordUnderItsReading) {
   const Profile profile = profile_with({{"gsk.g92.lead", "feed"}});
-  EXPECT_EQ(after("G00 X60", "F2\nG92 X58 Z-28", profile).at(1), "thread x29 z-28 lead2 start0");
-  EXPECT_EQ(after("G00 X60", "F200\nG92 X58 Z-28 F3\nG01 Z1", profile).back(), "feed z1 f3");
+  EXPECT_EQ(lines_after("G00 X60", "F2\nG92 X58 Z-28", profile).at(1),
+            "thread x29 z-28 lead2 start0");
+  EXPECT_EQ(lines_after("G00 X60", "F200\nG92 X58 Z-28 F3\nG01 Z1", profile).back(), "feed z1 f3");
 }
 
 TEST(G92, TakesTheLeadInInch) {

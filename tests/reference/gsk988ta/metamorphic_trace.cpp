@@ -9,7 +9,7 @@
 namespace gonogo::reference::testing {
 namespace {
 
-struct Look {
+struct SeenOf {
   Plane plane;
 
   Seen operator()(const Record& record) const {
@@ -94,11 +94,6 @@ struct Look {
   }
 };
 
-template <typename Numbers>
-bool same_values(const Numbers& a, const Numbers& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_value);
-}
-
 }  // namespace
 
 bool same_value(const Number& a, const Number& b) {
@@ -120,7 +115,7 @@ bool operator==(const Seen& a, const Seen& b) {
 Trace look(const std::string& program, const Profile& profile, Plane plane, OpenPaths open_paths) {
   Trace trace;
   for (const Item& item : expand(program, profile, open_paths)) {
-    Seen seen = std::visit(Look{plane}, item);
+    Seen seen = std::visit(SeenOf{plane}, item);
     seen.kind = static_cast<int>(item.index());
     trace.push_back(std::move(seen));
   }

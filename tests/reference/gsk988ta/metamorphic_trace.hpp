@@ -3,6 +3,7 @@
 // What the reference says of a program, in the axes of its plane.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,10 @@ using Trace = std::vector<Seen>;
 // Exactly the same. Of two enclosures: they are nowhere apart by more than 2^-256 mm, and the
 // programs are too short for two different values to be as close.
 bool same_value(const Number& a, const Number& b);
+template <typename Numbers>
+bool same_values(const Numbers& a, const Numbers& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_value);
+}
 bool operator==(const Seen& a, const Seen& b);
 
 // An arc, or an open path: it has a centre.

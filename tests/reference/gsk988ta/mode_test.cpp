@@ -8,10 +8,6 @@
 namespace gonogo::reference::testing {
 namespace {
 
-Lines judged(std::string_view program, const Profile& profile = {}) {
-  return lines(program, profile, OpenPaths::judged);
-}
-
 const std::string kEntry = "G110 I16 L3 Q50 D4 F800\n";
 // A pocket of one layer at the axis, 5 below the initial plane; the depth word of G18 is V.
 const std::string kMill = "X0 Z0 V-5";

@@ -54,7 +54,7 @@ TEST(Range, SignedWordsOfG94) {
 }
 
 // A pocket of zero depth: it mills, and reaches the bottom whatever R is.
-const std::string kPocket = "G110 I16 L3 Q5 D4 F800 ";
+const std::string kPocketEntry = "G110 I16 L3 Q5 D4 F800 ";
 
 TEST(Range, SignedWordsOfG110) {
   const std::pair<const char*, const char*> others[] = {
@@ -63,7 +63,7 @@ TEST(Range, SignedWordsOfG110) {
   for (const System& system : kSystems) {
     for (const auto& [address, words] : others) {
       for (const char* sign : {"", "-"}) {
-        std::string program = kPocket;
+        std::string program = kPocketEntry;
         if (std::string(words).find('Q') != std::string::npos) program = "G110 I16 L3 D4 F800 ";
         program += std::string(words) + address + sign;
         EXPECT_FALSE(out_of_range(program + system.one_below, system)) << program << system.name;

@@ -9,8 +9,8 @@ namespace gonogo::reference::testing::hnc {
 namespace {
 
 // The path of one block from A to B, C and D and back.
-Lines rectangle(const std::string& b, const std::string& c_x, const std::string& c_z,
-                const std::string& a_x, const std::string& a_z, const std::string& f) {
+Lines turning_rectangle(const std::string& b, const std::string& c_x, const std::string& c_z,
+                        const std::string& a_x, const std::string& a_z, const std::string& f) {
   return {"rapid x" + b, "feed x" + c_x + " z" + c_z + " f" + f, "feed x" + a_x + " f" + f,
           "rapid z" + a_z};
 }
@@ -18,11 +18,11 @@ Lines rectangle(const std::string& b, const std::string& c_x, const std::string&
 // The textbook's example 9, A X50 Z4, I -8.5: B at X 23.5, 19, 14.5, 10, 8 as diameters.
 TEST(G80, CutsTheTaperOfTheTextbook) {
   Lines want;
-  for (const Lines& block : {rectangle("11.75", "20.25", "-30", "25", "4", "100"),
-                             rectangle("9.5", "18", "-30", "25", "4", "100"),
-                             rectangle("7.25", "15.75", "-30", "25", "4", "100"),
-                             rectangle("5", "13.5", "-30", "25", "4", "100"),
-                             rectangle("4", "12.5", "-30", "25", "4", "40")}) {
+  for (const Lines& block : {turning_rectangle("11.75", "20.25", "-30", "25", "4", "100"),
+                             turning_rectangle("9.5", "18", "-30", "25", "4", "100"),
+                             turning_rectangle("7.25", "15.75", "-30", "25", "4", "100"),
+                             turning_rectangle("5", "13.5", "-30", "25", "4", "100"),
+                             turning_rectangle("4", "12.5", "-30", "25", "4", "40")}) {
     want.insert(want.end(), block.begin(), block.end());
   }
   want.push_back("rapid x25 z50");
@@ -35,16 +35,17 @@ TEST(G80, CutsTheTaperOfTheTextbook) {
 // A X90 Z4: B at X59.245.
 TEST(G80, CutsASlightTaper) {
   EXPECT_EQ(cycle("G00 X90 Z4", "G80 X61.125 Z-30 I-0.94 F80"),
-            rectangle("29.6225", "30.5625", "-30", "45", "4", "80"));
+            turning_rectangle("29.6225", "30.5625", "-30", "45", "4", "80"));
 }
 
 TEST(G80, CutsABore) {
-  EXPECT_EQ(cycle("G00 X28 Z2", "G80 X34 Z-25 F80"), rectangle("17", "17", "-25", "14", "2", "80"));
+  EXPECT_EQ(cycle("G00 X28 Z2", "G80 X34 Z-25 F80"),
+            turning_rectangle("17", "17", "-25", "14", "2", "80"));
 }
 
 // From A: B 21 below on the diameter, C 10 below.
 TEST(G80, TakesIncrementsFromA) {
-  const Lines want = rectangle("-10.5", "-5", "-33", "0", "0", "100");
+  const Lines want = turning_rectangle("-10.5", "-5", "-33", "0", "0", "100");
   EXPECT_EQ(path("G91 G80 X-10 Z-33 I-5.5 F100"), want);
   EXPECT_EQ(path("G80 U-10 W-33 I-5.5 F100"), want);
   EXPECT_EQ(path("G91 G80 U-10 W-33 I-5.5 F100"), want);
@@ -85,7 +86,7 @@ TEST(G80, NeedsAFeed) {
 
 TEST(G80, TakesInItsWordsWithoutAnAxisWord) {
   EXPECT_EQ(path("G80 I-5 F100"), Lines{});
-  EXPECT_EQ(path("G80 I-5 F100\nX20 Z-10"), rectangle("5", "10", "-10", "0", "0", "100"));
+  EXPECT_EQ(path("G80 I-5 F100\nX20 Z-10"), turning_rectangle("5", "10", "-10", "0", "0", "100"));
 }
 
 TEST(G80, PutsItsMFunctionBeforeTheMotions) {
@@ -112,7 +113,7 @@ TEST(G80, KeepsTheMissingAxisUnderItsReading) {
 TEST(G80, TravelsNotAtAllAlongTheMissingAxisUnderItsReading) {
   const Profile none = hnc({{"hnc.missing-axis", "none"}});
   EXPECT_EQ(cycle("G00 X50 Z4", "G80 X40 F100", none),
-            rectangle("20", "20", "4", "25", "4", "100"));
+            turning_rectangle("20", "20", "4", "25", "4", "100"));
   EXPECT_EQ(cycle("G00 X50 Z4", "G80 X40 Z-30 F100\nX30", none).at(5), "feed x15 z4 f100");
 }
 

@@ -8,12 +8,10 @@
 namespace gonogo::reference::testing::hnc {
 namespace {
 
-const std::string kEnd = "end x0 y0 z0 a0 c0";
-
 TEST(G82Rules, NeedsALead) {
   EXPECT_EQ(ending_of("G82 X20 Z-10"), "alarm b1 lead-missing");
   EXPECT_EQ(ending_of("F200\nG82 X20 Z-10"), "alarm b2 lead-missing");
-  EXPECT_EQ(ending_of("G82 F2\nX20 Z-10"), kEnd);
+  EXPECT_EQ(ending_of("G82 F2\nX20 Z-10"), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 F2\nG00 X0\nG82 X20 Z-10"), "alarm b3 lead-missing");
   EXPECT_EQ(ending_of("G32 Z-10 F2\nG82 X20 Z-10"), "alarm b2 lead-missing");
 }
@@ -33,8 +31,8 @@ TEST(G82Rules, FAndJExcludeEachOther) {
 TEST(G82Rules, RAndEAreGivenBothOrNeither) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-2 F2"), "alarm b1 retract-pair");
   EXPECT_EQ(ending_of("G82 X20 Z-10 E1 F2"), "alarm b1 retract-pair");
-  EXPECT_EQ(ending_of("G82 R-2 F2"), kEnd);  // cuts nothing
-  EXPECT_EQ(ending_of("G82 R-2 F2\nX20 Z-10 E1"), kEnd);
+  EXPECT_EQ(ending_of("G82 R-2 F2"), kEndAtOrigin);  // cuts nothing
+  EXPECT_EQ(ending_of("G82 R-2 F2\nX20 Z-10 E1"), kEndAtOrigin);
 }
 
 TEST(G82Rules, ARunOutOfZeroIsNone) {
@@ -46,20 +44,20 @@ TEST(G82Rules, ARunOutOfZeroIsNone) {
 
 // The long axis is Z: abs(E) <= 20 abs(R).
 TEST(G82Rules, TheRatioIsAtMost20) {
-  EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E2 F2"), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E2 F2"), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E2.001 F2"), "alarm b1 retract-ratio");
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E-2.001 F2"), "alarm b1 retract-ratio");
   EXPECT_EQ(ending_of("G82 X20 Z-10 R0 E1 F2"), "alarm b1 retract-ratio");
-  EXPECT_EQ(ending_of("G82 X20 Z-10 R-100 E0.001 F2"), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 R-100 E0.001 F2"), kEndAtOrigin);
 }
 
 // I 10.001 against a travel of 10: X is the long axis, abs(R) <= 20 abs(E). Of equal travels it is
 // Z.
 TEST(G82Rules, TheLongAxisIsThatOfTheLongerTravel) {
-  EXPECT_EQ(ending_of("G82 X20 Z-10 I10.001 R-2 E0.1 F2"), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 I10.001 R-2 E0.1 F2"), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 I10.001 R-2.001 E0.1 F2"), "alarm b1 retract-ratio");
-  EXPECT_EQ(ending_of("G82 X20 Z-10 I-10.001 R-0.1 E5 F2"), kEnd);
-  EXPECT_EQ(ending_of("G82 X20 Z-10 I10 R-2.001 E0.1 F2"), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 I-10.001 R-0.1 E5 F2"), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 I10 R-2.001 E0.1 F2"), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 I10 R-0.1 E2.001 F2"), "alarm b1 retract-ratio");
 }
 
@@ -67,7 +65,7 @@ TEST(G82Rules, TheLongAxisIsThatOfTheLongerTravel) {
 TEST(G82Rules, TheRatioTakesEAsItIsMeant) {
   const Profile diameter = hnc({{"hnc.g82.e-scale", "diameter"}});
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E4 F2"), "alarm b1 retract-ratio");
-  EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E4 F2", diameter), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E4 F2", diameter), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-0.1 E4.001 F2", diameter), "alarm b1 retract-ratio");
 }
 
@@ -82,13 +80,13 @@ TEST(G82Rules, CIsAWholeNumberThatIsNotNegative) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 C1.5 P90 F2"), "alarm b1 not-an-integer");
   EXPECT_EQ(ending_of("G82 X20 Z-10 C-1.5 F2"), "alarm b1 value-sign not-an-integer");
   EXPECT_EQ(ending_of("G82 C1.5"), "alarm b1 not-an-integer");
-  EXPECT_EQ(ending_of("G82 X20 Z-10 C2.0 P90 F2"), kEnd);
+  EXPECT_EQ(ending_of("G82 X20 Z-10 C2.0 P90 F2"), kEndAtOrigin);
 }
 
 TEST(G82Rules, SeveralStartsNeedP) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 C2 F2"), "alarm b1 missing-word");
-  EXPECT_EQ(ending_of("G82 C2 F2"), kEnd);
-  EXPECT_EQ(ending_of("G82 C2 F2\nX20 Z-10 P120"), kEnd);
+  EXPECT_EQ(ending_of("G82 C2 F2"), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G82 C2 F2\nX20 Z-10 P120"), kEndAtOrigin);
 }
 
 TEST(G82Rules, NeedsBothAxes) {

@@ -17,6 +17,7 @@ Lines path(std::string_view program, const Profile& profile = hnc());
 Lines cycle(const std::string& start, const std::string& blocks, const Profile& profile = hnc());
 // The alarm, not-covered or `end` of a program.
 std::string ending_of(std::string_view program, const Profile& profile = hnc());
+inline const std::string kEndAtOrigin = "end x0 y0 z0 a0 c0";
 Lines clauses(std::string_view program, const Profile& profile = hnc());
 Lines touched(std::string_view program, const Profile& profile = hnc());
 

@@ -9,8 +9,6 @@
 namespace gonogo::reference::testing::hnc {
 namespace {
 
-const std::string kEnd = "end x0 y0 z0 a0 c0";
-
 TEST(HncWords, AnAddressStandsOnce) {
   EXPECT_EQ(ending_of("G00 X1 X2"), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M03 M08"), "alarm b1 duplicate-word");
@@ -29,7 +27,7 @@ TEST(HncWords, OneCodeOfAGroup) {
     EXPECT_EQ(ending_of(std::string(pair) + " P1 F1").substr(0, 23), "alarm b1 duplicate-word")
         << pair;
   }
-  EXPECT_EQ(ending_of("G90 G00 G54 G21 G36 G94 G40 G97 X0"), kEnd);
+  EXPECT_EQ(ending_of("G90 G00 G54 G21 G36 G94 G40 G97 X0"), kEndAtOrigin);
 }
 
 TEST(HncWords, ACodeThatTheControlLacksIsTheOnlyAlarm) {

@@ -8,7 +8,7 @@
 namespace gonogo::reference::testing::ngc {
 namespace {
 
-Lines arc(const std::string& block, const Profile& profile = ngc()) {
+Lines arc_path(const std::string& block, const Profile& profile = ngc()) {
   return path("F100\n" + block, profile);
 }
 std::string fault(const std::string& block, const Profile& profile = ngc()) {
@@ -16,17 +16,17 @@ std::string fault(const std::string& block, const Profile& profile = ngc()) {
 }
 
 TEST(NgcArc, G2IsClockwiseAndG3Counterclockwise) {
-  EXPECT_EQ(arc("G2 X2 I1"), Lines{"arc x2 y0 c1,0 rot-1 f100"});
-  EXPECT_EQ(arc("G3 X2 I1"), Lines{"arc x2 y0 c1,0 rot1 f100"});
+  EXPECT_EQ(arc_path("G2 X2 I1"), Lines{"arc x2 y0 c1,0 rot-1 f100"});
+  EXPECT_EQ(arc_path("G3 X2 I1"), Lines{"arc x2 y0 c1,0 rot1 f100"});
 }
 
 // The planes' pairs are (X,Y), (Z,X) and (Y,Z), with the offsets of their own axes.
 TEST(NgcArc, TurnsInThePlaneInForce) {
-  EXPECT_EQ(arc("G17 G2 X1 Y1 I1"), Lines{"arc x1 y1 c1,0 rot-1 f100"});
-  EXPECT_EQ(arc("G18 G2 X1 Z1 I1"), Lines{"arc x1 z1 c0,1 rot-1 f100"});
-  EXPECT_EQ(arc("G18 G3 X1 Z1 K1"), Lines{"arc x1 z1 c1,0 rot1 f100"});
-  EXPECT_EQ(arc("G19 G2 Y1 Z1 J1"), Lines{"arc y1 z1 c1,0 rot-1 f100"});
-  EXPECT_EQ(arc("G19\nG3 Y1 Z1 K1"), Lines{"arc y1 z1 c0,1 rot1 f100"});
+  EXPECT_EQ(arc_path("G17 G2 X1 Y1 I1"), Lines{"arc x1 y1 c1,0 rot-1 f100"});
+  EXPECT_EQ(arc_path("G18 G2 X1 Z1 I1"), Lines{"arc x1 z1 c0,1 rot-1 f100"});
+  EXPECT_EQ(arc_path("G18 G3 X1 Z1 K1"), Lines{"arc x1 z1 c1,0 rot1 f100"});
+  EXPECT_EQ(arc_path("G19 G2 Y1 Z1 J1"), Lines{"arc y1 z1 c1,0 rot-1 f100"});
+  EXPECT_EQ(arc_path("G19\nG3 Y1 Z1 K1"), Lines{"arc y1 z1 c0,1 rot1 f100"});
 }
 
 TEST(NgcArc, NeedsARadiusOrACentre) {
@@ -51,21 +51,21 @@ TEST(NgcArc, AnOffsetOfTheThirdAxisIsAnAlarm) {
 }
 
 TEST(NgcArc, WithTheThirdAxisIsAHelix) {
-  EXPECT_EQ(arc("G2 X2 Z-3 I1"), Lines{"arc x2 y0 z-3 c1,0 rot-1 f100"});
-  EXPECT_EQ(arc("G18 G3 X2 Y5 R1"), Lines{"arc x2 y5 z0 c0,1 rot1 f100"});
+  EXPECT_EQ(arc_path("G2 X2 Z-3 I1"), Lines{"arc x2 y0 z-3 c1,0 rot-1 f100"});
+  EXPECT_EQ(arc_path("G18 G3 X2 Y5 R1"), Lines{"arc x2 y5 z0 c0,1 rot1 f100"});
   EXPECT_EQ(clauses("F1\nG2 X2 Z-3 I1\nX4 Z-3 R1\nX6 I1\nX8 R1\nX10 I1 P2"),
             (Lines{"NGC-ARC-05", "NGC-ARC-05", "NGC-ARC-02", "NGC-ARC-04", "NGC-ARC-05"}));
 }
 
 TEST(NgcArc, RotaryAxesMoveAlong) {
-  EXPECT_EQ(arc("G2 X2 I1 A90 C5"), Lines{"arc x2 y0 a90 c5 c1,0 rot-1 f100"});
+  EXPECT_EQ(arc_path("G2 X2 I1 A90 C5"), Lines{"arc x2 y0 a90 c5 c1,0 rot-1 f100"});
 }
 
 TEST(NgcArc, PIsTheNumberOfTurnsBegun) {
-  EXPECT_EQ(arc("G2 X2 I1 P3"), Lines{"arc x2 y0 c1,0 rot-3 f100"});
-  EXPECT_EQ(arc("G3 X2 R1 P2"), Lines{"arc x2 y0 c1,0 rot2 f100"});
-  EXPECT_EQ(arc("G3 Z5 I1 P4"), Lines{"arc x0 y0 z5 c1,0 rot4 f100"});
-  EXPECT_EQ(arc("G3 X2 I1 P1.0"), Lines{"arc x2 y0 c1,0 rot1 f100"});
+  EXPECT_EQ(arc_path("G2 X2 I1 P3"), Lines{"arc x2 y0 c1,0 rot-3 f100"});
+  EXPECT_EQ(arc_path("G3 X2 R1 P2"), Lines{"arc x2 y0 c1,0 rot2 f100"});
+  EXPECT_EQ(arc_path("G3 Z5 I1 P4"), Lines{"arc x0 y0 z5 c1,0 rot4 f100"});
+  EXPECT_EQ(arc_path("G3 X2 I1 P1.0"), Lines{"arc x2 y0 c1,0 rot1 f100"});
 }
 
 TEST(NgcArc, PIsAPositiveWholeNumber) {
@@ -73,7 +73,7 @@ TEST(NgcArc, PIsAPositiveWholeNumber) {
   EXPECT_EQ(fault("G2 X2 I1 P0"), "alarm b2 value-sign");
   EXPECT_EQ(fault("G2 X2 I1 P-1"), "alarm b2 value-sign");
   EXPECT_EQ(fault("G2 X2 I1 P-1.5"), "alarm b2 value-sign not-an-integer");
-  EXPECT_EQ(arc("G2 X2 I1 P2147483647"), Lines{"arc x2 y0 c1,0 rot-2147483647 f100"});
+  EXPECT_EQ(arc_path("G2 X2 I1 P2147483647"), Lines{"arc x2 y0 c1,0 rot-2147483647 f100"});
   EXPECT_EQ(fault("G2 X2 I1 P2147483648"), "alarm b2 value-out-of-range");
 }
 

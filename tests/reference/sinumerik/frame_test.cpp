@@ -15,7 +15,7 @@ const Profile kRotationOnly = s802({{"sie.g258", "rotation-only"}});
 Lines moves(std::string_view program, const Profile& profile = s802()) {
   return path(program, profile);
 }
-std::string ends(std::string_view block) {
+std::string frame_outcome(std::string_view block) {
   return outcome(block, s802());
 }
 Lines warnings(std::string_view program) {
@@ -119,9 +119,9 @@ TEST(SieFrame, G259AddsAboutTheShiftedZero) {
 }
 
 TEST(SieFrame, WholeTurnsAreNoRotation) {
-  EXPECT_EQ(ends("G258 RPL=720\nG18"), "end");
-  EXPECT_EQ(ends("G258 RPL=405\nG259 RPL=-45\nG18"), "end");
-  EXPECT_EQ(ends("G258 RPL=360.001\nG18"), "plane-not-allowed G");
+  EXPECT_EQ(frame_outcome("G258 RPL=720\nG18"), "end");
+  EXPECT_EQ(frame_outcome("G258 RPL=405\nG259 RPL=-45\nG18"), "end");
+  EXPECT_EQ(frame_outcome("G258 RPL=360.001\nG18"), "plane-not-allowed G");
 }
 
 TEST(SieFrame, G258ReplacesTheTranslationTooOrNot) {
@@ -157,33 +157,33 @@ TEST(SieFrame, TheTranslationIsInTheUnitsInForce) {
 }
 
 TEST(SieFrame, ItsCodesStandAlone) {
-  EXPECT_EQ(ends("N5 G158 X1"), "end");
-  EXPECT_EQ(ends("G158 X1 F5"), "conflicting-words F");
-  EXPECT_EQ(ends("G158 X1 M3"), "conflicting-words M");
-  EXPECT_EQ(ends("G0 G158 X1"), "conflicting-words G");
-  EXPECT_EQ(ends("G158 A5"), "conflicting-words A");
-  EXPECT_EQ(ends("G158 RPL=5"), "conflicting-words RPL");
-  EXPECT_EQ(ends("G258 X5 RPL=5"), "conflicting-words X");
-  EXPECT_EQ(ends("G259 RPL=5 C5"), "conflicting-words C");
-  EXPECT_EQ(ends("G158 X=AC(5)"), "conflicting-words X");
-  EXPECT_EQ(ends("G158 Y=IC(5)"), "conflicting-words Y");
-  EXPECT_EQ(ends("G158 X1 G258 RPL=5"), "duplicate-word G");
-  EXPECT_EQ(ends("G1 X5 RPL=5"), "conflicting-words RPL");
+  EXPECT_EQ(frame_outcome("N5 G158 X1"), "end");
+  EXPECT_EQ(frame_outcome("G158 X1 F5"), "conflicting-words F");
+  EXPECT_EQ(frame_outcome("G158 X1 M3"), "conflicting-words M");
+  EXPECT_EQ(frame_outcome("G0 G158 X1"), "conflicting-words G");
+  EXPECT_EQ(frame_outcome("G158 A5"), "conflicting-words A");
+  EXPECT_EQ(frame_outcome("G158 RPL=5"), "conflicting-words RPL");
+  EXPECT_EQ(frame_outcome("G258 X5 RPL=5"), "conflicting-words X");
+  EXPECT_EQ(frame_outcome("G259 RPL=5 C5"), "conflicting-words C");
+  EXPECT_EQ(frame_outcome("G158 X=AC(5)"), "conflicting-words X");
+  EXPECT_EQ(frame_outcome("G158 Y=IC(5)"), "conflicting-words Y");
+  EXPECT_EQ(frame_outcome("G158 X1 G258 RPL=5"), "duplicate-word G");
+  EXPECT_EQ(frame_outcome("G1 X5 RPL=5"), "conflicting-words RPL");
   EXPECT_EQ(clauses("G158 X1 F5", s802()), Lines{"SIE-FRM-04"});
 }
 
 TEST(SieFrame, G259NeedsAnAngle) {
-  EXPECT_EQ(ends("G259"), "missing-word RPL");
-  EXPECT_EQ(ends("G258"), "end");
+  EXPECT_EQ(frame_outcome("G259"), "missing-word RPL");
+  EXPECT_EQ(frame_outcome("G258"), "end");
 }
 
 TEST(SieFrame, ARotationStaysInItsPlane) {
-  EXPECT_EQ(ends("G258 RPL=30\nG18"), "plane-not-allowed G");
-  EXPECT_EQ(ends("G258 RPL=30\nG17\nG1 X1"), "end");
-  EXPECT_EQ(ends("G258 RPL=30\nG258\nG18"), "end");
-  EXPECT_EQ(ends("G158 X5\nG18"), "end");
-  EXPECT_EQ(ends("G258 RPL=30\nG2 X1 Z1 CR=5"), "plane-not-allowed G");
-  EXPECT_EQ(ends("G158 X5\nG2 X6 Z1 CR=9"), "end");
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG18"), "plane-not-allowed G");
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG17\nG1 X1"), "end");
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG258\nG18"), "end");
+  EXPECT_EQ(frame_outcome("G158 X5\nG18"), "end");
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG2 X1 Z1 CR=5"), "plane-not-allowed G");
+  EXPECT_EQ(frame_outcome("G158 X5\nG2 X6 Z1 CR=9"), "end");
 }
 
 // From base (10, 5) half round (10, 0).
@@ -220,9 +220,9 @@ TEST(SieFrame, TheSister840DHasNone) {
 }
 
 TEST(SieFrame, The802SHasThreeHundredParameters) {
-  EXPECT_EQ(ends("R299=1"), "end");
-  EXPECT_EQ(ends("R300=1"), "value-out-of-range R300");
-  EXPECT_EQ(ends("G0 X=R300"), "value-out-of-range X");
+  EXPECT_EQ(frame_outcome("R299=1"), "end");
+  EXPECT_EQ(frame_outcome("R300=1"), "value-out-of-range R300");
+  EXPECT_EQ(frame_outcome("G0 X=R300"), "value-out-of-range X");
   EXPECT_EQ(outcome("R300=1"), "end");
 }
 

@@ -11,54 +11,54 @@
 namespace gonogo::reference::testing::sie {
 namespace {
 
-std::string ends(std::string_view changes, const Profile& profile = s802()) {
+std::string pocket_outcome(std::string_view changes, const Profile& profile = s802()) {
   return outcome_of_program(pocket_program(changes), profile);
 }
-std::string clause(std::string_view changes, const Profile& profile = s802()) {
+std::string pocket_clause(std::string_view changes, const Profile& profile = s802()) {
   return clauses(pocket_program(changes), profile).back();
 }
 
 TEST(Lcyc75Rules, TheCycleOfTheTestsRuns) {
-  EXPECT_EQ(ends(""), "end");
-  EXPECT_EQ(ends("R127=2"), "end");
+  EXPECT_EQ(pocket_outcome(""), "end");
+  EXPECT_EQ(pocket_outcome("R127=2"), "end");
 }
 
 TEST(Lcyc75Rules, PlanesLieInOrder) {
-  EXPECT_EQ(ends("R101=2"), "end");
-  EXPECT_EQ(ends("R101=1.999"), "reference-plane R101");
-  EXPECT_EQ(ends("R102=-0.001"), "value-sign R102");
-  EXPECT_EQ(ends("R104=0"), "reference-plane R104");
-  EXPECT_EQ(ends("R104=-0.001 R125=0"), "end");
-  EXPECT_EQ(clause("R101=1"), "SIE-LC82-02");
+  EXPECT_EQ(pocket_outcome("R101=2"), "end");
+  EXPECT_EQ(pocket_outcome("R101=1.999"), "reference-plane R101");
+  EXPECT_EQ(pocket_outcome("R102=-0.001"), "value-sign R102");
+  EXPECT_EQ(pocket_outcome("R104=0"), "reference-plane R104");
+  EXPECT_EQ(pocket_outcome("R104=-0.001 R125=0"), "end");
+  EXPECT_EQ(pocket_clause("R101=1"), "SIE-LC82-02");
 }
 
 TEST(Lcyc75Rules, LengthAndWidthAreAboveZero) {
-  EXPECT_EQ(ends("R118=0"), "pocket-size R118");
-  EXPECT_EQ(ends("R119=-1"), "pocket-size R119");
-  EXPECT_EQ(clause("R118=0"), "SIE-LC75-09");
+  EXPECT_EQ(pocket_outcome("R118=0"), "pocket-size R118");
+  EXPECT_EQ(pocket_outcome("R119=-1"), "pocket-size R119");
+  EXPECT_EQ(pocket_clause("R118=0"), "SIE-LC75-09");
 }
 
 // Roughing needs 2 (5 + 0.75) between the walls, finishing 10.
 TEST(Lcyc75Rules, TheToolFitsBetweenTheWalls) {
-  EXPECT_EQ(ends("R118=11.5"), "end");
-  EXPECT_EQ(ends("R118=11.499"), "tool-too-large R118");
-  EXPECT_EQ(ends("R119=11.5"), "end");
-  EXPECT_EQ(ends("R119=11.499"), "tool-too-large R119");
-  EXPECT_EQ(ends("R127=2 R118=10"), "end");
-  EXPECT_EQ(ends("R127=2 R118=9.999"), "tool-too-large R118");
-  EXPECT_EQ(clause("R119=5"), "SIE-LC75-08");
+  EXPECT_EQ(pocket_outcome("R118=11.5"), "end");
+  EXPECT_EQ(pocket_outcome("R118=11.499"), "tool-too-large R118");
+  EXPECT_EQ(pocket_outcome("R119=11.5"), "end");
+  EXPECT_EQ(pocket_outcome("R119=11.499"), "tool-too-large R119");
+  EXPECT_EQ(pocket_outcome("R127=2 R118=10"), "end");
+  EXPECT_EQ(pocket_outcome("R127=2 R118=9.999"), "tool-too-large R118");
+  EXPECT_EQ(pocket_clause("R119=5"), "SIE-LC75-08");
 }
 
 TEST(Lcyc75Rules, ACornerSmallerThanTheToolIsAllowed) {
-  EXPECT_EQ(ends("R120=0"), "end");
-  EXPECT_EQ(ends("R120=-0.001"), "value-sign R120");
+  EXPECT_EQ(pocket_outcome("R120=0"), "end");
+  EXPECT_EQ(pocket_outcome("R120=-0.001"), "value-sign R120");
 }
 
 TEST(Lcyc75Rules, ACornerLargerThanFitsIsAReading) {
   const Profile reject = s802({{"sie.corner", "reject"}});
-  EXPECT_EQ(ends("R120=20.001"), "end");
-  EXPECT_EQ(ends("R120=20", reject), "end");
-  EXPECT_EQ(ends("R120=20.001", reject), "pocket-size R120");
+  EXPECT_EQ(pocket_outcome("R120=20.001"), "end");
+  EXPECT_EQ(pocket_outcome("R120=20", reject), "end");
+  EXPECT_EQ(pocket_outcome("R120=20.001", reject), "pocket-size R120");
   const auto touches = [](std::string_view changes) {
     const Lines names = touched(pocket_program(changes), s802());
     return std::ranges::find(names, "sie.corner") != names.end();
@@ -68,76 +68,76 @@ TEST(Lcyc75Rules, ACornerLargerThanFitsIsAReading) {
 }
 
 TEST(Lcyc75Rules, TheInfeedIsAboveZero) {
-  EXPECT_EQ(ends("R121=0"), "value-sign R121");
-  EXPECT_EQ(ends("R121=-4"), "value-sign R121");
-  EXPECT_EQ(ends("R121=0.001 R104=-0.503"), "end");
+  EXPECT_EQ(pocket_outcome("R121=0"), "value-sign R121");
+  EXPECT_EQ(pocket_outcome("R121=-4"), "value-sign R121");
+  EXPECT_EQ(pocket_outcome("R121=0.001 R104=-0.503"), "end");
 }
 
 TEST(Lcyc75Rules, FeedsAreAboveZero) {
-  EXPECT_EQ(ends("R122=0"), "feed-missing R122");
-  EXPECT_EQ(ends("R123=0"), "feed-missing R123");
-  EXPECT_EQ(ends("R122=-1"), "feed-missing R122");
-  EXPECT_EQ(ends("R122=0.001 R123=0.001"), "end");
+  EXPECT_EQ(pocket_outcome("R122=0"), "feed-missing R122");
+  EXPECT_EQ(pocket_outcome("R123=0"), "feed-missing R123");
+  EXPECT_EQ(pocket_outcome("R122=-1"), "feed-missing R122");
+  EXPECT_EQ(pocket_outcome("R122=0.001 R123=0.001"), "end");
 }
 
 TEST(Lcyc75Rules, TheAllowanceIsSmallerThanTheTool) {
-  EXPECT_EQ(ends("R124=9.999"), "end");
-  EXPECT_EQ(ends("R124=10"), "allowance-too-large R124");
-  EXPECT_EQ(ends("R124=10 R127=2"), "allowance-too-large R124");
-  EXPECT_EQ(ends("R124=-0.001"), "value-sign R124");
-  EXPECT_EQ(ends("R124=0"), "end");
+  EXPECT_EQ(pocket_outcome("R124=9.999"), "end");
+  EXPECT_EQ(pocket_outcome("R124=10"), "allowance-too-large R124");
+  EXPECT_EQ(pocket_outcome("R124=10 R127=2"), "allowance-too-large R124");
+  EXPECT_EQ(pocket_outcome("R124=-0.001"), "value-sign R124");
+  EXPECT_EQ(pocket_outcome("R124=0"), "end");
 }
 
 TEST(Lcyc75Rules, TheAllowanceInDepthLeavesSomething) {
-  EXPECT_EQ(ends("R125=7.999"), "end");
-  EXPECT_EQ(ends("R125=8"), "allowance-too-large R125");
-  EXPECT_EQ(ends("R125=8 R127=2"), "end");
-  EXPECT_EQ(ends("R125=-0.001"), "value-sign R125");
+  EXPECT_EQ(pocket_outcome("R125=7.999"), "end");
+  EXPECT_EQ(pocket_outcome("R125=8"), "allowance-too-large R125");
+  EXPECT_EQ(pocket_outcome("R125=8 R127=2"), "end");
+  EXPECT_EQ(pocket_outcome("R125=-0.001"), "value-sign R125");
 }
 
 TEST(Lcyc75Rules, TheDirectionIsTwoOrThree) {
-  EXPECT_EQ(ends("R126=3"), "end");
+  EXPECT_EQ(pocket_outcome("R126=3"), "end");
   for (const std::string_view value : {"0", "1", "2.001", "4", "-2"}) {
-    EXPECT_EQ(ends("R126=" + std::string(value)), "direction-parameter R126") << value;
+    EXPECT_EQ(pocket_outcome("R126=" + std::string(value)), "direction-parameter R126") << value;
   }
   EXPECT_EQ(ending(circle_program("0"), s802()), "alarm b6 direction-parameter");
 }
 
 TEST(Lcyc75Rules, TheTypeIsOneOrTwo) {
   for (const std::string_view value : {"0", "1.5", "3", "-1"}) {
-    EXPECT_EQ(ends("R127=" + std::string(value)), "machining-type R127") << value;
+    EXPECT_EQ(pocket_outcome("R127=" + std::string(value)), "machining-type R127") << value;
   }
 }
 
 TEST(Lcyc75Rules, NeedsATool) {
-  EXPECT_EQ(ends("T0"), "no-tool T");
-  EXPECT_EQ(ends("D0"), "no-tool T");
-  EXPECT_EQ(ends("T5"), "no-tool T");
-  EXPECT_EQ(ends("D0\nD2"), "end");
-  EXPECT_EQ(ends("D0\nT1 R118=90 R119=90"), "end");
-  EXPECT_EQ(clause("T0"), "SIE-LC75-03");
+  EXPECT_EQ(pocket_outcome("T0"), "no-tool T");
+  EXPECT_EQ(pocket_outcome("D0"), "no-tool T");
+  EXPECT_EQ(pocket_outcome("T5"), "no-tool T");
+  EXPECT_EQ(pocket_outcome("D0\nD2"), "end");
+  EXPECT_EQ(pocket_outcome("D0\nT1 R118=90 R119=90"), "end");
+  EXPECT_EQ(pocket_clause("T0"), "SIE-LC75-03");
   Profile blunt = s802();
   blunt.tools["4"] = 0;
-  EXPECT_EQ(ends("", blunt), "no-tool T");
+  EXPECT_EQ(pocket_outcome("", blunt), "no-tool T");
 }
 
 TEST(Lcyc75Rules, NeedsATurningSpindle) {
-  EXPECT_EQ(ends("M5"), "spindle-stopped S");
-  EXPECT_EQ(ends("S0"), "spindle-stopped S");
-  EXPECT_EQ(ends("M4 S0.1"), "end");
+  EXPECT_EQ(pocket_outcome("M5"), "spindle-stopped S");
+  EXPECT_EQ(pocket_outcome("S0"), "spindle-stopped S");
+  EXPECT_EQ(pocket_outcome("M4 S0.1"), "end");
   Profile turning = s802();
   turning.initial.spindle = 3;
-  EXPECT_EQ(ends("", turning), "end");
+  EXPECT_EQ(pocket_outcome("", turning), "end");
 }
 
 TEST(Lcyc75Rules, NeedsNoFeedOfItsOwn) {
-  EXPECT_EQ(ends("F0"), "end");
+  EXPECT_EQ(pocket_outcome("F0"), "end");
 }
 
 TEST(Lcyc75Rules, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
-  EXPECT_EQ(ends("R127=0 R126=0 R101=0"),
+  EXPECT_EQ(pocket_outcome("R127=0 R126=0 R101=0"),
             "reference-plane R101, direction-parameter R126, machining-type R127");
-  EXPECT_EQ(ends("R121=0 R118=9"), "tool-too-large R118, value-sign R121");
+  EXPECT_EQ(pocket_outcome("R121=0 R118=9"), "tool-too-large R118, value-sign R121");
   EXPECT_EQ(outcome_of_program("LCYC75", s802()),
             "reference-plane R104, pocket-size R118, pocket-size R119, value-sign R121, "
             "feed-missing R122, feed-missing R123, direction-parameter R126, machining-type R127, "

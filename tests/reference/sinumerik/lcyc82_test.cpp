@@ -18,7 +18,7 @@ Lines drills(std::string_view changes, std::string_view before = "G0") {
   all.erase(all.begin());
   return all;
 }
-std::string ends(std::string_view changes) {
+std::string hole_outcome(std::string_view changes) {
   return outcome_of_program(hole(changes), s802());
 }
 
@@ -53,9 +53,9 @@ TEST(Lcyc82, ItsFeedIsThatInForce) {
 }
 
 TEST(Lcyc82, TheRetractPlaneIsNotBelowTheClearance) {
-  EXPECT_EQ(ends("R101=2"), "end");
-  EXPECT_EQ(ends("R101=1.999"), "reference-plane R101");
-  EXPECT_EQ(ends("R101=11 R103=9"), "end");
+  EXPECT_EQ(hole_outcome("R101=2"), "end");
+  EXPECT_EQ(hole_outcome("R101=1.999"), "reference-plane R101");
+  EXPECT_EQ(hole_outcome("R101=11 R103=9"), "end");
 }
 
 TEST(Lcyc82, AsPrintedTheManualsFirstProgramEndsAtTheCycle) {
@@ -66,25 +66,25 @@ TEST(Lcyc82, AsPrintedTheManualsFirstProgramEndsAtTheCycle) {
 }
 
 TEST(Lcyc82, TheDepthIsBelowTheReferencePlane) {
-  EXPECT_EQ(ends("R104=-0.001"), "end");
-  EXPECT_EQ(ends("R104=0"), "reference-plane R104");
-  EXPECT_EQ(ends("R104=1"), "reference-plane R104");
+  EXPECT_EQ(hole_outcome("R104=-0.001"), "end");
+  EXPECT_EQ(hole_outcome("R104=0"), "reference-plane R104");
+  EXPECT_EQ(hole_outcome("R104=1"), "reference-plane R104");
 }
 
 TEST(Lcyc82, ClearanceAndDwellAreNotBelowZero) {
-  EXPECT_EQ(ends("R102=0"), "end");
-  EXPECT_EQ(ends("R102=-0.001"), "value-sign R102");
-  EXPECT_EQ(ends("R105=-0.001"), "value-sign R105");
+  EXPECT_EQ(hole_outcome("R102=0"), "end");
+  EXPECT_EQ(hole_outcome("R102=-0.001"), "value-sign R102");
+  EXPECT_EQ(hole_outcome("R105=-0.001"), "value-sign R105");
   EXPECT_EQ(clauses(hole("R102=-1"), s802()).back(), "SIE-LC82-03");
 }
 
 TEST(Lcyc82, NeedsAFeed) {
-  EXPECT_EQ(ends("F0"), "feed-missing F");
+  EXPECT_EQ(hole_outcome("F0"), "feed-missing F");
   EXPECT_EQ(outcome_of_program("LCYC82", s802()), "reference-plane R104, feed-missing F");
 }
 
 TEST(Lcyc82, AllBrokenRulesAreReportedInTheOrderOfTheirParameters) {
-  EXPECT_EQ(ends("R105=-1 R104=1 R102=-1 R101=-2"),
+  EXPECT_EQ(hole_outcome("R105=-1 R104=1 R102=-1 R101=-2"),
             "reference-plane R101, value-sign R102, reference-plane R104, value-sign R105");
 }
 
@@ -95,7 +95,7 @@ TEST(Lcyc82, AnAlarmStandsAtTheCall) {
 
 TEST(Lcyc82, TheSpindleIsAReading) {
   const Profile alarm = s802({{"sie.spindle", "alarm"}});
-  EXPECT_EQ(ends("M5"), "end");
+  EXPECT_EQ(hole_outcome("M5"), "end");
   EXPECT_EQ(outcome_of_program(hole("M5"), alarm), "spindle-stopped S");
   EXPECT_EQ(outcome_of_program(hole(), alarm), "end");
 }
