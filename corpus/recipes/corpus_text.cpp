@@ -12,10 +12,12 @@
 #include "corpus/recipes/recipe.hpp"
 
 namespace gonogo::recipes {
+
+using Json = nlohmann::ordered_json;
+
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using oracle::Case;
 using oracle::CorpusError;
 

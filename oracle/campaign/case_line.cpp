@@ -12,9 +12,10 @@
 #include "oracle/campaign/results_reader.hpp"
 
 namespace gonogo::oracle {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 bool is_plain(char c) {
   const auto byte = static_cast<unsigned char>(c);

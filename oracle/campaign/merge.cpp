@@ -11,9 +11,10 @@
 #include "oracle/campaign/selection.hpp"
 
 namespace gonogo::oracle {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 // One of the files, read once to see what it is.
 struct Shard {

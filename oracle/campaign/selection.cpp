@@ -9,9 +9,10 @@
 #include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::oracle {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 bool matches(const std::vector<std::string>& globs, const std::string& id) {
   if (globs.empty()) return true;
