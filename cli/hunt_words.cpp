@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "oracle/subjects/text.hpp"
+
 namespace gonogo::cli {
 
 std::chrono::milliseconds time_of(const std::string& text) {
@@ -29,6 +31,33 @@ std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const Hun
     readings.emplace_back(reading->key, choice.substr(equals + 1));
   }
   return readings;
+}
+
+fuzz::GeneratorSettings settings_of(const HuntWords& words) {
+  const auto settings = fuzz::read_settings(words.settings);
+  if (!settings) {
+    throw UsageError(fmt::format(
+        "--settings {} cannot be read. Write as valid=1,boundary=2,blocks=4,readings=off; numbers "
+        "are "
+        "named valid, near-invalid, boundary, raw, blocks, fault-one-in, turns, rings, layers, "
+        "pecks, "
+        "steps, starts; state, readings, parameters, offsets, tools, pockets are on or off.",
+        words.settings));
+  }
+  return *settings;
+}
+
+std::string command_of(const HuntWords& words) {
+  std::string command =
+      fmt::format("gonogo hunt --subject {} --dialect {} --seed {}",
+                  oracle::shell_quoted(words.trial.subject), words.dialect, words.seed);
+  if (words.method != "reference") command += " --method " + words.method;
+  if (!words.profile.empty()) command += " --profile " + oracle::shell_quoted(words.profile);
+  for (const std::string& reading : words.readings) {
+    command += " --reading " + oracle::shell_quoted(reading);
+  }
+  if (!words.settings.empty()) command += " --settings " + words.settings;
+  return command;
 }
 
 HuntEnd::HuntEnd(const HuntWords& words)

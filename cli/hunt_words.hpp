@@ -18,6 +18,7 @@ struct HuntWords {
   std::string method = "reference";
   std::string profile;
   std::vector<std::string> readings;
+  std::string settings;
   std::string time;
   long seed = 1;
   long programs = 0;    // 0: no limit
@@ -29,6 +30,12 @@ std::chrono::milliseconds time_of(const std::string& text);
 
 // REQUIRES: load_profile has taken them.
 std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words);
+
+// What generated programs are like. Throws UsageError.
+fuzz::GeneratorSettings settings_of(const HuntWords& words);
+
+// The hunt on the command line, but for when it is over.
+std::string command_of(const HuntWords& words);
 
 // When a hunt is over, and how far it is.
 struct HuntEnd {

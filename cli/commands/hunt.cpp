@@ -28,6 +28,7 @@ fuzz::HuntOptions hunt_options(const HuntWords& words) {
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
+  options.settings = settings_of(words);
   return options;
 }
 
@@ -56,11 +57,10 @@ class HuntProgress {
 
 // One line that shows the finding again.
 std::string again(const HuntWords& words, const fuzz::Finding& finding, const std::string& id) {
-  const std::string subject = oracle::shell_quoted(words.trial.subject);
   if (id.empty() || !finding.exhibit.before.empty()) {
-    return fmt::format("gonogo hunt --subject {} --dialect {} --seed {} --programs {}", subject,
-                       words.dialect, words.seed, finding.program);
+    return fmt::format("{} --programs {}", command_of(words), finding.program);
   }
+  const std::string subject = oracle::shell_quoted(words.trial.subject);
   const std::string folder = fmt::format("{}/findings/{}", words.trial.out, id);
   return fmt::format("gonogo reduce {} --subject {} --profile {}",
                      oracle::shell_quoted(folder + "/program.nc"), subject,
@@ -144,6 +144,8 @@ void add_hunt(Command& program) {
                  "held against the reference, or against the subject's own answers (reference)");
   command.option("--profile", words->profile, "the machine of every program; without: any");
   command.repeated_option("--reading", words->readings, "one reading as key=value");
+  command.option("--settings", words->settings,
+                 "what generated programs are like: valid=1,boundary=2,blocks=4");
   command.option("--time", words->time,
                  "how long: 90s, 10m, 2h; without it and --programs a minute");
   constexpr long kMost = std::numeric_limits<long>::max();

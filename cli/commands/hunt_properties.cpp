@@ -30,6 +30,7 @@ fuzz::PropertyOptions property_options(const HuntWords& words) {
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
+  options.settings = settings_of(words);
   options.tolerance = trial.tolerance;
   options.run_limit = trial.run_limit;
   return options;
@@ -91,10 +92,7 @@ void keep(const HuntWords& words, std::size_t number, const fuzz::PropertyFindin
 void report(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {
   Output output;
   output.text() = fmt::format("{}. {}\n{}", number, finding.signature(), text_of(finding));
-  output.text() += fmt::format(
-      "  again: gonogo hunt --method properties --subject {} --dialect {} --seed {} --programs "
-      "{}\n\n",
-      oracle::shell_quoted(words.trial.subject), words.dialect, words.seed, finding.number);
+  output.text() += fmt::format("  again: {} --programs {}\n\n", command_of(words), finding.number);
   output.flush();
 }
 

@@ -47,7 +47,7 @@ Specimen Hunt::next() {
     const Specimen& picked = pool_.pick(dice_);
     specimen.bytes = mutate_bytes(dice_, picked.bytes, pool_.pick(dice_).bytes);
     Choices choices{std::span<const std::uint8_t>(specimen.bytes)};
-    specimen.program = generator_.generate(choices, nullptr);
+    specimen.program = generator_.generate(choices, options_.settings, nullptr);
   } else {
     // Some of one parent in a row: what a program leaves behind shows in the next one only if the
     // machine stays the same.
@@ -66,7 +66,7 @@ Specimen Hunt::fresh() {
   specimen.bytes.resize(kBytes);
   for (std::uint8_t& byte : specimen.bytes) byte = dice_.byte();
   Choices choices{std::span<const std::uint8_t>(specimen.bytes)};
-  specimen.program = generator_.generate(choices, nullptr);
+  specimen.program = generator_.generate(choices, options_.settings, nullptr);
   return specimen;
 }
 

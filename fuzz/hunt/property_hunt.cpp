@@ -123,7 +123,7 @@ std::optional<PropertyFinding> PropertyHunt::step() {
   std::vector<std::uint8_t> bytes(kBytes);
   for (std::uint8_t& byte : bytes) byte = dice_.byte();
   Choices choices{std::span<const std::uint8_t>(bytes)};
-  GeneratedProgram program = generator_.generate(choices, nullptr);
+  GeneratedProgram program = generator_.generate(choices, options_.settings, nullptr);
   if (options_.profile) program.profile = *options_.profile;
   for (const auto& [key, value] : options_.readings) program.profile.readings.set(key, value);
   const Trace trace = run(program);

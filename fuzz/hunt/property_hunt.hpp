@@ -18,6 +18,7 @@ struct PropertyOptions {
   std::uint64_t seed = 1;
   std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
+  GeneratorSettings settings;
   std::optional<Number> tolerance;  // mm; nothing: the subject's resolution, else the machine's
   std::chrono::milliseconds run_limit{2'000};
   std::size_t most_records = 5'000;  // of a program
