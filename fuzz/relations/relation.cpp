@@ -2,7 +2,6 @@
 #include "fuzz/relations/relation.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fuzz/relations/related_lines.hpp"
 
@@ -29,11 +28,6 @@ std::size_t spellings(const GeneratedProgram&) {
 // Lines of the tape, names and numbers of programs and blocks have rules of their own.
 bool is_head(const TextLine& line) {
   return line.words.empty() || line.words.front().text.find_first_of("%O:/") == 0;
-}
-
-// Whether it can stand before the head of a program.
-bool is_before_blocks(const TextLine& line) {
-  return line.words.empty() || line.words.front().text.find_first_of("%O(;") == 0;
 }
 
 // Words that are an address and a number. T0101 is not T101 everywhere, and names of programs,
@@ -128,31 +122,15 @@ std::optional<Related> with_modes(const GeneratedProgram& program, std::size_t) 
   return with_block_before(program, modes_of(program.profile));
 }
 
+std::size_t linear_axes(const GeneratedProgram&) {
+  return 3;
+}
+
 std::optional<Related> moved(const GeneratedProgram& program, std::size_t) {
   return translated(program);
 }
 
 }  // namespace
-
-std::vector<std::uint64_t> same_lines(std::size_t count) {
-  std::vector<std::uint64_t> lines(count);
-  std::iota(lines.begin(), lines.end(), 1);
-  return lines;
-}
-
-std::optional<Related> with_block_before(const GeneratedProgram& program, std::string block) {
-  std::vector<TextLine> lines = lines_of(program.text);
-  const auto first = std::ranges::find_if_not(lines, is_before_blocks);
-  if (first == lines.end() || first->words.front().text.front() == '/') return std::nullopt;
-  Related related;
-  related.lines = same_lines(lines.size());
-  for (std::size_t i = static_cast<std::size_t>(first - lines.begin()); i < lines.size(); ++i) {
-    ++related.lines[i];
-  }
-  lines.insert(first, TextLine{{{"", std::move(block)}}, "", "\n"});
-  related.program = {program.profile, text_of(lines)};
-  return related;
-}
 
 std::span<const Relation> relations() {
   static constexpr auto kRelations = std::to_array<Relation>({
@@ -166,6 +144,8 @@ std::span<const Relation> relations() {
        &one, &with_modes},
       {"translation", "A program that is moved as a whole does the same there.", false, &one,
        &moved},
+      {"mirror", "A program that is mirrored along an axis does the same there.", false,
+       &linear_axes, &mirrored},
   });
   return kRelations;
 }

@@ -20,7 +20,8 @@ using reference::Number;
 // The other program, and what of the first one has to come back.
 struct Related {
   GeneratedProgram program;
-  std::array<Number, reference::kAxes> shift;  // of every place, mm
+  std::array<Number, reference::kAxes> shift;        // of every place, mm
+  std::array<bool, reference::kAxes> mirrored = {};  // before the shift
   std::vector<std::uint64_t>
       lines;                  // [n - 1]: where line n of the first program stands; 0: nowhere
   bool is_beginning = false;  // the other program ends where the first goes on

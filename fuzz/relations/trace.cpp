@@ -26,9 +26,24 @@ std::uint64_t line_of(std::uint64_t block, const Related& related) {
   return block == 0 || block > related.lines.size() ? block : related.lines[block - 1];
 }
 
+void mirror(Record& record, const Related& related) {
+  for (std::size_t i = 0; i < reference::kAxes; ++i) {
+    if (!related.mirrored[i]) continue;
+    record.to.at[i] = -record.to.at[i];
+    record.via.at[i] = -record.via.at[i];
+    if (record.kind != RecordKind::arc) continue;
+    const reference::PlaneAxes axes = axes_of(record.plane);
+    if (i == index(axes.d)) continue;
+    record.rot = -record.rot;
+    Number& centre = record.centre[i == index(axes.p) ? 0 : 1];
+    centre = -centre;
+  }
+}
+
 // The record that the other program has to give for this one.
 Record moved(Record record, const Related& related) {
   record.block = line_of(record.block, related);
+  mirror(record, related);
   for (const Axis axis : reference::kAllAxes) {
     const std::size_t i = index(axis);
     record.to.at[i] += related.shift[i];

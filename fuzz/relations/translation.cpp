@@ -73,45 +73,11 @@ bool add_to_expression(TextWord& word, const SmallDecimal& step) {
   return true;
 }
 
-bool holds(const TextLine& line, std::string_view code) {
-  return std::ranges::any_of(line.words,
-                             [&](const TextWord& word) { return code_of(word) == code; });
-}
-
-bool holds_any(const std::vector<TextLine>& lines, std::initializer_list<std::string_view> codes) {
-  return std::ranges::any_of(lines, [&](const TextLine& line) {
-    return std::ranges::any_of(codes, [&](std::string_view code) { return holds(line, code); });
-  });
-}
-
-// Blanks within words take them apart here, and what they say with them.
-bool has_word(const std::vector<TextLine>& lines, bool (*is_it)(const std::string&)) {
-  return std::ranges::any_of(lines, [&](const TextLine& line) {
-    return std::ranges::any_of(line.words, [&](const TextWord& word) { return is_it(word.text); });
-  });
-}
-bool has_bare_g(const std::vector<TextLine>& lines) {
-  return has_word(lines, [](const std::string& text) { return text == "G" || text == "g"; });
-}
-bool has_split_words(const std::vector<TextLine>& lines) {
-  return has_bare_g(lines) || has_word(lines, [](const std::string& text) {
-           const bool goes_on =
-               std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
-           return text.starts_with("=") ||
-                  (goes_on && text != "/");  // a block that may be left out
-         });
-}
-
 std::size_t axis_of(const std::string& address) {
   return address.size() == 1 ? std::string_view("XYZ").find(address) : std::string_view::npos;
 }
 bool is_axis(std::size_t axis) {
   return axis != std::string_view::npos;
-}
-
-// A block that the machine passes over unread.
-bool is_left_out(const TextLine& line, const Profile& profile) {
-  return profile.block_skip && !line.words.empty() && line.words.front().text.front() == '/';
 }
 
 // The modes that say what a number means, as the codes of the lines set them.
