@@ -47,6 +47,9 @@ class ThreadJudge {
   HelixShape shape() const;  // of the helix of the pass
   // Follows the motion along every helix that may have begun, or begins with it.
   MatchResult match_helix(const Motion& motion);
+  bool runs_out_straight() const;
+  Motion straight_run_out() const;
+  bool reading_cuts_deeper() const;
   bool is_straight_run_out(const Motion& motion);
   std::optional<Verdict> finish_run_out(const Motion& motion);
   Similarity run_out_map() const;  // from the start of the helix to the end of the run-out

@@ -34,6 +34,9 @@ OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
   }
   const Clearance clear = clearance(motion, radius(), false);
   if (clear.kind != Clearance::Kind::clear) {
+    if (clear.kind == Clearance::Kind::touches && reading_cuts_deeper()) {
+      return OpenPathAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
+    }
     return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
   }
   // What is left of a helix that ended within the tolerance of its end.
@@ -48,17 +51,32 @@ OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
   return {};
 }
 
+bool ThreadJudge::runs_out_straight() const {
+  const bool named = item_.runout == ThreadRunOut::radial || item_.runout == ThreadRunOut::tangent;
+  return named && item_.runout_length.sign() != 0;
+}
+
+Motion ThreadJudge::straight_run_out() const {
+  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
+  Motion line = helix_.front().want();
+  line.record.kind = RecordKind::feed;
+  line.from = helix_end_;
+  line.record.to[axes_.p] = item_.centre[0] + end.p;
+  line.record.to[axes_.q] = item_.centre[1] + end.q;
+  return line;
+}
+
+// Through the axis and into the far wall, or round and back into the thread: then no path is right.
+bool ThreadJudge::reading_cuts_deeper() const {
+  return runs_out_straight() &&
+         clearance(straight_run_out(), radius(), false).kind != Clearance::Kind::clear;
+}
+
 // Under the readings radial and tangent the run-out is one straight line.
 bool ThreadJudge::is_straight_run_out(const Motion& motion) {
-  if (item_.runout != ThreadRunOut::radial && item_.runout != ThreadRunOut::tangent) return true;
-  if (item_.runout_length.sign() == 0) return true;
+  if (!runs_out_straight()) return true;
   if (!line_) {
-    const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
-    line_want_ = helix_.front().want();
-    line_want_.record.kind = RecordKind::feed;
-    line_want_.from = helix_end_;
-    line_want_.record.to[axes_.p] = item_.centre[0] + end.p;
-    line_want_.record.to[axes_.q] = item_.centre[1] + end.q;
+    line_want_ = straight_run_out();
     line_.emplace(line_want_, loose_);
   }
   const MatchResult result = line_->match(motion);

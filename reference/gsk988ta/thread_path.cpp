@@ -110,7 +110,7 @@ Number turns_of(const ThreadMilling& thread) {
 }
 
 Number safe_radius(const ThreadMilling& thread) {
-  return thread.start_radius + free_side(thread) * run_out_reach(thread, thread.start_radius);
+  return thread.start_radius + free_side(thread) * thread.runout_length;
 }
 
 Point end_of_passes(const ThreadMilling& thread) {

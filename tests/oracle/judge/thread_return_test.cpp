@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "judging.hpp"
+#include "own_outcome.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -81,6 +82,15 @@ TEST(ThreadReturn, AnArcIsFollowedFromWhereTheToolStands) {
   trace.block(4, 900).rapid({{'x', 35}});
   const Verdict verdict = judge_trace(kShallow, trace.text(), "gsk.thread.path=arc");
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
+// A bore of rho_0 = 30 - 3 = 27 and a pass at 28: straight inwards by 60 is the far wall, 4 mm deep
+// in it (a soak run found the NO-GO, seed 20529932). Inwards by 30 is not.
+TEST(ThreadReturn, ARunOutThatItsReadingLeadsIntoTheWallIsAGap) {
+  const reference::Profile profile = profile_of("gsk988ta", {{"gsk.thread.runout", "radial"}});
+  const std::string bore = "G0 X70 Z70 Y20\nG18\nG116 X0 Z0 V-20 R-5 I5 K0 E60 P1 D3 F900 ";
+  EXPECT_EQ(judge_own(bore + "J60\n", profile).kind, VerdictKind::oracle_gap);
+  EXPECT_EQ(judge_own(bore + "J30\n", profile).kind, VerdictKind::pass_exact);
 }
 
 TEST(ThreadReturn, AnotherWayToTheInitialPlaneIsNoGo) {

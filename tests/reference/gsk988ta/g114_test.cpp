@@ -93,6 +93,14 @@ TEST(G114, EndsAtTheSafePositionOfTheLastPass) {
   EXPECT_EQ(ending(kExternal), "end x-9.5 y20 z20 a0 c0");
 }
 
+// rho_0 = 40/2 - 2 = 18, J 20: the run-out is shown to the axis, since a wall is behind it; the way
+// to the safe position, at rho_0 - J = -2, lies in the R plane, where nothing is.
+TEST(G116, HasItsSafePositionBeyondTheAxisWhereJIsLonger) {
+  const Lines got = lines(thread("G116", "I5 J20 K30"));
+  EXPECT_EQ(records(thread("G116", "I5 J20 K30")).at(6).to[Axis::z], Number(0));
+  EXPECT_EQ(got.at(8), "rapid z-2");
+}
+
 TEST(G115, TurnsTheOtherWay) {
   EXPECT_EQ(first_helix(thread("G115", "I5 J2 K30")).rot, 2);
   EXPECT_EQ(first_helix(thread("G117", "I5 J2 K30")).rot, 2);
