@@ -62,6 +62,7 @@ constexpr std::array kDefaults = {
     Choice{"hnc.peck.withdraw", "rapid"},
     Choice{"ngc.arc-tolerance", "nist"},
     Choice{"ngc.full-circle-words", "free"},
+    Choice{"ngc.whole", "exact"},
     Choice{"sie.arc.correct", "any"},
     Choice{"sie.corner", "clamp"},
     Choice{"sie.cr.tolerance", "0"},

@@ -3,6 +3,9 @@
 // Traverses and feeds, and what every motion is written with.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "fuzz/ngc_writer.hpp"
 
 namespace gonogo::fuzz {
@@ -95,9 +98,30 @@ bool NgcWriter::may_have(Fault fault, const std::string& word) const {
   return address != 'S' && address != 'T';
 }
 
+// A number that must be whole, near one of the limits within which interpreters take it as that:
+// 0.0001 and 0.001, of a G code a tenth of them. Digits beyond the sixth decimal may follow.
+std::string NgcWriter::beside_whole(const std::string& word) {
+  const bool must_be_whole =
+      word[0] == 'G' || word[0] == 'M' || (word[0] == 'P' && !dwells_ && word[1] != '-');
+  if (!must_be_whole) return word;
+  // Where they need not be whole exactly, more of them: the program may go on.
+  const bool often = !profile_.readings.is(reference::ReadingKey::ngc_whole, "exact");
+  if (!meets_limit(12) && !(often && puts_wrong(12))) return word;
+  count("beside a whole number");
+  const std::size_t point = std::min(word.find('.'), word.size());
+  const std::int64_t tenths = std::stoll(word.substr(1, point - 1)) * 10 +
+                              (point < word.size() ? word[point + 1] - '0' : 0);
+  const std::int64_t off = choices_.pick({10, 100, 1000}) + choices_.between(-1, 1);
+  const std::int64_t millionths = tenths * 100'000 + any_sign(off);
+  const std::int64_t size = std::abs(millionths);
+  return fmt::format("{}{}{}.{:06}{}", word[0], millionths < 0 ? "-" : "", size / 1'000'000,
+                     size % 1'000'000, choices_.pick({"", "", "0000001", "9999999"}));
+}
+
 // Letters in either case; a blank may stand between a letter and its number.
-std::string NgcWriter::printed(const std::string& word) {
-  if (word.empty()) return word;
+std::string NgcWriter::printed(const std::string& planned) {
+  if (planned.empty()) return planned;
+  const std::string word = beside_whole(planned);
   const bool small = choices_.one_in(20);
   std::string text(1, small ? static_cast<char>(word[0] - 'A' + 'a') : word[0]);
   if (choices_.one_in(30)) text += ' ';

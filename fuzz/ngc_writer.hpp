@@ -72,6 +72,7 @@ class NgcWriter final : ProgramWriter {
   // Where it is now cannot be told.
   void lose_place() { at_ = target_ = {}; }
   void write(Words words);
+  std::string beside_whole(const std::string& word);
 
   int decimals() const override { return 4; }
   std::string stray_word() override;

@@ -65,6 +65,10 @@ class ProgramWriter {
   bool puts_wrong(std::uint32_t one_in) {
     return program_kind_ == ProgramKind::near_invalid && choices_.one_in(one_in);
   }
+  // Whether a value meets one of its limits here, as in one of so many places.
+  bool meets_limit(std::uint32_t one_in) {
+    return program_kind_ == ProgramKind::boundary && choices_.one_in(one_in);
+  }
   // Any alternative of any reading; now and then of several.
   void choose_readings();
 

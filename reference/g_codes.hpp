@@ -88,18 +88,20 @@ class GCodeTable {
   // The code, or nothing when the control lacks it.
   const GCode<Group>* find(const grammar::Decimal& value) const {
     const std::optional<int> tenths = tenths_of(value);
-    if (!tenths) return nullptr;
+    return tenths ? find_tenths(*tenths) : nullptr;
+  }
+  const GCode<Group>* find_tenths(int tenths) const {
     std::size_t low = 0;
     std::size_t high = codes_.size();
     while (low < high) {
       const std::size_t middle = low + (high - low) / 2;
-      if (codes_[middle].tenths < *tenths) {
+      if (codes_[middle].tenths < tenths) {
         low = middle + 1;
       } else {
         high = middle;
       }
     }
-    return low < codes_.size() && codes_[low].tenths == *tenths ? &codes_[low] : nullptr;
+    return low < codes_.size() && codes_[low].tenths == tenths ? &codes_[low] : nullptr;
   }
 
   // Whether two codes of one group stand in the block.
@@ -124,7 +126,12 @@ class GCodeTable {
 
   // The same for one G word, after those before it.
   void read_word(const grammar::Word& word, bool last_wins, GCodeReading& reading) const {
-    const GCode<Group>* code = find(word.value);
+    take(word, find(word.value), last_wins, reading);
+  }
+
+  // The same for a G word that stands for this code; null: for none that the control has.
+  void take(const grammar::Word& word, const GCode<Group>* code, bool last_wins,
+            GCodeReading& reading) const {
     if (code == nullptr) {
       reading.alarms.push_back(undefined_code(word, undefined_));
       return;

@@ -69,6 +69,7 @@ enum class ReadingKey : std::uint8_t {
   hnc_arc_zero_radius,
   ngc_arc_tolerance,
   ngc_full_circle_words,
+  ngc_whole,
   sie_arc_correct,
   sie_cr_tolerance,
   sie_spindle,
@@ -83,7 +84,7 @@ enum class ReadingKey : std::uint8_t {
   sie_corner,
   sie_pocket_path,
 };
-inline constexpr std::size_t kReadings = 63;
+inline constexpr std::size_t kReadings = 64;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

@@ -30,6 +30,7 @@ Fixed read_fraction(const char*& cursor, const char* end, Decimal& number) {
     if (places > kDecimals) places = kDecimals;
   }
   for (; places < kDecimals; ++places) fraction *= 10;
+  number.rounded_up = round_up;
   return fraction + (round_up ? 1 : 0);
 }
 

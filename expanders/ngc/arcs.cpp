@@ -39,11 +39,13 @@ int sense_of(const Machine& machine, bool counterclockwise) {
 // NGC-ARC-05
 int turns_of(Machine& machine, const Block& block) {
   if (!block.has_turns() || machine.has(Fault::kTurnsIgnored)) return 1;
-  const Fixed count = block.number('P').value / kOne;
+  const Decimal& written = block.number('P');
+  const std::optional<Fixed> whole = whole_turns(written, machine.whole);
+  const Fixed count = whole.value_or(written.value / kOne);
   const bool unchecked = machine.has(Fault::kTurnsUnchecked);
-  if (block.number('P').value <= 0 && !unchecked) {
+  if ((whole ? *whole <= 0 : written.value < 0) && !unchecked) {
     machine.complain(AlarmKind::kValueSign, 'P', block);
-  } else if (has_fraction(block, 'P') && !unchecked) {
+  } else if (!whole && !unchecked) {
     machine.complain(AlarmKind::kNotAnInteger, 'P', block);
   } else if (count > std::numeric_limits<std::int32_t>::max() - 1) {
     machine.complain(AlarmKind::kValueOutOfRange, 'P', block);

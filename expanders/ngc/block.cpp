@@ -102,7 +102,7 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
         last_address_ = word.address;
         if (manner.capitals_only && is_small(tokens.from_token())) return Reading::kSyntax;
         if (word.address != 'N') {
-          take(word, position);
+          take(word, position, manner.whole);
         } else if (!first_word || !tokens.has_plain_number() ||
                    follows_comment(line, tokens.from_token())) {
           return Reading::kSyntax;
@@ -113,10 +113,10 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
   }
 }
 
-void Block::take(const Word& word, Position position) {
-  if (word.address == 'G') return take_code(word.number, position);
+void Block::take(const Word& word, Position position, const WholeRule& whole) {
+  if (word.address == 'G') return take_code(whole_tenths(word.number, whole), position);
   if (word.address == 'M') {
-    functions_.push_back({word.number, position});
+    functions_.push_back({whole_function(word.number, whole), word.number.overflow, position});
     return;
   }
   if (words_.has(word.address)) return note_duplicate(word.address, position);
@@ -125,9 +125,9 @@ void Block::take(const Word& word, Position position) {
   positions_[index_of(word.address)] = position;
 }
 
-void Block::take_code(const Decimal& number, Position position) {
+void Block::take_code(std::optional<Fixed> tenths, Position position) {
   any_code_ = true;
-  const Code* code = find_code(number);
+  const Code* code = tenths ? find_code(*tenths) : nullptr;
   if (code == nullptr) {
     unknown_code_ = true;
     return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -9,12 +10,14 @@
 #include "expanders/common/complaints.hpp"
 #include "expanders/common/tokenizer.hpp"
 #include "expanders/ngc/codes.hpp"
+#include "expanders/ngc/whole.hpp"
 
 namespace gonogo::expanders::ngc {
 
 /// An M word.
 struct FunctionWord {
-  Decimal number;
+  std::optional<Fixed> number;  ///< nothing: it is not whole, or too large
+  bool too_large = false;
   Position position = 0;
 };
 
@@ -34,6 +37,7 @@ class Block {
   struct Manner {
     bool block_delete = false;
     bool capitals_only = false;
+    const WholeRule& whole;
   };
 
   Reading read(std::string_view line, Manner manner);
@@ -77,8 +81,8 @@ class Block {
   static std::size_t index_of(char address) { return static_cast<std::size_t>(address - 'A'); }
   void clear();
   Reading unreadable(std::string_view rest);
-  void take(const Word& word, Position position);
-  void take_code(const Decimal& number, Position position);
+  void take(const Word& word, Position position, const WholeRule& whole);
+  void take_code(std::optional<Fixed> tenths, Position position);
   void note_duplicate(char address, Position position);
 
   AddressSet words_;

@@ -64,14 +64,10 @@ constexpr std::array<std::uint8_t, 1000> kIndex = make_index();
 
 }  // namespace
 
-const Code* find_code(const Decimal& number) {
-  constexpr Fixed kTenth = kOne / 10;
-  if (number.overflow || number.finer || number.value < 0 || number.value % kTenth != 0) {
-    return nullptr;
-  }
-  const auto tenths = static_cast<std::uint64_t>(number.value / kTenth);
-  if (tenths >= kIndex.size() || kIndex[tenths] == 0) return nullptr;
-  return &kCodes[kIndex[tenths] - 1u];
+const Code* find_code(Fixed tenths) {
+  if (tenths < 0 || tenths >= static_cast<Fixed>(kIndex.size())) return nullptr;
+  const std::uint8_t place = kIndex[static_cast<std::size_t>(tenths)];
+  return place == 0 ? nullptr : &kCodes[place - 1u];
 }
 
 Function find_function(Fixed m) {

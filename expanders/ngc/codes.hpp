@@ -41,8 +41,8 @@ struct Code {
   Support support;
 };
 
-/// Null: the control has no such code. `number` is the value of the G word.
-const Code* find_code(const Decimal& number);
+/// Null: the control has no such code. `tenths` is ten times the value of the G word.
+const Code* find_code(Fixed tenths);
 
 enum class Function : std::uint8_t { kKnown, kOutside, kUnknown };
 

@@ -11,6 +11,17 @@ constexpr Choice<Configuration> kChoices[] = {
     {"ngc.full-circle-words", "free", "needed", &Configuration::circle_needs_word},
 };
 
+// Values of ngc.whole. A G code is whole in tenths: as it is written, its limit is a tenth.
+struct WholeChoice {
+  const char* name;
+  WholeRule rule;
+};
+constexpr WholeChoice kWholeChoices[] = {
+    {"exact", {}},
+    {"nist", {kOne / 100'000, kOne / 10'000, kOne / 10'000}},
+    {"linuxcnc", {kOne / 10'000, kOne / 10'000, kOne / 1'000}},
+};
+
 class Reader : public ProfileReader {
  public:
   Reader(Configuration& configuration, std::string& message)
@@ -21,6 +32,7 @@ class Reader : public ProfileReader {
   bool setting(const std::string& key, const Json& value) override;
   bool initial(const std::string& key, const Json& value) override;
   bool reading(const std::string& key, const Json& json) override;
+  bool whole(const std::string& key, const Json& json);
 
   Configuration& configuration_;
 };
@@ -37,7 +49,19 @@ bool Reader::initial(const std::string& key, const Json& value) {
   return axis(key, value, configuration_.position);
 }
 
+bool Reader::whole(const std::string& key, const Json& json) {
+  if (is_any(json)) return true;
+  const std::string name = text_of(json);
+  for (const WholeChoice& one : kWholeChoices) {
+    if (name != one.name) continue;
+    configuration_.whole = one.rule;
+    return true;
+  }
+  return refuse(key, json);
+}
+
 bool Reader::reading(const std::string& key, const Json& json) {
+  if (key == "ngc.whole") return whole(key, json);
   const std::optional<bool> read = choice(kChoices, key, json, configuration_);
   return read ? *read : refuse(key, json);
 }

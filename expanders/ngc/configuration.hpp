@@ -6,6 +6,7 @@
 
 #include "expanders/common/axes.hpp"
 #include "expanders/common/profile_reader.hpp"
+#include "expanders/ngc/whole.hpp"
 
 namespace gonogo::expanders::ngc {
 
@@ -23,6 +24,7 @@ struct Configuration {
   // Options; false is the standard machine.
   bool forgiving_arcs = false;     ///< ngc.arc-tolerance
   bool circle_needs_word = false;  ///< ngc.full-circle-words
+  WholeRule whole;                 ///< ngc.whole
 };
 
 /// Reads {"dialect", "profile"}. When it cannot, `message` says what is not implemented or wrong.

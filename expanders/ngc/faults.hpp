@@ -31,6 +31,10 @@ enum class Fault {
   kTurnsIgnored,
   kTurnExtra,
   kTurnsUnchecked,
+  // numbers that have to be whole
+  kWholeLimitRefused,
+  kNearWholeCut,
+  kCodeLimitUnscaled,
   // distances and units
   kG91IgnoredAfterG90,
   kInchFeedUnscaled,

@@ -17,10 +17,6 @@ bool is_after_motion(Fixed m) {
   return is_end(m) || m == 0 || m == 1 || m == 60;
 }
 
-bool is_whole(const Decimal& number) {
-  return !number.overflow && !number.finer && number.value % kOne == 0;
-}
-
 }  // namespace
 
 gonogo_answer Interpreter::run(std::string_view program) {
@@ -39,7 +35,7 @@ gonogo_answer Interpreter::run(std::string_view program) {
 Flow Interpreter::run_line(std::string_view line) {
   const bool deletes =
       machine_.configuration.block_delete || machine_.has(Fault::kBlockDeleteAlways);
-  switch (block_.read(line, {deletes, machine_.has(Fault::kCapitalsOnly)})) {
+  switch (block_.read(line, {deletes, machine_.has(Fault::kCapitalsOnly), machine_.whole})) {
     case Block::Reading::kSyntax:
       machine_.complain(AlarmKind::kSyntax, block_.last_address(), 0);
       return Flow::kAlarm;
@@ -85,9 +81,8 @@ Flow Interpreter::check_coverage() {
     if (block_.has(address)) return unsupported({&address, 1});
   }
   for (const FunctionWord& word : block_.functions()) {
-    const Fixed m = word.number.value / kOne;
-    if (is_whole(word.number) && find_function(m) == Function::kOutside) {
-      return unsupported('M', static_cast<unsigned>(m * 10));
+    if (word.number && find_function(*word.number) == Function::kOutside) {
+      return unsupported('M', static_cast<unsigned>(*word.number * 10));
     }
   }
   return Flow::kContinue;
@@ -107,10 +102,8 @@ void Interpreter::check_block() {
 bool Interpreter::check_functions() {
   std::uint32_t groups = 0;
   for (const FunctionWord& word : block_.functions()) {
-    const bool known =
-        !word.number.overflow && find_function(word.number.value / kOne) == Function::kKnown;
-    if (known && word.number.value >= 0 && is_whole(word.number)) {
-      const auto group = static_cast<unsigned>(group_of(word.number.value / kOne));
+    if (word.number && find_function(*word.number) == Function::kKnown) {
+      const auto group = static_cast<unsigned>(group_of(*word.number));
       if ((groups >> group & 1U) != 0) {  // NGC-COM-01
         machine_.complain(AlarmKind::kDuplicateWord, 'M', word.position);
         return false;
@@ -118,7 +111,7 @@ bool Interpreter::check_functions() {
       groups |= 1U << group;
       continue;
     }
-    const bool fraction = !word.number.overflow && !is_whole(word.number);
+    const bool fraction = !word.number && !word.too_large;
     machine_.complain(fraction ? AlarmKind::kNotAnInteger : AlarmKind::kUndefinedCode, 'M',
                       word.position);
     return false;
@@ -212,7 +205,7 @@ Flow Interpreter::perform_plan(const Plan& plan) {
 // The M functions of the block that run before or after its motion, and the end of the program.
 Flow Interpreter::run_functions(bool before) {
   for (const FunctionWord& word : block_.functions()) {
-    const Fixed m = word.number.value / kOne;
+    const Fixed m = *word.number;
     if (is_after_motion(m) == before) continue;
     if (!machine_.tracer.function(static_cast<int>(m))) return Flow::kStopped;
     if (is_end(m) && !machine_.has(Fault::kEndIgnored)) return Flow::kEnd;

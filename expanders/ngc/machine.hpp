@@ -18,13 +18,19 @@ class Machine : public Complaints<AlarmKind> {
       : configuration(machine_configuration),
         state(machine_configuration),
         tracer(sink, state.position, state.line),
-        fault_(planted) {}
+        whole(machine_configuration.whole),
+        fault_(planted) {
+    whole.limit_refused = has(Fault::kWholeLimitRefused);
+    whole.cut = has(Fault::kNearWholeCut);
+    if (has(Fault::kCodeLimitUnscaled)) whole.code = whole.function;
+  }
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
   const Configuration& configuration;
   State state;
   Tracer tracer;
+  WholeRule whole;
 
   bool has(Fault planted) const { return fault_ == planted; }
 
@@ -47,9 +53,6 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes);
 
 /// The length of `address` in mm, by the units in force; the word must be there.
 Fixed length_of(const Machine& machine, const Block& block, char address);
-
-/// Whether the number of `address` is not whole; the word must be there.
-bool has_fraction(const Block& block, char address);
 
 /// Complains about numbers that are too large to reckon with.
 void check_sizes(Machine& machine, const Block& block);

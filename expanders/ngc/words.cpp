@@ -42,11 +42,6 @@ Fixed length_of(const Machine& machine, const Block& block, char address) {
   return machine.state.inch ? to_millimetres(written) : written;
 }
 
-bool has_fraction(const Block& block, char address) {
-  const Decimal& number = block.number(address);
-  return number.finer || number.value % kOne != 0;
-}
-
 void check_sizes(Machine& machine, const Block& block) {
   for (std::uint32_t bits = block.words().bits(); bits != 0; bits &= bits - 1) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));

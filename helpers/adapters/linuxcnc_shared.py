@@ -27,6 +27,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
 READINGS = {
     "readings.ngc.arc-tolerance": lambda value: value in ("linuxcnc", "any"),
     "readings.ngc.full-circle-words": lambda value: value in ("free", "any"),
+    "readings.ngc.whole": lambda value: value in ("linuxcnc", "any"),
 }
 
 

@@ -13,6 +13,7 @@ const kHarmless = {
   'initial.spindle': (value) => value === 'M5' || value === 'M05',
   'readings.ngc.arc-tolerance': (value) => value === 'any',
   'readings.ngc.full-circle-words': (value) => value === 'any',
+  'readings.ngc.whole': (value) => value === 'any',
 };
 for (const word of ['x', 'y', 'z', 'a', 'c', 'f']) kHarmless[`initial.${word}`] = isZero;
 

@@ -39,6 +39,7 @@ _HARMLESS = {
     "initial.x": _zero, "initial.y": _zero, "initial.z": _zero, "initial.a": _zero,
     "initial.c": _zero, "initial.f": _zero, "resolution": anything,
     "readings.ngc.arc-tolerance": one_of("any"), "readings.ngc.full-circle-words": one_of("any"),
+    "readings.ngc.whole": one_of("any"),
 }
 
 

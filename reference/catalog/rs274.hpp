@@ -53,7 +53,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. An axis word or a modal group twice in a "
      "block, a code that the language lacks, and R with I J K are alarms. G40 G49 G54 G61 G64 G80 "
-     "M6 S and T are passed over.",
+     "M6 S and T are passed over. M functions, G codes times ten and P of an arc are whole "
+     "numbers.",
      "reference/rs274/interpreter.cpp"},
 });
 

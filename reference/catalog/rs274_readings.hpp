@@ -29,6 +29,17 @@ inline std::vector<Reading> rs274_readings() {
        false,
        "NGC-ARC-04"_clause,
        "an arc by its centre without an axis word of the plane: a full circle, or an alarm"},
+      {ReadingKey::ngc_whole,
+       "ngc.whole",
+       "rs274",
+       {"exact", "nist", "linuxcnc"},
+       "exact",
+       false,
+       false,
+       "NGC-COM-01"_clause,
+       "how far an M function, ten times a G code, or P of an arc may be from a whole number and "
+       "count as it: not at all; by 0.0001, as NIST's report says; or, as LinuxCNC has it, by "
+       "0.0001 for M and 0.001 for the others"},
   };
 }
 

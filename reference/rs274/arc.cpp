@@ -8,6 +8,7 @@
 
 #include "reference/arc_centre.hpp"
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -38,19 +39,23 @@ constexpr char axis_address(Axis axis) {
 std::optional<std::int32_t> turns_of(BlockContext& block) {
   if (!block.p_is_turns) return 1;
   const ClauseId clause = "NGC-ARC-05"_clause;
-  const Number turns = block.words.written('P');
-  const std::optional<std::int64_t> whole = turns.to_int64();
-  if (turns.sign() <= 0) {
+  const Number written = block.words.written('P');
+  const NearWhole turns(written);
+  const bool is_whole = turns.counts_as_whole(Whole::turns, block.readings);
+  const bool is_positive = (is_whole ? turns.nearest() : written).sign() > 0;
+  if (!is_positive) {
     block.alarm(AlarmClass::value_sign, clause, 'P', "The number of turns is not above zero.");
   }
-  if (!whole) {
+  if (!is_whole) {
     block.alarm(AlarmClass::not_an_integer, clause, 'P', "The number of turns is not whole.");
-  } else if (*whole > std::numeric_limits<std::int32_t>::max()) {
-    block.alarm(AlarmClass::value_out_of_range, clause, 'P', "The number of turns is too large.");
-  } else if (*whole > 0) {
-    return static_cast<std::int32_t>(*whole);
+    return std::nullopt;
   }
-  return std::nullopt;
+  if (turns.nearest() > Number(std::numeric_limits<std::int32_t>::max())) {
+    block.alarm(AlarmClass::value_out_of_range, clause, 'P', "The number of turns is too large.");
+    return std::nullopt;
+  }
+  if (!is_positive) return std::nullopt;
+  return static_cast<std::int32_t>(turns.nearest().to_int64().value());
 }
 
 // NGC-ARC-04. Nothing when the rules are broken.

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/rs274/whole.hpp"
+#include "reference/words.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 
@@ -100,10 +103,25 @@ static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
 constexpr GCodeTable<Group> kTable{kCodes, "NGC-COM-01"_clause, "NGC-COM-01"_clause};
 
+// NGC-COM-01: the code whose number the word has, or is near enough to. Null: the language has
+// none.
+const Code* code_of(const grammar::Word& word, const ReadingsInUse& readings) {
+  if (const Code* code = kTable.find(word.value)) return code;
+  const NearWhole tenths(to_number(word.value) * 10);
+  if (tenths.is_whole()) return nullptr;
+  const std::optional<std::int64_t> nearest = tenths.nearest().to_int64();
+  if (!nearest || *nearest < 0 || *nearest > kCodes.back().tenths) return nullptr;
+  const Code* code = kTable.find_tenths(static_cast<int>(*nearest));
+  return code != nullptr && tenths.counts_as_whole(Whole::g_tenths, readings) ? code : nullptr;
+}
+
 }  // namespace
 
-void read_codes(const grammar::Block& block, CodeReading& reading) {
-  kTable.read(block, false, reading);
+void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading) {
+  reading.clear();
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'G') kTable.take(word, code_of(word, readings), false, reading);
+  }
   reading.codes = {.once = reading.of(Group::once),
                    .motion = reading.of(Group::motion),
                    .plane = reading.of(Group::plane),

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "reference/g_codes.hpp"
+#include "reference/reading.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -44,7 +45,7 @@ struct BlockCodes {
 struct CodeReading : GCodeReading {
   BlockCodes codes;
 };
-void read_codes(const grammar::Block& block, CodeReading& reading);
+void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading);
 
 // The codes that the gauge does not read, and those that it passes over.
 std::span<const OutsideCode> outside_codes();

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -72,16 +73,24 @@ void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& ou
   }
 }
 
+// NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
+std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
+  const NearWhole number(to_number(word.value));
+  if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
+  return number.nearest().to_int64();
+}
+
 // NGC-COM-01
-void take_m_function(const grammar::Word& word, std::uint64_t line, BlockOutput& out) {
+void take_m_function(const grammar::Word& word, std::uint64_t line, const ReadingsInUse& readings,
+                     BlockOutput& out) {
   const ClauseId clause = "NGC-COM-01"_clause;
-  const Number value = to_number(word.value);
-  if (value != value.floor()) {
+  const NearWhole value(to_number(word.value));
+  if (!value.counts_as_whole(Whole::m_function, readings)) {
     out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
                           "The number of an M function is whole."});
     return;
   }
-  const std::optional<std::int64_t> number = value.to_int64();  // nothing: too large
+  const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large
   const MFunction function = number ? m_function(*number) : MFunction::undefined;
   if (function == MFunction::undefined) {
     out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
@@ -106,11 +115,12 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, BlockOutput&
 }
 
 // NGC-COM-01
-void check_m_groups(const grammar::Block& block, std::vector<Alarm>& alarms) {
+void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
+                    std::vector<Alarm>& alarms) {
   std::uint32_t seen = 0;
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
-    const std::optional<std::int64_t> number = to_number(word.value).to_int64();
+    const std::optional<std::int64_t> number = m_number(word, readings);
     if (!number || m_function(*number) == MFunction::undefined) continue;
     const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(m_group(*number));
     if ((seen & group) != 0) {
@@ -123,10 +133,10 @@ void check_m_groups(const grammar::Block& block, std::vector<Alarm>& alarms) {
 }
 
 // P belongs to the motion where no other code of the block takes it.
-bool p_is_turns(const BlockWords& words, const BlockCodes& codes) {
+bool p_is_turns(const BlockWords& words, const BlockCodes& codes, const ReadingsInUse& readings) {
   if (!words.has('P') || codes.once == 4 || codes.path_mode == 64) return false;
-  return std::ranges::none_of(words.block().words, [](const grammar::Word& word) {
-    return word.address == 'M' && takes_p(to_number(word.value).to_int64().value_or(0));
+  return std::ranges::none_of(words.block().words, [&](const grammar::Word& word) {
+    return word.address == 'M' && takes_p(m_number(word, readings).value_or(0));
   });
 }
 
@@ -155,7 +165,7 @@ void Interpreter::run_motion(BlockContext& block) const {
 void Interpreter::run_block(BlockContext& block) const {
   const ClauseId clause = "NGC-COM-01"_clause;
   check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
-  check_m_groups(block.words.block(), block.out.alarms);
+  check_m_groups(block.words.block(), block.readings, block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
   if (block.codes.once == 4) run_dwell(block);
   run_motion(block);
@@ -169,7 +179,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   if (block.words.empty()) return;
   has_begun_ = true;
-  read_codes(block, reading_);
+  read_codes(block, readings_, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
     out.not_covered->block = line;
@@ -181,7 +191,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   });
   check_axes(block, line, out);
   for (const grammar::Word& word : block.words) {
-    if (word.address == 'M') take_m_function(word, line, out);
+    if (word.address == 'M') take_m_function(word, line, readings_, out);
   }
   if (out.not_covered) {
     // What is not covered goes before what is wrong.
@@ -203,7 +213,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
                        machine_,
                        words,
                        codes,
-                       p_is_turns(words, codes)};
+                       p_is_turns(words, codes, readings_)};
   run_block(context);
   sort_by_place(out.alarms);
 }

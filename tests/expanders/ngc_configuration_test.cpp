@@ -26,7 +26,8 @@ TEST(NgcConfiguration, DefaultsWrittenOutAreAccepted) {
   EXPECT_EQ(create_ngc(R"({"dialect":"rs274","units":"mm","increment":"ISB","resolution":"0.0001",
       "x_diameter":false,"initial":{"x":"0","y":"0","z":"0","a":"0","c":"0","f":"0","plane":"G17",
       "motion":"none","spindle":"0"},"offsets":{},"tools":{},"parameters":{},"readings":
-      {"ngc.arc-tolerance":"any","ngc.full-circle-words":"free"},"alarm_timing":"block",
+      {"ngc.arc-tolerance":"any","ngc.full-circle-words":"free",
+      "ngc.whole":"exact"},"alarm_timing":"block",
       "block_skip":false})"),
             GONOGO_OK);
 }
@@ -35,8 +36,8 @@ TEST(NgcConfiguration, WhatIsNotImplementedIsRefused) {
   for (const char* profile :
        {R"({"x_diameter":true})", R"({"offsets":{"G54":{"x":"1"}}})",
         R"({"initial":{"motion":"G02"}})", R"({"readings":{"ngc.arc-tolerance":"other"}})",
-        R"({"readings":{"hnc.g75.i":"I"}})", R"({"alarm_timing":"program"})", R"({"unknown":1})",
-        R"({"initial":{"f":"-1"}})"}) {
+        R"({"readings":{"ngc.whole":"other"}})", R"({"readings":{"hnc.g75.i":"I"}})",
+        R"({"alarm_timing":"program"})", R"({"unknown":1})", R"({"initial":{"f":"-1"}})"}) {
     EXPECT_EQ(create_ngc(profile), GONOGO_UNSUPPORTED) << profile;
   }
 }

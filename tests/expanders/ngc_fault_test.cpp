@@ -57,7 +57,23 @@ const Exhibit kNgcExhibits[] = {
     {"feed-survives-reset", "G1 X1 F9\n", "1 feed x=1 f=9\n"},
 };
 
+// Those of numbers that must be whole show where they need not be so exactly.
+constexpr const char* kNearIsWhole = R"({"readings":{"ngc.whole":"nist"}})";
+const ProfiledExhibit kNgcWholeExhibits[] = {
+    {"whole-limit-refused", "G2 X4 I2 P3.0001 F9\n", kNearIsWhole},
+    {"near-whole-cut", "M7.99995\n", kNearIsWhole},
+    {"code-limit-unscaled", "G0.0001 X1\n", kNearIsWhole},
+};
+
 class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
+class PlantedNgcWholeFault : public ::testing::TestWithParam<ProfiledExhibit> {};
+
+TEST_P(PlantedNgcWholeFault, Shows) {
+  expect_shown(GetParam(), "ngc", "G0 X1\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcWholeFault, ::testing::ValuesIn(kNgcWholeExhibits),
+                         FaultName());
 
 TEST_P(PlantedNgcFault, Shows) {
   // After the reset without a feed of its own.
@@ -74,6 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kNgcExhibits)
 TEST(PlantedNgcFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
   for (const Exhibit& exhibit : kNgcExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledExhibit& exhibit : kNgcWholeExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
     known.insert(fault.name);

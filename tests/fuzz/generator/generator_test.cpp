@@ -90,6 +90,13 @@ TEST(Generator, ABoundaryProgramHasValuesThatMeetOthers) {
   }
 }
 
+TEST(Generator, ABoundaryProgramOfRs274HasNumbersThatAreNearlyWhole) {
+  for (const Generator& generator : generators()) {
+    if (generator.dialect != "rs274") continue;
+    EXPECT_GT(times(held(generator, only(ProgramKind::boundary), 300), "beside a whole"), 50U);
+  }
+}
+
 TEST(Generator, ARawProgramHasLinesThatCanBeReadAndSuchThatCannot) {
   for (const Generator& generator : generators()) {
     const grammar::Dialect dialect = reference::find_dialect(generator.dialect)->grammar;

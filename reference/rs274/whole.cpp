@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/whole.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+// NISTIR 6556, 3.3.2.1: close enough is "within 0.0001 of an integer".
+const Number kOfNist = Number::millionths(100);
+
+// As measured: LinuxCNC keeps to it for M functions alone.
+Number limit_of_linuxcnc(Whole what) {
+  return what == Whole::m_function ? kOfNist : Number::millionths(1000);
+}
+
+}  // namespace
+
+NearWhole::NearWhole(const Number& value)
+    : nearest_((value + Number::millionths(500'000)).floor()), off_(abs(value - nearest_)) {}
+
+// NGC-COM-01
+bool NearWhole::counts_as_whole(Whole what, const ReadingsInUse& readings) const {
+  if (is_whole()) return true;
+  const bool by_nist = off_ <= kOfNist;
+  const bool by_linuxcnc = off_ <= limit_of_linuxcnc(what);
+  if (!by_nist && !by_linuxcnc) return false;
+  if (readings.is(ReadingKey::ngc_whole, "exact")) return false;
+  return readings.is(ReadingKey::ngc_whole, "linuxcnc") ? by_linuxcnc : by_nist;
+}
+
+}  // namespace gonogo::reference::rs274
