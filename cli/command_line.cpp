@@ -120,7 +120,7 @@ CommandText CommandLine::description() const {
 
 CommandLine::CommandLine(const std::string& name, const std::string& text,
                          const std::string& version)
-    : app_(std::make_unique<CLI::App>(text, name)), exit_code_(kGo), program_(*app_, exit_code_) {
+    : app_(std::make_unique<CLI::App>(text, name)), program_(*app_, exit_code_) {
   app_->set_version_flag("--version", version);
   app_->require_subcommand(1);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/exit_code.hpp"
+
 namespace CLI {
 class App;
 }
@@ -84,7 +86,7 @@ class CommandLine {
 
  private:
   std::unique_ptr<CLI::App> app_;
-  int exit_code_;
+  int exit_code_ = kGo;
   Command program_;
 };
 

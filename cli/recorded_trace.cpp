@@ -41,7 +41,7 @@ oracle::RunEnd read_records(int descriptor, const Take& take) {
       if (!take(*record)) return end;
     } else if (auto* alarm = std::get_if<oracle::SubjectAlarm>(&read)) {
       end.kind = oracle::RunEnd::Kind::alarm;
-      end.alarm = *std::move(alarm);
+      end.alarm = std::move(*alarm);
     } else {
       return fault(fmt::format("Line {} of the trace: {}", line.number,
                                std::get<oracle::TraceFault>(read).message));

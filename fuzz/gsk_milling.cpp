@@ -43,7 +43,7 @@ void GskWriter::pocket_block() {
   if (sized) {
     const std::int64_t tool = length(5) + choices_.below(3) + 1;
     const std::int64_t step = choices_.between(1, 2 * tool) - (choices_.one_in(2) ? 1 : 0);
-    const std::int64_t rings = choices_.between(0, settings_.rings * 4);
+    const std::int64_t rings = choices_.between(0, std::int64_t{settings_.rings} * 4);
     const std::int64_t reach = (step > 0 ? step : 1) * rings / 4 + choices_.below(2);
     words.push_back(word('I', tool + reach));
     words.push_back(word('L', step));
@@ -107,7 +107,7 @@ void GskWriter::thread_block() {
   count(internal ? "internal thread" : "external thread");
   const bool down = choices_.below(6) != 0;
   // Quarters of a turn, and now and then any part of one.
-  const std::int64_t lead = length(4) + choices_.below(20) * 4;
+  const std::int64_t lead = length(4) + std::int64_t{choices_.below(20)} * 4;
   std::int64_t depth = lead * choices_.between(0, 16) / 4 + choices_.below(4) / 3;
   if (depth < 3) depth = 0;  // the passes within the tolerance's depth cannot be told apart
   mill_place(words, down ? -depth : depth);

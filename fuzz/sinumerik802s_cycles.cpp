@@ -295,8 +295,8 @@ void SinumerikWriter::pocket_block() {
   choose_planes(values);
   choose_pocket(values, tools_[static_cast<std::size_t>(tool - 1)]);
   choose_depths(values);
-  values[122] = (20 + choices_.below(200)) * 1'000;
-  values[123] = (20 + choices_.below(200)) * 1'000;
+  values[122] = (20 + choices_.below(200)) * 1'000L;
+  values[123] = (20 + choices_.below(200)) * 1'000L;
   if (!faulted_ && !lacks && puts_wrong(12)) break_pocket(values);
   const bool broken = faulted_ || lacks;
   faulted_ = false;

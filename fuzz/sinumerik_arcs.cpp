@@ -166,7 +166,7 @@ void SinumerikWriter::radius_arc(Words& words, int plane) {
   if (helix) helix_words(words);
   // Left of the chord: G3 of at most half a turn.
   const double unit = state_.mm_of_count();
-  const double r = static_cast<double>(radius);
+  const auto r = static_cast<double>(radius);
   const double side = (state_.motion == kCounterclockwise) == major ? -1 : 1;
   const double height = side * std::sqrt(std::max(0.0, r * r - half * half)) / (2 * half);
   const PlaneOf axes = plane_of(plane);

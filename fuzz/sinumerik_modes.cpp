@@ -156,8 +156,8 @@ void SinumerikWriter::syntax_line() {
   count("syntax");
   text_ += choices_.pick({"CR5\n", "X\n", "G=1\n", "X=\n", "R5\n", "X=(5\n", "X=5+\n", "X5)\n",
                           "X=AC(5\n", "CR=AC(5)\n", "RP=IC(3)\n", "X--5\n", "X1.2.3\n", "I1=\n",
-                          "X\xE2\x88\x92"
-                          "5\n",
+                          ("X\xE2\x88\x92"
+                           "5\n"),
                           "X=SIN 30\n", "X5 ! Y3\n", "X=5*/2\n"});
 }
 

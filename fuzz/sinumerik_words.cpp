@@ -235,7 +235,7 @@ bool SinumerikWriter::may_have(Fault fault, const std::string& word) const {
       return is_value && kind_ != Kind::dwell && kind_ != Kind::other && kind_ != Kind::cycle;
     case Fault::zero:
       // Whether the tool stands at a pole is not for rounding to decide.
-      return is_value && address != 'S' && word.compare(0, 3, "RP=") != 0 && kind_ != Kind::other &&
+      return is_value && address != 'S' && !word.starts_with("RP=") && kind_ != Kind::other &&
              kind_ != Kind::cycle;
     case Fault::stray:
       return kind_ != Kind::other;

@@ -108,7 +108,10 @@ bool LineSource::next(Line& line) {
   if (begin_ == end_ && !fill()) return false;
   if (skip_line_feed_) {
     skip_line_feed_ = false;
-    if (buffer_[begin_] == '\n' && ++begin_ == end_ && !fill()) return false;
+    if (buffer_[begin_] == '\n') {
+      ++begin_;
+      if (begin_ == end_ && !fill()) return false;
+    }
   }
 
   std::size_t size = 0;

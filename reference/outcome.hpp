@@ -20,9 +20,7 @@ enum class AlarmClass : std::uint8_t {
 #include "reference/alarm_classes.def"
 };
 std::string_view name(AlarmClass alarm);
-std::string_view sentence(AlarmClass alarm);
 std::optional<AlarmClass> alarm_class(std::string_view text);
-std::span<const std::string_view> alarm_class_names();
 
 // One rule that a block breaks.
 struct Alarm {

@@ -14,10 +14,6 @@ constexpr std::array kAlarmNames = std::to_array<std::string_view>({
 #define GONOGO_ALARM(name, text, sentence) text,
 #include "reference/alarm_classes.def"
 });
-constexpr std::array kAlarmSentences = std::to_array<std::string_view>({
-#define GONOGO_ALARM(name, text, sentence) sentence,
-#include "reference/alarm_classes.def"
-});
 
 void append_integer(std::int64_t value, std::string& out) {
   std::array<char, 24> digits;
@@ -72,19 +68,11 @@ std::string_view name(AlarmClass alarm) {
   return kAlarmNames[static_cast<std::size_t>(alarm)];
 }
 
-std::string_view sentence(AlarmClass alarm) {
-  return kAlarmSentences[static_cast<std::size_t>(alarm)];
-}
-
 std::optional<AlarmClass> alarm_class(std::string_view text) {
   for (std::size_t i = 0; i < kAlarmNames.size(); ++i) {
     if (kAlarmNames[i] == text) return static_cast<AlarmClass>(i);
   }
   return std::nullopt;
-}
-
-std::span<const std::string_view> alarm_class_names() {
-  return kAlarmNames;
 }
 
 void append_json(const Record& record, std::string& out) {

@@ -127,7 +127,7 @@ class Machine {
     execute(values);
   }
 
-  void take(char letter, std::int64_t value, Values& values) {
+  void take(char letter, std::int64_t value, Values& values) const {
     const bool first = values.empty() && !any_g_;
     if (letter == 'N' && !first) throw NotSupported{"N inside a block"};
     if (letter == 'M' && value != 2 * kMillimetre && value != 30 * kMillimetre) {
@@ -171,7 +171,7 @@ class Machine {
   }
 
   void execute(const Values& values) {
-    ended_ = values.count('M') != 0;
+    ended_ = values.contains('M');
     if (auto f = values.find('F'); f != values.end()) feed_ = f->second;
     if (feed_ < 0) throw Alarm{"value-sign", 'F'};
     if (values.count('X') + values.count('Y') + values.count('Z') == 0) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/common/fixed.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -27,7 +28,7 @@ Fixed read_fraction(const char*& cursor, const char* end, Decimal& number) {
       if (digit != 0) number.finer = true;
     }
     // Keeps `places` small however many digits there are.
-    if (places > kDecimals) places = kDecimals;
+    places = std::min(places, kDecimals);
   }
   for (; places < kDecimals; ++places) fraction *= 10;
   number.rounded_up = round_up;

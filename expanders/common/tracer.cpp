@@ -115,7 +115,7 @@ bool Tracer::end() {
   return send(record);
 }
 
-void Tracer::alarm(const AlarmText& text, char word, std::uint64_t line) {
+void Tracer::alarm(const AlarmText& text, char word, std::uint64_t line) const {
   if (sink_.alarm == nullptr) return;
   gonogo_alarm_v1 report{};
   report.struct_size = sizeof report;
@@ -126,7 +126,7 @@ void Tracer::alarm(const AlarmText& text, char word, std::uint64_t line) {
   sink_.alarm(sink_.context, &report);
 }
 
-void Tracer::note(gonogo_note_level level, std::string_view message) {
+void Tracer::note(gonogo_note_level level, std::string_view message) const {
   if (sink_.note != nullptr) sink_.note(sink_.context, level, {message.data(), message.size()});
 }
 

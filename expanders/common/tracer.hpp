@@ -56,8 +56,8 @@ class Tracer {
   /// Closes the trace with the position of all axes.
   bool end();
 
-  void alarm(const AlarmText& text, char word, std::uint64_t line);
-  void note(gonogo_note_level level, std::string_view message);
+  void alarm(const AlarmText& text, char word, std::uint64_t line) const;
+  void note(gonogo_note_level level, std::string_view message) const;
 
  private:
   Point along(std::size_t axis, Fixed to) const;

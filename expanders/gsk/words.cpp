@@ -32,7 +32,7 @@ Fixed written(const Machine& machine, const Decimal& number) {
 Wide to_millimetres(const Machine& machine, const Decimal& number, Fixed share) {
   const Fixed value = written(machine, number);
   if (machine.state.inch) return scaled(value, 254, 10 * share);
-  return share == 1 ? value : (value + sign_of(value) * (value % 2 != 0)) / share;
+  return share == 1 ? value : (value + value % 2) / share;
 }
 
 template <typename Visit>

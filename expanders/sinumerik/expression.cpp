@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/sinumerik/expression.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -43,7 +44,8 @@ char capital(char c) {
 
 Decimal to_counts(double value) {
   Decimal number;
-  constexpr double kMost = static_cast<double>(kLargest / kOne);
+  constexpr Fixed kMostWhole = kLargest / kOne;
+  constexpr auto kMost = static_cast<double>(kMostWhole);
   if (!(std::fabs(value) <= kMost)) {
     number.overflow = true;
     return number;
@@ -61,7 +63,7 @@ bool read_index(const char*& cursor, const char* end, std::size_t most, std::siz
   for (; cursor != end && is_digit(*cursor); ++cursor) {
     if (index < most) index = index * 10 + static_cast<std::size_t>(*cursor - '0');
   }
-  if (index > most) index = most;
+  index = std::min(index, most);
   return true;
 }
 

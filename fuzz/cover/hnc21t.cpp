@@ -222,6 +222,7 @@ no: radii=least,below,at,above units=inch
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table.
 std::span<const Model> hnc_models() {
   static const std::array kModels = {
       Model{"hnc.g74",

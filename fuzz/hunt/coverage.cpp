@@ -80,18 +80,18 @@ class Collector {
       }
     } else if (const auto* level = std::get_if<reference::PocketLevel>(&item)) {
       note(level->block, level->clause,
-           mix(hash_of("level"), static_cast<std::uint64_t>(level->sense + 1)));
+           mix(hash_of("level"), static_cast<std::uint64_t>(level->sense) + 1));
     } else if (const auto* helix = std::get_if<reference::HelixPocket>(&item)) {
       note(helix->block, helix->clause,
-           mix(hash_of("helix"), static_cast<std::uint64_t>(helix->sense + 1)));
+           mix(hash_of("helix"), static_cast<std::uint64_t>(helix->sense) + 1));
     } else if (const auto* thread = std::get_if<reference::ThreadMilling>(&item)) {
       note(thread->block, thread->clause,
            mix(mix(hash_of("thread"), thread->external ? 1 : 0),
-               static_cast<std::uint64_t>(thread->travel.sign() + 1)));
+               static_cast<std::uint64_t>(thread->travel.sign()) + 1));
     } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&item)) {
       note(pocket->block, pocket->clause,
            mix(mix(hash_of("pocket"), pocket->finishing ? 1 : 0),
-               static_cast<std::uint64_t>(pocket->sense + 1)));
+               static_cast<std::uint64_t>(pocket->sense) + 1));
     }
   }
 
@@ -168,7 +168,7 @@ class Collector {
       const auto a = value_of(words[i]);
       if (!a || !code_of(words[i]).empty()) continue;
       const std::uint64_t address = hash_of(address_of(words[i]));
-      add(Part::sparse, mix(what, address), static_cast<std::uint64_t>(sign_of(a->value) + 1));
+      add(Part::sparse, mix(what, address), static_cast<std::uint64_t>(sign_of(a->value)) + 1);
       for (std::size_t j = i + 1; j < count; ++j) {
         const auto b = value_of(words[j]);
         if (!b || !code_of(words[j]).empty()) continue;

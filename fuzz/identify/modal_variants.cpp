@@ -15,7 +15,8 @@ namespace {
 
 void add_text(std::string name,
               std::function<std::optional<std::string>(const ProgramText&)> change, Variants& out) {
-  out.push_back({std::move(name), [change](const Observation& seen) -> std::optional<Trial> {
+  out.push_back({std::move(name),
+                 [change = std::move(change)](const Observation& seen) -> std::optional<Trial> {
                    auto text = change(ProgramText(seen.profile, seen.program));
                    if (!text) return std::nullopt;
                    return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};

@@ -170,7 +170,8 @@ using ModelChange = std::function<bool(const Observation&, KeptOutcome&)>;
 
 // The reference's own outcome, changed; nothing where it stays the same.
 void add_model(std::string name, ModelChange change, Variants& out) {
-  out.push_back({std::move(name), [change](const Observation& seen) -> std::optional<Trial> {
+  out.push_back({std::move(name),
+                 [change = std::move(change)](const Observation& seen) -> std::optional<Trial> {
                    auto model = run_reference(seen.profile, seen.program);
                    if (!model || model->not_covered || !change(seen, *model)) return std::nullopt;
                    return Trial{seen.program, seen.profile, seen.outcome, std::move(model)};

@@ -21,7 +21,8 @@ using RecordChange = std::function<void(Record&)>;
 using OutcomeChange = std::function<void(const Observation&, KeptOutcome&)>;
 
 void add_outcome(std::string name, OutcomeChange change, Variants& out) {
-  out.push_back({std::move(name), [change](const Observation& seen) -> std::optional<Trial> {
+  out.push_back({std::move(name),
+                 [change = std::move(change)](const Observation& seen) -> std::optional<Trial> {
                    Trial trial{seen.program, seen.profile, seen.outcome, std::nullopt};
                    change(seen, trial.outcome);
                    if (trial.outcome.text() == seen.outcome.text() &&
@@ -35,7 +36,7 @@ void add_outcome(std::string name, OutcomeChange change, Variants& out) {
 void add_records(std::string name, RecordChange change, Variants& out) {
   add_outcome(
       std::move(name),
-      [change](const Observation&, KeptOutcome& outcome) {
+      [change = std::move(change)](const Observation&, KeptOutcome& outcome) {
         for (Record& record : outcome.records) change(record);
       },
       out);

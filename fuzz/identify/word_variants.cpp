@@ -82,11 +82,12 @@ const std::vector<Operation>& operations() {
 }
 
 void add_edit(std::string name, WordEdit edit, Variants& out) {
-  out.push_back({std::move(name), [edit](const Observation& seen) -> std::optional<Trial> {
-                   auto text = edited(ProgramText(seen.profile, seen.program), edit);
-                   if (!text) return std::nullopt;
-                   return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-                 }});
+  out.push_back(
+      {std::move(name), [edit = std::move(edit)](const Observation& seen) -> std::optional<Trial> {
+         auto text = edited(ProgramText(seen.profile, seen.program), edit);
+         if (!text) return std::nullopt;
+         return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+       }});
 }
 
 void add_operations(const Scope& scope, Variants& out) {

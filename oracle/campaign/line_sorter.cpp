@@ -22,20 +22,11 @@ constexpr std::size_t kMostRuns = 64;
 // A sorted run that is read back line by line.
 class RunReader {
  public:
-  explicit RunReader(std::FILE* file) : file_(file) { std::rewind(file_); }
-  RunReader(RunReader&& other) noexcept
-      : line(std::move(other.line)),
-        id(std::move(other.id)),
-        file_(other.file_),
-        buffer_(std::exchange(other.buffer_, nullptr)),
-        size_(other.size_) {}
-  RunReader& operator=(RunReader&&) = delete;
-  ~RunReader() { std::free(buffer_); }
+  RunReader(std::FILE* file, const std::string& folder)
+      : lines_(file, "What is sorted in " + folder) {}
 
   bool next() {
-    const ssize_t count = ::getline(&buffer_, &size_, file_);
-    if (count <= 0) return false;
-    line.assign(buffer_, static_cast<std::size_t>(count) - 1);
+    if (!lines_.next(line)) return false;
     id = id_of_line(line);
     return true;
   }
@@ -44,9 +35,7 @@ class RunReader {
   std::string id;
 
  private:
-  std::FILE* file_;
-  char* buffer_ = nullptr;
-  std::size_t size_ = 0;
+  StoredLines lines_;
 };
 
 [[noreturn]] void fail_to_sort(const std::string& folder) {
@@ -65,7 +54,35 @@ void flush(std::FILE* file, const std::string& folder) {
   if (std::fflush(file) != 0) fail_to_sort(folder);
 }
 
+[[noreturn]] void fail_to_read(const std::string& name) {
+  throw ResultsUnwritable(fmt::format("{} cannot be read back: {}", name, std::strerror(errno)));
+}
+
 }  // namespace
+
+StoredLines::StoredLines(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {
+  if (std::fseek(file_, 0, SEEK_SET) != 0) fail_to_read(name_);
+}
+
+StoredLines::StoredLines(StoredLines&& other) noexcept
+    : file_(other.file_),
+      name_(std::move(other.name_)),
+      buffer_(std::exchange(other.buffer_, nullptr)),
+      size_(other.size_) {}
+
+StoredLines::~StoredLines() {
+  std::free(buffer_);
+}
+
+bool StoredLines::next(std::string& line) {
+  const ssize_t count = ::getline(&buffer_, &size_, file_);
+  if (count <= 0) {
+    if (std::feof(file_) == 0) fail_to_read(name_);
+    return false;
+  }
+  line.assign(buffer_, static_cast<std::size_t>(count) - 1);
+  return true;
+}
 
 FileHandle LineSorter::temporary() const {
   std::string path = folder_ + "/.sorting-XXXXXX";
@@ -103,9 +120,9 @@ void LineSorter::write_run() {
   runs_.push_back(std::move(one));
 }
 
-void LineSorter::merge(std::vector<FileHandle> runs, const Visit& visit) const {
+void LineSorter::merge(const std::vector<FileHandle>& runs, const Visit& visit) const {
   std::vector<RunReader> readers;
-  for (const FileHandle& run : runs) readers.emplace_back(run.get());
+  for (const FileHandle& run : runs) readers.emplace_back(run.get(), folder_);
   // The first of equal ids is that of the first run.
   auto later = [&](std::size_t a, std::size_t b) {
     const int order = readers[a].id.compare(readers[b].id);

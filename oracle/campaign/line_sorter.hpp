@@ -25,6 +25,25 @@ struct FileCloser {
 };
 using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
 
+// The lines of a file from its beginning, without their ends.
+class StoredLines {
+ public:
+  // `name` for people. Throws ResultsUnwritable, as next() does.
+  StoredLines(std::FILE* file, std::string name);
+  StoredLines(StoredLines&& other) noexcept;
+  StoredLines& operator=(StoredLines&&) = delete;
+  ~StoredLines();
+
+  // False behind the last line; a file that cannot be read has none.
+  bool next(std::string& line);
+
+ private:
+  std::FILE* file_;
+  std::string name_;
+  char* buffer_ = nullptr;
+  std::size_t size_ = 0;
+};
+
 class LineSorter {
  public:
   // `folder`: where the temporary files go; they have no name there. A run is written when its
@@ -47,7 +66,7 @@ class LineSorter {
   void sort_held();
   void write_run();
   FileHandle temporary() const;
-  void merge(std::vector<FileHandle> runs, const Visit& visit) const;
+  void merge(const std::vector<FileHandle>& runs, const Visit& visit) const;
 
   std::string folder_;
   std::size_t run_bytes_;

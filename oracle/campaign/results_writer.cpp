@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -139,16 +138,11 @@ void ResultsWriter::add_line(std::string_view line) {
 }
 
 void ResultsWriter::each_journal_line(const std::function<void(std::string)>& take) {
-  std::rewind(journal_.get());
-  char* buffer = nullptr;
-  std::size_t size = 0;
-  bool is_header = true;
-  for (ssize_t count = 0; (count = ::getline(&buffer, &size, journal_.get())) > 0;) {
-    if (!std::exchange(is_header, false)) {
-      take(std::string(buffer, static_cast<std::size_t>(count) - 1));
-    }
+  StoredLines lines(journal_.get(), journal_of(path_));
+  std::string line;
+  for (bool is_header = true; lines.next(line);) {
+    if (!std::exchange(is_header, false)) take(std::move(line));
   }
-  std::free(buffer);
 }
 
 RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, const Visit& visit) {

@@ -36,8 +36,8 @@ class Box {
     if (there < extents_.low[axis]) extents_.low[axis] = there;
     if (there > extents_.high[axis]) extents_.high[axis] = there;
   }
-  void cover_about(const reference::Plane plane, const std::array<Number, 2>& centre,
-                   const Number& reach, const Number& top, const Number& bottom);
+  void cover_about(reference::Plane plane, const std::array<Number, 2>& centre, const Number& reach,
+                   const Number& top, const Number& bottom);
   void take(const reference::Item& item);
   void take_record(const Record& record);
   void take_arc(const Motion& arc);

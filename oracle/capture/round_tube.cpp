@@ -109,7 +109,7 @@ std::optional<RoundTube::Angles> RoundTube::angles_in_space(const SamplePoint& s
   const ThreePoints points(motion_);
   if (!points.circle || radius_ == 0) return std::nullopt;
   if (!curve_.on_circle(sample.exact, tube.tolerance)) return std::nullopt;
-  double reach = std::sqrt(3.0) * tube.half;
+  double reach = std::numbers::sqrt3 * tube.half;
   if (tube.strict) {
     const SpacePoint v = RationalPoint(sample.exact).at - points.circle->centre;
     const SpacePoint& n = points.circle->normal;

@@ -60,68 +60,73 @@ std::optional<std::size_t> SampledRun::fits(const SamplePoint& point, std::size_
 }
 
 void SampledRun::depart(const Sample& sample, const SamplePoint& point) {
-  auto report = [&](Verdict verdict) {
-    verdict.record = sample.number;
-    verdict.got = sample_text(sample, seen_);
-    if (verdict.witness.empty()) verdict.witness = point_text(sample.at, seen_);
-    departure_ = std::move(verdict);
-  };
-  if (states_.empty()) {  // the very first one
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_geometry;
-    verdict.want = point_text(start_, seen_);
-    verdict.message = "The samples do not begin at the start position of the program.";
-    measure(verdict, largest_difference(sample.at, start_));
-    report(std::move(verdict));
-    return;
-  }
+  Verdict verdict = states_.empty() ? departure_at_start(sample) : departure_of(sample, point);
+  verdict.record = sample.number;
+  verdict.got = sample_text(sample, seen_);
+  if (verdict.witness.empty()) verdict.witness = point_text(sample.at, seen_);
+  departure_ = std::move(verdict);
+}
+
+Verdict SampledRun::departure_at_start(const Sample& sample) const {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.want = point_text(start_, seen_);
+  verdict.message = "The samples do not begin at the start position of the program.";
+  measure(verdict, largest_difference(sample.at, start_));
+  return verdict;
+}
+
+Verdict SampledRun::departure_of(const Sample& sample, const SamplePoint& point) {
   const std::size_t first = states_.begin()->first;
-  const std::size_t frontier = states_.rbegin()->first;
-  const PathPiece& piece = *path_.piece(frontier);
+  const PathPiece& piece = *path_.piece(states_.rbegin()->first);
   if (piece.kind() == PieceKind::stand) {
     left_end_ = true;
     last_at_ = sample.at;
     Verdict verdict = verdict_at(VerdictKind::fail_overrun, piece,
                                  "The machine moves after the end of the program.");
     measure(verdict, largest_difference(sample.at, piece.motion().from));
-    report(std::move(verdict));
-    return;
+    return verdict;
   }
   if (piece.kind() == PieceKind::dwell) {
-    report(verdict_at(VerdictKind::fail_geometry, piece,
-                      "The machine does not stand still for as long as the dwell lasts."));
-    return;
+    return verdict_at(VerdictKind::fail_geometry, piece,
+                      "The machine does not stand still for as long as the dwell lasts.");
   }
-  if (const auto later = fits(point, first, kLookAhead)) {
-    if (states_.contains(*later)) {
-      const PathPiece& back = *path_.piece(*later);
-      Verdict verdict =
-          verdict_at(VerdictKind::fail_geometry, back, "The machine goes back along the motion.");
-      measure(verdict, largest_difference(sample.at, last_at_));
-      report(std::move(verdict));
-    } else if (*later == frontier + 1) {
-      const Position& corner = piece.motion().to();
-      Verdict verdict = verdict_at(VerdictKind::fail_geometry, piece,
-                                   "The machine does not come to the end of the motion.");
-      measure(verdict,
-              min(largest_difference(corner, last_at_), largest_difference(corner, sample.at)));
-      verdict.witness = point_text(corner, seen_);
-      report(std::move(verdict));
-    } else {
-      report(verdict_at(VerdictKind::fail_order, *path_.piece(frontier + 1),
-                        "The machine leaves out this motion and goes on to a later one."));
-    }
-    return;
-  }
+  if (const auto later = fits(point, first, kLookAhead)) return departure_towards(*later, sample);
   const std::size_t kept = path_.first_kept();
   if (fits(point, kept, first - kept)) {
-    report(
-        verdict_at(VerdictKind::fail_order, piece, "The machine goes back to an earlier motion."));
-    return;
+    return verdict_at(VerdictKind::fail_order, piece,
+                      "The machine goes back to an earlier motion.");
   }
-  const PathPiece* nearest = &piece;
+  return departure_from_path(sample);
+}
+
+Verdict SampledRun::departure_towards(std::size_t later, const Sample& sample) {
+  const std::size_t frontier = states_.rbegin()->first;
+  const PathPiece& piece = *path_.piece(frontier);
+  if (states_.contains(later)) {
+    Verdict verdict = verdict_at(VerdictKind::fail_geometry, *path_.piece(later),
+                                 "The machine goes back along the motion.");
+    measure(verdict, largest_difference(sample.at, last_at_));
+    return verdict;
+  }
+  if (later == frontier + 1) {
+    const Position& corner = piece.motion().to();
+    Verdict verdict = verdict_at(VerdictKind::fail_geometry, piece,
+                                 "The machine does not come to the end of the motion.");
+    measure(verdict,
+            min(largest_difference(corner, last_at_), largest_difference(corner, sample.at)));
+    verdict.witness = point_text(corner, seen_);
+    return verdict;
+  }
+  return verdict_at(VerdictKind::fail_order, *path_.piece(frontier + 1),
+                    "The machine leaves out this motion and goes on to a later one.");
+}
+
+Verdict SampledRun::departure_from_path(const Sample& sample) {
+  const std::size_t frontier = states_.rbegin()->first;
+  const PathPiece* nearest = path_.piece(frontier);
   std::optional<Number> least;
-  for (std::size_t i = first; i <= frontier + 1; ++i) {
+  for (std::size_t i = states_.begin()->first; i <= frontier + 1; ++i) {
     const PathPiece* each = path_.piece(i);
     if (each == nullptr) break;
     if (each->kind() == PieceKind::open) continue;
@@ -133,7 +138,7 @@ void SampledRun::depart(const Sample& sample, const SamplePoint& point) {
   Verdict verdict =
       verdict_at(VerdictKind::fail_geometry, *nearest, "The machine leaves the path.");
   if (least) measure(verdict, *least);
-  report(std::move(verdict));
+  return verdict;
 }
 
 }  // namespace gonogo::oracle

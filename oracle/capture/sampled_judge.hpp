@@ -89,6 +89,11 @@ class SampledRun {
   void watch_feeds(const States& states, double time);
   void close_pieces(std::size_t before);
   void depart(const Sample& sample, const SamplePoint& point);
+  Verdict departure_at_start(const Sample& sample) const;
+  Verdict departure_of(const Sample& sample, const SamplePoint& point);
+  // The sample fits a piece that comes next or later, or one it stands on already.
+  Verdict departure_towards(std::size_t later, const Sample& sample);
+  Verdict departure_from_path(const Sample& sample);
   // The piece that a sample fits, though it may not be there yet, or no more.
   std::optional<std::size_t> fits(const SamplePoint& point, std::size_t first, std::size_t count);
   Verdict verdict_at(VerdictKind kind, const PathPiece& piece, const std::string& message) const;

@@ -50,7 +50,7 @@ std::optional<Case> CaseReader::next() {
 
 double CaseReader::part() const {
   if (bytes_ == 0) return 1;
-  double done = static_cast<double>(bytes_before_);
+  auto done = static_cast<double>(bytes_before_);
   if (!cases_.empty()) {
     const double within = static_cast<double>(next_) / static_cast<double>(cases_.size());
     done += within * static_cast<double>(present_bytes_);

@@ -31,7 +31,7 @@ const PlanePoint& farther(const PlanePoint& a, const PlanePoint& b) {
 }
 
 // The point of [from, to] nearest to zero.
-const Number& nearest(const Number& from, const Number& to, const Number& zero) {
+Number nearest(const Number& from, const Number& to, const Number& zero) {
   if (from.sign() * to.sign() <= 0) return zero;
   return abs(from) < abs(to) ? from : to;
 }

@@ -95,7 +95,7 @@ bool ProgramJudge::process_step(Motion& motion) {
     decide_gap("A motion of the subject spans a renaming of the position.");
     return true;
   }
-  const Record& record = std::get<Record>(step);
+  const auto& record = std::get<Record>(step);
   if (record.kind == RecordKind::m) {
     take_m_functions();
     return false;

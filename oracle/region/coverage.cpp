@@ -80,8 +80,10 @@ std::array<double, 2> Decision::climb(double x, double y) const {
     for (bool better = true; better && moves < kMaximumMoves;) {
       better = false;
       for (int k = 0; k < 9; ++k) {
-        const double nx = x + stride * (k / 3 - 1);
-        const double ny = y + stride * (k % 3 - 1);
+        const int column = k / 3 - 1;
+        const int row = k % 3 - 1;
+        const double nx = x + stride * column;
+        const double ny = y + stride * row;
         const double there = clearance(nx, ny);
         if (there <= best) continue;
         best = there;

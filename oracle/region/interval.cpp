@@ -9,7 +9,7 @@ namespace gonogo::oracle::region {
 namespace {
 
 Interval from_integer(std::int64_t value) {
-  const double rounded = static_cast<double>(value);  // exact below 2^53
+  const auto rounded = static_cast<double>(value);  // exact below 2^53
   constexpr std::int64_t kExact = std::int64_t{1} << 53;
   if (value <= kExact && value >= -kExact) return {rounded, rounded};
   return {below(rounded), above(rounded)};

@@ -11,7 +11,7 @@
 namespace gonogo::oracle::report::svg {
 
 void append_number(std::string& out, double value) {
-  const auto hundredths = static_cast<long long>(std::llround(std::clamp(value, -1e9, 1e9) * 100));
+  const auto hundredths = std::llround(std::clamp(value, -1e9, 1e9) * 100);
   if (hundredths < 0) out += '-';
   const long long magnitude = std::llabs(hundredths);
   out += std::to_string(magnitude / 100);

@@ -105,7 +105,7 @@ void LibraryHost::Impl::serve() {
 }
 
 bool LibraryHost::Impl::answer(std::string_view line) {
-  if (line.find_first_not_of(" \t\r") == line.npos) return true;
+  if (line.find_first_not_of(" \t\r") == std::string_view::npos) return true;
   auto parsed = document_.parse_padded(line);
   if (auto* fault = std::get_if<JsonFault>(&parsed)) {
     refuse(fault->message);

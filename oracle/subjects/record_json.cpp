@@ -98,8 +98,9 @@ AxisSet read_position(std::string_view key, const element& value, Position& at) 
   AxisSet named;
   for (auto field : axes) {
     constexpr std::string_view kLetters = "xyzac";
-    const std::size_t place = field.key.size() == 1 ? kLetters.find(field.key[0]) : kLetters.npos;
-    if (place == kLetters.npos) {
+    const std::size_t place =
+        field.key.size() == 1 ? kLetters.find(field.key[0]) : std::string_view::npos;
+    if (place == std::string_view::npos) {
       fail_record("\"{}\" of \"{}\" is no axis: the axes are x, y, z, a and c.",
                   excerpt(field.key, 60), key);
     }

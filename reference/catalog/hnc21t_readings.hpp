@@ -9,6 +9,7 @@
 
 namespace gonogo::reference::catalog {
 
+// NOLINTNEXTLINE(readability-function-size): a table.
 inline std::vector<Reading> hnc21t_readings() {
   return {
       {ReadingKey::hnc_missing_axis,

@@ -96,7 +96,7 @@ Interval looked_up(const Number& value, mpfr_prec_t bits, const Memo& memo) {
 }
 
 bool is_ready(const Number& value, mpfr_prec_t bits, const Memo& memo) {
-  return has_base(value, bits) || memo.count(enclosure_node(value)) != 0;
+  return has_base(value, bits) || memo.contains(enclosure_node(value));
 }
 
 [[noreturn]] void undecided(const char* what) {
@@ -167,7 +167,7 @@ Interval interval_of(const Number& value, mpfr_prec_t bits) {
     }
     if (path.size() != depth) continue;
     path.pop_back();
-    if (memo.count(node) != 0) continue;
+    if (memo.contains(node)) continue;
     memo.emplace(node, evaluate(node->operation, looked_up(node->left, bits, memo),
                                 looked_up(node->right, bits, memo), bits));
   }

@@ -138,11 +138,6 @@ int compare(const Interval& a, const Interval& b) {
   return one_point ? 0 : 2;
 }
 
-bool contains(const Interval& outer, const mpq_class& value) {
-  return mpfr_cmp_q(outer.low(), value.get_mpq_t()) <= 0 &&
-         mpfr_cmp_q(outer.high(), value.get_mpq_t()) >= 0;
-}
-
 mpq_class rational_end(mpfr_srcptr end) {
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), end);

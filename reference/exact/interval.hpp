@@ -37,7 +37,6 @@ class Interval {
 // -1 or 1 when all of a is below or above all of b, 0 when both are one and the same point, 2 when
 // they overlap.
 int compare(const Interval& a, const Interval& b);
-bool contains(const Interval& outer, const mpq_class& value);
 mpq_class rational_end(mpfr_srcptr end);  // REQUIRES: finite
 
 Interval interval_of(const mpq_class& low, const mpq_class& high, mpfr_prec_t bits);

@@ -27,7 +27,7 @@ std::optional<std::int64_t> small_form(const mpq_class& value) {
 
 Number scaled(mpz_class magnitude, bool negative, std::uint32_t scale) {
   if (negative) mpz_neg(magnitude.get_mpz_t(), magnitude.get_mpz_t());
-  mpq_class value(std::move(magnitude), power_of_ten(scale));
+  mpq_class value(magnitude, power_of_ten(scale));
   value.canonicalize();
   return number_of(std::move(value));
 }
@@ -65,8 +65,8 @@ Number number_of(mpq_class value) {
   return NumberAccess::adopt(new RationalNode(std::move(value)));
 }
 
-Number number_of(mpz_class value) {
-  return number_of(mpq_class(std::move(value)));
+Number number_of(const mpz_class& value) {
+  return number_of(mpq_class(value));
 }
 
 mpz_class power_of_ten(unsigned long exponent) {

@@ -29,7 +29,7 @@ mpq_class require_rational(const Number& value);
 
 // REQUIRES: lowest terms.
 Number number_of(mpq_class value);
-Number number_of(mpz_class value);
+Number number_of(const mpz_class& value);
 
 mpz_class power_of_ten(unsigned long exponent);
 mpz_class floor_of(const mpq_class& value);

@@ -66,13 +66,6 @@ std::optional<AxisWord> BlockWords::axis_word(Axis axis, bool diameter) const {
   return AxisWord{incremental, value};
 }
 
-bool BlockWords::has_any_axis_word() const {
-  for (const AxisAddresses& addresses : kAxisAddresses) {
-    if (has(addresses)) return true;
-  }
-  return false;
-}
-
 void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& alarms) {
   if (!last_wins) check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
   check_axis_letters(words, kAxisAddresses, "GSK-COM-01"_clause, alarms);

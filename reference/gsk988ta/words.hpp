@@ -33,7 +33,6 @@ class BlockWords : public WordTable {
   // The axis word, absolute or incremental; X and U halved when they are diameters.
   std::optional<AxisWord> axis_word(Axis axis, bool diameter = true) const;
   bool has_axis_word(Axis axis) const { return has(addresses_of(axis)); }
-  bool has_any_axis_word() const;
 
  private:
   const Profile& profile_;

@@ -92,7 +92,7 @@ inline double exponent(const std::vector<Measured>& all) {
     xx += u * u;
     xy += u * v;
   }
-  const double n = static_cast<double>(all.size());
+  const auto n = static_cast<double>(all.size());
   return (n * xy - x * y) / (n * xx - x * x);
 }
 

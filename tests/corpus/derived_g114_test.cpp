@@ -81,8 +81,8 @@ TEST(DerivedG114, TheInternalExampleOfTheManual) {
                       "3 arc G18 -1 cx34.25 cz73.5 x35 z74.5 f900",
                       "3 feed z75.5 f900",
                       "3 arc G18 -4 cx35 cz70 x35 y5 z75.5 f900",
-                      "3 arc G18 -1 cx35 cz24382/337 + 252/337*sqrt(3) x33.25 z70 + 1.75*sqrt(3) "
-                      "f900",
+                      ("3 arc G18 -1 cx35 cz24382/337 + 252/337*sqrt(3) x33.25 z70 + 1.75*sqrt(3) "
+                       "f900"),
                       "3 rapid y25",
                       "3 rapid z72.5",
                       "3 rapid y30",

@@ -335,8 +335,8 @@ RC_GTEST_PROP(SinumerikRelations, TangentGoesOnRoundTheSameCircle, ()) {
   const std::vector<PlaneMotion> motions =
       plane_motions_of(run_written({arc, tangent}, setting), setting);
   RC_ASSERT(motions.size() == 3u);
-  PlaneMotion first = motions[0];
-  PlaneMotion second = motions[1];
+  const PlaneMotion& first = motions[0];
+  const PlaneMotion& second = motions[1];
   RC_ASSERT(first.kind == "arc");
   RC_ASSERT(second.kind == "arc");
   for (const char* name : {"cp", "cq", "rot"}) {

@@ -63,6 +63,7 @@ TEST(Render, BytesThatAreNotUtf8AreOneReplacementSignEach) {
 }
 
 TEST(Render, ControlCharactersNeverReachTheTerminal) {
+  // NOLINTNEXTLINE(misc-misleading-bidirectional): that it misleads is the point.
   const std::string override = "\xE2\x80\xAE";  // U+202E turns the line round
   const Picture shown = picture(std::string("(\x1B[31m\0)", 8) + "(" + override + ")\tz");
   EXPECT_EQ(shown.line, std::string("    (") + kReplacement + "[31m" + kReplacement + ")(" +

@@ -31,7 +31,7 @@ struct AxesChange {
 
   Vector direction(const Vector& v) const {
     Vector result{};
-    for (std::size_t i = 0; i < 3; ++i) result[axis[i]] = v[i] * (sign[i] * scale);
+    for (std::size_t i = 0; i < 3; ++i) result[axis[i]] = v[i] * sign[i] * scale;
     return result;
   }
   Vector point(const Vector& v) const { return direction(v) + shift; }

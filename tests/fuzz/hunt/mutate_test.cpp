@@ -20,10 +20,11 @@ RC_GTEST_PROP(Mutate, TheSameSeedMakesTheSameText, (std::uint64_t seed)) {
 
 RC_GTEST_PROP(Mutate, BytesStayBounded, (std::uint64_t seed, std::vector<std::uint8_t> bytes)) {
   Dice dice(seed);
-  RC_ASSERT(mutate_bytes(dice, bytes, std::vector<std::uint8_t>(4'000)).size() <= 2'048U);
+  RC_ASSERT(mutate_bytes(dice, std::move(bytes), std::vector<std::uint8_t>(4'000)).size() <=
+            2'048U);
 }
 
-RC_GTEST_PROP(Mutate, AnyTextCanBeMutated, (std::uint64_t seed, std::string text)) {
+RC_GTEST_PROP(Mutate, AnyTextCanBeMutated, (std::uint64_t seed, const std::string& text)) {
   Dice dice(seed);
   mutate_text(dice, text, text);
   mutate_text(dice, text, "");

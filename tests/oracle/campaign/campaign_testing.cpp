@@ -109,7 +109,7 @@ class Fake : public Subject {
 }  // namespace
 
 SubjectMaker fake_maker(FakeSubject fake) {
-  return [fake] { return std::make_unique<Fake>(fake); };
+  return [fake = std::move(fake)] { return std::make_unique<Fake>(fake); };
 }
 
 CaseResult passed(std::string id) {
@@ -122,8 +122,8 @@ CaseResult passed(std::string id) {
   return result;
 }
 
-std::string results_of(const Scratch& scratch, const std::string& name, CampaignOptions options,
-                       const SubjectMaker& maker) {
+std::string results_of(const Scratch& scratch, const std::string& name,
+                       const CampaignOptions& options, const SubjectMaker& maker) {
   const Corpus corpus(scratch.path("corpus"));
   ResultsHeader header;
   header.shard = std::to_string(options.shard) + "/" + std::to_string(options.shards);

@@ -40,7 +40,7 @@ SubjectMaker fake_maker(FakeSubject fake);
 
 // A result of its own, for tests of the files.
 CaseResult passed(std::string id);
-std::string results_of(const Scratch& scratch, const std::string& name, CampaignOptions options,
-                       const SubjectMaker& maker);
+std::string results_of(const Scratch& scratch, const std::string& name,
+                       const CampaignOptions& options, const SubjectMaker& maker);
 
 }  // namespace gonogo::oracle

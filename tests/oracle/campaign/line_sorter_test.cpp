@@ -43,5 +43,23 @@ TEST(LineSorter, AFolderThatCannotBeWrittenIsTold) {
   EXPECT_THROW(sorter.add("{\"id\":\"a\"}"), ResultsUnwritable);
 }
 
+TEST(StoredLines, AreThoseOfTheFileFromItsBeginning) {
+  const FileHandle file(std::tmpfile());
+  std::fputs("first\n\nlast\n", file.get());
+  StoredLines lines(file.get(), "The file");
+  std::vector<std::string> all;
+  for (std::string line; lines.next(line);) all.push_back(line);
+  EXPECT_EQ(all, (std::vector<std::string>{"first", "", "last"}));
+}
+
+// Else the results would end there, with a footer that says that they are whole.
+TEST(StoredLines, WhatCannotBeReadIsNoEnd) {
+  const Scratch scratch;
+  const FileHandle file(std::fopen(scratch.path("lines").c_str(), "we"));  // not to be read
+  StoredLines lines(file.get(), "The file");
+  std::string line;
+  EXPECT_THROW(lines.next(line), ResultsUnwritable);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -71,7 +71,7 @@ TEST(ResultsWriter, DoesNotGoOnFromTheJournalOfAnotherRun) {
   const Scratch scratch;
   leave_journal(scratch, "");
   try {
-    ResultsWriter(scratch.path("r.jsonl"), header_of("2"), Start::resume);
+    const ResultsWriter writer(scratch.path("r.jsonl"), header_of("2"), Start::resume);
     FAIL();
   } catch (const ResumeError& error) {
     EXPECT_NE(std::string(error.what()).find("\"gonogo\""), std::string::npos) << error.what();

@@ -26,7 +26,7 @@ bool is_alive(int pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   const std::string text(std::istreambuf_iterator<char>(stat), {});
   const std::size_t name_end = text.rfind(')');
-  return name_end != text.npos && text[name_end + 2] != 'Z';
+  return name_end != std::string::npos && text[name_end + 2] != 'Z';
 }
 
 }  // namespace gonogo::oracle

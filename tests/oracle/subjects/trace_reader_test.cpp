@@ -29,7 +29,7 @@ std::string fault_of(std::string_view line) {
 }
 
 #define EXPECT_FAULT(line, word) \
-  EXPECT_NE(fault_of(line).find(word), std::string::npos) << line << " -> " << fault_of(line)
+  EXPECT_NE(fault_of(line).find(word), std::string::npos) << (line) << " -> " << fault_of(line)
 
 TEST(TraceReader, ReadsAFeed) {
   const Record record =

@@ -164,7 +164,8 @@ TEST(Between, DecidesOutsideItsEndsOnly) {
 TEST(Between, TwoOfOneIntervalAreNotEqual) {
   const Number x = Number::between(1, 2);
   EXPECT_THROW((void)(x == Number::between(1, 2)), Undecided);
-  const Number copy = x;
+  const Number copy =
+      x;  // NOLINT(performance-unnecessary-copy-initialization): it is about the copy.
   EXPECT_EQ(x, copy);
 }
 

@@ -159,7 +159,7 @@ RC_GTEST_PROP(NumberProperty, ParseReadsDecimalsOfAllShapes, ()) {
   mpz_class ten;
   mpz_ui_pow_ui(ten.get_mpz_t(), 10, fraction.size() + 30);
   mpz_class shift;
-  mpz_ui_pow_ui(shift.get_mpz_t(), 10, static_cast<unsigned long>(exponent + 30));
+  mpz_ui_pow_ui(shift.get_mpz_t(), 10, static_cast<unsigned long>(exponent) + 30);
   mpq_class model(-mpz_class(whole + fraction, 10) * shift, ten);
   model.canonicalize();
   const auto number = Number::parse("-" + whole + "." + fraction + "e" + std::to_string(exponent));

@@ -78,7 +78,7 @@ CycleBlock cut_block(int code, bool first) {
 // not.
 void cut(Step& step, int motion) {
   static constexpr std::array<int, 3> kCodes = {90, 92, 94};
-  std::size_t choice = static_cast<std::size_t>(between(0, 2));
+  auto choice = static_cast<std::size_t>(between(0, 2));
   if (kCodes[choice] == motion) choice = (choice + 1) % 3;
   for (std::int64_t count = between(1, 3); count > 0; --count) {
     step.blocks.push_back(cut_block(kCodes[choice], step.blocks.empty()));

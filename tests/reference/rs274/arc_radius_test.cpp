@@ -30,7 +30,7 @@ TEST(NgcArcRadius, TheCentreOfAQuarterIsExact) {
 // Chord 2, R2: the centre is sqrt(3) off.
 TEST(NgcArcRadius, TheCentreMayBeARoot) {
   const Item item = expand("G3 X2 R2 F9", ngc()).front();
-  const Record& record = std::get<Record>(item);
+  const auto& record = std::get<Record>(item);
   EXPECT_EQ(record.centre[0], num("1"));
   EXPECT_EQ(record.centre[1], exact::sqrt(3));
 }
@@ -39,7 +39,7 @@ TEST(NgcArcRadius, TheCentreMayBeARoot) {
 // (2, 1), along (-2, 4)/sqrt(20) where it is on the left: 2/sqrt(20) = 1/sqrt(5).
 TEST(NgcArcRadius, TheCentreOfASlantedChordIsARoot) {
   const Item item = expand("G3 X4 Y2 R3 F9", ngc()).front();
-  const Record& record = std::get<Record>(item);
+  const auto& record = std::get<Record>(item);
   EXPECT_EQ(record.centre[0], num("2") - num("2") / exact::sqrt(5));
   EXPECT_EQ(record.centre[1], num("1") + num("4") / exact::sqrt(5));
 }

@@ -61,7 +61,7 @@ class Maker {
 
   // By quarter turns, so that the end lies on the circle; sometimes a little beside it. The radius
   // may be a decimal.
-  void centre(Step& step) {
+  void centre(Step& step) const {
     const std::int64_t k = any_between(1, 5'000);
     const bool pythagorean = seldom(2);
     const Pair spoke = pythagorean ? Pair{3 * k, -4 * k}
@@ -83,7 +83,7 @@ class Maker {
   }
 
   // Sometimes about half the chord.
-  void radius(Step& step) {
+  void radius(Step& step) const {
     const std::int64_t k = any_between(1, 5'000);
     const bool pythagorean = seldom(3);
     const Pair by = pythagorean ? Pair{6 * k, 8 * k} : Pair{2 * k, any_between(-20'000, 20'000)};

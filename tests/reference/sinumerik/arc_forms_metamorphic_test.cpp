@@ -131,7 +131,7 @@ RC_GTEST_PROP(SieArcForms, ACircleNeedsNoEndPoint, ()) {
 RC_GTEST_PROP(SieArcForms, ARadiusIsACentre, ()) {
   const Arc arc = any_arc();
   const int sign = arc.beyond_half() != 0 ? -arc.beyond_half() : any_between(0, 1) == 1 ? 1 : -1;
-  const std::string cr = arc.code() + arc.end() + word("CR", sign * 5 * arc.k);
+  const std::string cr = arc.code() + arc.end() + word("CR", std::int64_t{sign} * 5 * arc.k);
   RC_ASSERT(look(arc, cr) == look(arc, arc.by_centre()));
 }
 
@@ -141,7 +141,8 @@ RC_GTEST_PROP(SieArcForms, APoleIsACentre, ()) {
   const std::string pole =
       "G111 " + word(kEnds[arc.plane][0], arc.centre[0]) + word(kEnds[arc.plane][1], arc.centre[1]);
   const std::int64_t turn = any_between(0, 1) == 1 && arc.to != 0 ? -360'000 : 0;
-  const std::string polar = arc.code() + word("AP", arc.to * 30'000 + turn) + word("RP", 5 * arc.k);
+  const std::string polar =
+      arc.code() + word("AP", std::int64_t{arc.to} * 30'000 + turn) + word("RP", 5 * arc.k);
   RC_ASSERT(look(arc, polar, pole) == look(arc, arc.by_centre(), pole));
 }
 
@@ -207,12 +208,15 @@ RC_GTEST_PROP(SieArcForms, AHelixHasTheFormsOfItsArc, ()) {
                             fmt::format("TURN={}", any_between(0, 5));
   const int sign = arc.beyond_half() > 0 ? -1 : 1;
   const PathTrace want = look(arc, arc.by_centre() + helix);
-  RC_ASSERT(look(arc, arc.code() + arc.end() + word("CR", sign * 5 * arc.k) + helix) == want);
+  RC_ASSERT(look(arc, arc.code() + arc.end() + word("CR", std::int64_t{sign} * 5 * arc.k) +
+                          helix) == want);
   const std::string pole =
       "G111 " + word(kEnds[arc.plane][0], arc.centre[0]) + word(kEnds[arc.plane][1], arc.centre[1]);
   if (arc.to % 3 != 0) return;
-  RC_ASSERT(look(arc, arc.code() + word("AP", arc.to * 30'000) + word("RP", 5 * arc.k) + helix,
-                 pole) == look(arc, arc.by_centre() + helix, pole));
+  RC_ASSERT(
+      look(arc,
+           arc.code() + word("AP", std::int64_t{arc.to} * 30'000) + word("RP", 5 * arc.k) + helix,
+           pole) == look(arc, arc.by_centre() + helix, pole));
 }
 
 }  // namespace

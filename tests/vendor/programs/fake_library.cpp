@@ -184,8 +184,9 @@ gonogo_text describe() {
 
 int create(gonogo_text configuration, const gonogo_sink_v1* sink, void** handle) {
   const std::string text(configuration.data, configuration.size);
-  if (text.find("\"hnc21t\"") != text.npos) return note(*sink, GONOGO_UNSUPPORTED, "No HNC.");
-  if (text.find("\"rs274\"") != text.npos) return note(*sink, GONOGO_ERROR, "No licence.");
+  if (text.find("\"hnc21t\"") != std::string::npos)
+    return note(*sink, GONOGO_UNSUPPORTED, "No HNC.");
+  if (text.find("\"rs274\"") != std::string::npos) return note(*sink, GONOGO_ERROR, "No licence.");
   *handle = new Handle{sink};
   return GONOGO_OK;
 }
