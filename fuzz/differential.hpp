@@ -22,7 +22,8 @@ void run_alone(oracle::Subject& subject, const reference::Profile& profile,
                std::string_view program, std::size_t most_records);
 
 // Whether the reference's own path is NO-GO: where a reading and a rule contradict each other no
-// path is right (gsk.thread.runout = tangent, and a bore that is too small for it).
+// path is right. The judge says so itself of run-outs that cut deeper than their pass; of anything
+// else like it nothing is known.
 bool contradicts_itself(const reference::Profile& profile, std::string_view program,
                         std::size_t most_records);
 

@@ -8,6 +8,7 @@
 #include "fuzz/program_lines.hpp"
 #include "grammar/parser.hpp"
 #include "reference/dialect.hpp"
+#include "reference/rs274/whole.hpp"
 
 namespace gonogo::identify {
 
@@ -62,6 +63,22 @@ TextWord named_word(std::string_view line, const Block& block, const NamedWord& 
   }
   text.value = number_in(line.substr(text.number.begin, text.number.end - text.number.begin));
   return text;
+}
+
+// Codes of rs274 that are nearly whole as those that they count as, by ngc.whole.
+void round_codes(std::vector<TextWord>& words, const reference::ReadingsInUse& readings) {
+  using reference::rs274::NearWhole;
+  using reference::rs274::Whole;
+  for (TextWord& word : words) {
+    if (!word.is_code() || !word.value) continue;
+    const bool is_g = word.address == "G";
+    const Number parts = is_g ? 10 : 1;
+    const NearWhole number(*word.value * parts);
+    if (number.is_whole()) continue;
+    if (number.counts_as_whole(is_g ? Whole::g_tenths : Whole::m_function, readings)) {
+      word.value = number.nearest() / parts;
+    }
+  }
 }
 
 // The modes that the words of a block stand in.
@@ -141,6 +158,7 @@ bool TextBlock::in_cycle() const {
 
 ProgramText::ProgramText(const reference::Profile& profile, std::string_view program) {
   const grammar::Dialect dialect = reference::find_dialect(profile.dialect)->grammar;
+  const reference::ReadingsInUse readings(profile.readings);
   Modes modes(profile);
   Block block;
   for (const fuzz::ProgramLine& written : fuzz::program_lines(program)) {
@@ -156,6 +174,7 @@ ProgramText::ProgramText(const reference::Profile& profile, std::string_view pro
         line.words.push_back(named_word(line.text, block, word));
       }
     }
+    if (profile.dialect == "rs274") round_codes(line.words, readings);
     modes.take(line);
   }
 }
