@@ -82,6 +82,7 @@ TEST(G92, DoesNotCoverOtherForms) {
   EXPECT_EQ(ending("G92 X58 Z-28 F3 P1"), "not-covered b1 G92");
   EXPECT_EQ(ending("G92 X58 Z-28 F3 L2"), "not-covered b1 G92");
   EXPECT_EQ(ending("G92 X58 Z-28 F3 Q90"), "not-covered b1 G92");
+  EXPECT_EQ(ending("G92 X58 Z-28 I8"), "not-covered b1 G92");  // threads to the inch
   EXPECT_EQ(ending("G92 X58 Z-28 F3 P0 L1 Q0"), "end x0 y0 z0 a0 c0");
 }
 

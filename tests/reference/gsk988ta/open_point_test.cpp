@@ -33,6 +33,10 @@ TEST(OpenPoints, AnArcWithoutRadiusIsAnAlarmOrNoMotionInThePlane) {
   const Profile none = profile_with({{"gsk.arc.zero-radius", "none"}});
   EXPECT_EQ(ending("G02 X0 Z0 I0 K0 F100"), "alarm b1 arc-radius");
   EXPECT_EQ(lines("G02 X0 Z0 I0 K0 F100", none), Lines{});
+  // From the centre to elsewhere the radii differ as well, which parameter 3410 (0.01 mm) does not
+  // admit.
+  EXPECT_EQ(ending("G02 X0 Z5 I0 K0 F100"), "alarm b1 arc-radius arc-end-point");
+  EXPECT_EQ(ending("G02 X0 Z5 I0 K0 F100", none), "alarm b1 arc-end-point");
   EXPECT_EQ(lines("G02 X0 Z0 Y5 I0 K0 F100", none), (Lines{"feed x0 y5 z0 f100"}));
 }
 

@@ -226,5 +226,13 @@ TEST(SieFrame, The802SHasThreeHundredParameters) {
   EXPECT_EQ(outcome("R300=1"), "end");
 }
 
+// The helix of SieCt.AHelixClimbsInOtherPlanes, gone on in the same way through the workpiece: the
+// rotation about X by 90 degrees names (Y10, Z10) as (Y10, Z-10), and the tool does not move
+// (SIE-FRM-04).
+TEST(SieFrame, AHelixClimbsOnBelowARotationOfAnotherPlane) {
+  EXPECT_EQ(centre(last_motion("G2 I5 Z10 F9\nG19\nG258 RPL=90\nCT Y10 Z-10", s802())),
+            "5.000000000,-5.707963268");
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::sie
