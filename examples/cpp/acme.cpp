@@ -171,7 +171,7 @@ class Machine {
   }
 
   void execute(const Values& values) {
-    ended_ = values.contains('M');
+    ended_ = values.find('M') != values.end();
     if (auto f = values.find('F'); f != values.end()) feed_ = f->second;
     if (feed_ < 0) throw Alarm{"value-sign", 'F'};
     if (values.count('X') + values.count('Y') + values.count('Z') == 0) return;
