@@ -33,20 +33,6 @@ std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const Hun
   return readings;
 }
 
-fuzz::GeneratorSettings settings_of(const HuntWords& words) {
-  const auto settings = fuzz::read_settings(words.settings);
-  if (!settings) {
-    throw UsageError(fmt::format(
-        "--settings {} cannot be read. Write as valid=1,boundary=2,blocks=4,readings=off; numbers "
-        "are "
-        "named valid, near-invalid, boundary, raw, blocks, fault-one-in, turns, rings, layers, "
-        "pecks, "
-        "steps, starts; state, readings, parameters, offsets, tools, pockets are on or off.",
-        words.settings));
-  }
-  return *settings;
-}
-
 std::string command_of(const HuntWords& words) {
   std::string command =
       fmt::format("gonogo hunt --subject {} --dialect {} --seed {}",

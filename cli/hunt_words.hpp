@@ -31,9 +31,6 @@ std::chrono::milliseconds time_of(const std::string& text);
 // REQUIRES: load_profile has taken them.
 std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words);
 
-// What generated programs are like. Throws UsageError.
-fuzz::GeneratorSettings settings_of(const HuntWords& words);
-
 // The hunt on the command line, but for when it is over.
 std::string command_of(const HuntWords& words);
 

@@ -49,4 +49,17 @@ std::optional<reference::Number> length_option(const std::string& text, const ch
   return value;
 }
 
+fuzz::GeneratorSettings settings_option(const std::string& text) {
+  const auto settings = fuzz::read_settings(text);
+  if (!settings) {
+    throw UsageError(
+        "--settings " + text +
+        " cannot be read. Write as valid=1,boundary=2,blocks=4,readings=off; numbers are "
+        "named valid, near-invalid, boundary, raw, blocks, fault-one-in, turns, rings, "
+        "layers, pecks, steps, starts; state, readings, parameters, offsets, tools, "
+        "pockets are on or off.");
+  }
+  return *settings;
+}
+
 }  // namespace gonogo::cli

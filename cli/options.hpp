@@ -8,6 +8,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/program_file.hpp"
+#include "fuzz/generator_settings.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::cli {
@@ -29,5 +30,8 @@ void add_limit_options(Command& command, LimitOptions& options);
 
 // A length given as a decimal; throws UsageError.
 std::optional<reference::Number> length_option(const std::string& text, const char* option);
+
+// --settings: what generated programs are like. Throws UsageError.
+fuzz::GeneratorSettings settings_option(const std::string& text);
 
 }  // namespace gonogo::cli

@@ -22,15 +22,17 @@ oracle::RunEnd fault(std::string message) {
   return oracle::RunEnd::of(oracle::RunEnd::Kind::protocol, std::move(message));
 }
 
-// The records of a trace until `take` says false, and how it ends.
-template <typename Take>
-oracle::RunEnd read_records(int descriptor, const Take& take) {
+// The records of a trace, but for lines that `knows` says true of, until `take` says false, and how
+// it ends.
+template <typename Knows, typename Take>
+oracle::RunEnd read_records(int descriptor, const Knows& knows, const Take& take) {
   grammar::FileSource bytes(descriptor);
   grammar::LineSource lines(bytes);
   grammar::Line line;
   oracle::TraceReader reader;
   oracle::RunEnd end;
   while (lines.next(line)) {
+    if (end.kind != oracle::RunEnd::Kind::alarm && knows(line.text)) continue;
     if (is_blank(line.text)) continue;
     if (end.kind == oracle::RunEnd::Kind::alarm) {
       return fault(
@@ -69,21 +71,30 @@ TraceFeatures RecordedTrace::likely_features() const {
   return features;
 }
 
-TraceSummary RecordedTrace::read(const std::function<void(const reference::Record&)>& take) {
+TraceSummary RecordedTrace::read(const std::function<bool(std::string_view)>& knows,
+                                 const std::function<void(const reference::Record&)>& take) {
   TraceSummary summary;
   records_ = 0;
-  summary.end = read_records(file_.descriptor(), [&](const reference::Record& record) {
+  const auto count_known = [&](std::string_view line) {
+    if (!knows(line)) return false;
+    ++records_;
+    summary.features.blocks = true;
+    return true;
+  };
+  const auto count = [&](const reference::Record& record) {
     ++records_;
     summary.features.blocks = summary.features.blocks || record.block != 0;
     summary.features.m = summary.features.m || record.kind == reference::RecordKind::m;
     take(record);
     return true;
-  });
+  };
+  summary.end = read_records(file_.descriptor(), count_known, count);
   return summary;
 }
 
 void RecordedTrace::each(const std::function<bool(const reference::Record&)>& take) const {
-  read_records(file_.descriptor(), take);
+  read_records(
+      file_.descriptor(), [](std::string_view) { return false; }, take);
 }
 
 }  // namespace gonogo::cli

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "cli/stored_file.hpp"
 #include "oracle/judge/judge_session.hpp"
@@ -31,8 +32,10 @@ class RecordedTrace : public oracle::RecordSeries {
 
   // What a look at its bytes says; a guess.
   TraceFeatures likely_features() const;
-  // Hands out every record up to the end, to an alarm or to the first line that is at fault.
-  TraceSummary read(const std::function<void(const reference::Record&)>& take);
+  // Hands out every record up to the end, to an alarm or to the first line that is at fault; but
+  // for lines that `knows` says true of, which are records with line numbers, and no M functions.
+  TraceSummary read(const std::function<bool(std::string_view)>& knows,
+                    const std::function<void(const reference::Record&)>& take);
 
   // The records of the last `read`.
   std::size_t size() const override { return records_; }

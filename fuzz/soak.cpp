@@ -82,13 +82,14 @@ std::optional<oracle::Verdict> judged(oracle::Subject& subject,
   }
 }
 
-// What the gauge says of itself that it does not judge: a code, a level of too many motions.
+// What the gauge says of itself that it does not judge: a code, a level of too many motions, a
+// reading under which no path is right.
 bool is_out_of_reach(const oracle::Verdict& verdict) {
   if (verdict.kind != oracle::VerdictKind::oracle_gap) return false;
   const auto says = [&](std::string_view part) {
     return verdict.message.find(part) != std::string::npos;
   };
-  return says("gauge does not") || says("motions is not judged");
+  return says("gauge does not") || says("motions is not judged") || says("run-out of the reading");
 }
 
 // One program, from the decisions in a fuzzer's input.

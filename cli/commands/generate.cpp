@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo generate: vectors from the models of a dialect, with their completeness counted.
+// gonogo generate: vectors from the models of a dialect, with their completeness counted; or from
+// its generator, for a corpus that nobody has seen.
 #include <fmt/format.h>
 #include <fnmatch.h>
 
@@ -9,9 +10,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/options.hpp"
 #include "cli/output.hpp"
-#include "cli/program_file.hpp"
+#include "cli/version.hpp"
 #include "fuzz/cover/cases.hpp"
+#include "fuzz/hunt/drawn_vectors.hpp"
 #include "oracle/corpus/folder_writer.hpp"
 #include "reference/dialect.hpp"
 
@@ -22,6 +25,9 @@ using fuzz::cover::CoverCases;
 using fuzz::cover::Making;
 using fuzz::cover::Model;
 
+// Of a corpus that is never released.
+constexpr std::string_view kDrawnVersion = "0000.0.0";
+
 struct GenerateWords {
   std::string dialect;
   std::string out;
@@ -30,6 +36,8 @@ struct GenerateWords {
   long fault_strength = 0;
   long seed = 1;
   long signs = 24;
+  long programs = 0;  // drawn at random; 0: rows of covering arrays
+  std::string settings;
 };
 
 std::vector<const Model*> models_of(const GenerateWords& words) {
@@ -86,16 +94,8 @@ std::string line_of(const Making& making, const std::vector<oracle::Case>& cases
       count.covered, count.excluded, cases.size(), alarms, signs);
 }
 
-int generate(const GenerateWords& words) {
-  if (reference::find_dialect(words.dialect) == nullptr) {
-    throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", words.dialect,
-                                 reference::dialect_names()));
-  }
-  std::error_code ignored;
-  if (std::filesystem::exists(words.out, ignored) &&
-      !std::filesystem::is_empty(words.out, ignored)) {
-    throw UsageError(fmt::format("{} is there and not empty. Name a new folder.", words.out));
-  }
+// Rows of covering arrays and cases at limits.
+int generate_rows(const GenerateWords& words) {
   oracle::CorpusFolder folder;
   folder.version = fuzz::cover::kModelsVersion;
   std::vector<Making> makings;
@@ -123,12 +123,55 @@ int generate(const GenerateWords& words) {
   return disagreements == 0 ? kGo : kUndecided;
 }
 
+int generate_drawn(const GenerateWords& words) {
+  const fuzz::GeneratorSettings settings = settings_option(words.settings);
+  fuzz::DrawnVectors drawn = fuzz::draw_vectors(
+      fuzz::generator_of(words.dialect), settings, static_cast<std::uint64_t>(words.seed),
+      static_cast<std::size_t>(words.programs), fmt::format("gonogo {}", kVersion));
+  Output output;
+  output.text() = fmt::format(
+      "{} programs from seed {} on: {} show something new, {} of these alarm; {} left out\n"
+      "{} cases in {}\n",
+      words.programs, words.seed, drawn.cases.size(), drawn.alarms, drawn.left_out,
+      drawn.cases.size(), words.out);
+  oracle::CorpusFolder folder;
+  folder.version = kDrawnVersion;
+  folder.files[fmt::format("vectors/{}/drawn.json", words.dialect)] = std::move(drawn.cases);
+  oracle::write_corpus(words.out, folder);
+  output.flush();
+  return kGo;
+}
+
+int generate(const GenerateWords& words) {
+  if (reference::find_dialect(words.dialect) == nullptr) {
+    throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", words.dialect,
+                                 reference::dialect_names()));
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(words.out, ignored) &&
+      !std::filesystem::is_empty(words.out, ignored)) {
+    throw UsageError(fmt::format("{} is there and not empty. Name a new folder.", words.out));
+  }
+  if (words.programs == 0) {
+    if (!words.settings.empty()) {
+      throw UsageError(
+          "--settings is about programs that are drawn at random: give --programs too.");
+    }
+    return generate_rows(words);
+  }
+  if (!words.only.empty() || words.strength != 0 || words.fault_strength != 0) {
+    throw UsageError(
+        "--programs draws at random; --only and strengths are about models. Leave either out.");
+  }
+  return generate_drawn(words);
+}
+
 }  // namespace
 
 void add_generate(Command& program) {
   auto words = std::make_shared<GenerateWords>();
-  Command command =
-      program.add_command("generate", "Make vectors that cover every tuple of classes");
+  Command command = program.add_command(
+      "generate", "Make vectors: of every tuple of classes, or of programs drawn at random");
   command.needed_option("--dialect", words->dialect, "dialect of the programs");
   command.needed_option("--out", words->out, "new folder for the vectors");
   command.number("--strength", words->strength, 1, 4,
@@ -139,6 +182,10 @@ void add_generate(Command& program) {
   command.number("--signs", words->signs, 0, 1000,
                  "triples at the reference's limits, at most so many a model (24)");
   command.repeated_option("--only", words->only, "models by a glob: gsk.g11*");
+  command.number("--programs", words->programs, 1, 100'000'000,
+                 "draw so many programs instead, and keep those that show something new");
+  command.option("--settings", words->settings,
+                 "with --programs, what these are like: valid=1,boundary=2,blocks=4");
   command.run([words] { return generate(*words); });
 }
 

@@ -28,7 +28,7 @@ fuzz::HuntOptions hunt_options(const HuntWords& words) {
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
-  options.settings = settings_of(words);
+  options.settings = settings_option(words.settings);
   return options;
 }
 

@@ -30,7 +30,7 @@ fuzz::PropertyOptions property_options(const HuntWords& words) {
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
-  options.settings = settings_of(words);
+  options.settings = settings_option(words.settings);
   options.tolerance = trial.tolerance;
   options.run_limit = trial.run_limit;
   return options;

@@ -40,9 +40,10 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
     const oracle::JudgeTerms terms = terms_for(features, options, profile);
     oracle::JudgeSession session(profile, program, terms);
     bool undecided = true;
-    const TraceSummary seen = trace.read([&](const reference::Record& record) {
-      if (undecided) undecided = session.record(record);
-    });
+    const TraceSummary seen = trace.read([&](std::string_view line) { return session.line(line); },
+                                         [&](const reference::Record& record) {
+                                           if (undecided) undecided = session.record(record);
+                                         });
     if (seen.features != features) {
       features = seen.features;
       continue;

@@ -62,8 +62,9 @@ std::uint64_t relation(const SmallDecimal& x, const SmallDecimal& y) {
 
 class Collector {
  public:
-  Collector(const GeneratedProgram& program)
-      : lines_(lines_of(program.text)),
+  Collector(const GeneratedProgram& program, CoverageDetail detail)
+      : detail_(detail),
+        lines_(lines_of(program.text)),
         codes_(codes_in_force(program.profile.dialect, lines_)),
         at_(program.profile.initial.at),
         machine_(hash_of(machine_text(program.profile))) {}
@@ -132,12 +133,13 @@ class Collector {
     const std::uint64_t what = mix(decision, clause);
     const std::size_t line = block == 0 ? 0 : static_cast<std::size_t>(block - 1);
     add(Part::plain, what, 0);
-    add(Part::machine, what, machine_);
+    const bool all = detail_ == CoverageDetail::all;
+    if (all) add(Part::machine, what, machine_);
     add(Part::clause_before, what, clause_before_);
     if (line < lines_.size()) {
       add(Part::code, what, hash_of(codes_[line]));
       if (block != block_) enter(line);
-      if (clause != clause_before_) {
+      if (all && clause != clause_before_) {
         for (const std::uint64_t code : earlier_codes_) add(Part::earlier_code, clause, code);
         compare_words(line, clause);
       }
@@ -177,6 +179,7 @@ class Collector {
     }
   }
 
+  CoverageDetail detail_;
   std::vector<TextLine> lines_;
   std::vector<std::string> codes_;
   reference::Position at_;
@@ -191,8 +194,9 @@ class Collector {
 }  // namespace
 
 std::optional<std::vector<std::uint64_t>> features_of(const GeneratedProgram& program,
-                                                      std::size_t most_items) {
-  Collector collector(program);
+                                                      std::size_t most_items,
+                                                      CoverageDetail detail) {
+  Collector collector(program, detail);
   oracle::ProgramInput input(program.text);
   reference::Expander expander(program.profile, input.lines, reference::OpenPaths::judged);
   try {

@@ -10,12 +10,10 @@
 #include <system_error>
 
 #include "fuzz/differential.hpp"
-#include "fuzz/hunt/program_codes.hpp"
+#include "fuzz/hunt/program_vector.hpp"
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/judge/evidence.hpp"
-#include "oracle/judge/program_input.hpp"
 #include "oracle/subjects/text.hpp"
-#include "reference/expander.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -34,48 +32,6 @@ void write_file(const fs::path& path, std::string_view text) {
     throw std::system_error(errno, std::generic_category(),
                             fmt::format("{} cannot be written", path.string()));
   }
-}
-
-// The clause departed from; else those that the program comes by, at least one.
-std::vector<std::string> clauses_of(const Finding& finding) {
-  if (!finding.signature.clause.empty()) return {finding.signature.clause};
-  const GeneratedProgram& program = finding.exhibit.program;
-  std::set<std::string> names;
-  oracle::ProgramInput input(program.text);
-  reference::Expander expander(program.profile, input.lines, reference::OpenPaths::shown);
-  while (const reference::Item* item = expander.next()) {
-    const auto* record = std::get_if<reference::Record>(item);
-    if (record != nullptr) names.emplace(reference::clause_name(record->clause));
-  }
-  names.erase("");
-  if (names.empty()) {
-    const std::string_view dialect = program.profile.dialect;
-    const std::string_view prefix = dialect == "gsk988ta" ? "GSK-"
-                                    : dialect == "hnc21t" ? "HNC-"
-                                    : dialect == "rs274"  ? "NGC-"
-                                                          : "SIE-";
-    const auto all = reference::clauses();
-    const auto first = std::ranges::find_if(
-        all, [&](const reference::Clause& clause) { return clause.id.starts_with(prefix); });
-    names.emplace(first->id);
-  }
-  return {names.begin(), names.end()};
-}
-
-// What is expected under every assignment of the readings that are open.
-std::vector<oracle::Expectation> expectations_of(const GeneratedProgram& program) {
-  const oracle::Assignments assignments = oracle::assignments_of(program.profile, program.text);
-  std::vector<oracle::Expectation> expectations;
-  for (const reference::ReadingChoice& choice : assignments.choices) {
-    reference::Profile profile = program.profile;
-    profile.readings = choice;
-    oracle::Expectation expectation = oracle::expectation_of(profile, program.text);
-    for (const reference::ReadingKey key : assignments.open) {
-      expectation.when.emplace_back(reference::reading(key).name, choice.get(key));
-    }
-    expectations.push_back(std::move(expectation));
-  }
-  return expectations;
 }
 
 std::string verdict_text(const Finding& finding, const oracle::Case& test) {
@@ -141,19 +97,12 @@ void write_beside(const fs::path& folder, const Finding& finding, const Evidence
 
 oracle::Case case_of(const Finding& finding, const oracle::SubjectInfo& subject,
                      const Provenance& provenance) {
-  const GeneratedProgram& program = finding.exhibit.program;
-  oracle::Case test;
-  test.dialect = program.profile.dialect;
-  test.cycle = kCycle;
+  oracle::Case test = vector_of(finding.exhibit.program, kCycle);
   test.group = fmt::format("hunt.{}.{}", test.dialect, finding.signature.hash());
   test.id = test.group + ".000001";
   test.comment = finding.signature.text();
-  test.program = program.text;
-  test.profile = program.profile;
-  const std::set<std::string> features = features_needed(test.dialect, lines_of(test.program));
-  test.features.assign(features.begin(), features.end());
-  test.clauses = clauses_of(finding);
-  test.expect = expectations_of(program);
+  // The clause departed from is what it is about.
+  if (!finding.signature.clause.empty()) test.clauses = {finding.signature.clause};
   test.provenance =
       fmt::format("{} hunt: {} ({} {}), seed {}, program {}", provenance.gonogo, provenance.subject,
                   subject.name, subject.version, provenance.seed, finding.program);

@@ -48,6 +48,7 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
 
 Verdict ProgramJudge::finish(const RunEnd& end) {
   try {
+    leave_step(records_ - 1);
     if (!verdict_) flush_pending();
     if (!verdict_) {
       switch (end.kind) {
@@ -63,7 +64,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
       }
     }
   } catch (const exact::Undecided& undecided) {
-    decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+    decide_undecided(undecided);
   }
   if (verdict_) return *verdict_;
   Verdict verdict;

@@ -51,6 +51,9 @@ class JudgeSession {
                const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
+  // The same as a line of JSON, where that is the reference's own and nothing more has to be looked
+  // at: true when that was all. Else `record` has to be told. Its line number is known then.
+  bool line(std::string_view line) { return judges_.size() == 1 && judges_.front()->line(line); }
   SessionVerdict finish(const RunEnd& end);
 
  private:

@@ -22,35 +22,6 @@ bool may_mean_nil(const Motion& motion, const Number& tolerance, bool reference_
          (reference_dropped_arc && std::abs(motion.record.rot) == 1);
 }
 
-// Two numbers that are small and the same; false where that takes more than a look.
-bool is_same(const Number& a, const Number& b) {
-  using exact::NumberAccess;
-  return NumberAccess::node(a) == nullptr && NumberAccess::node(b) == nullptr &&
-         NumberAccess::millionths(a) == NumberAccess::millionths(b);
-}
-
-template <std::size_t size>
-bool is_same(const std::array<Number, size>& a, const std::array<Number, size>& b) {
-  for (std::size_t i = 0; i < size; ++i) {
-    if (!is_same(a[i], b[i])) return false;
-  }
-  return true;
-}
-
-// A motion that is the reference's own to the last digit is the whole of it, by every rule of
-// CurveMatch: nearly always the case of a subject that computes in decimals.
-bool is_same_motion(const Motion& got, const Motion& want) {
-  const Record& a = got.record;
-  const Record& b = want.record;
-  if (a.kind != b.kind || a.block != b.block) return false;
-  if (!is_same(a.to.at, b.to.at) || !is_same(got.from.at, want.from.at)) return false;
-  if (a.kind == RecordKind::rapid) return true;
-  if (!is_same(a.feed, b.feed) || a.feed_mode != b.feed_mode) return false;
-  if (a.kind == RecordKind::feed) return true;
-  return a.kind == RecordKind::arc && a.plane == b.plane && a.rot == b.rot &&
-         is_same(a.centre, b.centre);
-}
-
 }  // namespace
 
 void ProgramJudge::process(Motion motion) {

@@ -29,17 +29,21 @@ void ProgramJudge::decide_gap(std::string message) {
   decide(std::move(verdict));
 }
 
+void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
+  decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+}
+
 bool ProgramJudge::record(const Record& record) {
   if (verdict_) return false;
   ++records_;
   try {
-    if (budget_.allows(records_, reference_.items())) {
-      take_record(record);
-    } else {
+    if (!budget_.allows(records_, reference_.items())) {
       decide_too_many(record);
+    } else if (!equal_record(record)) {
+      take_record(record);
     }
   } catch (const exact::Undecided& undecided) {
-    decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+    decide_undecided(undecided);
   }
   return !verdict_;
 }

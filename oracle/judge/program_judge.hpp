@@ -11,6 +11,7 @@
 
 #include "oracle/judge/curve_match.hpp"
 #include "oracle/judge/helix_pocket_judge.hpp"
+#include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/program_input.hpp"
 #include "oracle/judge/record_budget.hpp"
@@ -27,6 +28,9 @@ class ProgramJudge {
   ProgramJudge(reference::Profile profile, const ProgramText& program, const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
+  // Its next record as a line of JSON, where that is how the reference writes its own and nothing
+  // more has to be looked at: true when that was all. Else `record` has to be told.
+  bool line(std::string_view line);
   // The subject's end; the verdict.
   Verdict finish(const RunEnd& end);
 
@@ -35,6 +39,14 @@ class ProgramJudge {
 
  private:
   void decide_too_many(const Record& record);
+
+  // While the records of both sides are the same, in equal_steps.cpp. True when that was all.
+  bool equal_record(const Record& record);
+  bool fall_into_step(const Record& record);
+  bool plain_ahead();
+  void go_on(AxisSet axes, reference::ClauseId clause);
+  void leave_step(std::size_t number);
+
   void take_record(const Record& record);
   void take_motion(const Record& record);
   void flush_pending();
@@ -96,6 +108,7 @@ class ProgramJudge {
 
   void decide(Verdict verdict);
   void decide_gap(std::string message);
+  void decide_undecided(const exact::Undecided& undecided);
   // In departure.cpp.
   void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);
   bool fits_later(const Motion& motion);
@@ -110,6 +123,18 @@ class ProgramJudge {
   Position anchor_;                // where its last motion that was kept ended
   std::optional<Motion> pending_;  // joined so far
   std::size_t records_ = 0;
+
+  // While the records of both sides are the same; then position, anchor and pending are behind.
+  struct InStep {
+    PlainMotion last;
+    PlainMotion next;
+    AxisSet axes;  // of the last one, as the subject names them
+    reference::ClauseId clause = reference::kNoClause;
+    const reference::Item* ahead =
+        nullptr;  // of the reference: `next`, if `is_plain`; null: not asked
+    bool is_plain = false;
+  };
+  std::optional<InStep> in_step_;
   std::optional<Motion> want_;  // the reference's current motion, which match_ looks at
   std::optional<CurveMatch> match_;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/standing.hpp"
 #include "oracle/judge/terms.hpp"
 
@@ -97,11 +98,31 @@ bool is_m_function(const ReferenceStep& step) {
 // Until a step is ready that is no M function: those do not hold up the motions round them.
 void ReferenceStream::pull() {
   while (std::ranges::all_of(ready_, is_m_function)) {
-    const reference::Item* item = expander_.next();
+    const reference::Item* item = next_item();
     if (item == nullptr) return;
-    ++items_;
     take(*item);
   }
+}
+
+const reference::Item* ReferenceStream::next_item() {
+  const reference::Item* item = expander_.next();
+  if (item != nullptr) ++items_;
+  return item;
+}
+
+const Motion* ReferenceStream::beyond_same(const Motion& last) const {
+  const bool is_next = ready_.size() == 1 && pending_ && pending_->number == items_ && !dropped_;
+  const auto* first = is_next ? std::get_if<Motion>(&ready_.front()) : nullptr;
+  const bool is_same = first != nullptr && !first->stood && is_same_motion(*first, last);
+  return is_same && anchor_ == position_ ? &*pending_ : nullptr;
+}
+
+void ReferenceStream::go_on_behind(const PlainMotion& last, const reference::Item* ahead) {
+  ready_.clear();
+  pending_ = last.motion(items_ - (ahead == nullptr ? 0 : 1));
+  go_on_from(pending_->to());
+  dropped_arc_ = false;
+  if (ahead != nullptr) take(*ahead);
 }
 
 const ReferenceStep& ReferenceStream::current() {

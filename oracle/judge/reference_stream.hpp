@@ -14,6 +14,7 @@
 namespace gonogo::oracle {
 
 struct JudgeTerms;
+struct PlainMotion;
 
 // What the subject has to do next. M functions come as they are met.
 using ReferenceStep =
@@ -34,6 +35,14 @@ class ReferenceStream {
   // Goes on to the next one.
   void advance();
   bool at_end();
+
+  // What the filter of equal records takes past the steps, and where it leaves off.
+  // The motion behind the current step, where that is `last` and nothing else is between or waits;
+  // else null. Once it is taken, `next_item` comes behind it.
+  const Motion* beyond_same(const Motion& last) const;
+  const reference::Item* next_item();
+  // `last` waits to be joined, and `ahead` (null: nothing yet) has been put out behind it.
+  void go_on_behind(const PlainMotion& last, const reference::Item* ahead);
 
   // After a level the reference goes on from where the subject left it: the cycle says where it
   // ends in the plane.

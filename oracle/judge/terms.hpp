@@ -17,6 +17,8 @@ struct JudgeTerms {
   bool binary64 = false;       // numbers come as doubles
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
+  bool skip_equal =
+      true;  // false: even equal records are dropped, joined and matched, to the same end
 };
 
 // tau is the smaller of the declared resolution and the profile's, unless the certifier says

@@ -229,6 +229,9 @@ OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
       return touching(clear, "GSK-G114-06"_clause, motion,
                       "The tool cuts again before it has returned to the R plane.");
     }
+    if (promised && clear.kind == Clearance::Kind::touches && reading_ends_in_material()) {
+      return OpenPathAnswer::gap("The run-out of the reading ends in the material.");
+    }
     const bool may_run_out = phase_ == Phase::run_out && item_.runout == ThreadRunOut::open &&
                              is_cut(motion.record.kind) &&
                              clearance(motion, radius(), true).kind == Clearance::Kind::clear;

@@ -50,6 +50,7 @@ class ThreadJudge {
   bool runs_out_straight() const;
   Motion straight_run_out() const;
   bool reading_cuts_deeper() const;
+  bool reading_ends_in_material() const;
   bool is_straight_run_out(const Motion& motion);
   std::optional<Verdict> finish_run_out(const Motion& motion);
   Similarity run_out_map() const;  // from the start of the helix to the end of the run-out

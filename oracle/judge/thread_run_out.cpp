@@ -72,6 +72,21 @@ bool ThreadJudge::reading_cuts_deeper() const {
          clearance(straight_run_out(), radius(), false).kind != Clearance::Kind::clear;
 }
 
+// Through the axis and beyond where the passes begin: then no way back keeps off the material,
+// which GSK-G114-10 asks of a J as long as the thread is deep.
+bool ThreadJudge::reading_ends_in_material() const {
+  if (item_.runout == ThreadRunOut::open || item_.runout_length.sign() == 0) return false;
+  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
+  Motion up = helix_.front().want();
+  up.record.kind = RecordKind::rapid;
+  up.from = helix_end_;
+  up.from[axes_.p] = item_.centre[0] + end.p;
+  up.from[axes_.q] = item_.centre[1] + end.q;
+  up.record.to = up.from;
+  up.record.to[axes_.d] = item_.r_plane;
+  return clearance(up, item_.start_radius, true).kind != Clearance::Kind::clear;
+}
+
 // Under the readings radial and tangent the run-out is one straight line.
 bool ThreadJudge::is_straight_run_out(const Motion& motion) {
   if (!runs_out_straight()) return true;

@@ -3,6 +3,7 @@
 // Machines that a hunt tries, and programs for which no path is right.
 #include "fuzz/hunt/profile_parts.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,6 +82,21 @@ TEST(ContradictsItself, NotAThreadWhoseRunOutGouges) {
   EXPECT_EQ(judge_reference(profile, text, run_reference(profile, text, 1'000)).kind,
             oracle::VerdictKind::oracle_gap);
   EXPECT_FALSE(contradicts_itself(profile, "F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J0 K0\n", 1'000));
+}
+
+// In the same bore the passes begin at radius 1.5. A run-out of 3.7 along the normal leads through the
+// axis to 1.7 beyond it: nearer than the pass, but the way back up is in uncut material there, which
+// GSK-G114-10 forbids. One of 3.4 ends at 1.4, in the bore. Found by generated program 30,292,182.
+TEST(ContradictsItself, NotAThreadWhoseRunOutEndsInTheFarWall) {
+  Profile profile = defaults("gsk988ta");
+  profile.initial.plane = reference::Plane::g17;
+  profile.readings.set(reference::ReadingKey::thread_runout, "radial");
+  const auto kind_of = [&](std::string_view length) {
+    const std::string text = fmt::format("F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J{} K0\n", length);
+    return judge_reference(profile, text, run_reference(profile, text, 1'000)).kind;
+  };
+  EXPECT_EQ(kind_of("3.7"), oracle::VerdictKind::oracle_gap);
+  EXPECT_EQ(kind_of("3.4"), oracle::VerdictKind::pass_exact);
 }
 
 TEST(ContradictsItself, NotWhatAlarmsOrIsNotCovered) {

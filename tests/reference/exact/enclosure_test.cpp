@@ -164,8 +164,8 @@ TEST(Between, DecidesOutsideItsEndsOnly) {
 TEST(Between, TwoOfOneIntervalAreNotEqual) {
   const Number x = Number::between(1, 2);
   EXPECT_THROW((void)(x == Number::between(1, 2)), Undecided);
-  const Number copy =
-      x;  // NOLINT(performance-unnecessary-copy-initialization): it is about the copy.
+  // It is about the copy: NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  const Number copy = x;
   EXPECT_EQ(x, copy);
 }
 

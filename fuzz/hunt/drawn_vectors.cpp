@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/hunt/drawn_vectors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "fuzz/hunt/coverage.hpp"
+#include "fuzz/hunt/program_vector.hpp"
+
+namespace gonogo::fuzz {
+namespace {
+
+// What the program shows; nothing where it is no case.
+std::vector<std::uint64_t> shown_by(const GeneratedProgram& program) {
+  try {
+    return features_of(program, kMostDrawnItems, CoverageDetail::clauses)
+        .value_or(std::vector<std::uint64_t>());
+  } catch (const exact::Undecided&) {
+    return {};
+  }
+}
+
+bool says_nothing(const oracle::Case& test) {
+  return std::ranges::any_of(test.expect, &oracle::Expectation::not_covered);
+}
+
+bool has_alarm(const oracle::Case& test) {
+  return std::ranges::any_of(test.expect, [](const auto& one) { return !one.alarms.empty(); });
+}
+
+}  // namespace
+
+DrawnVectors draw_vectors(const Generator& generator, const GeneratorSettings& settings,
+                          std::uint64_t seed, std::size_t programs, std::string_view gonogo) {
+  DrawnVectors drawn;
+  std::unordered_set<std::uint64_t> shown;
+  for (std::size_t i = 0; i < programs; ++i) {
+    Choices choices(seed + i);
+    const GeneratedProgram program = generator.generate(choices, settings, nullptr);
+    const std::vector<std::uint64_t> features = shown_by(program);
+    if (features.empty()) {
+      ++drawn.left_out;
+      continue;
+    }
+    if (std::ranges::all_of(features, [&](auto feature) { return shown.contains(feature); })) {
+      continue;
+    }
+    oracle::Case test = vector_of(program, "drawn");
+    if (says_nothing(test)) {
+      ++drawn.left_out;
+      continue;
+    }
+    shown.insert(features.begin(), features.end());
+    test.id = fmt::format("drawn.{}.s{}.{:06}", test.dialect, seed, i + 1);
+    test.group = test.id;
+    test.comment = fmt::format("program {} of seed {}", i + 1, seed);
+    test.provenance = fmt::format("{} generate, seed {}", gonogo, seed + i);
+    if (has_alarm(test)) ++drawn.alarms;
+    drawn.cases.push_back(std::move(test));
+  }
+  drawn.features = shown.size();
+  return drawn;
+}
+
+}  // namespace gonogo::fuzz

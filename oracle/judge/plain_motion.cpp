@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/plain_motion.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using exact::NumberAccess;
+using reference::kAxes;
+
+bool is_small(const Number& value) {
+  return NumberAccess::node(value) == nullptr;
+}
+
+bool take(const Number& value, std::int64_t& millionths) {
+  millionths = NumberAccess::millionths(value);
+  return is_small(value);
+}
+
+bool is(const Number& value, std::int64_t millionths) {
+  return is_small(value) && NumberAccess::millionths(value) == millionths;
+}
+
+Position position_of(const PlainMotion::Place& place) {
+  Position position;
+  for (std::size_t i = 0; i < kAxes; ++i) position.at[i] = Number::millionths(place[i]);
+  return position;
+}
+
+}  // namespace
+
+bool PlainMotion::take(const Record& record, const Place& start) {
+  if (record.kind > RecordKind::arc || record.block == 0) return false;
+  kind = record.kind;
+  axes = record.axes;
+  moved = {};
+  block = record.block;
+  clause = record.clause;
+  from = start;
+  to = start;
+  for (const Axis axis : reference::kAllAxes) {
+    if (!axes.has(axis)) continue;
+    const auto i = static_cast<std::size_t>(axis);
+    if (!oracle::take(record.to.at[i], to[i])) return false;
+    if (to[i] != from[i]) moved.add(axis);
+  }
+  if (kind == RecordKind::rapid) return true;
+  feed_mode = record.feed_mode;
+  if (!oracle::take(record.feed, feed)) return false;
+  if (kind == RecordKind::feed) return true;
+  plane = record.plane;
+  rot = record.rot;
+  return oracle::take(record.centre[0], centre[0]) && oracle::take(record.centre[1], centre[1]);
+}
+
+bool PlainMotion::take(const Motion& motion) {
+  Place start;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    // An axis that the record does not name stays.
+    if (!oracle::take(motion.from.at[i], start[i]) || !is_small(motion.to().at[i])) return false;
+  }
+  return take(motion.record, start);
+}
+
+bool PlainMotion::is(const Record& record) const {
+  if (record.kind != kind || record.block != block) return false;
+  for (const Axis axis : reference::kAllAxes) {
+    const auto i = static_cast<std::size_t>(axis);
+    const bool same = record.axes.has(axis) ? oracle::is(record.to.at[i], to[i]) : from[i] == to[i];
+    if (!same) return false;
+  }
+  if (kind == RecordKind::rapid) return true;
+  if (record.feed_mode != feed_mode || !oracle::is(record.feed, feed)) return false;
+  if (kind == RecordKind::feed) return true;
+  return record.plane == plane && record.rot == rot && oracle::is(record.centre[0], centre[0]) &&
+         oracle::is(record.centre[1], centre[1]);
+}
+
+bool PlainMotion::is_visible(const JudgeTerms& terms) const {
+  // Up to here two doubles are off by less than a millionth together.
+  constexpr std::int64_t kFarthest = std::int64_t{1} << 51;
+  if (!is_small(terms.tolerance)) return false;
+  const std::int64_t tau = NumberAccess::millionths(terms.tolerance);
+  bool visible = false;
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    if (std::abs(from[i]) > kFarthest || std::abs(to[i]) > kFarthest) return false;
+    visible = visible || std::abs(to[i] - from[i]) > tau;
+  }
+  return visible;
+}
+
+bool PlainMotion::may_join(const PlainMotion& before) const {
+  if (kind != before.kind || block != before.block) return false;
+  return kind == RecordKind::arc ? centre == before.centre : moved == before.moved;
+}
+
+Motion PlainMotion::motion(std::size_t number) const {
+  Motion motion;
+  motion.number = number;
+  motion.from = position_of(from);
+  Record& record = motion.record;
+  record.kind = kind;
+  record.axes = axes;
+  record.block = block;
+  record.clause = clause;
+  record.to = position_of(to);
+  if (kind == RecordKind::rapid) return motion;
+  record.feed_mode = feed_mode;
+  record.feed = Number::millionths(feed);
+  if (kind == RecordKind::feed) return motion;
+  record.plane = plane;
+  record.rot = rot;
+  record.centre = {Number::millionths(centre[0]), Number::millionths(centre[1])};
+  return motion;
+}
+
+}  // namespace gonogo::oracle

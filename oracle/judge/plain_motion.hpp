@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A filter before dropping, joining and matching: motions in small numbers, which the judge only
+// looks at while both sides say the same of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "oracle/judge/motion.hpp"
+#include "oracle/judge/terms.hpp"
+
+namespace gonogo::oracle {
+
+// A rapid, feed or arc whose numbers are all whole millionths. Lengths in millionths of a
+// millimetre.
+struct PlainMotion {
+  using Place = std::array<std::int64_t, reference::kAxes>;
+
+  RecordKind kind = RecordKind::rapid;
+  reference::FeedMode feed_mode = reference::FeedMode::per_minute;
+  reference::Plane plane = reference::Plane::g17;
+  AxisSet axes;  // that the record names
+  AxisSet moved;
+  std::int32_t rot = 0;
+  std::uint64_t block = 0;
+  reference::ClauseId clause = reference::kNoClause;
+  Place from = {};
+  Place to = {};
+  std::int64_t feed = 0;                    // feed, arc
+  std::array<std::int64_t, 2> centre = {};  // arc
+
+  // Becomes the motion of a record that starts at `from`. False, and the rest unspecified, where
+  // the record is another kind, its line is not known, or a number takes more.
+  bool take(const Record& record, const Place& from);
+  bool take(const Motion& motion);
+
+  // Whether the record, from the same start, is the same motion to the last digit.
+  bool is(const Record& record) const;
+
+  // Whether it is longer than the tolerance along an axis, so that neither side drops it: even
+  // after what a subject's doubles may be off.
+  bool is_visible(const JudgeTerms& terms) const;
+  // Whether it may go on in the same way as `before`, which it follows: then they may be joined.
+  bool may_join(const PlainMotion& before) const;
+
+  // `number`: its place in the trace.
+  Motion motion(std::size_t number) const;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// While the subject's records are the reference's own, the judge only compares them, or even their
+// lines. What it says must be what it says when every motion goes the whole way, to the last word:
+// of right outcomes, of those of faulty expanders, and of those that are spoilt anywhere.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "expanders/registry.hpp"
+#include "fuzz/generator.hpp"
+#include "oracle/judge/judge_session.hpp"
+#include "oracle/judge/plain_line.hpp"
+#include "oracle/judge/standing.hpp"
+#include "oracle/trace_reader.hpp"
+#include "tests/trials.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::kAllAxes;
+using reference::Profile;
+using reference::operator""_clause;
+
+constexpr std::size_t kMostRecords = 5'000;
+
+struct Outcome {
+  std::vector<Record> records;
+  RunEnd end;
+};
+
+std::string line_of(const Record& record) {
+  std::string line;
+  append_json(record, line);
+  return line;
+}
+
+std::string text_of(const SessionVerdict& said) {
+  const Verdict& verdict = said.verdict;
+  return fmt::format("{} {} {} {} '{}' want {} got {} by {} {} at {}: {}; {} explain",
+                     name(verdict.kind), reference::clause_name(verdict.clause), verdict.block,
+                     verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
+                     verdict.deviation_exact, verdict.deviation_mm, verdict.witness,
+                     verdict.message, said.explaining.size());
+}
+
+// Judged record by record. Endless outcomes are cut off, as they would be by a limit of time.
+std::string judged(const Profile& profile, const std::string& program, const Outcome& outcome,
+                   const JudgeTerms& terms) {
+  return text_of(judge_outcome(profile, program, terms, outcome.records, outcome.end));
+}
+
+// Judged line by line; `known` counts those that were not read.
+std::string judged_by_lines(const Profile& profile, const std::string& program,
+                            const Outcome& outcome, const JudgeTerms& terms, std::size_t& known) {
+  JudgeSession session(profile, program, terms);
+  TraceReader reader;
+  bool goes_on = true;
+  for (const Record& record : outcome.records) {
+    const std::string line = line_of(record);
+    if (session.line(line)) {
+      ++known;
+      continue;
+    }
+    const TraceLine read = reader.read(line);
+    if (goes_on) goes_on = session.record(std::get<Record>(read));
+  }
+  return text_of(session.finish(outcome.end));
+}
+
+Outcome run(const gonogo_subject_v1& table, const Profile& profile, const std::string& program) {
+  const auto subject = make_interface_subject(table);
+  Outcome outcome;
+  subject->configure(profile);
+  outcome.end = subject->run("generated", program, [&](const Record& record) {
+    outcome.records.push_back(record);
+    return outcome.records.size() < kMostRecords;
+  });
+  return outcome;
+}
+
+// One record other than it was, or one more or less.
+void spoil(Outcome& outcome, Trials& trials) {
+  if (outcome.records.empty()) return;
+  const std::size_t at = trials.below(outcome.records.size());
+  const auto place = outcome.records.begin() + static_cast<std::ptrdiff_t>(at);
+  const Number step = Number::millionths(
+      trials.one_of(std::to_array<std::int64_t>({1, -1, 900, 1'100, -1'000'000})));
+  switch (trials.below(8)) {
+    case 0:
+      outcome.records.erase(place);
+      return;
+    case 1: {
+      const Record twice = *place;
+      outcome.records.insert(place, twice);
+      return;
+    }
+    case 2:
+      place->feed += step;
+      return;
+    case 3:
+      place->kind = place->kind == RecordKind::rapid ? RecordKind::feed : RecordKind::rapid;
+      return;
+    case 4:
+      ++place->block;
+      return;
+    case 5:
+      place->clause = reference::kNoClause;
+      return;
+    default: {
+      const Axis axis = trials.one_of(kAllAxes);
+      place->axes.add(axis);
+      place->to[axis] += step;
+    }
+  }
+}
+
+const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& trials) {
+  const auto faults = expanders::faults(generator.expander);
+  std::string_view fault;
+  if (trials.once_in(2)) fault = faults[trials.below(faults.size())].name;
+  return *expanders::find(generator.expander, fault);
+}
+
+TEST(EqualSteps, SayWhatTheWholeWaySays) {
+  Trials trials(3'000);
+  std::size_t known = 0;
+  std::size_t records = 0;
+  for (long i = 0; i < trials.count; ++i) {
+    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    fuzz::Choices choices(trials.chance());
+    const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
+    const gonogo_subject_v1& table = any_expander(generator, trials);
+    Outcome outcome = run(table, program.profile, program.text);
+    if (trials.once_in(2)) spoil(outcome, trials);
+    JudgeTerms terms = make_terms(make_interface_subject(table)->info(), program.profile,
+                                  std::nullopt, std::nullopt);
+    terms.skip_equal = false;
+    const std::string whole = judged(program.profile, program.text, outcome, terms);
+    terms.skip_equal = true;
+    const std::string where =
+        fmt::format("{}\n{}", reference::profile_json(program.profile), program.text);
+    ASSERT_EQ(judged(program.profile, program.text, outcome, terms), whole) << where;
+    ASSERT_EQ(judged_by_lines(program.profile, program.text, outcome, terms, known), whole)
+        << where;
+    records += outcome.records.size();
+  }
+  EXPECT_GT(known * 10, records) << "hardly a record is equal: nothing was tried";
+}
+
+// A motion of few directions, lengths and centres from a point of few, so that two in a row are
+// often joined or too small to see.
+Motion short_motion(const Position& from, Trials& trials) {
+  constexpr auto kSteps =
+      std::to_array<std::int64_t>({0, 0, 999, 1'000, 1'001, 1'000'000, -1'000'000});
+  Record record;
+  record.kind =
+      trials.one_of(std::to_array({RecordKind::rapid, RecordKind::feed, RecordKind::arc}));
+  record.block = 1 + trials.below(2);
+  record.feed = Number(100 + static_cast<std::int64_t>(trials.below(2)));
+  record.rot = trials.once_in(2) ? 1 : -1;
+  record.axes = reference::kEveryAxis;
+  record.to = from;
+  for (const Axis axis : {Axis::x, Axis::y, Axis::c}) {
+    if (!trials.once_in(3)) record.to[axis] += Number::millionths(trials.one_of(kSteps));
+  }
+  return motion_from(from, record, 0);
+}
+
+// An arc about zero from one of the points of a circle of 5 to another.
+Motion arc_of_circle(std::size_t from, std::size_t to, Trials& trials) {
+  constexpr auto kPoints = std::to_array<std::pair<int, int>>(
+      {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-5, 0}, {-3, -4}, {3, -4}, {4, -3}});
+  const auto point = [&](std::size_t i) {
+    Position at;
+    at[Axis::x] = Number(kPoints[i % kPoints.size()].first);
+    at[Axis::y] = Number(kPoints[i % kPoints.size()].second);
+    return at;
+  };
+  Record record;
+  record.kind = RecordKind::arc;
+  record.block = 1;
+  record.rot = trials.once_in(4) ? -1 : 1;
+  record.axes = {Axis::x, Axis::y};
+  record.to = point(to);
+  return motion_from(point(from), record, 0);
+}
+
+TEST(PlainMotion, MayJoinWhateverIsJoined) {
+  Trials trials(200'000);
+  long joined = 0;
+  for (long i = 0; i < trials.count; ++i) {
+    const bool are_arcs = trials.once_in(2);
+    const std::size_t from = trials.below(9);
+    const std::size_t middle = trials.below(9);
+    const Motion first = are_arcs ? arc_of_circle(from, middle, trials) : short_motion({}, trials);
+    const Motion second = are_arcs ? arc_of_circle(middle, trials.below(9), trials)
+                                   : short_motion(first.to(), trials);
+    Motion both = first;
+    if (!join(both, second)) continue;
+    ++joined;
+    PlainMotion before;
+    PlainMotion after;
+    ASSERT_TRUE(before.take(first) && after.take(second));
+    ASSERT_TRUE(after.may_join(before)) << line_of(first.record) << line_of(second.record);
+  }
+  EXPECT_GT(joined, trials.count / 100);
+}
+
+// One that is dropped is not visible, whatever a subject's doubles are off.
+TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
+  Trials trials(200'000);
+  JudgeTerms terms;
+  terms.binary64 = true;
+  long dropped = 0;
+  for (long i = 0; i < trials.count; ++i) {
+    Position from;
+    const auto far =
+        trials.one_of(std::to_array<std::int64_t>({0, 1'000, 100'000'000, 1'500'000'000}));
+    from[Axis::x] = Number(far);
+    const Motion motion = short_motion(from, trials);
+    if (!stays_at(from, motion, terms)) continue;
+    ++dropped;
+    PlainMotion plain;
+    ASSERT_TRUE(plain.take(motion));
+    ASSERT_FALSE(plain.is_visible(terms)) << line_of(motion.record);
+  }
+  EXPECT_GT(dropped, trials.count / 100);
+}
+
+TEST(PlainMotion, IsVisibleWhereItIsLonger) {
+  Record record;
+  record.block = 1;
+  record.axes = {Axis::z};
+  record.to[Axis::z] = Number::millionths(1'001);
+  PlainMotion plain;
+  ASSERT_TRUE(plain.take(record, {}));
+  EXPECT_TRUE(plain.is_visible(JudgeTerms()));
+}
+
+Record any_record(Trials& trials) {
+  const auto any_number = [&] {
+    const auto count = static_cast<std::int64_t>(trials.below(2'000'001)) - 1'000'000;
+    return Number::millionths(count *
+                              trials.one_of(std::to_array<std::int64_t>({1, 1000, 1'000'000})));
+  };
+  Record record;
+  record.kind =
+      trials.one_of(std::to_array({RecordKind::rapid, RecordKind::feed, RecordKind::arc}));
+  record.block = 1 + trials.below(2'000);
+  record.plane = trials.one_of(
+      std::to_array({reference::Plane::g17, reference::Plane::g18, reference::Plane::g19}));
+  record.rot = trials.one_of(std::to_array({-3, -1, 1, 20}));
+  record.feed_mode = trials.one_of(
+      std::to_array({reference::FeedMode::per_minute, reference::FeedMode::per_revolution}));
+  record.feed = abs(any_number());
+  record.centre = {any_number(), any_number()};
+  const reference::PlaneAxes axes = axes_of(record.plane);
+  record.axes = {axes.p, axes.q};  // which an arc has to name
+  for (const Axis axis : kAllAxes) {
+    if (trials.once_in(2)) record.axes.add(axis);
+    if (record.axes.has(axis)) record.to[axis] = any_number();
+  }
+  if (trials.once_in(2)) record.clause = "NGC-G0-01"_clause;
+  return record;
+}
+
+TEST(PlainLine, IsTheRecordThatIsWrittenSo) {
+  Trials trials(20'000);
+  for (long i = 0; i < trials.count; ++i) {
+    const Record record = any_record(trials);
+    PlainMotion motion;
+    ASSERT_TRUE(motion.take(record, {}));
+    const std::string line = line_of(record);
+    ASSERT_TRUE(is_line_of(motion, line)) << line;
+  }
+}
+
+// Any byte is replaced, left out or put in: what still passes must be read as the same motion.
+TEST(PlainLine, IsNothingThatIsReadAsAnotherRecord) {
+  Trials trials(200'000);
+  TraceReader reader;
+  long passed = 0;
+  for (long i = 0; i < trials.count; ++i) {
+    const Record record = any_record(trials);
+    PlainMotion motion;
+    ASSERT_TRUE(motion.take(record, {}));
+    std::string line = line_of(record);
+    const std::size_t at = trials.below(line.size());
+    const char byte = trials.one_of(std::string_view("0123456789.-\"{}[]:, xyzacfbkto+eE"));
+    switch (trials.below(3)) {
+      case 0:
+        line[at] = byte;
+        break;
+      case 1:
+        line.erase(at, 1);
+        break;
+      default:
+        line.insert(at, 1, byte);
+        break;
+    }
+    if (!is_line_of(motion, line)) continue;
+    ++passed;
+    const TraceLine read = reader.read(line);
+    const TraceFault* fault = std::get_if<TraceFault>(&read);
+    ASSERT_TRUE(fault == nullptr) << line << ": " << fault->message;
+    ASSERT_TRUE(motion.is(std::get<Record>(read))) << line;
+  }
+  EXPECT_GT(passed, 0);
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
