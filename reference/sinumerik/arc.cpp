@@ -141,7 +141,8 @@ void run_arc(BlockContext& block, int sense) {
   const std::optional<int> turns = more_turns(block);
   const Plane plane = plane_of_arc(block);
   const PlaneAxes axes = axes_of(plane);
-  const bool admitted = admits_plane(block, plane, 'G');
+  // The plane in force has been looked at where it was named.
+  const bool admitted = plane == block.machine.plane || admits_plane(block, plane, 'G');
   const Address centre_word = check_centre_words(block, axes);
   const bool angle_in_range = check_angle(block);
   // Where the only centre is one along the third axis, there is none to work with.

@@ -47,6 +47,18 @@ void remember_line(Machine& machine, const EndPoint& end) {
   machine.last = std::move(last);
 }
 
+// Whether an arc from one point to another about a centre is no part of a turn, as far as can be
+// told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
+// nevertheless.
+bool has_no_sweep(const PlanePoint& from, const PlanePoint& to) {
+  try {
+    return (from[0] * to[1] - from[1] * to[0]).sign() == 0 &&
+           (from[0] * to[0] + from[1] * to[1]).sign() > 0;
+  } catch (const exact::Undecided&) {
+    return true;
+  }
+}
+
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
 void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   const PlaneAxes axes = axes_of(arc.plane);
@@ -55,6 +67,9 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   LastMotion last;
   last.direction[axes.p] = -(sense * radius[1]);
   last.direction[axes.q] = sense * radius[0];
+  // Which way it goes at its end no text says.
+  last.undecided = !end.closed.value_or(false) && std::abs(arc.rot) == 1 &&
+                   has_no_sweep({-arc.offset[0], -arc.offset[1]}, radius);
   if (end.named.has(axes.d)) {
     last.climb = Climb{axes.d,
                        end.by[axes.d],

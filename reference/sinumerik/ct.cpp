@@ -56,7 +56,7 @@ void run_tangent(BlockContext& block) {
   const PlaneAxes axes = block.plane_axes();
   const std::optional<LastMotion>& last = block.machine.last;
   if (!last) return refuse(block, "SIE-CT-01"_clause, "No motion stands before the arc.");
-  if (last->undecided) throw exact::Undecided("exact: whether a motion has a length");
+  if (last->undecided) throw exact::Undecided("exact: which way the motion before goes");
   const PlanePoint t = direction_in_plane(*last, axes);
   if (!any_nonzero({t[0], t[1]})) {
     return refuse(block, kBefore, "The motion before stands upright on the plane.");

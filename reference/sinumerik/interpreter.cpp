@@ -216,7 +216,8 @@ void Interpreter::take_modes(BlockContext& block) {
   }
   if (codes.plane >= 0) {
     const auto plane = static_cast<Plane>(codes.plane - 17);
-    if (admits_plane(block, plane, 'G')) take_plane(machine_, plane);
+    admits_plane(block, plane, 'G');
+    take_plane(machine_, plane);  // refused or not: its words are meant in it
   }
   take_tool(words);
   if (codes.motion) machine_.motion = codes.motion;

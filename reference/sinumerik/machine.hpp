@@ -40,7 +40,7 @@ struct Climb {
 struct LastMotion {
   Position direction;          // at its end; of any length, for a helix without its climb
   std::optional<Climb> climb;  // of a helix
-  bool undecided = false;      // whether a motion after it has a length cannot be told
+  bool undecided = false;      // which way it goes cannot be told
 };
 
 struct Machine : MotionState {

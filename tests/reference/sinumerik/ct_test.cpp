@@ -99,6 +99,16 @@ TEST(SieCt, AHelixClimbsInOtherPlanes) {
   EXPECT_EQ(centre(last_motion("G2 X10 I5 J0 Z10 F9\nCT X20")), "15.000000000,0.000000000");
 }
 
+// From (10,0) to (9.995,0) about the origin, which the tolerance of the radii admits: the arc has
+// no sweep, and no text says which way it goes. Round once more, it is a circle. Found by generated
+// program 30,084,685 of the 802S.
+TEST(SieCt, WhatFollowsAnArcWithoutSweepIsNotDecided) {
+  const Profile programmed = sie({{"sie.arc.correct", "programmed"}});
+  EXPECT_EQ(path("G0 X10\nG3 AP=0 RP=9.995 F9", programmed).size(), 2U);
+  EXPECT_THROW(path("G0 X10\nG3 AP=0 RP=9.995 F9\nCT X20 Y5", programmed), exact::Undecided);
+  EXPECT_EQ(path("G0 X10\nG3 AP=0 RP=9.995 TURN=1 F9\nCT X20 Y5", programmed).size(), 3U);
+}
+
 TEST(SieCt, WordsOfArcsConflict) {
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 CR=5"), "conflicting-words CR");
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 TURN=1"), "conflicting-words TURN");

@@ -186,6 +186,15 @@ TEST(SieFrame, ARotationStaysInItsPlane) {
   EXPECT_EQ(frame_outcome("G158 X5\nG2 X6 Z1 CR=9"), "end");
 }
 
+// A plane that is refused is the plane that the words of its block are meant in: there K is an axis
+// of the arc, and AR stands beside a centre and an end. Found by generated program 30,049,805.
+TEST(SieFrame, ABlockIsCheckedInThePlaneThatIsRefused) {
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG19 G2 J5 K5 AR=90 Z9 F9"),
+            "conflicting-words AR, plane-not-allowed G");
+  EXPECT_EQ(frame_outcome("G258 RPL=30\nG19 G2 J5 I5 AR=90 F9"),
+            "axis-not-in-plane I, plane-not-allowed G");
+}
+
 // From base (10, 5) half round (10, 0).
 TEST(SieFrame, AnArcTurnsWithItsCentre) {
   EXPECT_EQ(line("G158 X10\nG259 RPL=90\nG0 X5 Y0\nG3 X-5 Y0 I-5 F100", 1, s802()),
