@@ -184,6 +184,29 @@ test("statements of certificates are valid", () => {
   }
 });
 
+test("the manifest of the corpus is valid", () => {
+  const manifest = JSON.parse(readFileSync(join(root, "corpus/manifest.json"), "utf8"));
+  const validate = validator("manifest-1 #");
+  assert.ok(validate(manifest), JSON.stringify(validate.errors));
+  assert.equal(validate({ ...manifest, version: "1.0" }), false);
+});
+
+test("manifests of exported programs are valid", () => {
+  const limits = ["--envelope", "-20..20,-20..20,-20..20", "--feed-max", "300"];
+  for (const words of [["--only", "gsk.arc.*"], ["--only", "*.0000[1-4]?", "--all-profiles", ...limits]]) {
+    inFolder((folder) => {
+      const out = join(folder, "programs");
+      execFileSync(program, ["export", "--out", out, ...words], { cwd: root });
+      const manifest = JSON.parse(readFileSync(join(out, "manifest.json"), "utf8"));
+      const validate = validator("export-1 #");
+      assert.ok(validate(manifest), JSON.stringify(validate.errors));
+      assert.ok(manifest.programs.length > 20);
+      assert.equal(validate({ ...manifest, extra: 1 }), false);
+      assert.equal(validate({ ...manifest, programs: [{ ...manifest.programs[0], start: { q: "1" } }] }), false);
+    });
+  }
+});
+
 // The keys that the program names when it refuses an unknown one.
 function keysThatItReads(text, ...words) {
   return inFolder((folder) => {
