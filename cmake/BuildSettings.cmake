@@ -4,10 +4,11 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-# Dev: optimised enough to be quick, with every check on. Release keeps assertions too
+# Dev: optimised enough to be quick, with every check on, and lines for backtraces: what a debugger wants
+# beyond them (-g) is a third of the compiler's time. Release keeps assertions too
 # (no NDEBUG): CGAL's own checks are part of the oracle's answer.
-set(CMAKE_CXX_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORCE)
-set(CMAKE_C_FLAGS_DEV "-O1 -g" CACHE STRING "Flags of the Dev build type" FORCE)
+set(CMAKE_CXX_FLAGS_DEV "-O1 -g1" CACHE STRING "Flags of the Dev build type" FORCE)
+set(CMAKE_C_FLAGS_DEV "-O1 -g1" CACHE STRING "Flags of the Dev build type" FORCE)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
 set(CMAKE_C_FLAGS_RELEASE "-O2" CACHE STRING "Flags of the Release build type" FORCE)
 # Fuzz: the sanitizers' checks of optimised code cost half; line tables are what their reports need.

@@ -4,6 +4,9 @@
 // traverse to z -5, cut to x 30, cut to z 5, traverse to x 50.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/oracle/capture/sampling.hpp"
 
 namespace gonogo::oracle {
@@ -265,6 +268,42 @@ TEST(SampledJudge, AnAlarmOfAGoodProgramIsSpurious) {
   machine.line({50, 0, -5}, kRapid).line({40, 0, -5}, kFeed);
   EXPECT_EQ(judge_samples(kBox, machine.csv() + "alarm,syntax,2\n").kind,
             VerdictKind::fail_alarm_spurious);
+}
+
+// Half a circle of radius 5 about (5, 0, 0), from (0, 0, 0) to (10, 0, 0): by way of (5, 5 y, 5 z).
+const SampledCase kSpaceCircle{"F600 S500 M3\nCIP X10 Y0 Z0 I1=5 J1=3 K1=4\n", "sinumerik840d"};
+std::string half_circle(double y, double z, double radius = 5, double feed = 600) {
+  const double seconds = std::numbers::pi * radius / (feed / 60);
+  std::vector<SampledMachine::Row> rows;
+  const auto add = [&](double time) {
+    const double angle = std::numbers::pi * time / seconds;
+    const double aside = radius * std::sin(angle);
+    rows.push_back({time, {5 - 5 * std::cos(angle), y * aside, z * aside}});
+  };
+  for (double time = 0; time < seconds; time += 0.004) add(time);
+  add(seconds);
+  return csv_of(rows);
+}
+
+TEST(SampledJudge, ACircleInSpaceIsFollowed) {
+  const Verdict verdict = judge_samples(kSpaceCircle, half_circle(0.6, 0.8));
+  EXPECT_EQ(verdict.kind, VerdictKind::pass_tolerance) << verdict.message;
+}
+
+TEST(SampledJudge, ACircleInAnotherPlaneOrTheOtherHalfOrOfAnotherRadiusIsNoGo) {
+  for (const std::string& csv : {half_circle(0.8, 0.6), half_circle(-0.6, -0.8),
+                                 half_circle(0.6, 0.8, 5.01), half_circle(0.6, 0.8, 4.99)}) {
+    const Verdict verdict = judge_samples(kSpaceCircle, csv);
+    EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+    EXPECT_EQ(verdict.block, 2U);
+  }
+}
+
+TEST(SampledJudge, AFeedWrongByAFifthOnACircleInSpaceIsNoGo) {
+  EXPECT_EQ(judge_samples(kSpaceCircle, half_circle(0.6, 0.8, 5, 720)).kind,
+            VerdictKind::fail_feed);
+  EXPECT_EQ(judge_samples(kSpaceCircle, half_circle(0.6, 0.8, 5, 588)).kind,
+            VerdictKind::pass_tolerance);
 }
 
 }  // namespace
