@@ -121,6 +121,11 @@ void ProgramJudge::end_open_path_before(std::uint64_t block) {
   if (pending_ && pending_->record.block < block) flush_pending();
   if (verdict_) return;
   const ReferenceStep& step = reference_.current();
+  // A pocket no deeper than the tolerance: to leave it takes no motion that is seen.
+  if (auto* level = std::get_if<reference::PocketLevel>(&step)) {
+    if (block > level->block) finish_level(*level, position_);
+    return;
+  }
   auto* thread = std::get_if<ThreadMilling>(&step);
   auto* pocket = std::get_if<HelixPocket>(&step);
   auto* milling = std::get_if<PocketMilling>(&step);

@@ -94,7 +94,7 @@ class ProgramJudge {
   bool follow_open_path(const OpenPathAnswer& answer, Motion& motion);
   // Goes on after the current open path, which ends `here`; false when it is none or incomplete.
   bool end_open_path(const Position& here);
-  // The same before a record of a later block.
+  // The same before a record of a later block; also of a pocket level.
   void end_open_path_before(std::uint64_t block);
   std::optional<Verdict> unfinished_open_path();
 

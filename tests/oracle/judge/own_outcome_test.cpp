@@ -95,6 +95,17 @@ std::string any_motion_block(const Lengths& at) {
   }
 }
 
+// A pocket as deep as the tolerance: the way out of it is no motion, and the next one comes behind
+// G50. Found by generated program 30,192,820.
+TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
+  EXPECT_EQ(
+      judge_own("G00 X29.308 Y66 Z9 F416\nG110 Z58.999 X60 V-0.001 I3.003 L2.654 Q0.001 D3.002\n"
+                "G50 X18\nG00 X20 Z10\n",
+                profile_of("gsk988ta"))
+          .kind,
+      VerdictKind::pass_exact);
+}
+
 TEST(OwnOutcome, OfRandomProgramsIsExact) {
   const reference::Profile profile = profile_of("sinumerik840d");
   EXPECT_TRUE(rc::check([&] {
