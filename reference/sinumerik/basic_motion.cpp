@@ -47,16 +47,22 @@ void remember_line(Machine& machine, const EndPoint& end) {
   machine.last = std::move(last);
 }
 
+// Nothing where that cannot be told.
+std::optional<int> sign_of(const Number& value) {
+  try {
+    return value.sign();
+  } catch (const exact::Undecided&) {
+    return std::nullopt;
+  }
+}
+
 // Whether an arc from one point to another about a centre is no part of a turn, as far as can be
 // told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
 // nevertheless.
-bool has_no_sweep(const PlanePoint& from, const PlanePoint& to) {
-  try {
-    return (from[0] * to[1] - from[1] * to[0]).sign() == 0 &&
-           (from[0] * to[0] + from[1] * to[1]).sign() > 0;
-  } catch (const exact::Undecided&) {
-    return true;
-  }
+bool may_have_no_sweep(const PlanePoint& from, const PlanePoint& to) {
+  const std::optional<int> across = sign_of(from[0] * to[1] - from[1] * to[0]);
+  const std::optional<int> along = sign_of(from[0] * to[0] + from[1] * to[1]);
+  return across.value_or(0) == 0 && along.value_or(1) > 0;
 }
 
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
@@ -69,7 +75,7 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   last.direction[axes.q] = sense * radius[0];
   // Which way it goes at its end no text says.
   last.undecided = !end.closed.value_or(false) && std::abs(arc.rot) == 1 &&
-                   has_no_sweep({-arc.offset[0], -arc.offset[1]}, radius);
+                   may_have_no_sweep({-arc.offset[0], -arc.offset[1]}, radius);
   if (end.named.has(axes.d)) {
     last.climb = Climb{axes.d,
                        end.by[axes.d],

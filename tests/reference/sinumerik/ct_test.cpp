@@ -106,6 +106,8 @@ TEST(SieCt, WhatFollowsAnArcWithoutSweepIsNotDecided) {
   const Profile programmed = sie({{"sie.arc.correct", "programmed"}});
   EXPECT_EQ(path("G0 X10\nG3 AP=0 RP=9.995 F9", programmed).size(), 2U);
   EXPECT_THROW(path("G0 X10\nG3 AP=0 RP=9.995 F9\nCT X20 Y5", programmed), exact::Undecided);
+  // Half a turn between places that are only enclosed is one.
+  EXPECT_EQ(path("G0 AP=-10 RP=2\nG3 AP=-190 RP=2 F9\nCT X20 Y5").size(), 3U);
   EXPECT_EQ(path("G0 X10\nG3 AP=0 RP=9.995 TURN=1 F9\nCT X20 Y5", programmed).size(), 3U);
 }
 
