@@ -68,6 +68,9 @@ Motion ThreadJudge::straight_run_out() const {
 
 // Through the axis and into the far wall, or round and back into the thread: then no path is right.
 bool ThreadJudge::reading_cuts_deeper() const {
+  if (item_.runout == ThreadRunOut::polar) {
+    return !item_.external && item_.runout_length > radius() * 2;
+  }
   return runs_out_straight() &&
          clearance(straight_run_out(), radius(), false).kind != Clearance::Kind::clear;
 }

@@ -84,9 +84,10 @@ TEST(ContradictsItself, NotAThreadWhoseRunOutGouges) {
   EXPECT_FALSE(contradicts_itself(profile, "F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J0 K0\n", 1'000));
 }
 
-// In the same bore the passes begin at radius 1.5. A run-out of 3.7 along the normal leads through the
-// axis to 1.7 beyond it: nearer than the pass, but the way back up is in uncut material there, which
-// GSK-G114-10 forbids. One of 3.4 ends at 1.4, in the bore. Found by generated program 30,292,182.
+// In the same bore the passes begin at radius 1.5. A run-out of 3.7 along the normal leads through
+// the axis to 1.7 beyond it: nearer than the pass, but the way back up is in uncut material there,
+// which GSK-G114-10 forbids. One of 3.4 ends at 1.4, in the bore. Found by generated program
+// 30,292,182.
 TEST(ContradictsItself, NotAThreadWhoseRunOutEndsInTheFarWall) {
   Profile profile = defaults("gsk988ta");
   profile.initial.plane = reference::Plane::g17;
@@ -97,6 +98,22 @@ TEST(ContradictsItself, NotAThreadWhoseRunOutEndsInTheFarWall) {
   };
   EXPECT_EQ(kind_of("3.7"), oracle::VerdictKind::oracle_gap);
   EXPECT_EQ(kind_of("3.4"), oracle::VerdictKind::pass_exact);
+}
+
+// Under the reading polar the end of the run-out is 2 - J from the middle: 2.1 on the far side with
+// a J of 4.1, deeper than the pass; 1.6 with one of 3.6, above which the bore is uncut; 1.4 with
+// one of 3.4. Found by generated program 31,495,361.
+TEST(ContradictsItself, NotAThreadWhosePolarRunOutEndsBeyondTheAxis) {
+  Profile profile = defaults("gsk988ta");
+  profile.initial.plane = reference::Plane::g17;
+  profile.readings.set(reference::ReadingKey::thread_runout, "polar");
+  const auto decision_of = [&](std::string_view length) {
+    const std::string text = fmt::format("F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J{} K30\n", length);
+    return decision(judge_reference(profile, text, run_reference(profile, text, 1'000)).kind);
+  };
+  EXPECT_EQ(decision_of("4.1"), oracle::Decision::undecided);
+  EXPECT_EQ(decision_of("3.6"), oracle::Decision::undecided);
+  EXPECT_EQ(decision_of("3.4"), oracle::Decision::go);
 }
 
 TEST(ContradictsItself, NotWhatAlarmsOrIsNotCovered) {
