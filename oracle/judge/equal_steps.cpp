@@ -57,7 +57,10 @@ bool ProgramJudge::fall_into_step(const Record& record) {
     return false;
   }
   const Motion* ahead = reference_.beyond_same(*pending_);
-  if (ahead == nullptr || position_ != pending_->to() || anchor_ != position_) return false;
+  if (ahead == nullptr || !is_same_point(position_, pending_->to()) ||
+      !is_same_point(anchor_, position_)) {
+    return false;
+  }
   InStep step;
   if (!step.last.take(*pending_) || !step.next.take(*ahead) || step.next.may_join(step.last) ||
       !step.next.is_visible(terms_) || !step.next.is(record)) {

@@ -50,6 +50,10 @@ bool is_same_motion(const Motion& got, const Motion& want) {
          is_same(a.centre, b.centre);
 }
 
+bool is_same_point(const Position& a, const Position& b) {
+  return is_same(a.at, b.at);
+}
+
 void shift(Position& position, const Position& by) {
   for (Axis axis : kAllAxes) position[axis] += by[axis];
 }

@@ -38,6 +38,8 @@ Motion motion_from(const Position& from, const Record& record, std::size_t numbe
 // nearly always the case of a subject that computes in decimals. False says nothing: the numbers
 // are not small, or the kind is another.
 bool is_same_motion(const Motion& a, const Motion& b);
+// Two points of small numbers that are the same; false where that takes more than a look.
+bool is_same_point(const Position& a, const Position& b);
 
 // The same point under the names that a renaming of the position gives: new less old coordinate.
 void shift(Position& position, const Position& by);

@@ -114,7 +114,7 @@ const Motion* ReferenceStream::beyond_same(const Motion& last) const {
   const bool is_next = ready_.size() == 1 && pending_ && pending_->number == items_ && !dropped_;
   const auto* first = is_next ? std::get_if<Motion>(&ready_.front()) : nullptr;
   const bool is_same = first != nullptr && !first->stood && is_same_motion(*first, last);
-  return is_same && anchor_ == position_ ? &*pending_ : nullptr;
+  return is_same && is_same_point(anchor_, position_) ? &*pending_ : nullptr;
 }
 
 void ReferenceStream::go_on_behind(const PlainMotion& last, const reference::Item* ahead) {
