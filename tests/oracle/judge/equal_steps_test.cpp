@@ -89,11 +89,9 @@ void spoil(Outcome& outcome, Trials& trials) {
     case 0:
       outcome.records.erase(place);
       return;
-    case 1: {
-      const Record twice = *place;
-      outcome.records.insert(place, twice);
+    case 1:
+      outcome.records.insert(place, Record(*place));
       return;
-    }
     case 2:
       place->feed += step;
       return;
