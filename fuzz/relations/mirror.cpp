@@ -171,7 +171,7 @@ std::optional<Related> mirrored(const GeneratedProgram& program, std::size_t axi
   const std::string& dialect = program.profile.dialect;
   if (dialect == "hnc21t" && axis == 1) return std::nullopt;  // a lathe without Y
   std::vector<TextLine> lines = lines_of(program.text);
-  if (has_split_words(lines) || has_signs_of_its_own(lines, program.profile)) return std::nullopt;
+  if (has_unclear_words(lines) || has_signs_of_its_own(lines, program.profile)) return std::nullopt;
   const std::optional<bool> swaps = swaps_arcs(lines, program.profile, axis);
   if (!swaps) return std::nullopt;
   const bool is_sinumerik = dialect.starts_with("sinumerik");

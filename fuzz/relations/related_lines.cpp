@@ -59,8 +59,22 @@ bool has_bare_g(const std::vector<TextLine>& lines) {
   return has_word(lines, [](const std::string& text) { return text == "G" || text == "g"; });
 }
 
-bool has_split_words(const std::vector<TextLine>& lines) {
-  return has_bare_g(lines) || has_word(lines, [](const std::string& text) {
+namespace {
+
+// G91.0001, which may count as G91 (ngc.whole).
+bool is_nearly_a_code(const TextWord& word) {
+  const std::string code = code_of(word);
+  const std::size_t point = code.find('.');
+  return point != std::string::npos && code.size() - point > 2;
+}
+
+}  // namespace
+
+bool has_unclear_words(const std::vector<TextLine>& lines) {
+  const bool has_near_codes = std::ranges::any_of(lines, [](const TextLine& line) {
+    return std::ranges::any_of(line.words, is_nearly_a_code);
+  });
+  return has_near_codes || has_bare_g(lines) || has_word(lines, [](const std::string& text) {
            const bool goes_on =
                std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
            return text.starts_with("=") ||

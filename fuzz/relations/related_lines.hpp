@@ -24,7 +24,8 @@ bool holds(const TextLine& line, std::string_view code);
 bool holds_any(const std::vector<TextLine>& lines, std::initializer_list<std::string_view> codes);
 // Whether blanks stand within words. They take them apart here, and what they say with them.
 bool has_bare_g(const std::vector<TextLine>& lines);
-bool has_split_words(const std::vector<TextLine>& lines);
+// The same, or codes that are only nearly those that they may count as.
+bool has_unclear_words(const std::vector<TextLine>& lines);
 // A block that the machine passes over unread.
 bool is_left_out(const TextLine& line, const reference::Profile& profile);
 

@@ -107,7 +107,7 @@ Related moved_text(const GeneratedProgram& program, const Way& way,
 
 std::optional<Related> translated_ngc(const GeneratedProgram& program) {
   std::vector<TextLine> lines = lines_of(program.text);
-  if (has_split_words(lines)) return std::nullopt;
+  if (has_unclear_words(lines)) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
     if (is_left_out(line, program.profile)) continue;
@@ -129,7 +129,7 @@ std::optional<Related> translated_ngc(const GeneratedProgram& program) {
 // X Y Z are always absolute. Of the milling cycles the depth axis stays: R and P stand on it, too.
 std::optional<Related> translated_gsk(const GeneratedProgram& program) {
   std::vector<TextLine> lines = lines_of(program.text);
-  if (has_split_words(lines)) return std::nullopt;
+  if (has_unclear_words(lines)) return std::nullopt;
   Way way = {true, true, true};
   if (holds_any(lines, {"G110", "G111", "G112", "G113", "G114", "G115", "G116", "G117"})) {
     const bool one_plane = !holds_any(lines, {"G17", "G18", "G19"});
@@ -211,7 +211,7 @@ std::size_t axis_of_840d(const TextWord& word, bool& by_mode) {
 // Poles at the workpiece zero, as they are after a plane code, stay there: no polar words.
 std::optional<Related> translated_840d(const GeneratedProgram& program) {
   std::vector<TextLine> lines = lines_of(program.text);
-  if (has_split_words(lines) || holds_any(lines, {"G110", "G111", "G112"})) return std::nullopt;
+  if (has_unclear_words(lines) || holds_any(lines, {"G110", "G111", "G112"})) return std::nullopt;
   Modes modes{program.profile.units == Units::inch};
   for (TextLine& line : lines) {
     if (is_left_out(line, program.profile)) continue;
