@@ -60,9 +60,10 @@ std::optional<int> sign_of(const Number& value) {
 // told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
 // nevertheless.
 bool may_have_no_sweep(const PlanePoint& from, const PlanePoint& to) {
-  const std::optional<int> across = sign_of(from[0] * to[1] - from[1] * to[0]);
+  // First what is decided at once of half a turn, whose ends are as hard to tell from one ray.
   const std::optional<int> along = sign_of(from[0] * to[0] + from[1] * to[1]);
-  return across.value_or(0) == 0 && along.value_or(1) > 0;
+  if (along.value_or(1) <= 0) return false;
+  return sign_of(from[0] * to[1] - from[1] * to[0]).value_or(0) == 0;
 }
 
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
