@@ -204,9 +204,17 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
   if (full && machine.has(Fault::kFullCircleDropped)) return;
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
-  sketch.arc.rot = sense_of(machine, sketch) * turns;
+  // An opening angle so small that its end comes out as its start is no circle.
+  const bool no_part =
+      full && block.has(Address::kOpeningAngle) && opening_angle(block) < kFullTurn / 2;
+  const int rounds = no_part ? turns - 1 : turns;
   plan.heading = heading_of(machine, sketch, turns);
   spoil_helix(machine, plane, target, state.position);
+  if (rounds == 0) {
+    plan.motion = Line{target, false, sketch.arc.feed};
+    return;
+  }
+  sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
 }
 

@@ -42,15 +42,19 @@ Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEn
   const bool checked =
       limit.sign() > 0 ||
       (limit.sign() == 0 && block.readings.is(ReadingKey::arc_tolerance_zero, "exact"));
+  // However near its end is: no angle leads there from the centre.
+  const bool has_no_radius =
+      arc.begins_at_centre() && block.readings.is(ReadingKey::arc_zero_radius, "alarm");
+  if (has_no_radius) {
+    block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
+                "The arc begins at its centre.");
+  }
   if (checked && !arc.radii_agree(limit)) {
-    if (arc.begins_at_centre() && block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
-      block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
-                  "The arc begins at its centre.");
-    }
     block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, address,
                 fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
     return std::nullopt;
   }
+  if (has_no_radius) return std::nullopt;
   return arc.centre;
 }
 

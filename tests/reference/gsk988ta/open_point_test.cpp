@@ -37,6 +37,8 @@ TEST(OpenPoints, AnArcWithoutRadiusIsAnAlarmOrNoMotionInThePlane) {
   // admit.
   EXPECT_EQ(ending("G02 X0 Z5 I0 K0 F100"), "alarm b1 arc-radius arc-end-point");
   EXPECT_EQ(ending("G02 X0 Z5 I0 K0 F100", none), "alarm b1 arc-end-point");
+  // Nor does an angle lead from the centre to an end within that. Found by fuzz_differential_gsk.
+  EXPECT_EQ(ending("G02 X0 Z0.005 I0 K0 F100"), "alarm b1 arc-radius");
   EXPECT_EQ(lines("G02 X0 Z0 Y5 I0 K0 F100", none), (Lines{"feed x0 y5 z0 f100"}));
 }
 
