@@ -128,6 +128,11 @@ int generate_drawn(const GenerateWords& words) {
   fuzz::DrawnVectors drawn = fuzz::draw_vectors(
       fuzz::generator_of(words.dialect), settings, static_cast<std::uint64_t>(words.seed),
       static_cast<std::size_t>(words.programs), fmt::format("gonogo {}", kVersion));
+  if (drawn.cases.empty()) {
+    throw UsageError(
+        "None of the programs is a case: nothing can be said of them. Draw more, or from another "
+        "seed.");
+  }
   Output output;
   output.text() = fmt::format(
       "{} programs from seed {} on: {} show something new, {} of these alarm; {} left out\n"

@@ -12,18 +12,15 @@
 namespace gonogo::fuzz {
 namespace {
 
-// What the program shows; nothing where it is no case.
-std::vector<std::uint64_t> shown_by(const GeneratedProgram& program) {
+// The program as a case; nothing where the reference says nothing of it, or cannot decide.
+std::optional<oracle::Case> drawn_case(const GeneratedProgram& program) {
   try {
-    return features_of(program, kMostDrawnItems, CoverageDetail::clauses)
-        .value_or(std::vector<std::uint64_t>());
+    oracle::Case test = vector_of(program, "drawn");
+    if (!std::ranges::any_of(test.expect, &oracle::Expectation::not_covered)) return test;
   } catch (const exact::Undecided&) {
-    return {};
+    // Left out.
   }
-}
-
-bool says_nothing(const oracle::Case& test) {
-  return std::ranges::any_of(test.expect, &oracle::Expectation::not_covered);
+  return std::nullopt;
 }
 
 bool has_alarm(const oracle::Case& test) {
@@ -39,26 +36,24 @@ DrawnVectors draw_vectors(const Generator& generator, const GeneratorSettings& s
   for (std::size_t i = 0; i < programs; ++i) {
     Choices choices(seed + i);
     const GeneratedProgram program = generator.generate(choices, settings, nullptr);
-    const std::vector<std::uint64_t> features = shown_by(program);
-    if (features.empty()) {
-      ++drawn.left_out;
-      continue;
-    }
-    if (std::ranges::all_of(features, [&](auto feature) { return shown.contains(feature); })) {
-      continue;
-    }
-    oracle::Case test = vector_of(program, "drawn");
-    if (says_nothing(test)) {
+    const std::vector<std::uint64_t> features =
+        features_of(program, kMostDrawnItems, CoverageDetail::clauses)
+            .value_or(std::vector<std::uint64_t>());
+    const bool is_new =
+        std::ranges::any_of(features, [&](auto feature) { return !shown.contains(feature); });
+    if (!is_new && !features.empty()) continue;
+    std::optional<oracle::Case> test = is_new ? drawn_case(program) : std::nullopt;
+    if (!test) {
       ++drawn.left_out;
       continue;
     }
     shown.insert(features.begin(), features.end());
-    test.id = fmt::format("drawn.{}.s{}.{:06}", test.dialect, seed, i + 1);
-    test.group = test.id;
-    test.comment = fmt::format("program {} of seed {}", i + 1, seed);
-    test.provenance = fmt::format("{} generate, seed {}", gonogo, seed + i);
-    if (has_alarm(test)) ++drawn.alarms;
-    drawn.cases.push_back(std::move(test));
+    test->id = fmt::format("drawn.{}.s{}.{:06}", test->dialect, seed, i + 1);
+    test->group = test->id;
+    test->comment = fmt::format("program {} of seed {}", i + 1, seed);
+    test->provenance = fmt::format("{} generate, seed {}", gonogo, seed + i);
+    if (has_alarm(*test)) ++drawn.alarms;
+    drawn.cases.push_back(*std::move(test));
   }
   drawn.features = shown.size();
   return drawn;

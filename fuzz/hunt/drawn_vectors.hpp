@@ -15,7 +15,7 @@ struct DrawnVectors {
   std::vector<oracle::Case> cases;  // "drawn.DIALECT.s7.000012": by the number of its program
   std::size_t features = 0;         // of CoverageDetail::clauses that they show together
   std::size_t alarms = 0;           // of the cases
-  // Programs of which the reference says nothing, or more than kMostDrawnItems.
+  // Programs of which the reference says nothing, cannot decide, or says more than kMostDrawnItems.
   std::size_t left_out = 0;
 };
 

@@ -42,6 +42,13 @@ TEST(DrawnVectors, AreTheSameForASeedAndOthersForAnother) {
   EXPECT_NE(first.cases.front().program, other.cases.front().program);
 }
 
+// CT after an arc without sweep, which no text decides: nothing is expected of that program.
+TEST(DrawnVectors, LeaveOutWhatTheReferenceCannotDecide) {
+  const DrawnVectors drawn = drawn_from("sinumerik840d", 30'955'327, 2);
+  EXPECT_EQ(drawn.left_out, 1U);
+  EXPECT_EQ(drawn.cases.size(), 1U);
+}
+
 // The first of a seed shows everything anew, and so does each of the rest something.
 TEST(DrawnVectors, EachShowsSomethingThatNoneBeforeShows) {
   const DrawnVectors drawn = drawn_from("hnc21t", 7, 300);
