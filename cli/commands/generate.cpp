@@ -25,9 +25,6 @@ using fuzz::cover::CoverCases;
 using fuzz::cover::Making;
 using fuzz::cover::Model;
 
-// Of a corpus that is never released.
-constexpr std::string_view kDrawnVersion = "0000.0.0";
-
 struct GenerateWords {
   std::string dialect;
   std::string out;
@@ -83,9 +80,7 @@ std::string line_of(const Making& making, const std::vector<oracle::Case>& cases
   std::size_t signs = 0;
   for (const oracle::Case& test : cases) {
     if (!test.tags_sign.empty()) ++signs;
-    if (std::ranges::any_of(test.expect, [](const auto& one) { return !one.alarms.empty(); })) {
-      ++alarms;
-    }
+    if (oracle::expects_alarm(test)) ++alarms;
   }
   return fmt::format(
       "{:<14} t {} (faults {})  {:>6} tuples, {:>6} covered, {:>5} excluded  {:>5} cases, {:>4} "
@@ -140,7 +135,7 @@ int generate_drawn(const GenerateWords& words) {
       words.programs, words.seed, drawn.cases.size(), drawn.alarms, drawn.left_out,
       drawn.cases.size(), words.out);
   oracle::CorpusFolder folder;
-  folder.version = kDrawnVersion;
+  folder.version = oracle::kUnreleased;
   folder.files[fmt::format("vectors/{}/drawn.json", words.dialect)] = std::move(drawn.cases);
   oracle::write_corpus(words.out, folder);
   output.flush();

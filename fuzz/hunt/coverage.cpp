@@ -138,7 +138,7 @@ class Collector {
     add(Part::clause_before, what, clause_before_);
     if (line < lines_.size()) {
       add(Part::code, what, hash_of(codes_[line]));
-      if (block != block_) enter(line);
+      if (all && block != block_) enter(line);
       if (all && clause != clause_before_) {
         for (const std::uint64_t code : earlier_codes_) add(Part::earlier_code, clause, code);
         compare_words(line, clause);

@@ -12,15 +12,15 @@
 
 namespace gonogo::fuzz {
 
-// Hashes, sorted, each once; nothing where the reference puts out more than `most_items`. A feature
-// is a clause of a record or alarm with what decided it (kind, signs of the travel, sense, class)
-// and one part of the state: plane, units, settings, the code in force, a code written before, the
-// clause before, how two words of the block compare (equal, one increment apart, a multiple).
 enum class CoverageDetail : std::uint8_t {
   all,
   // A clause with what decided it, the code in force and the clause before.
   clauses,
 };
+// Hashes, sorted, each once; nothing where the reference puts out more than `most_items`. A feature
+// is a clause of a record or alarm with what decided it (kind, signs of the travel, sense, class)
+// and one part of the state: plane, units, settings, the code in force, a code written before, the
+// clause before, how two words of the block compare (equal, one increment apart, a multiple).
 std::optional<std::vector<std::uint64_t>> features_of(const GeneratedProgram& program,
                                                       std::size_t most_items,
                                                       CoverageDetail detail = CoverageDetail::all);

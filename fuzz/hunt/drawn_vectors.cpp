@@ -23,10 +23,6 @@ std::optional<oracle::Case> drawn_case(const GeneratedProgram& program) {
   return std::nullopt;
 }
 
-bool has_alarm(const oracle::Case& test) {
-  return std::ranges::any_of(test.expect, [](const auto& one) { return !one.alarms.empty(); });
-}
-
 }  // namespace
 
 DrawnVectors draw_vectors(const Generator& generator, const GeneratorSettings& settings,
@@ -52,7 +48,7 @@ DrawnVectors draw_vectors(const Generator& generator, const GeneratorSettings& s
     test->group = test->id;
     test->comment = fmt::format("program {} of seed {}", i + 1, seed);
     test->provenance = fmt::format("{} generate, seed {}", gonogo, seed + i);
-    if (has_alarm(*test)) ++drawn.alarms;
+    if (expects_alarm(*test)) ++drawn.alarms;
     drawn.cases.push_back(*std::move(test));
   }
   drawn.features = shown.size();

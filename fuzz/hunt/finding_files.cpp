@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Vectors of findings belong to no released corpus.
-constexpr std::string_view kCorpusVersion = "0000.0.0";
 constexpr std::string_view kCycle = "hunt";
 
 void write_file(const fs::path& path, std::string_view text) {
@@ -78,7 +76,7 @@ void write_manifest(const fs::path& folder) {
   write_file(folder / "manifest.json",
              fmt::format("{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"CC0-1.0\",\n "
                          "\"files\": [{}\n ],\n \"retired\": []\n}}\n",
-                         kCorpusVersion, list));
+                         oracle::kUnreleased, list));
 }
 
 void write_beside(const fs::path& folder, const Finding& finding, const Evidence& evidence,
@@ -129,7 +127,7 @@ std::string write_finding(const std::string& folder, const Finding& finding,
   // Groups of two files are two groups.
   oracle::Case numbered = test;
   numbered.group = test.id;
-  write_file(file, oracle::vector_file_text(kCorpusVersion, {numbered}));
+  write_file(file, oracle::vector_file_text(oracle::kUnreleased, {numbered}));
   const std::vector<oracle::Case> written = oracle::read_vector_file(file.string());
   if (auto fault = oracle::recheck(written.front())) {
     throw oracle::CorpusError(fmt::format("{}: {}", file.string(), *fault));

@@ -47,6 +47,11 @@ std::vector<std::string> vector_files(const std::string& folder) {
 
 }  // namespace
 
+bool expects_alarm(const Case& test) {
+  return std::ranges::any_of(test.expect,
+                             [](const Expectation& one) { return !one.alarms.empty(); });
+}
+
 Corpus::Corpus(std::string folder) : folder_(std::move(folder)), files_(vector_files(folder_)) {
   const std::string path = folder_ + "/manifest.json";
   const std::string text = file_text(path);

@@ -51,6 +51,12 @@ struct Case {
   reference::Profile profile;
 };
 
+// Whether an alarm is expected of it, under some values of the readings at least.
+bool expects_alarm(const Case& test);
+
+// The version of a corpus that is never released.
+inline constexpr std::string_view kUnreleased = "0000.0.0";
+
 // A corpus that cannot be read: file, place and what is wrong, a sentence.
 class CorpusError : public std::runtime_error {
  public:

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -16,18 +15,13 @@ namespace {
 
 using Say = std::function<void(const std::string&)>;
 
-bool alarms(const Case& test) {
-  return std::ranges::any_of(test.expect,
-                             [](const Expectation& one) { return !one.alarms.empty(); });
-}
-
 class Linter {
  public:
   explicit Linter(const Say& say) : say_(say) {}
 
   void take(const Case& test) {
     ++cases_;
-    if (alarms(test)) ++alarming_;
+    if (expects_alarm(test)) ++alarming_;
     ids_.insert(test.id);
     clauses_.insert(test.clauses.begin(), test.clauses.end());
     for (const reference::Reading& reading : reference::readings()) {

@@ -45,7 +45,7 @@ bool ProgramJudge::plain_ahead() {
     step.ahead = reference_.next_item();
     const auto* record = step.ahead == nullptr ? nullptr : std::get_if<Record>(step.ahead);
     step.is_plain = record != nullptr && step.next.take(*record, step.last.to) &&
-                    !step.next.may_join(step.last) && step.next.is_visible(terms_);
+                    step.next.stays_apart(step.last, terms_);
   }
   return step.is_plain;
 }
@@ -62,8 +62,8 @@ bool ProgramJudge::fall_into_step(const Record& record) {
     return false;
   }
   InStep step;
-  if (!step.last.take(*pending_) || !step.next.take(*ahead) || step.next.may_join(step.last) ||
-      !step.next.is_visible(terms_) || !step.next.is(record)) {
+  if (!step.last.take(*pending_) || !step.next.take(*ahead) ||
+      !step.next.stays_apart(step.last, terms_) || !step.next.is(record)) {
     return false;
   }
   pending_.reset();

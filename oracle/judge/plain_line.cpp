@@ -76,7 +76,7 @@ bool take_position(Rest& rest, AxisSet axes, const PlainMotion::Place& at) {
   for (const Axis axis : reference::kAllAxes) {
     if (!axes.has(axis)) continue;
     if ((!first && !rest.take(',')) || !rest.take('"') || !rest.take(letter(axis)) ||
-        !rest.take("\":") || !rest.take_millionths(at[static_cast<std::size_t>(axis)])) {
+        !rest.take("\":") || !rest.take_millionths(at[index(axis)])) {
       return false;
     }
     first = false;
@@ -92,8 +92,8 @@ std::string_view plane_name(reference::Plane plane) {
 bool take_arc(Rest& rest, const PlainMotion& motion) {
   const reference::PlaneAxes axes = axes_of(motion.plane);
   PlainMotion::Place centre = {};
-  centre[static_cast<std::size_t>(axes.p)] = motion.centre[0];
-  centre[static_cast<std::size_t>(axes.q)] = motion.centre[1];
+  centre[index(axes.p)] = motion.centre[0];
+  centre[index(axes.q)] = motion.centre[1];
   return rest.take(",\"plane\":\"") && rest.take(plane_name(motion.plane)) &&
          rest.take("\",\"c\":{") && take_position(rest, {axes.p, axes.q}, centre) &&
          rest.take(",\"rot\":") && rest.take_integer(motion.rot);

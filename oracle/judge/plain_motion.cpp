@@ -39,7 +39,7 @@ bool PlainMotion::take(const Record& record, const Place& start) {
   to = start;
   for (const Axis axis : reference::kAllAxes) {
     if (!axes.has(axis)) continue;
-    const auto i = static_cast<std::size_t>(axis);
+    const auto i = index(axis);
     if (!oracle::take(record.to.at[i], to[i])) return false;
     if (to[i] != from[i]) moved.add(axis);
   }
@@ -64,7 +64,7 @@ bool PlainMotion::take(const Motion& motion) {
 bool PlainMotion::is(const Record& record) const {
   if (record.kind != kind || record.block != block) return false;
   for (const Axis axis : reference::kAllAxes) {
-    const auto i = static_cast<std::size_t>(axis);
+    const auto i = index(axis);
     const bool same = record.axes.has(axis) ? oracle::is(record.to.at[i], to[i]) : from[i] == to[i];
     if (!same) return false;
   }

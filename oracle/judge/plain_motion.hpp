@@ -44,6 +44,11 @@ struct PlainMotion {
   // Whether it may go on in the same way as `before`, which it follows: then they may be joined.
   bool may_join(const PlainMotion& before) const;
 
+  // Whether both sides keep it and join it to nothing.
+  bool stays_apart(const PlainMotion& before, const JudgeTerms& terms) const {
+    return !may_join(before) && is_visible(terms);
+  }
+
   // `number`: its place in the trace.
   Motion motion(std::size_t number) const;
 };

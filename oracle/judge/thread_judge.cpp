@@ -30,7 +30,7 @@ bool ThreadJudge::is_back_unseen() const {
   if (phase_ != Phase::run_out || pass_ != passes_ || item_.arc_path || is_below(position_)) {
     return false;
   }
-  if (item_.runout == ThreadRunOut::open || item_.runout_length.sign() == 0) return true;
+  if (!has_run_out_end()) return true;
   return helix_.front().starts().admits(run_out_map(), from_axis(position_));
 }
 

@@ -47,6 +47,9 @@ class ThreadJudge {
   HelixShape shape() const;  // of the helix of the pass
   // Follows the motion along every helix that may have begun, or begins with it.
   MatchResult match_helix(const Motion& motion);
+  // Whether the reading says where the run-out ends, and then: a point moved there in the plane.
+  bool has_run_out_end() const;
+  Position at_run_out_end(Position at) const;
   bool runs_out_straight() const;
   Motion straight_run_out() const;
   bool reading_cuts_deeper() const;

@@ -51,18 +51,26 @@ OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
   return {};
 }
 
+bool ThreadJudge::has_run_out_end() const {
+  return item_.runout != ThreadRunOut::open && item_.runout_length.sign() != 0;
+}
+
+Position ThreadJudge::at_run_out_end(Position at) const {
+  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
+  at[axes_.p] = item_.centre[0] + end.p;
+  at[axes_.q] = item_.centre[1] + end.q;
+  return at;
+}
+
 bool ThreadJudge::runs_out_straight() const {
-  const bool named = item_.runout == ThreadRunOut::radial || item_.runout == ThreadRunOut::tangent;
-  return named && item_.runout_length.sign() != 0;
+  return has_run_out_end() && item_.runout != ThreadRunOut::polar;
 }
 
 Motion ThreadJudge::straight_run_out() const {
-  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
   Motion line = helix_.front().want();
   line.record.kind = RecordKind::feed;
   line.from = helix_end_;
-  line.record.to[axes_.p] = item_.centre[0] + end.p;
-  line.record.to[axes_.q] = item_.centre[1] + end.q;
+  line.record.to = at_run_out_end(line.to());
   return line;
 }
 
@@ -78,14 +86,10 @@ bool ThreadJudge::reading_cuts_deeper() const {
 // Through the axis and beyond where the passes begin: then no way back keeps off the material,
 // which GSK-G114-10 asks of a J as long as the thread is deep.
 bool ThreadJudge::reading_ends_in_material() const {
-  if (item_.runout == ThreadRunOut::open || item_.runout_length.sign() == 0) return false;
-  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
+  if (!has_run_out_end()) return false;
   Motion up = helix_.front().want();
   up.record.kind = RecordKind::rapid;
-  up.from = helix_end_;
-  up.from[axes_.p] = item_.centre[0] + end.p;
-  up.from[axes_.q] = item_.centre[1] + end.q;
-  up.record.to = up.from;
+  up.from = up.record.to = at_run_out_end(helix_end_);
   up.record.to[axes_.d] = item_.r_plane;
   return clearance(up, item_.start_radius, true).kind != Clearance::Kind::clear;
 }
@@ -118,7 +122,7 @@ Similarity ThreadJudge::run_out_map() const {
 }
 
 std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
-  if (item_.runout == ThreadRunOut::open || item_.runout_length.sign() == 0) return std::nullopt;
+  if (!has_run_out_end()) return std::nullopt;
   const Similarity map = run_out_map();
   if (helix_.front().starts().admits(map, from_axis(motion.from))) return std::nullopt;
   Motion at = motion;

@@ -69,6 +69,16 @@ TEST(MutateProfile, ChoosesAmongTheReadingsOfTheDialect) {
   }
 }
 
+// The verdict on the reference's own thread in a bore of radius 2.5, by a tool of radius 1 (below).
+oracle::VerdictKind own_thread(std::string_view run_out, std::string_view length, int angle) {
+  Profile profile = defaults("gsk988ta");
+  profile.initial.plane = reference::Plane::g17;
+  profile.readings.set(reference::ReadingKey::thread_runout, run_out);
+  const std::string text =
+      fmt::format("F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J{} K{}\n", length, angle);
+  return judge_reference(profile, text, run_reference(profile, text, 1'000)).kind;
+}
+
 // The pass of a thread 0.5 high in a bore of radius 2.5, by a tool of radius 1, has radius 2. Run
 // out along its tangent for 4, the tool stands sqrt(2^2 + 4^2) = 4.47 from the middle: deeper than
 // its pass, which GSK-G114-10 forbids. Without a run-out it does not.
@@ -89,31 +99,17 @@ TEST(ContradictsItself, NotAThreadWhoseRunOutGouges) {
 // which GSK-G114-10 forbids. One of 3.4 ends at 1.4, in the bore. Found by generated program
 // 30,292,182.
 TEST(ContradictsItself, NotAThreadWhoseRunOutEndsInTheFarWall) {
-  Profile profile = defaults("gsk988ta");
-  profile.initial.plane = reference::Plane::g17;
-  profile.readings.set(reference::ReadingKey::thread_runout, "radial");
-  const auto kind_of = [&](std::string_view length) {
-    const std::string text = fmt::format("F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J{} K0\n", length);
-    return judge_reference(profile, text, run_reference(profile, text, 1'000)).kind;
-  };
-  EXPECT_EQ(kind_of("3.7"), oracle::VerdictKind::oracle_gap);
-  EXPECT_EQ(kind_of("3.4"), oracle::VerdictKind::pass_exact);
+  EXPECT_EQ(own_thread("radial", "3.7", 0), oracle::VerdictKind::oracle_gap);
+  EXPECT_EQ(own_thread("radial", "3.4", 0), oracle::VerdictKind::pass_exact);
 }
 
 // Under the reading polar the end of the run-out is 2 - J from the middle: 2.1 on the far side with
 // a J of 4.1, deeper than the pass; 1.6 with one of 3.6, above which the bore is uncut; 1.4 with
 // one of 3.4. Found by generated program 31,495,361.
 TEST(ContradictsItself, NotAThreadWhosePolarRunOutEndsBeyondTheAxis) {
-  Profile profile = defaults("gsk988ta");
-  profile.initial.plane = reference::Plane::g17;
-  profile.readings.set(reference::ReadingKey::thread_runout, "polar");
-  const auto decision_of = [&](std::string_view length) {
-    const std::string text = fmt::format("F100\nG116 X0 Y0 Z-4 I1 E5 P0.5 D1 J{} K30\n", length);
-    return decision(judge_reference(profile, text, run_reference(profile, text, 1'000)).kind);
-  };
-  EXPECT_EQ(decision_of("4.1"), oracle::Decision::undecided);
-  EXPECT_EQ(decision_of("3.6"), oracle::Decision::undecided);
-  EXPECT_EQ(decision_of("3.4"), oracle::Decision::go);
+  EXPECT_EQ(decision(own_thread("polar", "4.1", 30)), oracle::Decision::undecided);
+  EXPECT_EQ(decision(own_thread("polar", "3.6", 30)), oracle::Decision::undecided);
+  EXPECT_EQ(decision(own_thread("polar", "3.4", 30)), oracle::Decision::go);
 }
 
 TEST(ContradictsItself, NotWhatAlarmsOrIsNotCovered) {
