@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,9 @@ using reference::ReadingChoice;
 using reference::ReadingKey;
 
 namespace {
+
+// Of what a judge was told before any reading was asked for, a few megabytes at most.
+constexpr std::size_t kMostToldParts = 4'096;
 
 bool is_open(const ReadingChoice& choice, const Reading& reading) {
   return !reading.by_properties && choice.is(reading.key, "any");
@@ -29,8 +33,8 @@ std::vector<ReadingKey> openable_in(std::string_view dialect) {
   return keys;
 }
 
-// Whether a program can touch an open reading. Those of other dialects are open by default, too.
-bool can_be_open(const reference::Profile& profile) {
+// The open readings that a program can touch. Those of other dialects are open by default, too.
+std::vector<ReadingKey> open_in(const reference::Profile& profile) {
   static const auto kOpenable = [] {
     std::map<std::string_view, std::vector<ReadingKey>> by_dialect;
     for (const Reading& reading : reference::readings()) {
@@ -40,10 +44,12 @@ bool can_be_open(const reference::Profile& profile) {
     }
     return by_dialect;
   }();
+  std::vector<ReadingKey> open;
   const auto own = kOpenable.find(profile.dialect);
-  return own != kOpenable.end() && std::ranges::any_of(own->second, [&](ReadingKey key) {
-           return profile.readings.is(key, "any");
-         });
+  if (own == kOpenable.end()) return open;
+  std::ranges::copy_if(own->second, std::back_inserter(open),
+                       [&](ReadingKey key) { return profile.readings.is(key, "any"); });
+  return open;
 }
 
 }  // namespace
@@ -63,7 +69,7 @@ std::vector<ReadingKey> touched_by(const reference::Profile& profile, const Prog
 Assignments assignments_of(const reference::Profile& profile, const ProgramText& program) {
   Assignments result;
   result.choices.push_back(profile.readings);
-  if (!can_be_open(profile)) return result;
+  if (open_in(profile).empty()) return result;
   // Each assignment is run until it touches an open reading; that one is then split.
   std::set<ReadingKey> open;
   for (std::size_t i = 0; i < result.choices.size();) {
@@ -99,22 +105,67 @@ Assignments assignments_of(const reference::Profile& profile, const ProgramText&
 
 JudgeSession::JudgeSession(const reference::Profile& profile, const ProgramText& program,
                            const JudgeTerms& terms)
-    : profile_(profile), program_(program), terms_(terms) {
-  Assignments assignments = assignments_of(profile, program);
-  too_many_ = assignments.too_many;
-  open_ = std::move(assignments.open);
-  choices_ = std::move(assignments.choices);
-  for (const ReadingChoice& choice : choices_) {
-    reference::Profile assigned = profile;
-    assigned.readings = choice;
-    judges_.push_back(std::make_unique<ProgramJudge>(std::move(assigned), program, terms));
-  }
+    : profile_(profile), program_(program), terms_(terms), choices_{profile.readings} {
+  judges_.push_back(std::make_unique<ProgramJudge>(profile, program_, terms));
+  std::vector<ReadingKey> open = open_in(profile);
+  if (!open.empty()) unsettled_ = Unsettled{std::move(open), {}};
 }
 
 bool JudgeSession::record(const Record& record) {
+  return unsettled_ ? record_unsettled(record) : tell_judges(record);
+}
+
+bool JudgeSession::tell_judges(const Record& record) {
   bool undecided = false;
   for (const auto& judge : judges_) undecided = judge->record(record) || undecided;
   return undecided;
+}
+
+bool JudgeSession::record_unsettled(const Record& record) {
+  ProgramJudge& judge = *judges_.front();
+  const bool undecided = judge.record(record);
+  if (undecided && judge.is_in_step()) {
+    unsettled_->told.add_own(judge.progress(), &record);
+  } else {
+    unsettled_->told.add(record);
+  }
+  if (!touches_open() && unsettled_->told.parts() < kMostToldParts) return undecided;
+  settle();
+  return std::ranges::any_of(judges_, [](const auto& one) { return !one->is_decided(); });
+}
+
+bool JudgeSession::line(std::string_view line) {
+  if (judges_.size() != 1) return false;
+  ProgramJudge& judge = *judges_.front();
+  if (!unsettled_) return judge.line(line);
+  // Else it has to be kept as a record.
+  if (!judge.is_in_step() || !judge.line(line) || judge.is_decided()) return false;
+  unsettled_->told.add_own(judge.progress(), nullptr);
+  if (touches_open()) settle();
+  return true;
+}
+
+bool JudgeSession::touches_open() const {
+  const reference::ReadingsInUse& readings = judges_.front()->readings();
+  return std::ranges::any_of(unsettled_->open,
+                             [&](ReadingKey key) { return readings.touched(key); });
+}
+
+void JudgeSession::settle() {
+  const ToldRecords told = std::move(unsettled_->told);
+  unsettled_.reset();
+  Assignments assignments = assignments_of(profile_, program_);
+  too_many_ = assignments.too_many;
+  open_ = std::move(assignments.open);
+  if (open_.empty()) return;  // the one judge goes on
+  choices_ = std::move(assignments.choices);
+  judges_.clear();
+  for (const ReadingChoice& choice : choices_) {
+    reference::Profile assigned = profile_;
+    assigned.readings = choice;
+    judges_.push_back(std::make_unique<ProgramJudge>(std::move(assigned), program_, terms_));
+  }
+  told.tell(profile_, program_, [this](const Record& record) { tell_judges(record); });
 }
 
 SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& end) {
@@ -140,6 +191,16 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
 
 SessionVerdict JudgeSession::finish(const RunEnd& end) {
   SessionVerdict result;
+  if (unsettled_) {
+    const bool may_be_whole = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm;
+    if (may_be_whole && end.sampled == nullptr) {
+      const SampledVerdict said = finish_under(0, end);
+      // GO: then the reference is at its end, and whether a reading was asked for is known.
+      const bool is_go = decision(said.verdict.kind) == Decision::go;
+      if (is_go && !touches_open()) return {said.verdict, choices_, {}};
+    }
+    settle();
+  }
   result.open = open_;
   if (too_many_) {
     result.verdict.kind = VerdictKind::oracle_gap;

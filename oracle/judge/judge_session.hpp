@@ -5,12 +5,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
+#include "oracle/judge/told_records.hpp"
 
 namespace gonogo::oracle {
 
@@ -44,6 +46,8 @@ struct SessionVerdict {
   std::vector<reference::ReadingKey> open;           // the open readings that the program touches
 };
 
+// Until the reference asks for an open reading, every assignment means the same: one judge stands
+// for all, and the assignments are looked for only then.
 class JudgeSession {
  public:
   // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
@@ -53,10 +57,21 @@ class JudgeSession {
   bool record(const Record& record);
   // The same as a line of JSON, where that is the reference's own and nothing more has to be looked
   // at: true when that was all. Else `record` has to be told. Its line number is known then.
-  bool line(std::string_view line) { return judges_.size() == 1 && judges_.front()->line(line); }
+  bool line(std::string_view line);
   SessionVerdict finish(const RunEnd& end);
 
  private:
+  // While one judge stands for all.
+  struct Unsettled {
+    std::vector<reference::ReadingKey> open;  // that the program may touch
+    ToldRecords told;
+  };
+  bool touches_open() const;
+  bool record_unsettled(const Record& record);
+  // Looks for the assignments, and tells their judges what the one was told.
+  void settle();
+  bool tell_judges(const Record& record);
+
   // What is said under one assignment, and how far it came.
   SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
 
@@ -65,6 +80,7 @@ class JudgeSession {
   const JudgeTerms& terms_;
   std::vector<reference::ReadingChoice> choices_;
   std::vector<std::unique_ptr<ProgramJudge>> judges_;
+  std::optional<Unsettled> unsettled_;
   std::vector<reference::ReadingKey> open_;
   bool too_many_ = false;
 };

@@ -80,11 +80,14 @@ bool PlainMotion::is_visible(const JudgeTerms& terms) const {
   constexpr std::int64_t kFarthest = std::int64_t{1} << 51;
   if (!is_small(terms.tolerance)) return false;
   const std::int64_t tau = NumberAccess::millionths(terms.tolerance);
-  bool visible = false;
+  // Without a branch an axis: all axes at once.
+  bool far = false;
   for (std::size_t i = 0; i < kAxes; ++i) {
-    if (std::abs(from[i]) > kFarthest || std::abs(to[i]) > kFarthest) return false;
-    visible = visible || std::abs(to[i] - from[i]) > tau;
+    far |= (std::abs(from[i]) > kFarthest) | (std::abs(to[i]) > kFarthest);
   }
+  if (far) return false;
+  bool visible = false;
+  for (std::size_t i = 0; i < kAxes; ++i) visible |= std::abs(to[i] - from[i]) > tau;
   return visible;
 }
 

@@ -36,6 +36,13 @@ class ProgramJudge {
 
   // How far the comparison came, in items of the reference.
   std::size_t progress() const { return reference_.items(); }
+  // Whether nothing that is still to come changes the answer.
+  bool is_decided() const { return verdict_.has_value(); }
+  // What its reference has asked for so far.
+  const reference::ReadingsInUse& readings() const { return reference_.readings(); }
+  // Whether the record, or the line, that it was told last is item number `progress` of the
+  // reference, which would say so whatever the subject had done.
+  bool is_in_step() const { return in_step_ && !reference_.was_moved(); }
 
  private:
   void decide_too_many(const Record& record);

@@ -84,6 +84,7 @@ void ReferenceStream::flush() {
 void ReferenceStream::stand_at(const Position& position) {
   go_on_from(position);
   expander_.stand_at(position);
+  was_moved_ = true;
 }
 
 namespace {

@@ -54,6 +54,8 @@ class ReferenceStream {
   // start from there in the plane. Only while that step is the current one: nothing of a later
   // block has been asked for then.
   void stand_at(const Position& position);
+  // Whether that was ever said: then items hang on what the subject did.
+  bool was_moved() const { return was_moved_; }
   const Position& position() const { return position_; }
   // Where it stood before motions too small to see that were dropped since the last one that was
   // kept: `position()` where there are none. Of the current step, unless that is a motion.
@@ -82,6 +84,7 @@ class ReferenceStream {
   std::size_t items_ = 0;
   bool dropped_ = false;  // a motion, since the last one that was kept
   bool dropped_arc_ = false;
+  bool was_moved_ = false;
 };
 
 }  // namespace gonogo::oracle

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/sinumerik/words.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace gonogo::reference::sinumerik {
@@ -21,6 +22,18 @@ std::optional<Address> numbered(const grammar::NamedWord& word) {
   return static_cast<Address>(index(Address::i1) + static_cast<std::size_t>(letter - 'I'));
 }
 
+// By letter; R alone is none.
+constexpr std::array<std::optional<Address>, 26> kOfLetter = [] {
+  std::array<std::optional<Address>, 26> addresses;
+  for (std::size_t i = 0; i < kAddresses; ++i) {
+    const std::string_view name = kAddressNames[i];
+    if (name.size() == 1 && name != "R") {
+      addresses[static_cast<std::size_t>(name[0] - 'A')] = static_cast<Address>(i);
+    }
+  }
+  return addresses;
+}();
+
 }  // namespace
 
 WordName name_of(Address address) {
@@ -30,10 +43,14 @@ WordName name_of(Address address) {
 std::optional<Address> address_of(const grammar::NamedWord& word) {
   if (word.is_call || word.terms == 0) return std::nullopt;
   if (word.index) return word.name.size() == 1 ? numbered(word) : std::nullopt;
-  for (std::size_t i = 0; i < kAddresses; ++i) {
-    if (word.name == kAddressNames[i] && kAddressNames[i] != "R") return static_cast<Address>(i);
+  if (word.name.size() == 1) {
+    const char letter = word.name[0];
+    if (letter < 'A' || letter > 'Z') return std::nullopt;
+    return kOfLetter[static_cast<std::size_t>(letter - 'A')];
   }
-  return std::nullopt;
+  const auto* const place = std::ranges::find(kAddressNames, word.name);
+  if (place == kAddressNames.end()) return std::nullopt;
+  return static_cast<Address>(place - kAddressNames.begin());
 }
 
 // SIE-MOD-04

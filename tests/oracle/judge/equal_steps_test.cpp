@@ -6,13 +6,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "expanders/registry.hpp"
-#include "fuzz/generator.hpp"
-#include "oracle/judge/judge_session.hpp"
 #include "oracle/judge/plain_line.hpp"
 #include "oracle/judge/standing.hpp"
 #include "oracle/trace_reader.hpp"
-#include "tests/trials.hpp"
+#include "tests/oracle/judge/generated_outcomes.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -21,126 +18,23 @@ using reference::kAllAxes;
 using reference::Profile;
 using reference::operator""_clause;
 
-constexpr std::size_t kMostRecords = 5'000;
-
-struct Outcome {
-  std::vector<Record> records;
-  RunEnd end;
-};
-
-std::string line_of(const Record& record) {
-  std::string line;
-  append_json(record, line);
-  return line;
-}
-
-std::string text_of(const SessionVerdict& said) {
-  const Verdict& verdict = said.verdict;
-  return fmt::format("{} {} {} {} '{}' want {} got {} by {} {} at {}: {}; {} explain",
-                     name(verdict.kind), reference::clause_name(verdict.clause), verdict.block,
-                     verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
-                     verdict.deviation_exact, verdict.deviation_mm, verdict.witness,
-                     verdict.message, said.explaining.size());
-}
-
-// Judged record by record. Endless outcomes are cut off, as they would be by a limit of time.
-std::string judged(const Profile& profile, const std::string& program, const Outcome& outcome,
-                   const JudgeTerms& terms) {
-  return text_of(judge_outcome(profile, program, terms, outcome.records, outcome.end));
-}
-
-// Judged line by line; `known` counts those that were not read.
-std::string judged_by_lines(const Profile& profile, const std::string& program,
-                            const Outcome& outcome, const JudgeTerms& terms, std::size_t& known) {
-  JudgeSession session(profile, program, terms);
-  TraceReader reader;
-  bool goes_on = true;
-  for (const Record& record : outcome.records) {
-    const std::string line = line_of(record);
-    if (session.line(line)) {
-      ++known;
-      continue;
-    }
-    const TraceLine read = reader.read(line);
-    if (goes_on) goes_on = session.record(std::get<Record>(read));
-  }
-  return text_of(session.finish(outcome.end));
-}
-
-Outcome run(const gonogo_subject_v1& table, const Profile& profile, const std::string& program) {
-  const auto subject = make_interface_subject(table);
-  Outcome outcome;
-  subject->configure(profile);
-  outcome.end = subject->run("generated", program, [&](const Record& record) {
-    outcome.records.push_back(record);
-    return outcome.records.size() < kMostRecords;
-  });
-  return outcome;
-}
-
-// One record other than it was, or one more or less.
-void spoil(Outcome& outcome, Trials& trials) {
-  if (outcome.records.empty()) return;
-  const std::size_t at = trials.below(outcome.records.size());
-  const auto place = outcome.records.begin() + static_cast<std::ptrdiff_t>(at);
-  const Number step = Number::millionths(
-      trials.one_of(std::to_array<std::int64_t>({1, -1, 900, 1'100, -1'000'000})));
-  switch (trials.below(8)) {
-    case 0:
-      outcome.records.erase(place);
-      return;
-    case 1:
-      outcome.records.insert(place, Record(*place));
-      return;
-    case 2:
-      place->feed += step;
-      return;
-    case 3:
-      place->kind = place->kind == RecordKind::rapid ? RecordKind::feed : RecordKind::rapid;
-      return;
-    case 4:
-      ++place->block;
-      return;
-    case 5:
-      place->clause = reference::kNoClause;
-      return;
-    default: {
-      const Axis axis = trials.one_of(kAllAxes);
-      place->axes.add(axis);
-      place->to[axis] += step;
-    }
-  }
-}
-
-const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& trials) {
-  const auto faults = expanders::faults(generator.expander);
-  std::string_view fault;
-  if (trials.once_in(2)) fault = faults[trials.below(faults.size())].name;
-  return *expanders::find(generator.expander, fault);
-}
-
 TEST(EqualSteps, SayWhatTheWholeWaySays) {
   Trials trials(3'000);
   std::size_t known = 0;
   std::size_t records = 0;
   for (long i = 0; i < trials.count; ++i) {
-    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
-    fuzz::Choices choices(trials.chance());
-    const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
-    const gonogo_subject_v1& table = any_expander(generator, trials);
-    Outcome outcome = run(table, program.profile, program.text);
-    if (trials.once_in(2)) spoil(outcome, trials);
-    JudgeTerms terms = make_terms(make_interface_subject(table)->info(), program.profile,
-                                  std::nullopt, std::nullopt);
+    const GeneratedOutcome of = generated_outcome(trials.one_of(fuzz::generators()), {}, trials);
+    const Profile& profile = of.program.profile;
+    JudgeTerms terms = of.terms;
     terms.skip_equal = false;
-    const std::string whole = judged(program.profile, program.text, outcome, terms);
+    const std::string whole = text_of(judged(profile, of.program.text, of.outcome, terms));
     terms.skip_equal = true;
     const std::string where =
-        fmt::format("{}\n{}", reference::profile_json(program.profile), program.text);
-    ASSERT_EQ(judged(program.profile, program.text, outcome, terms), whole) << where;
-    ASSERT_EQ(judged_by_lines(program.profile, program.text, outcome, terms, known), whole)
+        fmt::format("{}\n{}", reference::profile_json(profile), of.program.text);
+    ASSERT_EQ(text_of(judged(profile, of.program.text, of.outcome, terms)), whole) << where;
+    ASSERT_EQ(text_of(judged_by_lines(profile, of.program.text, of.outcome, terms, known)), whole)
         << where;
-    records += outcome.records.size();
+    records += of.outcome.records.size();
   }
   EXPECT_GT(known * 10, records) << "hardly a record is equal: nothing was tried";
 }

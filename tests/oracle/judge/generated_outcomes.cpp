@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/oracle/judge/generated_outcomes.hpp"
+
+#include <fmt/format.h>
+
+#include "expanders/registry.hpp"
+#include "oracle/trace_reader.hpp"
+
+namespace gonogo::oracle {
+
+using reference::Axis;
+using reference::kAllAxes;
+
+std::string line_of(const Record& record) {
+  std::string line;
+  append_json(record, line);
+  return line;
+}
+
+std::string text_of(const SessionVerdict& said) {
+  const Verdict& verdict = said.verdict;
+  return fmt::format("{} {} {} {} '{}' want {} got {} by {} {} at {}: {}; {} explain",
+                     name(verdict.kind), reference::clause_name(verdict.clause), verdict.block,
+                     verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
+                     verdict.deviation_exact, verdict.deviation_mm, verdict.witness,
+                     verdict.message, said.explaining.size());
+}
+
+SessionVerdict judged(const reference::Profile& profile, const std::string& program,
+                      const Outcome& outcome, const JudgeTerms& terms) {
+  return judge_outcome(profile, program, terms, outcome.records, outcome.end);
+}
+
+SessionVerdict judged_by_lines(const reference::Profile& profile, const std::string& program,
+                               const Outcome& outcome, const JudgeTerms& terms,
+                               std::size_t& known) {
+  JudgeSession session(profile, program, terms);
+  TraceReader reader;
+  bool goes_on = true;
+  for (const Record& record : outcome.records) {
+    const std::string line = line_of(record);
+    if (session.line(line)) {
+      ++known;
+      continue;
+    }
+    const TraceLine read = reader.read(line);
+    if (goes_on) goes_on = session.record(std::get<Record>(read));
+  }
+  return session.finish(outcome.end);
+}
+
+namespace {
+
+constexpr std::size_t kMostRecords = 5'000;
+
+Outcome run(const gonogo_subject_v1& table, const reference::Profile& profile,
+            const std::string& program) {
+  const auto subject = make_interface_subject(table);
+  Outcome outcome;
+  subject->configure(profile);
+  outcome.end = subject->run("generated", program, [&](const Record& record) {
+    outcome.records.push_back(record);
+    return outcome.records.size() < kMostRecords;
+  });
+  return outcome;
+}
+
+// One record other than it was, or one more or less.
+void spoil(Outcome& outcome, Trials& trials) {
+  if (outcome.records.empty()) return;
+  const std::size_t at = trials.below(outcome.records.size());
+  const auto place = outcome.records.begin() + static_cast<std::ptrdiff_t>(at);
+  const Number step = Number::millionths(
+      trials.one_of(std::to_array<std::int64_t>({1, -1, 900, 1'100, -1'000'000})));
+  switch (trials.below(8)) {
+    case 0:
+      outcome.records.erase(place);
+      return;
+    case 1:
+      outcome.records.insert(place, Record(*place));
+      return;
+    case 2:
+      place->feed += step;
+      return;
+    case 3:
+      place->kind = place->kind == RecordKind::rapid ? RecordKind::feed : RecordKind::rapid;
+      return;
+    case 4:
+      ++place->block;
+      return;
+    case 5:
+      place->clause = reference::kNoClause;
+      return;
+    default: {
+      const Axis axis = trials.one_of(kAllAxes);
+      place->axes.add(axis);
+      place->to[axis] += step;
+    }
+  }
+}
+
+const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& trials) {
+  const auto faults = expanders::faults(generator.expander);
+  std::string_view fault;
+  if (trials.once_in(2)) fault = faults[trials.below(faults.size())].name;
+  return *expanders::find(generator.expander, fault);
+}
+
+}  // namespace
+
+GeneratedOutcome generated_outcome(const fuzz::Generator& generator,
+                                   const std::vector<reference::ReadingKey>& opened,
+                                   Trials& trials) {
+  fuzz::Choices choices(trials.chance());
+  GeneratedOutcome made{generator.generate(choices, nullptr), {}, {}};
+  reference::Profile& profile = made.program.profile;
+  for (const reference::ReadingKey key : opened) profile.readings.set(key, "any");
+  const gonogo_subject_v1& table = any_expander(generator, trials);
+  made.outcome = run(table, profile, made.program.text);
+  if (trials.once_in(2)) spoil(made.outcome, trials);
+  made.terms =
+      make_terms(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
+  return made;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Until an open reading is asked for, one judge stands for all assignments. What is said in the end
+// must be what is said when each has a judge of its own from the first record on.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fuzz/reference_run.hpp"
+#include "tests/oracle/judge/generated_outcomes.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+using reference::Profile;
+using reference::ReadingKey;
+
+// By the definition.
+SessionVerdict judged_at_once(const Profile& profile, const std::string& program,
+                              const Outcome& outcome, const JudgeTerms& terms) {
+  const Assignments assignments = assignments_of(profile, program);
+  SessionVerdict result;
+  result.open = assignments.open;
+  std::optional<SampledVerdict> best;
+  for (const reference::ReadingChoice& choice : assignments.choices) {
+    Profile assigned = profile;
+    assigned.readings = choice;
+    ProgramJudge judge(assigned, program, terms);
+    for (const Record& record : outcome.records) {
+      if (!judge.record(record)) break;
+    }
+    SampledVerdict said{judge.finish(outcome.end), judge.progress()};
+    if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choice);
+    if (!best || outranks(said, *best)) best = std::move(said);
+  }
+  result.verdict = std::move(best->verdict);
+  return result;
+}
+
+// Whether the reference asks for none of the open readings where it goes on from where the
+// subject's open path ends, which is not where its own would end.
+bool are_passed_by(const std::vector<ReadingKey>& open, const Profile& profile,
+                   const std::string& program, const Outcome& outcome, const JudgeTerms& terms) {
+  ProgramJudge judge(profile, program, terms);
+  for (const Record& record : outcome.records) {
+    if (!judge.record(record)) break;
+  }
+  judge.finish(outcome.end);
+  return std::ranges::none_of(open, [&](ReadingKey key) { return judge.readings().touched(key); });
+}
+
+std::vector<ReadingKey> some_readings(std::string_view dialect, Trials& trials) {
+  std::vector<ReadingKey> keys;
+  for (const reference::Reading& reading : reference::readings()) {
+    if (!reading.by_properties && reading.belongs_to(dialect) && trials.once_in(3)) {
+      keys.push_back(reading.key);
+    }
+  }
+  return keys;
+}
+
+TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
+  Trials trials(2'000);
+  std::size_t untouched = 0;
+  std::size_t touched = 0;
+  std::size_t known = 0;
+  for (long i = 0; i < trials.count; ++i) {
+    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const GeneratedOutcome of =
+        generated_outcome(generator, some_readings(generator.dialect, trials), trials);
+    const Profile& profile = of.program.profile;
+    const std::string& program = of.program.text;
+    if (assignments_of(profile, program).too_many) continue;
+    SessionVerdict whole = judged_at_once(profile, program, of.outcome, of.terms);
+    if (whole.verdict.kind <= VerdictKind::pass_tolerance &&
+        are_passed_by(whole.open, profile, program, of.outcome, of.terms)) {
+      whole.open.clear();
+      whole.explaining = {profile.readings};
+    }
+    const std::string where = fmt::format("{}\n{}", reference::profile_json(profile), program);
+    for (const SessionVerdict& said :
+         {judged(profile, program, of.outcome, of.terms),
+          judged_by_lines(profile, program, of.outcome, of.terms, known)}) {
+      ASSERT_EQ(text_of(said), text_of(whole)) << where;
+      ASSERT_EQ(said.explaining, whole.explaining) << where;
+      ASSERT_EQ(said.open, whole.open) << where;
+    }
+    ++(whole.open.empty() ? untouched : touched);
+  }
+  EXPECT_GT(untouched, 0U);
+  EXPECT_GT(touched, 0U);
+  EXPECT_GT(known, 0U);
+}
+
+// The 840D asks for sie.arc.correct at the arc, whose end is 0.003 mm off its circle: after far
+// more records than are kept, and after as many that are the reference's own and need no keeping.
+TEST(OpenReadings, AreSettledBehindAnyNumberOfRecords) {
+  std::string program = "G0 X0 Y0\n";
+  for (int i = 0; i < 10'000; ++i) program += fmt::format("G1 X{} F100\n", i % 2);
+  program += "G2 X10 Y9.003 I9 J0\nM30\n";
+  const Profile open = std::get<Profile>(reference::default_profile("sinumerik840d"));
+  for (const std::string_view alternative : {"start-radius", "project", "programmed"}) {
+    const ReadingKey key = reference::find_reading("sie.arc.correct")->key;
+    Profile assigned = open;
+    assigned.readings.set(key, alternative);
+    const fuzz::ReferenceRun run = fuzz::run_reference(assigned, program, 20'000);
+    const Outcome outcome{run.records, run.end};
+    for (const bool skip_equal : {true, false}) {
+      JudgeTerms terms;
+      terms.compare_blocks = true;
+      terms.skip_equal = skip_equal;
+      const SessionVerdict said = judged(open, program, outcome, terms);
+      EXPECT_EQ(name(said.verdict.kind), "pass-exact") << said.verdict.message;
+      EXPECT_EQ(said.open, std::vector<ReadingKey>{key});
+      ASSERT_EQ(said.explaining.size(), 1U);
+      EXPECT_TRUE(said.explaining.front().is(key, alternative));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
