@@ -83,7 +83,8 @@ bool PlainMotion::is_visible(const JudgeTerms& terms) const {
   // Without a branch an axis: all axes at once.
   bool far = false;
   for (std::size_t i = 0; i < kAxes; ++i) {
-    far |= (std::abs(from[i]) > kFarthest) | (std::abs(to[i]) > kFarthest);
+    far |= std::abs(from[i]) > kFarthest;
+    far |= std::abs(to[i]) > kFarthest;
   }
   if (far) return false;
   bool visible = false;
