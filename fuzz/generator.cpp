@@ -55,12 +55,35 @@ std::span<const Generator> generators() {
   return kGenerators;
 }
 
+namespace {
+
+// An alternative for every reading that the profile leaves open and that has more than one.
+void close_readings(Choices& choices, reference::Profile& profile) {
+  for (const reference::Reading& reading : reference::readings()) {
+    const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
+    if (reading.by_properties || count < 2 || !reading.belongs_to(profile.dialect) ||
+        !profile.readings.is(reading.key, "any")) {
+      continue;
+    }
+    profile.readings.set(reading.key, reading.alternatives[choices.below(count)]);
+  }
+}
+
+}  // namespace
+
 GeneratedProgram Generator::generate(Choices& choices, const GeneratorSettings& settings,
                                      Distribution* distribution) const {
   const ProgramKind kind = choose_kind(choices, settings.kinds);
   if (distribution != nullptr) ++(*distribution)[fmt::format("kind {}", name(kind))];
-  if (kind == ProgramKind::raw) return raw_program(dialect, choices, settings);
-  return write(choices, settings, kind, distribution);
+  GeneratedProgram program = kind == ProgramKind::raw
+                                 ? raw_program(dialect, choices, settings)
+                                 : write(choices, settings, kind, distribution);
+  // The last of the decisions, so that the text is the same whatever is decided here.
+  const std::uint32_t open_one_in = settings.open_one_in;
+  if (open_one_in > 1 && choices.below(open_one_in) + 1 < open_one_in) {
+    close_readings(choices, program.profile);
+  }
+  return program;
 }
 
 const Generator* find_generator(std::string_view expander, std::string_view dialect) {

@@ -24,6 +24,7 @@ constexpr auto kNumbers = std::to_array<NumberSetting>({
     {"blocks", 1,
      [](GeneratorSettings& all, std::uint32_t n) { all.most_blocks = static_cast<int>(n); }},
     {"fault-one-in", 1, [](GeneratorSettings& all, std::uint32_t n) { all.fault_one_in = n; }},
+    {"open-one-in", 1, [](GeneratorSettings& all, std::uint32_t n) { all.open_one_in = n; }},
     {"turns", 1, [](GeneratorSettings& all, std::uint32_t n) { all.turns = static_cast<int>(n); }},
     {"rings", 1, [](GeneratorSettings& all, std::uint32_t n) { all.rings = static_cast<int>(n); }},
     {"layers", 1,
@@ -69,6 +70,7 @@ bool set(GeneratorSettings& settings, std::string_view key, std::string_view val
 GeneratorSettings in_process_settings() {
   GeneratorSettings settings;
   settings.kinds = {.valid = 1, .near_invalid = 2, .boundary = 1, .raw = 0};
+  settings.open_one_in = 8;
   return settings;
 }
 

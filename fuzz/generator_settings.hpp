@@ -51,6 +51,10 @@ struct GeneratorSettings {
   std::optional<int> most_blocks;
   // Of near_invalid: one block in so many has one thing put wrong. REQUIRES: at least 1.
   std::uint32_t fault_one_in = 12;
+  // One program in so many leaves open what the dialect leaves open, and any alternative will do;
+  // in the others one is chosen for each, which is one reference to follow in place of several.
+  // REQUIRES: at least 1, with which nothing is chosen.
+  std::uint32_t open_one_in = 1;
   MachineSettings machine;
   bool pockets = true;  // cycles whose levels are judged by region: G110, G111, LCYC75
 
@@ -70,7 +74,7 @@ GeneratorSettings in_process_settings();
 // Of numbers in read_settings.
 inline constexpr std::uint32_t kMostOfASetting = 1'000;
 // "raw=1,near-invalid=0,blocks=4,readings=off" changes those settings: numbers are named valid,
-// near-invalid, boundary, raw, blocks, fault-one-in, turns, rings, layers, pecks, steps, starts;
+// near-invalid, boundary, raw, blocks, fault-one-in, open-one-in, turns, rings, layers, pecks, steps, starts;
 // state, readings, parameters, offsets, tools, pockets are on or off. Nothing where a word is none
 // of these, or where no kind is left.
 std::optional<GeneratorSettings> read_settings(std::string_view text,

@@ -232,5 +232,31 @@ TEST(Generator, WithoutPocketsNoneComes) {
   }
 }
 
+// sie.arc.correct is open by default: of 1,600 programs 200 leave it so, and each of its three
+// alternatives is chosen 467 times; 80 is over four standard deviations.
+TEST(Generator, ReadingsAreLeftOpenAsOftenAsItSaysAndTheTextIsTheSame) {
+  GeneratorSettings settings = in_process_settings();
+  ASSERT_EQ(settings.open_one_in, 8U);
+  GeneratorSettings all_open = settings;
+  all_open.open_one_in = 1;
+  settings.machine.readings = all_open.machine.readings = false;
+  const reference::ReadingKey key = reference::find_reading("sie.arc.correct")->key;
+  const Generator& generator = generator_of("sinumerik840d");
+  std::map<std::string, int, std::less<>> values;
+  for (std::uint64_t seed = 1; seed <= 1'600; ++seed) {
+    Choices choices(seed);
+    Choices again(seed);
+    const GeneratedProgram program = generator.generate(choices, settings, nullptr);
+    const GeneratedProgram open = generator.generate(again, all_open, nullptr);
+    ASSERT_EQ(program.text, open.text);
+    ASSERT_EQ(open.profile.readings.get(key), "any");
+    ++values[std::string(program.profile.readings.get(key))];
+  }
+  EXPECT_NEAR(values["any"], 200, 80);
+  for (const char* alternative : {"start-radius", "project", "programmed"}) {
+    EXPECT_NEAR(values[alternative], 467, 80) << alternative;
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::fuzz

@@ -27,9 +27,10 @@ TEST(GeneratorSettings, AnEmptyListChangesNothing) {
 }
 
 TEST(GeneratorSettings, WhatIsNoSettingIsRefused) {
-  for (const char* text : {"blocks", "blocks=", "blocks=x", "blocks=0", "blocks=-1", "blocks=4x",
-                           "blocks=1001", "fault-one-in=0", "readings=maybe", "readings=1",
-                           "colour=1", "near-invalid=0", "valid=1,near-invalid=4294967296"}) {
+  for (const char* text :
+       {"blocks", "blocks=", "blocks=x", "blocks=0", "blocks=-1", "blocks=4x", "blocks=1001",
+        "fault-one-in=0", "open-one-in=0", "readings=maybe", "readings=1", "colour=1",
+        "near-invalid=0", "valid=1,near-invalid=4294967296"}) {
     EXPECT_FALSE(read_settings(text)) << text;
   }
 }
