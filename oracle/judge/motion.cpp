@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/motion.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "oracle/approximate.hpp"
 #include "oracle/judge/space_circle.hpp"
+#include "reference/exact/interval.hpp"
 
 namespace gonogo::oracle {
 
@@ -162,28 +165,62 @@ bool makes_full_turn(const Motion& motion) {
   return motion.from[axes.p] == motion.to()[axes.p] && motion.from[axes.q] == motion.to()[axes.q];
 }
 
-// Of an enclosure by the bounds that it has already: any more digits would evaluate it anew.
+// Without the text that `approximate` rounds.
 double estimate(const Number& value) {
   constexpr int kBits = 60;
-  const bool enclosed = value.form() == Number::Form::enclosure;
-  return approximate(enclosed ? value.bounds(kBits)[0] : value);
+  switch (value.form()) {
+    case Number::Form::rational:
+      if (exact::NumberAccess::node(value) == nullptr) return approximate(value);
+      return exact::rational_of(value).get_d();
+    case Number::Form::root:
+      return mpfr_get_d(exact::interval_of(exact::root_of(value), 2 * kBits).low(), MPFR_RNDN);
+    case Number::Form::enclosure:
+      break;
+  }
+  // By the bounds that it has already: any more digits would evaluate it anew.
+  return exact::rational_of(value.bounds(kBits)[0]).get_d();
 }
+
+namespace {
+
+// Below this part of the radius squared, the sign of a cross product of doubles is not looked at.
+constexpr double kNearWhole = 1e-6;
+
+double part_of_turn(double across, double along) {
+  const double part = std::atan2(across, along) / (2 * std::numbers::pi);
+  return part < 0 ? part + 1.0 : part;
+}
+
+// Of one turn, where that is far from a whole one.
+std::optional<double> estimated_part(const PlaneVector& a, const PlaneVector& b, int sense) {
+  const std::array<double, 2> from = {estimate(a.p), estimate(a.q)};
+  const std::array<double, 2> to = {estimate(b.p), estimate(b.q)};
+  const double along = from[0] * to[0] + from[1] * to[1];
+  const double across = sense * (from[0] * to[1] - from[1] * to[0]);
+  if (!(along < 0 || std::abs(across) > 2 * kNearWhole * along)) return std::nullopt;
+  return part_of_turn(across, along);
+}
+
+// Near a whole turn the equality of enclosures is looked at first, which shows for one and the same
+// expression.
+double decided_part(const PlaneVector& a, const PlaneVector& b, int sense) {
+  const TurnedVector t = turned(a, b, sense);
+  const double along = estimate(t.along);
+  const double across = estimate(t.across);
+  const bool near_whole = along >= 0 && std::abs(across) <= kNearWhole * along;
+  const bool whole = near_whole && ((a.p == b.p && a.q == b.q) || t.across.sign() == 0);
+  return whole ? 1.0 : part_of_turn(across, along);
+}
+
+}  // namespace
 
 double approximate_turns(const Motion& arc) {
   const PlaneVector a = from_centre(arc.record, arc.from);
   const PlaneVector b = from_centre(arc.record, arc.to());
   const int sense = arc.record.rot < 0 ? -1 : 1;
-  const TurnedVector t = turned(a, b, sense);
-  const double along = estimate(t.along);
-  const double across = estimate(t.across);
-  // Far from a whole turn nothing has to be decided, which enclosures of equal values could not be;
-  // near it their equality is looked at first, which shows for one and the same expression.
-  constexpr double kNear = 1e-6;
-  const bool near_whole = along >= 0 && std::abs(across) <= kNear * along;
-  const bool whole = near_whole && ((a.p == b.p && a.q == b.q) || t.across.sign() == 0);
-  double fraction = whole ? 1.0 : std::atan2(across, along) / (2 * std::numbers::pi);
-  if (fraction < 0) fraction += 1.0;
-  return fraction + static_cast<double>(std::abs(arc.record.rot) - 1);
+  const std::optional<double> part = estimated_part(a, b, sense);
+  return (part ? *part : decided_part(a, b, sense)) +
+         static_cast<double>(std::abs(arc.record.rot) - 1);
 }
 
 bool nearly_full_turn(const Motion& motion) {
