@@ -24,8 +24,9 @@ set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)
   # Paths relative to the checkout, so that another clone of it finds what this one compiled.
+  # Of precompiled headers it is told that nothing in them hangs on the time of day.
   set(GONOGO_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
-                      ${GONOGO_CCACHE})
+                      CCACHE_SLOPPINESS=pch_defines,time_macros ${GONOGO_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
 endif()

@@ -5,105 +5,21 @@
 // since a tiny Q over a great depth is a long one.
 #pragma once
 
-#include <fstream>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
 
-#include "expanders/registry.hpp"
-#include "fuzz/differential.hpp"
-#include "fuzz/generator.hpp"
-#include "fuzz/program_report.hpp"
 #include "fuzz/targets/target.hpp"
 
 namespace gonogo::fuzz {
 
-// The expander with the planted fault, if there is one.
-inline std::unique_ptr<oracle::Subject> make_subject(std::string_view name) {
-  const gonogo_subject_v1* const expander = expanders::find(name, planted_fault());
-  if (expander == nullptr) {
-    std::fprintf(stderr, "the expander has no fault %s\n", std::string(planted_fault()).c_str());
-    std::exit(2);
-  }
-  return oracle::make_interface_subject(*expander);
-}
-
-// A broken bench, which fuzz/check-bench has to notice: a judge that says GO to everything.
-inline bool judge_is_blind() {
-  static const char* const kJudge = std::getenv("GONOGO_FUZZ_JUDGE");
-  return kJudge != nullptr && std::string_view(kJudge) == "always-go";
-}
-
-// The program and its machine as files, for `gonogo reduce`, where somebody asks for them.
-inline void keep(const reference::Profile& profile, std::string_view program) {
-  const char* const folder = std::getenv("GONOGO_FUZZ_FINDING");
-  if (folder == nullptr) return;
-  std::ofstream(folder + std::string("/program.nc"), std::ios::binary) << program;
-  std::ofstream(folder + std::string("/profile.json")) << profile_text(profile);
-}
-
-// Environment GONOGO_FUZZ_ALONE=1: the expander runs, and nobody judges it; for
-// tests/bench/fuzz_rate, which compares the two.
-inline bool runs_alone() {
-  static const bool kAlone = std::getenv("GONOGO_FUZZ_ALONE") != nullptr;
-  return kAlone;
-}
-
-inline void check(oracle::Subject& subject, const reference::Profile& profile,
-                  std::string_view program, std::size_t most_records) {
-  if (runs_alone()) return run_alone(subject, profile, program, most_records);
-  const auto verdict = run_and_judge(subject, profile, program, most_records);
-  if (judge_is_blind()) return;
-  if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go) {
-    keep(profile, program);
-    fail(failure_text(*verdict, profile, program), "");
-  }
-}
-
-// Environment GONOGO_FUZZ_STATISTICS=FILE: what the programs were is written there at the end.
-class ProgramStatistics {
- public:
-  ProgramStatistics() : file_(std::getenv("GONOGO_FUZZ_STATISTICS")) {}
-  ~ProgramStatistics() {
-    if (file_ != nullptr) std::ofstream(file_) << distribution_text(distribution_);
-  }
-  Distribution* distribution() { return file_ == nullptr ? nullptr : &distribution_; }
-
- private:
-  const char* file_;
-  Distribution distribution_;
-};
-
-// Environment GONOGO_FUZZ_SETTINGS=LIST changes the settings of generated programs.
-inline GeneratorSettings settings_in_force() {
-  const char* const list = std::getenv("GONOGO_FUZZ_SETTINGS");
-  const auto settings = read_settings(list == nullptr ? "" : list, in_process_settings());
-  if (settings) return *settings;
-  std::fprintf(stderr, "GONOGO_FUZZ_SETTINGS: write as in fuzz/generator_settings.hpp\n");
-  std::exit(2);
-}
-
 // One input: the program that the bytes decide, through the expander of that name; of its first
-// dialect where none is given.
-inline void try_expander(std::string_view name, const std::uint8_t* data, std::size_t size,
-                         std::string_view dialect = {}) {
-  constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
-  static const auto subject = make_subject(name);
-  static const Generator& generator = *find_generator(name, dialect);
-  static const GeneratorSettings settings = settings_in_force();
-  static ProgramStatistics statistics;
-  Choices choices(std::span<const std::uint8_t>(data, size));
-  const GeneratedProgram program = generator.generate(choices, settings, statistics.distribution());
-  if (statistics.distribution() != nullptr) count_program(program, *statistics.distribution());
-  check(*subject, program.profile, program.text, kMostRecords);
-}
+// dialect where none is given. One name and dialect a process.
+void try_expander(std::string_view name, const std::uint8_t* data, std::size_t size,
+                  std::string_view dialect = {});
 
 // One input: a program for the dialect's machine of defaults.
-inline void try_text(std::string_view name, std::string_view dialect, const std::uint8_t* data,
-                     std::size_t size) {
-  constexpr std::size_t kMostBytes = 512;
-  constexpr std::size_t kMostRecords = 20'000;  // about a second under the sanitizers
-  static const auto subject = make_subject(name);
-  static const auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
-  if (size <= kMostBytes) check(*subject, profile, text_of(data, size), kMostRecords);
-}
+void try_text(std::string_view name, std::string_view dialect, const std::uint8_t* data,
+              std::size_t size);
 
 }  // namespace gonogo::fuzz
