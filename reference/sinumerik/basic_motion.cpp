@@ -66,6 +66,11 @@ bool may_have_no_sweep(const PlanePoint& from, const PlanePoint& to) {
   return sign_of(from[0] * to[1] - from[1] * to[0]).value_or(0) == 0;
 }
 
+// Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as can be told.
+bool may_end_in_centre(const PlanePoint& to) {
+  return sign_of(to[0]).value_or(0) == 0 && sign_of(to[1]).value_or(0) == 0;
+}
+
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
 void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   const PlaneAxes axes = axes_of(arc.plane);
@@ -75,8 +80,9 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   last.direction[axes.p] = -(sense * radius[1]);
   last.direction[axes.q] = sense * radius[0];
   // Which way it goes at its end no text says.
-  last.undecided = !end.closed.value_or(false) && std::abs(arc.rot) == 1 &&
-                   may_have_no_sweep({-arc.offset[0], -arc.offset[1]}, radius);
+  const bool is_open_turn = !end.closed.value_or(false) && std::abs(arc.rot) == 1;
+  last.undecided = may_end_in_centre(radius) ||
+                   (is_open_turn && may_have_no_sweep({-arc.offset[0], -arc.offset[1]}, radius));
   if (end.named.has(axes.d)) {
     last.climb = Climb{axes.d,
                        end.by[axes.d],

@@ -111,6 +111,15 @@ TEST(SieCt, WhatFollowsAnArcWithoutSweepIsNotDecided) {
   EXPECT_EQ(path("G0 X10\nG3 AP=0 RP=9.995 TURN=1 F9\nCT X20 Y5", programmed).size(), 3U);
 }
 
+// From (10,0) about (10.001,0) into that very point, which the tolerance admits, too: of the way
+// that a radius of 0 turns no text says anything. Found by generated program 70,390,691 of the
+// 840D.
+TEST(SieCt, WhatFollowsAnArcThatEndsInItsCentreIsNotDecided) {
+  const Profile programmed = sie({{"sie.arc.correct", "programmed"}});
+  EXPECT_EQ(path("G0 X10\nG3 X10.001 I0.001 F9", programmed).size(), 2U);
+  EXPECT_THROW(path("G0 X10\nG3 X10.001 I0.001 F9\nCT X20 Y5", programmed), exact::Undecided);
+}
+
 TEST(SieCt, WordsOfArcsConflict) {
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 CR=5"), "conflicting-words CR");
   EXPECT_EQ(outcome("G1 X10\nCT X20 Y5 TURN=1"), "conflicting-words TURN");
