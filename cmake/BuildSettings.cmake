@@ -20,6 +20,9 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 # anonymous namespaces are therefore distinct within a target.
 set(CMAKE_UNITY_BUILD ${GONOGO_UNITY})
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
+if(GONOGO_QUICK_BUILD)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
+endif()
 
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)

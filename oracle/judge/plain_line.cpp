@@ -85,8 +85,8 @@ bool take_position(Rest& rest, AxisSet axes, const PlainMotion::Place& at) {
 }
 
 std::string_view plane_name(reference::Plane plane) {
-  constexpr std::array<std::string_view, 3> kNames = {"G17", "G18", "G19"};
-  return kNames[static_cast<std::size_t>(plane)];
+  constexpr std::array<std::string_view, 3> kPlaneNames = {"G17", "G18", "G19"};
+  return kPlaneNames[static_cast<std::size_t>(plane)];
 }
 
 bool take_arc(Rest& rest, const PlainMotion& motion) {
