@@ -45,8 +45,8 @@ char capital(char c) {
 Decimal to_counts(double value) {
   Decimal number;
   constexpr Fixed kMostWhole = kLargest / kOne;
-  constexpr auto kMost = static_cast<double>(kMostWhole);
-  if (!(std::fabs(value) <= kMost)) {
+  constexpr auto kMostAsDouble = static_cast<double>(kMostWhole);
+  if (!(std::fabs(value) <= kMostAsDouble)) {
     number.overflow = true;
     return number;
   }

@@ -168,12 +168,13 @@ bool makes_full_turn(const Motion& motion) {
 // Without the text that `approximate` rounds.
 double estimate(const Number& value) {
   constexpr int kBits = 60;
+  constexpr mpfr_prec_t kRootBits = 120;
   switch (value.form()) {
     case Number::Form::rational:
       if (exact::NumberAccess::node(value) == nullptr) return approximate(value);
       return exact::rational_of(value).get_d();
     case Number::Form::root:
-      return mpfr_get_d(exact::interval_of(exact::root_of(value), 2 * kBits).low(), MPFR_RNDN);
+      return mpfr_get_d(exact::interval_of(exact::root_of(value), kRootBits).low(), MPFR_RNDN);
     case Number::Form::enclosure:
       break;
   }
