@@ -23,7 +23,7 @@ Head Tokenizer::head() {
   Head head;
   skip_blanks(cursor_, end_);
   if (at('%')) {
-    head.kind = Head::Kind::kProgramName;
+    head.kind = is_printed_name() ? Head::Kind::kProgramName : Head::Kind::kSyntax;
     return head;
   }
   if (at('/')) {
@@ -35,6 +35,12 @@ Head Tokenizer::head() {
   if (!skip_number()) head.kind = Head::Kind::kSyntax;
   skip_label();
   return head;
+}
+
+// What the name of a program is written in, up to a comment.
+bool Tokenizer::is_printed_name() const {
+  const char* const stop = std::find(cursor_, end_, ';');
+  return std::all_of(cursor_, stop, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
 }
 
 // `N10` or `:10`; false when the number is none.

@@ -68,6 +68,7 @@ class Tokenizer {
   Item next();
 
  private:
+  bool is_printed_name() const;
   bool skip_number();
   void skip_label();
   bool at(char c) const { return cursor_ != end_ && *cursor_ == c; }

@@ -35,6 +35,8 @@ TEST(SinumerikText, HeadsOfLines) {
       motions_and_alarm("%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G0 X1\n:20 X2\n/N30 X3\n/8 N40 X4\n"
                         "N50 AGAIN: X5\nEND_1: X6\n"),
       "rapid x=1\nrapid x=2\nrapid x=3\nrapid x=4\nrapid x=5\nrapid x=6\n");
+  EXPECT_EQ(motions_and_alarm("%_N_\xFF_MPF\nG0 X1\n"), "syntax");
+  EXPECT_EQ(motions_and_alarm("%_N_PART_MPF ; \xFF\nG0 X1\n"), "rapid x=1\n");
   for (const char* line : {"N", "N-1", "N1.5", "N=1", "X1 / Y1", "/10 X1", "N10 / X1"}) {
     EXPECT_EQ(motions_and_alarm(line), "syntax") << line;
   }
