@@ -1,7 +1,5 @@
 # GONOGO_QUICK_BUILD: what makes a build from clean quicker and nothing else better, for the preset `dev`.
 # The other presets compile without it, so that a header that a test forgets is missed there.
-option(GONOGO_QUICK_BUILD "Tests without optimisation and with precompiled headers; the quicker linker" OFF)
-
 if(GONOGO_QUICK_BUILD)
   include(CheckLinkerFlag)
   check_linker_flag(CXX -fuse-ld=gold GONOGO_HAS_GOLD)
@@ -26,5 +24,7 @@ function(gonogo_quick_test name)
       <map> <memory> <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility>
       <variant> <vector> <fmt/format.h> <gmpxx.h> <gtest/gtest.h> <rapidcheck/gtest.h>)
   endif()
+  # Its macro stands in the headers.
+  target_link_libraries(${name} PRIVATE fmt::fmt)
   target_precompile_headers(${name} REUSE_FROM gonogo_test_headers)
 endfunction()

@@ -16,6 +16,13 @@ namespace {
 using reference::Profile;
 using reference::ReadingKey;
 
+Verdict told(ProgramJudge& judge, const Outcome& outcome) {
+  for (const Record& record : outcome.records) {
+    if (!judge.record(record)) break;
+  }
+  return judge.finish(outcome.end);
+}
+
 // By the definition.
 SessionVerdict judged_at_once(const Profile& profile, const std::string& program,
                               const Outcome& outcome, const JudgeTerms& terms) {
@@ -27,10 +34,8 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
     Profile assigned = profile;
     assigned.readings = choice;
     ProgramJudge judge(assigned, program, terms);
-    for (const Record& record : outcome.records) {
-      if (!judge.record(record)) break;
-    }
-    SampledVerdict said{judge.finish(outcome.end), judge.progress()};
+    SampledVerdict said{told(judge, outcome), 0};
+    said.progress = judge.progress();
     if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choice);
     if (!best || outranks(said, *best)) best = std::move(said);
   }
@@ -43,10 +48,7 @@ SessionVerdict judged_at_once(const Profile& profile, const std::string& program
 bool are_passed_by(const std::vector<ReadingKey>& open, const Profile& profile,
                    const std::string& program, const Outcome& outcome, const JudgeTerms& terms) {
   ProgramJudge judge(profile, program, terms);
-  for (const Record& record : outcome.records) {
-    if (!judge.record(record)) break;
-  }
-  judge.finish(outcome.end);
+  told(judge, outcome);
   return std::ranges::none_of(open, [&](ReadingKey key) { return judge.readings().touched(key); });
 }
 
