@@ -47,7 +47,7 @@ SlurmctldPort=$1
 CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 AuthType=auth/munge
 CredType=cred/munge
-AuthInfo=socket=$two_nodes/munge/socket,cred_expire=5
+AuthInfo=socket=$two_nodes/munge/socket,cred_expire=20
 StateSaveLocation=$two_nodes/state
 SlurmdSpoolDir=$two_nodes/%n
 SlurmctldPidFile=$two_nodes/slurmctld.pid
@@ -67,7 +67,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 JobRequeue=0
 ReturnToService=2
-SlurmdTimeout=6
+SlurmdTimeout=15
 KillWait=2
 MinJobAge=600
 NodeName=node1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$2 CPUs=1 RealMemory=1000
@@ -103,15 +103,26 @@ two_nodes_start() {
     --socket="$two_nodes/munge/socket" --pid-file="$two_nodes/munge/pid" \
     --log-file="$two_nodes/munge/log" --seed-file="$two_nodes/munge/seed" >/dev/null 2>&1 &
   disown
-  until_true 10 test -S "$two_nodes/munge/socket" || return 1
+  until_true 60 test -S "$two_nodes/munge/socket" || return 1
+  export SLURM_CONF=$two_nodes/slurm.conf
+  # Another program may take a port between the look for a free one and the start.
+  daemons_start || { daemons_stop; daemons_start; }
+}
+
+daemons_start() {
   # shellcheck disable=SC2046
   write_slurm_conf $(free_ports)
-  export SLURM_CONF=$two_nodes/slurm.conf
   GONOGO_TEST_NODE=$two_nodes/controller slurmctld -D -i -f "$SLURM_CONF" >/dev/null 2>&1 &
   disown
   node_start 1
   node_start 2
-  until_true 20 nodes_are_idle
+  until_true 90 nodes_are_idle
+}
+
+daemons_stop() {
+  kill_all node_processes 1
+  kill_all node_processes 2
+  kill_all processes_with "SLURM_CONF=$SLURM_CONF"
 }
 
 # processes_with LINE...: the processes whose environment has all of these lines NAME=VALUE.
@@ -137,10 +148,13 @@ node_processes() {
   done
 }
 
-# kill_all COMMAND...: ends the processes that COMMAND lists, until it lists none.
+# kill_all COMMAND...: ends the processes that COMMAND lists, until it lists none. They are stopped
+# first, so that none sees the end of another one.
 kill_all() {
   local processes
   while processes=$("$@") && [ -n "$processes" ]; do
+    # shellcheck disable=SC2086
+    kill -STOP $processes 2>/dev/null
     # shellcheck disable=SC2086
     kill -KILL $processes 2>/dev/null
     sleep 0.05
@@ -151,8 +165,6 @@ node_kill() { kill_all node_processes "$1"; }
 
 two_nodes_stop() {
   [ -n "${SLURM_CONF:-}" ] || return 0
-  kill_all node_processes 1
-  kill_all node_processes 2
-  kill_all processes_with "SLURM_CONF=$SLURM_CONF"
+  daemons_stop
   kill_all processes_with "GONOGO_TEST_NODE=$two_nodes/munge"
 }
