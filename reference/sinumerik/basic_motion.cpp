@@ -47,30 +47,6 @@ void remember_line(Machine& machine, const EndPoint& end) {
   machine.last = std::move(last);
 }
 
-// Nothing where that cannot be told.
-std::optional<int> sign_of(const Number& value) {
-  try {
-    return value.sign();
-  } catch (const exact::Undecided&) {
-    return std::nullopt;
-  }
-}
-
-// Whether an arc from one point to another about a centre is no part of a turn, as far as can be
-// told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
-// nevertheless.
-bool may_have_no_sweep(const PlanePoint& from, const PlanePoint& to) {
-  // First what is decided at once of half a turn, whose ends are as hard to tell from one ray.
-  const std::optional<int> along = sign_of(from[0] * to[0] + from[1] * to[1]);
-  if (along.value_or(1) <= 0) return false;
-  return sign_of(from[0] * to[1] - from[1] * to[0]).value_or(0) == 0;
-}
-
-// Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as can be told.
-bool may_end_in_centre(const PlanePoint& to) {
-  return sign_of(to[0]).value_or(0) == 0 && sign_of(to[1]).value_or(0) == 0;
-}
-
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
 void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   const PlaneAxes axes = axes_of(arc.plane);
@@ -79,18 +55,9 @@ void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   LastMotion last;
   last.direction[axes.p] = -(sense * radius[1]);
   last.direction[axes.q] = sense * radius[0];
-  // Which way it goes at its end no text says.
-  const bool is_open_turn = !end.closed.value_or(false) && std::abs(arc.rot) == 1;
-  last.undecided = may_end_in_centre(radius) ||
-                   (is_open_turn && may_have_no_sweep({-arc.offset[0], -arc.offset[1]}, radius));
-  if (end.named.has(axes.d)) {
-    last.climb = Climb{axes.d,
-                       end.by[axes.d],
-                       {-arc.offset[0], -arc.offset[1]},
-                       radius,
-                       end.closed.value_or(false),
-                       arc.rot};
-  }
+  last.arc =
+      LastArc{{-arc.offset[0], -arc.offset[1]}, radius, end.closed.value_or(false), arc.rot, {}};
+  if (end.named.has(axes.d)) last.arc->climb = LastArc::Climb{axes.d, end.by[axes.d]};
   machine.last = std::move(last);
 }
 

@@ -82,11 +82,11 @@ namespace {
 // axis where that does not turn.
 void turn_last_motion(LastMotion& last, const Frame& old, const Frame& next) {
   const auto tilts = [&](const Frame& frame) {
-    return frame.is_rotated() && axes_of(frame.plane()).d != last.climb->axis;
+    return frame.is_rotated() && axes_of(frame.plane()).d != last.arc->climb->axis;
   };
-  if (last.climb && (tilts(old) || tilts(next))) {
+  if (last.arc && last.arc->climb && (tilts(old) || tilts(next))) {
     last.direction = whole_direction(last);
-    last.climb.reset();
+    last.arc->climb.reset();
   }
   last.direction = next.turned_back(old.turned(last.direction));
 }

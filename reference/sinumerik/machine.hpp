@@ -26,21 +26,24 @@ struct PlaceMark {
   std::optional<Polar> polar;  // about `centre`
 };
 
-// How a helix climbs, for the direction at its end.
-struct Climb {
-  Axis axis = Axis::z;
-  Number height;
+// What a direction at the end of an arc hangs on beside the radius there.
+struct LastArc {
   PlanePoint from_centre;  // to the start
   PlanePoint to_end;       // from the centre
   bool closed = false;
   int rot = 0;
+  struct Climb {
+    Axis axis = Axis::z;
+    Number height;
+  };
+  std::optional<Climb> climb;  // of a helix
 };
 
 // SIE-CT-02: the last motion that has a length.
 struct LastMotion {
-  Position direction;          // at its end; of any length, for a helix without its climb
-  std::optional<Climb> climb;  // of a helix
-  bool undecided = false;      // which way it goes cannot be told
+  Position direction;  // at its end; of any length, for a helix without its climb
+  std::optional<LastArc> arc;
+  bool undecided = false;  // of a line: which way it goes cannot be told
 };
 
 struct Machine : MotionState {
