@@ -27,9 +27,12 @@ endif()
 find_program(GONOGO_CCACHE ccache)
 if(GONOGO_CCACHE)
   # Paths relative to the checkout, so that another clone of it finds what this one compiled.
-  # Of precompiled headers it is told that nothing in them hangs on the time of day.
-  set(GONOGO_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1
-                      CCACHE_SLOPPINESS=pch_defines,time_macros ${GONOGO_CCACHE})
+  set(GONOGO_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1)
+  if(GONOGO_QUICK_BUILD)
+    # Nothing in its precompiled headers hangs on the time of day.
+    list(APPEND GONOGO_LAUNCHER CCACHE_SLOPPINESS=pch_defines,time_macros)
+  endif()
+  list(APPEND GONOGO_LAUNCHER ${GONOGO_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${GONOGO_LAUNCHER})
 endif()

@@ -160,6 +160,7 @@ void JudgeSession::settle() {
   if (open_.empty()) return;  // the one judge goes on
   choices_ = std::move(assignments.choices);
   judges_.clear();
+  if (too_many_) return;  // `finish` says so, whatever comes
   for (const ReadingChoice& choice : choices_) {
     reference::Profile assigned = profile_;
     assigned.readings = choice;
