@@ -23,6 +23,7 @@ struct Motion {
   std::size_t number = 0;  // place of its (first) record in the trace, from 0
   // Of the reference: where it stood before motions too small to see that were dropped just before.
   std::optional<Position> stood = {};
+  bool dropped_arc = false;  // whether an arc was among them
 
   const Position& to() const { return record.to; }
 };

@@ -116,7 +116,9 @@ bool ProgramJudge::match_motion(Motion& motion, const Motion& want) {
     reference_.advance();
     return false;
   }
-  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from))) return true;
+  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from), want_->dropped_arc)) {
+    return true;
+  }
   if (dives_into_pocket(motion)) return false;
   if (!goes_on_outside(motion)) report_departure(result, motion, *want_);
   return true;
@@ -137,14 +139,14 @@ bool ProgramJudge::reached(const Motion& want, const Position& at) const {
   return same_place(at, want.to(), terms_) && !goes_round(want, terms_.tolerance);
 }
 
-bool ProgramJudge::means_nothing(const Motion& motion, const Position& here,
-                                 const Position& stood) const {
+bool ProgramJudge::means_nothing(const Motion& motion, const Position& here, const Position& stood,
+                                 bool dropped_arc) const {
   const auto stays = [&](const Position& point) {
     return same_place(point, here, terms_) || same_place(point, stood, terms_);
   };
   if (!stays(motion.from) || !stays(motion.to())) return false;
   if (motion.record.kind == RecordKind::arc3 && !stays(via_of(motion))) return false;
-  return may_mean_nil(motion, terms_.tolerance, reference_.dropped_arc());
+  return may_mean_nil(motion, terms_.tolerance, dropped_arc);
 }
 
 bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step) const {
@@ -156,7 +158,7 @@ bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step
       stood[axis] -= renaming->shift[axis];
     }
   }
-  return means_nothing(motion, here, stood);
+  return means_nothing(motion, here, stood, reference_.dropped_arc());
 }
 
 }  // namespace gonogo::oracle

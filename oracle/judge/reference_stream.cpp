@@ -69,7 +69,8 @@ void ReferenceStream::take_motion(const Record& record) {
     return;
   }
   if (dropped_) motion.stood = anchor_;
-  dropped_ = false;
+  motion.dropped_arc = dropped_arc_;
+  dropped_ = dropped_arc_ = false;
   anchor_ = position_;
   flush();
   pending_ = std::move(motion);
@@ -154,7 +155,6 @@ bool ReferenceStream::at_end() {
 void ReferenceStream::advance() {
   if (at_end()) return;
   ready_.pop_front();
-  dropped_arc_ = false;
 }
 
 }  // namespace gonogo::oracle

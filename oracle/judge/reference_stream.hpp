@@ -48,7 +48,7 @@ class ReferenceStream {
   // ends in the plane.
   void go_on_from(const Position& position) {
     position_ = anchor_ = position;
-    dropped_ = false;
+    dropped_ = dropped_arc_ = false;
   }
   // After a path that is open the reference stands where the subject left it; blocks that follow
   // start from there in the plane. Only while that step is the current one: nothing of a later
@@ -60,8 +60,9 @@ class ReferenceStream {
   // Where it stood before motions too small to see that were dropped since the last one that was
   // kept: `position()` where there are none. Of the current step, unless that is a motion.
   const Position& anchor() const { return anchor_; }
-  // Whether an arc too small to see was dropped since the last motion. Only then may an arc of the
-  // subject that closes within the tolerance mean nothing at all.
+  // Whether an arc too small to see was dropped since the last motion that was kept; only then may
+  // an arc of the subject that closes within the tolerance mean nothing at all. Of the current
+  // step, unless that is a motion, which says it itself.
   bool dropped_arc() const { return dropped_arc_; }
   // Whether the position gets a new name now, or right after the current step.
   bool renaming_ahead();
@@ -82,8 +83,8 @@ class ReferenceStream {
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
-  bool dropped_ = false;  // a motion, since the last one that was kept
-  bool dropped_arc_ = false;
+  bool dropped_ = false;      // a motion, since the last one that was kept
+  bool dropped_arc_ = false;  // an arc among them
   bool was_moved_ = false;
 };
 

@@ -2,6 +2,7 @@
 //
 // Motions about as large as the tolerance (0.001 mm), which one side may drop and the other keep;
 // and motions that go on past what is covered. X is a diameter in the programs, a radius in traces.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "judging.hpp"
@@ -60,6 +61,33 @@ TEST(SmallMotions, OneOfExactlyTheToleranceMayBeLongerAsADouble) {
       .line(R"({"k":"feed","b":2,"to":{"z":"0x1.c010624dd2f1bp+2"},"f":"100"})")
       .line(R"({"k":"feed","b":3,"to":{"x":"0x1.534395810624ep+2"},"f":"100"})");
   EXPECT_EQ(decided_as_binary64(program, trace), Decision::go);
+}
+
+// Half a circle of the size of the tolerance about (0.0005, 0), which the reference drops. The
+// subject's centre, off by half a nanometre, makes it a little more than half a turn.
+TEST(SmallMotions, AnArcThatOnlyTheSubjectKeepsMayBeOfMoreThanHalfATurn) {
+  const std::string before = R"({"k":"feed","b":1,"to":{"y":"-5"},"f":"100"}
+{"k":"feed","b":2,"to":{"y":"0"},"f":"100"}
+)";
+  const auto arc = [](std::string_view centre_y) {
+    return fmt::format(R"({{"k":"arc","b":3,"plane":"G17","c":{{"x":"0.0005","y":"{}"}},"rot":1,)"
+                       R"("to":{{"x":"0.001","y":"0"}},"f":"100"}})"
+                       "\n",
+                       centre_y);
+  };
+  const std::string half = "G17 G1 F100 Y-5\nY0\nG3 X0.001 I0.0005\n";
+  Judging judging;
+  judging.dialect = "sinumerik802s";
+  for (const char* centre_y : {"-0.0000000005", "0", "0.0000000005"}) {
+    const std::string small = before + arc(centre_y);
+    EXPECT_EQ(decision(judge_trace(half, small, judging).kind), Decision::go) << centre_y;
+    const std::string on = R"({"k":"feed","b":4,"to":{"x":"3"},"f":"100"})";
+    EXPECT_EQ(decision(judge_trace(half + "G1 X3\n", small + on, judging).kind), Decision::go)
+        << centre_y;
+  }
+  // Where the reference has no arc, it is one too many.
+  EXPECT_EQ(judge_trace("G17 G1 F100 Y-5\nY0\n", before + arc("-0.0000000005"), judging).kind,
+            VerdictKind::fail_overrun);
 }
 
 TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
