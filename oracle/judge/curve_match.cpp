@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/standing.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -105,9 +107,7 @@ MatchResult CurveMatch::match(const Motion& subject) {
   }
   MatchResult result = MatchResult::departs(Departure::kind, "The motion is of another kind.");
   if (round_) {
-    if (got.kind == RecordKind::arc) result = match_arc(subject);
-    if (got.kind == RecordKind::arc3) result = match_arc3(subject);
-    if (got.kind == RecordKind::feed && terms_.chord.sign() > 0) result = match_chord(subject);
+    result = match_round(subject);
   } else if (want.kind == RecordKind::feed && got.kind == RecordKind::arc3) {
     result = match_flat(subject);
   } else if (want.kind == got.kind) {
@@ -119,6 +119,41 @@ MatchResult CurveMatch::match(const Motion& subject) {
     return MatchResult::departs(Departure::feed, "The feed differs.");
   }
   return result;
+}
+
+// An arc as small as the tolerance that is not the reference's may be a piece of the reference's,
+// as far as can be seen, or nothing at all: what does not go on from it as a piece may as nothing.
+MatchResult CurveMatch::match_round(const Motion& subject) {
+  const double before = arc_progress_;
+  MatchResult result = match_piece(subject);
+  if (result.departure == Departure::none) {
+    if (!result.done && may_be_none(subject)) none_progress_ += arc_progress_ - before;
+    return result;
+  }
+  if (none_progress_ == 0) return result;
+  arc_progress_ -= none_progress_;
+  MatchResult without = match_piece(subject);
+  if (without.departure == Departure::none) {
+    none_progress_ = 0;
+    return without;
+  }
+  arc_progress_ = before;
+  return result;
+}
+
+MatchResult CurveMatch::match_piece(const Motion& subject) {
+  const RecordKind got = subject.record.kind;
+  if (got == RecordKind::arc) return match_arc(subject);
+  if (got == RecordKind::arc3) return match_arc3(subject);
+  if (got == RecordKind::feed && terms_.chord.sign() > 0) return match_chord(subject);
+  return MatchResult::departs(Departure::kind, "The motion is of another kind.");
+}
+
+// Whether it stays where the reference's begins.
+bool CurveMatch::may_be_none(const Motion& subject) const {
+  return same_place(subject.from, reference_.from, terms_) &&
+         same_place(subject.to(), reference_.from, terms_) &&
+         may_mean_none(subject, terms_.tolerance, reference_.dropped_arc);
 }
 
 // A line whose lead counts instead of a feed. The spindle angle is that of its beginning: of the

@@ -51,6 +51,9 @@ class CurveMatch {
   MatchResult match_line(const Motion& subject);
   MatchResult match_flat(const Motion& subject);
   MatchResult match_thread(const Motion& subject);
+  MatchResult match_round(const Motion& subject);
+  MatchResult match_piece(const Motion& subject);
+  bool may_be_none(const Motion& subject) const;
   MatchResult match_arc(const Motion& subject);
   MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);
@@ -72,6 +75,7 @@ class CurveMatch {
   std::optional<RoundCurve> round_;  // an arc or a circle in space
   Number line_progress_;             // along the axis that moves most
   double arc_progress_ = 0;          // turns, to choose between whole turns only
+  double none_progress_ = 0;         // of those, what may have been meant as none
 };
 
 // Whether the feeds of two cutting motions are the same on these terms.

@@ -13,17 +13,6 @@ using reference::PocketLevel;
 using reference::PocketMilling;
 using reference::ThreadMilling;
 
-namespace {
-
-// Whether a motion whose ends agree may be meant as none: all but an arc that goes round, unless
-// the reference had an arc as small there.
-bool may_mean_nil(const Motion& motion, const Number& tolerance, bool reference_dropped_arc) {
-  return !goes_round(motion, tolerance) ||
-         (reference_dropped_arc && std::abs(motion.record.rot) == 1);
-}
-
-}  // namespace
-
 void ProgramJudge::process(Motion motion) {
   while (!verdict_ && !process_step(motion)) {
   }
@@ -146,7 +135,7 @@ bool ProgramJudge::means_nothing(const Motion& motion, const Position& here, con
   };
   if (!stays(motion.from) || !stays(motion.to())) return false;
   if (motion.record.kind == RecordKind::arc3 && !stays(via_of(motion))) return false;
-  return may_mean_nil(motion, terms_.tolerance, dropped_arc);
+  return may_mean_none(motion, terms_.tolerance, dropped_arc);
 }
 
 bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace gonogo::oracle {
 namespace {
@@ -31,6 +32,11 @@ bool same_place(const Position& a, const Position& b, const JudgeTerms& terms) {
 bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& terms) {
   return same_place(motion.from, place, terms) && same_place(motion.to(), place, terms) &&
          !goes_round(motion, terms.tolerance);
+}
+
+bool may_mean_none(const Motion& motion, const Number& tolerance, bool reference_dropped_arc) {
+  return !goes_round(motion, tolerance) ||
+         (reference_dropped_arc && std::abs(motion.record.rot) == 1);
 }
 
 }  // namespace gonogo::oracle

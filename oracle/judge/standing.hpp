@@ -16,4 +16,8 @@ bool same_place(const Position& a, const Position& b, const JudgeTerms& terms);
 // Whether the motion starts and ends at this place, and does not go round in between.
 bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& terms);
 
+// Whether a motion whose ends agree may be meant as none: all but an arc that goes round, unless
+// the reference had an arc as small there.
+bool may_mean_none(const Motion& motion, const Number& tolerance, bool reference_dropped_arc);
+
 }  // namespace gonogo::oracle

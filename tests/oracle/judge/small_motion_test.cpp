@@ -90,6 +90,40 @@ TEST(SmallMotions, AnArcThatOnlyTheSubjectKeepsMayBeOfMoreThanHalfATurn) {
             VerdictKind::fail_overrun);
 }
 
+// G112 with a radius of the tolerance: the reference drops the half circles before and behind the
+// helix. The subject's first may be a piece of the helix or nothing; it goes on from it as nothing.
+TEST(SmallMotions, AnArcBeforeAHelixAsSmallIsNoPartOfItsTurns) {
+  const auto judged = [](std::string_view helix, int times = 1) {
+    std::string trace = R"({"k":"rapid","b":1,"to":{"x":"20","y":"-16","z":"5"}}
+{"k":"rapid","b":2,"to":{"x":"42.25","z":"-13.421"}}
+{"k":"rapid","b":2,"to":{"y":"-17"}}
+{"k":"arc","b":2,"plane":"G18","c":{"x":"42.25","z":"-13.4205"},"rot":-1,"to":{"x":"42.25","z":"-13.42"},"f":"495"}
+)";
+    for (; times > 0; --times) {
+      trace += fmt::format(R"({{"k":"arc","b":2,"plane":"G18","c":{{"x":"42.25","z":"-13.421"}},)"
+                           R"({},"to":{{"x":"42.25","y":"-17.001","z":"-13.42"}},"f":"495"}})"
+                           "\n",
+                           helix);
+    }
+    trace +=
+        R"({"k":"arc","b":2,"plane":"G18","c":{"x":"42.25","z":"-13.4205"},"rot":-1,"to":{"x":"42.25","z":"-13.421"},"f":"495"}
+{"k":"rapid","b":2,"to":{"y":"-16"}}
+)";
+    Judging judging;
+    judging.reading = "gsk.helix.entry-side=+p";
+    return decision(
+        judge_trace("G00 G18 X40 Y-16 Z5 F495\nG112 Z-13.421 U44.5 V-0.001 R-1 I1.001 D1 L6\n",
+                    trace, judging)
+            .kind);
+  };
+  EXPECT_EQ(judged(R"("rot":-6)"), Decision::go);
+  EXPECT_EQ(judged(R"("rot":-3)", 2), Decision::go);
+  // Five turns and the two halves are six to within the tolerance.
+  EXPECT_EQ(judged(R"("rot":-4)"), Decision::no_go);
+  EXPECT_EQ(judged(R"("rot":-7)"), Decision::no_go);
+  EXPECT_EQ(judged(R"("rot":6)"), Decision::no_go);
+}
+
 TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
   TraceText trace = at_ten();
   trace.feed({{'z', 10 + 2 * kTau + kHair}});
