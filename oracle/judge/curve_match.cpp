@@ -105,6 +105,9 @@ MatchResult CurveMatch::match(const Motion& subject) {
   if (terms_.compare_blocks && want.block != got.block) {
     return MatchResult::departs(Departure::block, "The motion belongs to another block.");
   }
+  const bool is_cut = want.kind != RecordKind::rapid && want.kind != RecordKind::thread;
+  const bool same_feed = !is_cut || feeds_agree(want, got, terms_);
+  const std::optional<Progress> before = same_feed ? std::nullopt : std::optional(progress_);
   MatchResult result = MatchResult::departs(Departure::kind, "The motion is of another kind.");
   if (round_) {
     result = match_round(subject);
@@ -115,7 +118,8 @@ MatchResult CurveMatch::match(const Motion& subject) {
     if (want.kind == RecordKind::thread) return match_thread(subject);
     result = match_line(subject);
   }
-  if (result.departure == Departure::none && !feeds_agree(want, got, terms_)) {
+  if (result.departure == Departure::none && before) {
+    progress_ = *before;
     return MatchResult::departs(Departure::feed, "The feed differs.");
   }
   return result;
@@ -124,20 +128,20 @@ MatchResult CurveMatch::match(const Motion& subject) {
 // An arc as small as the tolerance that is not the reference's may be a piece of the reference's,
 // as far as can be seen, or nothing at all: what does not go on from it as a piece may as nothing.
 MatchResult CurveMatch::match_round(const Motion& subject) {
-  const double before = arc_progress_;
+  const double before = progress_.arc;
   MatchResult result = match_piece(subject);
   if (result.departure == Departure::none) {
-    if (!result.done && may_be_none(subject)) none_progress_ += arc_progress_ - before;
+    if (!result.done && may_be_none(subject)) progress_.none += progress_.arc - before;
     return result;
   }
-  if (none_progress_ == 0) return result;
-  arc_progress_ -= none_progress_;
+  if (progress_.none == 0) return result;
+  progress_.arc -= progress_.none;
   MatchResult without = match_piece(subject);
   if (without.departure == Departure::none) {
-    none_progress_ = 0;
+    progress_.none = 0;
     return without;
   }
-  arc_progress_ = before;
+  progress_.arc = before;
   return result;
 }
 
@@ -204,10 +208,10 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   const Axis axis = longest_axis(reference_);
   const int direction = (reference_.to()[axis] - reference_.from[axis]).sign();
   const Number progress = (subject.to()[axis] - reference_.from[axis]) * direction;
-  if (progress < line_progress_ - terms_.tolerance) {
+  if (progress < progress_.line - terms_.tolerance) {
     return MatchResult::departs(Departure::geometry, "The cut goes back along the line.");
   }
-  line_progress_ = max(line_progress_, progress);
+  progress_.line = max(progress_.line, progress);
   return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
 }
 

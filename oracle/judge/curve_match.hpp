@@ -73,9 +73,12 @@ class CurveMatch {
   const JudgeTerms& terms_;
   std::optional<OpenArc> open_;
   std::optional<RoundCurve> round_;  // an arc or a circle in space
-  Number line_progress_;             // along the axis that moves most
-  double arc_progress_ = 0;          // turns, to choose between whole turns only
-  double none_progress_ = 0;         // of those, what may have been meant as none
+  struct Progress {
+    Number line;      // along the axis that moves most
+    double arc = 0;   // turns, to choose between whole turns only
+    double none = 0;  // of those, what may have been meant as none
+  };
+  Progress progress_;
 };
 
 // Whether the feeds of two cutting motions are the same on these terms.

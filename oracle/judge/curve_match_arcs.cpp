@@ -72,9 +72,9 @@ Departure CurveMatch::on_curve(const Position& point, double turns, const Number
 // The end of a piece that sweeps `turns`: at the end of the arc, or on the way to it.
 MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
   const double whole = round_->whole();
-  const double progress = arc_progress_ + turns;
+  const double progress = progress_.arc + turns;
   if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    arc_progress_ = progress;
+    progress_.arc = progress;
     return {Departure::none, true, {}};
   }
   if (progress >= whole)
@@ -84,7 +84,7 @@ MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
     return MatchResult::departs(Departure::geometry, "The arc ends off the curve.");
   }
   if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
-  arc_progress_ = progress;
+  progress_.arc = progress;
   return {};
 }
 
@@ -152,9 +152,9 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
                                 "The chord leaves the arc by more than was granted.");
   }
   const double whole = round_->whole();
-  const double progress = arc_progress_ + turns;
+  const double progress = progress_.arc + turns;
   if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    arc_progress_ = progress;
+    progress_.arc = progress;
     return {Departure::none, true, {}};
   }
   if (progress >= whole && !agree(subject.to(), reference_.to(), granted)) {
@@ -163,7 +163,7 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
   if (height < 0) return MatchResult::departs(Departure::geometry, "The chord ends off the helix.");
   if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
-  arc_progress_ = progress;
+  progress_.arc = progress;
   return {};
 }
 
@@ -211,7 +211,7 @@ MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const 
                : MatchResult::departs(departure, "The arc leaves the curve between its ends.");
   };
   const auto departure_at = [&](const Position& point, double own, const Number& tolerance) {
-    return on_curve(point, arc_progress_ + sweep_to(point, own), tolerance);
+    return on_curve(point, progress_.arc + sweep_to(point, own), tolerance);
   };
   const Position via = via_of(subject);
   if (const Departure at = departure_at(via, to_via, tau); at != Departure::none) return off(at);
@@ -258,7 +258,7 @@ bool CurveMatch::arc_goes_beyond(const Motion& subject) const {
     }
     turns = approximate_turns(subject);
   }
-  return round_->on_circle(subject.to(), tau) && arc_progress_ + turns >= round_->whole();
+  return round_->on_circle(subject.to(), tau) && progress_.arc + turns >= round_->whole();
 }
 
 }  // namespace gonogo::oracle

@@ -93,12 +93,13 @@ TEST(SmallMotions, AnArcThatOnlyTheSubjectKeepsMayBeOfMoreThanHalfATurn) {
 // G112 with a radius of the tolerance: the reference drops the half circles before and behind the
 // helix. The subject's first may be a piece of the helix or nothing; it goes on from it as nothing.
 TEST(SmallMotions, AnArcBeforeAHelixAsSmallIsNoPartOfItsTurns) {
-  const auto judged = [](std::string_view helix, int times = 1) {
+  const auto judged = [](std::string_view helix, int times = 1,
+                         std::string_view entry_feed = "495") {
     std::string trace = R"({"k":"rapid","b":1,"to":{"x":"20","y":"-16","z":"5"}}
 {"k":"rapid","b":2,"to":{"x":"42.25","z":"-13.421"}}
 {"k":"rapid","b":2,"to":{"y":"-17"}}
-{"k":"arc","b":2,"plane":"G18","c":{"x":"42.25","z":"-13.4205"},"rot":-1,"to":{"x":"42.25","z":"-13.42"},"f":"495"}
-)";
+{"k":"arc","b":2,"plane":"G18","c":{"x":"42.25","z":"-13.4205"},"rot":-1,"to":{"x":"42.25","z":"-13.42"},"f":")";
+    trace += std::string(entry_feed) + "\"}\n";
     for (; times > 0; --times) {
       trace += fmt::format(R"({{"k":"arc","b":2,"plane":"G18","c":{{"x":"42.25","z":"-13.421"}},)"
                            R"({},"to":{{"x":"42.25","y":"-17.001","z":"-13.42"}},"f":"495"}})"
@@ -118,6 +119,8 @@ TEST(SmallMotions, AnArcBeforeAHelixAsSmallIsNoPartOfItsTurns) {
   };
   EXPECT_EQ(judged(R"("rot":-6)"), Decision::go);
   EXPECT_EQ(judged(R"("rot":-3)", 2), Decision::go);
+  // What is too small to see has no feed to see either.
+  EXPECT_EQ(judged(R"("rot":-6)", 1, "400"), Decision::go);
   // Five turns and the two halves are six to within the tolerance.
   EXPECT_EQ(judged(R"("rot":-4)"), Decision::no_go);
   EXPECT_EQ(judged(R"("rot":-7)"), Decision::no_go);
