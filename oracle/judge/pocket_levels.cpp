@@ -204,7 +204,10 @@ std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
 bool PocketMillingJudge::admits_depth(const Number& depth) const {
   const Number& tau = terms_.tolerance;
   if (depth < item_.floor - tau) return false;
-  if (depth >= last_depth_ - tau) return is_floor(depth);
+  // No farther down than the tolerance is no level, unless infeeds are as small: none divides the
+  // depth into less than half of R121, but for a rest at the floor.
+  const bool is_small = item_.infeed <= tau * 2 && depth <= last_depth_ + tau;
+  if (depth >= last_depth_ - tau) return is_floor(depth) || is_small;
   // Where the tool can only go down, levels leave no trace.
   if (is_point() && is_floor(depth)) return true;
   // SIE-LC75-11

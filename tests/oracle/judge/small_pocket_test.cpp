@@ -128,6 +128,28 @@ TEST(SmallPockets, InfeedsOfTheToleranceAreGo) {
   }
 }
 
+// Of finishing where roughing left no strip, levels may be left out, but need not be: each is
+// milled whole, as in roughing.
+TEST(SmallPockets, LevelsOfFinishingNoFartherApartThanTheToleranceAreGo) {
+  for (const std::string_view infeed : {"R121=0.001", "R121=0.0015", "R121=0.002"}) {
+    for (const std::string_view reading : {"any", "equal", "max-rest"}) {
+      const ReadingsOf readings = {{"sie.infeed", reading}};
+      SmallPocket pocket;
+      pocket.depth = "R104=-0.02";
+      pocket.sizes = "R118=8 R119=8 R120=3";
+      pocket.infeed = infeed;
+      pocket.allowance = "R124=0 R125=0";
+      pocket.ways = "R126=2 R127=1";
+      const std::vector<Record> path = path_of(pocket, readings);
+      pocket.allowance = "R124=0 R125=0.02";
+      pocket.ways = "R126=2 R127=2";
+      const Verdict verdict = judge(pocket, path, readings);
+      EXPECT_EQ(decision(verdict.kind), Decision::go)
+          << infeed << ' ' << reading << ' ' << verdict.message << ' ' << verdict.witness;
+    }
+  }
+}
+
 // Infeeds of 2.999 from 0 leave 0.001 to the floor at -3: a strip at -2.999, and the floor.
 TEST(SmallPockets, AFloorTheToleranceBelowTheLastStripIsGo) {
   SmallPocket pocket;
