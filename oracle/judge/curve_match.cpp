@@ -157,7 +157,7 @@ MatchResult CurveMatch::match_piece(const Motion& subject) {
 bool CurveMatch::may_be_none(const Motion& subject) const {
   return same_place(subject.from, reference_.from, terms_) &&
          same_place(subject.to(), reference_.from, terms_) &&
-         may_mean_none(subject, terms_.tolerance, reference_.dropped_arc);
+         may_mean_none(subject, terms_.tolerance, dropped_arcs_of(reference_));
 }
 
 // A line whose lead counts instead of a feed. The spindle angle is that of its beginning: of the

@@ -4,7 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "reference/record.hpp"
 
@@ -23,10 +26,15 @@ struct Motion {
   std::size_t number = 0;  // place of its (first) record in the trace, from 0
   // Of the reference: where it stood before motions too small to see that were dropped just before.
   std::optional<Position> stood = {};
-  bool dropped_arc = false;  // whether an arc was among them
+  std::shared_ptr<const std::vector<Record>> dropped_arcs = {};  // the arcs among them; or null
 
   const Position& to() const { return record.to; }
 };
+
+inline std::span<const Record> dropped_arcs_of(const Motion& motion) {
+  return motion.dropped_arcs ? std::span<const Record>(*motion.dropped_arcs)
+                             : std::span<const Record>();
+}
 
 constexpr bool is_round(RecordKind kind) {
   return kind == RecordKind::arc || kind == RecordKind::arc3;

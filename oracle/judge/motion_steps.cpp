@@ -105,7 +105,8 @@ bool ProgramJudge::match_motion(Motion& motion, const Motion& want) {
     reference_.advance();
     return false;
   }
-  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from), want_->dropped_arc)) {
+  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from),
+                    dropped_arcs_of(*want_))) {
     return true;
   }
   if (dives_into_pocket(motion)) return false;
@@ -129,13 +130,13 @@ bool ProgramJudge::reached(const Motion& want, const Position& at) const {
 }
 
 bool ProgramJudge::means_nothing(const Motion& motion, const Position& here, const Position& stood,
-                                 bool dropped_arc) const {
+                                 std::span<const Record> dropped_arcs) const {
   const auto stays = [&](const Position& point) {
     return same_place(point, here, terms_) || same_place(point, stood, terms_);
   };
   if (!stays(motion.from) || !stays(motion.to())) return false;
   if (motion.record.kind == RecordKind::arc3 && !stays(via_of(motion))) return false;
-  return may_mean_none(motion, terms_.tolerance, dropped_arc);
+  return may_mean_none(motion, terms_.tolerance, dropped_arcs);
 }
 
 bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step) const {
@@ -147,7 +148,7 @@ bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step
       stood[axis] -= renaming->shift[axis];
     }
   }
-  return means_nothing(motion, here, stood, reference_.dropped_arc());
+  return means_nothing(motion, here, stood, reference_.dropped_arcs());
 }
 
 }  // namespace gonogo::oracle

@@ -65,9 +65,9 @@ class ProgramJudge {
   bool reached(const Motion& want, const Position& at) const;
   // Whether a motion stays at one of two points: where the reference stands, and where it stood
   // before motions too small to see. They are no farther apart than the tolerance, so that many
-  // such motions cannot lead away. `dropped_arc`: an arc was among those of the reference.
+  // such motions cannot lead away. `dropped_arcs`: those of the reference.
   bool means_nothing(const Motion& motion, const Position& here, const Position& stood,
-                     bool dropped_arc) const;
+                     std::span<const Record> dropped_arcs) const;
   // The same at a step that is no motion.
   bool means_nothing(const Motion& motion, const ReferenceStep& step) const;
   bool goes_on_outside(const Motion& motion);

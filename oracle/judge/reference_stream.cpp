@@ -64,16 +64,26 @@ void ReferenceStream::take_motion(const Record& record) {
   }
   // Dropped: it stays where the last kept motion ended, and makes no turn.
   if (stays_at(anchor_, motion, terms_)) {
-    dropped_ = true;
-    dropped_arc_ = dropped_arc_ || is_round(record.kind);
+    drop(motion);
     return;
   }
   if (dropped_) motion.stood = anchor_;
-  motion.dropped_arc = dropped_arc_;
-  dropped_ = dropped_arc_ = false;
+  if (!dropped_arcs_.empty()) {
+    motion.dropped_arcs = std::make_shared<const std::vector<Record>>(std::move(dropped_arcs_));
+  }
+  dropped_ = false;
+  dropped_arcs_.clear();
   anchor_ = position_;
   flush();
   pending_ = std::move(motion);
+}
+
+void ReferenceStream::drop(const Motion& motion) {
+  constexpr std::size_t kMostArcs = 64;
+  dropped_ = true;
+  if (motion.record.kind != RecordKind::arc) return;
+  if (dropped_arcs_.size() == kMostArcs) dropped_arcs_.erase(dropped_arcs_.begin());
+  dropped_arcs_.push_back(motion.record);
 }
 
 void ReferenceStream::flush() {
@@ -123,7 +133,6 @@ void ReferenceStream::go_on_behind(const PlainMotion& last, const reference::Ite
   ready_.clear();
   pending_ = last.motion(items_ - (ahead == nullptr ? 0 : 1));
   go_on_from(pending_->to());
-  dropped_arc_ = false;
   if (ahead != nullptr) take(*ahead);
 }
 

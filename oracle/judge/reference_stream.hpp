@@ -7,6 +7,7 @@
 #include <deque>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "oracle/judge/motion.hpp"
 #include "reference/expander.hpp"
@@ -48,7 +49,8 @@ class ReferenceStream {
   // ends in the plane.
   void go_on_from(const Position& position) {
     position_ = anchor_ = position;
-    dropped_ = dropped_arc_ = false;
+    dropped_ = false;
+    dropped_arcs_.clear();
   }
   // After a path that is open the reference stands where the subject left it; blocks that follow
   // start from there in the plane. Only while that step is the current one: nothing of a later
@@ -60,10 +62,10 @@ class ReferenceStream {
   // Where it stood before motions too small to see that were dropped since the last one that was
   // kept: `position()` where there are none. Of the current step, unless that is a motion.
   const Position& anchor() const { return anchor_; }
-  // Whether an arc too small to see was dropped since the last motion that was kept; only then may
-  // an arc of the subject that closes within the tolerance mean nothing at all. Of the current
-  // step, unless that is a motion, which says it itself.
-  bool dropped_arc() const { return dropped_arc_; }
+  // The arcs too small to see that were dropped since the last motion that was kept: an arc of the
+  // subject that closes within the tolerance may mean nothing at all only on the circle of one of
+  // them. Of the current step, unless that is a motion, which says it itself.
+  const std::vector<Record>& dropped_arcs() const { return dropped_arcs_; }
   // Whether the position gets a new name now, or right after the current step.
   bool renaming_ahead();
   // Items that the reference has put out so far.
@@ -74,6 +76,7 @@ class ReferenceStream {
   void pull();
   void take(const reference::Item& item);
   void take_motion(const Record& record);
+  void drop(const Motion& motion);
   void flush();
 
   const JudgeTerms& terms_;
@@ -83,8 +86,8 @@ class ReferenceStream {
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
-  bool dropped_ = false;      // a motion, since the last one that was kept
-  bool dropped_arc_ = false;  // an arc among them
+  bool dropped_ = false;              // a motion, since the last one that was kept
+  std::vector<Record> dropped_arcs_;  // the last of them
   bool was_moved_ = false;
 };
 

@@ -34,9 +34,16 @@ bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& ter
          !goes_round(motion, terms.tolerance);
 }
 
-bool may_mean_none(const Motion& motion, const Number& tolerance, bool reference_dropped_arc) {
-  return !goes_round(motion, tolerance) ||
-         (reference_dropped_arc && std::abs(motion.record.rot) == 1);
+bool may_mean_none(const Motion& motion, const Number& tolerance,
+                   std::span<const Record> dropped_arcs) {
+  if (!goes_round(motion, tolerance)) return true;
+  const Record& got = motion.record;
+  return got.kind == RecordKind::arc && std::abs(got.rot) == 1 &&
+         std::ranges::any_of(dropped_arcs, [&](const Record& arc) {
+           return arc.plane == got.plane && (arc.rot < 0) == (got.rot < 0) &&
+                  agree(arc.centre[0], got.centre[0], tolerance) &&
+                  agree(arc.centre[1], got.centre[1], tolerance);
+         });
 }
 
 }  // namespace gonogo::oracle
