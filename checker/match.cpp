@@ -78,11 +78,12 @@ class Match {
     return motion.record.kind == RecordKind::arc && (turns == 1 || turns == -1) &&
            agree(motion.from, motion.to, terms_.tolerance) == Truth::yes;
   }
-  // Whether it is a whole turn in so many words.
-  static bool is_closed(const Motion& arc) {
+  // Whether it goes the long way round, or a whole turn in so many words.
+  static bool may_go_round(const Motion& arc) {
     const Plane& plane = arc.record.plane;
     if (!arc.from[plane.first] || !arc.from[plane.second]) return true;
-    return distance2(plane, arc.from, arc.to).is_zero() != Truth::no;
+    const Real side = cross(plane, arc.record.centre, arc.from, arc.to);
+    return (arc.record.rotation < 0 ? -side : side).is_positive() != Truth::yes;
   }
 
   // From motion `at` of what must come and motion `next` of the subject on.
@@ -129,7 +130,7 @@ class Match {
     if (!is_arc && !is_short(got)) return departure;
     const Finding rest = follow(at, next + 1);
     if (rest.answer == Answer::departs) return departure;
-    return is_arc && !is_closed(got) ? rest : unknown;
+    return is_arc && !may_go_round(got) ? rest : unknown;
   }
 
   Finding find_alarm() const {

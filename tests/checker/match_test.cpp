@@ -104,7 +104,8 @@ TEST(CheckerMatch, RoundingDecidesNotBetweenNilAndWholeTurn) {
 TEST(CheckerMatch, AShortArcWhereNoneIsWantedIsNil) {
   const std::string short_arc = arc(R"("x":"10","y":"-0.0005")");
   EXPECT_EQ(found({kStart}, {kStart, short_arc}).answer, Answer::fits);
-  // In so many words a whole turn; after rounding it may be none.
+  // The long way round, or in so many words a whole turn; after rounding it may be none.
+  EXPECT_EQ(found({kStart}, {kStart, arc(R"("x":"10","y":"0.0005")")}).answer, Answer::undecided);
   EXPECT_EQ(found({kStart}, {kStart, arc(R"("x":"10","y":"0")")}).answer, Answer::undecided);
   EXPECT_EQ(found({kStart}, {kStart, arc(R"("x":"10","y":"-0.5")")}).answer, Answer::departs);
 }
