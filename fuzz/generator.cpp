@@ -20,7 +20,7 @@ namespace {
 
 ProgramKind choose_kind(Choices& choices, const KindWeights& kinds) {
   const std::array<std::uint32_t, kProgramKinds> weights = {kinds.valid, kinds.near_invalid,
-                                                            kinds.boundary, kinds.raw};
+                                                            kinds.boundary, kinds.raw, kinds.tiny};
   std::uint32_t place = choices.below(std::accumulate(weights.begin(), weights.end(), 0U));
   std::size_t kind = 0;
   while (place >= weights[kind]) place -= weights[kind++];
@@ -40,7 +40,7 @@ constexpr std::string_view k802s = "sinumerik802s";
 
 std::string_view name(ProgramKind kind) {
   constexpr std::array<std::string_view, kProgramKinds> kNames = {"valid", "near-invalid",
-                                                                  "boundary", "raw"};
+                                                                  "boundary", "raw", "tiny"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -21,6 +21,7 @@ constexpr auto kNumbers = std::to_array<NumberSetting>({
      [](GeneratorSettings& all, std::uint32_t n) { all.kinds.near_invalid = n; }},
     {"boundary", 0, [](GeneratorSettings& all, std::uint32_t n) { all.kinds.boundary = n; }},
     {"raw", 0, [](GeneratorSettings& all, std::uint32_t n) { all.kinds.raw = n; }},
+    {"tiny", 0, [](GeneratorSettings& all, std::uint32_t n) { all.kinds.tiny = n; }},
     {"blocks", 1,
      [](GeneratorSettings& all, std::uint32_t n) { all.most_blocks = static_cast<int>(n); }},
     {"fault-one-in", 1, [](GeneratorSettings& all, std::uint32_t n) { all.fault_one_in = n; }},
@@ -83,7 +84,8 @@ std::optional<GeneratorSettings> read_settings(std::string_view text, GeneratorS
     if (!set(settings, one.substr(0, equals), one.substr(equals + 1))) return std::nullopt;
   }
   const KindWeights& kinds = settings.kinds;
-  if (kinds.valid + kinds.near_invalid + kinds.boundary + kinds.raw == 0) return std::nullopt;
+  if (kinds.valid + kinds.near_invalid + kinds.boundary + kinds.raw + kinds.tiny == 0)
+    return std::nullopt;
   return settings;
 }
 

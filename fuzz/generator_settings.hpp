@@ -21,8 +21,11 @@ enum class ProgramKind : std::uint8_t {
   boundary,
   // Words of the dialect's dictionary and numbers in any spelling, without regard to meaning.
   raw,
+  // The same as valid, with every other length a few least increments: about as much as a subject
+  // may be off, where a motion can hardly be told from none.
+  tiny,
 };
-inline constexpr int kProgramKinds = 4;
+inline constexpr int kProgramKinds = 5;
 
 // How often each kind is drawn, against the others. REQUIRES: not all 0, each at most
 // kMostOfASetting. Where the sum is 1 drawing takes no decision.
@@ -33,6 +36,7 @@ struct KindWeights {
   // Not by default: on numbers beyond its range an expander of fixed point departs
   // (docs/fuzzing.md).
   std::uint32_t raw = 0;
+  std::uint32_t tiny = 0;
 };
 
 // Of the machine, what may differ from the dialect's defaults; a dialect passes over what it lacks.
@@ -74,9 +78,9 @@ GeneratorSettings in_process_settings();
 // Of numbers in read_settings.
 inline constexpr std::uint32_t kMostOfASetting = 1'000;
 // "raw=1,near-invalid=0,blocks=4,readings=off" changes those settings: numbers are named valid,
-// near-invalid, boundary, raw, blocks, fault-one-in, open-one-in, turns, rings, layers, pecks, steps, starts;
-// state, readings, parameters, offsets, tools, pockets are on or off. Nothing where a word is none
-// of these, or where no kind is left.
+// near-invalid, boundary, raw, tiny, blocks, fault-one-in, open-one-in, turns, rings, layers,
+// pecks, steps, starts; state, readings, parameters, offsets, tools, pockets are on or off. Nothing
+// where a word is none of these, or where no kind is left.
 std::optional<GeneratorSettings> read_settings(std::string_view text,
                                                GeneratorSettings settings = {});
 

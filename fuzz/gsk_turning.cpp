@@ -24,7 +24,7 @@ void GskWriter::basic_block() {
 void GskWriter::arc_block() {
   const auto [p, q, d] = plane_axes();
   Words words = {choices_.pick({"G02", "G03"})};
-  const std::int64_t radius = length(20) + unit();
+  const std::int64_t radius = length(20) + length_of(unit());
   const std::int64_t chord = choices_.between(1, radius);
   if (choices_.one_in(2)) {
     count("arc by R");

@@ -49,8 +49,8 @@ void HncWriter::run_out_words(Words& words) {
     words.push_back("E0");
     return;
   }
-  if (kind != 1) words.push_back(word('R', any_sign(length(5) + unit() / 4)));
-  if (kind != 2) words.push_back(e_word(any_sign(length(5) + unit() / 4)));
+  if (kind != 1) words.push_back(word('R', any_sign(length(5) + length_of(unit() / 4))));
+  if (kind != 2) words.push_back(e_word(any_sign(length(5) + length_of(unit() / 4))));
 }
 
 // Z, I, R and E where the run-out along the short axis is 20 times that along the long one, or an

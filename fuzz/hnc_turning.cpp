@@ -44,7 +44,7 @@ void HncWriter::arc_block() {
   mode_words(words);
   code_ = choices_.pick({2, 3});
   words.push_back(code_ == 2 ? "G02" : "G03");
-  const std::int64_t radius = length(20) + unit();
+  const std::int64_t radius = length(20) + length_of(unit());
   if (choices_.one_in(2)) {
     count("arc by R");
     const std::int64_t chord = choices_.between(1, radius);

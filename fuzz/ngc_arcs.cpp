@@ -63,7 +63,7 @@ void NgcWriter::radius_words(Words& words) {
   std::int64_t radius = half + 1 + length(20);
   // About half the chord; 0.00127 mm is forgiven by one reading.
   if (choices_.one_in(8)) radius = half + choices_.between(-14, 6);
-  if (radius <= 0) radius = unit();
+  if (radius <= 0) radius = length_of(unit());
   end_words(words, travel);
   words.push_back(word('R', choices_.one_in(3) ? -radius : radius));
 }

@@ -66,6 +66,7 @@ std::string ProgramWriter::feed_word() {
 
 // Small whole numbers, tenths, single increments: where boundaries lie close together.
 std::int64_t ProgramWriter::length(std::int64_t most_units) {
+  if (program_kind_ == ProgramKind::tiny && choices_.one_in(2)) return choices_.between(0, 3);
   switch (choices_.below(4)) {
     case 0:
       return choices_.between(0, most_units) * unit();
@@ -76,6 +77,11 @@ std::int64_t ProgramWriter::length(std::int64_t most_units) {
     default:
       return choices_.between(0, most_units * unit());
   }
+}
+
+std::int64_t ProgramWriter::length_of(std::int64_t increments) {
+  if (program_kind_ == ProgramKind::tiny && choices_.one_in(2)) return choices_.between(1, 3);
+  return increments;
 }
 
 std::string ProgramWriter::head() {

@@ -53,6 +53,8 @@ class ProgramWriter {
   std::int64_t unit() const;  // increments of one mm or inch
   // A length at random from 0 on, in least increments.
   std::int64_t length(std::int64_t most_units);
+  // This length; in a tiny program as often a few least increments.
+  std::int64_t length_of(std::int64_t increments);
   // 12500 -> "X12.5" where there are three decimals.
   std::string word(char address, std::int64_t increments) const;
   std::string feed_word();

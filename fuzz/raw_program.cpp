@@ -28,7 +28,10 @@ std::string any_number(Choices& choices) {
 }
 
 std::string any_word(const Dictionary& dictionary, Choices& choices) {
-  if (choices.one_in(50)) return {static_cast<char>(choices.below(256))};
+  if (choices.one_in(50)) {
+    const char byte = static_cast<char>(choices.below(256));
+    return {byte == '\n' ? ' ' : byte};  // which would be one more block
+  }
   if (choices.below(3) != 0) {
     return dictionary.entries[choices.below(static_cast<std::uint32_t>(dictionary.entries.size()))];
   }

@@ -37,7 +37,9 @@ void SinumerikWriter::make_tools() {
     const std::int64_t radius = settings_.machine.tools
                                     ? choices_.pick({0, 1'000, 2'000, 2'500, 3'000, 5'000})
                                     : tool * 1'000;
-    tools_.push_back(radius != 0 ? radius : 800 + choices_.between(0, 6'000));
+    const std::int64_t own = radius != 0 ? radius : 800 + choices_.between(0, 6'000);
+    // Whether a pass runs along the border is told to within the tolerance.
+    tools_.push_back(std::max(kTold, length_of(own)));
     profile_.tools[std::to_string(tool)] = reference::Number::millionths(tools_.back() * 1'000);
   }
 }
@@ -70,8 +72,9 @@ void SinumerikWriter::assign(const Values& values) {
 // R101 to R104: on the boundary of a rule as often as beside it.
 void SinumerikWriter::choose_planes(Values& values) {
   const std::int64_t reference = choices_.one_in(2) ? 0 : any_sign(length(20));
-  const std::int64_t clearance = choices_.pick({0, 500, 1'000, 2'000, 2'500});
-  const std::int64_t depth = choices_.one_in(8) ? choices_.between(1, 4) : 1'000 + length(12);
+  const std::int64_t clearance = length_of(choices_.pick({0, 500, 1'000, 2'000, 2'500}));
+  const std::int64_t depth =
+      choices_.one_in(8) ? choices_.between(1, 4) : length_of(1'000) + length(12);
   values[101] = reference + clearance + (choices_.one_in(3) ? 0 : length(20));
   values[102] = clearance;
   values[103] = reference;
@@ -98,7 +101,8 @@ void SinumerikWriter::choose_planes(Values& values) {
 // R116 to R120 and the allowance R124, for a tool of this radius: little more than it needs.
 void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
   std::int64_t allowance = choices_.pick({0, 0, 100, 750});
-  if (choices_.one_in(10)) allowance = 2 * radius - choices_.pick({1, 1, 500});
+  if (choices_.one_in(10))
+    allowance = 2 * radius - std::min<std::int64_t>(radius, choices_.pick({1, 1, 500}));
   const bool finishes = values[127] == 2'000;
   // The allowance has no say in how large a finished pocket must be.
   const std::int64_t least = 2 * (radius + (finishes ? 0 : allowance));

@@ -135,7 +135,7 @@ void SinumerikWriter::centre_arc(Words& words, int plane) {
 void SinumerikWriter::full_circle(Words& words) {
   count("full circle");
   Pair start = any_spoke();
-  if (start.p == 0) start.p = 1'000;
+  if (start.p == 0) start.p = length_of(1'000);
   const bool helix = choices_.one_in(4);
   if (choices_.one_in(2)) end_words(words, state_.plane, {}, true);
   centre_words(words, state_.plane, {-start.p, -start.q});
@@ -157,7 +157,7 @@ void SinumerikWriter::radius_arc(Words& words, int plane) {
   const bool exact = plane_is_exact(plane) && plane_is_exact(state_.plane);
   // About half the chord; one reading forgives a little.
   if (exact && choices_.one_in(4)) radius = whole + choices_.between(-9, 3);
-  if (radius <= 0) radius = 1'000;
+  if (radius <= 0) radius = length_of(1'000);
   const bool in_plane = plane == state_.plane;
   const bool helix = in_plane && choices_.one_in(5);
   end_words(words, plane, travel, helix || !in_plane);
@@ -193,7 +193,7 @@ void SinumerikWriter::angle_arc(Words& words) {
   if (choices_.one_in(2)) {
     count("arc by AR and centre");
     Pair start = any_spoke();
-    if (start.p == 0) start.p = 1'000;
+    if (start.p == 0) start.p = length_of(1'000);
     centre_words(words, state_.plane, {-start.p, -start.q});
     const double p = unit * static_cast<double>(start.p);
     const double q = unit * static_cast<double>(start.q);

@@ -41,7 +41,8 @@ std::array<SinumerikWriter::Triple, 2> SinumerikWriter::any_two_points() {
     return points;
   }
   for (Triple& point : points) {
-    for (std::int64_t& travel : point) travel = choices_.one_in(4) ? 0 : any_sign(50 + length(20));
+    for (std::int64_t& travel : point)
+      travel = choices_.one_in(4) ? 0 : any_sign(length_of(50) + length(20));
   }
   return points;
 }
@@ -178,7 +179,7 @@ bool SinumerikWriter::ct_words(Words& words, const Direction& tangent) {
   const PlaneOf plane = plane_of(state_.plane);
   if (!state_.at_polar && choices_.one_in(5)) {
     const std::int64_t angle = any_angle();
-    const std::int64_t radius = 1'000 + length(30);
+    const std::int64_t radius = length_of(1'000) + length(30);
     polar_target(angle, radius);
     Direction way{};
     way[plane.p] = target_[plane.p].mm - state_.at[plane.p].mm;

@@ -5,6 +5,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <regex>
 #include <variant>
 
 #include "grammar/parser.hpp"
@@ -15,9 +17,10 @@ namespace {
 
 GeneratorSettings only(ProgramKind kind) {
   GeneratorSettings settings;
-  settings.kinds = {0, 0, 0, 0};
+  settings.kinds = {0, 0, 0, 0, 0};
   std::uint32_t* const weights[] = {&settings.kinds.valid, &settings.kinds.near_invalid,
-                                    &settings.kinds.boundary, &settings.kinds.raw};
+                                    &settings.kinds.boundary, &settings.kinds.raw,
+                                    &settings.kinds.tiny};
   *weights[static_cast<std::size_t>(kind)] = 1;
   return settings;
 }
@@ -51,15 +54,16 @@ const Generator& any_generator() {
 
 TEST(Generator, DrawsEveryKindByItsWeightInEveryDialect) {
   GeneratorSettings settings;
-  settings.kinds = {.valid = 1, .near_invalid = 2, .boundary = 1, .raw = 4};
+  settings.kinds = {.valid = 1, .near_invalid = 2, .boundary = 1, .raw = 3, .tiny = 1};
   for (const Generator& generator : generators()) {
     const Distribution kinds = held(generator, settings, 800);
-    // 100, 200, 100 and 400 of 800 are expected; six standard deviations of the least are 57.
+    // 100, 200, 100, 300 and 100 of 800 are expected; six standard deviations of the least are 57.
     EXPECT_NEAR(static_cast<double>(times(kinds, "kind valid")), 100, 57) << generator.dialect;
     EXPECT_NEAR(static_cast<double>(times(kinds, "kind near-invalid")), 200, 74)
         << generator.dialect;
     EXPECT_NEAR(static_cast<double>(times(kinds, "kind boundary")), 100, 57) << generator.dialect;
-    EXPECT_NEAR(static_cast<double>(times(kinds, "kind raw")), 400, 85) << generator.dialect;
+    EXPECT_NEAR(static_cast<double>(times(kinds, "kind raw")), 300, 83) << generator.dialect;
+    EXPECT_NEAR(static_cast<double>(times(kinds, "kind tiny")), 100, 57) << generator.dialect;
   }
 }
 
@@ -97,6 +101,28 @@ TEST(Generator, ABoundaryProgramOfRs274HasNumbersThatAreNearlyWhole) {
   }
 }
 
+// Words of an axis that is led by no more than three increments.
+std::size_t tiny_lengths(const Generator& generator, ProgramKind kind) {
+  static const std::regex kTiny(R"([XYZUVW](=IC\( *)?-?0?\.000?[1-3](?![0-9]))");
+  std::size_t count = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Choices choices(seed);
+    const std::string text = generator.generate(choices, only(kind), nullptr).text;
+    count += static_cast<std::size_t>(
+        std::distance(std::sregex_iterator(text.begin(), text.end(), kTiny), {}));
+  }
+  return count;
+}
+
+TEST(Generator, ATinyProgramHasLengthsOfAFewIncrements) {
+  for (const Generator& generator : generators()) {
+    const std::size_t tiny = tiny_lengths(generator, ProgramKind::tiny);
+    EXPECT_GT(tiny, 100U) << generator.dialect;
+    EXPECT_GT(tiny, 5 * tiny_lengths(generator, ProgramKind::valid)) << generator.dialect;
+    EXPECT_EQ(times(held(generator, only(ProgramKind::tiny), 100), "fault"), 0U);
+  }
+}
+
 TEST(Generator, ARawProgramHasLinesThatCanBeReadAndSuchThatCannot) {
   for (const Generator& generator : generators()) {
     const grammar::Dialect dialect = reference::find_dialect(generator.dialect)->grammar;
@@ -121,7 +147,7 @@ TEST(Generator, ARawProgramHasLinesThatCanBeReadAndSuchThatCannot) {
 RC_GTEST_PROP(Generator, TheSameDecisionsGiveTheSameProgram, ()) {
   const Generator& generator = any_generator();
   GeneratorSettings settings;
-  settings.kinds = {.valid = 1, .near_invalid = 1, .boundary = 1, .raw = 1};
+  settings.kinds = {.valid = 1, .near_invalid = 1, .boundary = 1, .raw = 1, .tiny = 1};
   const auto bytes = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
   Choices one{std::span<const std::uint8_t>(bytes)};
   Choices other{std::span<const std::uint8_t>(bytes)};
@@ -169,7 +195,7 @@ TEST(Generator, FewerBlocksMakeShorterProgramsInEveryDialect) {
 RC_GTEST_PROP(Generator, LeavesTheMachineAloneWhereTheSettingsSaySo, ()) {
   const Generator& generator = any_generator();
   GeneratorSettings settings;
-  settings.kinds = {.valid = 1, .near_invalid = 1, .boundary = 1, .raw = 1};
+  settings.kinds = {.valid = 1, .near_invalid = 1, .boundary = 1, .raw = 1, .tiny = 1};
   settings.machine = {
       .state = false, .readings = false, .parameters = false, .offsets = false, .tools = false};
   Choices choices(*rc::gen::arbitrary<std::uint64_t>());

@@ -7,9 +7,11 @@ namespace gonogo::fuzz {
 namespace {
 
 TEST(GeneratorSettings, AListChangesWhatItNames) {
-  const auto read = read_settings("raw=3,near-invalid=0,blocks=4,readings=off,pockets=off,pecks=2");
+  const auto read =
+      read_settings("raw=3,tiny=2,near-invalid=0,blocks=4,readings=off,pockets=off,pecks=2");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->kinds.raw, 3U);
+  EXPECT_EQ(read->kinds.tiny, 2U);
   EXPECT_EQ(read->kinds.near_invalid, 0U);
   EXPECT_EQ(read->most_blocks, 4);
   EXPECT_FALSE(read->machine.readings);
