@@ -131,7 +131,9 @@ MatchResult CurveMatch::match_round(const Motion& subject) {
   const double before = progress_.arc;
   MatchResult result = match_piece(subject);
   if (result.departure == Departure::none) {
-    if (!result.done && may_be_none(subject)) progress_.none += progress_.arc - before;
+    const bool may_be_none =
+        may_mean_none(subject, reference_.from, reference_.dropped.get(), terms_);
+    if (!result.done && may_be_none) progress_.none += progress_.arc - before;
     return result;
   }
   if (progress_.none == 0) return result;
@@ -151,13 +153,6 @@ MatchResult CurveMatch::match_piece(const Motion& subject) {
   if (got == RecordKind::arc3) return match_arc3(subject);
   if (got == RecordKind::feed && terms_.chord.sign() > 0) return match_chord(subject);
   return MatchResult::departs(Departure::kind, "The motion is of another kind.");
-}
-
-// Whether it stays where the reference's begins.
-bool CurveMatch::may_be_none(const Motion& subject) const {
-  return same_place(subject.from, reference_.from, terms_) &&
-         same_place(subject.to(), reference_.from, terms_) &&
-         may_mean_none(subject, terms_.tolerance, dropped_arcs_of(reference_));
 }
 
 // A line whose lead counts instead of a feed. The spindle angle is that of its beginning: of the
@@ -198,9 +193,8 @@ MatchResult CurveMatch::match_rapid(const Motion& subject) {
 
 MatchResult CurveMatch::match_line(const Motion& subject) {
   const Number& tau = terms_.tolerance;
-  // Or where the reference stood before what it dropped, and the subject may not have.
-  const bool stood = reference_.stood && agree(subject.from, *reference_.stood, tau);
-  if (!stood && !agrees_with_line(reference_, subject.from, tau)) {
+  if (!agrees_with_line(reference_, subject.from, tau) &&
+      !may_stand_at(subject.from, reference_.from, reference_.dropped.get(), terms_)) {
     return MatchResult::departs(Departure::geometry, "The cut does not start on the line.");
   }
   if (!agrees_with_line(reference_, subject.to(), tau))

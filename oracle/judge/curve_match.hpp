@@ -53,7 +53,6 @@ class CurveMatch {
   MatchResult match_thread(const Motion& subject);
   MatchResult match_round(const Motion& subject);
   MatchResult match_piece(const Motion& subject);
-  bool may_be_none(const Motion& subject) const;
   MatchResult match_arc(const Motion& subject);
   MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);

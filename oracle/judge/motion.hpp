@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "reference/record.hpp"
@@ -20,21 +19,20 @@ using reference::Position;
 using reference::Record;
 using reference::RecordKind;
 
+// Motions of the reference that were dropped as too small to see: each stays at `stood`.
+struct Dropped {
+  Position stood;
+  std::vector<Record> motions;  // the last of them; `to` holds every axis
+};
+
 struct Motion {
   Record record;  // `to` holds every axis
   Position from;
-  std::size_t number = 0;  // place of its (first) record in the trace, from 0
-  // Of the reference: where it stood before motions too small to see that were dropped just before.
-  std::optional<Position> stood = {};
-  std::shared_ptr<const std::vector<Record>> dropped_arcs = {};  // the arcs among them; or null
+  std::size_t number = 0;                       // place of its (first) record in the trace, from 0
+  std::shared_ptr<const Dropped> dropped = {};  // of the reference, just before; null: nothing
 
   const Position& to() const { return record.to; }
 };
-
-inline std::span<const Record> dropped_arcs_of(const Motion& motion) {
-  return motion.dropped_arcs ? std::span<const Record>(*motion.dropped_arcs)
-                             : std::span<const Record>();
-}
 
 constexpr bool is_round(RecordKind kind) {
   return kind == RecordKind::arc || kind == RecordKind::arc3;
@@ -52,6 +50,7 @@ bool is_same_point(const Position& a, const Position& b);
 
 // The same point under the names that a renaming of the position gives: new less old coordinate.
 void shift(Position& position, const Position& by);
+void shift(Dropped& dropped, const Position& by);
 
 // Whether no axis differs by more than `tolerance`.
 bool agree(const Position& a, const Position& b, const Number& tolerance);

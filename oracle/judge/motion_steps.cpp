@@ -2,6 +2,9 @@
 //
 // ProgramJudge's part for one motion of the subject against the steps of the reference, one after
 // the other until the motion is used up.
+#include <algorithm>
+#include <cmath>
+
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/standing.hpp"
@@ -13,6 +16,29 @@ using reference::PocketLevel;
 using reference::PocketMilling;
 using reference::ThreadMilling;
 
+namespace {
+
+// By estimates, to choose between what may be meant.
+double distance(const Position& a, const Position& b) {
+  double sum = 0;
+  for (Axis axis : reference::kAllAxes) sum += std::abs(estimate(a[axis] - b[axis]));
+  return sum;
+}
+
+// Whether the motion is rather this one of the reference's than one that was dropped before it, or
+// none: by where it ends.
+bool is_rather(const Motion& motion, const Motion& want) {
+  const double apart = distance(motion.to(), want.to());
+  if (distance(motion.to(), want.from) <= apart) return false;
+  const auto may_be = [&](const Record& record) {
+    return record.kind == motion.record.kind && record.block == motion.record.block &&
+           distance(motion.to(), record.to) <= apart;
+  };
+  return !want.dropped || std::ranges::none_of(want.dropped->motions, may_be);
+}
+
+}  // namespace
+
 void ProgramJudge::process(Motion motion) {
   while (!verdict_ && !process_step(motion)) {
   }
@@ -22,45 +48,67 @@ bool ProgramJudge::process_step(Motion& motion) {
   if (after_alarm_) return true;
   const ReferenceStep& step = reference_.current();
   if (auto* want = std::get_if<Motion>(&step)) return match_motion(motion, *want);
+  if (is_m_function(step)) {
+    take_m_functions();
+    return false;
+  }
+  if (is_unseen(motion, step)) return true;
   if (auto* level = std::get_if<PocketLevel>(&step)) {
     if (collect(motion, *level)) return true;
     if (!verdict_) finish_level(*level, motion.from);
     return false;
   }
-  if (auto* thread = std::get_if<ThreadMilling>(&step)) {
-    const OpenPathAnswer answer = thread_judge(*thread).take(motion);
-    return follow_open_path(answer, motion);
+  if (std::optional<OpenPathAnswer> answer = take_in_path(motion, step)) {
+    return follow_open_path(*answer, motion);
   }
+  stop_before(motion, step);
+  return true;
+}
+
+std::optional<OpenPathAnswer> ProgramJudge::take_in_path(const Motion& motion,
+                                                         const ReferenceStep& step) {
+  if (auto* thread = std::get_if<ThreadMilling>(&step)) return thread_judge(*thread).take(motion);
   if (auto* pocket = std::get_if<HelixPocket>(&step)) {
-    const OpenPathAnswer answer = helix_pocket_judge(*pocket).take(motion);
-    return follow_open_path(answer, motion);
+    return helix_pocket_judge(*pocket).take(motion);
   }
-  if (auto* pocket = std::get_if<PocketMilling>(&step)) {
-    const OpenPathAnswer answer = pocket_judge(*pocket).take(motion);
-    if (pocket_judge(*pocket).is_limited() && is_cut(motion.record.kind)) budget_.forgive();
-    return follow_open_path(answer, motion);
+  auto* pocket = std::get_if<PocketMilling>(&step);
+  if (pocket == nullptr) return std::nullopt;
+  OpenPathAnswer answer = pocket_judge(*pocket).take(motion);
+  if (pocket_judge(*pocket).is_limited() && is_cut(motion.record.kind)) budget_.forgive();
+  return answer;
+}
+
+// Before a cycle: of a block before it, or the traverse to where it begins.
+bool ProgramJudge::is_unseen(const Motion& motion, const ReferenceStep& step) const {
+  bool is_approach = false;
+  if (motion.record.kind == RecordKind::rapid) {
+    const auto stays_up = [&](reference::Plane plane) {
+      const Axis depth = reference::axes_of(plane).d;
+      return motion.to()[depth] == motion.from[depth];
+    };
+    auto* level = std::get_if<PocketLevel>(&step);
+    auto* pocket = std::get_if<HelixPocket>(&step);
+    is_approach = (level != nullptr && level_motions_.empty() && stays_up(level->plane)) ||
+                  (pocket != nullptr && !helix_pocket_ && stays_up(pocket->plane));
   }
-  const bool nothing = means_nothing(motion, step);
-  if (std::holds_alternative<reference::AlarmReport>(step)) {
-    if (nothing) return true;
-    after_alarm_ = motion;
-    return true;
-  }
+  const bool is_earlier = terms_.compare_blocks && motion.record.block < block_of(step);
+  return (is_approach || is_earlier) && means_nothing(motion, step);
+}
+
+// Before a step where no motion is due.
+void ProgramJudge::stop_before(const Motion& motion, const ReferenceStep& step) {
   if (auto* outside = std::get_if<reference::NotCovered>(&step)) {
-    decide_gap(outside->message);
-    return true;
+    return decide_gap(outside->message);
+  }
+  if (means_nothing(motion, step)) return;
+  if (std::holds_alternative<reference::AlarmReport>(step)) {
+    after_alarm_ = motion;
+    return;
   }
   if (std::holds_alternative<reference::Renaming>(step)) {
-    if (nothing) return true;
-    decide_gap("A motion of the subject spans a renaming of the position.");
-    return true;
+    return decide_gap("A motion of the subject spans a renaming of the position.");
   }
   const auto& record = std::get<Record>(step);
-  if (record.kind == RecordKind::m) {
-    take_m_functions();
-    return false;
-  }
-  if (nothing) return true;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
   verdict.message = "The subject moves after the end of the program.";
@@ -76,7 +124,35 @@ bool ProgramJudge::process_step(Motion& motion) {
     verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
   }
   decide(std::move(verdict));
-  return true;
+}
+
+MatchResult ProgramJudge::try_motion(const Motion& motion, const Motion& want) {
+  if (!match_) {
+    want_ = want;
+    match_.emplace(*want_, terms_);
+  }
+  MatchResult result = match_->match(motion);
+  if (result.departure != Departure::none) return result;
+  const bool is_chord = is_round(want_->record.kind) && motion.record.kind == RecordKind::feed;
+  if (is_chord) budget_.forgive();
+  if (result.done) {
+    note_match(motion, *want_);
+    match_.reset();
+    reference_.advance();
+  }
+  return result;
+}
+
+bool ProgramJudge::is_due(const Motion& motion) {
+  flush_pending();
+  while (!verdict_ && is_m_function(reference_.current())) take_m_functions();
+  auto* want = std::get_if<Motion>(&reference_.current());
+  if (verdict_ || want == nullptr || !is_rather(motion, *want)) return false;
+  if (!same_place(motion.from, want->from, terms_) ||
+      !same_place(motion.to(), want->to(), terms_)) {
+    return false;
+  }
+  return try_motion(motion, *want).departure == Departure::none;
 }
 
 bool ProgramJudge::match_motion(Motion& motion, const Motion& want) {
@@ -84,31 +160,17 @@ bool ProgramJudge::match_motion(Motion& motion, const Motion& want) {
     reference_.advance();
     return true;
   }
-  if (!match_) {
-    want_ = want;
-    match_.emplace(*want_, terms_);
-  }
-  const MatchResult result = match_->match(motion);
-  if (result.departure == Departure::none) {
-    const bool is_chord = is_round(want_->record.kind) && motion.record.kind == RecordKind::feed;
-    if (is_chord) budget_.forgive();
-    if (result.done) {
-      note_match(motion, *want_);
-      match_.reset();
-      reference_.advance();
-    }
-    return true;
-  }
-  // Motions too small to see may be kept on one side and dropped on the other.
-  if (reached(*want_, motion.from)) {
+  const MatchResult result = try_motion(motion, want);
+  if (result.departure == Departure::none) return true;
+  // Motions too small to see may be kept on one side and dropped on the other. One of an earlier
+  // block passes nothing of this one.
+  const bool is_earlier = terms_.compare_blocks && motion.record.block < want_->record.block;
+  if (!is_earlier && reached(*want_, motion.from)) {
     match_.reset();
     reference_.advance();
     return false;
   }
-  if (means_nothing(motion, want_->from, want_->stood.value_or(want_->from),
-                    dropped_arcs_of(*want_))) {
-    return true;
-  }
+  if (may_mean_none(motion, want_->from, want_->dropped.get(), terms_)) return true;
   if (dives_into_pocket(motion)) return false;
   if (!goes_on_outside(motion)) report_departure(result, motion, *want_);
   return true;
@@ -129,26 +191,16 @@ bool ProgramJudge::reached(const Motion& want, const Position& at) const {
   return same_place(at, want.to(), terms_) && !goes_round(want, terms_.tolerance);
 }
 
-bool ProgramJudge::means_nothing(const Motion& motion, const Position& here, const Position& stood,
-                                 std::span<const Record> dropped_arcs) const {
-  const auto stays = [&](const Position& point) {
-    return same_place(point, here, terms_) || same_place(point, stood, terms_);
-  };
-  if (!stays(motion.from) || !stays(motion.to())) return false;
-  if (motion.record.kind == RecordKind::arc3 && !stays(via_of(motion))) return false;
-  return may_mean_none(motion, terms_.tolerance, dropped_arcs);
-}
-
 bool ProgramJudge::means_nothing(const Motion& motion, const ReferenceStep& step) const {
   Position here = reference_.position();
-  Position stood = reference_.anchor();
-  if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
-    for (Axis axis : reference::kAllAxes) {  // the subject has not followed it yet
-      here[axis] -= renaming->shift[axis];
-      stood[axis] -= renaming->shift[axis];
-    }
-  }
-  return means_nothing(motion, here, stood, reference_.dropped_arcs());
+  auto* renaming = std::get_if<reference::Renaming>(&step);
+  if (renaming == nullptr) return may_mean_none(motion, here, &reference_.dropped(), terms_);
+  Dropped dropped = reference_.dropped();  // the subject has not followed it yet
+  Position back;
+  for (Axis axis : reference::kAllAxes) back[axis] = -renaming->shift[axis];
+  shift(here, back);
+  shift(dropped, back);
+  return may_mean_none(motion, here, &dropped, terms_);
 }
 
 }  // namespace gonogo::oracle

@@ -150,7 +150,10 @@ void ProgramJudge::take_motion(const Record& record) {
   // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
   // cannot add up unseen. Arcs stay: they may mean a full turn.
   const bool is_nil = record.kind != RecordKind::arc && stays_at(anchor_, motion, terms_);
-  if (is_nil && !mills_pocket(motion)) return;
+  if (is_nil && !mills_pocket(motion)) {
+    if (!verdict_ && is_due(motion)) anchor_ = position_;
+    return;
+  }
   if (verdict_) return;
   anchor_ = position_;
   flush_pending();

@@ -56,19 +56,24 @@ class ProgramJudge {
 
   void take_record(const Record& record);
   void take_motion(const Record& record);
+  // Whether a motion too small to see is what the reference makes next, which need not have dropped
+  // the same motions before it. Then it is used up.
+  bool is_due(const Motion& motion);
   void flush_pending();
   void process(Motion motion);
   // One step of the reference against one motion; true when the motion is used up. A path that ends
   // within the motion leaves the rest of it.
   bool process_step(Motion& motion);
+  // Nothing where the step is no open path.
+  std::optional<OpenPathAnswer> take_in_path(const Motion& motion, const ReferenceStep& step);
+  // Whether it leads to a cycle and may be meant as none.
+  bool is_unseen(const Motion& motion, const ReferenceStep& step) const;
+  void stop_before(const Motion& motion, const ReferenceStep& step);
   bool match_motion(Motion& motion, const Motion& want);
+  // As a piece of the reference's current motion; where it is done, the reference goes on.
+  MatchResult try_motion(const Motion& motion, const Motion& want);
   bool reached(const Motion& want, const Position& at) const;
-  // Whether a motion stays at one of two points: where the reference stands, and where it stood
-  // before motions too small to see. They are no farther apart than the tolerance, so that many
-  // such motions cannot lead away. `dropped_arcs`: those of the reference.
-  bool means_nothing(const Motion& motion, const Position& here, const Position& stood,
-                     std::span<const Record> dropped_arcs) const;
-  // The same at a step that is no motion.
+  // Whether a motion may be meant as none before a step that is no motion.
   bool means_nothing(const Motion& motion, const ReferenceStep& step) const;
   bool goes_on_outside(const Motion& motion);
   void take_dwell(const Record& record);

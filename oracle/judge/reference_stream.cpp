@@ -29,7 +29,7 @@ ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::Lin
     : terms_(terms),
       expander_(profile, lines, reference::OpenPaths::judged),
       position_(profile.initial.at),
-      anchor_(position_) {}
+      dropped_{position_, {}} {}
 
 void ReferenceStream::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
@@ -46,7 +46,7 @@ void ReferenceStream::take(const reference::Item& item) {
   }
   if (auto* renaming = std::get_if<reference::Renaming>(&item)) {
     shift(position_, renaming->shift);
-    shift(anchor_, renaming->shift);
+    shift(dropped_, renaming->shift);
   }
   flush();
   std::visit([this](const auto& step) { ready_.emplace_back(step); }, item);
@@ -59,31 +59,28 @@ void ReferenceStream::take_motion(const Record& record) {
   // Joined before anything is dropped: what goes on in the same way belongs to the motion, however
   // small it is.
   if (pending_ && join(*pending_, motion)) {
-    anchor_ = position_;
+    dropped_.stood = position_;
     return;
   }
   // Dropped: it stays where the last kept motion ended, and makes no turn.
-  if (stays_at(anchor_, motion, terms_)) {
+  if (stays_at(dropped_.stood, motion, terms_)) {
     drop(motion);
     return;
   }
-  if (dropped_) motion.stood = anchor_;
-  if (!dropped_arcs_.empty()) {
-    motion.dropped_arcs = std::make_shared<const std::vector<Record>>(std::move(dropped_arcs_));
+  if (!dropped_.motions.empty()) {
+    motion.dropped = std::make_shared<const Dropped>(std::move(dropped_));
+    dropped_.motions.clear();
   }
-  dropped_ = false;
-  dropped_arcs_.clear();
-  anchor_ = position_;
+  dropped_.stood = position_;
   flush();
   pending_ = std::move(motion);
 }
 
 void ReferenceStream::drop(const Motion& motion) {
-  constexpr std::size_t kMostArcs = 64;
-  dropped_ = true;
-  if (motion.record.kind != RecordKind::arc) return;
-  if (dropped_arcs_.size() == kMostArcs) dropped_arcs_.erase(dropped_arcs_.begin());
-  dropped_arcs_.push_back(motion.record);
+  constexpr std::size_t kMost = 64;
+  std::vector<Record>& motions = dropped_.motions;
+  if (motions.size() == kMost) motions.erase(motions.begin());
+  motions.push_back(motion.record);
 }
 
 void ReferenceStream::flush() {
@@ -98,14 +95,10 @@ void ReferenceStream::stand_at(const Position& position) {
   was_moved_ = true;
 }
 
-namespace {
-
 bool is_m_function(const ReferenceStep& step) {
   const Record* record = std::get_if<Record>(&step);
   return record != nullptr && record->kind == RecordKind::m;
 }
-
-}  // namespace
 
 // Until a step is ready that is no M function: those do not hold up the motions round them.
 void ReferenceStream::pull() {
@@ -123,10 +116,11 @@ const reference::Item* ReferenceStream::next_item() {
 }
 
 const Motion* ReferenceStream::beyond_same(const Motion& last) const {
-  const bool is_next = ready_.size() == 1 && pending_ && pending_->number == items_ && !dropped_;
+  const bool is_next =
+      ready_.size() == 1 && pending_ && pending_->number == items_ && dropped_.motions.empty();
   const auto* first = is_next ? std::get_if<Motion>(&ready_.front()) : nullptr;
-  const bool is_same = first != nullptr && !first->stood && is_same_motion(*first, last);
-  return is_same && is_same_point(anchor_, position_) ? &*pending_ : nullptr;
+  const bool is_same = first != nullptr && !first->dropped && is_same_motion(*first, last);
+  return is_same && is_same_point(dropped_.stood, position_) ? &*pending_ : nullptr;
 }
 
 void ReferenceStream::go_on_behind(const PlainMotion& last, const reference::Item* ahead) {

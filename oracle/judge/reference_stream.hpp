@@ -23,6 +23,8 @@ using ReferenceStep =
                  reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
                  reference::AlarmReport, reference::NotCovered>;
 
+bool is_m_function(const ReferenceStep& step);
+
 class ReferenceStream {
  public:
   ReferenceStream(const reference::Profile& profile, grammar::LineSource& lines,
@@ -48,9 +50,8 @@ class ReferenceStream {
   // After a level the reference goes on from where the subject left it: the cycle says where it
   // ends in the plane.
   void go_on_from(const Position& position) {
-    position_ = anchor_ = position;
-    dropped_ = false;
-    dropped_arcs_.clear();
+    position_ = position;
+    dropped_ = {position, {}};
   }
   // After a path that is open the reference stands where the subject left it; blocks that follow
   // start from there in the plane. Only while that step is the current one: nothing of a later
@@ -59,13 +60,9 @@ class ReferenceStream {
   // Whether that was ever said: then items hang on what the subject did.
   bool was_moved() const { return was_moved_; }
   const Position& position() const { return position_; }
-  // Where it stood before motions too small to see that were dropped since the last one that was
-  // kept: `position()` where there are none. Of the current step, unless that is a motion.
-  const Position& anchor() const { return anchor_; }
-  // The arcs too small to see that were dropped since the last motion that was kept: an arc of the
-  // subject that closes within the tolerance may mean nothing at all only on the circle of one of
-  // them. Of the current step, unless that is a motion, which says it itself.
-  const std::vector<Record>& dropped_arcs() const { return dropped_arcs_; }
+  // What was dropped since the last motion that was kept. Of the current step, unless that is a
+  // motion, which says it itself.
+  const Dropped& dropped() const { return dropped_; }
   // Whether the position gets a new name now, or right after the current step.
   bool renaming_ahead();
   // Items that the reference has put out so far.
@@ -82,12 +79,10 @@ class ReferenceStream {
   const JudgeTerms& terms_;
   reference::Expander expander_;
   Position position_;  // where the motions so far end
-  Position anchor_;    // where the last one that was kept ends
+  Dropped dropped_;    // since the last one that was kept, which ends where it `stood`
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
-  bool dropped_ = false;              // a motion, since the last one that was kept
-  std::vector<Record> dropped_arcs_;  // the last of them
   bool was_moved_ = false;
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "oracle/judge/space_circle.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -34,16 +36,39 @@ bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& ter
          !goes_round(motion, terms.tolerance);
 }
 
-bool may_mean_none(const Motion& motion, const Number& tolerance,
-                   std::span<const Record> dropped_arcs) {
-  if (!goes_round(motion, tolerance)) return true;
-  const Record& got = motion.record;
-  return got.kind == RecordKind::arc && std::abs(got.rot) == 1 &&
-         std::ranges::any_of(dropped_arcs, [&](const Record& arc) {
-           return arc.plane == got.plane && (arc.rot < 0) == (got.rot < 0) &&
-                  agree(arc.centre[0], got.centre[0], tolerance) &&
-                  agree(arc.centre[1], got.centre[1], tolerance);
+bool may_stand_at(const Position& point, const Position& here, const Dropped* dropped,
+                  const JudgeTerms& terms) {
+  if (same_place(point, here, terms)) return true;
+  if (dropped == nullptr) return false;
+  return same_place(point, dropped->stood, terms) ||
+         std::ranges::any_of(dropped->motions, [&](const Record& record) {
+           return same_place(point, record.to, terms);
          });
+}
+
+namespace {
+
+bool is_on_dropped_circle(const Record& got, const Dropped& dropped, const Number& tolerance) {
+  return std::ranges::any_of(dropped.motions, [&](const Record& arc) {
+    return arc.kind == RecordKind::arc && arc.plane == got.plane &&
+           (arc.rot < 0) == (got.rot < 0) && agree(arc.centre[0], got.centre[0], tolerance) &&
+           agree(arc.centre[1], got.centre[1], tolerance);
+  });
+}
+
+}  // namespace
+
+bool may_mean_none(const Motion& motion, const Position& here, const Dropped* dropped,
+                   const JudgeTerms& terms) {
+  const auto may_stand = [&](const Position& point) {
+    return may_stand_at(point, here, dropped, terms);
+  };
+  if (!may_stand(motion.from) || !may_stand(motion.to())) return false;
+  const Record& got = motion.record;
+  if (got.kind == RecordKind::arc3 && !may_stand(via_of(motion))) return false;
+  if (!goes_round(motion, terms.tolerance)) return true;
+  return got.kind == RecordKind::arc && std::abs(got.rot) == 1 && dropped != nullptr &&
+         is_on_dropped_circle(got, *dropped, terms.tolerance);
 }
 
 }  // namespace gonogo::oracle

@@ -3,8 +3,6 @@
 // What it means to stand still: the one relation by which both sides drop motions.
 #pragma once
 
-#include <span>
-
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/terms.hpp"
 
@@ -18,9 +16,15 @@ bool same_place(const Position& a, const Position& b, const JudgeTerms& terms);
 // Whether the motion starts and ends at this place, and does not go round in between.
 bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& terms);
 
-// Whether a motion whose ends agree may be meant as none: all but an arc that goes round, unless it
-// is one turn at most on the circle of an arc that the reference dropped there.
-bool may_mean_none(const Motion& motion, const Number& tolerance,
-                   std::span<const Record> dropped_arcs);
+// Whether the subject, which need not drop what the reference did, may stand at this point: where
+// the reference stands, `here`, or at a place that `dropped` has led to. `dropped`: null where
+// nothing was.
+bool may_stand_at(const Position& point, const Position& here, const Dropped* dropped,
+                  const JudgeTerms& terms);
+
+// Whether a motion of the subject may be meant as none: it leads from one such point to another,
+// and does not go round, unless on the circle of an arc that was dropped, and once.
+bool may_mean_none(const Motion& motion, const Position& here, const Dropped* dropped,
+                   const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

@@ -108,18 +108,36 @@ const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& 
 
 }  // namespace
 
+namespace {
+
+void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) {
+  const reference::Profile& profile = made.program.profile;
+  made.outcome = run(table, profile, made.program.text);
+  made.terms =
+      make_terms(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
+}
+
+}  // namespace
+
+GeneratedOutcome right_outcome(const fuzz::Generator& generator,
+                               const fuzz::GeneratorSettings& settings, Trials& trials) {
+  fuzz::Choices choices(trials.chance());
+  GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
+  run_and_note_terms(*expanders::find(generator.expander, ""), made);
+  return made;
+}
+
 GeneratedOutcome generated_outcome(const fuzz::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
                                    Trials& trials) {
+  fuzz::GeneratorSettings settings;
+  settings.kinds = {.valid = 0, .near_invalid = 2, .boundary = 0, .raw = 0, .tiny = 1};
   fuzz::Choices choices(trials.chance());
-  GeneratedOutcome made{generator.generate(choices, nullptr), {}, {}};
+  GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
   reference::Profile& profile = made.program.profile;
   for (const reference::ReadingKey key : opened) profile.readings.set(key, "any");
-  const gonogo_subject_v1& table = any_expander(generator, trials);
-  made.outcome = run(table, profile, made.program.text);
+  run_and_note_terms(any_expander(generator, trials), made);
   if (trials.once_in(2)) spoil(made.outcome, trials);
-  made.terms =
-      make_terms(make_interface_subject(table)->info(), profile, std::nullopt, std::nullopt);
   return made;
 }
 

@@ -24,6 +24,10 @@ struct GeneratedOutcome {
   JudgeTerms terms;
 };
 
+// What an expander does rightly with a program of the settings.
+GeneratedOutcome right_outcome(const fuzz::Generator& generator,
+                               const fuzz::GeneratorSettings& settings, Trials& trials);
+
 // `opened`: readings that the profile leaves open.
 GeneratedOutcome generated_outcome(const fuzz::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
