@@ -64,6 +64,8 @@ TEST(HncArc, ARadiusOfZeroIsAnAlarmOrNoMotion) {
   Profile any_end = hnc();
   any_end.parameters["3410"] = -1;
   EXPECT_EQ(ending_of("G02 X0 Z5 I0 K0 F100", any_end), "alarm b1 arc-radius");
+  // However near its end is: within parameter 3410.
+  EXPECT_EQ(ending_of("G02 X0 Z0.005 I0 K0 F100"), "alarm b1 arc-radius");
 }
 
 TEST(HncArc, MovesNothingWithoutWords) {
