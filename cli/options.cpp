@@ -55,8 +55,8 @@ fuzz::GeneratorSettings settings_option(const std::string& text) {
     throw UsageError(
         "--settings " + text +
         " cannot be read. Write as valid=1,boundary=2,blocks=4,readings=off; numbers are "
-        "named valid, near-invalid, boundary, raw, blocks, fault-one-in, open-one-in, turns, "
-        "rings, layers, pecks, steps, starts; state, readings, parameters, offsets, tools, "
+        "named valid, near-invalid, boundary, raw, tiny, blocks, fault-one-in, open-one-in, "
+        "turns, rings, layers, pecks, steps, starts; state, readings, parameters, offsets, tools, "
         "pockets are on or off.");
   }
   return *settings;

@@ -17,7 +17,8 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::size_t kMostRuns = 64;
+// So many runs of a level become one of the next: each line is written once a level.
+constexpr std::size_t kRunsOfALevel = 32;
 
 // A sorted run that is read back line by line.
 class RunReader {
@@ -111,18 +112,26 @@ void LineSorter::write_run() {
   flush(file.get(), folder_);
   held_ = {};
   held_bytes_ = 0;
-  runs_.push_back(std::move(file));
-  if (runs_.size() < kMostRuns) return;
-  FileHandle one = temporary();
-  merge(std::exchange(runs_, {}),
-        [&](const std::string&, const std::string& line) { put(one.get(), line, folder_); });
-  flush(one.get(), folder_);
+  runs_.push_back({std::move(file)});
+  const auto is_full = [&] {
+    return runs_.size() >= kRunsOfALevel &&
+           runs_[runs_.size() - kRunsOfALevel].level == runs_.back().level;
+  };
+  while (is_full()) merge_last(kRunsOfALevel);
+}
+
+void LineSorter::merge_last(std::size_t count) {
+  Run one{temporary(), runs_.back().level + 1};
+  merge(std::span(runs_).last(count),
+        [&](const std::string&, const std::string& line) { put(one.file.get(), line, folder_); });
+  flush(one.file.get(), folder_);
+  runs_.resize(runs_.size() - count);
   runs_.push_back(std::move(one));
 }
 
-void LineSorter::merge(const std::vector<FileHandle>& runs, const Visit& visit) const {
+void LineSorter::merge(std::span<const Run> runs, const Visit& visit) const {
   std::vector<RunReader> readers;
-  for (const FileHandle& run : runs) readers.emplace_back(run.get(), folder_);
+  for (const Run& run : runs) readers.emplace_back(run.file.get(), folder_);
   // The first of equal ids is that of the first run.
   auto later = [&](std::size_t a, std::size_t b) {
     const int order = readers[a].id.compare(readers[b].id);
@@ -148,7 +157,8 @@ void LineSorter::for_each(const Visit& visit) {
     return;
   }
   if (!held_.empty()) write_run();
-  merge(std::exchange(runs_, {}), visit);
+  merge(runs_, visit);
+  runs_.clear();
 }
 
 }  // namespace gonogo::oracle

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -48,7 +49,7 @@ class LineSorter {
  public:
   // `folder`: where the temporary files go; they have no name there. A run is written when its
   // lines have more than `run_bytes`.
-  explicit LineSorter(std::string folder, std::size_t run_bytes = std::size_t{16} << 20)
+  explicit LineSorter(std::string folder, std::size_t run_bytes = std::size_t{4} << 20)
       : folder_(std::move(folder)), run_bytes_(run_bytes) {}
 
   // Throws ResultsUnwritable.
@@ -63,16 +64,22 @@ class LineSorter {
     std::string id;
     std::string line;
   };
+  // A sorted run; of a higher level, many of the level below.
+  struct Run {
+    FileHandle file;
+    int level = 0;
+  };
   void sort_held();
   void write_run();
+  void merge_last(std::size_t count);
   FileHandle temporary() const;
-  void merge(const std::vector<FileHandle>& runs, const Visit& visit) const;
+  void merge(std::span<const Run> runs, const Visit& visit) const;
 
   std::string folder_;
   std::size_t run_bytes_;
   std::vector<Entry> held_;
   std::size_t held_bytes_ = 0;
-  std::vector<FileHandle> runs_;
+  std::vector<Run> runs_;  // levels never rise
 };
 
 }  // namespace gonogo::oracle

@@ -8,25 +8,38 @@
 #include "oracle/corpus/corpus.hpp"
 
 namespace gonogo::oracle {
+namespace {
+
+std::vector<std::string> ids_of(const std::vector<Case>& cases) {
+  std::vector<std::string> ids;
+  ids.reserve(cases.size());
+  for (const Case& test : cases) ids.push_back(test.id);
+  return ids;
+}
+
+}  // namespace
 
 CaseReader::CaseReader(const Corpus& corpus, Detail detail)
     : corpus_(corpus),
       detail_(detail),
       bytes_(std::accumulate(corpus.file_bytes().begin(), corpus.file_bytes().end(),
-                             std::uint64_t{0})) {}
+                             std::uint64_t{0})),
+      ids_([this](std::size_t file) {
+        return ids_of(read_vector_file(path(file), Detail::to_run));
+      }) {}
 
 std::string CaseReader::path(std::size_t file) const {
   return corpus_.folder() + "/" + corpus_.files()[file];
 }
 
 // Only now that an id is met again is it worth the time to look where it stood first.
-void CaseReader::check(const Case& test) const {
+void CaseReader::refuse_again(const std::string& id) const {
   const std::string here = path(files_read_ - 1);
   for (std::size_t file = 0; file + 1 < files_read_; ++file) {
     const std::vector<Case> others = read_vector_file(path(file), Detail::to_run);
-    if (std::ranges::find(others, test.id, &Case::id) == others.end()) continue;
+    if (std::ranges::find(others, id, &Case::id) == others.end()) continue;
     throw CorpusError(
-        fmt::format("{}: The id {} stands in {} too.", here, test.id, corpus_.files()[file]));
+        fmt::format("{}: The id {} stands in {} too.", here, id, corpus_.files()[file]));
   }
 }
 
@@ -38,9 +51,9 @@ std::optional<Case> CaseReader::next() {
     if (files_read_ == corpus_.files().size()) return std::nullopt;
     present_bytes_ = corpus_.file_bytes()[files_read_];
     cases_ = read_vector_file(path(files_read_++), detail_);
+    if (const auto again = ids_.add(ids_of(cases_))) refuse_again(*again);
   }
   Case& test = cases_[next_++];
-  if (!ids_.insert(test.id)) check(test);
   if (corpus_.retired().contains(test.id)) {
     throw CorpusError(fmt::format("{}: The id {} is retired and cannot be used again.",
                                   path(files_read_ - 1), test.id));

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/corpus/id_set.hpp"
+#include "oracle/corpus/id_spans.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -98,6 +98,8 @@ class CaseReader {
  public:
   // The corpus must outlive the reader.
   explicit CaseReader(const Corpus& corpus, Detail detail = Detail::whole);
+  CaseReader(const CaseReader&) = delete;
+  CaseReader& operator=(const CaseReader&) = delete;
   // Nothing after the last. Throws CorpusError, also for an id that stands in two files or is
   // retired.
   std::optional<Case> next();
@@ -106,7 +108,7 @@ class CaseReader {
 
  private:
   std::string path(std::size_t file) const;
-  void check(const Case& test) const;
+  void refuse_again(const std::string& id) const;
 
   const Corpus& corpus_;
   Detail detail_;
@@ -116,7 +118,7 @@ class CaseReader {
   std::size_t files_read_ = 0;
   std::vector<Case> cases_;  // of the present file
   std::size_t next_ = 0;     // of them
-  IdSet ids_;
+  IdSpans ids_;
 };
 
 // One vector file.

@@ -37,8 +37,17 @@ void IdSet::grow() {
 }
 
 bool IdSet::insert(std::string_view id) {
+  return insert(key_of(id));
+}
+
+void IdSet::absorb(const IdSet& other) {
+  for (const Key& key : other.places_) {
+    if (key != Key{}) insert(key);
+  }
+}
+
+bool IdSet::insert(const Key& key) {
   if (4 * (size_ + 1) > 3 * places_.size()) grow();
-  const Key key = key_of(id);
   Key& place = places_[place_of(key)];
   if (place == key) return false;
   place = key;

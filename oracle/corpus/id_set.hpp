@@ -15,6 +15,8 @@ class IdSet {
   // False when the id is there already.
   bool insert(std::string_view id);
   bool contains(std::string_view id) const;
+  // All of the other's, too.
+  void absorb(const IdSet& other);
   std::size_t size() const { return size_; }
 
  private:
@@ -23,6 +25,7 @@ class IdSet {
   // Where the key is, or the empty place where it goes.
   std::size_t place_of(const Key& key) const;
   void grow();
+  bool insert(const Key& key);
 
   std::vector<Key> places_;  // a power of two of them; {0, 0}: empty
   std::size_t size_ = 0;

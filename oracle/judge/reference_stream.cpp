@@ -116,8 +116,8 @@ const reference::Item* ReferenceStream::next_item() {
 }
 
 const Motion* ReferenceStream::beyond_same(const Motion& last) const {
-  const bool is_next =
-      ready_.size() == 1 && pending_ && pending_->number == items_ && dropped_.motions.empty();
+  const bool is_next = ready_.size() == 1 && pending_ && pending_->number == items_ &&
+                       !pending_->dropped && dropped_.motions.empty();
   const auto* first = is_next ? std::get_if<Motion>(&ready_.front()) : nullptr;
   const bool is_same = first != nullptr && !first->dropped && is_same_motion(*first, last);
   return is_same && is_same_point(dropped_.stood, position_) ? &*pending_ : nullptr;

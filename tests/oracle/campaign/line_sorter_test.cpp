@@ -20,7 +20,7 @@ std::vector<std::string> sorted(const std::vector<std::string>& lines, std::size
   return all;
 }
 
-// 3,000 lines of some 30 bytes in runs of 100 bytes: more runs than are merged at a time (64).
+// 3,000 lines of some 30 bytes in runs of 100 bytes: runs of three levels.
 TEST(LineSorter, ManyRunsComeBackInTheOrderOfTheIds) {
   std::vector<std::string> lines;
   for (int i = 0; i < 3'000; ++i) {

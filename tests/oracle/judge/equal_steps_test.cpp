@@ -29,8 +29,8 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
     terms.skip_equal = false;
     const std::string whole = text_of(judged(profile, of.program.text, of.outcome, terms));
     terms.skip_equal = true;
-    const std::string where =
-        fmt::format("{}\n{}", reference::profile_json(profile), of.program.text);
+    std::string where = fmt::format("{}\n{}", reference::profile_json(profile), of.program.text);
+    for (const Record& record : of.outcome.records) where += line_of(record) + "\n";
     ASSERT_EQ(text_of(judged(profile, of.program.text, of.outcome, terms)), whole) << where;
     ASSERT_EQ(text_of(judged_by_lines(profile, of.program.text, of.outcome, terms, known)), whole)
         << where;
