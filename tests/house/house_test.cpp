@@ -122,5 +122,21 @@ TEST(House, ClauseIdsAreUnique) {
   }
 }
 
+// fuzz/seed-programs names programs by their content; other inputs so named are an engine's, put
+// here by accident.
+TEST(House, SeedsThatAreNoProgramsHaveNames) {
+  static const std::regex kContentName("[0-9a-f]{40}");
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "fuzz" / "seeds")) {
+    if (!entry.is_regular_file()) continue;
+    ++count;
+    const std::string target = entry.path().parent_path().filename().string();
+    if (target.starts_with("fuzz_text_")) continue;
+    EXPECT_FALSE(std::regex_match(entry.path().filename().string(), kContentName))
+        << entry.path() << " was written by an engine";
+  }
+  EXPECT_GT(count, 100U);
+}
+
 }  // namespace
 }  // namespace gonogo
