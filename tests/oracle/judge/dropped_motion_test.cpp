@@ -91,5 +91,16 @@ TEST(DroppedMotions, OfTheSubjectMayBeWhatTheReferenceMakesNext) {
   EXPECT_EQ(decision(judge_trace(kThereAndBack, other_feed.text()).kind), Decision::no_go);
 }
 
+// The subject leaves out the half micrometre that the reference drops: its cut is as far off.
+TEST(DroppedMotions, OfTheReferenceCountWhereTheSubjectLeavesThemOut) {
+  const std::string program = "G00 X0 Z10\nG01 X0.001 F100\nZ0\nX5\n";
+  TraceText trace(1);
+  trace.rapid({{'x', 0}, {'z', 10}}).block(3, 100).feed({{'z', 0}}).block(4, 100);
+  trace.feed({{'x', 2.5}});
+  Judging judging;
+  judging.resolution = "0.001";
+  EXPECT_EQ(judge_trace(program, trace.text(), judging).kind, VerdictKind::pass_rounded);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle
