@@ -144,6 +144,7 @@ MatchResult ProgramJudge::try_motion(const Motion& motion, const Motion& want) {
 }
 
 bool ProgramJudge::is_due(const Motion& motion) {
+  if (agree(motion.from, motion.to(), 0)) return false;
   flush_pending();
   while (!verdict_ && is_m_function(reference_.current())) take_m_functions();
   auto* want = std::get_if<Motion>(&reference_.current());

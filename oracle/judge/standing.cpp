@@ -58,14 +58,30 @@ bool is_on_dropped_circle(const Record& got, const Dropped& dropped, const Numbe
 
 }  // namespace
 
+namespace {
+
+// Whether it is one of the motions that were dropped, off by no more than the tolerance.
+bool is_dropped(const Motion& motion, const Dropped& dropped, const JudgeTerms& terms) {
+  return std::ranges::any_of(dropped.motions, [&](const Record& record) {
+    return record.kind == motion.record.kind && record.block == motion.record.block &&
+           same_place(motion.to(), record.to, terms);
+  });
+}
+
+}  // namespace
+
 bool may_mean_none(const Motion& motion, const Position& here, const Dropped* dropped,
                    const JudgeTerms& terms) {
-  const auto may_stand = [&](const Position& point) {
-    return may_stand_at(point, here, dropped, terms);
+  const auto stays = [&](const Position& point) {
+    return same_place(point, here, terms) ||
+           (dropped != nullptr && same_place(point, dropped->stood, terms));
   };
-  if (!may_stand(motion.from) || !may_stand(motion.to())) return false;
   const Record& got = motion.record;
-  if (got.kind == RecordKind::arc3 && !may_stand(via_of(motion))) return false;
+  const bool stays_there = stays(motion.from) && stays(motion.to()) &&
+                           (got.kind != RecordKind::arc3 || stays(via_of(motion)));
+  const bool goes_there = dropped != nullptr && may_stand_at(motion.from, here, dropped, terms) &&
+                          is_dropped(motion, *dropped, terms);
+  if (!stays_there && !goes_there) return false;
   if (!goes_round(motion, terms.tolerance)) return true;
   return got.kind == RecordKind::arc && std::abs(got.rot) == 1 && dropped != nullptr &&
          is_on_dropped_circle(got, *dropped, terms.tolerance);

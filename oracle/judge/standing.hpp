@@ -22,8 +22,9 @@ bool stays_at(const Position& place, const Motion& motion, const JudgeTerms& ter
 bool may_stand_at(const Position& point, const Position& here, const Dropped* dropped,
                   const JudgeTerms& terms);
 
-// Whether a motion of the subject may be meant as none: it leads from one such point to another,
-// and does not go round, unless on the circle of an arc that was dropped, and once.
+// Whether a motion of the subject may be meant as none: it stays where the reference stands, or
+// stood before what it dropped, or leads where one of those motions did. It does not go round,
+// unless on the circle of an arc that was dropped, and once.
 bool may_mean_none(const Motion& motion, const Position& here, const Dropped* dropped,
                    const JudgeTerms& terms);
 

@@ -74,6 +74,20 @@ TEST(DroppedMotions, LeadToPlacesWhereTheSubjectMayStand) {
   EXPECT_EQ(judged("0.0021"), Decision::no_go);
 }
 
+// A taper of the tolerance, of which nothing is seen. With the taper's sign turned the traverse
+// leads to within the tolerance of where the cut ends, but two of it from where it should.
+TEST(DroppedMotions, LeadNoOtherMotionAnywhere) {
+  constexpr std::string_view kTaper = "G00 X200 Z50 F200\nG94 Z50.001 X200 R-0.001\n";
+  const auto judged = [&](double along) {
+    TraceText trace(1);
+    trace.rapid({{'x', 100}, {'z', 50}}).block(2, 200).rapid({{'z', along}});
+    trace.feed({{'x', 100}, {'z', 50.001}}).feed({{'z', 50}}).rapid({{'x', 100}});
+    return decision(judge_trace(kTaper, trace.text()).kind);
+  };
+  EXPECT_EQ(judged(50), Decision::go);
+  EXPECT_EQ(judged(50.002), Decision::no_go);
+}
+
 // The subject's traverse comes in two pieces, of which the second is too small to see: what follows
 // is within the tolerance of the first's end, but not of where the reference stands.
 TEST(DroppedMotions, OfTheSubjectMayBeWhatTheReferenceMakesNext) {
