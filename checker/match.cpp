@@ -66,10 +66,33 @@ class Match {
     return {Answer::departs, why};
   }
 
+  // Whether two motions to one end start beside each other by little more than the tolerance: each
+  // side may have dropped motions before it that led as far as that.
+  bool starts_nearby(std::size_t at, std::size_t next) const {
+    if (at == want_.motions.size() || next == got_.motions.size()) return false;
+    const Motion& want = want_.motions[at];
+    const Motion& got = got_.motions[next];
+    const Real near = Real(3) * terms_.tolerance;
+    return agree(want.from, got.from, terms_.tolerance) != Truth::yes &&
+           agree(want.from, got.from, near) != Truth::no &&
+           agree(want.to, got.to, near) != Truth::no;
+  }
+
   // A motion that one side may have dropped.
   bool is_short(const Motion& motion) const {
     return agree(motion.from, motion.to, Real(3) * terms_.tolerance) != Truth::no &&
            motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
+  }
+
+  // Whether nothing may be left of what must come: it is short, or the subject stands at its end,
+  // where motions that it made and that were dropped have led.
+  bool may_be_done(std::size_t at, std::size_t next) const {
+    const Motion& want = want_.motions[at];
+    if (is_short(want)) return true;
+    const RecordKind kind = want.record.kind;
+    const bool is_straight = kind != RecordKind::dwell && kind != RecordKind::arc;
+    return is_straight && next < got_.motions.size() &&
+           agree(got_.motions[next].from, want.to, terms_.tolerance) != Truth::no;
   }
 
   // An arc so short that its ends agree: where nothing of it is wanted it is a nil motion.
@@ -118,9 +141,9 @@ class Match {
   Finding without_short(std::size_t at, std::size_t next, Finding departure) {
     if (departure.answer != Answer::departs) return departure;
     const Finding unknown{Answer::undecided, "a motion about as short as the tolerance"};
-    if (tries_ == 0) return unknown;
+    if (tries_ == 0 || starts_nearby(at, next)) return unknown;
     --tries_;
-    if (at < want_.motions.size() && is_short(want_.motions[at]) &&
+    if (at < want_.motions.size() && may_be_done(at, next) &&
         follow(at + 1, next).answer != Answer::departs) {
       return unknown;
     }

@@ -204,6 +204,13 @@ StepAnswer MotionMatch::take_arc(const Motion& got) {
   if ((want.rotation < 0) != (have.rotation < 0)) return departs("the senses differ");
   const Truth centres = agree(want.centre, have.centre, terms_.tolerance);
   if (centres != Truth::yes) return answer(centres, "the centres differ");
+  // Where the radius is about the tolerance, a centre off by that makes another arc of it.
+  const Real near = Real(3) * terms_.tolerance;
+  if (want_.from[want.plane.first] && want_.from[want.plane.second] &&
+      agree(want.centre, have.centre, 0) != Truth::yes &&
+      root_at_most(distance2(want.plane, want_.from, want.centre), 0, near) != Truth::no) {
+    return undecided("an arc about as small as the tolerance");
+  }
   const std::size_t first = want.plane.first;
   const std::size_t second = want.plane.second;
   const bool all_known =
@@ -235,17 +242,27 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   if (ends == Truth::unknown) return undecided("the ends may differ");
   const long wanted = want.rotation < 0 ? -want.rotation : want.rotation;
   const long made = so_far.record.rotation < 0 ? -so_far.record.rotation : so_far.record.rotation;
-  const Real reach = Real(3) * terms_.tolerance;
-  if (!plane_near(want_, reach)) {
-    if (wanted == made) return {};
-    // Fewer turns may be the first of several pieces of a helix.
+  if (wanted == made) return {};
+  // Fewer turns may be the first of several pieces of a helix.
+  if (made < wanted - 1) return undecided("a helix in pieces");
+  const Real near = Real(3) * terms_.tolerance;
+  if (!plane_near(want_, near)) {
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
   }
   // The ends are so near that rounding decides between the nil and the full last turn: the whole
-  // turns of the expectation are counted, and either is taken from the subject.
+  // turns of the expectation are counted, and either is taken from the subject. But where it ends
+  // exactly where it starts the turn is a full one, and after others one that it nearly makes.
   const Real side = cross(want.plane, want.centre, want_.from, want_.to) * Real(want.rotation);
   const long turns = side.is_positive() == Truth::yes ? wanted - 1 : wanted;
-  if (turns == made || turns == made - 1) return {};
+  const bool is_tiny =
+      root_at_most(distance2(want.plane, want_.from, want.centre), Real(0), near) != Truth::no;
+  if (is_tiny || !plane_near(want_, terms_.tolerance)) {
+    return undecided("how many turns a small arc makes");
+  }
+  const Real own = cross(want.plane, want.centre, so_far.from, so_far.to) * Real(want.rotation);
+  const bool may_be_nil =
+      !plane_near(so_far, Real(0)) && (made == 1 || own.is_positive() != Truth::no);
+  if (turns == made || (may_be_nil && turns == made - 1)) return {};
   return turns > made ? undecided("a helix in pieces") : departs("the turns differ");
 }
 

@@ -149,6 +149,7 @@ class Builder {
     const Truth nil = is_nil(motion, terms_.tolerance, terms_.keeps_short_arcs);
     if (nil == Truth::unknown) path_.is_doubtful = true;
     if (nil != Truth::yes) append(std::move(motion));
+    parts_ = nil == Truth::yes;
   }
   Path finish() { return std::move(path_); }
 
@@ -163,13 +164,18 @@ class Builder {
   void append(Motion motion) {
     if (!path_.motions.empty()) {
       const Truth joins = goes_on(path_.motions.back(), motion);
-      if (joins == Truth::yes && join(path_.motions.back(), motion)) return;
+      if (joins == Truth::yes && join(path_.motions.back(), motion)) {
+        // The other side may have kept what parts the two here.
+        if (parts_) path_.is_doubtful = true;
+        return;
+      }
       if (joins != Truth::no) path_.is_doubtful = true;
     }
     path_.motions.push_back(std::move(motion));
   }
 
   const PathTerms& terms_;
+  bool parts_ = false;  // the last motion was dropped
   Path path_;
 };
 

@@ -3,7 +3,10 @@
 // CurveMatch's part for round motions of the reference: arcs, helices and circles in space, and the
 // chords that a certifier grants for them.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "oracle/approximate.hpp"
 #include "oracle/judge/curve_match.hpp"
@@ -17,20 +20,52 @@ using reference::PlaneAxes;
 // Differences of less than this are no difference of whole turns.
 constexpr double kQuarterTurn = 0.25;
 
+using Vector2 = std::array<double, 2>;
+
+// The directions in which a box of the tolerance about a point is seen from the centre, less the
+// point's own, in radians; nothing where the centre lies in it.
+std::optional<Vector2> directions_of_box(const Vector2& point, double tau) {
+  if (std::abs(point[0]) <= tau && std::abs(point[1]) <= tau) return std::nullopt;
+  Vector2 seen = {0, 0};
+  for (const double p : {point[0] - tau, point[0] + tau}) {
+    for (const double q : {point[1] - tau, point[1] + tau}) {
+      const double aside = std::atan2(point[0] * q - point[1] * p, point[0] * p + point[1] * q);
+      seen = {std::min(seen[0], aside), std::max(seen[1], aside)};
+    }
+  }
+  return seen;
+}
+
+// Whether the boxes about two points are seen in one direction.
+bool may_be_in_line(const Vector2& from, const Vector2& to, double tau) {
+  const auto first = directions_of_box(from, tau);
+  const auto last = directions_of_box(to, tau);
+  if (!first || !last) return true;
+  const double between =
+      std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kRounding = 1e-9;
+  return std::ranges::any_of(std::array{-kTurn, 0.0, kTurn}, [&](double turn) {
+    const double apart = between + turn;
+    return apart + (*last)[0] <= (*first)[1] + kRounding &&
+           apart + (*last)[1] >= (*first)[0] - kRounding;
+  });
+}
+
 // Whether the arc's ends, each moved by no more than the tolerance an axis, may lie on one ray from
 // its centre: what it sweeps beside other whole turns is nil or a full turn then, and its numbers
 // do not tell which. An estimate, for only what fits the curve is taken.
 bool nearly_whole(const Motion& arc, const Number& tolerance) {
   const PlaneVector a = from_centre(arc.record, arc.from);
   const PlaneVector b = from_centre(arc.record, arc.to());
-  const std::array from = {estimate(a.p), estimate(a.q)};
-  const std::array to = {estimate(b.p), estimate(b.q)};
+  const Vector2 from = {estimate(a.p), estimate(a.q)};
+  const Vector2 to = {estimate(b.p), estimate(b.q)};
   const double tau = approximate(tolerance);
   const double sides =
       std::abs(from[0]) + std::abs(from[1]) + std::abs(to[0]) + std::abs(to[1]) + 2 * tau;
   const double along = from[0] * to[0] + from[1] * to[1];
   const double across = from[0] * to[1] - from[1] * to[0];
-  return along >= -tau * sides && std::abs(across) <= tau * sides;
+  return along >= -tau * sides && std::abs(across) <= tau * sides && may_be_in_line(from, to, tau);
 }
 
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
@@ -127,7 +162,7 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   const double small = part < 0.5 ? part : part - 1;
   MatchResult full = end_of_piece(subject, before + small + 1);
   const bool exactly_whole = part == 1.0 && !is_too_small_to_see(reference_, terms_.tolerance);
-  const bool is_full = closes && (exactly_whole || (before > 0 && part >= 0.5));
+  const bool is_full = (closes && exactly_whole) || (before > 0 && part >= 0.5);
   if (full.departure == Departure::none || is_full) return full;
   MatchResult nil = end_of_piece(subject, before + small);
   const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;

@@ -101,6 +101,23 @@ TEST(CheckerMatch, RoundingDecidesNotBetweenNilAndWholeTurn) {
             Answer::departs);
 }
 
+// What ends exactly where it starts makes whole turns, and what nearly makes one after others makes
+// it.
+TEST(CheckerMatch, OneTurnTooManyOfWholeCirclesIsADeparture) {
+  const std::string twice = arc(R"("x":"10","y":"0")", "-2");
+  EXPECT_EQ(found({kStart, twice}, {kStart, twice}).answer, Answer::fits);
+  EXPECT_EQ(found({kStart, twice}, {kStart, arc(R"("x":"10","y":"0")", "-3")}).answer,
+            Answer::departs);
+  EXPECT_EQ(found({kStart, twice}, {kStart, arc(R"("x":"10","y":"0.001")", "-3")}).answer,
+            Answer::departs);
+  EXPECT_EQ(found({kStart, twice}, {kStart, arc(R"("x":"10","y":"-0.001")", "-3")}).answer,
+            Answer::fits);
+  // By 0.003 over: fewer turns may be a piece.
+  const std::string over = arc(R"("x":"10","y":"-0.003")", "-2");
+  EXPECT_EQ(found({kStart, over}, {kStart, arc(R"("x":"10","y":"-0.003")", "-1")}).answer,
+            Answer::undecided);
+}
+
 TEST(CheckerMatch, AShortArcWhereNoneIsWantedIsNil) {
   const std::string short_arc = arc(R"("x":"10","y":"-0.0005")");
   EXPECT_EQ(found({kStart}, {kStart, short_arc}).answer, Answer::fits);
