@@ -119,7 +119,10 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
                feed_agrees(want.lead, have.lead, terms_) &&
                same_angle(want.start, have.start, terms_.tolerance);
   if (same != Truth::yes) return answer(same, "feed, lead or start angle differ");
-  return answer(within(want.seconds, have.seconds, terms_.tolerance), "the times differ");
+  if (equal(want.seconds, have.seconds) == Truth::yes) return {};
+  const Truth near = within(want.seconds, have.seconds, terms_.tolerance);
+  // Rounded to the subject's resolution, which is not looked at here.
+  return near == Truth::no ? departs("the times differ") : undecided("a dwell may be rounded");
 }
 
 // Each axis runs toward its end, and no farther.

@@ -101,6 +101,15 @@ TEST(CheckerMatch, RoundingDecidesNotBetweenNilAndWholeTurn) {
             Answer::departs);
 }
 
+TEST(CheckerMatch, ADwellIsNoLength) {
+  const auto dwell = [](const char* seconds) {
+    return std::string(R"({"k":"dwell","b":1,"s":")") + seconds + "\"}";
+  };
+  EXPECT_EQ(found({dwell("0.0001")}, {dwell("0.0001")}).answer, Answer::fits);
+  EXPECT_EQ(found({dwell("0.0001")}, {dwell("0.0000001")}).answer, Answer::undecided);
+  EXPECT_EQ(found({dwell("0.1")}, {dwell("0.0001")}).answer, Answer::departs);
+}
+
 // What ends exactly where it starts makes whole turns, and what nearly makes one after others makes
 // it.
 TEST(CheckerMatch, OneTurnTooManyOfWholeCirclesIsADeparture) {
