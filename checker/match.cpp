@@ -80,8 +80,11 @@ class Match {
 
   // A motion that one side may have dropped.
   bool is_short(const Motion& motion) const {
-    return agree(motion.from, motion.to, Real(3) * terms_.tolerance) != Truth::no &&
-           motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
+    return is_straight(motion) &&
+           agree(motion.from, motion.to, Real(3) * terms_.tolerance) != Truth::no;
+  }
+  static bool is_straight(const Motion& motion) {
+    return motion.record.kind != RecordKind::dwell && motion.record.kind != RecordKind::arc;
   }
 
   // Whether nothing may be left of what must come: it is short, or the subject stands at its end,
@@ -89,9 +92,7 @@ class Match {
   bool may_be_done(std::size_t at, std::size_t next) const {
     const Motion& want = want_.motions[at];
     if (is_short(want)) return true;
-    const RecordKind kind = want.record.kind;
-    const bool is_straight = kind != RecordKind::dwell && kind != RecordKind::arc;
-    return is_straight && next < got_.motions.size() &&
+    return is_straight(want) && next < got_.motions.size() &&
            agree(got_.motions[next].from, want.to, terms_.tolerance) != Truth::no;
   }
 

@@ -50,6 +50,13 @@ bool plane_near(const Motion& arc, const Real& reach) {
           within(*arc.from[plane.second], *arc.to[plane.second], reach)) != Truth::no;
 }
 
+// Whether the radius at the start may be about the tolerance.
+bool is_tiny(const Motion& arc, const Real& tolerance) {
+  const Plane& plane = arc.record.plane;
+  const Real radius_2 = distance2(plane, arc.from, arc.record.centre);
+  return root_at_most(radius_2, 0, Real(3) * tolerance) != Truth::no;
+}
+
 }  // namespace
 
 Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
@@ -211,10 +218,8 @@ StepAnswer MotionMatch::take_arc(const Motion& got) {
   const Truth centres = agree(want.centre, have.centre, terms_.tolerance);
   if (centres != Truth::yes) return answer(centres, "the centres differ");
   // Where the radius is about the tolerance, a centre off by that makes another arc of it.
-  const Real near = Real(3) * terms_.tolerance;
   if (want_.from[want.plane.first] && want_.from[want.plane.second] &&
-      agree(want.centre, have.centre, 0) != Truth::yes &&
-      root_at_most(distance2(want.plane, want_.from, want.centre), 0, near) != Truth::no) {
+      agree(want.centre, have.centre, 0) != Truth::yes && is_tiny(want_, terms_.tolerance)) {
     return undecided("an arc about as small as the tolerance");
   }
   const std::size_t first = want.plane.first;
@@ -251,8 +256,7 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   if (wanted == made) return {};
   // Fewer turns may be the first of several pieces of a helix.
   if (made < wanted - 1) return undecided("a helix in pieces");
-  const Real near = Real(3) * terms_.tolerance;
-  if (!plane_near(want_, near)) {
+  if (!plane_near(want_, Real(3) * terms_.tolerance)) {
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
   }
   // The ends are so near that rounding decides between the nil and the full last turn: the whole
@@ -260,9 +264,7 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   // exactly where it starts the turn is a full one, and after others one that it nearly makes.
   const Real side = cross(want.plane, want.centre, want_.from, want_.to) * Real(want.rotation);
   const long turns = side.is_positive() == Truth::yes ? wanted - 1 : wanted;
-  const bool is_tiny =
-      root_at_most(distance2(want.plane, want_.from, want.centre), Real(0), near) != Truth::no;
-  if (is_tiny || !plane_near(want_, terms_.tolerance)) {
+  if (is_tiny(want_, terms_.tolerance) || !plane_near(want_, terms_.tolerance)) {
     return undecided("how many turns a small arc makes");
   }
   const Real own = cross(want.plane, want.centre, so_far.from, so_far.to) * Real(want.rotation);

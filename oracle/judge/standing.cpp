@@ -56,10 +56,6 @@ bool is_on_dropped_circle(const Record& got, const Dropped& dropped, const Numbe
   });
 }
 
-}  // namespace
-
-namespace {
-
 // Whether it is one of the motions that were dropped, off by no more than the tolerance.
 bool is_dropped(const Motion& motion, const Dropped& dropped, const JudgeTerms& terms) {
   return std::ranges::any_of(dropped.motions, [&](const Record& record) {

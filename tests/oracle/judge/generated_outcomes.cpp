@@ -106,10 +106,6 @@ const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& 
   return *expanders::find(generator.expander, fault);
 }
 
-}  // namespace
-
-namespace {
-
 void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) {
   const reference::Profile& profile = made.program.profile;
   made.outcome = run(table, profile, made.program.text);

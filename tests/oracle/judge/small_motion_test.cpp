@@ -131,19 +131,22 @@ TEST(SmallMotions, AnArcBeforeAHelixAsSmallIsNoPartOfItsTurns) {
   EXPECT_EQ(judged(R"("rot":6)"), Decision::no_go);
 }
 
+// The answer to an arc with so many turns, after a traverse; `%` stands for them in the trace.
+Decision decided_with_turns(std::string_view program, std::string trace, std::string_view rot) {
+  Judging judging;
+  judging.dialect = "rs274";
+  return decision(judge_trace(program, trace.replace(trace.find('%'), 1, rot), judging).kind);
+}
+
 // The radius grows by 0.0019 over two turns of 6.6 mm, and ends on the ray where it starts: the nil
 // and the full turn lie side by side there, but after others only one is meant.
 TEST(SmallMotions, OneTurnTooManyToAnEndOnTheSameRayIsNoGo) {
   const auto judged = [](std::string_view rot) {
-    Judging judging;
-    judging.dialect = "rs274";
-    const std::string trace = fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"0","y":"0.0002"}}}}
-{{"k":"arc","b":2,"plane":"G17","c":{{"x":"-6.6","y":"0.0002"}},"rot":{},"to":{{"x":"0.0019","y":"0.0002"}},"f":"236"}}
+    return decided_with_turns("G0 X0 Y0.0002\nG17 G2 X0.0019 Y0.0002 I-6.6 J0 P2 F236\n",
+                              R"({"k":"rapid","b":1,"to":{"x":"0","y":"0.0002"}}
+{"k":"arc","b":2,"plane":"G17","c":{"x":"-6.6","y":"0.0002"},"rot":%,"to":{"x":"0.0019","y":"0.0002"},"f":"236"}
 )",
-                                          rot);
-    return decision(
-        judge_trace("G0 X0 Y0.0002\nG17 G2 X0.0019 Y0.0002 I-6.6 J0 P2 F236\n", trace, judging)
-            .kind);
+                              rot);
   };
   EXPECT_EQ(judged("-2"), Decision::go);
   EXPECT_EQ(judged("-3"), Decision::no_go);
@@ -154,15 +157,11 @@ TEST(SmallMotions, OneTurnTooManyToAnEndOnTheSameRayIsNoGo) {
 // each other, however each is moved.
 TEST(SmallMotions, OneTurnTooManyOfATinyHelixIsNoGo) {
   const auto judged = [](std::string_view rot) {
-    Judging judging;
-    judging.dialect = "rs274";
-    const std::string trace = fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"45.4","y":"8"}}}}
-{{"k":"arc","b":2,"plane":"G17","c":{{"x":"45.4002","y":"8"}},"rot":{},"to":{{"x":"45.4004","y":"8","z":"-0.3"}},"f":"541"}}
+    return decided_with_turns("G0 X45.4 Y8\nG17 G2 X45.4004 Y8 I0.0002 Z-0.3 P4 F541\n",
+                              R"({"k":"rapid","b":1,"to":{"x":"45.4","y":"8"}}
+{"k":"arc","b":2,"plane":"G17","c":{"x":"45.4002","y":"8"},"rot":%,"to":{"x":"45.4004","y":"8","z":"-0.3"},"f":"541"}
 )",
-                                          rot);
-    return decision(
-        judge_trace("G0 X45.4 Y8\nG17 G2 X45.4004 Y8 I0.0002 Z-0.3 P4 F541\n", trace, judging)
-            .kind);
+                              rot);
   };
   EXPECT_EQ(judged("-4"), Decision::go);
   EXPECT_EQ(judged("-5"), Decision::no_go);
