@@ -34,7 +34,8 @@ class Match {
       case Expectation::Ending::not_covered:
         return {};
       case Expectation::Ending::alarm:
-        return find_alarm();
+        if (Finding alarm = find_alarm(); alarm.answer != Answer::fits) return alarm;
+        return find_functions(expectation_.any_of.front().block);
       case Expectation::Ending::end:
         return find_end();
     }
@@ -170,7 +171,7 @@ class Match {
       return alarm.kind == trace_.alarm.kind &&
              (!terms_.has_blocks || alarm.block == trace_.alarm.block);
     });
-    if (is_right) return find_functions(expectation_.any_of.front().block);
+    if (is_right) return {};
     return {Answer::departs, "The alarm is " + trace_.alarm.kind + " in line " +
                                  std::to_string(trace_.alarm.block) + " for" + wanted + "."};
   }
@@ -191,13 +192,16 @@ class Match {
     return find_functions(0);
   }
 
-  // The M functions in their order, up to the line of an alarm.
+  // The M functions in their order; those of the line of an alarm may come or not. Without lines
+  // they may be the last ones.
   Finding find_functions(long alarm_block) const {
     if (!terms_.has_functions) return {};
     std::vector<Record> told;
     for (const Record& function : got_.functions) {
-      const bool is_of_alarm = alarm_block != 0 && function.block >= alarm_block;
-      if (!is_of_alarm) told.push_back(function);
+      const bool may_be_of_alarm =
+          alarm_block != 0 && (terms_.has_blocks ? function.block == alarm_block
+                                                 : told.size() == want_.functions.size());
+      if (!may_be_of_alarm) told.push_back(function);
     }
     const bool same = std::ranges::equal(want_.functions, told, [&](const auto& x, const auto& y) {
       return x.m == y.m && (!terms_.has_blocks || x.block == y.block);

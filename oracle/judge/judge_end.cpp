@@ -200,6 +200,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       } else {
         compare_alarm(alarm, *report);
         if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
+        if (!verdict_ && !at_load) settle_m_functions_before(report->block);
       }
       return;
     }
@@ -233,10 +234,15 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       reference_.advance();
       continue;
     }
-    const bool m_function = record != nullptr && record->kind == RecordKind::m;
-    if (!m_function && !at_load && !unfinished) unfinished = step;
     // Past motion that is missing, only the alarm of the program is of interest.
-    reference_.advance();
+    if (at_load || unfinished) {
+      reference_.advance();
+    } else if (record != nullptr && record->kind == RecordKind::m) {
+      take_m_functions();
+    } else {
+      unfinished = step;
+      reference_.advance();
+    }
   }
 }
 

@@ -103,4 +103,13 @@ void ProgramJudge::settle_m_functions(bool at_end) {
   }
 }
 
+// Those of earlier blocks must have come as motion must; of the block that alarms no text says
+// whether any do. Without lines a subject's last ones may be that block's.
+void ProgramJudge::settle_m_functions_before(std::size_t alarm_block) {
+  std::erase_if(got_m_, [&](const GotM& got) {
+    return !terms_.compare_blocks || got.record.block == alarm_block;
+  });
+  settle_m_functions(true);
+}
+
 }  // namespace gonogo::oracle

@@ -82,6 +82,7 @@ class ProgramJudge {
   void follow_renamings(std::uint64_t block);
   void rename(const reference::Renaming& renaming);
   void settle_m_functions(bool at_end);
+  void settle_m_functions_before(std::size_t alarm_block);
   void note_match(const Motion& motion, const Motion& want);
 
   // Pocket levels, in level_judge.cpp. True when the motion belongs to the level.

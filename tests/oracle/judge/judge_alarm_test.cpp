@@ -44,6 +44,51 @@ TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
             VerdictKind::fail_alarm_spurious);
 }
 
+// The block that alarms has an M function of its own, of which no text says whether it is passed
+// on.
+constexpr std::string_view kProgramWithM = "M3 S500\nG00 X130 Z5 M8\nG94 X120 Z-10 R20 F300 M9\n";
+const std::string kRapidInLine2 = R"({"k":"rapid","b":2,"to":{"x":"65","z":"5"}})"
+                                  "\n";
+
+std::string m_function(int block, int number) {
+  return R"({"k":"m","b":)" + std::to_string(block) + R"(,"m":)" + std::to_string(number) + "}\n";
+}
+
+VerdictKind kind_with_m(const std::string& trace, bool blocks = true) {
+  return judge_trace(kProgramWithM, trace + alarm(3, "taper-limit"), {.blocks = blocks, .m = true})
+      .kind;
+}
+
+TEST(AlarmJudge, MFunctionsOfEarlierBlocksMustHaveCome) {
+  EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8)),
+            VerdictKind::pass_exact);
+  for (const bool blocks : {true, false}) {
+    EXPECT_EQ(kind_with_m(kRapidInLine2 + m_function(2, 8), blocks), VerdictKind::fail_order);
+    EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2, blocks), VerdictKind::fail_order);
+    EXPECT_EQ(kind_with_m(kRapidInLine2, blocks), VerdictKind::fail_order);
+  }
+}
+
+TEST(AlarmJudge, NoMFunctionMayComeThatIsNotDueBeforeTheAlarm) {
+  EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8) + m_function(2, 5)),
+            VerdictKind::fail_order);
+  EXPECT_EQ(kind_with_m(m_function(1, 4) + kRapidInLine2 + m_function(2, 8)),
+            VerdictKind::fail_order);
+}
+
+TEST(AlarmJudge, MFunctionsOfTheBlockThatAlarmsMayComeOrNot) {
+  for (const bool blocks : {true, false}) {
+    EXPECT_EQ(
+        kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8) + m_function(3, 9), blocks),
+        VerdictKind::pass_exact);
+  }
+}
+
+// The first departure decides.
+TEST(AlarmJudge, MissingMotionComesBeforeAnMFunctionBehindIt) {
+  EXPECT_EQ(kind_with_m(m_function(1, 3)), VerdictKind::fail_geometry);
+}
+
 // The reference drops an arc of one increment; the subject's is no motion after the alarm.
 TEST(AlarmJudge, AnArcTooSmallToSeeBeforeTheAlarmIsNoLateMotion) {
   const Verdict verdict = judge_trace("G00 G19 X0 Y67.6 Z5 F461\nG03 V0.001 W0 R3.6\nY-39.001\n",
