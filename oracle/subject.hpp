@@ -91,7 +91,7 @@ struct CaptureOptions {
   std::optional<Number> fastest;         // mm/min: the most of traverses and threads; 60,000
 };
 
-// Limits of design section 7.
+// Limits of a subject (docs/protocol.md).
 struct Limits {
   std::chrono::milliseconds start{10'000};
   std::chrono::milliseconds run{2'000};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Records from JSON, by the rules of design section 3 and 4: numbers are strings, roots or
+// Records from JSON, by the rules of docs/protocol.md: numbers are strings, roots or
 // enclosures; bare numbers, unknown kinds and duplicate keys are refused.
 #pragma once
 

@@ -42,7 +42,7 @@ struct RunAnswer {
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   std::string decision;          // GO, NO-GO or UNDECIDED
-  int exit_code = 0;             // design section 6: 0, 1 or 3
+  int exit_code = 0;             // of the program: 0, 1 or 3
 };
 
 class Tally {

@@ -177,18 +177,35 @@ MatchResult CurveMatch::match_thread(const Motion& subject) {
 
 // Rule 4: rapids that end where it ends, monotone on each axis, no other axis.
 MatchResult CurveMatch::match_rapid(const Motion& subject) {
+  const Position& reached = progress_.traverse ? *progress_.traverse : subject.from;
   for (Axis axis : kAllAxes) {
-    const Number& start = subject.from[axis];
     const Number& target = reference_.to()[axis];
     const Number& end = subject.to()[axis];
     const Number& tau = terms_.tolerance;
-    const bool above_low = end >= target - tau || end >= start - tau;
-    const bool below_high = end <= target + tau || end <= start + tau;
+    const bool above_low = end >= target - tau || end >= reached[axis] - tau;
+    const bool below_high = end <= target + tau || end <= reached[axis] + tau;
     if (!above_low || !below_high) {
       return MatchResult::departs(Departure::geometry, "The traverse leaves the way to its end.");
     }
   }
-  return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
+  const bool done = agree(subject.to(), reference_.to(), terms_.tolerance);
+  if (!done) {
+    // Not the piece's own end: steps back within the tolerance must not add up. By estimates, of
+    // which each is nearer than the one before, for places at enclosures may be equal.
+    Position nearest = reached;
+    for (Axis axis : kAllAxes) {
+      const Number& target = reference_.to()[axis];
+      const double before = estimate(target - nearest[axis]);
+      const double now = estimate(target - subject.to()[axis]);
+      if (before * now < 0) {
+        nearest[axis] = target;
+      } else if (std::abs(now) < std::abs(before)) {
+        nearest[axis] = subject.to()[axis];
+      }
+    }
+    progress_.traverse = std::move(nearest);
+  }
+  return {Departure::none, done, {}};
 }
 
 MatchResult CurveMatch::match_line(const Motion& subject) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a motion of the subject belongs to a motion of the reference (design section 6, path
-// rules 3 and 4).
+// Whether a motion of the subject belongs to a motion of the reference: pieces of it in its own
+// sense, none of them back, and traverses that end where it ends.
 #pragma once
 
 #include <optional>
@@ -73,9 +73,10 @@ class CurveMatch {
   std::optional<OpenArc> open_;
   std::optional<RoundCurve> round_;  // an arc or a circle in space
   struct Progress {
-    Number line;      // along the axis that moves most
-    double arc = 0;   // turns, to choose between whole turns only
-    double none = 0;  // of those, what may have been meant as none
+    Number line;                       // along the axis that moves most
+    double arc = 0;                    // turns, to choose between whole turns only
+    double none = 0;                   // of those, what may have been meant as none
+    std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
   };
   Progress progress_;
 };

@@ -69,6 +69,7 @@ bool nearly_whole(const Motion& arc, const Number& tolerance) {
 }
 
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
+constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
 bool is_too_small_to_see(const Motion& motion, const Number& tolerance) {
   return agree(motion.from, motion.to(), tolerance) && !goes_round(motion, tolerance);
@@ -99,9 +100,10 @@ bool CurveMatch::centre_agrees(const Record& arc) const {
 
 Departure CurveMatch::on_curve(const Position& point, double turns, const Number& tolerance) const {
   if (!round_->on_circle(point, tolerance)) return Departure::geometry;
-  const int height = round_->on_helix(point, turns, tolerance, true);
-  if (height == 0) return Departure::undecided;
-  return height < 0 ? Departure::geometry : Departure::none;
+  const int on = std::min(round_->on_helix(point, turns, tolerance, true),
+                          round_->on_spiral(point, turns, tolerance));
+  if (on == 0) return Departure::undecided;
+  return on < 0 ? Departure::geometry : Departure::none;
 }
 
 // The end of a piece that sweeps `turns`: at the end of the arc, or on the way to it.
@@ -115,10 +117,12 @@ MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
   if (progress >= whole)
     return MatchResult::departs(Departure::geometry, "The arc goes beyond its end.");
   const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
-  if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0) {
+  const int radius = round_->on_spiral(subject.to(), progress, terms_.tolerance);
+  if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0 || radius < 0) {
     return MatchResult::departs(Departure::geometry, "The arc ends off the curve.");
   }
   if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
+  if (radius == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
   progress_.arc = progress;
   return {};
 }
@@ -198,6 +202,10 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
   if (height < 0) return MatchResult::departs(Departure::geometry, "The chord ends off the helix.");
   if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
+  const int radius = round_->on_spiral(subject.to(), progress, granted);
+  if (radius < 0)
+    return MatchResult::departs(Departure::geometry, "The chord ends off the spiral.");
+  if (radius == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
   progress_.arc = progress;
   return {};
 }

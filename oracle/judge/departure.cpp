@@ -70,9 +70,15 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
   } else {
     const Position& witness = result.centre ? result.centre->at : motion.to();
     verdict.witness = point_text(witness, moved_axes(motion, 0) | moved_axes(want, 0));
-    set_deviation(verdict, result.centre ? result.centre->distance
-                                         : largest_difference(motion.to(), want.to()));
-    verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
+    verdict.kind = VerdictKind::fail_geometry;
+    // That motions differ is known; how far, and whether a later one fits, may hang on an
+    // enclosure's width, and then stays unsaid.
+    try {
+      set_deviation(verdict, result.centre ? result.centre->distance
+                                           : largest_difference(motion.to(), want.to()));
+      if (fits_later(motion)) verdict.kind = VerdictKind::fail_order;
+    } catch (const exact::Undecided&) {
+    }
   }
   decide(std::move(verdict));
 }

@@ -77,6 +77,7 @@ void ProgramJudge::go_on(AxisSet axes, reference::ClauseId clause) {
   step.axes = axes;
   step.clause = clause;
   step.ahead = nullptr;
+  motion_block_ = step.last.block;
   if (step.last.kind != RecordKind::rapid) cut_block_ = step.last.block;
 }
 

@@ -185,6 +185,16 @@ void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& r
 }
 
 void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
+  if (end_record_) {
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_overrun;
+    verdict.block = alarm.block;
+    verdict.word = alarm.word;
+    verdict.got = alarm_text(alarm);
+    verdict.message = "An alarm follows the end of the trace.";
+    decide(std::move(verdict));
+    return;
+  }
   // A controller that checks at load may alarm with no motion at all.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
   std::optional<ReferenceStep> unfinished;

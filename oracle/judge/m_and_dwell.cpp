@@ -68,6 +68,39 @@ void ProgramJudge::take_m_functions() {
   settle_m_functions(false);
 }
 
+// An M function of the subject's.
+void ProgramJudge::take_m_function(const Record& record) {
+  if (!terms_.compare_m) return;
+  if (terms_.compare_blocks && record.block < motion_block_) {
+    flush_pending();
+    if (!verdict_) m_out_of_place(record);
+    return;
+  }
+  m_block_ = record.block;
+  got_m_.push_back({record, record.block != 0 && record.block == cut_block_});
+  settle_m_functions(false);
+}
+
+// A motion or a dwell of the subject's that is to be seen.
+void ProgramJudge::note_block(const Record& record) {
+  motion_block_ = record.block;
+  if (!terms_.compare_blocks || record.block >= m_block_) return;
+  flush_pending();
+  if (!verdict_) m_out_of_place(record);
+}
+
+// An M function stands before or after the motions of its block, not among those of another.
+void ProgramJudge::m_out_of_place(const Record& record) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_order;
+  verdict.record = records_ - 1;
+  verdict.block = record.block;
+  verdict.got = record_text(record);
+  verdict.word = 'M';
+  verdict.message = "An M function is passed on among the motions of another block.";
+  decide(std::move(verdict));
+}
+
 // M functions are compared in their order, wherever among the motions of their block they stand,
 // but for those that have to come before the tool cuts.
 void ProgramJudge::settle_m_functions(bool at_end) {

@@ -48,7 +48,9 @@ bool ProgramJudge::mills_pocket(const Motion& motion) {
 // SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is the pocket's to judge.
 bool ProgramJudge::dives_into_pocket(Motion& motion) {
   const bool is_approach = want_->record.clause == "SIE-LC75-04"_clause;
-  if (!is_approach || motion.record.kind != RecordKind::rapid || !match_->goes_beyond(motion)) {
+  const bool same_block = !terms_.compare_blocks || motion.record.block == want_->record.block;
+  if (!is_approach || !same_block || motion.record.kind != RecordKind::rapid ||
+      !match_->goes_beyond(motion)) {
     return false;
   }
   reference_.advance();

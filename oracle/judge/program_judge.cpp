@@ -73,14 +73,12 @@ void ProgramJudge::take_record(const Record& record) {
   }
   switch (record.kind) {
     case RecordKind::m:
-      if (terms_.compare_m) {
-        got_m_.push_back({record, record.block != 0 && record.block == cut_block_});
-      }
-      settle_m_functions(false);
+      take_m_function(record);
       break;
     case RecordKind::dwell:
       if (record.seconds.sign() == 0) break;
       flush_pending();
+      if (!verdict_) note_block(record);
       if (!verdict_) take_dwell(record);
       break;
     case RecordKind::end:
@@ -140,6 +138,8 @@ void ProgramJudge::take_motion(const Record& record) {
     decide(std::move(verdict));
     return;
   }
+  if (!stays_at(anchor_, motion, terms_)) note_block(record);
+  if (verdict_) return;
   position_ = motion.to();
   moved_ = true;
   if (record.kind != RecordKind::rapid) cut_block_ = record.block;

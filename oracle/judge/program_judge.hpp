@@ -81,6 +81,9 @@ class ProgramJudge {
   // Follows the renamings of the position that come before a record of `block` (0: not known).
   void follow_renamings(std::uint64_t block);
   void rename(const reference::Renaming& renaming);
+  void take_m_function(const Record& record);
+  void note_block(const Record& record);
+  void m_out_of_place(const Record& record);
   void settle_m_functions(bool at_end);
   void settle_m_functions_before(std::size_t alarm_block);
   void note_match(const Motion& motion, const Motion& want);
@@ -169,7 +172,9 @@ class ProgramJudge {
     bool after_cut;  // of its block
   };
   std::deque<GotM> got_m_;
-  std::uint64_t cut_block_ = 0;  // of the last cutting motion
+  std::uint64_t cut_block_ = 0;     // of the last cutting motion
+  std::uint64_t motion_block_ = 0;  // of the last motion or dwell
+  std::uint64_t m_block_ = 0;       // of the last M function that the subject passed on
 
   std::optional<Verdict> verdict_;
   std::optional<Motion> after_alarm_;  // motion in or after the block that should have alarmed

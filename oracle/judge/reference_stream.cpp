@@ -16,7 +16,10 @@ JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& prof
   if (subject.resolution) terms.tolerance = min(terms.tolerance, *subject.resolution);
   if (tolerance) terms.tolerance = terms.granted = *tolerance;
   if (chord) terms.chord = *chord;
-  terms.resolution = subject.resolution;
+  // A subject that rounds more coarsely than the machine is not excused by saying so.
+  if (subject.resolution) {
+    terms.resolution = min(*subject.resolution, max(terms.tolerance, profile.resolution()));
+  }
   terms.feed_resolution = subject.feed_resolution;
   terms.binary64 = subject.numeric_kind == "binary64";
   terms.compare_blocks = subject.everything || subject.features.contains("blocks");

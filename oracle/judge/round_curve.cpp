@@ -3,10 +3,25 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "oracle/approximate.hpp"
 
 namespace gonogo::oracle {
+namespace {
+
+// How far the nearest and the farthest point of the box round a point are from the centre, squared.
+std::pair<Number, Number> distances_of_box(const PlaneVector& point, const Number& tolerance) {
+  const Number p = abs(point.p);
+  const Number q = abs(point.q);
+  const Number near_p = max(p - tolerance, 0);
+  const Number near_q = max(q - tolerance, 0);
+  const Number far_p = p + tolerance;
+  const Number far_q = q + tolerance;
+  return {near_p * near_p + near_q * near_q, far_p * far_p + far_q * far_q};
+}
+
+}  // namespace
 
 RationalPoint::RationalPoint(const Position& point) : at(space_point(point)) {
   constexpr int kBits = 512;
@@ -62,8 +77,8 @@ RoundCurve::RoundCurve(const Motion& motion, const std::optional<OpenArc>& open)
   whole_ = points_->turns();
 }
 
-// On a plane: the box's nearest and farthest distances from the centre enclose the radius, of which
-// there are two where the arc is none of a circle.
+// On a plane: between the radii at the arc's ends, of which there are two where it is none of a
+// circle.
 bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
   if (arc_ == nullptr) return on_space_circle(point, tolerance);
   const PlaneVector v = from_centre(arc_->record, point);
@@ -75,15 +90,36 @@ bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
     start_2 = end_2 = open_->radius * open_->radius;
     tolerance += open_->slack;
   }
-  const Number p = abs(v.p);
-  const Number q = abs(v.q);
-  const Number near_p = max(p - tolerance, 0);
-  const Number near_q = max(q - tolerance, 0);
-  const Number far_p = p + tolerance;
-  const Number far_q = q + tolerance;
-  const Number near_2 = near_p * near_p + near_q * near_q;
-  const Number far_2 = far_p * far_p + far_q * far_q;
+  const auto [near_2, far_2] = distances_of_box(v, tolerance);
   return (near_2 <= start_2 || near_2 <= end_2) && (far_2 >= start_2 || far_2 >= end_2);
+}
+
+// Where the box meets the circles of both radii it meets every one between them, exactly. Else the
+// radius is estimated, and a band round the tolerance is left undecided: the estimate's own error,
+// and what the radius changes by over a tolerance's length of arc.
+int RoundCurve::on_spiral(const Position& point, double turns, const Number& tolerance) const {
+  if (arc_ == nullptr || open_) return 1;
+  const PlaneVector a = from_centre(arc_->record, arc_->from);
+  const PlaneVector b = from_centre(arc_->record, arc_->to());
+  const Number start_2 = a.p * a.p + a.q * a.q;
+  const Number end_2 = b.p * b.p + b.q * b.q;
+  const PlaneVector v = from_centre(arc_->record, point);
+  const auto [near_2, far_2] = distances_of_box(v, tolerance);
+  const bool meets_both =
+      near_2 <= start_2 && near_2 <= end_2 && far_2 >= start_2 && far_2 >= end_2;
+  if (meets_both) return 1;
+  constexpr double kEstimate = 1e-7;  // mm
+  const double within = approximate(tolerance);
+  const double change = std::hypot(estimate(b.p), estimate(b.q)) - radius_;
+  const double want = radius_ + turns / whole_ * change;
+  const double slope = std::abs(change) / (2 * std::numbers::pi * radius_ * whole_);
+  const double slack = kEstimate + 2 * slope * within;
+  const double p = std::abs(estimate(v.p));
+  const double q = std::abs(estimate(v.q));
+  const double nearest = std::hypot(std::max(p - within, 0.0), std::max(q - within, 0.0));
+  const double farthest = std::hypot(p + within, q + within);
+  if (nearest > want + slack || farthest < want - slack) return -1;
+  return nearest <= want - slack && farthest >= want + slack ? 1 : 0;
 }
 
 // By rationals. Where they stand for other numbers, the circle is off by far less than the slack:

@@ -63,6 +63,9 @@ class RoundCurve {
   // to the tolerance to say. The linear ones alone on demand.
   int on_helix(const Position& point, double turns, const Number& tolerance,
                bool linear_only = false) const;
+  // The same of the distance from the centre, which is linear in the angle where the arc's ends are
+  // not equally far from it.
+  int on_spiral(const Position& point, double turns, const Number& tolerance) const;
   // The part of a turn from one point to another in the sense of the curve; an estimate.
   double part_of_turn(const Position& from, const Position& to) const;
   // Whether an arc about this normal turns in the sense of the curve.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The judge of the passes of a thread milling block (design section 6): of their path only radii,
+// The judge of the passes of a thread milling block: of their path only radii,
 // lead, sense, depth, number and planes are fixed, and that nothing else touches the part
 // (GSK-G114-03 to 06 and 08 to 11).
 #pragma once

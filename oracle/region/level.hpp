@@ -23,7 +23,7 @@ struct PlanePoint {
 };
 
 // One motion of a level, in the plane. An arc whose radii at start and end differ is the curve with
-// the radius linear in the angle (design, section 4).
+// the radius linear in the angle.
 struct LevelMotion {
   bool is_arc = false;
   PlanePoint from;

@@ -14,7 +14,7 @@ TraceLine read_trace_line(const simdjson::dom::object& object);
 // The alarm of a reply: the same keys without `k`.
 std::variant<SubjectAlarm, TraceFault> read_alarm(const simdjson::dom::object& object);
 
-// A number as design section 3 writes it.
+// A number as docs/protocol.md writes it.
 std::variant<Number, TraceFault> read_number(std::string_view key,
                                              const simdjson::dom::element& value);
 

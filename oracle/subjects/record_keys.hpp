@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The keys of each kind of record (design section 4), for those that read records from JSON.
+// The keys of each kind of record (docs/protocol.md), for those that read records from JSON.
 #pragma once
 
 #include <array>

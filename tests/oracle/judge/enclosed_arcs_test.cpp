@@ -142,5 +142,22 @@ TEST(EnclosedArcs, AnArcToTheRayOfItsStartFitsOnEitherSideOfIt) {
   EXPECT_EQ(decision(judge_trace(program, trace(1e-4, 6.975), judging).kind), Decision::no_go);
 }
 
+// How far two equal enclosures lie apart cannot be told; that a traverse is no cut can.
+TEST(EnclosedEnds, ADepartureIsToldThoughItsSizeIsNot) {
+  const std::string end =
+      R"("to":{"x":{"enclosure":["9.39692620785908384054","9.39692620785908384055"]},)"
+      R"("y":{"enclosure":["3.42020143325668733044","3.42020143325668733045"]}})";
+  const std::string start = R"({"k":"rapid","b":1,"to":{"x":"10","y":"0"}})"
+                            "\n";
+  constexpr std::string_view kCosine = "G0 X10 Y0\nG1 X=10*COS(20) Y=10*SIN(20) F100\n";
+  const Judging judging = {.dialect = "sinumerik840d"};
+  EXPECT_EQ(judge_trace(kCosine, start + R"({"k":"rapid","b":2,)" + end + "}\n", judging).kind,
+            VerdictKind::fail_geometry);
+  EXPECT_EQ(decision(judge_trace(kCosine, start + R"({"k":"feed","b":2,"f":"100",)" + end + "}\n",
+                                 judging)
+                         .kind),
+            Decision::go);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traces that depart from their program and were once GO, each with the rule that it breaks.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr Judging kNgc = {.dialect = "rs274"};
+
+// Radius 100 at the start and 100.002 at the end, linear in the angle: atan(3/4) = 36.87 of the 90
+// degrees on, at 0.8 and -0.6 times the radius, it is 100.00082.
+constexpr std::string_view kSpiral = "G0 X100 Y0\nG2 X0 Y-100.002 I-100 J0 F100\n";
+
+std::string spiral_with_joint(const char* x, const char* y) {
+  return fmt::format(
+      R"({{"k":"rapid","b":1,"to":{{"x":"100","y":"0"}}}}
+{{"k":"arc","b":2,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":-1,"to":{{"x":"{}","y":"{}"}},"f":"100"}}
+{{"k":"arc","b":2,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":-1,"to":{{"x":"0","y":"-100.002"}},"f":"100"}}
+)",
+      x, y);
+}
+
+TEST(FalseGo, ASpiralInPartsHasItsRadiusAtTheJoint) {
+  EXPECT_EQ(decision(judge_trace(kSpiral, spiral_with_joint("80.00066", "-60.00049"), kNgc).kind),
+            Decision::go);
+  // At the radius of the end already, and still at that of the start.
+  EXPECT_EQ(judge_trace(kSpiral, spiral_with_joint("80.0016", "-60.0012"), kNgc).kind,
+            VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kSpiral, spiral_with_joint("80", "-60"), kNgc).kind,
+            VerdictKind::fail_geometry);
+}
+
+std::string traverse_to(double x, double z) {
+  return fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"{:.4f}","z":"{:.4f}"}}}})"
+                     "\n",
+                     x, z);
+}
+
+// GSK: tau 0.001, so that each step back is within it.
+TEST(FalseGo, ATraverseMayNotCreepBack) {
+  std::string creeping = traverse_to(5, 5);
+  for (int step = 1; step <= 20; ++step) {
+    creeping += traverse_to(5 - step * 0.001, 5 - step * 0.001);
+  }
+  EXPECT_EQ(judge_trace("G00 X20 Z10\n", creeping + traverse_to(10, 10)).kind,
+            VerdictKind::fail_geometry);
+  const std::string once = traverse_to(5, 5) + traverse_to(4.9995, 4.9995) + traverse_to(10, 10);
+  EXPECT_EQ(decision(judge_trace("G00 X20 Z10\n", once).kind), Decision::go);
+}
+
+TEST(FalseGo, AnAxisThatStaysMayNotCreepAway) {
+  std::string creeping;
+  for (int step = 1; step <= 20; ++step) creeping += traverse_to(step * 0.5, step * 0.001);
+  EXPECT_EQ(judge_trace("G00 X20\n", creeping + traverse_to(10, 0)).kind,
+            VerdictKind::fail_geometry);
+}
+
+constexpr std::string_view kBetween = "M3 S100\nG0 X1\nM8\nG1 X2 F100\nM9\nG1 X3\n";
+const std::string kMotions[] = {R"({"k":"rapid","b":2,"to":{"x":"1"}})"
+                                "\n",
+                                R"({"k":"feed","b":4,"to":{"x":"2"},"f":"100"})"
+                                "\n",
+                                R"({"k":"feed","b":6,"to":{"x":"3"},"f":"100"})"
+                                "\n"};
+const std::string kFunctions[] = {"{\"k\":\"m\",\"b\":1,\"m\":3}\n",
+                                  "{\"k\":\"m\",\"b\":3,\"m\":8}\n",
+                                  "{\"k\":\"m\",\"b\":5,\"m\":9}\n"};
+
+VerdictKind kind_of_functions(const std::string& trace) {
+  return judge_trace(kBetween, trace, {.m = true, .dialect = "rs274"}).kind;
+}
+
+TEST(FalseGo, MFunctionsStandBetweenTheMotionsOfTheBlocksBesideThem) {
+  const std::string all = kMotions[0] + kMotions[1] + kMotions[2];
+  const std::string functions = kFunctions[0] + kFunctions[1] + kFunctions[2];
+  EXPECT_EQ(kind_of_functions(kFunctions[0] + kMotions[0] + kFunctions[1] + kMotions[1] +
+                              kFunctions[2] + kMotions[2]),
+            VerdictKind::pass_exact);
+  EXPECT_EQ(kind_of_functions(all + functions), VerdictKind::fail_order) << "after all motions";
+  EXPECT_EQ(kind_of_functions(functions + all), VerdictKind::fail_order) << "before all motions";
+  EXPECT_EQ(kind_of_functions(kFunctions[0] + kMotions[0] + kFunctions[1] + kFunctions[2] +
+                              kMotions[1] + kMotions[2]),
+            VerdictKind::fail_order)
+      << "the last one a motion early";
+}
+
+TEST(FalseGo, AnMFunctionStandsBeforeTheDwellOfALaterBlock) {
+  const std::string dwell = "{\"k\":\"dwell\",\"b\":2,\"s\":\"1\"}\n";
+  const Judging judging = {.m = true, .dialect = "rs274"};
+  EXPECT_EQ(judge_trace("M8\nG4 P1\n", kFunctions[0] + dwell, judging).kind,
+            VerdictKind::fail_order);
+  const std::string coolant = "{\"k\":\"m\",\"b\":1,\"m\":8}\n";
+  EXPECT_EQ(judge_trace("M8\nG4 P1\n", coolant + dwell, judging).kind, VerdictKind::pass_exact);
+  EXPECT_EQ(judge_trace("M8\nG4 P1\n", dwell + coolant, judging).kind, VerdictKind::fail_order);
+}
+
+TEST(FalseGo, ACoarseResolutionExcusesNoLead) {
+  constexpr std::string_view kThread = "G00 X20 Z0\nG92 X18 Z-20 F2\n";
+  for (const auto& [lead, due] :
+       {std::pair("2", Decision::go), std::pair("2.4", Decision::no_go)}) {
+    const std::string trace = fmt::format(
+        R"({{"k":"rapid","b":1,"to":{{"x":"10","z":"0"}}}}
+{{"k":"rapid","b":2,"to":{{"x":"9"}}}}
+{{"k":"thread","b":2,"to":{{"x":"9","z":"-20"}},"lead":"{}","start":"0"}}
+{{"k":"rapid","b":2,"to":{{"x":"10"}}}}
+{{"k":"rapid","b":2,"to":{{"z":"0"}}}}
+)",
+        lead);
+    EXPECT_EQ(decision(judge_trace(kThread, trace, {.resolution = "1"}).kind), due) << lead;
+  }
+}
+
+TEST(FalseGo, AnAlarmFollowsNoEnd) {
+  const std::string cut = R"({"k":"feed","b":1,"to":{"x":"1"},"f":"100"})"
+                          "\n";
+  const std::string alarm = R"({"k":"alarm","class":"duplicate-word","b":2})"
+                            "\n";
+  constexpr std::string_view kTwice = "G1 X1 F100\nG0 X1 X2\n";
+  EXPECT_EQ(judge_trace(kTwice, cut + alarm, kNgc).kind, VerdictKind::pass_exact);
+  EXPECT_EQ(judge_trace(kTwice,
+                        cut +
+                            R"({"k":"end","to":{"x":"1"}})"
+                            "\n" +
+                            alarm,
+                        kNgc)
+                .kind,
+            VerdictKind::fail_overrun);
+}
+
+// SIE-LC75-11: infeeds of finishing may be fast, but of the pocket's own block. The traces end
+// there; what is asked is whether the judge gets so far.
+TEST(FalseGo, TheApproachOfAPocketBelongsToItsBlock) {
+  constexpr std::string_view kPocket =
+      "G0 X0 Y0 Z5 S400 M3 T1 D1\n"
+      "R101=5 R102=2 R103=0 R104=-2 R116=0 R117=0 R118=60 R119=50 R120=6\n"
+      "R121=2 R122=100 R123=300 R124=9.5 R125=0 R126=2 R127=2\nLCYC75\n";
+  const auto message_of = [&](int block) {
+    const std::string trace = fmt::format(
+        R"({{"k":"rapid","b":1,"to":{{"x":"0","y":"0","z":"5"}}}}
+{{"k":"rapid","b":{},"to":{{"z":"2"}}}}
+)",
+        block);
+    return judge_trace(kPocket, trace, {.dialect = "sinumerik802s", .tool = "5"}).message;
+  };
+  for (const int block : {1, 2, 3}) {
+    EXPECT_EQ(message_of(block), "The motion belongs to another block.") << block;
+  }
+  EXPECT_EQ(message_of(4), "The pocket is not milled to its floor.");
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
