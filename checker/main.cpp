@@ -3,6 +3,7 @@
 // gonogo-check: looks at corpora and results of gonogo again, and shares no code with it.
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 namespace {
 
 constexpr int kWrongUse = 2;
+constexpr int kIncomplete = 3;
 
 constexpr const char* kUsage =
     "gonogo-check vectors CORPUS_DIR\n"
@@ -42,7 +44,22 @@ int run_verdicts(const std::vector<std::string>& words) {
   }
   if (options.results.empty()) return wrong_use("Name a results file.");
   if (options.corpus.empty()) return wrong_use("Name the corpus of the run with --corpus DIR.");
+  if (!options.traces.empty() && !std::filesystem::is_directory(options.traces)) {
+    return wrong_use(options.traces + " is no folder of traces.");
+  }
   return gonogo::checker::check_verdicts(options, stdout);
+}
+
+int check_vectors_of(const std::vector<std::string>& words) {
+  if (words.size() != 2) return wrong_use("Name one corpus folder.");
+  return gonogo::checker::check_vectors(words[1], stdout);
+}
+
+// What was found counts only where it was told.
+int told(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fprintf(stderr, "gonogo-check: standard output cannot be written.\n");
+  return code == 1 ? 1 : kIncomplete;
 }
 
 }  // namespace
@@ -55,11 +72,8 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    if (words[0] == "vectors") {
-      if (words.size() != 2) return wrong_use("Name one corpus folder.");
-      return gonogo::checker::check_vectors(words[1], stdout);
-    }
-    if (words[0] == "verdicts") return run_verdicts(words);
+    if (words[0] == "vectors") return told(check_vectors_of(words));
+    if (words[0] == "verdicts") return told(run_verdicts(words));
   } catch (const gonogo::checker::Fault& fault) {
     std::fprintf(stderr, "gonogo-check: %s\n", fault.what());
     return kWrongUse;

@@ -166,6 +166,7 @@ class Match {
     if (trace_.ending == TraceEnd::unknown) return {Answer::undecided, "the alarm is not kept"};
     if (trace_.ending == TraceEnd::end)
       return {Answer::departs, "The alarm is missing:" + wanted + "."};
+    if (trace_.end) return {Answer::departs, "The alarm follows the end of the trace."};
     if (trace_.alarm.kind.empty()) return {Answer::undecided, "an alarm without a class"};
     const bool is_right = std::ranges::any_of(expectation_.any_of, [&](const auto& alarm) {
       return alarm.kind == trace_.alarm.kind &&
@@ -206,9 +207,27 @@ class Match {
     const bool same = std::ranges::equal(want_.functions, told, [&](const auto& x, const auto& y) {
       return x.m == y.m && (!terms_.has_blocks || x.block == y.block);
     });
-    if (same) return {};
+    if (same) return find_places();
     return {Answer::departs,
             "The M functions are not " + list(want_.functions) + " but " + list(told) + "."};
+  }
+
+  // An M function stands before or after the motions of its block, not among those of another.
+  Finding find_places() const {
+    if (!terms_.has_blocks) return {};
+    for (std::size_t i = 0; i < got_.functions.size(); ++i) {
+      const long block = got_.functions[i].block;
+      for (std::size_t k = 0; k < got_.motions.size(); ++k) {
+        const long other = got_.motions[k].record.block;
+        const bool in_order = k < got_.behind[i] ? other <= block : other >= block;
+        if (!in_order) {
+          return {Answer::departs, "An M function of line " + std::to_string(block) +
+                                       " stands among the motions of line " +
+                                       std::to_string(other) + "."};
+        }
+      }
+    }
+    return {};
   }
 
   static std::string list(const std::vector<Record>& functions) {

@@ -134,6 +134,7 @@ class Builder {
   void take(const Record& record, std::size_t place) {
     if (record.kind == RecordKind::m) {
       path_.functions.push_back(record);
+      path_.behind.push_back(path_.motions.size());
       return;
     }
     forget_after_renaming(record);

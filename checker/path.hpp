@@ -23,7 +23,8 @@ struct Motion {
 
 struct Path {
   std::vector<Motion> motions;
-  std::vector<Record> functions;  // kind m
+  std::vector<Record> functions;    // kind m
+  std::vector<std::size_t> behind;  // of each function: how many of the motions come before it
   Position end;
   // Something could not be decided about dropping and joining: a departure may be no departure.
   bool is_doubtful = false;

@@ -271,7 +271,7 @@ int Verdicts::summary() {
   if (differing_ > 0) return 1;
   if (is_incomplete) return 3;
   if (file_faults_ > 0) return 1;
-  return derived == 0 ? 3 : 0;
+  return derived_go_ + derived_no_go_ == 0 ? 3 : 0;
 }
 
 }  // namespace

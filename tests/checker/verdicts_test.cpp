@@ -134,6 +134,13 @@ TEST(CheckerVerdicts, AnMFunctionThatIsMissingIsNoticed) {
   expect_differs(kLineCase, R"({"k":"m","b":3,"m":3})", "", "The M functions are not");
 }
 
+TEST(CheckerVerdicts, AnMFunctionAmongTheMotionsOfAnotherLineIsNoticed) {
+  const std::string feed = R"({"k":"feed","b":2,"to":{"y":"2"},"f":"100"})";
+  const std::string function = R"({"k":"m","b":3,"m":3})";
+  expect_differs(kLineCase, feed + "\n" + function, function + "\n" + feed,
+                 "An M function of line 3 stands among the motions of line 2.");
+}
+
 TEST(CheckerVerdicts, AnEndElsewhereIsNoticed) {
   expect_differs(kLineCase, R"("to":{"x":"1","y":"2"}})", R"("to":{"x":"1","y":"3"}})",
                  "The end is at");
