@@ -6,8 +6,22 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
+#include "cli/output.hpp"
 
 namespace gonogo::cli {
+namespace {
+
+// A variable that is not set in a script must not look like an option that was left out.
+const CLI::Validator& not_empty() {
+  static const CLI::Validator kNotEmpty(
+      [](const std::string& word) {
+        return std::string(word.empty() ? "is empty; leave it out, or write a value" : "");
+      },
+      "");
+  return kNotEmpty;
+}
+
+}  // namespace
 
 Command Command::add_command(const std::string& name, const std::string& text) {
   return {*app_->add_subcommand(name, text), *exit_code_};
@@ -25,30 +39,32 @@ Command& Command::require_command() {
 }
 
 Command& Command::argument(const std::string& name, std::string& value, const std::string& text) {
-  app_->add_option(name, value, text)->required();
+  app_->add_option(name, value, text)->required()->check(not_empty());
   return *this;
 }
 
 Command& Command::arguments(const std::string& name, std::vector<std::string>& values,
                             const std::string& text) {
-  app_->add_option(name, values, text)->required();
+  app_->add_option(name, values, text)->required()->check(not_empty());
   return *this;
 }
 
 Command& Command::option(const std::string& name, std::string& value, const std::string& text) {
-  app_->add_option(name, value, text);
+  app_->add_option(name, value, text)->check(not_empty());
   return *this;
 }
 
 Command& Command::needed_option(const std::string& name, std::string& value,
                                 const std::string& text) {
-  app_->add_option(name, value, text)->required();
+  app_->add_option(name, value, text)->required()->check(not_empty());
   return *this;
 }
 
 Command& Command::repeated_option(const std::string& name, std::vector<std::string>& values,
                                   const std::string& text) {
-  app_->add_option(name, values, text + "; may be repeated")->allow_extra_args(false);
+  app_->add_option(name, values, text + "; may be repeated")
+      ->allow_extra_args(false)
+      ->check(not_empty());
   return *this;
 }
 
@@ -127,7 +143,28 @@ CommandLine::CommandLine(const std::string& name, const std::string& text,
 
 CommandLine::~CommandLine() = default;
 
+namespace {
+
+// Empty: the first word is a command, or none.
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  if (word.empty() || word.front() == '-') return {};
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return {};
+    if (command->get_group().empty()) continue;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  return "There is no command \"" + word + "\". There are " + known + ".\n";
+}
+
+}  // namespace
+
 int CommandLine::parse(int argc, char** argv) {
+  if (const std::string problem = unknown_command(*app_, argc > 1 ? argv[1] : "");
+      !problem.empty()) {
+    complain("gonogo: {}", problem);
+    return kWrongUse;
+  }
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {

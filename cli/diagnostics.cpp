@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/diagnostics.hpp"
+#include "cli/output.hpp"
 
 #include <fmt/format.h>
 
@@ -15,26 +16,26 @@ void report_alarms(const reference::AlarmReport& report, std::string_view file,
   std::size_t shown = 0;
   for (const reference::Alarm& alarm : report.alarms) {
     if (++shown > kShown) {
-      fmt::print(stderr, "... and {} more alarms of the block.\n", report.alarms.size() - kShown);
+      complain("... and {} more alarms of the block.\n", report.alarms.size() - kShown);
       break;
     }
     const std::string message =
         fmt::format("alarm: {} [{}, {}]", alarm.message, reference::name(alarm.alarm),
                     reference::clause_name(alarm.clause));
-    fmt::print(stderr, "{}", grammar::render(message, alarm.where, file, report.block, line));
+    complain("{}", grammar::render(message, alarm.where, file, report.block, line));
   }
 }
 
 void report_warning(const reference::Warning& warning, std::string_view file,
                     const grammar::Line& line) {
   const std::string message = fmt::format("warning: {}", warning.message);
-  fmt::print(stderr, "{}", grammar::render(message, warning.where, file, line.number, line.text));
+  complain("{}", grammar::render(message, warning.where, file, line.number, line.text));
 }
 
 void report_not_covered(const reference::NotCovered& outside, std::string_view file,
                         std::string_view line) {
   const std::string message = fmt::format("not covered: {}", outside.message);
-  fmt::print(stderr, "{}", grammar::render(message, outside.where, file, outside.block, line));
+  complain("{}", grammar::render(message, outside.where, file, outside.block, line));
 }
 
 void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
@@ -46,11 +47,11 @@ void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource&
     auto error = line.too_long ? std::optional(grammar::line_too_long())
                                : grammar::parse_block(dialect, line.text, block);
     if (!error) continue;
-    fmt::print(stderr, "{}", grammar::render(*error, file, line.number, line.text));
+    complain("{}", grammar::render(*error, file, line.number, line.text));
     ++count;
   }
   if (count == kFurtherSyntaxErrors) {
-    fmt::print(stderr, "{}: further errors are not shown.\n", file);
+    complain("{}: further errors are not shown.\n", file);
   }
 }
 

@@ -3,7 +3,7 @@
 
 namespace gonogo::cli {
 
-// What the program tells its caller (design section 6 and 8).
+// What the program tells its caller.
 enum ExitCode : int {
   kGo = 0,         // or: done
   kNoGo = 1,       // a NO-GO; expand: the program alarms

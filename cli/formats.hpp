@@ -22,7 +22,7 @@ class RecordFormat {
   virtual void finish(std::string& out) { static_cast<void>(out); }
 };
 
-// "jsonl": the records of design section 4. "table": for people. "ngc": plain G00 to G03 in the
+// "jsonl": the records of docs/protocol.md. "table": for people. "ngc": plain G00 to G03 in the
 // order of the motions, radius programming, absolute. "svg": a drawing sheet.
 std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,

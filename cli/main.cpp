@@ -61,23 +61,22 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "gonogo: {}\n", error.what());
+    complain("gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const gonogo::oracle::SubjectUnusable& error) {
-    fmt::print(stderr, "gonogo: {}\n", error.what());
+    complain("gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const gonogo::oracle::CorpusError& error) {
-    fmt::print(stderr, "gonogo: {}\n", error.what());
+    complain("gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const OutputError& error) {
-    if (!error.quiet()) fmt::print(stderr, "gonogo: {}\n", error.what());
+    if (!error.quiet()) complain("gonogo: {}\n", error.what());
     return kUndecided;
   } catch (const std::system_error& error) {
-    fmt::print(stderr, "gonogo: {}.\n", error.what());
+    complain("gonogo: {}.\n", error.what());
     return kWrongUse;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gonogo: an error of the gauge itself: {}. Please report it.\n",
-               error.what());
+    complain("gonogo: an error of the gauge itself: {}. Please report it.\n", error.what());
     return kUndecided;
   }
 }

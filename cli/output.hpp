@@ -3,9 +3,13 @@
 // Standard output in large writes, with a full disk or a closed pipe noticed.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace gonogo::cli {
 
@@ -19,6 +23,14 @@ class OutputError : public std::runtime_error {
  private:
   bool quiet_;
 };
+
+// A message for people, on standard error. One that cannot be written there is lost, and nothing
+// else: the exit code says what matters.
+template <typename... Values>
+void complain(fmt::format_string<Values...> text, Values&&... values) {
+  const std::string words = fmt::format(text, std::forward<Values>(values)...);
+  std::fwrite(words.data(), 1, words.size(), stderr);
+}
 
 class Output {
  public:

@@ -12,18 +12,17 @@
 
 namespace gonogo::cli {
 
-ProgramFile::ProgramFile(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
+ProgramFile::ProgramFile(const std::string& path, const char* kind)
+    : name_(path == "-" ? "<stdin>" : path) {
   descriptor_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) {
     throw UsageError(
-        fmt::format("{} cannot be opened: {}. Name an NC program, or - for standard "
-                    "input.",
-                    path, std::strerror(errno)));
+        fmt::format("{} cannot be opened: {}. Name {}.", path, std::strerror(errno), kind));
   }
   struct stat status {};
   if (::fstat(descriptor_, &status) == 0) {
     if (S_ISDIR(status.st_mode)) {
-      throw UsageError(fmt::format("{} is a folder. Name an NC program.", path));
+      throw UsageError(fmt::format("{} is a folder. Name {}.", path, kind));
     }
     if (S_ISREG(status.st_mode)) size_ = status.st_size;
   }
@@ -34,8 +33,8 @@ ProgramFile::~ProgramFile() {
   if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
 }
 
-std::string read_file(const std::string& path, std::size_t limit) {
-  ProgramFile file(path);
+std::string read_file(const std::string& path, const char* kind, std::size_t limit) {
+  ProgramFile file(path, kind);
   std::string text;
   std::array<char, 1 << 16> chunk;
   while (std::size_t count = file.bytes().read(chunk.data(), chunk.size())) {
@@ -60,15 +59,20 @@ reference::Profile checked(reference::ProfileResult result, const std::string& f
 reference::Profile load_profile(const ProfileOptions& options) {
   reference::Profile profile;
   if (!options.file.empty()) {
-    const std::string text = read_file(options.file, std::size_t{1} << 20);
+    const std::string text =
+        read_file(options.file, "a machine profile, TOML or JSON", std::size_t{1} << 20);
     const bool json = options.file.ends_with(".json");
-    profile =
-        checked(json ? reference::profile_from_json(text) : reference::profile_from_toml(text),
-                options.file);
+    const std::string unnamed = options.dialect.empty() ? "gsk988ta" : options.dialect;
+    profile = checked(json ? reference::profile_from_json(text, unnamed)
+                           : reference::profile_from_toml(text, unnamed),
+                      options.file);
     if (!options.dialect.empty() && options.dialect != profile.dialect) {
       throw UsageError(fmt::format("{} is a profile of dialect {}, but --dialect says {}.",
                                    options.file, profile.dialect, options.dialect));
     }
+  } else if (options.dialect.empty()) {
+    throw UsageError(
+        fmt::format("Name the dialect: --dialect and one of {}.", reference::dialect_names()));
   } else {
     profile = checked(reference::default_profile(options.dialect), "");
   }

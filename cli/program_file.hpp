@@ -19,10 +19,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// An NC program as a stream; "-" is standard input.
+inline constexpr const char* kNcProgram = "an NC program, or - for standard input";
+
+// An NC program as a stream; "-" is standard input. `kind` says what the file ought to be.
 class ProgramFile {
  public:
-  explicit ProgramFile(const std::string& path);
+  explicit ProgramFile(const std::string& path, const char* kind = kNcProgram);
   ~ProgramFile();
   ProgramFile(const ProgramFile&) = delete;
   ProgramFile& operator=(const ProgramFile&) = delete;
@@ -42,7 +44,8 @@ class ProgramFile {
 };
 
 // The whole file, at most `limit` bytes.
-std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 30);
+std::string read_file(const std::string& path, const char* kind = kNcProgram,
+                      std::size_t limit = std::size_t{1} << 30);
 
 // What the options --dialect, --profile and --reading say together.
 struct ProfileOptions {

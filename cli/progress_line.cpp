@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress_line.hpp"
+#include "cli/output.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,7 +14,7 @@ ProgressLine::ProgressLine(std::string subject)
     : subject_(std::move(subject)), on_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-  if (on_) fmt::print(stderr, "\r\033[K");
+  if (on_) complain("\r\033[K");
 }
 
 void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
@@ -23,8 +24,8 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
   shown_ = now;
   const std::chrono::duration<double> spent = now - start_;
   const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-  fmt::print(stderr, "\r\033[K{}: {} of about {} cases, {} NO-GO, about {:.0f} s left", subject_,
-             done, all, no_go, left);
+  complain("\r\033[K{}: {} of about {} cases, {} NO-GO, about {:.0f} s left", subject_, done, all,
+           no_go, left);
   std::fflush(stderr);
 }
 

@@ -89,6 +89,7 @@ TraceSummary RecordedTrace::read(const std::function<bool(std::string_view)>& kn
     return true;
   };
   summary.end = read_records(file_.descriptor(), count_known, count);
+  summary.features.blocks = summary.features.blocks || summary.end.alarm.block != 0;
   return summary;
 }
 

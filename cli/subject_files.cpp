@@ -22,12 +22,13 @@ Result checked(std::variant<Result, oracle::FileFault> read, const std::string& 
 }  // namespace
 
 std::vector<oracle::KnownFailure> load_known_failures(const std::string& file) {
-  return checked(oracle::known_failures_from_toml(read_file(file)), file);
+  return checked(oracle::known_failures_from_toml(read_file(file, "a file of known failures")),
+                 file);
 }
 
 std::shared_ptr<const oracle::AlarmMap> load_alarm_map(const std::string& file) {
   return std::make_shared<const oracle::AlarmMap>(
-      checked(oracle::alarm_map_from_toml(read_file(file)), file));
+      checked(oracle::alarm_map_from_toml(read_file(file, "an alarm map")), file));
 }
 
 }  // namespace gonogo::cli

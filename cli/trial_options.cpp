@@ -2,6 +2,9 @@
 #include "cli/trial_options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "cli/program_file.hpp"
 #include "cli/subject_files.hpp"
@@ -21,11 +24,25 @@ void add_trial_options(Command& command, TrialWords& words) {
   add_limit_options(command, words.limits);
 }
 
+namespace {
+
+// Noticed at the first finding it would be too late.
+void check_out(const TrialWords& words) {
+  namespace fs = std::filesystem;
+  fs::path place = fs::absolute(words.out);
+  while (!fs::exists(place) && place.has_relative_path()) place = place.parent_path();
+  if (fs::is_directory(place) && ::access(place.c_str(), W_OK) == 0) return;
+  throw UsageError(fmt::format("--out {}: no folder can be made there.", words.out));
+}
+
+}  // namespace
+
 fuzz::SubjectMaker trial_subject(const TrialWords& words) {
   if (words.subject.starts_with("capture:")) {
     throw UsageError(
         "Recorded output cannot be tried with other programs. `gonogo certify` judges it.");
   }
+  if (!words.out.empty()) check_out(words);
   return subject_maker(words.subject, words.limits.limits());
 }
 

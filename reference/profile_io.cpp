@@ -236,9 +236,8 @@ Json flatten_readings(const Json& table, const std::string& prefix) {
   return flat;
 }
 
-Profile profile_of(Json document) {
+Profile profile_of(Json document, std::string dialect) {
   need_table(document, "profile");
-  std::string dialect = "gsk988ta";
   if (document.contains("dialect")) dialect = text_of(document["dialect"], "dialect");
   ProfileResult start = default_profile(dialect);
   if (auto* error = std::get_if<ProfileError>(&start)) throw Fault{*error};
@@ -251,9 +250,9 @@ Profile profile_of(Json document) {
 }
 
 template <typename Read>
-ProfileResult guarded(Read read) {
+ProfileResult guarded(Read read, std::string_view unnamed) {
   try {
-    return profile_of(read());
+    return profile_of(read(), std::string(unnamed));
   } catch (const Fault& fault) {
     return fault.error;
   } catch (const toml::parse_error& error) {
@@ -267,12 +266,12 @@ ProfileResult guarded(Read read) {
 
 }  // namespace
 
-ProfileResult profile_from_toml(std::string_view text) {
-  return guarded([&] { return from_toml_node(toml::parse(text), ""); });
+ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed) {
+  return guarded([&] { return from_toml_node(toml::parse(text), ""); }, unnamed);
 }
 
-ProfileResult profile_from_json(std::string_view text) {
-  return guarded([&] { return parse_json_once(text); });
+ProfileResult profile_from_json(std::string_view text, std::string_view unnamed) {
+  return guarded([&] { return parse_json_once(text); }, unnamed);
 }
 
 }  // namespace gonogo::reference

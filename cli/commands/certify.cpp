@@ -91,7 +91,9 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
     load_profile({std::string(known != nullptr ? known->dialect : kAnyDialect), "", {choice}});
   }
   if (!options.profile.empty()) {
-    campaign.profile = load_profile({"", options.profile, {}});
+    // One that names no dialect is of the only one asked for.
+    const bool one = options.dialects.size() == 1;
+    campaign.profile = load_profile({one ? options.dialects.front() : "", options.profile, {}});
   }
   campaign.tolerance = length_option(options.limits.tolerance, "--tolerance");
   campaign.chord = length_option(options.limits.chord, "--chord");
@@ -109,7 +111,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
 std::string sha256_of(const std::string& path) {
   if (path.empty()) return {};
   oracle::Sha256 hash;
-  hash.update(read_file(path));
+  hash.update(read_file(path, "a file"));
   return hash.hex();
 }
 
@@ -142,10 +144,10 @@ oracle::ResultsWriter open_results(const CertifyOptions& options, const std::str
   const std::string journal = oracle::ResultsWriter::journal_of(path);
   if (options.resume) need_same_limits(journal, options.limits);
   if (!options.resume && std::filesystem::exists(journal)) {
-    fmt::print(stderr,
-               "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from "
-               "it.\n",
-               journal);
+    complain(
+        "gonogo: {} of an unfinished run is overwritten; --resume would have gone on from "
+        "it.\n",
+        journal);
   }
   return {
       path, header,

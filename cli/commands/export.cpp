@@ -50,7 +50,8 @@ oracle::ExportOptions export_options(const ExportArguments& arguments) {
     }
   }
   options.feed_max = length_option(arguments.feed_max, "--feed-max");
-  if (!arguments.header.empty()) options.header = read_file(arguments.header);
+  if (!arguments.header.empty())
+    options.header = read_file(arguments.header, "the text before each program");
   options.all_profiles = arguments.all_profiles;
   return options;
 }

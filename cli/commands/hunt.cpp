@@ -38,14 +38,14 @@ class HuntProgress {
   explicit HuntProgress(const HuntEnd& end) : end_(end), on_(::isatty(STDERR_FILENO) == 1) {}
   ~HuntProgress() { clear(); }
   void clear() const {
-    if (on_) fmt::print(stderr, "\r\033[K");
+    if (on_) complain("\r\033[K");
   }
   void show(const fuzz::Hunt& hunt, std::size_t findings) {
     if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = Clock::now();
-    fmt::print(stderr, "\r\033[K{} programs, {} features, {} findings, about {:.0f} s left",
-               hunt.count().programs, hunt.pool().features(), findings,
-               end_.seconds_left(hunt.count().programs));
+    complain("\r\033[K{} programs, {} features, {} findings, about {:.0f} s left",
+             hunt.count().programs, hunt.pool().features(), findings,
+             end_.seconds_left(hunt.count().programs));
     std::fflush(stderr);
   }
 
@@ -121,7 +121,7 @@ int hunt(HuntWords words) {
       // It could be used at first.
       tally.complete = false;
       progress.clear();
-      fmt::print(stderr, "gonogo: {}\n", error.what());
+      complain("gonogo: {}\n", error.what());
     }
   }
   Output output;
@@ -149,7 +149,7 @@ void add_hunt(Command& program) {
   command.option("--time", words->time,
                  "how long: 90s, 10m, 2h; without it and --programs a minute");
   constexpr long kMost = std::numeric_limits<long>::max();
-  command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs");
+  command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs (1)");
   command.number("--programs", words->programs, 1, kMost, "how many programs");
   command.number("--stop-after", words->stop_after, 1, kMost, "how many findings");
   command.run([words] { return hunt(*words); });

@@ -117,7 +117,7 @@ int hunt_properties(const HuntWords& words) {
     }
   } catch (const oracle::SubjectUnusable& error) {
     complete = false;
-    fmt::print(stderr, "gonogo: {}\n", error.what());
+    complain("gonogo: {}\n", error.what());
   }
   const fuzz::PropertyCount& count = hunt.count();
   Output output;

@@ -36,6 +36,10 @@ std::string out_file(const std::string& out) {
 }
 
 void check_places(const oracle::MergeOptions& options) {
+  // It is replaced at the end: no device, no pipe.
+  if (fs::exists(options.out) && !fs::is_regular_file(options.out)) {
+    throw UsageError(fmt::format("{} is no regular file. Name a file, or a folder.", options.out));
+  }
   for (const std::string& path : options.results) {
     for (const std::string& own : {options.out, oracle::ResultsWriter::journal_of(options.out)}) {
       if (fs::exists(own) && fs::exists(path) && fs::equivalent(own, path)) {
@@ -60,8 +64,8 @@ int merge(oracle::MergeOptions options) {
   } catch (const oracle::ResultsUnwritable& error) {
     throw OutputError(fmt::format("{}.", error.what()), false);
   }
-  for (const std::string& note : outcome.notes) fmt::print(stderr, "gonogo: {}\n", note);
-  for (const std::string& shard : outcome.missing) fmt::print(stderr, "gonogo: {}.\n", shard);
+  for (const std::string& note : outcome.notes) complain("gonogo: {}\n", note);
+  for (const std::string& shard : outcome.missing) complain("gonogo: {}.\n", shard);
   Output output;
   if (outcome.missing.empty()) {
     output.text() = summary_text({outcome.answer, outcome.footer, {}, true}, "merged");

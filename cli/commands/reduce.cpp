@@ -29,17 +29,17 @@ int reduce(const ReduceWords& words) {
   oracle::Verdict verdict;
   std::optional<fuzz::Finding> finding = fuzz::finding_of(trial, program, verdict);
   if (!finding) {
-    fmt::print(stderr, "{}There is nothing to reduce.\n", verdict_text(verdict));
+    complain("{}There is nothing to reduce.\n", verdict_text(verdict));
     return exit_code_of(verdict);
   }
   fuzz::reduce_finding(trial, *finding, {});
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
   const fuzz::GeneratedProgram& reduced = finding->exhibit.program;
-  fmt::print(stderr, "{}profile    {}\n{} blocks of {}, after {} runs{}{}\n",
-             verdict_text(finding->verdict), reference::profile_json(reduced.profile),
-             fuzz::count_blocks(reduced.text), fuzz::count_blocks(program.text),
-             finding->reduce_runs, finding->is_reduced ? "" : "; it may become smaller still",
-             id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
+  complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n", verdict_text(finding->verdict),
+           reference::profile_json(reduced.profile), fuzz::count_blocks(reduced.text),
+           fuzz::count_blocks(program.text), finding->reduce_runs,
+           finding->is_reduced ? "" : "; it may become smaller still",
+           id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
   Output output;
   output.text() = reduced.text;
   output.flush();

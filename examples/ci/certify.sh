@@ -5,7 +5,7 @@
 # to $GONOGO_REPORTS (gonogo-reports), the summary to the job's page where there is one. Exits with 0
 # only when every dialect is GO; further options of `gonogo certify` may stand in $GONOGO_OPTIONS.
 set -u
-[ $# -ge 2 ] || { echo "usage: certify.sh SUBJECT DIALECT..." >&2; exit 2; }
+[ $# -ge 2 ] && [ -n "$1" ] || { echo "usage: certify.sh SUBJECT DIALECT..." >&2; exit 2; }
 subject=$1
 shift
 reports=${GONOGO_REPORTS:-gonogo-reports}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers as they are written in a record (design, "Numbers"):
+// Numbers as they are written in a record (docs/protocol.md, "Numbers"):
 //   decimal  [+-] digits [. digits] [e [+-] digits]     "12." and ".5" too
 //   rational [+-] digits / digits
 //   hex      [+-] 0x hexdigits [. hexdigits] [p [+-] digits]
