@@ -44,6 +44,17 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   return verdict;
 }
 
+// Of an alarm for which the reference has none.
+Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = alarm.block;
+  verdict.word = alarm.word;
+  verdict.got = alarm_text(alarm);
+  verdict.message = std::move(message);
+  return verdict;
+}
+
 }  // namespace
 
 Verdict ProgramJudge::finish(const RunEnd& end) {
@@ -186,13 +197,8 @@ void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& r
 
 void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
   if (end_record_) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_overrun;
-    verdict.block = alarm.block;
-    verdict.word = alarm.word;
-    verdict.got = alarm_text(alarm);
-    verdict.message = "An alarm follows the end of the trace.";
-    decide(std::move(verdict));
+    decide(
+        alarm_verdict(VerdictKind::fail_overrun, alarm, "An alarm follows the end of the trace."));
     return;
   }
   // A controller that checks at load may alarm with no motion at all.
@@ -226,13 +232,8 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     if (!at_load && end_open_path(position_)) continue;
     auto* record = std::get_if<Record>(&step);
     if (record != nullptr && record->kind == RecordKind::end) {
-      Verdict verdict;
-      verdict.kind = VerdictKind::fail_alarm_spurious;
-      verdict.block = alarm.block;
-      verdict.word = alarm.word;
-      verdict.got = alarm_text(alarm);
-      verdict.message = "The subject alarms, and the program has no fault.";
-      decide(std::move(verdict));
+      decide(alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
+                           "The subject alarms, and the program has no fault."));
       return;
     }
     if (auto* renaming = std::get_if<reference::Renaming>(&step)) {

@@ -10,7 +10,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr Judging kNgc = {.dialect = "rs274"};
+const Judging kNgc = {.dialect = "rs274"};
 
 // Radius 100 at the start and 100.002 at the end, linear in the angle: atan(3/4) = 36.87 of the 90
 // degrees on, at 0.8 and -0.6 times the radius, it is 100.00082.
