@@ -62,7 +62,8 @@ reference::Profile load_profile(const ProfileOptions& options) {
     const std::string text =
         read_file(options.file, "a machine profile, TOML or JSON", std::size_t{1} << 20);
     const bool json = options.file.ends_with(".json");
-    const std::string unnamed = options.dialect.empty() ? "gsk988ta" : options.dialect;
+    const std::string_view unnamed =
+        options.dialect.empty() ? reference::kUnnamedDialect : std::string_view(options.dialect);
     profile = checked(json ? reference::profile_from_json(text, unnamed)
                            : reference::profile_from_toml(text, unnamed),
                       options.file);

@@ -62,8 +62,9 @@ struct ProfileError {
 
 using ProfileResult = std::variant<Profile, ProfileError>;
 // `unnamed`: the dialect of a text that has no key `dialect`.
-ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed = "gsk988ta");
-ProfileResult profile_from_json(std::string_view text, std::string_view unnamed = "gsk988ta");
+inline constexpr std::string_view kUnnamedDialect = "gsk988ta";
+ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed = kUnnamedDialect);
+ProfileResult profile_from_json(std::string_view text, std::string_view unnamed = kUnnamedDialect);
 // The power-on state of a dialect; an error for an unknown one.
 ProfileResult default_profile(std::string_view dialect);
 // The keys that differ from the dialect's defaults, as one JSON object with `dialect` left out.

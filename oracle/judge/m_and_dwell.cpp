@@ -8,6 +8,23 @@ namespace gonogo::oracle {
 
 using reference::PocketLevel;
 
+namespace {
+
+// Of what the reference or the subject has there; null: nothing, of at most one of them.
+Verdict m_verdict(const Record* want, const Record* got, std::string message) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_order;
+  verdict.block = want != nullptr ? want->block : got->block;
+  if (want != nullptr) verdict.clause = want->clause;
+  if (want != nullptr) verdict.want = record_text(*want);
+  if (got != nullptr) verdict.got = record_text(*got);
+  verdict.word = 'M';
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+}  // namespace
+
 void ProgramJudge::take_dwell(const Record& record) {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
@@ -91,13 +108,9 @@ void ProgramJudge::note_block(const Record& record) {
 
 // An M function stands before or after the motions of its block, not among those of another.
 void ProgramJudge::m_out_of_place(const Record& record) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_order;
+  Verdict verdict =
+      m_verdict(nullptr, &record, "An M function is passed on among the motions of another block.");
   verdict.record = records_ - 1;
-  verdict.block = record.block;
-  verdict.got = record_text(record);
-  verdict.word = 'M';
-  verdict.message = "An M function is passed on among the motions of another block.";
   decide(std::move(verdict));
 }
 
@@ -106,15 +119,7 @@ void ProgramJudge::m_out_of_place(const Record& record) {
 void ProgramJudge::settle_m_functions(bool at_end) {
   if (!terms_.compare_m) return;
   auto differs = [&](const Record* want, const Record* got) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::fail_order;
-    verdict.block = want != nullptr ? want->block : got->block;
-    if (want != nullptr) verdict.clause = want->clause;
-    if (want != nullptr) verdict.want = record_text(*want);
-    if (got != nullptr) verdict.got = record_text(*got);
-    verdict.word = 'M';
-    verdict.message = "The M functions passed on differ.";
-    decide(std::move(verdict));
+    decide(m_verdict(want, got, "The M functions passed on differ."));
   };
   while (!want_m_.empty() && !got_m_.empty() && !verdict_) {
     const Record& want = want_m_.front();

@@ -138,7 +138,8 @@ void ProgramJudge::take_motion(const Record& record) {
     decide(std::move(verdict));
     return;
   }
-  if (!stays_at(anchor_, motion, terms_)) note_block(record);
+  const bool stays = stays_at(anchor_, motion, terms_);
+  if (!stays) note_block(record);
   if (verdict_) return;
   position_ = motion.to();
   moved_ = true;
@@ -149,7 +150,7 @@ void ProgramJudge::take_motion(const Record& record) {
   }
   // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
   // cannot add up unseen. Arcs stay: they may mean a full turn.
-  const bool is_nil = record.kind != RecordKind::arc && stays_at(anchor_, motion, terms_);
+  const bool is_nil = record.kind != RecordKind::arc && stays;
   if (is_nil && !mills_pocket(motion)) {
     if (!verdict_ && is_due(motion)) anchor_ = position_;
     return;
