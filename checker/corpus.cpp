@@ -112,8 +112,9 @@ Corpus::Corpus(std::string folder) : folder_(std::move(folder)) {
 
 void Corpus::read_manifest(std::vector<std::string>& listed) {
   const std::string path = folder_ + "/manifest.json";
+  const std::string text = file_text(path);
   try {
-    const Json manifest = parse_json(file_text(path));
+    const Json manifest = parse_json(text);
     if (manifest.integer_of("format") != 1) throw Fault("The format is not 1.");
     version_ = manifest.text_of("version");
     listed = manifest.member("files", Json::Kind::list).texts();

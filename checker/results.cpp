@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace gonogo::checker {
 namespace {
@@ -42,6 +43,9 @@ std::optional<Decision> decision_of(std::string_view verdict) {
 
 ResultsFile::ResultsFile(std::string path) : path_(std::move(path)), in_(path_, std::ios::binary) {
   if (!in_) throw Fault(path_ + " cannot be opened.");
+  if (std::filesystem::is_directory(path_)) {
+    throw Fault(path_ + " is a folder: name the results.jsonl in it.");
+  }
   if (!read_line()) throw Fault(path_ + " is empty: a results file begins with its header.");
   header_ = parse_json(text_);
   if (header_.integer_of("format") != 1) throw Fault(path_ + " is of another format than 1.");

@@ -85,6 +85,11 @@ Command& Command::flag(const std::string& name, bool& value, const std::string& 
   return *this;
 }
 
+Command& Command::needs(const std::vector<std::string>& options, const std::string& other) {
+  for (const std::string& name : options) app_->get_option(name)->needs(app_->get_option(other));
+  return *this;
+}
+
 void Command::run(std::function<int()> action) {
   app_->callback([action = std::move(action), exit_code = exit_code_] { *exit_code = action(); });
 }

@@ -63,6 +63,9 @@ class Command {
                   const std::string& text);
   Command& flag(const std::string& name, bool& value, const std::string& text);
 
+  // An option that has no effect without another one is refused without it.
+  Command& needs(const std::vector<std::string>& options, const std::string& other);
+
   // What the command does when it is chosen; gives the exit code.
   void run(std::function<int()> action);
 

@@ -8,7 +8,7 @@ enum ExitCode : int {
   kGo = 0,         // or: done
   kNoGo = 1,       // a NO-GO; expand: the program alarms
   kWrongUse = 2,   // the command line, a file, a profile
-  kUndecided = 3,  // incomplete, not covered, an oracle error
+  kUndecided = 3,  // incomplete, not covered, an oracle error, output that was not written in full
 };
 
 }  // namespace gonogo::cli

@@ -33,6 +33,13 @@ std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const Hun
   return readings;
 }
 
+std::string tolerances_of(const LimitOptions& limits) {
+  std::string words;
+  if (!limits.tolerance.empty()) words += " --tolerance " + limits.tolerance;
+  if (!limits.chord.empty()) words += " --chord " + limits.chord;
+  return words;
+}
+
 std::string command_of(const HuntWords& words) {
   std::string command =
       fmt::format("gonogo hunt --subject {} --dialect {} --seed {}",
@@ -42,6 +49,9 @@ std::string command_of(const HuntWords& words) {
   for (const std::string& reading : words.readings) {
     command += " --reading " + oracle::shell_quoted(reading);
   }
+  const std::string& alarm_map = words.trial.alarm_map;
+  if (!alarm_map.empty()) command += " --alarm-map " + oracle::shell_quoted(alarm_map);
+  command += tolerances_of(words.trial.limits);
   if (!words.settings.empty()) command += " --settings " + words.settings;
   return command;
 }

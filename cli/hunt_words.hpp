@@ -31,6 +31,9 @@ std::chrono::milliseconds time_of(const std::string& text);
 // REQUIRES: load_profile has taken them.
 std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words);
 
+// " --tolerance 0.01 --chord 0.1", of what was given.
+std::string tolerances_of(const LimitOptions& limits);
+
 // The hunt on the command line, but for when it is over.
 std::string command_of(const HuntWords& words);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <system_error>
@@ -52,6 +53,20 @@ int run(int argc, char** argv) {
   return line.parse(argc, argv);
 }
 
+// A file that another path would not fail for, as a full disk does.
+bool is_of_the_place(const std::error_code& code) {
+  constexpr std::errc kOfThePlace[] = {std::errc::no_such_file_or_directory,
+                                       std::errc::not_a_directory,
+                                       std::errc::is_a_directory,
+                                       std::errc::permission_denied,
+                                       std::errc::file_exists,
+                                       std::errc::filename_too_long,
+                                       std::errc::operation_not_permitted,
+                                       std::errc::read_only_file_system,
+                                       std::errc::too_many_symbolic_link_levels};
+  return std::ranges::any_of(kOfThePlace, [&](std::errc one) { return code == one; });
+}
+
 }  // namespace
 }  // namespace gonogo::cli
 
@@ -74,7 +89,7 @@ int main(int argc, char** argv) {
     return kUndecided;
   } catch (const std::system_error& error) {
     complain("gonogo: {}.\n", error.what());
-    return kWrongUse;
+    return is_of_the_place(error.code()) ? kWrongUse : kUndecided;
   } catch (const std::exception& error) {
     complain("gonogo: an error of the gauge itself: {}. Please report it.\n", error.what());
     return kUndecided;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/options.hpp"
 
+#include <fmt/format.h>
+
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -12,12 +14,20 @@ void add_profile_options(Command& command, ProfileOptions& options) {
   command.repeated_option("--reading", options.readings, "one reading as key=value");
 }
 
-void add_limit_options(Command& command, LimitOptions& options) {
+void add_tolerance_options(Command& command, LimitOptions& options) {
+  command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
+  command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+}
+
+void add_run_options(Command& command, LimitOptions& options) {
   constexpr long kMost = 1'000'000'000;
   command.number("--timeout", options.timeout, 1, kMost, "limit of one run, milliseconds");
   command.number("--memory", options.memory, 1, kMost, "memory limit of a subject, MB");
-  command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
-  command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+  add_tolerance_options(command, options);
+}
+
+void add_subject_options(Command& command, LimitOptions& options) {
+  add_run_options(command, options);
   command.option("--feed-tolerance", options.feed_tolerance,
                  "of feeds from sampled positions, percent, a decimal (5)");
   command.option("--manifest", options.manifest, "manifest.json of the export, of captured output");
@@ -28,25 +38,26 @@ oracle::Limits LimitOptions::limits() const {
   if (timeout > 0) limits.run = std::chrono::milliseconds(timeout);
   if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
   if (!feed_tolerance.empty()) {
-    const auto percent = reference::Number::parse(feed_tolerance);
-    if (!percent || !percent->is_rational() || percent->sign() < 0) {
-      throw UsageError("--feed-tolerance takes percent as a decimal, not \"" + feed_tolerance +
-                       "\".");
-    }
-    limits.capture.feed_tolerance = *percent / 100;
+    limits.capture.feed_tolerance =
+        *decimal_option(feed_tolerance, "--feed-tolerance", "percent") / 100;
   }
   limits.capture.manifest = manifest;
   return limits;
 }
 
-std::optional<reference::Number> length_option(const std::string& text, const char* option) {
+std::optional<reference::Number> decimal_option(const std::string& text, const char* option,
+                                                const char* what) {
   if (text.empty()) return std::nullopt;
   auto value = reference::Number::parse(text);
   if (!value || !value->is_rational() || value->sign() < 0) {
-    throw UsageError(std::string(option) + " takes a length in mm as a decimal, not \"" + text +
-                     "\".");
+    throw UsageError(
+        fmt::format("{} takes {} as a decimal, zero or more, not \"{}\".", option, what, text));
   }
   return value;
+}
+
+std::optional<reference::Number> length_option(const std::string& text, const char* option) {
+  return decimal_option(text, option, "a length in mm");
 }
 
 fuzz::GeneratorSettings settings_option(const std::string& text) {

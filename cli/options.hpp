@@ -16,7 +16,6 @@ namespace gonogo::cli {
 // --dialect, --profile, --reading
 void add_profile_options(Command& command, ProfileOptions& options);
 
-// --timeout, --memory, --tolerance, --chord, and of captured output --feed-tolerance, --manifest
 struct LimitOptions {
   long timeout = 0;  // ms; 0: the default
   long memory = 0;   // MB; 0: the default
@@ -26,9 +25,16 @@ struct LimitOptions {
   std::string manifest;
   oracle::Limits limits() const;
 };
-void add_limit_options(Command& command, LimitOptions& options);
+// --tolerance, --chord
+void add_tolerance_options(Command& command, LimitOptions& options);
+// Those, and of a subject that runs --timeout, --memory
+void add_run_options(Command& command, LimitOptions& options);
+// Those, and of captured output --feed-tolerance, --manifest
+void add_subject_options(Command& command, LimitOptions& options);
 
-// A length given as a decimal; throws UsageError.
+// What is not below zero, as a decimal: "a feed in mm/min". Throws UsageError.
+std::optional<reference::Number> decimal_option(const std::string& text, const char* option,
+                                                const char* what);
 std::optional<reference::Number> length_option(const std::string& text, const char* option);
 
 // --settings: what generated programs are like. Throws UsageError.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <set>
 
 namespace gonogo::cli {
 
@@ -56,6 +57,16 @@ reference::Profile checked(reference::ProfileResult result, const std::string& f
 
 }  // namespace
 
+void check_readings_once(const std::vector<std::string>& readings) {
+  std::set<std::string> names;
+  for (const std::string& choice : readings) {
+    const std::string name = choice.substr(0, choice.find('='));
+    if (!names.insert(name).second) {
+      throw UsageError(fmt::format("--reading {} is given twice; `any` admits every value.", name));
+    }
+  }
+}
+
 reference::Profile load_profile(const ProfileOptions& options) {
   reference::Profile profile;
   if (!options.file.empty()) {
@@ -77,6 +88,7 @@ reference::Profile load_profile(const ProfileOptions& options) {
   } else {
     profile = checked(reference::default_profile(options.dialect), "");
   }
+  check_readings_once(options.readings);
   for (const std::string& choice : options.readings) {
     const std::size_t equals = choice.find('=');
     if (equals == std::string::npos) {

@@ -54,5 +54,7 @@ struct ProfileOptions {
   std::vector<std::string> readings;  // "k=v"
 };
 reference::Profile load_profile(const ProfileOptions& options);
+// Throws UsageError for a reading that is given twice.
+void check_readings_once(const std::vector<std::string>& readings);
 
 }  // namespace gonogo::cli

@@ -21,7 +21,7 @@ void add_trial_options(Command& command, TrialWords& words) {
                         "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND or lib:PATH.so");
   command.option("--alarm-map", words.alarm_map, "TOML file of what the subject's own alarms mean");
   command.option("--out", words.out, "folder for findings as vectors and files");
-  add_limit_options(command, words.limits);
+  add_run_options(command, words.limits);
 }
 
 namespace {

@@ -17,7 +17,7 @@ struct TrialWords {
   std::string out;
   LimitOptions limits;
 };
-// --subject, --alarm-map, --out, and those of LimitOptions
+// --subject, --alarm-map, --out, and the limits of a run
 void add_trial_options(Command& command, TrialWords& words);
 
 // Throws UsageError for what is no subject to be tried on, or no alarm map.

@@ -17,6 +17,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/run_end.hpp"
 #include "cli/run_limits.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
@@ -26,8 +27,6 @@
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/trace_file.hpp"
 #include "oracle/corpus/sha256.hpp"
-#include "oracle/evidence/certificate.hpp"
-#include "oracle/evidence/evidence.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -77,6 +76,22 @@ void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& 
   if (!options.alarm_map.empty()) campaign.alarm_map = load_alarm_map(options.alarm_map);
 }
 
+// Every reading must exist, admit its value, and belong to a dialect that is judged.
+void check_readings(const CertifyOptions& options) {
+  check_readings_once(options.readings);
+  for (const std::string& choice : options.readings) {
+    const std::string name = choice.substr(0, choice.find('='));
+    const reference::Reading* known = reference::find_reading(name);
+    load_profile({std::string(known != nullptr ? known->dialect : kAnyDialect), "", {choice}});
+    if (!options.dialects.empty() && std::ranges::none_of(options.dialects, [&](auto& dialect) {
+          return known->belongs_to(dialect);
+        })) {
+      throw UsageError(
+          fmt::format("{} is a reading of {}, which --dialect leaves out.", name, known->dialect));
+    }
+  }
+}
+
 oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   oracle::CampaignOptions campaign;
   for (const std::string& dialect : options.dialects) load_profile({dialect, "", {}});
@@ -85,11 +100,6 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   campaign.case_id = options.case_id;
   campaign.traces = options.traces;
   campaign.readings = options.readings;
-  // Every reading must exist and admit its value in the dialect that it belongs to.
-  for (const std::string& choice : options.readings) {
-    const reference::Reading* known = reference::find_reading(choice.substr(0, choice.find('=')));
-    load_profile({std::string(known != nullptr ? known->dialect : kAnyDialect), "", {choice}});
-  }
   if (!options.profile.empty()) {
     // One that names no dialect is of the only one asked for.
     const bool one = options.dialects.size() == 1;
@@ -190,20 +200,11 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   return summary;
 }
 
-// What was written where. The results are there already: what fails here is no matter of theirs.
-std::string write_evidence(const CertifyOptions& options, const std::string& results,
-                           const std::string& report) {
-  std::string written = fmt::format("results: {}\n", results);
-  auto failed = oracle::evidence::write_evidence(results, report);
-  if (!failed) written += fmt::format("report:  {}/index.html\n", report);
-  if (!failed && !options.certificate.empty()) {
-    const oracle::evidence::CertificateSources sources{results, options.known_failures,
-                                                       options.alarm_map, options.profile};
-    failed = oracle::evidence::write_certificate(sources, options.certificate);
-    written += fmt::format("certificate: {}/STATEMENT.md\n", options.certificate);
-  }
-  if (failed) throw OutputError(*failed, false);
-  return written;
+// Nothing has been judged yet: another folder is what helps.
+void begin_trace_folder(const std::string& folder, const oracle::SubjectInfo& info) try {
+  if (!folder.empty()) oracle::begin_traces(folder, info);
+} catch (const oracle::ResultsUnwritable& error) {
+  throw UsageError(fmt::format("--traces: {}.", error.what()));
 }
 
 int certify_one(const CertifyOptions& options, const std::string& subject,
@@ -215,10 +216,11 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
   std::filesystem::create_directories(report);
+  if (!options.certificate.empty()) std::filesystem::create_directories(options.certificate);
+  begin_trace_folder(options.traces, info);
   const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;
   try {
-    if (!options.traces.empty()) oracle::begin_traces(options.traces, info);
     oracle::ResultsWriter results = open_results(
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
@@ -240,11 +242,11 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                     "the cases.",
                     corpus.folder()));
   }
-  Output output;
-  output.text() = summary_text(summary, subject);
-  output.flush();
-  output.text() = write_evidence(options, results_path, report);
-  output.flush();
+  tell_run({summary_text(summary, subject),
+            summary.answer.exit_code,
+            {results_path, options.known_failures, options.alarm_map, options.profile},
+            report,
+            options.certificate});
   return summary.answer.exit_code;
 }
 
@@ -263,6 +265,7 @@ std::optional<CertifyOptions> with_own_dialects(const CertifyOptions& options,
 }
 
 int certify(const CertifyOptions& options) {
+  check_readings(options);
   const std::string report = options.report.empty() ? "report" : options.report;
   if (!options.subject.empty()) return certify_one(options, options.subject, report);
   // The main job: every built-in expander, each with its own report.
@@ -307,7 +310,7 @@ void add_certify(Command& program) {
   command.flag("--resume", options->resume,
                "go on from the journal of an interrupted run in the same folder");
   command.flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
-  add_limit_options(command, options->limits);
+  add_subject_options(command, options->limits);
   options->argv = arguments();
   command.run([options] { return certify(*options); });
 }

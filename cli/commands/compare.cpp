@@ -7,6 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "cli/results_file.hpp"
 #include "oracle/evidence/compare.hpp"
 
 namespace gonogo::cli {
@@ -29,7 +30,7 @@ int compare(const CompareOptions& options) {
   namespace evidence = oracle::evidence;
   evidence::Comparison comparison;
   try {
-    comparison = evidence::compare_results(options.before, options.after);
+    comparison = evidence::compare_results(results_in(options.before), results_in(options.after));
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
   }
@@ -45,8 +46,8 @@ void add_compare(Command& program) {
   auto options = std::make_shared<CompareOptions>();
   Command command = program.add_command(
       "compare", "Show what has changed between two runs; exit 1 when a case that was GO is NO-GO");
-  command.argument("old", options->before, "results.jsonl of the run before");
-  command.argument("new", options->after, "results.jsonl of the run now");
+  command.argument("old", options->before, "results.jsonl of the run before, or its folder");
+  command.argument("new", options->after, "results.jsonl of the run now, or its folder");
   command.choice("--format", options->format, {"text", "json", "markdown"},
                  "text, json or markdown (text)");
   command.run([options] { return compare(*options); });

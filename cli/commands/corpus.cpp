@@ -18,6 +18,7 @@
 #include "oracle/corpus/corpus_diff.hpp"
 #include "oracle/corpus/folder_writer.hpp"
 #include "oracle/corpus/lint.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -51,15 +52,25 @@ struct CorpusWords {
   bool part = false;
 };
 
+[[noreturn]] void fail_to_choose(const oracle::Corpus& corpus) {
+  throw UsageError(
+      fmt::format("No case of the corpus {} is meant. Widen --only, --dialect or "
+                  "--feature.",
+                  corpus.folder()));
+}
+
 int list(const CorpusWords& words) {
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Output output;
+  bool any = false;
   corpus.for_each([&](const Case& test) {
     if (!words.choice.takes(test)) return true;
+    any = true;
     output.text() += fmt::format("{}  {}\n", test.id, test.comment);
     output.flush_if_large();
     return true;
   });
+  if (!any) fail_to_choose(corpus);
   output.flush();
   return kGo;
 }
@@ -151,6 +162,7 @@ class Stats {
     Cycle& cycle = cycles_[test.dialect + " " + test.cycle];
     ++cycle.cases;
     ++cases_;
+    dialects_.insert(test.dialect);
     std::set<std::string> alarms;
     for (const oracle::Expectation& expectation : test.expect) {
       for (const auto& alarm : expectation.alarms) alarms.emplace(name(alarm.alarm));
@@ -176,6 +188,8 @@ class Stats {
     arrays_.take(test);
   }
 
+  std::size_t cases() const { return cases_; }
+
   void print(Output& output) const {
     std::string& text = output.text();
     text += fmt::format("{} cases, {} with an alarm ({:.1f} in a hundred), {} at a limit\n", cases_,
@@ -188,7 +202,7 @@ class Stats {
           fmt::format("{:<24} {:>6} cases, {:>5} with an alarm\n", name, cycle.cases, cycle.alarms);
     }
     text += fmt::format("clauses: {} of {} stand in groups, {} in records\n", listed_.size(),
-                        reference::clauses().size(), clauses_.size());
+                        count_clauses(), clauses_.size());
     print(text, "alarm, cases that may raise it", alarms_);
     print(text, "plane of arcs, records", planes_);
     print(text, "reading other than the default, cases", readings_);
@@ -205,6 +219,17 @@ class Stats {
     std::size_t alarms = 0;
   };
 
+  // Of the dialects that the cases have; a clause may belong to two of them.
+  std::size_t count_clauses() const {
+    std::set<std::string_view> ids;
+    for (const std::string& dialect : dialects_) {
+      for (const reference::Clause& clause : reference::find_dialect(dialect)->clauses) {
+        ids.insert(clause.id);
+      }
+    }
+    return ids.size();
+  }
+
   static void print(std::string& text, const char* what, const Count& count) {
     text += fmt::format("{}\n", what);
     for (const auto& [name, times] : count) text += fmt::format("  {:<40} {:>6}\n", name, times);
@@ -213,7 +238,7 @@ class Stats {
   std::map<std::string, Cycle> cycles_;
   std::size_t cases_ = 0, alarming_ = 0, signs_ = 0;
   Count alarms_, planes_, readings_;
-  std::set<std::string> clauses_, listed_;
+  std::set<std::string> clauses_, listed_, dialects_;
   Arrays arrays_;
 };
 
@@ -224,6 +249,7 @@ int stats(const CorpusWords& words) {
     if (words.choice.takes(test)) stats.take(test);
     return true;
   });
+  if (stats.cases() == 0) fail_to_choose(corpus);
   Output output;
   output.text() = fmt::format("corpus {} sha256 {}\n", corpus.version(), corpus.sha256());
   stats.print(output);
@@ -242,7 +268,7 @@ int copy(const CorpusWords& words) {
       part.files[file].push_back(std::move(test));
     }
   }
-  if (cases == 0) throw UsageError("No case of the corpus is meant. Widen --only or --feature.");
+  if (cases == 0) fail_to_choose(corpus);
   oracle::write_corpus(words.out, part);
   Output output;
   output.text() = fmt::format("{} cases in {}\n", cases, words.out);

@@ -46,11 +46,22 @@ std::string line_of(std::string_view program, std::uint64_t number) {
   return {};
 }
 
+void check_block(std::string_view program, long block) {
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  grammar::Line line;
+  std::uint64_t last = 0;
+  while (lines.next(line)) last = line.number;
+  if (static_cast<std::uint64_t>(block) <= last) return;
+  throw UsageError(fmt::format("--block {}: the program has {} lines.", block, last));
+}
+
 class Explanation {
  public:
   Explanation(const reference::Profile& profile, std::string_view program)
       : program_(program), table_(make_record_format("table", profile, "")) {}
 
+  bool empty() const { return block_ == 0; }
   void record(const reference::Record& record, std::string& out) {
     if (record.block != block_ && record.block != 0) {
       block_ = record.block;
@@ -86,6 +97,7 @@ int explain(const ExplainOptions& options) {
   grammar::LineSource lines(program);
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
   Explanation explanation(profile, program.text());
+  if (options.block != 0) check_block(program.text(), options.block);
   Output output;
   int exit_code = kGo;
   while (const reference::Item* item = expander.next()) {
@@ -103,6 +115,11 @@ int explain(const ExplainOptions& options) {
       report_not_covered(*outside, options.program, expander.failed_line());
       exit_code = kUndecided;
     }
+  }
+  if (options.block != 0 && exit_code == kGo && explanation.empty()) {
+    output.text() +=
+        fmt::format("\nline {}: {}\n  no motion comes from it\n", options.block,
+                    line_of(program.text(), static_cast<std::uint64_t>(options.block)));
   }
   output.flush();
   return exit_code;

@@ -49,7 +49,7 @@ oracle::ExportOptions export_options(const ExportArguments& arguments) {
           arguments.envelope));
     }
   }
-  options.feed_max = length_option(arguments.feed_max, "--feed-max");
+  options.feed_max = decimal_option(arguments.feed_max, "--feed-max", "a feed in mm/min");
   if (!arguments.header.empty())
     options.header = read_file(arguments.header, "the text before each program");
   options.all_profiles = arguments.all_profiles;
@@ -70,6 +70,8 @@ int run_export(const ExportArguments& arguments) {
     });
     output.text() = exporter.finish();
   } catch (const oracle::CorpusError&) {
+    throw;
+  } catch (const std::system_error&) {
     throw;
   } catch (const std::runtime_error& error) {
     throw UsageError(error.what());

@@ -109,6 +109,9 @@ std::vector<fuzz::MatrixTarget> targets_of(const std::string& only) {
       add(fmt::format("{}+{}", name, fault.name), fault.clause);
     }
   }
+  if (targets.empty()) {
+    throw UsageError(fmt::format("No fault's name holds \"{}\"; --list names them.", only));
+  }
   return targets;
 }
 
@@ -200,6 +203,8 @@ void add_faults(Command& program) {
                  "with --matrix, of processor time for a fault (60)");
   command.choice("--judge", options->judge, {"right", "always-go"},
                  "with --matrix; always-go: does the bench notice a judge that says GO to all?");
+  command.needs({"--method", "--format", "--only", "--seed", "--most-seconds", "--judge"},
+                "--matrix");
   command.run([options] { return faults(*options); });
 }
 

@@ -62,9 +62,9 @@ std::string again(const HuntWords& words, const fuzz::Finding& finding, const st
   }
   const std::string subject = oracle::shell_quoted(words.trial.subject);
   const std::string folder = fmt::format("{}/findings/{}", words.trial.out, id);
-  return fmt::format("gonogo reduce {} --subject {} --profile {}",
-                     oracle::shell_quoted(folder + "/program.nc"), subject,
-                     oracle::shell_quoted(folder + "/profile.json"));
+  return fmt::format(
+      "gonogo reduce {} --subject {} --profile {}{}", oracle::shell_quoted(folder + "/program.nc"),
+      subject, oracle::shell_quoted(folder + "/profile.json"), tolerances_of(words.trial.limits));
 }
 
 struct HuntTally {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "cli/exit_code.hpp"
@@ -15,6 +14,7 @@
 #include "cli/output.hpp"
 #include "fuzz/differential.hpp"
 #include "fuzz/hunt/property_hunt.hpp"
+#include "oracle/output_file.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::cli {
@@ -34,16 +34,6 @@ fuzz::PropertyOptions property_options(const HuntWords& words) {
   options.tolerance = trial.tolerance;
   options.run_limit = trial.run_limit;
   return options;
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) {
-    throw std::system_error(errno, std::generic_category(),
-                            fmt::format("{} cannot be written", path.string()));
-  }
 }
 
 std::string listed(const std::string& program) {
@@ -82,11 +72,11 @@ void keep(const HuntWords& words, std::size_t number, const fuzz::PropertyFindin
                           fmt::format("properties.{}.{:06}-{}", finding.program.profile.dialect,
                                       number, finding.relation->name);
   fs::create_directories(folder);
-  write_file(folder / "program.nc", finding.program.text);
-  write_file(folder / "profile.json", fuzz::profile_text(finding.program.profile));
-  write_file(folder / "other.nc", finding.other.text);
-  write_file(folder / "other-profile.json", fuzz::profile_text(finding.other.profile));
-  write_file(folder / "difference.txt", finding.signature() + "\n" + text_of(finding));
+  oracle::write_file(folder / "program.nc", finding.program.text);
+  oracle::write_file(folder / "profile.json", fuzz::profile_text(finding.program.profile));
+  oracle::write_file(folder / "other.nc", finding.other.text);
+  oracle::write_file(folder / "other-profile.json", fuzz::profile_text(finding.other.profile));
+  oracle::write_file(folder / "difference.txt", finding.signature() + "\n" + text_of(finding));
 }
 
 void report(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
@@ -14,6 +13,7 @@
 #include "cli/subjects.hpp"
 #include "fuzz/identify/departure.hpp"
 #include "fuzz/identify/identify.hpp"
+#include "oracle/output_file.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -40,14 +40,10 @@ std::string dialect_of(const IdentifyWords& words, const oracle::SubjectInfo& in
                                info.dialects.empty() ? "does not name" : "has more than"));
 }
 
-void write_profile(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw UsageError(fmt::format("{} cannot be written.", path));
-}
-
 int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
+  if (!words.profile.readings.empty()) {
+    throw UsageError("The readings are what identify finds. Leave --reading out.");
+  }
   const std::string dialect = dialect_of(words, subject.info());
   identify::PoolOptions pool_options;
   reference::Profile machine = load_profile({dialect, words.profile.file, {}});
@@ -71,7 +67,7 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
     return kUndecided;
   }
   if (!words.out.empty()) {
-    write_profile(words.out, identification_toml(found, machine));
+    oracle::write_file(words.out, identification_toml(found, machine));
     output.text() += fmt::format("The profile is in {}.\n", words.out);
   }
   output.flush();
@@ -89,7 +85,16 @@ identify::ProgramAsked asked_for(const IdentifyWords& words, const oracle::Corpu
   }
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
   while (const auto test = reader.next()) {
-    if (test->id == words.departure) return {test->id, test->program, test->profile};
+    if (test->id != words.departure) continue;
+    const bool other =
+        !words.profile.dialect.empty() && words.profile.dialect != test->profile.dialect;
+    if (other || !words.profile.file.empty() || !words.profile.readings.empty()) {
+      throw UsageError(fmt::format(
+          "{} is a case of {} with a profile of its own. Leave --dialect, --profile and "
+          "--reading out.",
+          test->id, test->profile.dialect));
+    }
+    return {test->id, test->program, test->profile};
   }
   throw UsageError(fmt::format("{} is neither a file nor a case of the corpus. Name one of them.",
                                words.departure));
@@ -129,7 +134,7 @@ void add_identify(Command& program) {
   command.option("--corpus", words->corpus, "folder of the corpus (the checked-in one)");
   command.option("--out", words->out, "write the profile that was found to this file");
   add_profile_options(command, words->profile);
-  add_limit_options(command, words->limits);
+  add_subject_options(command, words->limits);
   command.run([words] { return identify_subject(*words); });
 }
 

@@ -82,7 +82,7 @@ void add_judge(Command& program) {
   command.option("--resolution", options->resolution,
                  "what the trace's lengths were rounded to, mm, a decimal");
   add_profile_options(command, options->profile);
-  add_limit_options(command, options->limits);
+  add_tolerance_options(command, options->limits);
   command.run([options] { return judge(*options); });
 }
 

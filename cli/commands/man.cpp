@@ -90,7 +90,7 @@ NO\-GO, or an alarm of the program.
 Wrong use; the message says what to write instead.
 .TP
 \fB3\fR
-Undecided, incomplete or not covered.
+Undecided, incomplete, not covered, or output that could not be written in full.
 .SH ENVIRONMENT
 .TP
 \fBGONOGO_CORPUS\fR

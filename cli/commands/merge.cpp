@@ -11,6 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "cli/results_file.hpp"
 #include "cli/verdict_text.hpp"
 #include "oracle/campaign/merge.hpp"
 #include "oracle/campaign/results_reader.hpp"
@@ -19,14 +20,6 @@ namespace gonogo::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder stands for the results in it, or for the journal of a run that has not ended.
-std::string results_in(const std::string& path) {
-  if (!fs::is_directory(path)) return path;
-  const std::string results = path + "/results.jsonl";
-  const std::string journal = oracle::ResultsWriter::journal_of(results);
-  return !fs::exists(results) && fs::exists(journal) ? journal : results;
-}
 
 // A file; a folder stands for results.jsonl in it.
 std::string out_file(const std::string& out) {

@@ -7,6 +7,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "cli/results_file.hpp"
 #include "oracle/evidence/certificate.hpp"
 #include "oracle/evidence/evidence.hpp"
 
@@ -19,8 +20,9 @@ struct ReportOptions {
   oracle::evidence::CertificateSources sources;
 };
 
-int report(const ReportOptions& options) {
-  const std::string& results = options.sources.results;
+int report(ReportOptions options) {
+  std::string& results = options.sources.results;
+  results = results_in(results);
   Output output;
   // The report, unless only the certificate was asked for.
   if (!options.out.empty() || options.certificate.empty()) {
@@ -45,7 +47,7 @@ void add_report(Command& program) {
   oracle::evidence::CertificateSources& sources = options->sources;
   Command command =
       program.add_command("report", "Write the report folder or the certificate of a results file");
-  command.argument("results", sources.results, "results.jsonl of a run");
+  command.argument("results", sources.results, "results.jsonl of a run, or its folder");
   command.option("--out", options->out,
                  "folder for HTML, JUnit, SARIF, badge, summary and programs (report)");
   command.option("--certificate", options->certificate, "folder for a certificate");

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -13,6 +12,7 @@
 #include "cli/program_file.hpp"
 #include "oracle/features.hpp"
 #include "oracle/manual/page.hpp"
+#include "oracle/output_file.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
@@ -72,14 +72,6 @@ void append_outside(const reference::Dialect& dialect, std::string& out) {
   out += '\n';
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
-  std::filesystem::create_directories(path.parent_path());
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw UsageError(fmt::format("{} cannot be written.", path.string()));
-}
-
 // The page of each dialect chosen, with its drawings.
 int write_pages(const SpecOptions& options) {
   if (options.out.empty()) {
@@ -88,7 +80,9 @@ int write_pages(const SpecOptions& options) {
   for (const reference::Dialect& dialect : reference::dialects()) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
     for (const oracle::manual::PageFile& file : oracle::manual::page_of(dialect)) {
-      write_file(std::filesystem::path(options.out) / file.name, file.text);
+      const std::filesystem::path path = std::filesystem::path(options.out) / file.name;
+      std::filesystem::create_directories(path.parent_path());
+      oracle::write_file(path, file.text);
     }
   }
   return kGo;

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "fuzz/differential.hpp"
 #include "fuzz/hunt/program_vector.hpp"
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/judge/evidence.hpp"
+#include "oracle/output_file.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::fuzz {
@@ -21,16 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kCycle = "hunt";
-
-void write_file(const fs::path& path, std::string_view text) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file.write(text.data(), static_cast<std::streamsize>(text.size()));
-  file.close();
-  if (!file) {
-    throw std::system_error(errno, std::generic_category(),
-                            fmt::format("{} cannot be written", path.string()));
-  }
-}
 
 std::string verdict_text(const Finding& finding, const oracle::Case& test) {
   const oracle::Verdict& verdict = finding.verdict;
@@ -73,21 +63,22 @@ void write_manifest(const fs::path& folder) {
   for (const std::string& file : files) {
     list += fmt::format("{}\n  \"{}\"", list.empty() ? "" : ",", file);
   }
-  write_file(folder / "manifest.json",
-             fmt::format("{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"CC0-1.0\",\n "
-                         "\"files\": [{}\n ],\n \"retired\": []\n}}\n",
-                         oracle::kUnreleased, list));
+  oracle::write_file(
+      folder / "manifest.json",
+      fmt::format("{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"CC0-1.0\",\n "
+                  "\"files\": [{}\n ],\n \"retired\": []\n}}\n",
+                  oracle::kUnreleased, list));
 }
 
 void write_beside(const fs::path& folder, const Finding& finding, const Evidence& evidence,
                   const oracle::Case& test) {
   fs::create_directories(folder);
-  write_file(folder / "program.nc", test.program);
-  write_file(folder / "profile.json", profile_text(test.profile));
-  write_file(folder / "trace.jsonl", trace_of(evidence));
-  write_file(folder / "verdict.txt", verdict_text(finding, test));
+  oracle::write_file(folder / "program.nc", test.program);
+  oracle::write_file(folder / "profile.json", profile_text(test.profile));
+  oracle::write_file(folder / "trace.jsonl", trace_of(evidence));
+  oracle::write_file(folder / "verdict.txt", verdict_text(finding, test));
   for (std::size_t i = 0; i < finding.exhibit.before.size(); ++i) {
-    write_file(folder / fmt::format("before-{}.nc", i + 1), finding.exhibit.before[i].text);
+    oracle::write_file(folder / fmt::format("before-{}.nc", i + 1), finding.exhibit.before[i].text);
   }
 }
 
@@ -127,7 +118,7 @@ std::string write_finding(const std::string& folder, const Finding& finding,
   // Groups of two files are two groups.
   oracle::Case numbered = test;
   numbered.group = test.id;
-  write_file(file, oracle::vector_file_text(oracle::kUnreleased, {numbered}));
+  oracle::write_file(file, oracle::vector_file_text(oracle::kUnreleased, {numbered}));
   const std::vector<oracle::Case> written = oracle::read_vector_file(file.string());
   if (auto fault = oracle::recheck(written.front())) {
     throw oracle::CorpusError(fmt::format("{}: {}", file.string(), *fault));

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "oracle/capture/export_header.hpp"
+#include "oracle/output_file.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -34,13 +34,6 @@ constexpr auto kReasons = std::to_array<std::pair<std::string_view, std::string_
     {"undecided", "Whether the path lies inside the envelope could not be decided."},
     {"too-many-readings", "The program leaves too many readings open to bound its path."},
 });
-
-void write_file(const fs::path& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.flush();
-  if (!file) throw std::runtime_error(fmt::format("{} cannot be written", path.string()));
-}
 
 Json json_of(const Number& value) {
   std::string text;

@@ -4,21 +4,18 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "oracle/corpus/recheck.hpp"
+#include "oracle/output_file.hpp"
 #include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace fs = std::filesystem;
 namespace {
 
-void write_file(const fs::path& file, const std::string& text) {
+void write_in_folder(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw CorpusError(file.string() + " cannot be written.");
+  write_file(file, text);
 }
 
 template <typename Names>
@@ -48,14 +45,14 @@ void write_corpus(const std::string& folder, const CorpusFolder& corpus) {
   }
   for (const auto& [name, cases] : corpus.files) {
     const fs::path file = fs::path(folder) / name;
-    write_file(file, vector_file_text(corpus.version, cases));
+    write_in_folder(file, vector_file_text(corpus.version, cases));
     for (const Case& test : read_vector_file(file.string())) {
       if (auto fault = recheck(test)) {
         throw CorpusError(fmt::format("{}: {}: {}", file.string(), test.id, *fault));
       }
     }
   }
-  write_file(fs::path(folder) / "manifest.json", manifest_text(corpus));
+  write_in_folder(fs::path(folder) / "manifest.json", manifest_text(corpus));
 }
 
 }  // namespace gonogo::oracle

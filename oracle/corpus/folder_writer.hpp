@@ -21,8 +21,8 @@ struct CorpusFolder {
 std::string manifest_text(const CorpusFolder& corpus);
 
 // Writes into a folder that is empty or not there yet. Every case is read again from what was
-// written and its expectations are computed anew: one that differs is a CorpusError, and so is a
-// folder that cannot be written.
+// written and its expectations are computed anew: one that differs is a CorpusError. Throws
+// std::system_error where something cannot be written.
 void write_corpus(const std::string& folder, const CorpusFolder& corpus);
 
 }  // namespace gonogo::oracle

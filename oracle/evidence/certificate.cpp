@@ -11,8 +11,8 @@
 
 #include "oracle/campaign/known_failures.hpp"
 #include "oracle/evidence/certificate_files.hpp"
-#include "oracle/evidence/output_file.hpp"
 #include "oracle/evidence/statement.hpp"
+#include "oracle/output_file.hpp"
 #include "oracle/report/json_value.hpp"
 #include "reference/profile.hpp"
 
@@ -137,8 +137,6 @@ std::optional<std::string> write_certificate(const CertificateSources& sources,
     return std::nullopt;
   } catch (const ResultsError& error) {
     return error.what();
-  } catch (const std::system_error& error) {
-    return fmt::format("{}.", error.what());
   }
 }
 

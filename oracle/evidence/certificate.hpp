@@ -20,6 +20,7 @@ struct CertificateSources {
 // alarm-map.toml and profile.toml, and SHA256SUMS over all of them. Refuses a results file that is
 // faulty or incomplete, one with cases that are known to fail without the file of the reasons, and
 // a folder that holds other files. Returns why not, a sentence.
+// Throws std::system_error where something cannot be written.
 std::optional<std::string> write_certificate(const CertificateSources& sources,
                                              const std::string& folder);
 

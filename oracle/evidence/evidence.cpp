@@ -10,9 +10,9 @@
 #include "oracle/evidence/badge.hpp"
 #include "oracle/evidence/junit.hpp"
 #include "oracle/evidence/markdown.hpp"
-#include "oracle/evidence/output_file.hpp"
 #include "oracle/evidence/programs.hpp"
 #include "oracle/evidence/sarif.hpp"
+#include "oracle/output_file.hpp"
 #include "oracle/report/html.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -103,12 +103,12 @@ std::optional<std::string> write_evidence(const std::string& results, const std:
     writers.write_lines();
     writers.finish();
     copy_results(results, fs::path(folder) / "results.jsonl");
-    if (auto error = writers.finish_page()) return error->message;
+    if (auto error = writers.finish_page()) {
+      throw std::system_error(std::make_error_code(std::errc::io_error), error->message);
+    }
     return std::nullopt;
   } catch (const ResultsError& error) {
     return error.what();
-  } catch (const std::system_error& error) {  // and std::filesystem::filesystem_error
-    return fmt::format("{}.", error.what());
   }
 }
 

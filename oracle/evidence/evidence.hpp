@@ -18,7 +18,7 @@ namespace gonogo::oracle::evidence {
 //   programs/<id>.nc  the programs of the cases that are not GO
 // Each file is put in place only when it is whole. Memory does not grow with the cases that are
 // GO. A file without footer is written up as incomplete; one that is faulty is not written up.
-// Returns why not, a sentence.
+// Returns why not, a sentence. Throws std::system_error where something cannot be written.
 std::optional<std::string> write_evidence(const std::string& results, const std::string& folder);
 
 }  // namespace gonogo::oracle::evidence

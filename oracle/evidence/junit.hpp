@@ -9,7 +9,7 @@
 #include <string>
 
 #include "oracle/evidence/case_row.hpp"
-#include "oracle/evidence/output_file.hpp"
+#include "oracle/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 

@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "oracle/evidence/output_file.hpp"
 #include "oracle/evidence/text.hpp"
+#include "oracle/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 namespace {

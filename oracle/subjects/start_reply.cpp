@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
+#include "oracle/features.hpp"
 #include "oracle/subjects/record_json.hpp"
 #include "oracle/subjects/text.hpp"
 
@@ -27,6 +29,17 @@ std::optional<element> find(const object& source, std::string_view key) {
   return std::nullopt;
 }
 
+// A misspelled key would be taken as left out, and less of the subject would be judged.
+void check_keys(const object& source, std::string_view of,
+                std::initializer_list<std::string_view> known) {
+  for (auto field : source) {
+    if (std::ranges::find(known, field.key) == known.end() && !field.key.starts_with("x-")) {
+      throw Refusal{fmt::format("{} has no key \"{}\"; a key of your own begins with x-.", of,
+                                excerpt(field.key, 60))};
+    }
+  }
+}
+
 std::string text_of(std::string_view key, const element& value) {
   std::string_view text;
   if (value.get(text) != simdjson::SUCCESS) {
@@ -45,6 +58,25 @@ std::set<std::string> names_of(std::string_view key, const element& value) {
   return names;
 }
 
+// The features of a dialect, or with "" those of every subject. A dialect that the gauge does not
+// know may have any.
+void check_features(std::string_view dialect, const std::set<std::string>& names) {
+  std::string known;
+  for (const Feature& feature : feature_vocabulary()) {
+    if (feature.dialect == dialect) known += fmt::format(" {}", feature.name);
+  }
+  if (known.empty()) return;
+  for (const std::string& name : names) {
+    const bool found = std::ranges::any_of(feature_vocabulary(), [&](const Feature& feature) {
+      return feature.dialect == dialect && feature.name == name;
+    });
+    if (found) continue;
+    throw Refusal{fmt::format("The feature \"{}\" of {} is unknown; there are:{}.",
+                              excerpt(name, 60), dialect.empty() ? "every dialect" : dialect,
+                              known)};
+  }
+}
+
 // What a certificate says of the subject must name one program, not whatever a branch holds today.
 void read_identity(const object& reply, SubjectInfo& info) {
   auto value = find(reply, "subject");
@@ -52,6 +84,7 @@ void read_identity(const object& reply, SubjectInfo& info) {
   if (!value || value->get(subject) != simdjson::SUCCESS) {
     throw Refusal{"The reply needs \"subject\":{\"name\":...,\"version\":...}."};
   }
+  check_keys(subject, "\"subject\"", {"name", "version"});
   if (auto name = find(subject, "name")) info.name = text_of("name", *name);
   if (auto version = find(subject, "version")) info.version = text_of("version", *version);
   if (info.name.empty()) throw Refusal{"The subject needs a \"name\"."};
@@ -73,8 +106,11 @@ void read_dialects(const object& reply, SubjectInfo& info) {
     for (const std::string& name : names_of("dialects", *value)) info.dialects[name];
     return;
   }
-  for (auto field : dialects)
-    info.dialects[std::string(field.key)] = names_of(field.key, field.value);
+  for (auto field : dialects) {
+    std::set<std::string>& features = info.dialects[std::string(field.key)];
+    features = names_of(field.key, field.value);
+    check_features(field.key, features);
+  }
 }
 
 std::optional<Number> length_of(const object& numeric, std::string_view key, bool zero_allowed) {
@@ -97,6 +133,7 @@ void read_numeric(const object& reply, SubjectInfo& info) {
   if (value->get(numeric) != simdjson::SUCCESS) {
     throw Refusal{"The key \"numeric\" must be an object."};
   }
+  check_keys(numeric, "\"numeric\"", {"kind", "resolution", "feed_resolution", "chord"});
   if (auto kind = find(numeric, "kind")) info.numeric_kind = text_of("kind", *kind);
   if (info.numeric_kind != "fixed" && info.numeric_kind != "binary64" &&
       info.numeric_kind != "exact") {
@@ -127,10 +164,15 @@ std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
       protocol->get(version) != simdjson::SUCCESS || version != 1) {
     return JsonFault{"The reply to \"start\" must pick \"protocol\":1."};
   }
+  check_keys(reply, "The reply to \"start\"",
+             {"protocol", "subject", "dialects", "features", "numeric", "max_in_flight"});
   SubjectInfo info;
   read_identity(reply, info);
   read_dialects(reply, info);
-  if (auto features = find(reply, "features")) info.features = names_of("features", *features);
+  if (auto features = find(reply, "features")) {
+    info.features = names_of("features", *features);
+    check_features("", info.features);
+  }
   read_numeric(reply, info);
   read_window(reply, info);
   return info;

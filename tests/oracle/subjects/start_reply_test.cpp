@@ -62,8 +62,25 @@ TEST(StartReply, ReadsTheNumericDeclaration) {
   EXPECT_EQ(info.max_in_flight, 256);
 }
 
-TEST(StartReply, KeysThatItDoesNotKnowAreLeftToTheSubject) {
-  EXPECT_EQ(info_of(R"(,"homepage":"x","build":{"os":"linux"})").name, "acme");
+TEST(StartReply, AKeyOfTheSubjectsOwnBeginsWithX) {
+  EXPECT_EQ(info_of(R"(,"x-homepage":"x","x-build":{"os":"linux"})").name, "acme");
+}
+
+// A misspelled word of these would be taken as left out: cases skipped, M functions not compared,
+// and still a GO.
+TEST(StartReply, RefusesWordsThatItDoesNotKnow) {
+  for (const char* more :
+       {R"(,"feature":["m"])", R"(,"homepage":"x")", R"(,"numeric":{"resolutions":"0.1"})",
+        R"(,"features":["M"])", R"(,"features":["block"])", R"(,"features":["basic"])",
+        R"(,"dialects":{"rs274":["basic","arcs"]})", R"(,"dialects":{"gsk988ta":["g80"]})"}) {
+    EXPECT_TRUE(refused(with(more))) << more;
+  }
+  EXPECT_TRUE(refused(R"({"protocol":1,"subject":{"name":"a","vesion":"1"}})"));
+}
+
+TEST(StartReply, FeaturesOfADialectThatTheGaugeDoesNotHaveAreTheSubjectsOwn) {
+  EXPECT_TRUE(
+      info_of(R"(,"dialects":{"othermill":["g73"],"rs274":["arc"]})").declares("rs274", "arc"));
 }
 
 TEST(StartReply, RefusesWhatBreaksTheContract) {

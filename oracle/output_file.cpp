@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/evidence/output_file.hpp"
+#include "oracle/output_file.hpp"
 
 #include <cerrno>
 #include <system_error>
 
-namespace gonogo::oracle::evidence {
+namespace gonogo::oracle {
+
+namespace fs = std::filesystem;
 
 OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), part_(path_) {
-  part_ += ".part";
+  std::error_code ignored;
+  if (!fs::exists(path_, ignored) || fs::is_regular_file(path_, ignored)) part_ += ".part";
   out_.open(part_, std::ios::binary | std::ios::trunc);
   if (!out_) fail();
 }
 
 OutputFile::~OutputFile() {
-  if (done_) return;
+  if (done_ || part_ == path_) return;
   out_.close();
   std::error_code ignored;
-  std::filesystem::remove(part_, ignored);
+  fs::remove(part_, ignored);
 }
 
 void OutputFile::fail() const {
@@ -30,7 +33,7 @@ void OutputFile::write(std::string_view text) {
 void OutputFile::commit() {
   out_.close();
   if (!out_) fail();
-  std::filesystem::rename(part_, path_);
+  if (part_ != path_) fs::rename(part_, path_);
   done_ = true;
 }
 
@@ -40,4 +43,4 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
-}  // namespace gonogo::oracle::evidence
+}  // namespace gonogo::oracle

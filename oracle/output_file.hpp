@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Files of the gauge's own.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +8,11 @@
 #include <string>
 #include <string_view>
 
-namespace gonogo::oracle::evidence {
+namespace gonogo::oracle {
 
 // A file that is written beside its place and put there when it is whole; until then nothing that
-// lies there is touched. Throws std::system_error when it cannot be written.
+// lies there is touched. What is no regular file, as /dev/stdout, is written to as it is. Throws
+// std::system_error when it cannot be written.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -32,4 +35,4 @@ class OutputFile {
 // A whole file at once.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace gonogo::oracle::evidence
+}  // namespace gonogo::oracle

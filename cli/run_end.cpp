@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_end.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "oracle/evidence/evidence.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+// What was written where, line by line.
+void write_report(const RunEnd& run, std::string& written) {
+  auto failed = oracle::evidence::write_evidence(run.files.results, run.report);
+  if (failed) throw OutputError(*failed, false);
+  written += fmt::format("report:  {}/index.html\n", run.report);
+  if (run.certificate.empty()) return;
+  failed = oracle::evidence::write_certificate(run.files, run.certificate);
+  if (failed) throw OutputError(*failed, false);
+  written += fmt::format("certificate: {}/STATEMENT.md\n", run.certificate);
+}
+
+}  // namespace
+
+void tell_run(const RunEnd& run) try {
+  Output output;
+  output.text() = run.summary + fmt::format("results: {}\n", run.files.results);
+  std::exception_ptr unwritten;
+  try {
+    write_report(run, output.text());
+  } catch (const std::exception&) {
+    unwritten = std::current_exception();
+  }
+  output.flush();
+  if (unwritten) std::rethrow_exception(unwritten);
+} catch (const std::exception& error) {
+  if (run.exit_code != kNoGo) throw;
+  const auto* of_output = dynamic_cast<const OutputError*>(&error);
+  if (of_output == nullptr || !of_output->quiet()) complain("gonogo: {}\n", error.what());
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The end of a run that has been judged: what is told of it, and what is written.
+#pragma once
+
+#include <string>
+
+#include "oracle/evidence/certificate.hpp"
+
+namespace gonogo::cli {
+
+struct RunEnd {
+  std::string summary;  // for people
+  int exit_code;
+  oracle::evidence::CertificateSources files;  // results, and what the run had
+  std::string report;                          // folder
+  std::string certificate;                     // folder; empty: none
+};
+
+// Tells the summary and writes report and certificate. Throws what keeps one of them from being
+// written, but does the others before: neither does a report that cannot be written keep the
+// summary from being told, nor a closed pipe the report from being written, nor either a NO-GO from
+// the caller: then it is said only.
+void tell_run(const RunEnd& run);
+
+}  // namespace gonogo::cli
