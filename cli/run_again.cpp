@@ -54,15 +54,18 @@ std::vector<std::string> texts(const Json& list) {
   return found;
 }
 
-void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
+void read_subject_files(const fs::path& folder, const Json& header,
+                        oracle::CampaignOptions& campaign) {
   if (const fs::path path = folder / oracle::evidence::kWaiversFile; fs::exists(path)) {
     campaign.known_failures = load_known_failures(path.string());
   }
   if (const fs::path path = folder / oracle::evidence::kAlarmMapFile; fs::exists(path)) {
     campaign.alarm_map = load_alarm_map(path.string());
   }
-  if (const fs::path path = folder / oracle::evidence::kProfileFile; fs::exists(path)) {
-    campaign.profile = load_profile({"", path.string(), {}});
+  const std::string dialect = oracle::evidence::unnamed_dialect(header);
+  for (const char* name : {oracle::evidence::kProfileFile, oracle::evidence::kProfileJson}) {
+    const fs::path path = folder / name;
+    if (fs::exists(path)) campaign.profile = load_profile({dialect, path.string(), {}});
   }
 }
 
@@ -82,7 +85,7 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   }
   campaign.limits = limits_of_run(header).limits();
   campaign.jobs = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
-  read_subject_files(folder, campaign);
+  read_subject_files(folder, header, campaign);
   return campaign;
 }
 

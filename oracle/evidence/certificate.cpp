@@ -56,8 +56,10 @@ void check_profile(const std::string& path, const Json& header) {
         "The run had a profile that the certificate needs: name its file with --profile.");
   }
   const std::string text = file_text(path);
-  auto read = path.ends_with(".json") ? reference::profile_from_json(text)
-                                      : reference::profile_from_toml(text);
+  std::string unnamed = unnamed_dialect(header);
+  if (unnamed.empty()) unnamed = reference::kUnnamedDialect;
+  auto read = path.ends_with(".json") ? reference::profile_from_json(text, unnamed)
+                                      : reference::profile_from_toml(text, unnamed);
   if (const auto* error = std::get_if<reference::ProfileError>(&read)) {
     throw ResultsError(fmt::format("{}: {}", path, error->message));
   }
@@ -76,8 +78,8 @@ void check_folder(const fs::path& folder, const CertificateSources& sources) {
     throw ResultsError(
         fmt::format("{} lies in the folder of the certificate: name another folder.", path));
   }
-  const std::set<std::string> own = {kResultsFile,   kWaiversFile,   kAlarmMapFile, kProfileFile,
-                                     kStatementJson, kStatementText, kSums};
+  const std::set<std::string> own = {kResultsFile, kWaiversFile,   kAlarmMapFile,  kProfileFile,
+                                     kProfileJson, kStatementJson, kStatementText, kSums};
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (own.contains(name)) continue;
@@ -111,7 +113,8 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   std::vector<std::string> files = {kResultsFile};
   if (!sources.known_failures.empty()) files.push_back(kWaiversFile);
   if (!sources.alarm_map.empty()) files.push_back(kAlarmMapFile);
-  if (!sources.profile.empty()) files.push_back(kProfileFile);
+  const char* profile = sources.profile.ends_with(".json") ? kProfileJson : kProfileFile;
+  if (!sources.profile.empty()) files.push_back(profile);
   const Statement statement =
       make_statement(sources.results, reasons_of(sources.known_failures), files);
   check_folder(folder, sources);
@@ -120,7 +123,7 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   for (const Source& source : from_run) {
     if (!source.path.empty()) fs::copy_file(source.path, folder / source.name);
   }
-  if (!sources.profile.empty()) fs::copy_file(sources.profile, folder / kProfileFile);
+  if (!sources.profile.empty()) fs::copy_file(sources.profile, folder / profile);
   write_file(folder / kStatementJson, statement.json);
   write_file(folder / kStatementText, statement.markdown);
   files.insert(files.end(), {kStatementText, kStatementJson});

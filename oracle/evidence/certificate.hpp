@@ -17,7 +17,7 @@ struct CertificateSources {
 };
 
 // Writes STATEMENT.md, statement.json, results.jsonl, what there is of waivers.toml,
-// alarm-map.toml and profile.toml, and SHA256SUMS over all of them. Refuses a results file that is
+// alarm-map.toml and profile.toml or .json, and SHA256SUMS over all of them. Refuses a results file that is
 // faulty or incomplete, one with cases that are known to fail without the file of the reasons, and
 // a folder that holds other files. Returns why not, a sentence.
 // Throws std::system_error where something cannot be written.

@@ -177,6 +177,12 @@ std::string statement_text(const Json& header, const RunState& state, const Json
 
 }  // namespace
 
+std::string unnamed_dialect(const Json& header) {
+  const Json selection = header.value("selection", Json::object());
+  const Json dialects = selection.value("dialects", Json::array());
+  return dialects.size() == 1 ? dialects.front().get<std::string>() : std::string();
+}
+
 Statement make_statement(const std::string& results, const std::vector<std::string>& reasons,
                          const std::vector<std::string>& files) {
   ResultsReader reader(results);

@@ -17,9 +17,13 @@ inline constexpr const char* kResultsFile = "results.jsonl";
 inline constexpr const char* kWaiversFile = "waivers.toml";
 inline constexpr const char* kAlarmMapFile = "alarm-map.toml";
 inline constexpr const char* kProfileFile = "profile.toml";
+inline constexpr const char* kProfileJson = "profile.json";
 inline constexpr const char* kStatementJson = "statement.json";
 inline constexpr const char* kStatementText = "STATEMENT.md";
 inline constexpr const char* kSums = "SHA256SUMS";
+
+// The dialect of a profile that names none: the only one that the run was asked for, else "".
+std::string unnamed_dialect(const Json& header);
 
 struct Statement {
   std::string json;
