@@ -28,14 +28,18 @@ class Match {
     const bool is_alarm = expectation_.ending == Expectation::Ending::alarm;
     const bool at_load = is_alarm && alarms_at_load(vector_.profile) && got_.motions.empty() &&
                          trace_.ending != TraceEnd::end;
-    if (at_load) return find_alarm();
+    if (at_load) {
+      const Finding alarm = find_alarm();
+      return alarm.answer == Answer::fits ? find_functions(expectation_.any_of.front().block, true)
+                                          : alarm;
+    }
     if (Finding path = follow(0, 0); path.answer != Answer::fits) return path;
     switch (expectation_.ending) {
       case Expectation::Ending::not_covered:
         return {};
       case Expectation::Ending::alarm:
         if (Finding alarm = find_alarm(); alarm.answer != Answer::fits) return alarm;
-        return find_functions(expectation_.any_of.front().block);
+        return find_functions(expectation_.any_of.front().block, false);
       case Expectation::Ending::end:
         return find_end();
     }
@@ -190,21 +194,26 @@ class Match {
       }
       if (ends == Truth::unknown) return {Answer::undecided, "the end may differ"};
     }
-    return find_functions(0);
+    return find_functions(0, false);
   }
 
-  // The M functions in their order; those of the line of an alarm may come or not. Without lines
-  // they may be the last ones.
-  Finding find_functions(long alarm_block) const {
+  // The M functions in their order; those that the line of an alarm says may come or not. Without
+  // lines they may be the last ones. At load the first of them will do.
+  Finding find_functions(long alarm_block, bool at_load) const {
     if (!terms_.has_functions) return {};
     std::vector<Record> told;
     for (const Record& function : got_.functions) {
       const bool may_be_of_alarm =
-          alarm_block != 0 && (terms_.has_blocks ? function.block == alarm_block
-                                                 : told.size() == want_.functions.size());
+          alarm_block != 0 && says_m_function(vector_.program, alarm_block, function.m) &&
+          (terms_.has_blocks ? function.block == alarm_block
+                             : told.size() == want_.functions.size() || at_load);
       if (!may_be_of_alarm) told.push_back(function);
     }
-    const bool same = std::ranges::equal(want_.functions, told, [&](const auto& x, const auto& y) {
+    const std::size_t due =
+        at_load ? std::min(told.size(), want_.functions.size()) : want_.functions.size();
+    const std::vector<Record> want(want_.functions.begin(),
+                                   want_.functions.begin() + static_cast<std::ptrdiff_t>(due));
+    const bool same = std::ranges::equal(want, told, [&](const auto& x, const auto& y) {
       return x.m == y.m && (!terms_.has_blocks || x.block == y.block);
     });
     if (same) return find_places();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <utility>
 
 namespace gonogo::checker {
@@ -181,6 +182,34 @@ long line_of_code(std::string_view program, long code) {
     }
   }
   return 0;
+}
+
+namespace {
+
+// The text of a line, from 1.
+std::string text_of_line(std::string_view program, long line) {
+  long at_line = 1;
+  std::string text;
+  for (std::size_t at = 0; at < program.size() && at_line <= line; ++at) {
+    const char c = program[at];
+    if (c != '\n' && c != '\r') {
+      if (at_line == line) text += c;
+      continue;
+    }
+    if (program.substr(at, 2) == "\r\n") ++at;
+    ++at_line;
+  }
+  return text;
+}
+
+}  // namespace
+
+bool says_m_function(std::string_view program, long line, long number) {
+  // Digits may have blanks between them (RS274/NGC).
+  std::string digits = "(?:0[ \t]*)*";
+  for (const char digit : std::to_string(number)) digits += std::string(1, digit) + "[ \t]*";
+  const std::regex says("[Mm][ \t]*(?:[#=R(]|\\[|\\+?[ \t]*" + digits + "(?![0-9]))");
+  return std::regex_search(text_of_line(program, line), says);
 }
 
 long renaming_line(std::string_view dialect, std::string_view program) {

@@ -32,6 +32,8 @@ bool is_open_path(const Record& record, std::string_view dialect, const Json& pr
 long line_count(std::string_view program);
 // The first line that has the G code, be it in a comment; 0: none.
 long line_of_code(std::string_view program, long code);
+// Whether the line says this M function, be it in a comment, or one that has to be calculated.
+bool says_m_function(std::string_view program, long line, long number);
 // The first line that may rename the position (G50 of GSK, G92 of HNC) without a record; 0: none.
 long renaming_line(std::string_view dialect, std::string_view program);
 

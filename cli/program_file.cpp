@@ -11,6 +11,8 @@
 #include <cstring>
 #include <set>
 
+#include "reference/dialect.hpp"
+
 namespace gonogo::cli {
 
 ProgramFile::ProgramFile(const std::string& path, const char* kind)

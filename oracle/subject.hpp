@@ -45,6 +45,7 @@ struct SubjectAlarm {
   std::string alarm_class;  // empty when only native was given
   std::uint64_t block = 0;  // 0: not given
   reference::WordName word;
+  bool before_program = false;  // of captured output: in a line of its header
 };
 
 class SampledOutcome;

@@ -12,6 +12,7 @@
 #include "oracle/capture/export_manifest.hpp"
 #include "oracle/features.hpp"
 #include "oracle/subjects/start_reply.hpp"
+#include "oracle/trace_reader.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle {
@@ -43,14 +44,21 @@ void declare_everything(SubjectInfo& info) {
   }
 }
 
-// Whether the recorded traces name source lines: the first record that one of them has does.
+// Whether the recorded traces name source lines: one of those that begin with a motion does there.
+// An `end` or an alarm needs no line.
 bool traces_name_blocks(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".jsonl") continue;
     std::ifstream file(entry.path());
-    std::string line;
-    while (std::getline(file, line)) {
-      if (line.find("\"k\"") != std::string::npos) return line.find("\"b\"") != std::string::npos;
+    TraceReader reader;
+    for (std::string line; std::getline(file, line);) {
+      if (line.find("\"k\"") == std::string::npos) continue;
+      const TraceLine read = reader.read(line);
+      const auto* record = std::get_if<reference::Record>(&read);
+      if (record != nullptr && record->kind != reference::RecordKind::end && record->block != 0) {
+        return true;
+      }
+      break;
     }
   }
   return false;
@@ -98,7 +106,10 @@ class CaptureSubject : public Subject {
   }
 
   const SubjectInfo& info() const override { return info_; }
-  void configure(const reference::Profile& profile) override { start_ = profile.initial.at; }
+  void configure(const reference::Profile& profile) override {
+    start_ = profile.initial.at;
+    resolution_ = profile.resolution();
+  }
   void renew() override {}
   bool keeps_state() const override { return false; }
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override;
@@ -111,6 +122,7 @@ class CaptureSubject : public Subject {
   std::map<std::string, ExportedProgram> programs_;
   SampledTerms sampled_;
   reference::Position start_;
+  Number resolution_ = 0;
 };
 
 std::optional<fs::path> CaptureSubject::find(const std::string& id, std::string_view ending) const {
@@ -130,7 +142,7 @@ RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSi
   const auto exported = programs_.find(name);
   const std::uint64_t header = exported != programs_.end() ? exported->second.header_lines : 0;
   if (const auto path = find(name, ".jsonl")) {
-    return read_captured_trace(path->string(), {header, start_}, sink);
+    return read_captured_trace(path->string(), {header, start_, resolution_}, sink);
   }
   const auto path = find(name, ".csv");
   if (!path) {
@@ -143,7 +155,7 @@ RunEnd CaptureSubject::run(std::string_view id, std::string_view, const RecordSi
   sampled.header_lines = header;
   try {
     end = check_samples(path->string(), sampled);
-    if (end.alarm.block > header) end.alarm.block -= header;
+    leave_header(end.alarm, header);
     end.notes = fmt::format("{}{}", kSampledNote, path->filename().string());
     end.sampled = std::make_shared<const CapturedSamples>(path->string(), std::move(sampled));
   } catch (const SampleFault& fault) {

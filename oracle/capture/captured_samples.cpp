@@ -112,7 +112,10 @@ SampledVerdict CapturedSamples::Judging::departed(const SampledRun& run) const {
 Verdict CapturedSamples::Judging::judge_end(const SampledRun& run) const {
   JudgeTerms terms = terms_;
   terms.compare_blocks = end_.kind != RunEnd::Kind::alarm || end_.alarm.block != 0;
-  ProgramJudge judge(profile_, program_, terms);
+  // A control that has moved did not check at load.
+  reference::Profile profile = profile_;
+  if (run.moved()) profile.alarm_timing = reference::AlarmTiming::block;
+  ProgramJudge judge(profile, program_, terms);
   const bool whole = run.at_end() || run.left_end();
   const std::size_t pieces = whole ? std::numeric_limits<std::size_t>::max() : run.progress();
   SampledPath::replay(profile_, program_, terms_, pieces, judge);

@@ -20,21 +20,22 @@ class HeaderFilter {
   HeaderFilter(const TraceHeader& header, const RecordSink& sink) : header_(header), sink_(sink) {}
 
   bool take(Record record) {
+    if (is_of_header(record)) {
+      note(record);
+      return true;
+    }
     if (record.block != 0) {
-      if (record.block <= header_.lines) return true;
       record.block -= header_.lines;
       open_ = false;
     }
+    begun_ = begun_ || !open_;
     if (header_.lines == 0 || !open_) return flush() && sink_(record);
     if (record.kind == RecordKind::m) {
       held_.push_back(std::move(record));
       return true;
     }
     if (record.kind != RecordKind::rapid) return flush() && sink_(record);
-    for (reference::Axis axis : reference::kAllAxes) {
-      if (!record.axes.has(axis)) continue;
-      at_[reference::index(axis)] = record.to[axis];
-    }
+    note(record);
     held_.push_back(std::move(record));
     if (arrived()) {
       held_.clear();
@@ -51,7 +52,34 @@ class HeaderFilter {
     return true;
   }
 
+  // Why the record cannot stand where it does: of the header, amid the program or after it; or the
+  // program's first, where the header has not led to its start.
+  std::optional<std::string> fault(const Record& record) const {
+    if (is_of_header(record)) {
+      if (!begun_) return std::nullopt;
+      return fmt::format("The record belongs to line {} of the header, but the program has begun.",
+                         record.block);
+    }
+    if (begun_ || record.block == 0) return std::nullopt;
+    for (const reference::Axis axis : reference::kAllAxes) {
+      const auto& at = at_[reference::index(axis)];
+      if (!at || abs(*at - header_.start[axis]) <= header_.tolerance) continue;
+      return fmt::format("The header ends at {}{}, and the program starts at {}.", letter(axis),
+                         at->text(), header_.start[axis].text());
+    }
+    return std::nullopt;
+  }
+
  private:
+  bool is_of_header(const Record& record) const {
+    return record.block != 0 && record.block <= header_.lines;
+  }
+  void note(const Record& record) {
+    if (!is_motion(record.kind)) return;
+    for (reference::Axis axis : reference::kAllAxes) {
+      if (record.axes.has(axis)) at_[reference::index(axis)] = record.to[axis];
+    }
+  }
   bool arrived() const {
     std::size_t known = 0;
     for (reference::Axis axis : reference::kAllAxes) {
@@ -66,6 +94,7 @@ class HeaderFilter {
   const TraceHeader& header_;
   const RecordSink& sink_;
   bool open_ = true;
+  bool begun_ = false;  // a record of the program has come
   std::vector<Record> held_;
   std::array<std::optional<Number>, reference::kAxes> at_;
 };
@@ -75,6 +104,12 @@ RunEnd protocol(const std::string& path, std::uint64_t line, const std::string& 
 }
 
 }  // namespace
+
+void leave_header(SubjectAlarm& alarm, std::uint64_t lines) {
+  if (alarm.block == 0) return;
+  alarm.before_program = alarm.block <= lines;
+  if (!alarm.before_program) alarm.block -= lines;
+}
 
 RunEnd read_captured_trace(const std::string& path, const TraceHeader& header,
                            const RecordSink& sink) {
@@ -94,10 +129,12 @@ RunEnd read_captured_trace(const std::string& path, const TraceHeader& header,
     if (auto* alarm = std::get_if<SubjectAlarm>(&read)) {
       end.kind = RunEnd::Kind::alarm;
       end.alarm = *alarm;
-      if (end.alarm.block > header.lines) end.alarm.block -= header.lines;
+      leave_header(end.alarm, header.lines);
       continue;
     }
-    if (!filter.take(std::get<Record>(std::move(read)))) {
+    Record& record = std::get<Record>(read);
+    if (const auto fault = filter.fault(record)) return protocol(path, number, *fault);
+    if (!filter.take(std::move(record))) {
       end.kind = RunEnd::Kind::stopped;
       return end;
     }

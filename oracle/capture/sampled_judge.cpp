@@ -66,33 +66,68 @@ void SampledRun::merge(States& states, std::size_t i, State state) {
   if (earlier) known.place = state.place;
   known.since = std::min(known.since, state.since);
   known.open_since = known.open_since || state.open_since;
+  known.visit.start = known.visit.start && state.visit.start;
+  known.visit.inside = known.visit.inside && state.visit.inside;
+  known.visit.end = known.visit.end && state.visit.end;
+  known.unseen.insert(state.unseen.begin(), state.unseen.end());
+}
+
+// From a place on one piece, seen by the sample before, to one on a later piece: the piece that is
+// left and those between count as seen where samples show them, or both their ends.
+void SampledRun::enter(std::size_t from, const State& before, std::size_t i, const Stretch& place,
+                       States& next) {
+  const PathPiece& left = *path_.piece(from);
+  const PathPiece& piece = *path_.piece(i);
+  State state{place, last_time_, false, {}, before.unseen};
+  const bool at_start = !is_motion_piece(piece) || piece.before(place) <= 0;
+  const bool from_end = !is_motion_piece(left) || left.after(before.place) <= Tube::kUnsure;
+  if (is_motion_piece(left)) {
+    Visit visit = before.visit;
+    visit.end = visit.end || (i == from + 1 && at_start);
+    if (!visit.shows()) state.unseen.insert(from);
+  }
+  const bool joins_two = i == from + 2 && from_end && at_start;
+  for (std::size_t between = from + 1; between < i; ++between) {
+    if (is_motion_piece(*path_.piece(between)) && !joins_two) state.unseen.insert(between);
+  }
+  state.visit.start = i == from + 1 && from_end;
+  merge(next, i, std::move(state));
+}
+
+// The longest that the machine may have stood at a dwell.
+double SampledRun::stood(const State& state, double time) const {
+  return time - state.since + 2 * clock_ + (tube_.strict ? -kTimeNoise : kTimeNoise);
 }
 
 // On to later pieces as far as their feeds allow in the time since the last sample.
-void SampledRun::go_on(std::size_t from, const State& state, const SamplePoint& point, double time,
+void SampledRun::go_on(std::size_t from, State state, const SamplePoint& point, double time,
                        States& next) {
   const PathPiece& here = *path_.piece(from);
   if (here.kind() == PieceKind::stand || here.kind() == PieceKind::open) return;
   const double noise = tube_.strict ? -kTimeNoise : kTimeNoise;
   double spent = 0;
   if (here.kind() == PieceKind::dwell) {
-    const double stood = time - state.since + 2 * clock_ + noise;
-    if (!state.open_since && stood < here.time()) return;
+    if (stood(state, time) < here.time()) {
+      // As long as it stands there it may be dwelling still.
+      if (!state.open_since || !stretches(from, point).empty()) return;
+      state.unseen.insert(from);
+    }
   } else {
-    spent = here.after(state.place) / here.speed();
+    spent = here.after(state.place) / (here.speed() * haste());
   }
-  const double budget = (time - last_time_ + 2 * clock_) * (1 + granted_) * patience_ + noise;
+  const double budget = time - last_time_ + 2 * clock_ + noise;
   for (std::size_t i = from + 1; spent <= budget; ++i) {
     const PathPiece* piece = path_.piece(i);
     if (piece == nullptr) return;
+    const bool moves = is_motion_piece(*piece);
     for (const Stretch& stretch : stretches(i, point)) {
-      const double way = is_motion_piece(*piece) ? piece->before(stretch) / piece->speed() : 0;
+      const double way = moves ? piece->before(stretch) / (piece->speed() * haste()) : 0;
       if (spent + way > budget) continue;
-      merge(next, i, {stretch, last_time_, false});
+      enter(from, state, i, stretch, next);
       break;
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) return;
-    spent += piece->time();
+    spent += moves ? piece->time() / haste() : piece->time();
   }
 }
 
@@ -113,18 +148,21 @@ void SampledRun::step(const SamplePoint& point, double time, States& next) {
 // of the header.
 bool SampledRun::begin(const SamplePoint& point, double time) {
   double spent = 0;
-  const double budget = (time - last_time_) * (1 + granted_) * patience_ + kTimeNoise;
+  const double budget = time - last_time_ + kTimeNoise;
+  std::set<std::size_t> passed;
   for (std::size_t i = 0; spent <= budget; ++i) {
     const PathPiece* piece = path_.piece(i);
     if (piece == nullptr) break;
+    const bool moves = is_motion_piece(*piece);
     for (const Stretch& stretch : stretches(i, point)) {
-      const double way = is_motion_piece(*piece) ? piece->before(stretch) / piece->speed() : 0;
+      const double way = moves ? piece->before(stretch) / (piece->speed() * haste()) : 0;
       if (spent + way > budget) continue;
-      merge(states_, i, {stretch, time, true});
+      merge(states_, i, {stretch, time, true, {}, passed});
       break;
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) break;
-    spent += piece->time();
+    spent += moves ? piece->time() / haste() : piece->time();
+    passed.insert(i);
   }
   return !states_.empty();
 }
@@ -163,6 +201,7 @@ bool SampledRun::take(const Sample& given) {
   if (departure_) return false;
   last_time_ = time;
   last_at_ = sample.at;
+  moved_ = moved_ || !agree(sample.at, start_, tube_.tolerance);
   last_number_ = sample.number;
   note_visits(states_);
   watch_feeds(states_, time);
@@ -172,16 +211,36 @@ bool SampledRun::take(const Sample& given) {
   return open_.empty();
 }
 
-void SampledRun::note_visits(const States& states) {
-  for (const auto& [i, state] : states) {
+void SampledRun::note_visits(States& states) {
+  for (auto& [i, state] : states) {
     const PathPiece& piece = *path_.piece(i);
     if (!is_motion_piece(piece)) continue;
-    Visit& visit = visits_[i];
+    Visit& visit = state.visit;
     const bool start = piece.before(state.place) <= 0;
     const bool end = piece.after(state.place) <= Tube::kUnsure;
     visit.start = visit.start || start;
     visit.end = visit.end || end;
     visit.inside = visit.inside || (!start && !end);
+  }
+}
+
+// Pieces that every way passes unseen are; those that only some do wait for what becomes of them.
+void SampledRun::note_unseen(std::size_t before) {
+  std::set<std::size_t> some;
+  for (auto& [i, state] : states_) some.insert(state.unseen.begin(), state.unseen.end());
+  std::erase_if(named_, [&](const auto& name) { return !some.contains(name.first); });
+  for (const std::size_t i : some) {
+    if (i >= before) break;
+    if (i >= path_.first_kept()) {
+      const PathPiece& piece = *path_.piece(i);
+      named_[i] = piece.block() != 0 ? fmt::format("line {}", piece.block()) : piece.text();
+    }
+    const bool every = std::ranges::all_of(
+        states_, [&](const auto& state) { return state.second.unseen.contains(i); });
+    if (!every) continue;
+    unseen_.push_back(named_[i]);
+    named_.erase(i);
+    for (auto& [at, state] : states_) state.unseen.erase(i);
   }
 }
 
@@ -200,20 +259,15 @@ void SampledRun::note_feed(std::size_t i, const std::optional<FeedWatch::Fault>&
 }
 
 void SampledRun::close_pieces(std::size_t before) {
+  note_unseen(before);
   for (; progress_ < before; ++progress_) {
     const PathPiece& piece = *path_.piece(progress_);
     if (!is_motion_piece(piece)) continue;
     ++motions_;
-    const Visit visit = visits_[progress_];
-    const bool seen = visit.inside || (visit.start && visit.end);
-    if (!seen) {
-      unseen_.push_back(piece.block() != 0 ? fmt::format("line {}", piece.block()) : piece.text());
-    }
     const auto watch = watches_.find(progress_);
     const bool bounded = watch != watches_.end() && watch->second.compared();
     if (bounded) note_feed(progress_, watch->second.fault());
     if (piece.kind() != PieceKind::traverse) ++(bounded ? feeds_ : feeds_open_);
-    visits_.erase(progress_);
     watches_.erase(progress_);
   }
   path_.drop_before(before);
@@ -234,7 +288,8 @@ void SampledRun::finish() {
     departure_ = std::move(verdict);
     return;
   }
-  const auto [farthest, state] = *states_.rbegin();
+  const std::size_t farthest = states_.rbegin()->first;
+  State& state = states_.rbegin()->second;
   const PathPiece& piece = *path_.piece(farthest);
   at_end_ = piece.kind() == PieceKind::stand;
   if (piece.kind() == PieceKind::open) open_ = piece.why();
@@ -242,6 +297,8 @@ void SampledRun::finish() {
     open_ = fmt::format("The samples end before the dwell of line {} does.", piece.block());
   }
   const bool complete = is_motion_piece(piece) && piece.after(state.place) <= Tube::kUnsure;
+  if (complete && !state.visit.shows()) state.unseen.insert(farthest);
+  states_.erase(states_.begin(), std::prev(states_.end()));
   close_pieces(complete ? farthest + 1 : farthest);
 }
 

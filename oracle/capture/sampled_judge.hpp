@@ -30,6 +30,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "oracle/capture/feed_bounds.hpp"
 #include "oracle/capture/sampled_path.hpp"
@@ -60,32 +61,43 @@ class SampledRun {
   const std::string& open() const { return open_; }  // why the end is not decided
   bool at_end() const { return at_end_; }            // of the path
   bool left_end() const { return left_end_; }        // moved on after it
+  bool moved() const { return moved_; }              // from the start
   const Position& last() const { return last_at_; }
   std::size_t progress() const { return progress_; }  // pieces that are done for certain
   std::string summary() const;                        // what was checked and what not
   bool unseen() const { return !unseen_.empty(); }
 
  private:
+  // What samples show of a piece.
+  struct Visit {
+    bool start = false;
+    bool inside = false;
+    bool end = false;
+    bool shows() const { return inside || (start && end); }
+  };
   // A piece on which the machine may be, and where.
   struct State {
     Stretch place;            // low: the earliest place that the samples so far admit
     double since = 0;         // dwell: time of the last sample before it
     bool open_since = false;  // the machine may have stood there before the samples began
+    Visit visit = {};         // of this piece, by every way that leads here
+    // Pieces that one of these ways passes without a sample that shows them.
+    std::set<std::size_t> unseen = {};
   };
   using States = std::map<std::size_t, State>;
-  struct Visit {
-    bool start = false;
-    bool inside = false;
-    bool end = false;
-  };
 
   bool begin(const SamplePoint& point, double time);
   void step(const SamplePoint& point, double time, States& next);
-  void go_on(std::size_t from, const State& state, const SamplePoint& point, double time,
-             States& next);
+  void go_on(std::size_t from, State state, const SamplePoint& point, double time, States& next);
   const std::vector<Stretch>& stretches(std::size_t i, const SamplePoint& point);
   static void merge(States& states, std::size_t i, State state);
-  void note_visits(const States& states);
+  void enter(std::size_t from, const State& before, std::size_t i, const Stretch& place,
+             States& next);
+  double stood(const State& state, double time) const;
+  // How many times its feed a motion may have at most.
+  double haste() const { return (1 + granted_) * patience_; }
+  void note_visits(States& states);
+  void note_unseen(std::size_t before);
   void watch_feeds(const States& states, double time);
   void close_pieces(std::size_t before);
   void depart(const Sample& sample, const SamplePoint& point);
@@ -110,7 +122,7 @@ class SampledRun {
   double clock_;
   States states_;
   std::map<std::size_t, std::vector<Stretch>> cache_;  // of the present sample
-  std::map<std::size_t, Visit> visits_;
+  bool moved_ = false;
   std::map<std::size_t, FeedWatch> watches_;
   bool begun_ = false;
   bool header_seen_ = false;  // samples of the header's lines have come
@@ -128,6 +140,7 @@ class SampledRun {
   std::size_t feeds_ = 0;       // motions whose feed was bounded
   std::size_t feeds_open_ = 0;  // ... was not
   std::vector<std::string> unseen_;
+  std::map<std::size_t, std::string> named_;  // pieces that some way passes unseen
 };
 
 // A sample as evidence: {"t":"0.004","x":"1"}.

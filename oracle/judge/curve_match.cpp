@@ -168,7 +168,8 @@ MatchResult CurveMatch::match_thread(const Motion& subject) {
   }
   const Number turn = 360;
   const Number apart = got.start - want.start - turn * ((got.start - want.start) / turn).floor();
-  if (begins && !rounds_to(0, min(apart, turn - apart), terms_.resolution, terms_)) {
+  if (begins && !rounds_to(want.start, got.start, terms_.resolution, terms_) &&
+      !rounds_to(0, min(apart, turn - apart), terms_.resolution, terms_)) {
     return MatchResult::departs(Departure::geometry,
                                 "The thread starts at another angle of the spindle.");
   }

@@ -56,6 +56,7 @@ class CurveMatch {
   MatchResult match_arc(const Motion& subject);
   MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);
+  int chord_stays(const Motion& chord, const Number& granted) const;
   MatchResult match_arc3(const Motion& subject);
   MatchResult end_of_piece(const Motion& subject, double turns);
   // Whether the points of the arc3 are those of the reference's, rounded.

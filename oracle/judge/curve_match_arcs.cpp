@@ -71,8 +71,11 @@ bool nearly_whole(const Motion& arc, const Number& tolerance) {
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
-bool is_too_small_to_see(const Motion& motion, const Number& tolerance) {
-  return agree(motion.from, motion.to(), tolerance) && !goes_round(motion, tolerance);
+// Whether nothing is seen of a motion in the plane; a helix may rise there.
+bool turns_unseen(const Motion& motion, const PlaneAxes& axes, const Number& tolerance) {
+  return agree(motion.from[axes.p], motion.to()[axes.p], tolerance) &&
+         agree(motion.from[axes.q], motion.to()[axes.q], tolerance) &&
+         !goes_round(motion, tolerance);
 }
 
 }  // namespace
@@ -157,7 +160,7 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
   // The nil and the full turn are tried, and the one that fits is taken. After other whole turns, a
   // turn that the arc does make is no nil one; and an arc that ends exactly where it starts is a
-  // full turn by what a record means, unless the reference's is as small.
+  // full turn by what a record means, unless the reference's turn is as small.
   const PlaneAxes axes = reference::axes_of(got.plane);
   const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
@@ -165,12 +168,31 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   const double part = turns - before;
   const double small = part < 0.5 ? part : part - 1;
   MatchResult full = end_of_piece(subject, before + small + 1);
-  const bool exactly_whole = part == 1.0 && !is_too_small_to_see(reference_, terms_.tolerance);
+  const bool exactly_whole = part == 1.0 && !turns_unseen(reference_, axes, terms_.tolerance);
   const bool is_full = (closes && exactly_whole) || (before > 0 && part >= 0.5);
   if (full.departure == Departure::none || is_full) return full;
   MatchResult nil = end_of_piece(subject, before + small);
   const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;
   return open ? full : nil;
+}
+
+// Whether a chord agrees with the curve between its ends; 0: too close to say. Its middle is its
+// farthest point from a circle; from a spiral it may be another one.
+int CurveMatch::chord_stays(const Motion& chord, const Number& granted) const {
+  constexpr int kEighths = 8;
+  int answer = 1;
+  for (const int eighth : {4, 1, 2, 3, 5, 6, 7}) {
+    Position point;
+    for (Axis axis : kAllAxes) {
+      const Number way = chord.to()[axis] - chord.from[axis];
+      point[axis] = chord.from[axis] + way * eighth / kEighths;
+    }
+    if (!round_->on_circle(point, granted)) return -1;
+    if (!round_->is_spiral()) return 1;
+    const double along = progress_.arc + round_->part_of_turn(chord.from, point);
+    answer = std::min(answer, round_->on_spiral(point, along, granted));
+  }
+  return answer;
 }
 
 // A straight cut as a chord of the arc: its ends on the curve, and the sagitta within the chord
@@ -183,10 +205,9 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   const double turns = round_->part_of_turn(subject.from, subject.to());
   if (turns > 0.5)
     return MatchResult::departs(Departure::geometry, "The chord goes back along the arc.");
-  // The middle of the chord is its farthest point from the arc.
-  Position middle;
-  for (Axis axis : kAllAxes) middle[axis] = (subject.from[axis] + subject.to()[axis]) / 2;
-  if (!round_->on_circle(middle, granted)) {
+  const int inside = chord_stays(subject, granted);
+  if (inside == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
+  if (inside < 0) {
     return MatchResult::departs(Departure::geometry,
                                 "The chord leaves the arc by more than was granted.");
   }

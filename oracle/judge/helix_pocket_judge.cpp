@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/helix_pocket_judge.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "oracle/judge/evidence.hpp"
 
 namespace gonogo::oracle {
@@ -38,6 +41,40 @@ reference::ClauseId HelixPocketJudge::clause() const {
     default:
       return "GSK-G112-06"_clause;
   }
+}
+
+bool HelixPocketJudge::complete() const {
+  return phase_ == Phase::over || (phase_ == Phase::exit && is_tiny());
+}
+
+// A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc
+// that ends on its own centre; as the way back it may be left out.
+bool HelixPocketJudge::is_tiny() const {
+  return item_.radius <= terms_.tolerance;
+}
+
+// Whether a cut may be such a semicircle or a piece of it: all of it lies near the centre.
+bool HelixPocketJudge::stays_at_centre(const Motion& motion) const {
+  const Number& tau = terms_.tolerance;
+  const auto near = [&](const Number& p, const Number& q, const Number& within) {
+    return agree(p, item_.centre[0], within) && agree(q, item_.centre[1], within);
+  };
+  const Record& record = motion.record;
+  if (record.kind == RecordKind::arc && (record.plane != item_.plane || std::abs(record.rot) != 1 ||
+                                         !near(record.centre[0], record.centre[1], tau * 2))) {
+    return false;
+  }
+  return is_cut(record.kind) && feeds_agree(shape_feed(), record, terms_) &&
+         agree(motion.from[axes_.d], motion.to()[axes_.d], tau) &&
+         near(motion.from[axes_.p], motion.from[axes_.q], tau) &&
+         near(motion.to()[axes_.p], motion.to()[axes_.q], tau);
+}
+
+Record HelixPocketJudge::shape_feed() const {
+  Record record;
+  record.feed = item_.feed;
+  record.feed_mode = item_.feed_mode;
+  return record;
 }
 
 Verdict HelixPocketJudge::incomplete(const Position& position) const {
@@ -115,6 +152,10 @@ OpenArc HelixPocketJudge::open_semicircle(const TurnedStart& starts) const {
 }
 
 MatchResult HelixPocketJudge::match_entry(TurnedStart& starts) const {
+  if (is_tiny() &&
+      std::ranges::all_of(entry_, [&](const Motion& motion) { return stays_at_centre(motion); })) {
+    return {Departure::none, true, {}};
+  }
   Position centre = entry_.back().to();
   centre[axes_.p] = item_.centre[0];
   centre[axes_.q] = item_.centre[1];
@@ -216,6 +257,13 @@ OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
       phase_ = Phase::over;
     }
     return {};
+  }
+  if (phase_ == Phase::exit && is_tiny()) {
+    if (stays_at_centre(motion)) return {};
+    if (!is_cut(motion.record.kind)) {
+      phase_ = Phase::over;
+      return OpenPathAnswer::end(motion.from);
+    }
   }
   // What is left of a helix or circle that ended within the tolerance of its end.
   const bool remainder = is_cut(motion.record.kind) && !nearly_full_turn(motion) &&

@@ -21,12 +21,15 @@ class HelixPocketJudge {
 
   // The path ends with the motion that reaches the centre at the bottom; what follows is `ended`.
   OpenPathAnswer take(const Motion& motion);
-  bool complete() const { return phase_ == Phase::over; }
+  bool complete() const;
   Verdict incomplete(const Position& position) const;
 
  private:
   enum class Phase { entry, helix, flat, exit, over };
 
+  bool is_tiny() const;
+  bool stays_at_centre(const Motion& motion) const;
+  Record shape_feed() const;
   OpenPathAnswer take_entry(const Motion& motion);
   OpenPathAnswer wrong_entry(const Motion& motion) const;
   OpenPathAnswer take_helix(const Motion& motion);

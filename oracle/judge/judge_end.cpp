@@ -201,6 +201,11 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
         alarm_verdict(VerdictKind::fail_overrun, alarm, "An alarm follows the end of the trace."));
     return;
   }
+  if (alarm.before_program) {
+    decide(alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
+                         "The alarm comes before the program, in a line that leads to its start."));
+    return;
+  }
   // A controller that checks at load may alarm with no motion at all.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
   std::optional<ReferenceStep> unfinished;
@@ -216,7 +221,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       } else {
         compare_alarm(alarm, *report);
         if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
-        if (!verdict_ && !at_load) settle_m_functions_before(report->block);
+        if (!verdict_) settle_m_functions_before(report->block, at_load);
       }
       return;
     }
@@ -247,6 +252,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     }
     // Past motion that is missing, only the alarm of the program is of interest.
     if (at_load || unfinished) {
+      if (at_load && is_m_function(step)) want_m_.push_back(*record);
       reference_.advance();
     } else if (record != nullptr && record->kind == RecordKind::m) {
       take_m_functions();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ProgramJudge's part for what is no motion: dwells, and the M functions passed on.
+#include <algorithm>
+
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/program_judge.hpp"
 
@@ -21,6 +23,30 @@ Verdict m_verdict(const Record* want, const Record* got, std::string message) {
   verdict.word = 'M';
   verdict.message = std::move(message);
   return verdict;
+}
+
+// Whether a text that begins behind an M is this number, or something to be calculated.
+bool may_be_number(std::string_view text, std::int32_t number) {
+  constexpr std::string_view kCalculated = "[#=R(";
+  constexpr std::int64_t kMost = 1'000'000;
+  std::int64_t value = -1;
+  for (const char c : text) {
+    if (c == ' ' || c == '\t' || (c == '+' && value < 0)) continue;
+    if (value < 0 && kCalculated.find(c) != std::string_view::npos) return true;
+    if (c < '0' || c > '9' || value > kMost) break;
+    value = std::max<std::int64_t>(value, 0) * 10 + (c - '0');
+  }
+  return value == number;
+}
+
+// Whether the line of an alarm names the M function. By its text: the alarm keeps the reference
+// from saying what the block means.
+bool names_m_function(std::string_view line, std::int32_t number) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool is_m = line[i] == 'M' || line[i] == 'm';
+    if (is_m && may_be_number(line.substr(i + 1), number)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -141,12 +167,17 @@ void ProgramJudge::settle_m_functions(bool at_end) {
   }
 }
 
-// Those of earlier blocks must have come as motion must; of the block that alarms no text says
-// whether any do. Without lines a subject's last ones may be that block's.
-void ProgramJudge::settle_m_functions_before(std::size_t alarm_block) {
+// Those of earlier blocks must have come as motion must; of its own block no text says whether any
+// do that alarms. Without lines a subject's last ones may be that block's. A control that checks at
+// load need not pass any, and passes no others either.
+void ProgramJudge::settle_m_functions_before(std::size_t alarm_block, bool at_load) {
+  const std::string_view line = reference_.failed_line();
   std::erase_if(got_m_, [&](const GotM& got) {
-    return !terms_.compare_blocks || got.record.block == alarm_block;
+    return (!terms_.compare_blocks || got.record.block == alarm_block) &&
+           names_m_function(line, got.record.m);
   });
+  settle_m_functions(false);
+  if (at_load) want_m_.clear();
   settle_m_functions(true);
 }
 

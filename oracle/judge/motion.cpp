@@ -303,8 +303,9 @@ std::optional<Motion> as_arc(const Motion& arc3) {
 namespace {
 
 bool same_terms(const Record& a, const Record& b) {
-  return a.kind == b.kind && a.block == b.block &&
-         (a.kind == RecordKind::rapid || (a.feed == b.feed && a.feed_mode == b.feed_mode));
+  if (a.kind != b.kind || a.block != b.block) return false;
+  if (a.kind == RecordKind::thread) return a.lead == b.lead && a.start == b.start;
+  return a.kind == RecordKind::rapid || (a.feed == b.feed && a.feed_mode == b.feed_mode);
 }
 
 // The one axis that moves, and its direction; nothing when it is not one.
@@ -406,6 +407,7 @@ bool join(Motion& motion, const Motion& next) {
       break;
     }
     case RecordKind::feed:
+    case RecordKind::thread:
       if (!same_line(motion, next)) return false;
       break;
     case RecordKind::arc:

@@ -65,8 +65,12 @@ bool ProgramJudge::process_step(Motion& motion) {
   return true;
 }
 
-std::optional<OpenPathAnswer> ProgramJudge::take_in_path(const Motion& motion,
+std::optional<OpenPathAnswer> ProgramJudge::take_in_path(const Motion& given,
                                                          const ReferenceStep& step) {
+  // A flat `arc3` is an arc by another name.
+  std::optional<Motion> arc;
+  if (given.record.kind == RecordKind::arc3) arc = as_arc(given);
+  const Motion& motion = arc ? *arc : given;
   if (auto* thread = std::get_if<ThreadMilling>(&step)) return thread_judge(*thread).take(motion);
   if (auto* pocket = std::get_if<HelixPocket>(&step)) {
     return helix_pocket_judge(*pocket).take(motion);

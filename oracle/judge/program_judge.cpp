@@ -143,8 +143,8 @@ void ProgramJudge::take_motion(const Record& record) {
   if (verdict_) return;
   position_ = motion.to();
   moved_ = true;
-  if (record.kind != RecordKind::rapid) cut_block_ = record.block;
-  if (pending_ && join(*pending_, motion)) {
+  if (!stays && record.kind != RecordKind::rapid) cut_block_ = record.block;
+  if (pending_ && !ends_here(*pending_, motion) && join(*pending_, motion)) {
     anchor_ = position_;
     return;
   }
@@ -159,6 +159,19 @@ void ProgramJudge::take_motion(const Record& record) {
   anchor_ = position_;
   flush_pending();
   if (!verdict_) pending_ = std::move(motion);
+}
+
+// Whether the two are not to be joined, for the motion is where the reference's ends: what follows
+// belongs to the next one, though it goes on in the same way.
+bool ProgramJudge::ends_here(const Motion& motion, const Motion& next) {
+  const RecordKind kind = motion.record.kind;
+  if (is_round(kind) || kind != next.record.kind || motion.record.block != next.record.block) {
+    return false;
+  }
+  const ReferenceStep& step = reference_.behind_m_functions();
+  auto* want = std::get_if<Motion>(&step);
+  return want != nullptr && want->record.kind == kind &&
+         same_place(motion.to(), want->to(), terms_);
 }
 
 void ProgramJudge::flush_pending() {

@@ -59,6 +59,7 @@ class ProgramJudge {
   // Whether a motion too small to see is what the reference makes next, which need not have dropped
   // the same motions before it. Then it is used up.
   bool is_due(const Motion& motion);
+  bool ends_here(const Motion& motion, const Motion& next);
   void flush_pending();
   void process(Motion motion);
   // One step of the reference against one motion; true when the motion is used up. A path that ends
@@ -85,7 +86,7 @@ class ProgramJudge {
   void note_block(const Record& record);
   void m_out_of_place(const Record& record);
   void settle_m_functions(bool at_end);
-  void settle_m_functions_before(std::size_t alarm_block);
+  void settle_m_functions_before(std::size_t alarm_block, bool at_load);
   void note_match(const Motion& motion, const Motion& want);
 
   // Pocket levels, in level_judge.cpp. True when the motion belongs to the level.

@@ -68,6 +68,8 @@ class ReferenceStream {
   // Items that the reference has put out so far.
   std::size_t items() const { return items_; }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
+  // The text of the line that alarms, at the alarm.
+  std::string_view failed_line() const { return expander_.failed_line(); }
 
  private:
   void pull();

@@ -94,6 +94,13 @@ bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
   return (near_2 <= start_2 || near_2 <= end_2) && (far_2 >= start_2 || far_2 >= end_2);
 }
 
+bool RoundCurve::is_spiral() const {
+  if (arc_ == nullptr || open_) return false;
+  const PlaneVector end = from_centre(arc_->record, arc_->to());
+  constexpr double kEstimate = 1e-9;  // mm
+  return std::abs(std::hypot(estimate(end.p), estimate(end.q)) - radius_) > kEstimate;
+}
+
 // Where the box meets the circles of both radii it meets every one between them, exactly. Else the
 // radius is estimated, and a band round the tolerance is left undecided: the estimate's own error,
 // and what the radius changes by over a tolerance's length of arc.

@@ -55,6 +55,9 @@ class RoundCurve {
   // none.
   const Motion* arc() const { return arc_; }
   double whole() const { return whole_; }  // sweep in turns; an estimate
+  // Whether its ends are not equally far from its centre, as far as estimates tell: where they do
+  // not, every point between the two radii will do.
+  bool is_spiral() const;
 
   // Whether a point of the circle that the curve runs on, or of the cylinder of a helix, lies in
   // the box round the point.

@@ -167,7 +167,14 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
   const bool counterclockwise = motion.rot > 0;
   const bool ambiguous = is_ambiguous(motion, terms_.tolerance);
   if (motion.from == motion.centre || motion.to == motion.centre) {
-    doubt("An arc begins or ends on its own centre.");
+    // One that is as small as the tolerance came to it by rounding.
+    const PlanePoint way = motion.to - motion.from;
+    const bool small = abs(way.p) <= terms_.tolerance && abs(way.q) <= terms_.tolerance;
+    if (!small) doubt("An arc begins or ends on its own centre.");
+    for (const PlanePoint& end : {motion.from, motion.to}) {
+      if (!small) break;
+      if (auto verdict = within(motion, reach_of(end - terms_.middle))) return verdict;
+    }
     clear_with_ends(motion);
     return std::nullopt;
   }

@@ -172,6 +172,8 @@ std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
   if (auto features = find(reply, "features")) {
     info.features = names_of("features", *features);
     check_features("", info.features);
+  } else if (info.everything) {
+    info.features = {"blocks"};
   }
   read_numeric(reply, info);
   read_window(reply, info);

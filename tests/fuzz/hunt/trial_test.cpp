@@ -13,7 +13,10 @@ using oracle::VerdictKind;
 // A subject of a given end.
 class Scripted : public oracle::Subject {
  public:
-  explicit Scripted(oracle::RunEnd end) : end_(std::move(end)) { info_.everything = true; }
+  explicit Scripted(oracle::RunEnd end) : end_(std::move(end)) {
+    info_.everything = true;
+    info_.features = {"blocks"};
+  }
   const oracle::SubjectInfo& info() const override { return info_; }
   void configure(const reference::Profile&) override {}
   oracle::RunEnd run(std::string_view, std::string_view, const oracle::RecordSink&) override {

@@ -80,6 +80,7 @@ class Fake : public Subject {
     info_.name = "fake";
     info_.everything = true;
     info_.features = {"blocks"};
+    info_.features = {"blocks"};
     info_.max_in_flight = fake_.window;
   }
   const SubjectInfo& info() const override { return info_; }

@@ -58,6 +58,52 @@ TEST_F(CaptureSubject, RecordsLoseTheHeadersLines) {
   EXPECT_EQ(records_[0].block, 1U);
 }
 
+// Amid the program or after it, a line of the header is none.
+TEST_F(CaptureSubject, ARecordOfTheHeaderDoesNotComeAfterTheProgramHasBegun) {
+  write("manifest.json", kManifest);
+  const std::string before = "{\"k\":\"rapid\",\"b\":2,\"to\":{\"x\":\"0\",\"z\":\"0\"}}\n";
+  const std::string first = "{\"k\":\"rapid\",\"b\":4,\"to\":{\"x\":\"25\"}}\n";
+  const std::string end =
+      "{\"k\":\"end\",\"to\":{\"x\":\"25\",\"y\":\"0\",\"z\":\"0\",\"a\":\"0\",\"c\":\"0\"}}\n";
+  write("a.1.jsonl", before + first + end);
+  EXPECT_EQ(run("a.1").kind, RunEnd::Kind::ok);
+  write("a.1.jsonl", before + first + before + end);
+  EXPECT_EQ(run("a.1").kind, RunEnd::Kind::protocol);
+  write("a.1.jsonl", before + first + end + before);
+  EXPECT_EQ(run("a.1").kind, RunEnd::Kind::protocol);
+}
+
+TEST_F(CaptureSubject, AHeaderThatDoesNotLeadToTheStartIsAFault) {
+  write("manifest.json", kManifest);
+  write("a.1.jsonl",
+        "{\"k\":\"rapid\",\"b\":2,\"to\":{\"x\":\"0\",\"z\":\"7\"}}\n"
+        "{\"k\":\"rapid\",\"b\":4,\"to\":{\"x\":\"25\"}}\n");
+  const RunEnd end = run("a.1");
+  EXPECT_EQ(end.kind, RunEnd::Kind::protocol);
+  EXPECT_NE(end.message.find("The header ends at z7"), std::string::npos) << end.message;
+}
+
+TEST_F(CaptureSubject, AnAlarmInTheHeaderIsNoneOfTheProgram) {
+  write("manifest.json", kManifest);
+  write("a.1.jsonl", "{\"k\":\"alarm\",\"class\":\"syntax\",\"b\":1}\n");
+  EXPECT_TRUE(run("a.1").alarm.before_program);
+  write("a.1.jsonl", "{\"k\":\"alarm\",\"class\":\"syntax\",\"b\":4}\n");
+  EXPECT_FALSE(run("a.1").alarm.before_program);
+  write("0001.csv", "t,x,z\n0,0,0\nalarm,syntax,1\n");
+  fs::remove(folder_ / "a.1.jsonl");
+  EXPECT_TRUE(run("a.1").alarm.before_program);
+}
+
+// An `end` has no line, and says nothing of whether motions have one.
+TEST_F(CaptureSubject, LinesAreComparedWhereMotionsHaveThem) {
+  const std::string end =
+      "{\"k\":\"end\",\"to\":{\"x\":\"0\",\"y\":\"0\",\"z\":\"0\",\"a\":\"0\",\"c\":\"0\"}}\n";
+  for (const char* name : {"a.jsonl", "b.jsonl", "c.jsonl"}) write(name, end);
+  EXPECT_FALSE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
+  write("b.jsonl", "{\"k\":\"rapid\",\"b\":1,\"to\":{\"x\":\"0\"}}\n" + end);
+  EXPECT_TRUE(make_capture_subject(folder_.string(), {})->info().features.contains("blocks"));
+}
+
 TEST_F(CaptureSubject, TraversesToTheStartWithoutLineNumbersAreTheHeaders) {
   write("manifest.json", kManifest);
   write("a.1.jsonl",

@@ -2,6 +2,7 @@
 //
 // Expected motions by hand. GSK, diameters: X100 is x 50, X60 is x 30. G94 X60 Z-5 from (50, 5):
 // traverse to z -5, cut to x 30, cut to z 5, traverse to x 50.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -230,6 +231,49 @@ TEST(SampledJudge, AMotionThatNoSampleShowsIsNotCalledGood) {
   const Verdict verdict = judge_samples(spike, machine.csv());
   EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << verdict.message;
   EXPECT_NE(verdict.message.find("Not checked"), std::string::npos) << verdict.message;
+}
+
+// HNC-G74: down by 6, up by 1, three times; a feed per revolution has no bound. Straight down
+// without a withdrawal fits the cuts, and nothing shows the withdrawals between them.
+TEST(SampledJudge, WithdrawalsThatNoSampleShowsAreNotCalledGood) {
+  const SampledCase pecks{"G00 X0 Z2\nG95 G74 Z-16 R1 Q6 F0.12\n", "hnc21t"};
+  SampledMachine pecking(0.01);
+  pecking.line({0, 0, 2}, kRapid);
+  for (const double depth : {-4.0, -10.0}) {
+    pecking.line({0, 0, depth}, kFeed).line({0, 0, depth + 1}, kFeed);
+  }
+  pecking.line({0, 0, -16}, kFeed).line({0, 0, 2}, kRapid);
+  const Verdict good = judge_samples(pecks, pecking.csv());
+  EXPECT_EQ(good.kind, VerdictKind::pass_tolerance) << good.message;
+  SampledMachine straight(0.02);
+  straight.line({0, 0, 2}, kRapid).line({0, 0, -16}, kFeed).line({0, 0, 2}, kRapid);
+  const Verdict none = judge_samples(pecks, straight.csv());
+  EXPECT_EQ(none.kind, VerdictKind::oracle_gap) << none.message;
+}
+
+// How long the machine stood before the first sample is not known.
+TEST(SampledJudge, ADwellThatBeginsTheProgramIsCheckedOnlyWhereSamplesShowIt) {
+  const SampledCase dwell{"G4 P10\nG1 X1 F600\n", "rs274"};
+  SampledMachine at_once;
+  at_once.line({1, 0, 0}, 600);
+  const Verdict open = judge_samples(dwell, at_once.csv());
+  EXPECT_EQ(open.kind, VerdictKind::oracle_gap) << open.message;
+  SampledMachine standing;
+  standing.stand(10).line({1, 0, 0}, 600);
+  EXPECT_EQ(judge_samples(dwell, standing.csv()).kind, VerdictKind::pass_tolerance);
+}
+
+// Logged on change: 9.6 s between two samples, of 10 s. What is granted is granted of feeds.
+TEST(SampledJudge, TheFeedToleranceShortensNoDwell) {
+  const SampledCase dwell{"G1 X1 F600\nG4 P10\nG1 X2\n", "rs274"};
+  const auto kind = [&](const char* leaves, const char* middle, const char* ends) {
+    return judge_samples(dwell, fmt::format("t,x,y,z\n0.00,0,0,0\n0.05,0.5,0,0\n0.10,1,0,0\n"
+                                            "{},1,0,0\n{},1.5,0,0\n{},2,0,0\n",
+                                            leaves, middle, ends))
+        .kind;
+  };
+  EXPECT_EQ(decision(kind("9.70", "9.75", "9.80")), Decision::no_go);
+  EXPECT_EQ(kind("10.10", "10.15", "10.20"), VerdictKind::pass_tolerance);
 }
 
 TEST(SampledJudge, AnOpenPathIsNeverASilentPass) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Traces that depart from their program and were once GO, each with the rule that it breaks.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
+#include <cmath>
+#include <numbers>
 
 #include "judging.hpp"
 
@@ -151,6 +153,65 @@ TEST(FalseGo, TheApproachOfAPocketBelongsToItsBlock) {
     EXPECT_EQ(message_of(block), "The motion belongs to another block.") << block;
   }
   EXPECT_EQ(message_of(4), "The pocket is not milled to its floor.");
+}
+
+// Six hundred chords of 0.262 mm and a sagitta of 0.0001. The last four as one: 1.05 mm and 0.0014,
+// so that the middle lies between the two radii, but 0.0014 from the spiral's, which is 100.002
+// there.
+std::string spiral_in_chords(int last) {
+  TraceText text(1);
+  text.rapid({{'x', 100}, {'y', 0}}).block(2, 100);
+  constexpr int kChords = 600;
+  for (int i = 1; i <= kChords; ++i) {
+    if (i > kChords - last && i < kChords) continue;
+    const double part = static_cast<double>(i) / kChords;
+    const double angle = std::numbers::pi / 2 * part;
+    const double radius = 100 + 0.002 * part;
+    text.feed({{'x', radius * std::cos(angle)}, {'y', -radius * std::sin(angle)}});
+  }
+  return text.text();
+}
+
+TEST(FalseGo, AChordOfASpiralStaysAtItsRadius) {
+  const auto kind = [](int last, const char* chord) {
+    return judge_trace(kSpiral, spiral_in_chords(last), {.chord = chord, .dialect = "rs274"}).kind;
+  };
+  EXPECT_EQ(decision(kind(1, "0.0003")), Decision::go);
+  EXPECT_EQ(kind(4, "0.0003"), VerdictKind::fail_geometry);
+  EXPECT_EQ(decision(kind(4, "0.002")), Decision::go);
+}
+
+// Only what the block that alarms says itself may have come of it.
+TEST(FalseGo, NoMFunctionComesBesideAnAlarmThatItsBlockDoesNotName) {
+  const auto kind = [](std::string_view second, const char* functions) {
+    const std::string program = "G0 X1\n" + std::string(second) + "\n";
+    return judge_trace(program,
+                       std::string(R"({"k":"rapid","b":1,"to":{"x":"1"}})"
+                                   "\n") +
+                           functions + R"({"k":"alarm","class":"feed-missing","b":2})" + "\n",
+                       {.m = true, .dialect = "rs274"})
+        .kind;
+  };
+  constexpr const char* kM8 = "{\"k\":\"m\",\"b\":2,\"m\":8}\n";
+  EXPECT_EQ(kind("G1 X2", kM8), VerdictKind::fail_order);
+  EXPECT_EQ(kind("G1 X2 M80", kM8), VerdictKind::fail_order);
+  EXPECT_EQ(decision(kind("G1 X2 M8", kM8)), Decision::go);
+  EXPECT_EQ(decision(kind("G1 X2 m 08", kM8)), Decision::go);
+  EXPECT_EQ(decision(kind("G1 X2 M8", "")), Decision::go);
+}
+
+// A tolerance is one of axes: a dwell of 1.4 s is none of 1 s, however coarsely lengths come.
+TEST(FalseGo, AGrantedToleranceExcusesNoDwell) {
+  const auto kind = [](const char* seconds) {
+    return judge_trace("G4 P1\n",
+                       fmt::format(R"({{"k":"dwell","b":1,"s":"{}"}})"
+                                   "\n",
+                                   seconds),
+                       {.resolution = "1", .dialect = "rs274", .tolerance = "1"})
+        .kind;
+  };
+  EXPECT_EQ(decision(kind("1")), Decision::go);
+  EXPECT_EQ(decision(kind("1.4")), Decision::no_go);
 }
 
 }  // namespace

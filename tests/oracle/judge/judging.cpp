@@ -34,7 +34,9 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (!judging.resolution.empty()) subject.resolution = Number::parse(judging.resolution);
   std::optional<Number> chord;
   if (!judging.chord.empty()) chord = Number::parse(judging.chord);
-  const JudgeTerms terms = make_terms(subject, profile, std::nullopt, chord);
+  std::optional<Number> tolerance;
+  if (!judging.tolerance.empty()) tolerance = Number::parse(judging.tolerance);
+  const JudgeTerms terms = make_terms(subject, profile, tolerance, chord);
   TraceReader reader;
   std::vector<reference::Record> records;
   RunEnd end;

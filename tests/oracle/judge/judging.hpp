@@ -19,7 +19,8 @@ struct Judging {
   std::string resolution = {};  // declared, mm
   bool binary64 = false;
   std::string_view dialect = "gsk988ta";
-  std::string tool = {};  // radius of tool 1, mm
+  std::string tool = {};       // radius of tool 1, mm
+  std::string tolerance = {};  // granted, mm
 };
 
 // A trace in JSON lines, judged under the default profile with one reading changed ("k=v") or none.

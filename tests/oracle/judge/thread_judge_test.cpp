@@ -309,7 +309,7 @@ TEST(ThreadJudge, ThePathThatExpandShowsIsGo) {
         if (auto* record = std::get_if<Record>(item)) records.push_back(*record);
       }
       SubjectInfo subject;
-      subject.everything = true;
+      subject.features = {"blocks"};
       const JudgeTerms terms = make_terms(subject, profile, {}, {});
       const Verdict verdict = judge_outcome(profile, program, terms, records, RunEnd{}).verdict;
       EXPECT_EQ(decision(verdict.kind), Decision::go)
