@@ -132,7 +132,7 @@ RunEnd read_captured_trace(const std::string& path, const TraceHeader& header,
       leave_header(end.alarm, header.lines);
       continue;
     }
-    Record& record = std::get<Record>(read);
+    auto& record = std::get<Record>(read);
     if (const auto fault = filter.fault(record)) return protocol(path, number, *fault);
     if (!filter.take(std::move(record))) {
       end.kind = RunEnd::Kind::stopped;

@@ -172,6 +172,14 @@ void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& r
     result.got = alarm_text(alarm);
     decide(std::move(result));
   };
+  if (after_alarm_) {
+    Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
+                                 "Motion was put out in or after the block that alarms.");
+    late.record = after_alarm_->number;
+    late.got = record_text(after_alarm_->record);
+    decide(std::move(late));
+    return;
+  }
   if (terms_.compare_blocks && alarm.block != report.block) {
     if (alarm.block < report.block) {
       verdict(VerdictKind::fail_alarm_spurious, "The alarm comes in a block before the right one.");
@@ -212,17 +220,9 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
     if (auto* report = std::get_if<AlarmReport>(&step)) {
-      if (after_alarm_) {
-        Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, *report,
-                                     "Motion was put out in or after the block that alarms.");
-        late.record = after_alarm_->number;
-        late.got = record_text(after_alarm_->record);
-        decide(std::move(late));
-      } else {
-        compare_alarm(alarm, *report);
-        if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
-        if (!verdict_) settle_m_functions_before(report->block, at_load);
-      }
+      compare_alarm(alarm, *report);
+      if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
+      if (!verdict_) settle_m_functions_before(report->block, at_load);
       return;
     }
     if (auto* outside = std::get_if<NotCovered>(&step)) {
