@@ -15,10 +15,11 @@
 //   and extreme point has been visited within the tolerance and what one interval allows. Samples
 //   begin at the start position (after the approach of an exported program's own header) and end at
 //   the end of the path.
-//   A motion longer than the tube that lies whole between two samples, its ends unseen too, is not
-//   checked: then the answer is oracle-gap, never a pass.
+//   A motion that lies whole between two samples, an end unseen too, is not checked, by one of the
+//   ways that the samples leave open: then the answer is oracle-gap, never a pass.
 // Dwell. The machine may not have stood still for as long as programmed: less time lies between the
-//   last sample before and the first one after.
+//   last sample before and the first one after. How long it stood before the first sample is not
+//   known: where that decides, oracle-gap.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
 // Open paths. Pocket levels, threads and helical pockets whose path the manual leaves open are not
 //   decided from samples: judged up to there, then oracle-gap.
