@@ -5,6 +5,7 @@
 #include <array>
 #include <regex>
 #include <utility>
+#include <vector>
 
 namespace gonogo::checker {
 namespace {
@@ -95,6 +96,17 @@ long code_at(std::string_view line, std::size_t at) {
   return digits == 0 || (at < line.size() && line[at] == '.') ? 0 : code;
 }
 
+// CR LF, LF and CR end a line.
+std::vector<std::string_view> lines_of(std::string_view program) {
+  std::vector<std::string_view> lines;
+  for (std::size_t at = 0; at < program.size();) {
+    const std::size_t end = std::min(program.find_first_of("\r\n", at), program.size());
+    lines.push_back(program.substr(at, end - at));
+    at = end + (program.substr(end, 2) == "\r\n" ? 2U : 1U);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::optional<std::string_view> default_reading(std::string_view key) {
@@ -160,56 +172,29 @@ bool is_open_path(const Record& record, std::string_view dialect, const Json& pr
 }
 
 long line_count(std::string_view program) {
-  long lines = 0;
-  for (std::size_t at = 0; at < program.size();) {
-    ++lines;
-    at = program.find_first_of("\r\n", at);
-    if (at == std::string_view::npos) break;
-    at += program.substr(at, 2) == "\r\n" ? 2U : 1U;
-  }
-  return lines;
+  return static_cast<long>(lines_of(program).size());
 }
 
 long line_of_code(std::string_view program, long code) {
-  long line = 1;
-  for (std::size_t at = 0; at < program.size(); ++at) {
-    const char c = program[at];
-    if (c == '\n' || c == '\r') {
-      if (program.substr(at, 2) == "\r\n") ++at;
-      ++line;
-    } else if ((c == 'G' || c == 'g') && code_at(program, at + 1) == code) {
-      return line;
+  long number = 0;
+  for (const std::string_view line : lines_of(program)) {
+    ++number;
+    for (std::size_t at = line.find_first_of("Gg"); at != std::string_view::npos;
+         at = line.find_first_of("Gg", at + 1)) {
+      if (code_at(line, at + 1) == code) return number;
     }
   }
   return 0;
 }
-
-namespace {
-
-// The text of a line, from 1.
-std::string text_of_line(std::string_view program, long line) {
-  long at_line = 1;
-  std::string text;
-  for (std::size_t at = 0; at < program.size() && at_line <= line; ++at) {
-    const char c = program[at];
-    if (c != '\n' && c != '\r') {
-      if (at_line == line) text += c;
-      continue;
-    }
-    if (program.substr(at, 2) == "\r\n") ++at;
-    ++at_line;
-  }
-  return text;
-}
-
-}  // namespace
 
 bool says_m_function(std::string_view program, long line, long number) {
   // Digits may have blanks between them (RS274/NGC).
   std::string digits = "(?:0[ \t]*)*";
   for (const char digit : std::to_string(number)) digits += std::string(1, digit) + "[ \t]*";
   const std::regex says("[Mm][ \t]*(?:[#=R(]|\\[|\\+?[ \t]*" + digits + "(?![0-9]))");
-  return std::regex_search(text_of_line(program, line), says);
+  const std::vector<std::string_view> lines = lines_of(program);
+  const auto place = static_cast<std::size_t>(line) - 1;
+  return place < lines.size() && std::regex_search(std::string(lines[place]), says);
 }
 
 long renaming_line(std::string_view dialect, std::string_view program) {

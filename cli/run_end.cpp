@@ -13,7 +13,7 @@ namespace gonogo::cli {
 namespace {
 
 // What was written where, line by line.
-void write_report(const RunEnd& run, std::string& written) {
+void write_report(const FinishedRun& run, std::string& written) {
   auto failed = oracle::evidence::write_evidence(run.files.results, run.report);
   if (failed) throw OutputError(*failed, false);
   written += fmt::format("report:  {}/index.html\n", run.report);
@@ -25,7 +25,7 @@ void write_report(const RunEnd& run, std::string& written) {
 
 }  // namespace
 
-void tell_run(const RunEnd& run) try {
+void tell_run(const FinishedRun& run) try {
   Output output;
   output.text() = run.summary + fmt::format("results: {}\n", run.files.results);
   std::exception_ptr unwritten;

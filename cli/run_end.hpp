@@ -9,7 +9,7 @@
 
 namespace gonogo::cli {
 
-struct RunEnd {
+struct FinishedRun {
   std::string summary;  // for people
   int exit_code;
   oracle::evidence::CertificateSources files;  // results, and what the run had
@@ -21,6 +21,6 @@ struct RunEnd {
 // written, but does the others before: neither does a report that cannot be written keep the
 // summary from being told, nor a closed pipe the report from being written, nor either a NO-GO from
 // the caller: then it is said only.
-void tell_run(const RunEnd& run);
+void tell_run(const FinishedRun& run);
 
 }  // namespace gonogo::cli

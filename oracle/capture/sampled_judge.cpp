@@ -99,8 +99,17 @@ double SampledRun::stood(const State& state, double time) const {
   return time - state.since + 2 * clock_ + (tube_.strict ? -kTimeNoise : kTimeNoise);
 }
 
+// s, the least that a piece takes, and what leads to a place on it; what is granted is granted of
+// feeds.
+double SampledRun::least_time(const PathPiece& piece) const {
+  return is_motion_piece(piece) ? piece.time() / haste() : piece.time();
+}
+double SampledRun::least_time_to(const PathPiece& piece, const Stretch& place) const {
+  return is_motion_piece(piece) ? piece.before(place) / (piece.speed() * haste()) : 0;
+}
+
 // On to later pieces as far as their feeds allow in the time since the last sample.
-void SampledRun::go_on(std::size_t from, State state, const SamplePoint& point, double time,
+void SampledRun::go_on(std::size_t from, State& state, const SamplePoint& point, double time,
                        States& next) {
   const PathPiece& here = *path_.piece(from);
   if (here.kind() == PieceKind::stand || here.kind() == PieceKind::open) return;
@@ -119,20 +128,18 @@ void SampledRun::go_on(std::size_t from, State state, const SamplePoint& point, 
   for (std::size_t i = from + 1; spent <= budget; ++i) {
     const PathPiece* piece = path_.piece(i);
     if (piece == nullptr) return;
-    const bool moves = is_motion_piece(*piece);
     for (const Stretch& stretch : stretches(i, point)) {
-      const double way = moves ? piece->before(stretch) / (piece->speed() * haste()) : 0;
-      if (spent + way > budget) continue;
+      if (spent + least_time_to(*piece, stretch) > budget) continue;
       enter(from, state, i, stretch, next);
       break;
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) return;
-    spent += moves ? piece->time() / haste() : piece->time();
+    spent += least_time(*piece);
   }
 }
 
 void SampledRun::step(const SamplePoint& point, double time, States& next) {
-  for (const auto& [i, state] : states_) {
+  for (auto& [i, state] : states_) {
     for (const Stretch& stretch : stretches(i, point)) {
       State stays = state;
       stays.place = stretch;
@@ -153,15 +160,13 @@ bool SampledRun::begin(const SamplePoint& point, double time) {
   for (std::size_t i = 0; spent <= budget; ++i) {
     const PathPiece* piece = path_.piece(i);
     if (piece == nullptr) break;
-    const bool moves = is_motion_piece(*piece);
     for (const Stretch& stretch : stretches(i, point)) {
-      const double way = moves ? piece->before(stretch) / (piece->speed() * haste()) : 0;
-      if (spent + way > budget) continue;
+      if (spent + least_time_to(*piece, stretch) > budget) continue;
       merge(states_, i, {stretch, time, true, {}, passed});
       break;
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) break;
-    spent += moves ? piece->time() / haste() : piece->time();
+    spent += least_time(*piece);
     passed.insert(i);
   }
   return !states_.empty();

@@ -89,7 +89,7 @@ class SampledRun {
 
   bool begin(const SamplePoint& point, double time);
   void step(const SamplePoint& point, double time, States& next);
-  void go_on(std::size_t from, State state, const SamplePoint& point, double time, States& next);
+  void go_on(std::size_t from, State& state, const SamplePoint& point, double time, States& next);
   const std::vector<Stretch>& stretches(std::size_t i, const SamplePoint& point);
   static void merge(States& states, std::size_t i, State state);
   void enter(std::size_t from, const State& before, std::size_t i, const Stretch& place,
@@ -97,6 +97,8 @@ class SampledRun {
   double stood(const State& state, double time) const;
   // How many times its feed a motion may have at most.
   double haste() const { return (1 + granted_) * patience_; }
+  double least_time(const PathPiece& piece) const;
+  double least_time_to(const PathPiece& piece, const Stretch& place) const;
   void note_visits(States& states);
   void note_unseen(std::size_t before);
   void watch_feeds(const States& states, double time);

@@ -30,12 +30,17 @@ bool moves(const LevelMotion& motion) {
   return !(motion.from == motion.to && motion.from == motion.centre);
 }
 
-// Ends no farther apart than the tolerance on either axis, but not the same point: rounding may
-// have made this of no motion at all or of a whole turn.
-bool is_ambiguous(const LevelMotion& motion, const Number& tolerance) {
-  if (motion.rot == 0 || whole_turns(motion.rot) > 0 || motion.from == motion.to) return false;
+// Ends no farther apart than the tolerance on either axis.
+bool ends_agree(const LevelMotion& motion, const Number& tolerance) {
   return exact::abs(motion.from.p - motion.to.p) <= tolerance &&
          exact::abs(motion.from.q - motion.to.q) <= tolerance;
+}
+
+// Such ends, but not the same point: rounding may have made this of no motion at all or of a whole
+// turn.
+bool is_ambiguous(const LevelMotion& motion, const Number& tolerance) {
+  if (motion.rot == 0 || whole_turns(motion.rot) > 0 || motion.from == motion.to) return false;
+  return ends_agree(motion, tolerance);
 }
 
 class LevelJudge {
@@ -59,6 +64,7 @@ class LevelJudge {
     return counterclockwise != (terms_.sense > 0);
   }
   std::optional<LevelVerdict> gouge();
+  std::optional<LevelVerdict> gouge_of_ends(const LevelMotion& motion);
   std::optional<LevelVerdict> gouge_of_line(const LevelMotion& motion);
   std::optional<LevelVerdict> gouge_of_arc(const LevelMotion& motion);
   template <class Part>
@@ -146,11 +152,16 @@ std::optional<LevelVerdict> LevelJudge::gouge() {
   return std::nullopt;
 }
 
-// A line, or an arc that goes nowhere: the border is convex.
-std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion) {
+std::optional<LevelVerdict> LevelJudge::gouge_of_ends(const LevelMotion& motion) {
   for (const PlanePoint& end : {motion.from, motion.to}) {
     if (auto verdict = within(motion, reach_of(end - terms_.middle))) return verdict;
   }
+  return std::nullopt;
+}
+
+// A line, or an arc that goes nowhere: the border is convex.
+std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion) {
+  if (auto verdict = gouge_of_ends(motion)) return verdict;
   if (!terms_.by_border) return std::nullopt;
   if (motion.is_arc && motion.rot == 0 && !(motion.from == motion.to)) {
     doubt("An arc has no direction.");
@@ -168,12 +179,10 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
   const bool ambiguous = is_ambiguous(motion, terms_.tolerance);
   if (motion.from == motion.centre || motion.to == motion.centre) {
     // One that is as small as the tolerance came to it by rounding.
-    const PlanePoint way = motion.to - motion.from;
-    const bool small = abs(way.p) <= terms_.tolerance && abs(way.q) <= terms_.tolerance;
-    if (!small) doubt("An arc begins or ends on its own centre.");
-    for (const PlanePoint& end : {motion.from, motion.to}) {
-      if (!small) break;
-      if (auto verdict = within(motion, reach_of(end - terms_.middle))) return verdict;
+    if (!ends_agree(motion, terms_.tolerance)) {
+      doubt("An arc begins or ends on its own centre.");
+    } else if (auto verdict = gouge_of_ends(motion)) {
+      return verdict;
     }
     clear_with_ends(motion);
     return std::nullopt;

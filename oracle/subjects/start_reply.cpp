@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <vector>
 
 #include "oracle/features.hpp"
 #include "oracle/subjects/record_json.hpp"
@@ -61,19 +62,16 @@ std::set<std::string> names_of(std::string_view key, const element& value) {
 // The features of a dialect, or with "" those of every subject. A dialect that the gauge does not
 // know may have any.
 void check_features(std::string_view dialect, const std::set<std::string>& names) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const Feature& feature : feature_vocabulary()) {
-    if (feature.dialect == dialect) known += fmt::format(" {}", feature.name);
+    if (feature.dialect == dialect) known.push_back(feature.name);
   }
   if (known.empty()) return;
   for (const std::string& name : names) {
-    const bool found = std::ranges::any_of(feature_vocabulary(), [&](const Feature& feature) {
-      return feature.dialect == dialect && feature.name == name;
-    });
-    if (found) continue;
-    throw Refusal{fmt::format("The feature \"{}\" of {} is unknown; there are:{}.",
+    if (std::ranges::find(known, name) != known.end()) continue;
+    throw Refusal{fmt::format("The feature \"{}\" of {} is unknown; there are: {}.",
                               excerpt(name, 60), dialect.empty() ? "every dialect" : dialect,
-                              known)};
+                              fmt::join(known, " "))};
   }
 }
 

@@ -80,7 +80,6 @@ class Fake : public Subject {
     info_.name = "fake";
     info_.everything = true;
     info_.features = {"blocks"};
-    info_.features = {"blocks"};
     info_.max_in_flight = fake_.window;
   }
   const SubjectInfo& info() const override { return info_; }
