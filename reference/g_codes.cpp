@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "grammar/parser.hpp"
 
 namespace gonogo::reference {
@@ -10,6 +12,17 @@ namespace gonogo::reference {
 std::string code_name(int tenths) {
   return tenths % 10 == 0 ? fmt::format("G{:02}", tenths / 10)
                           : fmt::format("G{}.{}", tenths / 10, tenths % 10);
+}
+
+std::optional<int> tenths_of_long(const grammar::Decimal& value) {
+  if (value.negative) return std::nullopt;  // not 0: such digits begin with another
+  std::string_view digits = value.long_digits;
+  std::uint32_t scale = value.scale;
+  for (; scale > 1 && digits.back() == '0'; --scale) digits.remove_suffix(1);
+  if (scale != 1 || digits.size() > 5) return std::nullopt;
+  int tenths = 0;
+  for (const char digit : digits) tenths = tenths * 10 + (digit - '0');
+  return tenths > 10'000 ? std::nullopt : std::optional<int>(tenths);
 }
 
 Alarm undefined_code(const grammar::Word& word, ClauseId clause) {

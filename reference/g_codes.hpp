@@ -29,9 +29,13 @@ struct GCode {
   std::string_view title;
 };
 
+// The same where there are more than 18 digits, zeros at the end.
+std::optional<int> tenths_of_long(const grammar::Decimal& value);
+
 // 10 times the value, when that is a whole number below 10,000.
 inline std::optional<int> tenths_of(const grammar::Decimal& value) {
-  if (!value.long_digits.empty() || (value.negative && value.magnitude != 0)) return std::nullopt;
+  if (!value.long_digits.empty()) return tenths_of_long(value);
+  if (value.negative && value.magnitude != 0) return std::nullopt;
   std::uint64_t scaled = value.magnitude;
   if (value.scale == 0) {
     if (scaled > 1000) return std::nullopt;

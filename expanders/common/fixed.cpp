@@ -57,8 +57,7 @@ char* write_whole(unsigned __int128 value, char* out) {
 
 bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
   number = Decimal{};
-  bool negative = false;
-  if (cursor != end && (*cursor == '-' || *cursor == '+')) negative = *cursor++ == '-';
+  if (cursor != end && (*cursor == '-' || *cursor == '+')) number.minus = *cursor++ == '-';
   const char* first = cursor;
   Fixed whole = 0;
   for (; cursor != end && is_digit(*cursor); ++cursor) {
@@ -77,7 +76,7 @@ bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
     return true;
   }
   number.value = whole * kOne + fraction;
-  if (negative) number.value = -number.value;
+  if (number.minus) number.value = -number.value;
   return true;
 }
 

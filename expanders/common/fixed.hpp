@@ -20,6 +20,7 @@ inline constexpr Fixed kLargest = 4'000'000'000 * kOne;
 /// A number as it was written, in counts of the written unit.
 struct Decimal {
   Fixed value = 0;          ///< rounded to the nearest count
+  bool minus = false;       ///< stood before it, before 0 too
   bool overflow = false;    ///< larger than kLargest; `value` is then without meaning
   bool finer = false;       ///< had digits other than 0 beyond the counts
   bool rounded_up = false;  ///< `value` is further from 0 than what was written

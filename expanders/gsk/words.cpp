@@ -139,12 +139,12 @@ Flow check_ranges(Machine& machine, const Block& block) {
   return for_each(block.words(), [&](char address) {
     if (!kSigned.has(address) && !kUnsigned.has(address)) return Flow::kContinue;
     if (address == 'L' && mode == Mode::kHelix) return check_turns(machine, block.number('L'));
-    const Fixed value = block.number(address).value;
+    const Decimal& number = block.number(address);
     const bool positive = kUnsigned.has(address) || (address == 'P' && threads);
-    const Fixed lowest = positive ? 0 : -highest;
     // GSK-G114-13
     const Fixed most = address == 'K' && full_circle ? 360 * kOne : highest;
-    return value < lowest || value > most ? machine.raise(AlarmKind::kValueOutOfRange, address)
+    const bool too_low = positive ? number.minus : number.value < -highest;
+    return too_low || number.value > most ? machine.raise(AlarmKind::kValueOutOfRange, address)
                                           : Flow::kContinue;
   });
 }

@@ -185,7 +185,7 @@ void Interpreter::take_motion() {
 void Interpreter::take_speed() {
   if (!is_thread(machine_.state.motion)) return take_feed();
   const bool inch_lead = machine_.state.inch && machine_.configuration.lead_in_units;
-  const bool by_j = block_.has('J') && !is_apart();
+  const bool by_j = block_.has('J');
   // HNC-G82-07, HNC-G82-08
   if (block_.has('F') && by_j) {
     const char later = block_.position('F') < block_.position('J') ? 'J' : 'F';

@@ -80,8 +80,9 @@ void check_words(Machine& machine, const Block& block) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));
     if (!kMeasured.has(address)) continue;
     const Decimal& number = block.number(address);
-    // J is always in inches: no length grows by more than that.
-    if (number.overflow || !fits(scaled(number.value, 254, 10))) {
+    // P is an angle. J is always in inches: no length grows by more than that.
+    const Wide most = address == 'P' ? Wide{number.value} : scaled(number.value, 254, 10);
+    if (number.overflow || !fits(most)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -57,10 +58,13 @@ class Block {
     const Code* once = code(Group::kOnce);
     return once != nullptr && once->tenths == 40;
   }
-  /// P of an arc; G4 and G64 take it for themselves.
+  /// P of an arc; G4, G64 and some M functions take it for themselves.
   bool has_turns() const {
     const Code* control = code(Group::kControl);
-    return has('P') && !has_dwell() && (control == nullptr || control->tenths != 640);
+    if (!has('P') || has_dwell() || (control != nullptr && control->tenths == 640)) return false;
+    return std::none_of(functions_.begin(), functions_.end(), [](const FunctionWord& word) {
+      return word.number && takes_p(*word.number);
+    });
   }
   bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
 

@@ -72,7 +72,8 @@ const Code* find_code(Fixed tenths) {
 
 Function find_function(Fixed m) {
   if (m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
-  const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) || (m >= 60 && m <= 73);
+  const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) ||
+                     (m >= 60 && m <= 68) || (m >= 70 && m <= 73);
   return known ? Function::kKnown : Function::kUnknown;
 }
 
@@ -100,6 +101,10 @@ FunctionGroup group_of(Fixed m) {
   }
   if (m >= 70) return FunctionGroup::kModes;
   return m >= 62 ? FunctionGroup::kSignal : FunctionGroup::kOverride;
+}
+
+bool takes_p(Fixed m) {
+  return (m >= 50 && m <= 53) || (m >= 62 && m <= 68);
 }
 
 }  // namespace gonogo::expanders::ngc

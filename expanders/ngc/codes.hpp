@@ -63,4 +63,7 @@ enum class FunctionGroup : std::uint8_t {
 /// Of a function that the control has.
 FunctionGroup group_of(Fixed m);
 
+/// Overrides, outputs and inputs, whose number is P.
+bool takes_p(Fixed m);
+
 }  // namespace gonogo::expanders::ngc

@@ -149,7 +149,8 @@ MFunction m_function(std::int64_t number) {
   const bool is_subprogram = number == 98 || number == 99;
   if (is_subprogram || (number >= 100 && number <= 199)) return outside;
   const bool is_known = (number >= 3 && number <= 9) || number == 48 || number == 49 ||
-                        (number >= 50 && number <= 53) || (number >= 60 && number <= 73);
+                        (number >= 50 && number <= 53) ||
+                        (number >= 60 && number <= 73 && number != 69);
   return is_known ? before_motion : undefined;
 }
 

@@ -63,6 +63,7 @@ TEST(GskAlarm, ZeroIsCheckedInBlocksThatMillOnly) {
 TEST(GskAlarm, UnsignedWordsTakeNoMinus) {
   EXPECT_EQ(pocket("Y20 I-16 L3 Q5 D4 F800"), "value-out-of-range");
   EXPECT_EQ(pocket("Y20 I16 L3 Q5 D4 J-1 F800"), "value-out-of-range");
+  EXPECT_EQ(pocket("Y20 I16 L3 Q5 D4 J-0 F800"), "value-out-of-range");
 }
 
 TEST(GskAlarm, RangeEndsAreInclusive) {

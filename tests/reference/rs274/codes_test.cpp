@@ -32,6 +32,12 @@ TEST(NgcCodes, AnyOtherCodeIsUndefined) {
   }
 }
 
+TEST(NgcCodes, ZerosAtTheEndOfACodeAreNone) {
+  EXPECT_EQ(ending_of("G91.100000000000000000000"), "end x0 y0 z0 a0 c0");
+  EXPECT_EQ(ending_of("G91.100000000000000000001"), "alarm b1 undefined-code");
+  EXPECT_EQ(ending_of("G10000000000000000000000.0"), "alarm b1 undefined-code");
+}
+
 TEST(NgcCodes, ABlockWithAnUndefinedCodeIsNotCheckedFurther) {
   EXPECT_EQ(ending_of("G77 X1 X2 F-1 G2 G3 M10"), "alarm b1 undefined-code");
 }
@@ -67,7 +73,7 @@ TEST(NgcCodes, MFunctionsAreKnownOrNot) {
   for (int m : {0, 1, 3, 4, 5, 6, 7, 8, 9, 48, 49, 50, 53, 60, 61, 73}) {
     EXPECT_EQ(lines("M" + std::to_string(m), ngc()), Lines{"m" + std::to_string(m)});
   }
-  for (int m : {10, 29, 31, 47, 54, 59, 74, 97, 200, 99999}) {
+  for (int m : {10, 29, 31, 47, 54, 59, 69, 74, 97, 200, 99999}) {
     EXPECT_EQ(ending_of("M" + std::to_string(m)), "alarm b1 undefined-code") << m;
   }
   for (int m : {98, 99, 100, 199}) {
