@@ -112,15 +112,24 @@ NotCovered m_function_outside(std::int64_t number, std::string_view title,
       word.where};
 }
 
+NotCovered m_function_too_large(std::int64_t number, const grammar::Span& where,
+                                std::uint64_t line) {
+  return {line, fmt::format("M{}", number), "No text says how far M functions go.", where};
+}
+
 std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
                                       ClauseId clause, BlockOutput& out) {
   const Number value = to_number(word.value);
   const std::optional<std::int64_t> number = value.to_int64();  // nothing: not whole, or too large
-  if (!number || *number < 0 || *number > 9999) {
+  if (!number || *number < 0 || *number > kLargestM) {
     const bool is_whole = value == value.floor();
     out.alarms.push_back({is_whole ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
                           clause, 'M', word.where,
-                          "An M function is a whole number from 0 to 9999."});
+                          "An M function is a whole number from 0 to 2147483647."});
+    return std::nullopt;
+  }
+  if (*number > kLastCommonM) {
+    out.not_covered = m_function_too_large(*number, word.where, line);
     return std::nullopt;
   }
   if (*number == 98 || *number == 99) {

@@ -63,6 +63,11 @@ bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_be
 // A block whose construct is not read. REQUIRES: there is one.
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
 
+// No control has an M function above this one.
+inline constexpr std::int64_t kLargestM = 2'147'483'647;
+// Up to this one every control of its kind has them; no text says where its own end.
+inline constexpr std::int64_t kLastCommonM = 9'999;
+
 // The M functions of a block are passed on: those that stop or end something after the motion, the
 // others before.
 // The record of an M word; nothing for one that is no M function (an alarm), or that is not read.
@@ -72,5 +77,8 @@ void put_m_function(Record record, BlockOutput& out);
 // A code of the control that the gauge does not read.
 NotCovered m_function_outside(std::int64_t number, std::string_view title,
                               const grammar::Word& word, std::uint64_t line);
+// An M function above those that every control of its kind has.
+NotCovered m_function_too_large(std::int64_t number, const grammar::Span& where,
+                                std::uint64_t line);
 
 }  // namespace gonogo::reference

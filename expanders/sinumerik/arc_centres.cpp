@@ -56,17 +56,20 @@ bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenC
     machine.complain(AlarmKind::kAxisNotInPlane, centre_address(plane.d), block);
   }
   if (!block.has(centre_address(plane.p)) && !block.has(centre_address(plane.q))) return false;
+  bool finer = false;
   for (const std::size_t axis : {plane.p, plane.q}) {
     const Address address = centre_address(axis);
-    if (block.has(address) && block.value(address).number.finer) sketch.rounded = true;
+    finer = finer || (block.has(address) && block.value(address).number.finer);
   }
+  sketch.rounded = sketch.rounded || finer;
   Vector rest;
   centre.whole = {centre_along(machine, block, plane.p, rest.p),
                   centre_along(machine, block, plane.q, rest.q)};
   centre.place = vector_of(centre.whole);
   centre.place.p += rest.p;
   centre.place.q += rest.q;
-  if (centre.whole.square() != 0) return true;
+  // What is less than a count from the start is not the start.
+  if (centre.whole.square() != 0 || finer) return true;
   machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   return false;
 }
@@ -113,7 +116,8 @@ void correct_centre(Machine& machine, const Block& block, const GivenCentre& cen
     if (!lies_left(sketch, centre)) side = -side;
   }
   const Vector corrected = on_bisector(sketch.way, side);
-  if (too_far_turned(centre.place, corrected)) {
+  const bool no_direction = centre.place.square() == 0;
+  if (no_direction || too_far_turned(centre.place, corrected)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
   }
   put_centre(machine, corrected, sketch);
@@ -202,7 +206,7 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   const Plane& plane = sketch.plane;
   GivenCentre centre;
   centre.whole = {pole.p - state.position[plane.p], pole.q - state.position[plane.q]};
-  if (centre.whole.square() == 0) {
+  if (centre.whole.square() == 0 && !pole.rounded) {
     return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
   centre.place = vector_of(centre.whole);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "expanders/common/program_loop.hpp"
 #include "expanders/sinumerik/cycles.hpp"
@@ -126,11 +127,12 @@ void Interpreter::check_block() {
 }
 
 void Interpreter::check_functions() {
+  constexpr Fixed kMost = std::numeric_limits<std::int32_t>::max();
   for (const FunctionWord& word : block_.functions()) {
     const Decimal& number = word.value.number;
     if (!number.overflow && !is_whole(number)) {
       machine_.complain(AlarmKind::kNotAnInteger, 'M', word.position);
-    } else if (number.overflow || number.value < 0 || number.value > 99 * kOne) {
+    } else if (number.overflow || number.value < 0 || number.value / kOne > kMost) {
       machine_.complain(AlarmKind::kValueOutOfRange, 'M', word.position);
     }
   }

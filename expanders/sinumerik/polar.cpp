@@ -10,8 +10,11 @@ Fixed within_turn(Wide angle) {
   return rest < 0 ? rest + kFullTurn : rest;
 }
 
+// What polar words are for. Those of a pole count as its code says, IC or not.
+enum class PolarUse { kTarget, kPole };
+
 // SIE-POL-02: absolute whatever G90 and G91 say.
-void take_angle(Machine& machine, const Block& block, Polar& polar) {
+void take_angle(Machine& machine, const Block& block, PolarUse use, Polar& polar) {
   const Value& value = block.value(Address::kPolarAngle);
   const Fixed written = value.number.value;
   if (magnitude(written) > kFullTurn || (magnitude(written) == kFullTurn && value.number.finer)) {
@@ -19,7 +22,8 @@ void take_angle(Machine& machine, const Block& block, Polar& polar) {
   }
   const bool by_g91 = machine.has(Fault::kPolarAngleByG91) && machine.state.incremental &&
                       value.mode == Value::Mode::kPlain && polar.has_angle;
-  const bool adds = value.mode == Value::Mode::kIncremental || by_g91;
+  const bool is_added = value.mode == Value::Mode::kIncremental && use == PolarUse::kTarget;
+  const bool adds = is_added || by_g91;
   if (adds && !polar.has_angle) {
     return machine.complain(AlarmKind::kMissingWord, Address::kPolarAngle, block);
   }
@@ -37,10 +41,10 @@ void take_radius(Machine& machine, const Block& block, Polar& polar) {
 }
 
 // AP and RP with those in force.
-Polar take_polar(Machine& machine, const Block& block, Polar polar) {
+Polar take_polar(Machine& machine, const Block& block, PolarUse use, Polar polar) {
   const bool angle = block.has(Address::kPolarAngle);
   const bool radius = block.has(Address::kPolarRadius);
-  if (angle) take_angle(machine, block, polar);
+  if (angle) take_angle(machine, block, use, polar);
   if (radius) take_radius(machine, block, polar);
   if ((!angle && !polar.has_angle) || (!radius && !polar.has_radius)) {
     machine.complain(AlarmKind::kMissingWord);
@@ -101,7 +105,7 @@ Target polar_target(Machine& machine, const Block& block) {
   const Plane& plane = plane_of(state.plane);
   refuse(machine, block, bit(axis_address(plane.p)) | bit(axis_address(plane.q)));
   Target target = cartesian_target(machine, block);
-  const Polar polar = take_polar(machine, block, state.polar);
+  const Polar polar = take_polar(machine, block, PolarUse::kTarget, state.polar);
   if (machine.in_alarm()) return target;
   const Pole place = place_of(machine, state.pole, polar);
   target.to[plane.p] = place.p;
@@ -132,7 +136,7 @@ void take_pole(Machine& machine, const Block& block, int code) {
   if (block.items() != known + 1) machine.complain(AlarmKind::kConflictingWords);
   Pole pole = base_of(machine, plane, code);
   if (polar) {
-    const Polar given = take_polar(machine, block, Polar{});
+    const Polar given = take_polar(machine, block, PolarUse::kPole, Polar{});
     if (!machine.in_alarm()) pole = place_of(machine, pole, given);
   } else {
     const Wide p = Wide{pole.p} + (block.has(first) ? length_of(machine, block, first) : 0);

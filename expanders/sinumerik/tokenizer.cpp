@@ -9,6 +9,11 @@ namespace {
 
 constexpr std::size_t kLargestIndex = 1'000'000;
 
+// Names begin with two of these.
+bool is_name_start(char c) {
+  return is_letter(c) || c == '_';
+}
+
 // CR5, TURN2: an address whose `=` is missing.
 bool is_address_with_digits(std::string_view name, Control control) {
   const auto digits = std::find_if(name.begin(), name.end(), &is_digit);
@@ -46,8 +51,7 @@ bool Tokenizer::is_printed_name() const {
 // `N10` or `:10`; false when the number is none.
 bool Tokenizer::skip_number() {
   if (cursor_ == end_) return true;
-  const bool word = capital(*cursor_) == 'N' && !(end_ - cursor_ > 1 && is_letter(cursor_[1])) &&
-                    !(end_ - cursor_ > 1 && cursor_[1] == '_');
+  const bool word = capital(*cursor_) == 'N' && !(end_ - cursor_ > 1 && is_name_start(cursor_[1]));
   if (!word && *cursor_ != ':') return true;
   if (manner_.capitals_only && *cursor_ == 'n') return false;
   ++cursor_;
@@ -60,7 +64,7 @@ bool Tokenizer::skip_number() {
 
 void Tokenizer::skip_label() {
   const char* stop = cursor_;
-  if (end_ - stop < 2 || !is_letter(stop[0]) || !(is_letter(stop[1]) || stop[1] == '_')) return;
+  if (end_ - stop < 2 || !is_name_start(stop[0]) || !is_name_start(stop[1])) return;
   while (stop != end_ && is_name_part(*stop)) ++stop;
   if (stop != end_ && *stop == ':') cursor_ = stop + 1;
 }
@@ -71,10 +75,10 @@ Item Tokenizer::next() {
   if (cursor_ == end_ || *cursor_ == ';') return item;
   if (*cursor_ == '$') return marked(item, Scan::kOutside, cursor_);
   const bool small = *cursor_ >= 'a' && *cursor_ <= 'z';
-  if (!is_letter(*cursor_) || (small && manner_.capitals_only)) {
+  const bool named = end_ - cursor_ > 1 && is_name_start(cursor_[0]) && is_name_start(cursor_[1]);
+  if ((!named && !is_letter(*cursor_)) || (small && manner_.capitals_only)) {
     return marked(item, Scan::kSyntax, cursor_);
   }
-  const bool named = end_ - cursor_ > 1 && (is_letter(cursor_[1]) || cursor_[1] == '_');
   return named ? name() : letter();
 }
 
@@ -217,12 +221,19 @@ Scan Tokenizer::value(Item& item) {
 }
 
 Scan Tokenizer::expression(Item& item) {
+  skip_blanks(cursor_, end_);
+  const char* literal = cursor_;
   const std::size_t count = parameter_count(manner_.control);
   Expression expression(cursor_, end_, std::span(parameters_).first(count), manner_.left_to_right);
   const Scan step = expression.read();
   cursor_ = expression.cursor();
   item.real = expression.value();
   item.value.number = to_counts(item.real);
+  // A number alone keeps the digits that a processor's real would lose.
+  Decimal written;
+  const bool is_number = read_decimal(literal, cursor_, written);
+  skip_blanks(literal, cursor_);
+  if (step == Scan::kRead && is_number && literal == cursor_) item.value.number = written;
   item.value.undefined = expression.undefined();
   return step;
 }

@@ -23,6 +23,14 @@ bool radii_agree(const BlockContext& block, const OffsetCentre& radii) {
   return radii.radii_agree_squared(most * most) || radii.radii_agree_in_part_of_start(part);
 }
 
+// SIE-ARC-07, with its alarm.
+bool check_radii(BlockContext& block, const OffsetCentre& radii, WordName word) {
+  if (radii_agree(block, radii)) return true;
+  block.alarm(AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
+              "The radii at start and end differ by more than the tolerance.");
+  return false;
+}
+
 Number cross(const PlanePoint& a, const PlanePoint& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -102,6 +110,8 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   radii.end_2 = fine_2(centre.end_2.value_or(dot(to_end, to_end)));
   if (radii.begins_at_centre()) {
     block.alarm(AlarmClass::arc_radius, kCorrected, word, "The centre is the start.");
+    // No text says which of the two is looked at first.
+    if (!arc.closed()) check_radii(block, radii, word);
     return std::nullopt;
   }
   FoundArc found{centre.at, centre.offset, std::nullopt, false};
@@ -112,11 +122,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
     if (arc.end.mark) found.mark = arc.end.mark;
     return found;
   }
-  if (!radii_agree(block, radii)) {
-    block.alarm(AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
-                "The radii at start and end differ by more than the tolerance.");
-    return std::nullopt;
-  }
+  if (!check_radii(block, radii, word)) return std::nullopt;
   found.is_corrected = true;
   const ReadingsInUse& readings = block.readings;
   if (readings.is(ReadingKey::sie_arc_correct, "programmed")) return found;

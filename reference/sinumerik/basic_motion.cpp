@@ -157,19 +157,22 @@ void run_line(BlockContext& block, RecordKind kind) {
 void run_dwell(BlockContext& block) {
   const ClauseId clause = "SIE-MOD-03"_clause;
   const BlockWords& words = block.words;
-  if (words.has(Address::f) && words.has(Address::s)) {
+  const bool has_both = words.has(Address::f) && words.has(Address::s);
+  if (has_both) {
     block.alarm(AlarmClass::conflicting_words, clause, 'S', "A dwell is of F or of S.");
-    return;
   }
-  const Address address = words.has(Address::s) ? Address::s : Address::f;
-  if (!words.has(address)) {
+  if (!words.has(Address::f) && !words.has(Address::s)) {
     block.missing(clause, 'F');
     return;
   }
-  const Number& amount = words.written(address);
-  if (amount.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, clause, name_of(address), "A dwell cannot be negative.");
+  for (const Address address : {Address::f, Address::s}) {
+    if (words.has(address) && words.written(address).sign() < 0) {
+      block.alarm(AlarmClass::value_sign, clause, name_of(address), "A dwell cannot be negative.");
+    }
   }
+  if (has_both) return;
+  const Address address = words.has(Address::s) ? Address::s : Address::f;
+  const Number& amount = words.written(address);
   Record record;
   record.kind = RecordKind::dwell;
   record.block = block.line;

@@ -15,7 +15,7 @@ namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kCommon = "SIE-COM-01"_clause;
-constexpr std::int64_t kLastM = 99;
+constexpr std::int64_t kLastM802s = 99;
 // SIE-LC82-01, SIE-LC75-01
 constexpr std::uint64_t kFirstCycleParameter = 101;
 constexpr std::uint64_t kLastCycleParameter = 127;
@@ -101,8 +101,10 @@ bool Interpreter::take_codes(std::uint64_t line, const grammar::Block& block, Bl
     return alarm.alarm == AlarmClass::undefined_code;
   };
   const bool has_undefined = std::ranges::any_of(reading_.alarms, is_undefined);
+  // Beside a code that the control lacks a block has no meaning, but it may be misspelt, too.
   for (const Alarm& alarm : reading_.alarms) {
-    if (!has_undefined || is_undefined(alarm)) out.alarms.push_back(alarm);
+    const bool stands = is_undefined(alarm) || alarm.alarm == AlarmClass::syntax;
+    if (!has_undefined || stands) out.alarms.push_back(alarm);
   }
   out.warnings.insert(out.warnings.end(), reading_.warnings.begin(), reading_.warnings.end());
   return !has_undefined;
@@ -117,9 +119,13 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
                           "The number of an M function is whole."});
     return;
   }
-  if (value.sign() < 0 || value > Number(kLastM)) {
+  if (value.sign() < 0 || value > Number(kLargestM)) {
     out.alarms.push_back({AlarmClass::value_out_of_range, clause, 'M', word.where,
-                          "An M function is from 0 to 99."});
+                          "An M function is from 0 to 2147483647."});
+    return;
+  }
+  if (machine_.control == Control::sinumerik802s && value > Number(kLastM802s)) {
+    out.not_covered = m_function_too_large(*value.to_int64(), word.where, line);
     return;
   }
   Record record;

@@ -150,6 +150,14 @@ TEST(SinumerikArc, TurnsAndHelix) {
   EXPECT_EQ(sinumerik_arc("G2 X4 A90 C-5 I2"), "arc17 c=2,0 rot=-1 x=4 y=0 a=90 c=-5 f=9");
 }
 
+// SIE-ARC-07 before SIE-ARC-08: twenty decimals are more than the counts have.
+TEST(SinumerikArc, ACentreBesideTheStartByLessThanACountIsNotTheStart) {
+  EXPECT_EQ(sinumerik_arc("G2 X5 I0"), "arc-radius");
+  EXPECT_EQ(sinumerik_arc("G2 X5 I0.00000000000000000001"), "arc-end-point");
+  EXPECT_EQ(sinumerik_arc("G2 X5 I=AC(0.00000000000000000001)"), "arc-end-point");
+  EXPECT_EQ(sinumerik_arc("G2 AP=90 RP=5", "G0 X0\nG110 X0.00000000000000000001"), "arc-end-point");
+}
+
 TEST(SinumerikArc, Inches) {
   EXPECT_EQ(sinumerik_arc("G2 X2 I1", "G70"), "arc17 c=25.4,0 rot=-1 x=50.8 y=0 f=9");
   EXPECT_EQ(sinumerik_arc("G2 X2 CR=1", "G70"), "arc17 c=25.4,0 rot=-1 x=50.8 y=0 f=9");

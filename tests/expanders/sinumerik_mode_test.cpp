@@ -80,7 +80,7 @@ TEST(SinumerikMode, Dwell) {
 TEST(SinumerikMode, FunctionsBeforeAndAfter) {
   EXPECT_EQ(motions_and_alarm("G0 X1 M0 M8 M3\nX2 M17\nX3\n"),
             "m 8\nm 3\nrapid x=1\nm 0\nrapid x=2\nm 17\n");
-  EXPECT_EQ(motions_and_alarm("M100\n"), "value-out-of-range");
+  EXPECT_EQ(motions_and_alarm("M2147483648\n"), "value-out-of-range");
   EXPECT_EQ(motions_and_alarm("M3.5\n"), "not-an-integer");
 }
 

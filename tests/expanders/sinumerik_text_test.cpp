@@ -30,6 +30,11 @@ TEST(SinumerikText, NamesNeedTheirEqualsSign) {
   EXPECT_EQ(motions_and_alarm("G2 X10 F9 cr = 5"), "arc17 c=5,0 rot=-1 x=10 y=0 f=9\n");
 }
 
+TEST(SinumerikText, NamesMayBeginWithAnUnderscore) {
+  EXPECT_EQ(motions_and_alarm("_CALL"), "undefined-code");
+  EXPECT_EQ(motions_and_alarm("_"), "syntax");
+}
+
 TEST(SinumerikText, HeadsOfLines) {
   EXPECT_EQ(
       motions_and_alarm("%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G0 X1\n:20 X2\n/N30 X3\n/8 N40 X4\n"

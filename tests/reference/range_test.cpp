@@ -68,6 +68,17 @@ TEST(Range, ValuesOfExpressionsHaveTheRangeAndRParametersHaveNot) {
   EXPECT_EQ(end_of("sinumerik802s", "R104=-9999*9999 R101=5 F9\nLCYC82"), "not covered@2 range");
 }
 
+// No text says where the M functions of these end; those of the 840D have 31 bits.
+TEST(Range, LargeMFunctionsAreNotCoveredWhereNoTextEndsThem) {
+  EXPECT_EQ(end_of("gsk988ta", "M9999"), "end");
+  EXPECT_EQ(end_of("gsk988ta", "M10000"), "not covered@1 M10000");
+  EXPECT_EQ(end_of("hnc21t", "M2147483647"), "not covered@1 M2147483647");
+  EXPECT_EQ(end_of("hnc21t", "M2147483648"), "value-out-of-range@1");
+  EXPECT_EQ(end_of("sinumerik802s", "M99"), "end");
+  EXPECT_EQ(end_of("sinumerik802s", "M100"), "not covered@1 M100");
+  EXPECT_EQ(end_of("sinumerik840d", "M2147483647"), "end");
+}
+
 TEST(Range, CodesAndToolsAreNoLengths) {
   EXPECT_EQ(end_of("rs274", "G99999999"), "undefined-code@1");
   EXPECT_EQ(end_of("rs274", "T99999999 G0 X1"), "end");

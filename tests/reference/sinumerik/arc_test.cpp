@@ -88,9 +88,11 @@ TEST(SieArc, AnArcHasOneForm) {
 
 TEST(SieArc, TheCentreIsNotTheStart) {
   EXPECT_EQ(outcome("G2 I0"), "arc-radius I");
-  EXPECT_EQ(outcome("G2 X5 I0 J0"), "arc-radius I");
+  EXPECT_EQ(outcome("G2 X5 I0 J0"), "arc-radius I, arc-end-point I");
+  EXPECT_EQ(outcome("G2 X0.01 I0 J0"), "arc-radius I");
+  EXPECT_EQ(outcome("G2 X5 I0.00000000000000000001"), "arc-end-point I");
   EXPECT_EQ(outcome("G2 J0 AR=90"), "arc-radius AR");
-  EXPECT_EQ(outcome("G2 AP=0 RP=5"), "arc-radius RP");
+  EXPECT_EQ(outcome("G2 AP=0 RP=5"), "arc-radius RP, arc-end-point RP");
 }
 
 TEST(SieArc, ARotaryAxisGoesAlong) {

@@ -112,8 +112,10 @@ TEST(SieBasic, MFunctionsStandRoundTheMotion) {
   EXPECT_EQ(lines("G0 X1 M8 M0\nM1 X2 M5\nM17 X3\nX4", sie()),
             (Lines{"m8", "rapid x1", "m0", "m5", "rapid x2", "m1", "rapid x3", "m17"}));
   EXPECT_EQ(outcome("M99"), "end");
-  EXPECT_EQ(outcome("M100"), "value-out-of-range M");
+  EXPECT_EQ(outcome("M2147483647"), "end");
+  EXPECT_EQ(outcome("M2147483648"), "value-out-of-range M");
   EXPECT_EQ(outcome("M1.5"), "not-an-integer M");
+  EXPECT_EQ(outcome("G4 S10 F-20"), "conflicting-words S, value-sign F");
 }
 
 TEST(SieBasic, ABlockWithASlashRunsUnlessBlocksAreSkipped) {

@@ -53,6 +53,7 @@ TEST(SieCodes, CodesThatTheControlLacksAreAlarms) {
 TEST(SieCodes, WhatIsNotCoveredGoesBeforeWhatIsWrong) {
   EXPECT_EQ(outcome("G1 X1 X2 G5 TRANS"), "not-covered TRANS");
   EXPECT_EQ(outcome("G1 X1 X2 G5 LCYC99"), "undefined-code G, undefined-code LCYC99");
+  EXPECT_EQ(outcome("_CALL"), "undefined-code _CALL");
 }
 
 TEST(SieCodes, TwoCodesOfAGroupAreAnAlarm) {

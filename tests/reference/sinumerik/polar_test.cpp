@@ -131,7 +131,7 @@ TEST(SiePolar, WholeTurnsLeadToTheSamePoint) {
 // The pole beside an enclosed position, and the radius that it was put at.
 TEST(SiePolar, APoleBesideAnEnclosedPlaceHasItsExactDistance) {
   EXPECT_EQ(touched("F9 S1 M3\nG1 RP=50 AP=20\nG110 X3 Y4\nG2 RP=5 AP=33\nAP=100"), Lines{});
-  EXPECT_EQ(outcome("G1 RP=50 AP=20\nG110\nG2 RP=5 AP=33"), "arc-radius RP");
+  EXPECT_EQ(outcome("G1 RP=50 AP=20\nG110\nG2 RP=5 AP=33"), "arc-radius RP, arc-end-point RP");
 }
 
 // The way from a pole beside an enclosed place is a decimal: (-4, 6) and 4.001 along X.
