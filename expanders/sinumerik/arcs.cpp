@@ -76,8 +76,13 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
   // Reading sie.cr.tolerance
   const Configuration& configuration = machine.configuration;
   const Fixed tolerance = configuration.radius_tolerance ? configuration.circle_error_constant : 0;
-  const bool rounded = sketch.rounded || block.value(Address::kRadius).number.finer;
-  const ChordFit fit = fit_chord(sketch.chord, magnitude(radius), tolerance, rounded);
+  const bool finer = block.value(Address::kRadius).number.finer;
+  // What rounding took from the ends is known where it is anything.
+  const bool is_known = sketch.way.p != static_cast<Real>(sketch.chord.p) ||
+                        sketch.way.q != static_cast<Real>(sketch.chord.q);
+  const ChordFit fit = is_known && !finer ? fit_chord(sketch.way, magnitude(radius), tolerance)
+                                          : fit_chord(sketch.chord, magnitude(radius), tolerance,
+                                                      sketch.rounded || finer);
   const bool refused = fit == ChordFit::kDiameter && machine.has(Fault::kSemicircleRefused);
   if (fit == ChordFit::kLonger || refused) {
     return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
@@ -227,6 +232,11 @@ void take_end(const State& state, ArcSketch& sketch) {
   sketch.way.p += target.remainder[plane.p] - state.remainder[plane.p];
   sketch.way.q += target.remainder[plane.q] - state.remainder[plane.q];
   sketch.rounded = ((state.rounded | target.rounded) & plane_axes(plane)) != 0;
+  // A place that was reckoned twice is the same place.
+  if (sketch.rounded && sketch.way.square() <= Real{kRounding} * kRounding) {
+    sketch.chord = {};
+    sketch.way = {};
+  }
 }
 
 bool perform(Machine& machine, const Arc& arc) {

@@ -94,4 +94,12 @@ ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool round
   return square <= squared(diameter + tolerance + slack) ? ChordFit::kDiameter : ChordFit::kLonger;
 }
 
+ChordFit fit_chord(const Vector& chord, Fixed radius, Fixed tolerance) {
+  const Real length = std::sqrt(chord.square());
+  const Real slack = std::fmax(Real{1e-6L}, length * 1e-15L);
+  const Real above = length - 2 * static_cast<Real>(radius);
+  if (above < -slack) return ChordFit::kShorter;
+  return above <= static_cast<Real>(tolerance) + slack ? ChordFit::kDiameter : ChordFit::kLonger;
+}
+
 }  // namespace gonogo::expanders::sinumerik

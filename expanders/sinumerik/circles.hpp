@@ -79,5 +79,7 @@ enum class ChordFit { kShorter, kDiameter, kLonger };
 
 /// A chord against twice the radius; up to `tolerance` above it counts as equal.
 ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool rounded);
+/// The same of a chord that is known to far less than a count.
+ChordFit fit_chord(const Vector& chord, Fixed radius, Fixed tolerance);
 
 }  // namespace gonogo::expanders::sinumerik

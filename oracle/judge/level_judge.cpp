@@ -107,6 +107,7 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
   part.record = motion.number;
   level_motions_.push_back(std::move(part));
   level_records_.push_back(record);
+  budget_.count_level_cut();
   if (level_motions_.size() > region::kMaximumLevelMotions) {
     decide_gap(fmt::format("A level of more than {} motions is not judged.",
                            region::kMaximumLevelMotions));

@@ -2,16 +2,21 @@
 #include "oracle/judge/record_budget.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace gonogo::oracle {
 
 bool RecordBudget::allows(std::size_t records, std::size_t live) {
   constexpr std::size_t kFactor = 10;
   constexpr std::size_t kSlack = 1'000;
-  while (records - forgiven_ > kFactor * std::max(counted_, live) + kSlack) {
+  while (records - forgiven() > kFactor * std::max(counted_, live) + kSlack) {
     if (complete_) return false;
-    complete_ = expander_.next() == nullptr;
-    if (!complete_) ++counted_;
+    const reference::Item* const item = expander_.next();
+    complete_ = item == nullptr;
+    if (complete_) continue;
+    ++counted_;
+    const auto* const last = std::get_if<reference::Record>(item);
+    has_end_ = last != nullptr && last->kind == reference::RecordKind::end;
   }
   return true;
 }

@@ -21,13 +21,23 @@ class RecordBudget {
   // A record that does not count because something else limits how many of its kind there are: a
   // chord that goes on along an arc of the reference, a cut of a level of a pocket.
   void forgive() { ++forgiven_; }
+  // A cut of a level whose rings the reference counts. Where the path that is shown ends in an
+  // alarm that the subject's own path does not lead to, nothing counts them, and it is forgiven.
+  void count_level_cut() { ++level_cuts_; }
 
  private:
+  std::size_t forgiven() const {
+    const bool is_cut_short = complete_ && !has_end_;
+    return forgiven_ + (is_cut_short ? level_cuts_ : 0);
+  }
+
   ProgramInput input_;
   reference::Expander expander_;
   std::size_t counted_ = 0;
   std::size_t forgiven_ = 0;
+  std::size_t level_cuts_ = 0;
   bool complete_ = false;
+  bool has_end_ = false;  // the last one counted is that of the program's end
 };
 
 }  // namespace gonogo::oracle
