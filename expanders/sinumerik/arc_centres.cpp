@@ -206,12 +206,14 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   const Plane& plane = sketch.plane;
   GivenCentre centre;
   centre.whole = {pole.p - state.position[plane.p], pole.q - state.position[plane.q]};
-  if (centre.whole.square() == 0 && !pole.rounded) {
-    return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
-  }
   centre.place = vector_of(centre.whole);
   centre.place.p += pole.rest_p - state.remainder[plane.p];
   centre.place.q += pole.rest_q - state.remainder[plane.q];
+  // Of a pole in long decimals it is not known what rounding took.
+  const bool is_known = !pole.rounded || pole.rest_p != 0 || pole.rest_q != 0;
+  if (is_known && centre.place.square() < Real{1e-12L}) {
+    return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
+  }
   sketch.rounded = sketch.rounded || pole.rounded;
   const Fixed radius = state.polar.radius;
   const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),

@@ -142,7 +142,8 @@ Item Tokenizer::name() {
   if (rotation) {
     text = text.substr(0, 3);
     cursor_ = from + 3;
-  } else if (is_address_with_digits(text, manner_.control)) {
+  } else if (is_address_with_digits(text, manner_.control) &&
+             std::all_of(from + text.size(), cursor_, &is_digit)) {
     return marked(item, Scan::kSyntax, from);
   }
   item.name = find_name(text, manner_.control);

@@ -136,11 +136,14 @@ void Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
   } else {
     check_feed_sign(words, clause, out.alarms);
   }
-  if (codes.plane < 0 || codes.plane == 18) return;
+  if (codes.plane < 0) return;
+  // Not of the last code alone: another may stand before it.
   for (const grammar::Word& word : words.block().words) {
-    if (word.address != 'G' || to_number(word.value) != Number(codes.plane)) continue;
+    if (word.address != 'G') continue;
+    const Number code = to_number(word.value);
+    if (code != Number(17) && code != Number(19)) continue;
     out.alarms.push_back({AlarmClass::plane_not_allowed, "HNC-MOD-05"_clause, 'G', word.where,
-                          fmt::format("A lathe has no plane G{}.", codes.plane)});
+                          fmt::format("A lathe has no plane G{}.", code.text())});
   }
 }
 

@@ -65,6 +65,7 @@ TEST(HncWords, CodesWithoutEffectArePassedOver) {
 TEST(HncWords, OnlyThePlaneOfTheLatheIsAllowed) {
   EXPECT_EQ(ending_of("G17 X1"), "alarm b1 plane-not-allowed");
   EXPECT_EQ(ending_of("G19"), "alarm b1 plane-not-allowed");
+  EXPECT_EQ(ending_of("G17 G18"), "alarm b1 plane-not-allowed duplicate-word");
   EXPECT_EQ(ending_of("G00 X1 X2 G17"), "alarm b1 duplicate-word plane-not-allowed");
 }
 
