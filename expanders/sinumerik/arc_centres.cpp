@@ -62,6 +62,7 @@ bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenC
     finer = finer || (block.has(address) && block.value(address).number.finer);
   }
   sketch.rounded = sketch.rounded || finer;
+  sketch.known = sketch.known && !finer;
   Vector rest;
   centre.whole = {centre_along(machine, block, plane.p, rest.p),
                   centre_along(machine, block, plane.q, rest.q)};
@@ -124,15 +125,17 @@ void correct_centre(Machine& machine, const Block& block, const GivenCentre& cen
 }
 
 // SIE-ARC-07
-Agreement compare(const Machine& machine, const Radii& radii, bool rounded) {
+Agreement compare(const Machine& machine, const Radii& radii, const ArcSketch& sketch) {
   const Configuration& configuration = machine.configuration;
   const bool constant_only = machine.has(Fault::kConstantToleranceOnly);
   const RadiusTolerance tolerance{configuration.circle_error_constant,
                                   constant_only ? 0 : configuration.circle_error_factor,
                                   machine.has(Fault::kEqualityRefused)};
   const bool of_end = machine.has(Fault::kEndRadiusTolerance);
-  if (rounded) {
-    return compare_radii(radii.start, radii.end, of_end ? radii.end : radii.start, tolerance);
+  if (sketch.rounded) {
+    const Real fine = fine_rounding(std::fmax(radii.start, radii.end));
+    return compare_radii(radii.start, radii.end, of_end ? radii.end : radii.start, tolerance,
+                         sketch.known ? fine : Real{kRounding});
   }
   return compare_radii(radii.start_square, radii.end_square,
                        of_end ? radii.end_square : radii.start_square, tolerance);
@@ -142,7 +145,7 @@ Agreement compare(const Machine& machine, const Radii& radii, bool rounded) {
 void take_circle(Machine& machine, const Block& block, const GivenCentre& centre,
                  const Radii& radii, ArcSketch& sketch) {
   if (sketch.chord.square() == 0) return put_exact_centre(machine, centre, sketch);
-  const Agreement agreement = compare(machine, radii, sketch.rounded);
+  const Agreement agreement = compare(machine, radii, sketch);
   if (agreement == Agreement::kApart && !machine.has(Fault::kEndPointUnchecked)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
   }
@@ -215,6 +218,7 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
     return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
   sketch.rounded = sketch.rounded || pole.rounded;
+  sketch.known = sketch.known && is_known && !state.polar.radius_rounded;
   const Fixed radius = state.polar.radius;
   const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),
                     static_cast<Real>(radius)};

@@ -17,6 +17,7 @@ struct ArcSketch {
   Arc arc;
   Chord chord;                ///< from start to end, in whole counts
   bool rounded = false;       ///< `chord` is only nearly what was asked for
+  bool known = true;          ///< `way` is right to far less than a count
   Vector way;                 ///< the chord with what rounding took from its ends
   Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts

@@ -77,12 +77,10 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
   const Configuration& configuration = machine.configuration;
   const Fixed tolerance = configuration.radius_tolerance ? configuration.circle_error_constant : 0;
   const bool finer = block.value(Address::kRadius).number.finer;
-  // What rounding took from the ends is known where it is anything.
-  const bool is_known = sketch.way.p != static_cast<Real>(sketch.chord.p) ||
-                        sketch.way.q != static_cast<Real>(sketch.chord.q);
-  const ChordFit fit = is_known && !finer ? fit_chord(sketch.way, magnitude(radius), tolerance)
-                                          : fit_chord(sketch.chord, magnitude(radius), tolerance,
-                                                      sketch.rounded || finer);
+  const ChordFit fit =
+      sketch.rounded && sketch.known && !finer
+          ? fit_chord(sketch.way, magnitude(radius), tolerance)
+          : fit_chord(sketch.chord, magnitude(radius), tolerance, sketch.rounded || finer);
   const bool refused = fit == ChordFit::kDiameter && machine.has(Fault::kSemicircleRefused);
   if (fit == ChordFit::kLonger || refused) {
     return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
@@ -121,6 +119,14 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
   const Real side = side_of_angle(opening_angle(block));
   const bool left = sketch.counterclockwise != machine.has(Fault::kOpeningAngleOtherSide);
   put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
+}
+
+// What rounding took is there where a place was reckoned, and lost where it is of long decimals.
+bool rests_are_known(const Plane& plane, Axes rounded, const Remainder& rest) {
+  const auto is_known = [&](std::size_t axis) {
+    return (rounded & axis_bit(axis)) == 0 || rest[axis] != 0;
+  };
+  return is_known(plane.p) && is_known(plane.q);
 }
 
 // Faults of the axes that move along with the circle.
@@ -232,6 +238,8 @@ void take_end(const State& state, ArcSketch& sketch) {
   sketch.way.p += target.remainder[plane.p] - state.remainder[plane.p];
   sketch.way.q += target.remainder[plane.q] - state.remainder[plane.q];
   sketch.rounded = ((state.rounded | target.rounded) & plane_axes(plane)) != 0;
+  sketch.known = rests_are_known(plane, state.rounded, state.remainder) &&
+                 rests_are_known(plane, target.rounded, target.remainder);
   // A place that was reckoned twice is the same place.
   if (sketch.rounded && sketch.way.square() <= Real{kRounding} * kRounding) {
     sketch.chord = {};

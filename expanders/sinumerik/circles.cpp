@@ -76,12 +76,17 @@ Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_squar
   return constant <= most || relative <= most ? Agreement::kWithin : Agreement::kApart;
 }
 
-Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance) {
+Real fine_rounding(Real length) {
+  return std::fmax(Real{1e-6L}, length * 1e-15L);
+}
+
+Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance,
+                        Real rounding) {
   const Real difference = std::fabs(start - end);
-  if (difference <= kRounding) return Agreement::kEqual;
+  if (difference <= rounding) return Agreement::kEqual;
   const Real relative = static_cast<Real>(tolerance.factor) / kOne * reference;
   const Real limit = std::fmax(static_cast<Real>(tolerance.constant), relative);
-  const Real slack = tolerance.strict ? -kRounding : kRounding;
+  const Real slack = tolerance.strict ? -rounding : rounding;
   return difference <= limit + slack ? Agreement::kWithin : Agreement::kApart;
 }
 
@@ -96,7 +101,7 @@ ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool round
 
 ChordFit fit_chord(const Vector& chord, Fixed radius, Fixed tolerance) {
   const Real length = std::sqrt(chord.square());
-  const Real slack = std::fmax(Real{1e-6L}, length * 1e-15L);
+  const Real slack = fine_rounding(length);
   const Real above = length - 2 * static_cast<Real>(radius);
   if (above < -slack) return ChordFit::kShorter;
   return above <= static_cast<Real>(tolerance) + slack ? ChordFit::kDiameter : ChordFit::kLonger;

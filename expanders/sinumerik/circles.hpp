@@ -72,8 +72,12 @@ struct RadiusTolerance {
 /// Compares radii by their squares.
 Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_square,
                         const RadiusTolerance& tolerance);
-/// Compares radii that are known to kRounding only.
-Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance);
+/// Compares radii that are known to `rounding` only.
+Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance,
+                        Real rounding);
+
+/// What a length of that many counts is known to where nothing but the processor rounds.
+Real fine_rounding(Real length);
 
 enum class ChordFit { kShorter, kDiameter, kLonger };
 

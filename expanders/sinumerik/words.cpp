@@ -61,7 +61,10 @@ Target cartesian_target(Machine& machine, const Block& block) {
       target.rounded &= ~axis_bit(axis);
       target.remainder[axis] = 0;
     }
-    if (value.number.finer) target.rounded |= axis_bit(axis);
+    if (value.number.finer) {
+      target.rounded |= axis_bit(axis);
+      target.remainder[axis] = 0;  // not known any more
+    }
     if (in_reach(place)) {
       target.to[axis] = static_cast<Fixed>(place);
     } else {

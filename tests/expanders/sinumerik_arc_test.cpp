@@ -150,6 +150,16 @@ TEST(SinumerikArc, TurnsAndHelix) {
   EXPECT_EQ(sinumerik_arc("G2 X4 A90 C-5 I2"), "arc17 c=2,0 rot=-1 x=4 y=0 a=90 c=-5 f=9");
 }
 
+// Y is 0.000113604 above the chord's end: the radii differ by 1.2e-9 mm, by hand 0.000113604^2 / 2
+// / 5.403.
+TEST(SinumerikArc, RadiiOfAReckonedPlaceAreComparedByWhatRoundingTook) {
+  const char* strict = R"({"parameters":{"CIRCLE_ERROR_CONST":"0","CIRCLE_ERROR_FACTOR":"0"}})";
+  const char* before = "G2 AR=0.001 J=AC(4.627) I6.509\nG1 X-5.403";
+  EXPECT_EQ(sinumerik_arc("G3 AP=270 RP=5.403", before, strict), "arc-end-point");
+  // X is 0.0001 sin(33.3) off: the chord is 7.5e-11 mm above the diameter.
+  EXPECT_EQ(sinumerik_arc("G2 X0 Y-20 CR=10", "G3 J-0.0001 AR=33.3\nG0 Y0"), "arc-radius");
+}
+
 // SIE-ARC-07 before SIE-ARC-08: twenty decimals are more than the counts have.
 TEST(SinumerikArc, ACentreBesideTheStartByLessThanACountIsNotTheStart) {
   EXPECT_EQ(sinumerik_arc("G2 X5 I0"), "arc-radius");
