@@ -6,7 +6,8 @@
 namespace gonogo::fuzz {
 namespace {
 
-constexpr std::size_t kMostDigitsASide = 9;
+constexpr std::size_t kMostWhole = 9;
+constexpr std::size_t kMostDecimals = 7;
 
 bool is_number_digit(char c) {
   return c >= '0' && c <= '9';
@@ -26,14 +27,14 @@ bool has_short_numbers(std::string_view text) {
   while (!text.empty()) {
     const std::string_view whole = take_digits(text);
     const std::size_t first = std::min(whole.find_first_not_of('0'), whole.size());
-    if (whole.size() - first > kMostDigitsASide) return false;
+    if (whole.size() - first > kMostWhole) return false;
     if (text.empty()) break;
     const bool at_point = text.front() == '.';
     text.remove_prefix(1);
     if (!at_point) continue;
     const std::string_view decimals = take_digits(text);
     // npos + 1 is 0: nothing but zeros.
-    if (decimals.find_last_not_of('0') + 1 > kMostDigitsASide) return false;
+    if (decimals.find_last_not_of('0') + 1 > kMostDecimals) return false;
   }
   return true;
 }

@@ -63,7 +63,7 @@ bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_be
 // A block whose construct is not read. REQUIRES: there is one.
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
 
-// No control has an M function above this one.
+// The last M function of the 840D, and the last that a record holds; above it any control alarms.
 inline constexpr std::int64_t kLargestM = 2'147'483'647;
 // Up to this one every control of its kind has them; no text says where its own end.
 inline constexpr std::int64_t kLastCommonM = 9'999;

@@ -49,12 +49,14 @@ std::span<const Dialect> dialects() {
       {"gsk988ta", grammar::Dialect::gsk988ta, catalog::kGsk988ta, "GSK-COM-02"_clause, true,
        gsk988ta::make_interpreter, gsk988ta::outside_codes, gsk988ta::codes_without_effect,
        kOffsets, kGskParameters, keeps_defaults,
-       "M98, M99 (subprograms), a second program in the file, variables (#), expressions ([ ]) and "
+       "M98, M99 (subprograms), M functions above 9999, a second program in the file, variables "
+       "(#), expressions ([ ]) and "
        "control statements"},
       {"hnc21t", grammar::Dialect::hnc21t, catalog::hnc21t::kClauses, "HNC-COM-01"_clause, true,
        hnc21t::make_interpreter, hnc21t::outside_codes, hnc21t::codes_without_effect, kOffsets,
        kHncParameters, keeps_defaults,
-       "M98, M99 (subprograms), a second program in the file, Y and V outside the cycles (programs "
+       "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
+       "outside the cycles (programs "
        "for mills), variables (#), expressions ([ ]) and control statements"},
       {"rs274",
        grammar::Dialect::rs274,
@@ -93,7 +95,8 @@ std::span<const Dialect> dialects() {
        {},
        kSinumerikParameters,
        mills,
-       "subprograms (L, P, calls), the axes B U V W and those with a number, R[ ] and $ variables, "
+       "subprograms (L, P, calls), M functions above 99, the axes B U V W and those with a number, "
+       "R[ ] and $ variables, "
        "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},
   });
   return kDialects;

@@ -49,6 +49,11 @@ Fixed centre_along(Machine& machine, const Block& block, std::size_t axis, Real&
   return length - machine.state.position[axis];
 }
 
+// No length but what the processor rounds.
+bool is_none(const Vector& way) {
+  return way.square() < Real{1e-12L};
+}
+
 // False: there is no centre to go on with.
 bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenCentre& centre) {
   const Plane& plane = sketch.plane;
@@ -70,7 +75,7 @@ bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenC
   centre.place.p += rest.p;
   centre.place.q += rest.q;
   // What is less than a count from the start is not the start.
-  if (centre.whole.square() != 0 || finer) return true;
+  if (finer || !is_none(centre.place)) return true;
   machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   return false;
 }
@@ -198,6 +203,8 @@ void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, Ar
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
   if (turn.cosine != 0 && turn.sine != 0) target.rounded |= plane_axes(plane);
+  const bool coarse = !sketch.known || block.value(Address::kOpeningAngle).number.finer;
+  if (coarse) target.coarse |= plane_axes(plane);
   take_end(machine.state, sketch);
   put_exact_centre(machine, centre, sketch);
 }
@@ -212,13 +219,11 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   centre.place = vector_of(centre.whole);
   centre.place.p += pole.rest_p - state.remainder[plane.p];
   centre.place.q += pole.rest_q - state.remainder[plane.q];
-  // Of a pole in long decimals it is not known what rounding took.
-  const bool is_known = !pole.rounded || pole.rest_p != 0 || pole.rest_q != 0;
-  if (is_known && centre.place.square() < Real{1e-12L}) {
+  if (!pole.coarse && is_none(centre.place)) {
     return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
   sketch.rounded = sketch.rounded || pole.rounded;
-  sketch.known = sketch.known && is_known && !state.polar.radius_rounded;
+  sketch.known = sketch.known && !pole.coarse && !state.polar.radius_rounded;
   const Fixed radius = state.polar.radius;
   const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),
                     static_cast<Real>(radius)};

@@ -121,14 +121,6 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
   put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
 }
 
-// What rounding took is there where a place was reckoned, and lost where it is of long decimals.
-bool rests_are_known(const Plane& plane, Axes rounded, const Remainder& rest) {
-  const auto is_known = [&](std::size_t axis) {
-    return (rounded & axis_bit(axis)) == 0 || rest[axis] != 0;
-  };
-  return is_known(plane.p) && is_known(plane.q);
-}
-
 // Faults of the axes that move along with the circle.
 void spoil_helix(const Machine& machine, const Plane& plane, Target& target, const Point& from) {
   if (machine.has(Fault::kHelixFlat)) target.to[plane.d] = from[plane.d];
@@ -238,10 +230,12 @@ void take_end(const State& state, ArcSketch& sketch) {
   sketch.way.p += target.remainder[plane.p] - state.remainder[plane.p];
   sketch.way.q += target.remainder[plane.q] - state.remainder[plane.q];
   sketch.rounded = ((state.rounded | target.rounded) & plane_axes(plane)) != 0;
-  sketch.known = rests_are_known(plane, state.rounded, state.remainder) &&
-                 rests_are_known(plane, target.rounded, target.remainder);
+  sketch.known = ((state.coarse | target.coarse) & plane_axes(plane)) == 0;
   // A place that was reckoned twice is the same place.
-  if (sketch.rounded && sketch.way.square() <= Real{kRounding} * kRounding) {
+  const auto farthest =
+      static_cast<Real>(std::max(magnitude(target.to[plane.p]), magnitude(target.to[plane.q])));
+  const Real same = sketch.known ? fine_rounding(farthest) : Real{kRounding};
+  if (sketch.rounded && sketch.way.square() <= same * same) {
     sketch.chord = {};
     sketch.way = {};
   }

@@ -61,10 +61,15 @@ void prepare_drilling(Machine& machine, const Block& block, Plan& plan) {
   if (machine.has(Fault::kDrillDwellMilliseconds)) drilling.seconds /= 1000;
   if (machine.has(Fault::kDrillDwellForgotten)) drilling.seconds = 0;
   Target& target = drilling.target;
-  target = {state.position, axis_bit(plane.d), state.rounded & ~axis_bit(plane.d), state.remainder};
+  const Axes others = ~axis_bit(plane.d);
+  target = {state.position, axis_bit(plane.d), state.rounded & others, state.remainder,
+            state.coarse & others};
   target.remainder[plane.d] = 0;
   target.to[plane.d] = machine.has(Fault::kDrillRetractToClearance) ? drilling.start : r(101);
-  if (r.rounded()) target.rounded |= axis_bit(plane.d);
+  if (r.rounded()) {
+    target.rounded |= axis_bit(plane.d);
+    target.coarse |= axis_bit(plane.d);
+  }
   Point bottom = target.to;
   bottom[plane.d] = drilling.depth;
   drilling.feed = cutting_feed(machine, bottom, true);

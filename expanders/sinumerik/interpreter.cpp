@@ -257,6 +257,7 @@ void Interpreter::take_position(const Plan& plan) {
     state.position = target->to;
     state.rounded = target->rounded;
     state.remainder = target->remainder;
+    state.coarse = target->coarse;
   }
   // SIE-CT-02: motions without length leave it.
   if (plan.heading.known()) state.heading = plan.heading;

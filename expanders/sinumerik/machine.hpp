@@ -72,6 +72,7 @@ struct Target {
   Axes axes = 0;          ///< those with a word, of a polar target both of the plane
   Axes rounded = 0;       ///< as State::rounded, after the motion
   Remainder remainder{};  ///< as State::remainder
+  Axes coarse = 0;        ///< as State::coarse
 };
 
 /// The axes with a word in the block.

@@ -147,8 +147,12 @@ void take_centre(const Machine& machine, CycleParameters& r, Pocket& pocket) {
 Target end_of(const Machine& machine, const Pocket& pocket, bool rounded) {
   const Plane& plane = plane_of(pocket.plane);
   const Axes axes = plane_axes(plane) | axis_bit(plane.d);
-  Target target{machine.state.position, axes, machine.state.rounded & ~axes, {}};
-  if (rounded) target.rounded |= axes;
+  const State& state = machine.state;
+  Target target{state.position, axes, state.rounded & ~axes, {}, state.coarse & ~axes};
+  if (rounded) {
+    target.rounded |= axes;
+    target.coarse |= axes;
+  }
   target.to[plane.p] = pocket.centre_p;
   target.to[plane.q] = pocket.centre_q;
   target.to[plane.d] =

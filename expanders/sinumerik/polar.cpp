@@ -70,15 +70,18 @@ Pole place_of(Machine& machine, const Pole& base, const Polar& polar) {
     return base;
   }
   const bool on_axis = polar.angle % (90 * kOne) == 0 || polar.radius == 0;
-  return {static_cast<Fixed>(p), static_cast<Fixed>(q),
-          base.rounded || polar.radius_rounded || !on_axis, from_p - static_cast<Real>(step_p),
-          from_q - static_cast<Real>(step_q)};
+  return {static_cast<Fixed>(p),
+          static_cast<Fixed>(q),
+          base.rounded || polar.radius_rounded || !on_axis,
+          from_p - static_cast<Real>(step_p),
+          from_q - static_cast<Real>(step_q),
+          base.coarse || polar.radius_rounded};
 }
 
 Pole position_in(const State& state, const Plane& plane) {
-  return {state.position[plane.p], state.position[plane.q],
-          (state.rounded & plane_axes(plane)) != 0, state.remainder[plane.p],
-          state.remainder[plane.q]};
+  return {
+      state.position[plane.p],  state.position[plane.q],  (state.rounded & plane_axes(plane)) != 0,
+      state.remainder[plane.p], state.remainder[plane.q], (state.coarse & plane_axes(plane)) != 0};
 }
 
 // SIE-POL-01: position, zero, last pole.
@@ -115,6 +118,8 @@ Target polar_target(Machine& machine, const Block& block) {
   target.axes |= plane_axes(plane);
   target.rounded &= ~plane_axes(plane);
   if (place.rounded) target.rounded |= plane_axes(plane);
+  target.coarse &= ~plane_axes(plane);
+  if (place.coarse) target.coarse |= plane_axes(plane);
   state.polar = polar;
   if (machine.has(Fault::kPolarRadiusForgotten) && state.motion == Motion::kRapid) {
     state.polar.has_radius = false;
@@ -143,7 +148,9 @@ void take_pole(Machine& machine, const Block& block, int code) {
     const Wide q = Wide{pole.q} + (block.has(second) ? length_of(machine, block, second) : 0);
     if (!in_reach(p) || !in_reach(q)) return machine.complain(AlarmKind::kValueOutOfRange);
     for (const Address word : {first, second}) {
-      if (block.has(word) && block.value(word).number.finer) pole.rounded = true;
+      if (!block.has(word) || !block.value(word).number.finer) continue;
+      pole.rounded = true;
+      pole.coarse = true;
     }
     pole.p = static_cast<Fixed>(p);
     pole.q = static_cast<Fixed>(q);

@@ -76,6 +76,7 @@ void put_frame(Machine& machine, const Frame& frame) {
   }
   const Axes machine_rounded = machine.frame.to_machine(state.rounded) | machine.frame.rounded();
   state.rounded = frame.to_machine(machine_rounded) | frame.rounded();
+  state.coarse = state.rounded;  // whatever is known of it goes through sums and turns
   state.heading.along =
       frame.direction_to_workpiece(machine.frame.direction_to_machine(state.heading.along));
   const Axes inexact = machine.frame.rounded() | frame.rounded();

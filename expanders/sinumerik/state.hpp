@@ -20,6 +20,7 @@ struct Pole {
   bool rounded = false;  ///< it came from an angle
   Real rest_p = 0;       ///< what rounding took
   Real rest_q = 0;
+  bool coarse = false;  ///< more was taken than is known
 };
 
 /// AP and RP in force.
@@ -54,6 +55,7 @@ struct State {
   Point position;
   Axes rounded = 0;       ///< axes whose position is only nearly what was asked for
   Remainder remainder{};  ///< of the position, where it is known
+  Axes coarse = 0;        ///< axes whose remainder is not known
   bool inch;
   bool incremental = false;
   int plane;

@@ -137,13 +137,15 @@ Item Tokenizer::name() {
   item.letter = capitals[0];
   // No name that is known is as long as that.
   std::string_view text(capitals.data(), std::min(size, capitals.size()));
-  const bool rotation =
-      text.starts_with("RPL") && std::all_of(text.begin() + 3, text.end(), &is_digit);
+  // Behind the letters that a name is known by.
+  const auto are_digits = [&](std::size_t letters) {
+    return std::all_of(from + letters, cursor_, &is_digit);
+  };
+  const bool rotation = text.starts_with("RPL") && are_digits(3);
   if (rotation) {
     text = text.substr(0, 3);
     cursor_ = from + 3;
-  } else if (is_address_with_digits(text, manner_.control) &&
-             std::all_of(from + text.size(), cursor_, &is_digit)) {
+  } else if (is_address_with_digits(text, manner_.control) && are_digits(text.size())) {
     return marked(item, Scan::kSyntax, from);
   }
   item.name = find_name(text, manner_.control);

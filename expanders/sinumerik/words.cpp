@@ -49,7 +49,7 @@ Axes axes_of(const Block& block) {
 // SIE-G1-01, SIE-G1-03
 Target cartesian_target(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Target target{state.position, axes_of(block), state.rounded, state.remainder};
+  Target target{state.position, axes_of(block), state.rounded, state.remainder, state.coarse};
   for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
     const Address address = axis_address(axis);
     if (!block.has(address)) continue;
@@ -59,11 +59,12 @@ Target cartesian_target(Machine& machine, const Block& block) {
     if (incremental) place += state.position[axis];
     if (!incremental) {
       target.rounded &= ~axis_bit(axis);
+      target.coarse &= ~axis_bit(axis);
       target.remainder[axis] = 0;
     }
     if (value.number.finer) {
       target.rounded |= axis_bit(axis);
-      target.remainder[axis] = 0;  // not known any more
+      target.coarse |= axis_bit(axis);
     }
     if (in_reach(place)) {
       target.to[axis] = static_cast<Fixed>(place);
