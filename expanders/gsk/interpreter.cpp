@@ -104,6 +104,7 @@ Flow Interpreter::check_codes() {
   }
   const Fixed number = m.value / kOne;
   if (number == 98 || number == 99) return unsupported('M', static_cast<unsigned>(number) * 10);
+  if (number > 9'999) return unsupported("A large M function");
   return Flow::kContinue;
 }
 

@@ -101,6 +101,11 @@ Flow Interpreter::check_coverage() {
     if (!has_fraction(block_, 'M') && (m.value == 98 * kOne || m.value == 99 * kOne)) {
       return unsupported('M', static_cast<unsigned>(m.value / kOne));
     }
+    const Fixed number = m.value / kOne;
+    const bool fits_record = number <= std::numeric_limits<std::int32_t>::max();
+    if (!has_fraction(block_, 'M') && !m.overflow && number > 9'999 && fits_record) {
+      return unsupported("A large M function");
+    }
   }
   const Motion motion = coming_motion();
   // A program with Y outside of the turning cycles is one for a mill.

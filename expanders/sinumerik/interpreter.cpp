@@ -83,8 +83,23 @@ Flow Interpreter::run_line(std::string_view line) {
   return block_.items() == 0 ? Flow::kContinue : run_block();
 }
 
+// No text says how far the M functions of the 802S go; to 99 every one has them.
+bool Interpreter::has_large_function() const {
+  if (machine_.configuration.control != Control::k802S) return false;
+  constexpr Fixed kMost = std::numeric_limits<std::int32_t>::max();
+  const auto& words = block_.functions();
+  return std::any_of(words.begin(), words.end(), [](const FunctionWord& word) {
+    const Decimal& number = word.value.number;
+    return is_whole(number) && number.value > 99 * kOne && number.value / kOne <= kMost;
+  });
+}
+
 Flow Interpreter::run_block() {
   warn();
+  const bool is_known = !block_.unknown().found() && !block_.undefined().found();
+  if (is_known && has_large_function()) {
+    return not_implemented(machine_.tracer, "A large M function");
+  }
   check_block();
   if (machine_.in_alarm()) return Flow::kAlarm;
   Plan plan;

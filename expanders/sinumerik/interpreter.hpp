@@ -28,6 +28,7 @@ class Interpreter {
   void warn();
   void check_block();
   void check_functions();
+  bool has_large_function() const;
   void prepare(Plan& plan);
   void take_feed();
   void take_spindle();
