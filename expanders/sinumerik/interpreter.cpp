@@ -104,7 +104,9 @@ Flow Interpreter::run_block() {
   if (machine_.in_alarm()) return Flow::kAlarm;
   Plan plan;
   prepare(plan);
-  return machine_.in_alarm() ? Flow::kAlarm : perform_plan(plan);
+  if (machine_.in_alarm()) return Flow::kAlarm;
+  if (!plan.lacking.empty()) return not_implemented(machine_.tracer, plan.lacking);
+  return perform_plan(plan);
 }
 
 // What the control can do and this expander cannot; it goes before every alarm of the block.

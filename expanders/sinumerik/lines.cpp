@@ -1,17 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G0, G1 and the dwell.
+#include <cmath>
+
+#include "expanders/sinumerik/circles.hpp"
 #include "expanders/sinumerik/plan.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
+namespace {
+
+// What an axis may differ by and yet stay: a place that was reckoned twice is the same place.
+Real rounding_of(const State& state, const Target& target, std::size_t axis) {
+  const Axes bit = axis_bit(axis);
+  if (((state.rounded | target.rounded) & bit) == 0) return 0;
+  if (((state.coarse | target.coarse) & bit) != 0) return kRounding;
+  return fine_rounding(static_cast<Real>(magnitude(target.to[axis])));
+}
+
+}  // namespace
+
 Heading straight_heading(const State& state, const Target& target) {
   Heading heading;
   heading.exact = ((state.rounded | target.rounded) & kLinearAxes) == 0;
+  bool moves = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Fixed way = target.to[axis] - state.position[axis];
     heading.along[axis] = static_cast<Real>(way) + (target.remainder[axis] - state.remainder[axis]);
     if (magnitude(way) > kLargestWhole) heading.exact = false;
+    moves = moves || std::fabs(heading.along[axis]) > rounding_of(state, target, axis);
   }
+  if (!moves) heading.along = {};
   return heading;
 }
 

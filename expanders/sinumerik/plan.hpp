@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
 #include <variant>
 
 #include "expanders/sinumerik/machine.hpp"
@@ -61,7 +62,8 @@ struct Pocketing {
 
 struct Plan {
   std::variant<Idle, Dwell, Line, Arc, SpaceArc, Drilling, Pocketing> motion;
-  Heading heading;  ///< at the end; not known: as before
+  Heading heading;           ///< at the end; not known: as before
+  std::string_view lacking;  ///< what the expander would need for the motion and has not
 };
 
 void prepare_dwell(Machine& machine, const Block& block, Plan& plan);

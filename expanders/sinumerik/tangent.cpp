@@ -90,6 +90,15 @@ void refine_centre(const State& state, const Bend& bend, ArcSketch& sketch) {
   sketch.arc.centre_q = state.position[sketch.plane.q] + d.q / 2 + part_p;
 }
 
+// Whether the centre is known to a fraction of a count of the machine: what the processor rounds of
+// the direction moves it by twice the square of the radius over the chord.
+bool is_sharp(const Bend& bend, const ArcSketch& sketch) {
+  constexpr Real kDirection = 1e-18L;
+  constexpr Real kEnough = 1e-4L * kOne;
+  const Real radius = std::hypot(sketch.centre.p, sketch.centre.q);
+  return bend.exact || 2 * radius * radius * kDirection <= kEnough * std::sqrt(sketch.way.square());
+}
+
 // SIE-CT-01. False: too far, and the arc no different from a line.
 bool take_tangent_circle(Machine& machine, const Bend& bend, ArcSketch& sketch) {
   const bool other = machine.has(Fault::kTangentOtherSide);
@@ -131,6 +140,7 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
   }
   if (!take_tangent_circle(machine, bend, sketch)) return make_straight(machine, sketch, plan);
   if (machine.in_alarm()) return;
+  if (!is_sharp(bend, sketch)) plan.lacking = "An arc as flat as this";
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
   sketch.arc.rot = sketch.counterclockwise ? 1 : -1;

@@ -37,7 +37,7 @@ bool ProgramJudge::record(const Record& record) {
   if (verdict_) return false;
   ++records_;
   try {
-    if (!budget_.allows(records_, reference_.items())) {
+    if (!budget_.allows(records_, reference_.items_and_passes())) {
       decide_too_many(record);
     } else if (!equal_record(record)) {
       take_record(record);

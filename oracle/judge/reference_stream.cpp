@@ -50,6 +50,7 @@ void ReferenceStream::take(const reference::Item& item) {
     shift(position_, renaming->shift);
     shift(dropped_, renaming->shift);
   }
+  if (auto* thread = std::get_if<reference::ThreadMilling>(&item)) count_passes(*thread);
   flush();
   std::visit([this](const auto& step) { ready_.emplace_back(step); }, item);
 }
@@ -76,6 +77,14 @@ void ReferenceStream::take_motion(const Record& record) {
   dropped_.stood = position_;
   flush();
   pending_ = std::move(motion);
+}
+
+// A pass is an entry, a helix, a run-out and a way back.
+void ReferenceStream::count_passes(const reference::ThreadMilling& thread) {
+  constexpr std::int64_t kRecordsOfPass = 4;
+  constexpr std::int64_t kMost = 1'000'000'000;
+  const std::int64_t passes = thread.passes().to_int64().value_or(kMost);
+  passes_ += static_cast<std::size_t>(std::min(passes, kMost) * kRecordsOfPass);
 }
 
 void ReferenceStream::drop(const Motion& motion) {

@@ -67,6 +67,8 @@ class ReferenceStream {
   bool renaming_ahead();
   // Items that the reference has put out so far.
   std::size_t items() const { return items_; }
+  // The same, with the records that the passes of a thread would be.
+  std::size_t items_and_passes() const { return items_ + passes_; }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
   // The text of the line that alarms, at the alarm.
   std::string_view failed_line() const { return expander_.failed_line(); }
@@ -75,6 +77,7 @@ class ReferenceStream {
   void pull();
   void take(const reference::Item& item);
   void take_motion(const Record& record);
+  void count_passes(const reference::ThreadMilling& thread);
   void drop(const Motion& motion);
   void flush();
 
@@ -85,6 +88,7 @@ class ReferenceStream {
   std::optional<Motion> pending_;
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
+  std::size_t passes_ = 0;
   bool was_moved_ = false;
 };
 

@@ -105,5 +105,14 @@ TEST(SinumerikFlatArc, LargestLength) {
   EXPECT_EQ(last_motion_or_alarm("G70\nG0 X39370079\n"), "value-out-of-range");
 }
 
+// The direction at the end of a spiral is irrational, and the end 0.00254 mm beside it: of a radius
+// of 5.08e12 mm a processor's digits leave thousands of millimetres open.
+TEST(SinumerikFlatArc, WhatTheDigitsDoNotReachIsNotImplemented) {
+  const Outcome outcome = run_sinumerik(
+      "G70\nG0 X1 Y30 Z30\nG19 G0 Y40\nG3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n", "{}");
+  EXPECT_EQ(outcome.note, "An arc as flat as this is not implemented.");
+  EXPECT_EQ(outcome.alarms, 0);
+}
+
 }  // namespace
 }  // namespace gonogo::expanders::testing

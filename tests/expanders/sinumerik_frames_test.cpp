@@ -44,6 +44,13 @@ TEST(SinumerikFrames, RotationsAddAboutTheShiftedZero) {
   EXPECT_EQ(moved("G259 RPL=90\nG158 X10\nG0 X1\n"), "rapid x=11\n");
 }
 
+// The way there is (2, 12) in the frame, and the chord (7, 11) lies to its right.
+TEST(SinumerikFrames, StayingInATurnedFrameHasNoDirection) {
+  const std::string path =
+      moved("G258 RPL=45\nG0 X1 Y2\nG1 X3 Y14 F90\nG258 RPL=45\nG1 X3 Y14\nCT X=IC(7) Y=IC(11)\n");
+  EXPECT_NE(path.find("rot=-1"), std::string::npos) << path;
+}
+
 // The centres of the four slots of the third example: 35 sqrt(2) / 2 = 24.748737342 from (40, 45).
 TEST(SinumerikFrames, TheSlotsOfTheExample) {
   EXPECT_EQ(moved("G19 G0\nG158 Y40 Z45\nG259 RPL45\nY35 Z0\nG259 RPL90\nY35 Z0\nG259 RPL=90\n"
