@@ -115,8 +115,9 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
     if (agree(want_.to, got.to, terms_.tolerance) == Truth::no) return departs("the ends differ");
     return undecided("an arc is told in another form");
   }
-  const bool may_be_flat = want.kind == RecordKind::feed && have.kind == RecordKind::arc3 &&
-                           agree(want_.to, got.to, terms_.tolerance) != Truth::no;
+  const bool line_and_arc3 = (want.kind == RecordKind::feed && have.kind == RecordKind::arc3) ||
+                             (want.kind == RecordKind::arc3 && have.kind == RecordKind::feed);
+  const bool may_be_flat = line_and_arc3 && agree(want_.to, got.to, terms_.tolerance) != Truth::no;
   if (may_be_flat) return undecided("an arc that may be as flat as its chord");
   if (want.kind != have.kind) return departs("the kinds differ");
   if (terms_.has_blocks && have.block == 0) return undecided("a record names no source line");

@@ -21,6 +21,7 @@ struct ArcSketch {
   Vector way;                 ///< the chord with what rounding took from its ends
   Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts
+  bool sharp = true;          ///< `centre` is known well enough to be put out
 };
 
 /// Chord, way and `rounded`, from the target.

@@ -93,6 +93,13 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
                           : side_of_radius(sketch.chord, square);
   }
   if (sketch.counterclockwise == long_way) side = -side;
+  // Near half a circle the centre moves far on the bisector, for ends or a radius a little beside.
+  if (!sketch.known || finer) {
+    const Real chord = std::sqrt(sketch.way.square());
+    const Real from_chord = std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
+    const Real whole_radius = static_cast<Real>(magnitude(radius));
+    sketch.sharp = 2 * whole_radius <= kSharp * from_chord;
+  }
   put_centre(machine, on_bisector(sketch.way, side), sketch);
 }
 
@@ -118,6 +125,12 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
   if (!in_range || machine.in_alarm()) return;
   const Real side = side_of_angle(opening_angle(block));
   const bool left = sketch.counterclockwise != machine.has(Fault::kOpeningAngleOtherSide);
+  const bool finer = block.value(Address::kOpeningAngle).number.finer;
+  const Real chord = std::sqrt(sketch.way.square());
+  constexpr Real kCountOfAngle = 1e-11L;  // half of 1e-9 degrees, as radians
+  const Real beside =
+      (sketch.known ? 0 : 2) + (finer ? chord * std::fabs(side) * kCountOfAngle : 0);
+  sketch.sharp = beside * std::fabs(side) <= kSharp;
   put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
 }
 
@@ -163,6 +176,7 @@ Heading heading_of(const Machine& machine, const ArcSketch& sketch, int turns) {
   heading.along[plane.p] = -sense * radius.q;
   heading.along[plane.q] = sense * radius.p;
   const auto largest = static_cast<Real>(kLargestWhole);
+  heading.doubt = sketch.known ? 0 : 2 / std::hypot(radius.p, radius.q);
   heading.exact = sketch.exact_centre && !sketch.rounded && std::fabs(radius.p) <= largest &&
                   std::fabs(radius.q) <= largest;
   const Real rise = straight_heading(machine.state, sketch.arc.target).along[plane.d];
@@ -217,6 +231,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
     plan.motion = Line{target, false, sketch.arc.feed};
     return;
   }
+  if (!sketch.sharp) plan.lacking = kFlatArc;
   sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
 }

@@ -10,26 +10,46 @@ namespace gonogo::expanders::sinumerik {
 namespace {
 
 // What an axis may differ by and yet stay: a place that was reckoned twice is the same place.
-Real rounding_of(const State& state, const Target& target, std::size_t axis) {
+Real rounding_between(const Target& from, const Target& to, std::size_t axis) {
   const Axes bit = axis_bit(axis);
-  if (((state.rounded | target.rounded) & bit) == 0) return 0;
-  if (((state.coarse | target.coarse) & bit) != 0) return kRounding;
-  return fine_rounding(static_cast<Real>(magnitude(target.to[axis])));
+  if (((from.rounded | to.rounded) & bit) == 0) return 0;
+  if (((from.coarse | to.coarse) & bit) != 0) return kRounding;
+  return fine_rounding(static_cast<Real>(magnitude(to.to[axis])));
 }
 
 }  // namespace
 
-Heading straight_heading(const State& state, const Target& target) {
-  Heading heading;
-  heading.exact = ((state.rounded | target.rounded) & kLinearAxes) == 0;
+Target start_of(const State& state) {
+  return {state.position, kLinearAxes, state.rounded, state.remainder, state.coarse};
+}
+
+std::array<Real, 3> way_between(const Target& from, const Target& to) {
+  std::array<Real, 3> way{};
   bool moves = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Fixed way = target.to[axis] - state.position[axis];
-    heading.along[axis] = static_cast<Real>(way) + (target.remainder[axis] - state.remainder[axis]);
-    if (magnitude(way) > kLargestWhole) heading.exact = false;
-    moves = moves || std::fabs(heading.along[axis]) > rounding_of(state, target, axis);
+    way[axis] = static_cast<Real>(to.to[axis] - from.to[axis]) +
+                (to.remainder[axis] - from.remainder[axis]);
+    moves = moves || std::fabs(way[axis]) > rounding_between(from, to, axis);
   }
-  if (!moves) heading.along = {};
+  return moves ? way : std::array<Real, 3>{};
+}
+
+Real doubt_between(const Target& from, const Target& to, Axes axes) {
+  return ((from.coarse | to.coarse) & axes) != 0 ? 2 : 0;
+}
+
+Heading straight_heading(const State& state, const Target& target) {
+  const Target start = start_of(state);
+  Heading heading;
+  heading.along = way_between(start, target);
+  heading.exact = ((state.rounded | target.rounded) & kLinearAxes) == 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (magnitude(target.to[axis] - state.position[axis]) > kLargestWhole) heading.exact = false;
+  }
+  const auto [x, y, z] = heading.along;
+  if (heading.known()) {
+    heading.doubt = doubt_between(start, target, kLinearAxes) / std::hypot(x, y, z);
+  }
   return heading;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <variant>
 
@@ -80,7 +81,23 @@ bool perform(Machine& machine, const SpaceArc& motion);
 bool perform(Machine& machine, const Drilling& motion);
 bool perform(Machine& machine, const Pocketing& motion);
 
-/// The direction of the straight way from `from` to `target`.
+/// The place from which the block starts, as a target.
+Target start_of(const State& state);
+
+/// The way along X, Y, Z in counts, with what rounding took; none at all between places that may be
+/// one place reckoned twice.
+std::array<Real, 3> way_between(const Target& from, const Target& to);
+
+/// What each end of a way may be beside, in counts, where a place is coarse.
+Real doubt_between(const Target& from, const Target& to, Axes axes);
+
+/// The direction of the straight way to `target`.
 Heading straight_heading(const State& state, const Target& target);
+
+/// What is not known to less than this, in counts, is not put out: half the finest resolution.
+inline constexpr Real kSharp = 4e-4L * kOne;
+
+/// What Plan::lacking says of arcs whose centre the digits of the processor do not reach.
+inline constexpr std::string_view kFlatArc = "An arc as flat as this";
 
 }  // namespace gonogo::expanders::sinumerik

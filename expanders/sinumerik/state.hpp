@@ -36,6 +36,7 @@ struct Polar {
 struct Heading {
   std::array<Real, 3> along{};  ///< X, Y, Z
   bool exact = false;           ///< whole numbers up to kLargestWhole
+  Real doubt = 0;               ///< by what angle it may be beside, where a place is coarse
   bool known() const { return along != std::array<Real, 3>{}; }
 };
 

@@ -12,6 +12,7 @@ namespace {
 struct Bend {
   Real across = 0;  ///< positive: to the left
   Real along = 0;
+  Real off_line = 0;  ///< how far the end lies off the line of the direction
   bool straight = false;
   bool exact = false;  ///< the two that follow are known
   Wide whole_across = 0;
@@ -34,8 +35,9 @@ Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
   const Vector& d = sketch.way;
   bend.across = cross(t, d);
   bend.along = dot(t, d);
-  const Real off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
-  bend.straight = off_line <= kRounding / Real{2} + 1e-15L * std::hypot(d.p, d.q);
+  bend.off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
+  const bool known = sketch.known && heading.doubt == 0;
+  bend.straight = bend.off_line <= (known ? fine_rounding(std::hypot(d.p, d.q)) : kRounding);
   return bend;
 }
 
@@ -56,6 +58,8 @@ Heading mirrored(const State& state, const ArcSketch& sketch, const Bend& bend) 
   Heading result;
   result.along[plane.p] = double_part * d.p - heading.along[plane.p];
   result.along[plane.q] = double_part * d.q - heading.along[plane.q];
+  const Real beside = sketch.known ? 0 : 2;
+  result.doubt = heading.doubt + 2 * beside / std::sqrt(d.square());
   const Real rise = straight_heading(state, sketch.arc.target).along[plane.d];
   if (rise == 0) return result;
   const Real sweep = 2 * std::atan2(std::fabs(bend.across), bend.along);
@@ -90,13 +94,16 @@ void refine_centre(const State& state, const Bend& bend, ArcSketch& sketch) {
   sketch.arc.centre_q = state.position[sketch.plane.q] + d.q / 2 + part_p;
 }
 
-// Whether the centre is known to a fraction of a count of the machine: what the processor rounds of
-// the direction moves it by twice the square of the radius over the chord.
-bool is_sharp(const Bend& bend, const ArcSketch& sketch) {
+// Whether the centre is known well enough. What the end or the direction may be beside, and what
+// the processor rounds of them, moves it by as much as the radius is more than the end lies off the
+// line.
+bool is_sharp(const State& state, const Bend& bend, const ArcSketch& sketch) {
+  if (bend.exact) return true;
   constexpr Real kDirection = 1e-18L;
-  constexpr Real kEnough = 1e-4L * kOne;
+  const Real chord = std::sqrt(sketch.way.square());
+  const Real beside = (sketch.known ? 0 : 2) + chord * (state.heading.doubt + kDirection);
   const Real radius = std::hypot(sketch.centre.p, sketch.centre.q);
-  return bend.exact || 2 * radius * radius * kDirection <= kEnough * std::sqrt(sketch.way.square());
+  return bend.off_line > 2 * beside && radius * beside <= kSharp * bend.off_line;
 }
 
 // SIE-CT-01. False: too far, and the arc no different from a line.
@@ -133,6 +140,10 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
     return machine.complain(AlarmKind::kArcTangent);
   }
   const Bend bend = bend_of(heading, sketch);
+  if (bend.straight && !(sketch.known && heading.doubt == 0)) {
+    plan.lacking = kFlatArc;
+    return;
+  }
   if (bend.straight) {
     const bool behind = bend.along < 0 && !machine.has(Fault::kTangentBehindAccepted);
     if (behind) return machine.complain(AlarmKind::kArcTangent);
@@ -140,7 +151,7 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
   }
   if (!take_tangent_circle(machine, bend, sketch)) return make_straight(machine, sketch, plan);
   if (machine.in_alarm()) return;
-  if (!is_sharp(bend, sketch)) plan.lacking = "An arc as flat as this";
+  if (!is_sharp(state, bend, sketch)) plan.lacking = kFlatArc;
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
   sketch.arc.rot = sketch.counterclockwise ? 1 : -1;

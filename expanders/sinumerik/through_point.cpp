@@ -14,29 +14,11 @@ Way way(const Point& from, const Point& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-Wide dot(const Way& a, const Way& b) {
-  return static_cast<Wide>(a[0]) * b[0] + static_cast<Wide>(a[1]) * b[1] +
-         static_cast<Wide>(a[2]) * b[2];
-}
-
 std::array<Wide, 3> cross(const Way& a, const Way& b) {
   auto part = [&](std::size_t i, std::size_t j) {
     return static_cast<Wide>(a[i]) * b[j] - static_cast<Wide>(a[j]) * b[i];
   };
   return {part(1, 2), part(2, 0), part(0, 1)};
-}
-
-bool is_nothing(const Way& a) {
-  return a == Way{};
-}
-
-// SIE-CIP-01: whether the intermediate point lies on the line through start and end.
-bool on_line(const Way& to_via, const Way& to_end, bool rounded) {
-  const std::array<Wide, 3> normal = cross(to_via, to_end);
-  if (!rounded) return normal == std::array<Wide, 3>{};
-  double square = 0;
-  for (const Wide part : normal) square += static_cast<double>(part) * static_cast<double>(part);
-  return square <= kRounding * kRounding * static_cast<double>(dot(to_end, to_end));
 }
 
 using Direction = Frame::Direction;
@@ -45,13 +27,39 @@ Real dot(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Direction direction(const Target& from, const Target& to) {
-  Direction result{};
-  for (std::size_t axis = 0; axis < result.size(); ++axis) {
-    result[axis] = static_cast<Real>(to.to[axis] - from.to[axis]) +
-                   (to.remainder[axis] - from.remainder[axis]);
+Direction cross(const Direction& a, const Direction& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Real length(const Direction& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+bool is_nothing(const Direction& a) {
+  return a == Direction{};
+}
+
+enum class OnLine { kYes, kNo, kUnclear };
+
+// SIE-CIP-01: whether the intermediate point lies on the line through start and end.
+OnLine on_line(const Target& start, const Target& via, const Target& end) {
+  const Axes rounded = start.rounded | via.rounded | end.rounded;
+  if ((rounded & kLinearAxes) == 0) {
+    const auto normal = cross(way(start.to, via.to), way(start.to, end.to));
+    return normal == std::array<Wide, 3>{} ? OnLine::kYes : OnLine::kNo;
   }
-  return result;
+  const Direction to_via = way_between(start, via);
+  const Direction to_end = way_between(start, end);
+  const Real off = length(cross(to_via, to_end)) / length(to_end);
+  const Real spread = 1 + length(to_via) / length(to_end);
+  if (((start.coarse | via.coarse | end.coarse) & kLinearAxes) != 0) {
+    return off <= kRounding * spread ? OnLine::kUnclear : OnLine::kNo;
+  }
+  Real farthest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    farthest = std::fmax(farthest, static_cast<Real>(magnitude(end.to[axis])));
+  }
+  return off <= fine_rounding(farthest) * spread ? OnLine::kYes : OnLine::kNo;
 }
 
 // Turning the circle about the end inside out makes it a line in the direction of the tangent.
@@ -95,7 +103,7 @@ void take_other_side(const Point& from, SpaceArc& arc) {
 // SIE-CIP-02: what has no word is that of the start.
 Target take_intermediate(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Target via{state.position, kLinearAxes, state.rounded, state.remainder};
+  Target via = start_of(state);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = intermediate_address(axis);
     if (!block.has(address)) continue;
@@ -107,8 +115,13 @@ Target take_intermediate(Machine& machine, const Block& block) {
       place += state.position[axis];
     } else {
       via.remainder[axis] = 0;
+      via.rounded &= ~axis_bit(axis);
+      via.coarse &= ~axis_bit(axis);
     }
-    if (value.number.finer) via.rounded |= axis_bit(axis);
+    if (value.number.finer) {
+      via.rounded |= axis_bit(axis);
+      via.coarse |= axis_bit(axis);
+    }
     if (!in_reach(place)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
       continue;
@@ -133,21 +146,22 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   const State& state = machine.state;
   SpaceArc arc;
   arc.target = cartesian_target(machine, block);
-  const Target start{state.position, kLinearAxes, state.rounded, state.remainder};
+  const Target start = start_of(state);
   const Target via = take_intermediate(machine, block);
-  const Axes rounded = state.rounded | arc.target.rounded | via.rounded;
   arc.via = via.to;
   arc.feed = cutting_feed(machine, arc.target.to, true);
   if (machine.in_alarm()) return;
-  const Way to_via = way(state.position, arc.via);
-  const Way to_end = way(state.position, arc.target.to);
-  const Way via_to_end = way(arc.via, arc.target.to);
+  const Direction to_via = way_between(start, via);
+  const Direction to_end = way_between(start, arc.target);
+  const Direction via_to_end = way_between(via, arc.target);
   const AlarmKind kBroken = AlarmKind::kArcIntermediatePoint;
   if (is_nothing(to_via) || is_nothing(to_end) || is_nothing(via_to_end)) {
     return machine.complain(kBroken, first_intermediate_word(block), block);
   }
   arc.target.axes |= kLinearAxes;
-  if (on_line(to_via, to_end, (rounded & kLinearAxes) != 0)) {
+  const OnLine in_line = on_line(start, via, arc.target);
+  if (in_line == OnLine::kUnclear) plan.lacking = kFlatArc;
+  if (in_line == OnLine::kYes) {
     const bool between = dot(to_via, to_end) > 0 && dot(via_to_end, to_end) > 0;
     if (!between || machine.has(Fault::kIntermediateStraightRefused)) {
       return machine.complain(kBroken, first_intermediate_word(block), block);
@@ -156,7 +170,13 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
     plan.motion = Line{arc.target, false, arc.feed};
     return;
   }
-  plan.heading = heading_of(direction(arc.target, start), direction(arc.target, via));
+  const Direction end_to_start = way_between(arc.target, start);
+  const Direction end_to_via = way_between(arc.target, via);
+  plan.heading = heading_of(end_to_start, end_to_via);
+  const Axes coarse = start.coarse | via.coarse | arc.target.coarse;
+  if ((coarse & kLinearAxes) != 0) {
+    plan.heading.doubt = kRounding / std::fmin(length(end_to_start), length(end_to_via));
+  }
   if (machine.has(Fault::kThroughPointSenseFlipped)) take_other_side(state.position, arc);
   plan.motion = arc;
 }

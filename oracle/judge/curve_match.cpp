@@ -109,7 +109,9 @@ MatchResult CurveMatch::match(const Motion& subject) {
   const bool same_feed = !is_cut || feeds_agree(want, got, terms_);
   const std::optional<Progress> before = same_feed ? std::nullopt : std::optional(progress_);
   MatchResult result = MatchResult::departs(Departure::kind, "The motion is of another kind.");
-  if (round_) {
+  if (got.kind == RecordKind::feed && is_flat_arc3()) {
+    result = match_line(subject);
+  } else if (round_) {
     result = match_round(subject);
   } else if (want.kind == RecordKind::feed && got.kind == RecordKind::arc3) {
     result = match_flat(subject);
@@ -225,6 +227,14 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   }
   progress_.line = max(progress_.line, progress);
   return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
+}
+
+// Whether the reference is an arc in space that nothing tells from its chord: rounded, its three
+// points may lie in line, and then it can be put out only as that.
+bool CurveMatch::is_flat_arc3() const {
+  if (reference_.record.kind != RecordKind::arc3) return false;
+  const ThreePoints points(reference_);
+  return points.circle ? points.is_flat(terms_.tolerance) : !points.is_over_half();
 }
 
 // An arc in space that nothing tells from its chord.

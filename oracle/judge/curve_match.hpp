@@ -49,6 +49,7 @@ class CurveMatch {
  private:
   MatchResult match_rapid(const Motion& subject);
   MatchResult match_line(const Motion& subject);
+  bool is_flat_arc3() const;
   MatchResult match_flat(const Motion& subject);
   MatchResult match_thread(const Motion& subject);
   MatchResult match_round(const Motion& subject);

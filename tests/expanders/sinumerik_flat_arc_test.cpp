@@ -108,10 +108,24 @@ TEST(SinumerikFlatArc, LargestLength) {
 // The direction at the end of a spiral is irrational, and the end 0.00254 mm beside it: of a radius
 // of 5.08e12 mm a processor's digits leave thousands of millimetres open.
 TEST(SinumerikFlatArc, WhatTheDigitsDoNotReachIsNotImplemented) {
-  const Outcome outcome = run_sinumerik(
-      "G70\nG0 X1 Y30 Z30\nG19 G0 Y40\nG3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n", "{}");
-  EXPECT_EQ(outcome.note, "An arc as flat as this is not implemented.");
-  EXPECT_EQ(outcome.alarms, 0);
+  const std::string none = "An arc as flat as this is not implemented.";
+  const auto note = [](const char* program) { return run_sinumerik(program, "{}").note; };
+  EXPECT_EQ(note("G70\nG0 X1 Y30 Z30\nG19 G0 Y40\n"
+                 "G3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n"),
+            none);
+  // Expressions have the digits of a double. -0.00001745 mm to the side of 5 mm: a radius of 716 m.
+  EXPECT_EQ(note("G0 X=TAN(-0.001)\nG1 Y14 Z5 F90\nG18 CT X0 Z10\n"), none);
+  // A radius of 1e6 chords from a place that is known to a count.
+  EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9999 F100\n"), none);
+  EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9 F100\n"), "");
+}
+
+// Whether places that are known to a count lie in line cannot be said.
+TEST(SinumerikFlatArc, ThreePointsInLineAreKnownOfWholeCountsOnly) {
+  EXPECT_EQ(
+      run_sinumerik("G0 X=SQRT(2) Y=SQRT(3)\nCIP X3 Y=SQRT(3) I1=2 J1=SQRT(3) F9\n", "{}").note,
+      "An arc as flat as this is not implemented.");
+  EXPECT_EQ(last_motion_or_alarm("G0 X1 Y1\nCIP X3 Y1 I1=2 J1=1 F9\n").substr(0, 5), "feed ");
 }
 
 }  // namespace

@@ -285,6 +285,25 @@ TEST(Arc3, ALineMayComeAsAnArcThatNothingTellsFromIt) {
   EXPECT_EQ(match(line, {bulging("5")}).departure, Departure::kind);
 }
 
+// A bulge of 0.0004 is none where places are written in thousandths.
+TEST(Arc3, MayComeAsALineThatNothingTellsFromIt) {
+  const Position from = xyz("0", "0", "0");
+  const Position to = xyz("10", "0", "0");
+  const auto bulging = [&](const char* z) { return arc3(from, xyz("5", "0", z), to); };
+  const auto middle = xyz("5", "0", "0");
+  EXPECT_TRUE(fits(bulging("0.0004"), {motion(RecordKind::feed, from, to)}));
+  EXPECT_TRUE(fits(bulging("0.0004"),
+                   {motion(RecordKind::feed, from, middle), motion(RecordKind::feed, middle, to)}));
+  EXPECT_EQ(
+      match(bulging("0.0004"), {motion(RecordKind::feed, from, xyz("10", "0.002", "0"))}).departure,
+      Departure::geometry);
+  EXPECT_EQ(match(bulging("0.0011"), {motion(RecordKind::feed, from, to)}).departure,
+            Departure::kind);
+  const Motion most = arc3(tenths(10, 0), tenths(-10, 0), tenths(8, -6));
+  EXPECT_EQ(match(most, {motion(RecordKind::feed, most.from, most.to())}).departure,
+            Departure::kind);
+}
+
 TEST(Arc3, InLineItIsItsChord) {
   const Position from = xyz("0", "0", "0");
   const Position to = xyz("3", "6", "9");
