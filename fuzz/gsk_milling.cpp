@@ -116,7 +116,9 @@ void GskWriter::thread_block() {
   const std::int64_t height = std::max<std::int64_t>(0, tool - length(4)) + choices_.below(2);
   // Between the tool and the axis; where it is a few increments, opposite sides of the axis agree.
   const std::int64_t room = length(20) + length_of(10);
-  const std::int64_t bore = 2 * (internal ? tool : 0) + 2 * room + choices_.below(3);
+  const bool fills_bore = internal && choices_.one_in(40);
+  const std::int64_t bore =
+      fills_bore ? 2 * tool : 2 * (internal ? tool : 0) + 2 * room + choices_.below(3);
   words.push_back(word('I', lead));
   words.push_back(word('E', bore));
   words.push_back(word('P', height));

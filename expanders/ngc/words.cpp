@@ -47,8 +47,9 @@ void check_sizes(Machine& machine, const Block& block) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));
     if (!kMeasured.has(address)) continue;
     const Decimal& number = block.number(address);
-    // In inches no number grows by more than that.
-    if (number.overflow || !fits(scaled(number.value, 254, 10))) {
+    // In inches no number grows by more than that; turns and seconds do not grow.
+    const bool fixed = address == 'P';
+    if (number.overflow || !(fixed || fits(scaled(number.value, 254, 10)))) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }

@@ -18,10 +18,14 @@ struct ArcSketch {
   Chord chord;                ///< from start to end, in whole counts
   bool rounded = false;       ///< `chord` is only nearly what was asked for
   bool known = true;          ///< `way` is right to far less than a count
+  Real farthest = 0;          ///< coordinate of start and end in the plane
   Vector way;                 ///< the chord with what rounding took from its ends
   Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts
   bool sharp = true;          ///< `centre` is known well enough to be put out
+
+  /// What start and end may be beside.
+  Real doubt() const { return known ? 0 : coarse_rounding(farthest); }
 };
 
 /// Chord, way and `rounded`, from the target.

@@ -98,7 +98,8 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
     const Real chord = std::sqrt(sketch.way.square());
     const Real from_chord = std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
     const Real whole_radius = static_cast<Real>(magnitude(radius));
-    sketch.sharp = 2 * whole_radius <= kSharp * from_chord;
+    const Real beside = std::fmax(sketch.doubt(), 2);
+    sketch.sharp = beside * whole_radius <= kSharp * from_chord;
   }
   put_centre(machine, on_bisector(sketch.way, side), sketch);
 }
@@ -128,8 +129,7 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
   const bool finer = block.value(Address::kOpeningAngle).number.finer;
   const Real chord = std::sqrt(sketch.way.square());
   constexpr Real kCountOfAngle = 1e-11L;  // half of 1e-9 degrees, as radians
-  const Real beside =
-      (sketch.known ? 0 : 2) + (finer ? chord * std::fabs(side) * kCountOfAngle : 0);
+  const Real beside = sketch.doubt() + (finer ? chord * std::fabs(side) * kCountOfAngle : 0);
   sketch.sharp = beside * std::fabs(side) <= kSharp;
   put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
 }
@@ -176,7 +176,7 @@ Heading heading_of(const Machine& machine, const ArcSketch& sketch, int turns) {
   heading.along[plane.p] = -sense * radius.q;
   heading.along[plane.q] = sense * radius.p;
   const auto largest = static_cast<Real>(kLargestWhole);
-  heading.doubt = sketch.known ? 0 : 2 / std::hypot(radius.p, radius.q);
+  heading.doubt = sketch.doubt() / std::hypot(radius.p, radius.q);
   heading.exact = sketch.exact_centre && !sketch.rounded && std::fabs(radius.p) <= largest &&
                   std::fabs(radius.q) <= largest;
   const Real rise = straight_heading(machine.state, sketch.arc.target).along[plane.d];
@@ -246,10 +246,12 @@ void take_end(const State& state, ArcSketch& sketch) {
   sketch.way.q += target.remainder[plane.q] - state.remainder[plane.q];
   sketch.rounded = ((state.rounded | target.rounded) & plane_axes(plane)) != 0;
   sketch.known = ((state.coarse | target.coarse) & plane_axes(plane)) == 0;
+  for (const std::size_t axis : {plane.p, plane.q}) {
+    const Fixed reach = std::max(magnitude(target.to[axis]), magnitude(state.position[axis]));
+    sketch.farthest = std::fmax(sketch.farthest, static_cast<Real>(reach));
+  }
   // A place that was reckoned twice is the same place.
-  const auto farthest =
-      static_cast<Real>(std::max(magnitude(target.to[plane.p]), magnitude(target.to[plane.q])));
-  const Real same = sketch.known ? fine_rounding(farthest) : Real{kRounding};
+  const Real same = sketch.known ? fine_rounding(sketch.farthest) : Real{kRounding};
   if (sketch.rounded && sketch.way.square() <= same * same) {
     sketch.chord = {};
     sketch.way = {};

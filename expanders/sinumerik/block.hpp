@@ -77,7 +77,7 @@ class Block {
  private:
   struct Late {
     std::size_t index;
-    double value;
+    Real value;
   };
 
   static std::size_t index_of(Address address) { return static_cast<std::size_t>(address); }

@@ -76,6 +76,10 @@ Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_squar
   return constant <= most || relative <= most ? Agreement::kWithin : Agreement::kApart;
 }
 
+Real coarse_rounding(Real farthest) {
+  return std::fmax(Real{2}, farthest * 1e-13L);
+}
+
 Real fine_rounding(Real length) {
   return std::fmax(Real{1e-6L}, length * 1e-15L);
 }

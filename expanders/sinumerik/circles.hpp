@@ -76,6 +76,10 @@ Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_squar
 Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance,
                         Real rounding);
 
+/// What a place that many counts from zero is known to where what rounding took is not known: an
+/// expression may have lost more than a count.
+Real coarse_rounding(Real farthest);
+
 /// What a length of that many counts is known to where nothing but the processor rounds.
 Real fine_rounding(Real length);
 

@@ -7,16 +7,14 @@
 #include <limits>
 #include <string_view>
 
-#include "expanders/sinumerik/real.hpp"
-
 namespace gonogo::expanders::sinumerik {
 namespace {
 
 // A result of cancellation that is smaller than this part of its operands is zero.
-constexpr double kZeroPart = 4 * std::numeric_limits<double>::epsilon();
+constexpr Real kZeroPart = 4 * std::numeric_limits<Real>::epsilon();
 
-double without_residue(double value, double left, double right) {
-  const double size = std::fmax(std::fabs(left), std::fabs(right));
+Real without_residue(Real value, Real left, Real right) {
+  const Real size = std::fmax(std::fabs(left), std::fabs(right));
   return std::fabs(value) <= kZeroPart * size ? 0 : value;
 }
 
@@ -42,18 +40,18 @@ char capital(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-Decimal to_counts(double value) {
+Decimal to_counts(Real value) {
   Decimal number;
   constexpr Fixed kMostWhole = kLargest / kOne;
-  constexpr auto kMostAsDouble = static_cast<double>(kMostWhole);
-  if (!(std::fabs(value) <= kMostAsDouble)) {
+  constexpr auto kMostAsReal = static_cast<Real>(kMostWhole);
+  if (!(std::fabs(value) <= kMostAsReal)) {
     number.overflow = true;
     return number;
   }
-  const double counts = value * static_cast<double>(kOne);
+  const Real counts = value * static_cast<Real>(kOne);
   number.value = std::llround(counts);
-  const double rest = std::fabs(counts - static_cast<double>(number.value));
-  number.finer = rest > 1e-3 + 1e-15 * std::fabs(counts);
+  const Real rest = std::fabs(counts - static_cast<Real>(number.value));
+  number.finer = rest > 1e-3L + 1e-18L * std::fabs(counts);
   return number;
 }
 
@@ -85,7 +83,7 @@ char Expression::next_operator() {
   return c == '+' || c == '-' || c == '*' || c == '/' ? c : '\0';
 }
 
-double Expression::apply(char sign, double left, double right) {
+Real Expression::apply(char sign, Real left, Real right) {
   switch (sign) {
     case '+':
       return without_residue(left + right, left, right);
@@ -100,34 +98,34 @@ double Expression::apply(char sign, double left, double right) {
   }
 }
 
-Scan Expression::sum(double& value) {
+Scan Expression::sum(Real& value) {
   Scan step = product(value);
   while (step == Scan::kRead) {
     const char sign = next_operator();
     // Fault: all operators bind alike, so that here products are met as well.
     if (sign == 0 || (!left_to_right_ && sign != '+' && sign != '-')) break;
     ++cursor_;
-    double right = 0;
+    Real right = 0;
     step = product(right);
     if (step == Scan::kRead) value = apply(sign, value, right);
   }
   return step;
 }
 
-Scan Expression::product(double& value) {
+Scan Expression::product(Real& value) {
   Scan step = signed_operand(value);
   while (step == Scan::kRead && !left_to_right_) {
     const char sign = next_operator();
     if (sign != '*' && sign != '/') break;
     ++cursor_;
-    double right = 0;
+    Real right = 0;
     step = signed_operand(right);
     if (step == Scan::kRead) value = apply(sign, value, right);
   }
   return step;
 }
 
-Scan Expression::signed_operand(double& value) {
+Scan Expression::signed_operand(Real& value) {
   skip_blanks(cursor_, end_);
   const bool negative = cursor_ != end_ && *cursor_ == '-';
   if (negative || (cursor_ != end_ && *cursor_ == '+')) ++cursor_;
@@ -137,7 +135,7 @@ Scan Expression::signed_operand(double& value) {
   return step;
 }
 
-Scan Expression::operand(double& value) {
+Scan Expression::operand(Real& value) {
   if (cursor_ == end_) return Scan::kSyntax;
   const char c = *cursor_;
   if (is_digit(c) || c == '.') return number(value);
@@ -146,19 +144,19 @@ Scan Expression::operand(double& value) {
   return is_letter(c) ? named(value) : Scan::kSyntax;
 }
 
-Scan Expression::number(double& value) {
+Scan Expression::number(Real& value) {
   const char* first = cursor_;
   Decimal unused;
   if (!read_decimal(cursor_, end_, unused)) return Scan::kSyntax;
   if (at_exponent(cursor_, end_)) return Scan::kOutside;
-  // A number that is beyond binary64 has no digits that matter.
+  // A number that is beyond all reals has no digits that matter.
   if (std::from_chars(first, cursor_, value, std::chars_format::fixed).ec != std::errc{}) {
-    value = unused.overflow ? std::numeric_limits<double>::infinity() : 0;
+    value = unused.overflow ? std::numeric_limits<Real>::infinity() : 0;
   }
   return Scan::kRead;
 }
 
-Scan Expression::brackets(double& value) {
+Scan Expression::brackets(Real& value) {
   if (++depth_ > kDeepestBrackets) return Scan::kSyntax;
   ++cursor_;
   const Scan step = sum(value);
@@ -171,7 +169,7 @@ Scan Expression::brackets(double& value) {
 }
 
 // R parameters.
-Scan Expression::parameter(double& value) {
+Scan Expression::parameter(Real& value) {
   ++cursor_;
   skip_blanks(cursor_, end_);
   if (cursor_ != end_ && (*cursor_ == '[' || *cursor_ == '=')) return Scan::kOutside;
@@ -185,7 +183,7 @@ Scan Expression::parameter(double& value) {
   return Scan::kRead;
 }
 
-Scan Expression::named(double& value) {
+Scan Expression::named(Real& value) {
   const char* stop = cursor_;
   char name[5] = {};
   std::size_t size = 0;
@@ -210,11 +208,9 @@ Scan Expression::named(double& value) {
     value = value < 0 ? 0 : std::sqrt(value);
   } else {
     const Direction2 direction = direction_of(value);
-    const auto sine = static_cast<double>(direction.sine);
-    const auto cosine = static_cast<double>(direction.cosine);
-    if (text == "SIN") value = sine;
-    if (text == "COS") value = cosine;
-    if (text == "TAN") value = apply('/', sine, cosine);
+    if (text == "SIN") value = direction.sine;
+    if (text == "COS") value = direction.cosine;
+    if (text == "TAN") value = apply('/', direction.sine, direction.cosine);
   }
   return step;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values behind `=`: the controller reckons in binary64 and puts lengths down in counts.
+// Values behind `=`: the controller reckons in the longest real of its processor and puts lengths
+// down in counts.
 #pragma once
 
 #include <array>
@@ -7,11 +8,12 @@
 #include <span>
 
 #include "expanders/common/fixed.hpp"
+#include "expanders/sinumerik/real.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
 /// The R parameters, R0 to R999.
-using Parameters = std::array<double, 1000>;
+using Parameters = std::array<Real, 1000>;
 
 /// Brackets nested deeper are refused.
 inline constexpr int kDeepestBrackets = 64;
@@ -31,40 +33,40 @@ enum class Scan {
 };
 
 /// `value` in counts. One that is no whole number of them is marked as finer.
-Decimal to_counts(double value);
+Decimal to_counts(Real value);
 
 /// Reads one expression: numbers, R parameters, + - * /, brackets, SIN COS TAN SQRT ABS.
 class Expression {
  public:
-  Expression(const char* cursor, const char* end, std::span<const double> parameters,
+  Expression(const char* cursor, const char* end, std::span<const Real> parameters,
              bool left_to_right)
       : cursor_(cursor), end_(end), parameters_(parameters), left_to_right_(left_to_right) {}
 
   Scan read();
   const char* cursor() const { return cursor_; }
-  double value() const { return value_; }
+  Real value() const { return value_; }
   /// Whether it has no value: a division by zero, a root of less than 0, a parameter that is none.
   bool undefined() const { return undefined_; }
 
  private:
   using Step = Scan;
-  Step sum(double& value);
-  Step product(double& value);
-  Step signed_operand(double& value);
-  Step operand(double& value);
-  Step number(double& value);
-  Step parameter(double& value);
-  Step brackets(double& value);
-  Step named(double& value);
+  Step sum(Real& value);
+  Step product(Real& value);
+  Step signed_operand(Real& value);
+  Step operand(Real& value);
+  Step number(Real& value);
+  Step parameter(Real& value);
+  Step brackets(Real& value);
+  Step named(Real& value);
   char next_operator();
-  double apply(char sign, double left, double right);
+  Real apply(char sign, Real left, Real right);
 
   const char* cursor_;
   const char* end_;
-  std::span<const double> parameters_;  // those that the control has
+  std::span<const Real> parameters_;  // those that the control has
   bool left_to_right_;
   int depth_ = 0;
-  double value_ = 0;
+  Real value_ = 0;
   bool undefined_ = false;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G0, G1 and the dwell.
+#include <algorithm>
 #include <cmath>
 
 #include "expanders/sinumerik/circles.hpp"
@@ -35,7 +36,13 @@ std::array<Real, 3> way_between(const Target& from, const Target& to) {
 }
 
 Real doubt_between(const Target& from, const Target& to, Axes axes) {
-  return ((from.coarse | to.coarse) & axes) != 0 ? 2 : 0;
+  Real doubt = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (((from.coarse | to.coarse) & axes & axis_bit(axis)) == 0) continue;
+    const Fixed farthest = std::max(magnitude(from.to[axis]), magnitude(to.to[axis]));
+    doubt = std::fmax(doubt, coarse_rounding(static_cast<Real>(farthest)));
+  }
+  return doubt;
 }
 
 Heading straight_heading(const State& state, const Target& target) {

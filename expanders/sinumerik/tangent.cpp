@@ -58,8 +58,7 @@ Heading mirrored(const State& state, const ArcSketch& sketch, const Bend& bend) 
   Heading result;
   result.along[plane.p] = double_part * d.p - heading.along[plane.p];
   result.along[plane.q] = double_part * d.q - heading.along[plane.q];
-  const Real beside = sketch.known ? 0 : 2;
-  result.doubt = heading.doubt + 2 * beside / std::sqrt(d.square());
+  result.doubt = heading.doubt + 2 * sketch.doubt() / std::sqrt(d.square());
   const Real rise = straight_heading(state, sketch.arc.target).along[plane.d];
   if (rise == 0) return result;
   const Real sweep = 2 * std::atan2(std::fabs(bend.across), bend.along);
@@ -101,7 +100,7 @@ bool is_sharp(const State& state, const Bend& bend, const ArcSketch& sketch) {
   if (bend.exact) return true;
   constexpr Real kDirection = 1e-18L;
   const Real chord = std::sqrt(sketch.way.square());
-  const Real beside = (sketch.known ? 0 : 2) + chord * (state.heading.doubt + kDirection);
+  const Real beside = sketch.doubt() + chord * (state.heading.doubt + kDirection);
   const Real radius = std::hypot(sketch.centre.p, sketch.centre.q);
   return bend.off_line > 2 * beside && radius * beside <= kSharp * bend.off_line;
 }

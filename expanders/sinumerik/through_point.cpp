@@ -173,10 +173,9 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   const Direction end_to_start = way_between(arc.target, start);
   const Direction end_to_via = way_between(arc.target, via);
   plan.heading = heading_of(end_to_start, end_to_via);
-  const Axes coarse = start.coarse | via.coarse | arc.target.coarse;
-  if ((coarse & kLinearAxes) != 0) {
-    plan.heading.doubt = kRounding / std::fmin(length(end_to_start), length(end_to_via));
-  }
+  const Real beside =
+      doubt_between(start, arc.target, kLinearAxes) + doubt_between(start, via, kLinearAxes);
+  plan.heading.doubt = beside / std::fmin(length(end_to_start), length(end_to_via));
   if (machine.has(Fault::kThroughPointSenseFlipped)) take_other_side(state.position, arc);
   plan.motion = arc;
 }

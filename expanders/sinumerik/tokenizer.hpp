@@ -32,7 +32,7 @@ struct Item {
   std::size_t index = 0;  // of kIndexed and kAssignment
   Name name;
   Value value;
-  double real = 0;        // of kAssignment
+  Real real = 0;          // of kAssignment
   bool loose = false;     // its `=` is missing
   std::string_view text;  // of what is outside
 };
