@@ -11,7 +11,8 @@ bool RecordBudget::allows(std::size_t records, std::size_t live) {
   constexpr std::size_t kSlack = 1'000;
   while (records - forgiven() > kFactor * std::max(counted_, live) + kSlack) {
     if (complete_) return false;
-    const reference::Item* const item = expander_.next();
+    if (!shown_) shown_.emplace(profile_, program_);
+    const reference::Item* const item = shown_->expander.next();
     complete_ = item == nullptr;
     if (complete_) continue;
     ++counted_;

@@ -3,7 +3,8 @@
 // How many records a subject may send before it counts as running on for ever.
 #pragma once
 
-#include <string_view>
+#include <cstddef>
+#include <optional>
 
 #include "oracle/judge/program_input.hpp"
 #include "reference/expander.hpp"
@@ -13,8 +14,9 @@ namespace gonogo::oracle {
 // 10 times those of the reference and 1,000. The reference's are counted only as far as needed.
 class RecordBudget {
  public:
+  // `profile` must outlive the budget.
   RecordBudget(const reference::Profile& profile, const ProgramText& program)
-      : input_(program), expander_(profile, input_.lines, reference::OpenPaths::shown) {}
+      : profile_(profile), program_(program) {}
   // `live` counts what the judge's own reference has put out. It counts too, because a subject's
   // own path may end elsewhere than the one that is shown, and other blocks follow from that.
   bool allows(std::size_t records, std::size_t live);
@@ -26,13 +28,22 @@ class RecordBudget {
   void count_level_cut() { ++level_cuts_; }
 
  private:
+  // The path that is shown, which most programs are too short to need.
+  struct ShownPath {
+    ShownPath(const reference::Profile& profile, const ProgramText& program)
+        : input(program), expander(profile, input.lines, reference::OpenPaths::shown) {}
+    ProgramInput input;
+    reference::Expander expander;
+  };
+
   std::size_t forgiven() const {
     const bool is_cut_short = complete_ && !has_end_;
     return forgiven_ + (is_cut_short ? level_cuts_ : 0);
   }
 
-  ProgramInput input_;
-  reference::Expander expander_;
+  const reference::Profile& profile_;
+  ProgramText program_;
+  std::optional<ShownPath> shown_;
   std::size_t counted_ = 0;
   std::size_t forgiven_ = 0;
   std::size_t level_cuts_ = 0;

@@ -37,7 +37,7 @@ bool Calculator::push_parameter(const grammar::Term& term, NoValue& problem) {
   if (number.scale != 0 || !number.long_digits.empty() || number.magnitude >= count_) {
     return fail(problem, term, fmt::format("The R parameters are R0 to R{}.", count_ - 1));
   }
-  stack_.push_back(parameters_[number.magnitude]);
+  stack_.push_back(parameter(number.magnitude));
   return true;
 }
 

@@ -3,7 +3,6 @@
 // The values of words, and the R parameters that they are calculated from. All of it exact.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,8 +31,13 @@ class Calculator {
   std::optional<Number> value(const grammar::Block& block, const grammar::NamedWord& word,
                               NoValue& problem);
   // REQUIRES: number < count().
-  const Number& parameter(std::uint64_t number) const { return parameters_[number]; }
-  void assign(std::uint64_t number, Number value) { parameters_[number] = std::move(value); }
+  const Number& parameter(std::uint64_t number) const {
+    return number < parameters_.size() ? parameters_[number] : never_assigned_;
+  }
+  void assign(std::uint64_t number, Number value) {
+    if (number >= parameters_.size()) parameters_.resize(number + 1);
+    parameters_[number] = std::move(value);
+  }
 
  private:
   bool apply(const grammar::Term& term, NoValue& problem);
@@ -41,7 +45,8 @@ class Calculator {
   bool push_parameter(const grammar::Term& term, NoValue& problem);
 
   std::uint64_t count_;
-  std::array<Number, kParameters> parameters_;
+  std::vector<Number> parameters_;  // up to the last that was assigned
+  Number never_assigned_;           // 0
   std::vector<Number> stack_;
 };
 
