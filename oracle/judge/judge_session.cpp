@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace gonogo::oracle {
 
@@ -19,6 +20,10 @@ namespace {
 
 // Of what a judge was told before any reading was asked for, a few megabytes at most.
 constexpr std::size_t kMostToldParts = 4'096;
+
+// Of a block, where the readings that a program asks for are looked for: a cycle may go back and
+// forth for ever, which the judge says of it.
+constexpr std::size_t kMostItemsOfBlock = 10'000'000;
 
 bool is_open(const ReadingChoice& choice, const Reading& reading) {
   return !reading.by_properties && choice.is(reading.key, "any");
@@ -58,7 +63,12 @@ std::vector<ReadingKey> touched_by(const reference::Profile& profile, const Prog
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
   try {
-    while (expander.next() != nullptr) {
+    std::size_t items = 0;
+    std::uint64_t block = 0;
+    while (const reference::Item* item = expander.next()) {
+      const auto* record = std::get_if<Record>(item);
+      if (record != nullptr && std::exchange(block, record->block) != record->block) items = 0;
+      if (++items > kMostItemsOfBlock) break;
     }
   } catch (const exact::Undecided&) {
     // The judge comes to the same place and says so.

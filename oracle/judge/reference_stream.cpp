@@ -73,6 +73,7 @@ void ReferenceStream::take_motion(const Record& record) {
   if (!dropped_.motions.empty()) {
     motion.dropped = std::make_shared<const Dropped>(std::move(dropped_));
     dropped_.motions.clear();
+    dropped_in_a_row_ = 0;
   }
   dropped_.stood = position_;
   flush();
@@ -87,10 +88,18 @@ void ReferenceStream::count_passes(const reference::ThreadMilling& thread) {
   passes_ += static_cast<std::size_t>(std::min(passes, kMost) * kRecordsOfPass);
 }
 
+// A cycle that goes back by as much as it goes forward moves nothing that can be seen, as often as
+// it likes, and no record of the subject's comes between.
 void ReferenceStream::drop(const Motion& motion) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMostRemembered = 64;
+  constexpr std::size_t kMostInARow = 1'000'000;
+  if (++dropped_in_a_row_ > kMostInARow) {
+    throw exact::Undecided("more than a million motions in a row are too small to see");
+  }
   std::vector<Record>& motions = dropped_.motions;
-  if (motions.size() == kMost) motions.erase(motions.begin());
+  if (motions.size() == 2 * kMostRemembered) {
+    motions.erase(motions.begin(), motions.begin() + kMostRemembered);
+  }
   motions.push_back(motion.record);
 }
 

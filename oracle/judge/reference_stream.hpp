@@ -89,6 +89,7 @@ class ReferenceStream {
   std::deque<ReferenceStep> ready_;
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
+  std::size_t dropped_in_a_row_ = 0;
   bool was_moved_ = false;
 };
 
