@@ -63,6 +63,7 @@ void ReferenceStream::take_motion(const Record& record) {
   // small it is.
   if (pending_ && join(*pending_, motion)) {
     dropped_.stood = position_;
+    dropped_in_a_row_ = 0;
     return;
   }
   // Dropped: it stays where the last kept motion ended, and makes no turn.
@@ -73,8 +74,8 @@ void ReferenceStream::take_motion(const Record& record) {
   if (!dropped_.motions.empty()) {
     motion.dropped = std::make_shared<const Dropped>(std::move(dropped_));
     dropped_.motions.clear();
-    dropped_in_a_row_ = 0;
   }
+  dropped_in_a_row_ = 0;
   dropped_.stood = position_;
   flush();
   pending_ = std::move(motion);

@@ -52,6 +52,7 @@ class ReferenceStream {
   void go_on_from(const Position& position) {
     position_ = position;
     dropped_ = {position, {}};
+    dropped_in_a_row_ = 0;
   }
   // After a path that is open the reference stands where the subject left it; blocks that follow
   // start from there in the plane. Only while that step is the current one: nothing of a later
