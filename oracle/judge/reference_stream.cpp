@@ -63,7 +63,6 @@ void ReferenceStream::take_motion(const Record& record) {
   // small it is.
   if (pending_ && join(*pending_, motion)) {
     dropped_.stood = position_;
-    dropped_in_a_row_ = 0;
     return;
   }
   // Dropped: it stays where the last kept motion ended, and makes no turn.
