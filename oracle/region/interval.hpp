@@ -15,12 +15,14 @@ namespace gonogo::oracle::region {
 
 struct PlanePoint;
 
-// |x| * 2^-52 is at least one unit in the last place of x, so the sum lies beyond its neighbour.
+// |x| * 2^-52 is at least one unit in the last place of x, so the sum lies beyond its neighbour; so
+// does 2^-500, where that is too small a double to be told from none. It is no smaller because
+// products of the smallest doubles take many processors a hundred times as long.
 inline double above(double x) {
-  return x + (std::fabs(x) * 0x1p-52 + 0x1p-1074);
+  return x + (std::fabs(x) * 0x1p-52 + 0x1p-500);
 }
 inline double below(double x) {
-  return x - (std::fabs(x) * 0x1p-52 + 0x1p-1074);
+  return x - (std::fabs(x) * 0x1p-52 + 0x1p-500);
 }
 
 // Every value from lo to hi. A bound that is no number makes every decision below come out "open".
