@@ -113,7 +113,7 @@ TEST(SinumerikFlatArc, WhatTheDigitsDoNotReachIsNotImplemented) {
   EXPECT_EQ(note("G70\nG0 X1 Y30 Z30\nG19 G0 Y40\n"
                  "G3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n"),
             none);
-  // Expressions have the digits of a double. -0.00001745 mm to the side of 5 mm: a radius of 716 m.
+  // What an expression gives is known to a count. -0.00001745 mm beside 5 mm: a radius of 716 m.
   EXPECT_EQ(note("G0 X=TAN(-0.001)\nG1 Y14 Z5 F90\nG18 CT X0 Z10\n"), none);
   // A radius of 1e6 chords from a place that is known to a count.
   EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9999 F100\n"), none);
