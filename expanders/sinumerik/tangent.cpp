@@ -14,13 +14,15 @@ struct Bend {
   Real along = 0;
   Real off_line = 0;  ///< how far the end lies off the line of the direction
   bool straight = false;
-  bool exact = false;  ///< the two that follow are known
+  bool unclear = false;  ///< whether it is straight cannot be said
+  bool exact = false;    ///< the two that follow are known
   Wide whole_across = 0;
   Wide whole_along = 0;
 };
 
 Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
   const Vector t{heading.along[sketch.plane.p], heading.along[sketch.plane.q]};
+  const bool known = sketch.known && heading.doubt == 0;
   Bend bend;
   if (heading.exact && !sketch.rounded) {
     const Chord direction{static_cast<Fixed>(t.p), static_cast<Fixed>(t.q)};
@@ -30,14 +32,15 @@ Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
     bend.across = static_cast<Real>(bend.whole_across);
     bend.along = static_cast<Real>(bend.whole_along);
     bend.straight = bend.whole_across == 0;
+    bend.unclear = bend.straight && !known;
     return bend;
   }
   const Vector& d = sketch.way;
   bend.across = cross(t, d);
   bend.along = dot(t, d);
   bend.off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
-  const bool known = sketch.known && heading.doubt == 0;
   bend.straight = bend.off_line <= (known ? fine_rounding(std::hypot(d.p, d.q)) : kRounding);
+  bend.unclear = bend.straight && !known;
   return bend;
 }
 
@@ -139,7 +142,7 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
     return machine.complain(AlarmKind::kArcTangent);
   }
   const Bend bend = bend_of(heading, sketch);
-  if (bend.straight && !(sketch.known && heading.doubt == 0)) {
+  if (bend.unclear) {
     plan.lacking = kFlatArc;
     return;
   }
