@@ -95,11 +95,11 @@ void ResultsFile::note_case(const Json& line) {
     unexpected_gap_ =
         unexpected_gap_ || verdict == "oracle-error" || line.find("expected") == nullptr;
   }
-  // The hash is over the line as it stands, without these two members.
+  // The hash is over the line as it stands, without these members.
   std::string hashed = "{";
   for (std::size_t i = 0; i < line.members.size(); ++i) {
     const auto& [key, value] = line.members[i];
-    if (key == "us" || key == "attempts") continue;
+    if (key == "us" || key == "attempts" || key == "notes") continue;
     if (hashed.size() > 1) hashed += ',';
     hashed += '"' + key + "\":" + text_.substr(value.begin, value.end - value.begin);
   }

@@ -68,7 +68,8 @@ struct RunEnd {
   SubjectAlarm alarm;
   std::string feature;  // skip
   std::string message;  // what happened, a sentence
-  std::string notes;    // what the subject wrote to stderr meanwhile (cut, U+FFFD for bad bytes)
+  // What the subject noted of the run, and wrote to stderr meanwhile (cut, U+FFFD for bad bytes).
+  std::string notes;
   std::int64_t microseconds = 0;
   bool given_up = false;  // nothing was run: the subject had failed too often in a row
   // Positions sampled from a machine in place of records, which have a judge of their own.

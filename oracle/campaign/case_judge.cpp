@@ -141,9 +141,13 @@ Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
 void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                         CaseResult& result) {
   if (!subject_->keeps_state() || attempt.end.given_up) return;
-  const Attempt again = run(fresh_subject(test.profile), test, terms);
+  Attempt again = run(fresh_subject(test.profile), test, terms);
   ++result.attempts;
-  if (!attempt.differs(again)) return;
+  if (!attempt.differs(again)) {
+    // Nothing was under way beside it: the notes are of this program.
+    attempt.end.notes = std::move(again.end.notes);
+    return;
+  }
   Verdict& verdict = attempt.session.verdict;
   const std::string first(name(verdict.kind));
   verdict.kind = VerdictKind::state_leak;

@@ -138,8 +138,20 @@ std::size_t digits_end(std::string_view line, std::size_t at) {
   return at;
 }
 
-// Where `us` and `attempts` stand in a case line as written here. No key of that name stands before
-// it, and in a text the quotes would be escaped.
+// Where the text that begins at `at` ends, behind its quote.
+std::size_t text_end(std::string_view line, std::size_t at) {
+  for (; at < line.size(); ++at) {
+    if (line[at] == '\\') {
+      ++at;
+    } else if (line[at] == '"') {
+      return at + 1;
+    }
+  }
+  return line.size();
+}
+
+// Where `us`, `attempts` and `notes` stand in a case line as written here. No key of that name
+// stands before them, and in a text the quotes would be escaped.
 struct Timing {
   std::size_t begin;
   std::size_t end;
@@ -148,11 +160,14 @@ struct Timing {
 std::optional<Timing> timing_in(std::string_view line) {
   constexpr std::string_view kTime = ",\"us\":";
   constexpr std::string_view kAttempts = ",\"attempts\":";
+  constexpr std::string_view kNotes = ",\"notes\":\"";
   const std::size_t begin = line.find(kTime);
   if (begin == std::string_view::npos) return std::nullopt;
   const std::size_t end = digits_end(line, begin + kTime.size());
   if (line.substr(end, kAttempts.size()) != kAttempts) return std::nullopt;
-  return Timing{begin, digits_end(line, end + kAttempts.size())};
+  const std::size_t behind = digits_end(line, end + kAttempts.size());
+  if (line.substr(behind, kNotes.size()) != kNotes) return Timing{begin, behind};
+  return Timing{begin, text_end(line, behind + kNotes.size())};
 }
 
 }  // namespace
@@ -171,13 +186,13 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   if (with_timing) {
     line.number("us", result.microseconds);
     line.number("attempts", result.attempts);
+    if (!result.notes.empty()) line.text("notes", result.notes);
   }
   if (result.readings) append_readings(*result.readings, line);
   if (!result.profile.empty() && result.profile != "{}") line.json("profile", result.profile);
   if (decision(verdict.kind) != Decision::go) {
     line.json("program", dump(program_json(result.program)));
     line.jsons("trace", result.trace);
-    if (!result.notes.empty()) line.text("notes", result.notes);
   }
   return line.finish();
 }

@@ -49,7 +49,7 @@ struct CaseResult {
   std::string profile;             // JSON object
   std::string program;             // bytes; only when not GO
   std::vector<std::string> trace;  // records as JSON; only when not GO
-  std::string notes;               // what the subject wrote to stderr; only when not GO
+  std::string notes;               // what the subject noted and wrote to stderr; only when not GO
   std::int64_t microseconds = 0;
   int attempts = 1;
   bool expected_gap = false;             // the corpus expects that the gauge cannot say
@@ -69,16 +69,16 @@ struct ResultsFooter {
   // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
   // when the run is no shard.
   std::optional<std::vector<std::string>> unused_alarms;
-  std::string sha256;  // over the case lines without `us` and `attempts`
+  std::string sha256;  // over the case lines without `us`, `attempts` and `notes`
 };
 
 std::string header_line(const ResultsHeader& header);
 std::string footer_line(const ResultsFooter& footer);
-// `with_timing`: with `us` and `attempts`.
+// `with_timing`: with `us`, `attempts` and `notes`, which no two runs need have the same.
 std::string case_line(const CaseResult& result, bool with_timing);
 
-// A case line as written here without `us` and `attempts`, as the hash of the footer takes it but
-// for the line end.
+// A case line as written here without `us`, `attempts` and `notes`, as the hash of the footer takes
+// it but for the line end.
 std::string line_without_timing(std::string_view line);
 // Takes a case line, as written here, into the hash of the footer.
 void hash_case_line(std::string_view line, Sha256& hash);

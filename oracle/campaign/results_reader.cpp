@@ -27,7 +27,7 @@ std::optional<std::string> text_of(const Json& object, const char* key) {
 std::string hashed_text(const Json& line) {
   std::string text = "{";
   for (const auto& [key, value] : line.items()) {
-    if (key == "us" || key == "attempts") continue;
+    if (key == "us" || key == "attempts" || key == "notes") continue;
     if (text.size() > 1) text += ',';
     text += dump(Json(key));
     text += ':';

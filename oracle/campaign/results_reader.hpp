@@ -45,7 +45,7 @@ class ResultsReader {
   Json json() const { return parsed(); }
   // After the last case line; nothing: the file is incomplete.
   const std::optional<Json>& footer() const { return footer_; }
-  // Of the case lines read so far, as in the footer: without `us` and `attempts`.
+  // Of the case lines read so far, as in the footer: without what differs from run to run.
   std::string sha256() const;
   std::uint64_t cases() const { return cases_; }
   // Of the line read last, from 1.
@@ -77,7 +77,8 @@ class ResultsReader {
   std::uint64_t cases_ = 0;
 };
 
-// A case line as the hash of the footer takes it: without `us` and `attempts`, with a line end.
+// A case line as the hash of the footer takes it: without `us`, `attempts` and `notes`, with a line
+// end.
 std::string hashed_text(const nlohmann::ordered_json& line);
 
 }  // namespace gonogo::oracle

@@ -191,7 +191,6 @@ void LibraryHost::Impl::run(const object& message) {
   const RunEnd end = handle_.run(
       program,
       [this](const gonogo_record_v1& record, std::string& fault) { return take(record, fault); });
-  if (!end.notes.empty()) std::fputs(end.notes.c_str(), stderr);
   close_reply(end);
 }
 
@@ -218,6 +217,11 @@ bool LibraryHost::Impl::take(const gonogo_record_v1& record, std::string& fault)
 void LibraryHost::Impl::close_reply(const RunEnd& end) {
   if (end.kind == RunEnd::Kind::crash) die(end);
   reply_ += records_ > 0 ? "]," : fmt::format("{{\"seq\":{},", seq_);
+  if (!end.notes.empty()) {
+    reply_ += "\"notes\":";
+    append_json_string(readable(end.notes), reply_);
+    reply_ += ',';
+  }
   if (end.kind == RunEnd::Kind::ok) {
     reply_ += "\"outcome\":\"ok\"}";
     return write();

@@ -19,6 +19,7 @@ struct ReplyFault {
 };
 
 constexpr std::size_t kLongestMessage = 1000;
+constexpr std::size_t kLongestNotes = 16384;
 
 template <class Value>
 Value value_of(std::string_view key, const element& source, std::string_view type) {
@@ -72,6 +73,8 @@ void read_field(std::string_view key, const element& value, Parts& parts) {
     reply.feature = reply_text(key, value);
   } else if (key == "message") {
     reply.message = reply_text(key, value);
+  } else if (key == "notes") {
+    reply.notes = excerpt(value_of<std::string_view>(key, value, "a string"), kLongestNotes);
   } else if (key.substr(0, 2) != "x-") {
     throw ReplyFault{fmt::format("A reply has no key \"{}\"; a key of your own begins with x-.",
                                  excerpt(key, 60))};

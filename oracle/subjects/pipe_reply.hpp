@@ -15,6 +15,7 @@ struct PipeReply {
   SubjectAlarm alarm;
   std::string feature;
   std::string message;
+  std::string notes;  // of this run alone
 };
 
 std::variant<PipeReply, TraceFault> read_pipe_reply(const simdjson::dom::object& reply,

@@ -225,6 +225,7 @@ RunEnd PipeSession::receive(std::int64_t seq, const RecordSink& sink) {
     end.alarm = std::move(reply.alarm);
     end.feature = std::move(reply.feature);
     end.message = std::move(reply.message);
+    end.notes = std::move(reply.notes);
     return end;
   }
 }

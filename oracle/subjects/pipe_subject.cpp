@@ -68,7 +68,8 @@ class PipeSubject : public Subject {
     }
     RunEnd end = attempt(sink);
     ahead_.pop_front();
-    if (session_ && end.notes.empty()) end.notes = session_->take_notes();
+    // What stands on stderr by now may be of a run that was sent ahead.
+    if (session_) end.notes += session_->take_notes();
     count(end);
     if (session_ && !session_->usable()) session_.reset();
     return end;

@@ -18,11 +18,19 @@ journal_lines() { cat "$1/attempts/shard-$2".*/results.jsonl.part 2>/dev/null | 
 # starts FOLDER: how often a shard was begun from nothing.
 starts() { cat "$1"/logs/shard-*.log | grep -c ': starts$'; }
 
+# The case lines without what differs from run to run.
+without_timing() {
+  sed -E 's/,"us":[0-9]+,"attempts":[0-9]+(,"notes":"([^"\\]|\\.)*")?//' -- "$1" | grep '^{"id"'
+}
+
 # same_results WHOLE MERGED: the same hash over all case lines, and no case lost or counted twice.
 same_results() {
   [ "$(case_ids "$1" | wc -l)" -gt 100 ] || fail "$1 has hardly any cases"
   [ -z "$(case_ids "$2" | sort | uniq -d)" ] || fail "a case is counted twice in $2"
   diff <(case_ids "$1") <(case_ids "$2") >/dev/null || fail "cases are lost or counted twice in $2"
   footer_sha256 "$1" >/dev/null || fail "$1 has no hash"
-  [ "$(footer_sha256 "$1")" = "$(footer_sha256 "$2")" ] || fail "the hashes of $1 and $2 differ"
+  [ "$(footer_sha256 "$1")" = "$(footer_sha256 "$2")" ] || {
+    diff <(without_timing "$1") <(without_timing "$2")
+    fail "the hashes of $1 and $2 differ"
+  }
 }

@@ -91,6 +91,18 @@ TEST(LibraryProcess, AlarmSkipAndErrorAreTold) {
   EXPECT_TRUE(contains(error.end.message, "no tool table")) << error.end.message;
 }
 
+TEST(LibraryProcess, NotesAreOfTheirRunWhenOthersAreSentAhead) {
+  const auto subject = subject_of("WELL");
+  const auto take = [](const reference::Record&) { return true; };
+  const std::vector<std::string> programs = {"kinds", "skip", "kinds", "error", "alarm"};
+  for (const std::string& program : programs) subject->announce(program, program);
+  std::vector<std::string> notes;
+  for (const std::string& program : programs) {
+    notes.push_back(subject->run(program, program, take).notes);
+  }
+  EXPECT_EQ(notes, (std::vector<std::string>{"", "g116\n", "", "no tool table\n", ""}));
+}
+
 TEST(LibraryProcess, EveryRunStartsFromReset) {
   const auto subject = subject_of("WELL");
   EXPECT_EQ(run(*subject, "runs").records.size(), 1u);

@@ -58,7 +58,7 @@ function showFailure(detail, c, data) {
     detail.append(el('h3', {}, 'Want and got'), cards);
   }
   showDrawing(detail, data);
-  if (data.notes) detail.append(el('h3', {}, 'What the subject wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
+  if (data.notes) detail.append(el('h3', {}, 'What the subject noted or wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
 }
 
 function pointText(point) {

@@ -72,6 +72,20 @@ TEST(Campaign, AFailureThatComesAgainKeepsItsNameAndItsAttempts) {
   EXPECT_NE(scratch.read("r").find("\"attempts\":2"), std::string::npos);
 }
 
+TEST(Campaign, NotesOfAFailureAreOfTheRunInWhichNothingWasAhead) {
+  const Scratch scratch;
+  write_corpus(scratch, 2);
+  FakeSubject wrong;
+  wrong.act = [](std::string_view, int runs) -> std::optional<RunEnd> {
+    RunEnd end;
+    end.notes = runs == 1 ? std::string("alone") : std::string("beside");
+    return end;
+  };
+  results_of(scratch, "r", options_of(1), fake_maker(wrong));
+  EXPECT_NE(scratch.read("r").find("\"notes\":\"alone\""), std::string::npos);
+  EXPECT_EQ(scratch.read("r").find("beside"), std::string::npos);
+}
+
 TEST(Campaign, ATimeoutIsTriedThreeTimesMore) {
   const Scratch scratch;
   write_corpus(scratch, 1);

@@ -32,7 +32,7 @@ CaseResult failed() {
   result.profile = R"({"readings":{"r":"a b"}})";
   result.program = "G00 (\xbd\xe1)\n";
   result.trace = {R"({"k":"feed","x-n":"\u007f"})", R"({"k":"end"})"};
-  result.notes = "noise\n";
+  result.notes = "\"noise\\\",\"us\":1\n";
   return result;
 }
 
@@ -49,6 +49,15 @@ TEST(CaseLine, WithoutItsTimesIsWhatTheHashTakes) {
     EXPECT_EQ(line_without_timing(line) + "\n", hashed_text(Json::parse(line)));
     EXPECT_EQ(line_without_timing(line), case_line(result, false));
   }
+}
+
+// What a subject writes to stderr comes when it comes.
+TEST(CaseLine, WithoutItsTimesHasNoNotes) {
+  CaseResult other = failed();
+  other.notes = "other";
+  EXPECT_NE(case_line(other, true).find("other"), std::string::npos);
+  EXPECT_EQ(line_without_timing(case_line(other, true)),
+            line_without_timing(case_line(failed(), true)));
 }
 
 TEST(CaseLine, WithoutItsTimesWhenSomebodyElseWroteIt) {

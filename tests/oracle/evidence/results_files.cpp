@@ -53,6 +53,7 @@ std::string results_text(const std::vector<std::string>& cases, const std::strin
     if (verdict != "skip" && !verdict.starts_with("oracle-")) ++judged;
     value.erase("us");
     value.erase("attempts");
+    value.erase("notes");
     hash.update(value.dump() + "\n");
   }
   Json footer;
