@@ -8,6 +8,7 @@
 
 #include "oracle/approximate.hpp"
 #include "oracle/judge/space_circle.hpp"
+#include "reference/exact/enclosure.hpp"
 #include "reference/exact/interval.hpp"
 
 namespace gonogo::oracle {
@@ -72,6 +73,24 @@ void shift(Dropped& dropped, const Position& by) {
   }
 }
 
+namespace {
+
+// Whether |a - b| <= tolerance, by the bounds that an enclosure has already, which decide nearly
+// always: their difference is made no expression for it.
+std::optional<bool> agree_within_bounds(const Number& a, const Number& b, const Number& tolerance) {
+  using exact::interval_of;
+  constexpr mpfr_prec_t kBits = exact::kBaseBits;
+  const exact::Interval apart = subtract(interval_of(a, kBits), interval_of(b, kBits), kBits);
+  const exact::Interval most = interval_of(tolerance, kBits);
+  const int above = compare(apart, most);
+  const int below = compare(apart, negate(most, kBits));
+  if (above == 1 || below == -1) return false;
+  if (above == -1 && below == 1) return true;
+  return std::nullopt;
+}
+
+}  // namespace
+
 bool agree(const Number& a, const Number& b, const Number& tolerance) {
   using exact::NumberAccess;
   std::int64_t apart = 0;
@@ -82,9 +101,11 @@ bool agree(const Number& a, const Number& b, const Number& tolerance) {
     const std::int64_t most = NumberAccess::millionths(tolerance);
     return apart <= most && apart >= -most;
   }
+  if (a.form() == Number::Form::enclosure || b.form() == Number::Form::enclosure) {
+    if (const auto answer = agree_within_bounds(a, b, tolerance)) return *answer;
+  }
   const Number difference = a - b;
   if (difference.form() == Number::Form::enclosure) {
-    // The bounds that it has already decide nearly always.
     constexpr int kBits = 40;
     const auto [low, high] = difference.bounds(kBits);
     if (low > tolerance || high < -tolerance) return false;

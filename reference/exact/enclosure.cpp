@@ -50,38 +50,6 @@ Interval interval_of_leaf(const Number& value, mpfr_prec_t bits) {
   return interval_of(root_of(value), bits);
 }
 
-Interval evaluate(Operation operation, const Interval& x, const Interval& y, mpfr_prec_t bits) {
-  switch (operation) {
-    case Operation::between: {
-      Interval hull(bits);
-      mpfr_set(hull.low(), x.low(), MPFR_RNDD);
-      mpfr_set(hull.high(), y.high(), MPFR_RNDU);
-      return hull;
-    }
-    case Operation::negate:
-      return negate(x, bits);
-    case Operation::add:
-      return add(x, y, bits);
-    case Operation::subtract:
-      return subtract(x, y, bits);
-    case Operation::multiply:
-      return multiply(x, y, bits);
-    case Operation::divide:
-      return divide(x, y, bits);
-    case Operation::sqrt:
-      return sqrt_of(x, bits);
-    case Operation::cos_degrees:
-      return cos_of_degrees(x, bits);
-    case Operation::sin_degrees:
-      return sin_of_degrees(x, bits);
-    case Operation::atan_degrees:
-      return atan_in_degrees(x, bits);
-    case Operation::radians:
-      return in_radians(x, bits);
-  }
-  __builtin_unreachable();
-}
-
 bool has_base(const Number& value, mpfr_prec_t bits) {
   const EnclosureNode* node = enclosure_node(value);
   return node == nullptr || bits <= kBaseBits;
@@ -89,10 +57,63 @@ bool has_base(const Number& value, mpfr_prec_t bits) {
 
 using Memo = std::unordered_map<const EnclosureNode*, Interval>;
 
-Interval looked_up(const Number& value, mpfr_prec_t bits, const Memo& memo) {
-  const EnclosureNode* node = enclosure_node(value);
-  if (node == nullptr) return interval_of_leaf(value, bits);
-  return bits <= kBaseBits ? node->base : memo.at(node);
+// The interval of an operand. That of an expression is there already, that of a leaf is made when
+// it is asked for: an operation of one operand asks for one.
+class Operand {
+ public:
+  // REQUIRES: `memo` has the value where its base is not enough.
+  Operand(const Number& value, mpfr_prec_t bits, const Memo& memo) : value_(value), bits_(bits) {
+    const EnclosureNode* node = enclosure_node(value);
+    if (node != nullptr) known_ = bits <= kBaseBits ? &node->base : &memo.at(node);
+  }
+  const Interval& interval() {
+    if (known_ == nullptr) known_ = &made_.emplace(interval_of_leaf(value_, bits_));
+    return *known_;
+  }
+
+ private:
+  const Number& value_;
+  const mpfr_prec_t bits_;
+  const Interval* known_ = nullptr;
+  std::optional<Interval> made_;
+};
+
+Interval evaluate(Operation operation, Operand x, Operand y, mpfr_prec_t bits) {
+  switch (operation) {
+    case Operation::between: {
+      Interval hull(bits);
+      mpfr_set(hull.low(), x.interval().low(), MPFR_RNDD);
+      mpfr_set(hull.high(), y.interval().high(), MPFR_RNDU);
+      return hull;
+    }
+    case Operation::negate:
+      return negate(x.interval(), bits);
+    case Operation::add:
+      return add(x.interval(), y.interval(), bits);
+    case Operation::subtract:
+      return subtract(x.interval(), y.interval(), bits);
+    case Operation::multiply:
+      return multiply(x.interval(), y.interval(), bits);
+    case Operation::divide:
+      return divide(x.interval(), y.interval(), bits);
+    case Operation::sqrt:
+      return sqrt_of(x.interval(), bits);
+    case Operation::cos_degrees:
+      return cos_of_degrees(x.interval(), bits);
+    case Operation::sin_degrees:
+      return sin_of_degrees(x.interval(), bits);
+    case Operation::atan_degrees:
+      return atan_in_degrees(x.interval(), bits);
+    case Operation::radians:
+      return in_radians(x.interval(), bits);
+  }
+  __builtin_unreachable();
+}
+
+Interval base_of(Operation operation, const Number& left, const Number& right) {
+  const Memo none;
+  return evaluate(operation, Operand(left, kBaseBits, none), Operand(right, kBaseBits, none),
+                  kBaseBits);
 }
 
 bool is_ready(const Number& value, mpfr_prec_t bits, const Memo& memo) {
@@ -129,8 +150,7 @@ EnclosureNode::EnclosureNode(Operation its_operation, Number its_left, Number it
       left(std::move(its_left)),
       right(std::move(its_right)),
       hash(mix(mix(static_cast<std::uint64_t>(its_operation) + 11, hash_of(left)), hash_of(right))),
-      base(evaluate(its_operation, interval_of(left, kBaseBits), interval_of(right, kBaseBits),
-                    kBaseBits)) {}
+      base(base_of(its_operation, left, right)) {}
 
 Number enclosure(Operation operation, const Number& left, const Number& right) {
   if (auto simple = simplified(operation, left, right)) return *std::move(simple);
@@ -168,10 +188,10 @@ Interval interval_of(const Number& value, mpfr_prec_t bits) {
     if (path.size() != depth) continue;
     path.pop_back();
     if (memo.contains(node)) continue;
-    memo.emplace(node, evaluate(node->operation, looked_up(node->left, bits, memo),
-                                looked_up(node->right, bits, memo), bits));
+    memo.emplace(node, evaluate(node->operation, Operand(node->left, bits, memo),
+                                Operand(node->right, bits, memo), bits));
   }
-  return looked_up(value, bits, memo);
+  return Operand(value, bits, memo).interval();
 }
 
 bool same_expression(const Number& x, const Number& y) {

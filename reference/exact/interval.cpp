@@ -64,6 +64,19 @@ Interval hull_of_ends(MpfrOperation operation, const Interval& x, const Interval
   return hull;
 }
 
+// Of ends that are numbers, none of them below zero.
+bool is_not_negative(const Interval& x) {
+  return x.bounded() && mpfr_sgn(x.low()) >= 0;
+}
+bool is_not_positive(const Interval& x) {
+  return x.bounded() && mpfr_sgn(x.high()) <= 0;
+}
+
+// Whether each has a sign: then one pair of ends gives the low end of a product, another the high.
+bool have_signs(const Interval& x, const Interval& y) {
+  return (is_not_negative(x) || is_not_positive(x)) && (is_not_negative(y) || is_not_positive(y));
+}
+
 using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
 // cos and sin change no faster than their argument: f(middle) +- radius, within [-1, 1]. Needs no
@@ -183,12 +196,24 @@ Interval subtract(const Interval& x, const Interval& y, mpfr_prec_t bits) {
 }
 
 Interval multiply(const Interval& x, const Interval& y, mpfr_prec_t bits) {
-  return hull_of_ends(mpfr_mul, x, y, bits);
+  if (!have_signs(x, y)) return hull_of_ends(mpfr_mul, x, y, bits);
+  const bool x_up = is_not_negative(x);
+  const bool y_up = is_not_negative(y);
+  Interval product(bits);
+  mpfr_mul(product.low(), y_up ? x.low() : x.high(), x_up ? y.low() : y.high(), MPFR_RNDD);
+  mpfr_mul(product.high(), y_up ? x.high() : x.low(), x_up ? y.high() : y.low(), MPFR_RNDU);
+  return product;
 }
 
 Interval divide(const Interval& x, const Interval& y, mpfr_prec_t bits) {
   if (mpfr_sgn(y.low()) <= 0 && mpfr_sgn(y.high()) >= 0) return whole_line(bits);
-  return hull_of_ends(mpfr_div, x, y, bits);
+  if (!have_signs(x, y)) return hull_of_ends(mpfr_div, x, y, bits);
+  const bool x_up = is_not_negative(x);
+  const bool y_up = is_not_negative(y);
+  Interval quotient(bits);
+  mpfr_div(quotient.low(), y_up ? x.low() : x.high(), x_up ? y.high() : y.low(), MPFR_RNDD);
+  mpfr_div(quotient.high(), y_up ? x.high() : x.low(), x_up ? y.low() : y.high(), MPFR_RNDU);
+  return quotient;
 }
 
 Interval sqrt_of(const Interval& x, mpfr_prec_t bits) {
