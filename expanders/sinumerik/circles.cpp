@@ -77,7 +77,8 @@ Agreement compare_radii(Wide start_square, Wide end_square, Wide reference_squar
 }
 
 Real coarse_rounding(Real farthest) {
-  return std::fmax(Real{2}, farthest * 1e-13L);
+  constexpr Real kCountOfInch = 25.4L;  // in counts of a millimetre
+  return std::fmax(kCountOfInch, farthest * 1e-13L);
 }
 
 Real fine_rounding(Real length) {

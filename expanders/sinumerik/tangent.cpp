@@ -44,11 +44,15 @@ Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
   return bend;
 }
 
+enum class Seen { kNot, kUnclear, kClearly };
+
 // SIE-CT-02: the direction, seen in the plane.
-bool has_direction(const Heading& heading, const Plane& plane) {
+Seen seen_in_plane(const Heading& heading, const Plane& plane) {
+  constexpr Real kLeastSlope = 1e-12L;
   const Real in_plane = std::hypot(heading.along[plane.p], heading.along[plane.q]);
+  if (in_plane == 0) return Seen::kNot;
   const Real across = std::fabs(heading.along[plane.d]);
-  return in_plane > (heading.exact ? 0 : 1e-12L * across);
+  return heading.exact || in_plane > kLeastSlope * across ? Seen::kClearly : Seen::kUnclear;
 }
 
 // The direction at the end: that of the start mirrored at the chord. The angle of the arc is twice
@@ -138,11 +142,12 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
   if (machine.in_alarm()) return;
   take_end(state, sketch);
   const Heading& heading = state.heading;
-  if (!heading.known() || !has_direction(heading, plane) || sketch.chord.square() == 0) {
+  const Seen seen = seen_in_plane(heading, plane);
+  if (seen == Seen::kNot || sketch.chord.square() == 0) {
     return machine.complain(AlarmKind::kArcTangent);
   }
   const Bend bend = bend_of(heading, sketch);
-  if (bend.unclear) {
+  if (seen == Seen::kUnclear || bend.unclear) {
     plan.lacking = kFlatArc;
     return;
   }

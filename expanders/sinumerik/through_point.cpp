@@ -59,7 +59,10 @@ OnLine on_line(const Target& start, const Target& via, const Target& end) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     farthest = std::fmax(farthest, static_cast<Real>(magnitude(end.to[axis])));
   }
-  return off <= fine_rounding(farthest) * spread ? OnLine::kYes : OnLine::kNo;
+  // What is below that may be no more than rounding, or as far beside as the text says.
+  constexpr Real kProcessor = 4e-18L;
+  if (off <= farthest * kProcessor * spread) return OnLine::kYes;
+  return off <= fine_rounding(farthest) * spread ? OnLine::kUnclear : OnLine::kNo;
 }
 
 // Turning the circle about the end inside out makes it a line in the direction of the tangent.

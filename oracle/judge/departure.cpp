@@ -57,6 +57,10 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
     decide_gap(result.reason);
     return;
   }
+  if (result.departure != Departure::feed && hangs_on_rounding(want, terms_.tolerance)) {
+    decide_gap(kPointsNearlyInLine);
+    return;
+  }
   Verdict verdict;
   verdict.clause = want.record.clause;
   verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;

@@ -166,6 +166,10 @@ void ProgramJudge::judge_ok_end() {
   }
 }
 
+bool ProgramJudge::is_of_block(const SubjectAlarm& alarm, const Motion& motion) const {
+  return !terms_.compare_blocks || alarm.block == motion.record.block;
+}
+
 void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& report) {
   auto verdict = [&](VerdictKind kind, std::string message) {
     Verdict result = alarm_verdict(kind, report, std::move(message));
@@ -256,6 +260,9 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       reference_.advance();
     } else if (record != nullptr && record->kind == RecordKind::m) {
       take_m_functions();
+    } else if (motion != nullptr && is_of_block(alarm, *motion) &&
+               hangs_on_rounding(*motion, terms_.tolerance)) {
+      decide_gap(kPointsNearlyInLine);
     } else {
       unfinished = step;
       reference_.advance();

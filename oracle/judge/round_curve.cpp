@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/round_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -55,6 +56,29 @@ bool ThreePoints::is_flat(const Number& tolerance) const {
   if (half_2 <= tau_2) return true;
   const Number least = half_2 + tau_2;  // of 2 s r
   return circle->radius_2 * tau_2 * 4 >= least * least;
+}
+
+// Their height over their longest side is the least; the area decides.
+bool ThreePoints::nearly_lie_in_line(const Number& tolerance) const {
+  if (!circle) return false;  // known to be in line
+  const auto square = [](const SpacePoint& v) { return dot(v, v); };
+  const Number longest_2 =
+      max(square(to.at - from.at), max(square(via.at - from.at), square(to.at - via.at)));
+  const Number tau_2 = tolerance * tolerance;
+  constexpr int kSmall = 4;  // tolerances: so short a side shows no direction, nor does the arc
+  if (longest_2 <= tau_2 * (kSmall * kSmall)) return false;
+  return square(circle->normal) <= tau_2 * longest_2 && !is_flat(tolerance);
+}
+
+bool hangs_on_rounding(const Motion& motion, const Number& tolerance) {
+  if (motion.record.kind != RecordKind::arc3) return false;
+  const auto is_short = [](const Position& point) {
+    return std::ranges::all_of(reference::kLinearAxes, [&](Axis axis) {
+      return exact::NumberAccess::node(point[axis]) == nullptr;
+    });
+  };
+  if (is_short(motion.from) && is_short(motion.record.via) && is_short(motion.to())) return false;
+  return ThreePoints(motion).nearly_lie_in_line(tolerance);
 }
 
 RoundCurve::RoundCurve(const Motion& motion, const std::optional<OpenArc>& open)

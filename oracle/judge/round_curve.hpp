@@ -43,7 +43,16 @@ struct ThreePoints {
   // Whether the arc is its own chord within the tolerance: at most half a turn, and its middle no
   // farther from the chord.
   bool is_flat(const Number& tolerance) const;
+  // Whether they lie in line within the tolerance, and are no flat arc.
+  bool nearly_lie_in_line(const Number& tolerance) const;
 };
+
+// SIE-CIP-01: whether a control that rounds the points makes another circle of them, a line or an
+// alarm: they lie nearly in line, and not all are decimals that it need not round.
+bool hangs_on_rounding(const Motion& motion, const Number& tolerance);
+inline constexpr const char* kPointsNearlyInLine =
+    "The points of the arc lie in line within the tolerance: rounded, they make another circle, a "
+    "line or an alarm.";
 
 class RoundCurve {
  public:

@@ -120,6 +120,26 @@ TEST(SinumerikFlatArc, WhatTheDigitsDoNotReachIsNotImplemented) {
   EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9 F100\n"), "");
 }
 
+// An inch has fewer counts: 0.00044 mm beside, over a chord of 7.77 and with a radius of 2540 m.
+TEST(SinumerikFlatArc, ACentreMovedToTheBisectorFromAReckonedPlaceIsNotImplemented) {
+  const auto note = [](const char* program) { return run_sinumerik(program, "{}").note; };
+  EXPECT_EQ(note("G70\nG0 X=TAN(-0.001)\nG3 X0 Y0.306 I100000 F100\n"),
+            "An arc as flat as this is not implemented.");
+  EXPECT_EQ(note("G70\nG0 X=TAN(-0.001)\nG3 X0 Y2 I1 J1 F100\n"), "");
+}
+
+// The start, 0.001 mm about the pole along 359.999 degrees, is 1.5e-13 mm beside the line of the
+// other two.
+TEST(SinumerikFlatArc, WhatIsAllButInLineIsNotImplemented) {
+  const std::string none = "An arc as flat as this is not implemented.";
+  const std::string start = "G19 G0 X10 Y10 Z-6\nG111 Y10 Z-6\nG0 AP=359.999 RP=0.001\n";
+  const auto note = [&](const char* block) { return run_sinumerik(start + block, "{}").note; };
+  EXPECT_EQ(note("CIP X12 I1=60 J1=10.001 F100\n"), none);
+  EXPECT_EQ(note("CIP X30 I1=60 J1=10.1 F100\n"), "");
+  // Nor does the tangent, seen in the plane, have a direction that is known.
+  EXPECT_EQ(note("CIP X30 I1=20 J1=10.001 F100\nCT Y0 Z0 X6\n"), none);
+}
+
 // Whether places that are known to a count lie in line cannot be said.
 TEST(SinumerikFlatArc, ThreePointsInLineAreKnownOfWholeCountsOnly) {
   EXPECT_EQ(

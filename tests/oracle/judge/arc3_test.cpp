@@ -347,6 +347,23 @@ TEST(Arc3, GoesRoundWhereItsIntermediatePointIsElsewhere) {
   EXPECT_TRUE(goes_round(arc3(here, xyz("-0.0002", "0.0000001", "0"), near), tau));
 }
 
+// Beside the line by 0.0001 mm, the intermediate point beyond the end: what comes of it hangs on
+// the tolerance of 0.001 mm where a coordinate is no short decimal, and has to be rounded.
+TEST(Arc3, PointsInLineHangOnRoundingWhereThereIsAny) {
+  const Number tau = Number::millionths(1000);
+  const auto hangs = [&](const char* via_x, const char* via_y, const Number& start_y) {
+    Position start = xyz("0", "0", "0");
+    start[Axis::y] = start_y;
+    return hangs_on_rounding(arc3(start, xyz(via_x, via_y, "0"), xyz("10", "0", "0")), tau);
+  };
+  const Number tiny = *Number::parse("0.00000000001");
+  EXPECT_TRUE(hangs("20", "0.0001", tiny));
+  EXPECT_TRUE(hangs("0", "0.0001", tiny));
+  EXPECT_FALSE(hangs("20", "0.0001", 0));
+  EXPECT_FALSE(hangs("5", "0.0001", tiny)) << "a flat arc";
+  EXPECT_FALSE(hangs("20", "1", tiny)) << "a circle";
+}
+
 TEST(Arc3, ACircleNearlyClosedIsNoNilOne) {
   const Motion round = arc3(xyz("10", "0", "0"), xyz("-10", "0", "0"), xyz("10", "0.0005", "0"));
   EXPECT_TRUE(fits(round, {round}));
