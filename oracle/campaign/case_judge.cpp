@@ -143,9 +143,10 @@ void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& atte
   if (!subject_->keeps_state() || attempt.end.given_up) return;
   Attempt again = run(fresh_subject(test.profile), test, terms);
   ++result.attempts;
+  if (again.end.given_up) return;
   if (!attempt.differs(again)) {
-    // Nothing was under way beside it: the notes are of this program.
-    attempt.end.notes = std::move(again.end.notes);
+    // Nothing was under way beside it or before: what is said of it is the same each time.
+    attempt = std::move(again);
     return;
   }
   Verdict& verdict = attempt.session.verdict;
@@ -175,7 +176,12 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
                               CaseResult& result) const {
   result.program = test.program;
   result.notes = attempt.end.notes;
-  for (const Record& record : attempt.records) result.trace.push_back(record_text(record));
+  // How far it came before a limit was reached is another thing each time.
+  const bool is_cut =
+      attempt.end.kind == RunEnd::Kind::timeout || attempt.end.kind == RunEnd::Kind::out_of_memory;
+  if (!is_cut) {
+    for (const Record& record : attempt.records) result.trace.push_back(record_text(record));
+  }
   const bool comparable =
       attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
   if (decision(result.verdict.kind) == Decision::no_go && comparable && attempt.whole) {

@@ -177,6 +177,7 @@ void KnownFailures::apply(CaseResult& result) const {
       verdict.kind = VerdictKind::xpass;
       verdict.message = fmt::format("Known to fail with {} ({}), but it passes.",
                                     name(entry.verdict), entry.reason);
+      result.readings.reset();  // whatever reading explains it
       return;
     }
     if (!is_as_known(verdict, entry)) continue;

@@ -30,9 +30,10 @@ bool is_blank(std::string_view line) {
 // One process and the program that it runs.
 class OneshotRun {
  public:
-  OneshotRun(const std::string& command, const Limits& limits, const RecordSink& sink,
-             JsonDocument& document)
-      : limits_(limits),
+  OneshotRun(const std::string& command, const std::string& folder, const Limits& limits,
+             const RecordSink& sink, JsonDocument& document)
+      : folder_(folder),
+        limits_(limits),
         sink_(sink),
         document_(document),
         process_(command, limits.memory_bytes),
@@ -122,7 +123,7 @@ class OneshotRun {
     if (ending.code == kUnsupported) {
       RunEnd end = RunEnd::of(RunEnd::Kind::skip, "The subject does not support this.");
       const std::string notes = process_.take_notes();
-      if (!notes.empty()) end.message = excerpt(notes, 1000);
+      if (!notes.empty()) end.message = excerpt(without_folder(notes), 1000);
       return end;
     }
     // The last line may lack its end.
@@ -142,6 +143,16 @@ class OneshotRun {
     return end;
   }
 
+  // The folder of the profile has another name each time.
+  std::string without_folder(std::string text) const {
+    const std::string prefix = folder_ + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+
+  const std::string& folder_;
   const Limits& limits_;
   const RecordSink& sink_;
   JsonDocument& document_;
@@ -179,7 +190,7 @@ class OneshotSubject : public Subject {
       return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
     try {
-      return OneshotRun(full_command_, limits_, sink, document_).run(program);
+      return OneshotRun(full_command_, folder_.path(), limits_, sink, document_).run(program);
     } catch (const std::system_error& error) {
       return RunEnd::of(RunEnd::Kind::error,
                         fmt::format("No process could be started: {}.", error.what()));

@@ -175,6 +175,7 @@ void PipeSession::send_run(std::string_view id, std::string_view program) {
 }
 
 RunEnd PipeSession::receive_run(const RecordSink& sink) {
+  delivered_ = false;
   const OpenRun run = std::move(open_.front());
   open_.pop_front();
   doing_ = fmt::format("running {}", excerpt(run.id));
@@ -233,6 +234,7 @@ RunEnd PipeSession::receive(std::int64_t seq, const RecordSink& sink) {
 // The time that the oracle takes for the records is not the subject's.
 std::optional<RunEnd> PipeSession::deliver(const PipeReply& reply, const RecordSink& sink) {
   if (!reply.records || reply.records->size() == 0) return std::nullopt;
+  delivered_ = true;
   const auto begin = Process::Clock::now();
   std::optional<RunEnd> end;
   try {

@@ -38,6 +38,8 @@ class PipeSession {
   void stop();
 
   bool usable() const { return usable_; }
+  // Whether records of the last run came.
+  bool delivered() const { return delivered_; }
   std::string take_notes() { return process_.take_notes(); }
 
  private:
@@ -75,6 +77,7 @@ class PipeSession {
   std::deque<OpenRun> open_;           // sent, not yet answered
   std::optional<RunEnd> unasked_for_;  // what was wrong before the first of them was sent
   bool usable_ = true;
+  bool delivered_ = false;
 };
 
 }  // namespace gonogo::oracle

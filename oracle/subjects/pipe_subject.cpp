@@ -45,7 +45,10 @@ class PipeSubject : public Subject {
   }
 
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
-    if (failures_ > limits_.restarts) {
+    if (configuration_.empty()) {
+      return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
+    }
+    if (is_given_up()) {
       RunEnd end =
           RunEnd::of(RunEnd::Kind::crash,
                      fmt::format("The subject was given up after {} restarts in a row without "
@@ -53,9 +56,6 @@ class PipeSubject : public Subject {
                                  limits_.restarts));
       end.given_up = true;
       return end;
-    }
-    if (configuration_.empty()) {
-      return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
     if (!takes(program)) {
       RunEnd end = RunEnd::of(RunEnd::Kind::skip, "The program is not UTF-8.");
@@ -67,6 +67,15 @@ class PipeSubject : public Subject {
       announce(id, program);
     }
     RunEnd end = attempt(sink);
+    const std::size_t others = session_ ? session_->open_runs() : 0;
+    const bool has_culprit = is_breakdown(end) && end.kind != RunEnd::Kind::protocol;
+    if (has_culprit && others > 0 && !session_->delivered()) {
+      suspects_ = others + 1;
+      breakdown_ = std::move(end);
+      session_.reset();
+      end = attempt(sink);
+    }
+    look_for_culprit(end);
     ahead_.pop_front();
     // What stands on stderr by now may be of a run that was sent ahead.
     if (session_) end.notes += session_->take_notes();
@@ -78,6 +87,9 @@ class PipeSubject : public Subject {
   void renew() override {
     close();
     ahead_.clear();
+    clear_suspects();
+    failures_ = 0;
+    given_up_ = false;
   }
 
   void set_run_limit(std::chrono::milliseconds limit) override {
@@ -105,6 +117,7 @@ class PipeSubject : public Subject {
   void forget_ahead() {
     if (session_ && session_->open_runs() > 0) close();
     ahead_.clear();
+    clear_suspects();
   }
 
   std::optional<RunEnd> open(SubjectInfo* info) {
@@ -138,9 +151,46 @@ class PipeSubject : public Subject {
     return session_->receive_run(sink);
   }
 
+  static bool is_breakdown(const RunEnd& end) {
+    return end.kind == RunEnd::Kind::crash || end.kind == RunEnd::Kind::timeout ||
+           end.kind == RunEnd::Kind::out_of_memory || end.kind == RunEnd::Kind::protocol;
+  }
+
+  void clear_suspects() {
+    suspects_ = 0;
+    breakdown_.reset();
+  }
+
+  // Where a subject breaks down with many programs under way, each is run again, one after another:
+  // that which it breaks down with alone is to blame. Where it is none of them, it is not
+  // forgotten.
+  void look_for_culprit(RunEnd& end) {
+    if (suspects_ == 0) return;
+    if (is_breakdown(end)) return clear_suspects();
+    if (--suspects_ > 0) return;
+    end = *std::move(breakdown_);
+    end.message += " That was with others under way; alone none of them does that.";
+    breakdown_.reset();
+  }
+
+  // So many programs in a row without an answer may be the programs' doing: one that does nothing
+  // tells.
+  bool is_given_up() {
+    if (failures_ <= limits_.restarts || given_up_) return given_up_;
+    std::deque<Announced> others;
+    std::swap(others, ahead_);
+    ahead_.push_back({"probe", "M30\n"});
+    given_up_ = is_breakdown(attempt([](const reference::Record&) { return true; }));
+    std::swap(others, ahead_);
+    if (session_ && !session_->usable()) session_.reset();
+    if (!given_up_) failures_ = 0;
+    return given_up_;
+  }
+
   // Half a window at a time, so that not every reply costs a message of its own.
   void send_ahead() {
-    const auto window = static_cast<std::size_t>(std::max(1, info_.max_in_flight));
+    const int most = suspects_ > 0 ? 1 : info_.max_in_flight;
+    const auto window = static_cast<std::size_t>(std::max(1, most));
     if (2 * session_->open_runs() > window) return;
     for (std::size_t i = session_->open_runs(); i < std::min(window, ahead_.size()); ++i) {
       session_->send_run(ahead_[i].id, ahead_[i].program);
@@ -149,17 +199,10 @@ class PipeSubject : public Subject {
 
   // A subject that answers may go on for ever; one that only fails may not.
   void count(const RunEnd& end) {
-    switch (end.kind) {
-      case RunEnd::Kind::crash:
-      case RunEnd::Kind::timeout:
-      case RunEnd::Kind::out_of_memory:
-      case RunEnd::Kind::protocol:
-        ++failures_;
-        break;
-      case RunEnd::Kind::stopped:
-        break;
-      default:
-        failures_ = 0;
+    if (is_breakdown(end)) {
+      ++failures_;
+    } else if (end.kind != RunEnd::Kind::stopped) {
+      failures_ = 0;
     }
   }
 
@@ -172,6 +215,9 @@ class PipeSubject : public Subject {
   bool configured_ = false;        // this session knows the configuration
   std::optional<RunEnd> refusal_;  // and this is what it said against it
   int failures_ = 0;               // in a row
+  bool given_up_ = false;
+  std::size_t suspects_ = 0;         // of the runs to come, which were under way at a breakdown
+  std::optional<RunEnd> breakdown_;  // that one
 };
 
 }  // namespace

@@ -100,6 +100,16 @@ TEST(Campaign, ATimeoutIsTriedThreeTimesMore) {
   EXPECT_NE(scratch.read("r").find("\"attempts\":4"), std::string::npos);
 }
 
+// How many records have come by then is another number each time.
+TEST(Campaign, ATimeoutHasNoTrace) {
+  const Scratch scratch;
+  write_corpus(scratch, 1);
+  FakeSubject slow;
+  slow.end = RunEnd::Kind::timeout;
+  results_of(scratch, "r", options_of(1), fake_maker(slow));
+  EXPECT_NE(scratch.read("r").find("\"trace\":[]"), std::string::npos);
+}
+
 TEST(Campaign, ASubjectThatWasGivenUpIsNotRunAgain) {
   const Scratch scratch;
   write_corpus(scratch, 1);

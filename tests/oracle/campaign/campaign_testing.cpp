@@ -96,7 +96,7 @@ class Fake : public Subject {
     while (const reference::Item* item = expander.next()) {
       if (auto* record = std::get_if<reference::Record>(item)) sink(*record);
     }
-    return {};
+    return RunEnd::of(fake_.end, {});
   }
 
  private:

@@ -35,6 +35,7 @@ struct FakeSubject {
   int window = 1;
   // Called before each run with the id and how many runs this process has done.
   std::function<std::optional<RunEnd>(std::string_view id, int runs)> act;
+  RunEnd::Kind end = RunEnd::Kind::ok;  // behind the records of the reference
 };
 SubjectMaker fake_maker(FakeSubject fake);
 

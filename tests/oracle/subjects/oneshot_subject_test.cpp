@@ -100,6 +100,14 @@ TEST(OneshotSubject, TheProfileIsAFileOfThisUserThatGoesAway) {
   EXPECT_FALSE(std::filesystem::exists(path.parent_path()));
 }
 
+// Its name is another one each time, and the message is in the hash of the results.
+TEST(OneshotSubject, TheFolderOfTheProfileIsNotInTheMessage) {
+  const RunEnd first = oneshot_end("show-unsupported");
+  EXPECT_EQ(first.kind, Kind::skip);
+  EXPECT_NE(first.message.find("path=profile.json"), std::string::npos) << first.message;
+  EXPECT_EQ(first.message, oneshot_end("show-unsupported").message);
+}
+
 TEST(OneshotSubject, WithoutADescriptionEverythingIsDeclared) {
   auto subject = fake_oneshot("good");
   EXPECT_TRUE(subject->info().declares("sinumerik840d", "cycle83"));

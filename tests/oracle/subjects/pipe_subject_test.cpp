@@ -259,6 +259,27 @@ TEST(PipeSubject, IsGivenUpAfterTheRestartsInARow) {
   EXPECT_NE(end.message.find("given up after 2 restarts"), std::string::npos) << end.message;
 }
 
+TEST(PipeSubject, RenewedItIsNoLongerGivenUp) {
+  Limits limits = patient_limits();
+  limits.restarts = 1;
+  auto subject = fake_pipe("abort", limits);
+  for (int i = 0; i < 3; ++i) run(*subject);
+  EXPECT_TRUE(run(*subject).end.given_up);
+  subject->renew();
+  EXPECT_NE(run(*subject).end.message.find("signal 6"), std::string::npos);
+}
+
+// Programs that stand together and that it dies of are no reason to give it up.
+TEST(PipeSubject, IsNotGivenUpWhileItRunsAProgramThatDoesNothing) {
+  Limits limits = patient_limits();
+  limits.restarts = 1;
+  auto subject = fake_pipe("aborts-on-demand", limits);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NE(run(*subject, "(ABORT)").end.message.find("signal 6"), std::string::npos) << i;
+  }
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+}
+
 TEST(PipeSubject, AnAnswerBetweenTwoCrashesBeginsTheCountAgain) {
   Limits limits = patient_limits();
   limits.restarts = 1;

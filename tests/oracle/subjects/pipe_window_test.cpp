@@ -63,23 +63,61 @@ TEST(PipeWindow, RepliesOutOfOrderAreProtocol) {
   EXPECT_NE(end.message.find("\"seq\":2"), std::string::npos) << end.message;
 }
 
-// Of 5 programs the third kills the process: the dwell of each reply counts the runs of its
-// process.
+// Five programs, of which the third says what it wants.
+void announce_five(Subject& subject, const std::string& third) {
+  for (int i = 0; i < 5; ++i) subject.announce(id_of(i), i == 2 ? third : "G0 X1\n");
+}
+RunEnd run_of_five(Subject& subject, int i, const std::string& third, Number* seconds = nullptr) {
+  return run_case(subject, i, seconds, i == 2 ? third : "G0 X1\n");
+}
+
+// The dwell of each reply counts the runs of its process.
 TEST(PipeWindow, ACrashIsThatOfTheProgramWhoseReplyWasDueAndTheOthersAreSentAgain) {
-  for (const char* mode : {"third-aborts", "third-hangs"}) {
-    auto subject = windowed(mode, 64, second_limits());
-    announce(*subject, 5);
+  for (const std::string third : {"(ABORT)", "(HANG)"}) {
+    const bool hangs = third == "(HANG)";
+    auto subject = windowed(hangs ? "hangs-on-demand" : "aborts-on-demand", 64, second_limits());
+    announce_five(*subject, third);
     Number seconds;
-    EXPECT_EQ(run_case(*subject, 0).kind, Kind::ok);
-    EXPECT_EQ(run_case(*subject, 1).kind, Kind::ok);
-    const RunEnd third = run_case(*subject, 2);
-    EXPECT_EQ(third.kind, mode == std::string("third-aborts") ? Kind::crash : Kind::timeout);
-    EXPECT_NE(third.message.find("case.2"), std::string::npos) << third.message;
-    EXPECT_EQ(run_case(*subject, 3, &seconds).kind, Kind::ok);
+    EXPECT_EQ(run_of_five(*subject, 0, third).kind, Kind::ok);
+    EXPECT_EQ(run_of_five(*subject, 1, third).kind, Kind::ok);
+    const RunEnd crash = run_of_five(*subject, 2, third);
+    EXPECT_EQ(crash.kind, hangs ? Kind::timeout : Kind::crash);
+    EXPECT_NE(crash.message.find("case.2"), std::string::npos) << crash.message;
+    EXPECT_EQ(run_of_five(*subject, 3, third, &seconds).kind, Kind::ok);
     EXPECT_EQ(seconds, Number(1));
-    EXPECT_EQ(run_case(*subject, 4, &seconds).kind, Kind::ok);
+    EXPECT_EQ(run_of_five(*subject, 4, third, &seconds).kind, Kind::ok);
     EXPECT_EQ(seconds, Number(2));
   }
+}
+
+// The replies to the two before it are lost with it.
+TEST(PipeWindow, ACrashIsNotThatOfAProgramThatWasUnderWayBesideIt) {
+  const std::string third = "(ABORT)";
+  auto subject = windowed("batches", 64);
+  announce_five(*subject, third);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(run_of_five(*subject, i, third).kind, i == 2 ? Kind::crash : Kind::ok) << i;
+  }
+}
+
+TEST(PipeWindow, ACrashThatNoProgramBringsAboutAloneIsToldOfTheLastThatWasUnderWay) {
+  auto subject = windowed("aborts-with-more-to-do", 64);
+  announce(*subject, 3);
+  EXPECT_EQ(run_case(*subject, 0).kind, Kind::ok);
+  EXPECT_EQ(run_case(*subject, 1).kind, Kind::ok);
+  const RunEnd last = run_case(*subject, 2);
+  EXPECT_EQ(last.kind, Kind::crash);
+  EXPECT_NE(last.message.find("signal 6"), std::string::npos) << last.message;
+  EXPECT_NE(last.message.find("others under way"), std::string::npos) << last.message;
+}
+
+// Of five runs of one process or two the third of one: whichever it is, it is told once.
+TEST(PipeWindow, ACrashOfWhatCameBeforeIsToldOnce) {
+  auto subject = windowed("third-aborts", 64);
+  announce(*subject, 5);
+  int crashes = 0;
+  for (int i = 0; i < 5; ++i) crashes += run_case(*subject, i).kind == Kind::crash ? 1 : 0;
+  EXPECT_EQ(crashes, 1);
 }
 
 // 16 programs of 120 ms each; the limit of a case is 1.5 s.

@@ -93,6 +93,10 @@ int run(const std::string& mode, const std::vector<std::string>& arguments) {
   }
   if (mode == "echo-size") return echo_size();
   if (mode == "show") return show(arguments);
+  if (mode == "show-unsupported") {
+    show(arguments);
+    return 3;
+  }
   return print(kRecord, 0);
 }
 

@@ -101,6 +101,21 @@ void answer_by_four(const std::string& seq, bool in_order) {
   waiting.clear();
 }
 
+bool wants(const std::string& line, const char* what) {
+  return line.find(what) != std::string::npos;
+}
+
+bool has_more_to_do() {
+  return std::cin.rdbuf()->in_avail() > 0;
+}
+
+// Many answers a write: those not yet written are lost with the process.
+void answer_in_batches(const std::string& seq, const std::string& line) {
+  if (wants(line, "ABORT")) std::abort();
+  std::cout << "{\"seq\":" << seq << ",\"outcome\":\"ok\",\"records\":[]}\n";
+  if (!has_more_to_do()) std::cout << std::flush;
+}
+
 // As much as a pipe does not hold, for each program.
 void answer_at_length(const std::string& seq) {
   answer(seq, ",\"outcome\":\"error\",\"message\":\"" + std::string(1 << 20, 'a') + "\"");
@@ -197,7 +212,13 @@ const std::map<std::string, Action>& actions() {
       {"by-four", [](auto& seq, auto&) { answer_by_four(seq, true); }},
       {"by-four-swapped", [](auto& seq, auto&) { answer_by_four(seq, false); }},
       {"third-aborts", [](auto& seq, auto&) { runs == 3 ? std::abort() : leak(seq); }},
-      {"third-hangs", [](auto& seq, auto&) { runs == 3 ? sleep_for_ever() : leak(seq); }},
+      {"aborts-on-demand",
+       [](auto& seq, auto& line) { wants(line, "ABORT") ? std::abort() : leak(seq); }},
+      {"hangs-on-demand",
+       [](auto& seq, auto& line) { wants(line, "HANG") ? sleep_for_ever() : leak(seq); }},
+      {"batches", answer_in_batches},
+      {"aborts-with-more-to-do",
+       [](auto& seq, auto&) { has_more_to_do() ? std::abort() : answer_well(seq); }},
       {"slow", [](auto& seq, auto&) { usleep(120'000), leak(seq); }},
       {"long-replies", [](auto& seq, auto&) { answer_at_length(seq); }},
       {"pid",
@@ -238,6 +259,7 @@ void configure() {
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::ios::sync_with_stdio(false);  // so that std::cin says what it has read ahead
   mode = count > 1 ? arguments[1] : "good";
   if (mode == "talks-first") say("ready.");
   for (std::string line; std::getline(std::cin, line);) {
