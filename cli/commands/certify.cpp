@@ -186,6 +186,7 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   ending.left_out = end.left_out;
   ending.stale = end.stale;
   ending.is_shard = campaign.shards > 1;
+  ending.is_complete = end.complete;
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   summary.answer =
       results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
@@ -266,6 +267,9 @@ std::optional<CertifyOptions> with_own_dialects(const CertifyOptions& options,
 
 int certify(const CertifyOptions& options) {
   check_readings(options);
+  if (options.fail_fast && !options.certificate.empty()) {
+    throw UsageError("A certificate is of a whole run: leave --fail-fast or --certificate out.");
+  }
   const std::string report = options.report.empty() ? "report" : options.report;
   if (!options.subject.empty()) return certify_one(options, options.subject, report);
   // The main job: every built-in expander, each with its own report.

@@ -185,7 +185,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   footer.judged = answer.judged;
   footer.assignments = answer.assignments;
   footer.sha256 = hash.hex();
-  out.put(footer_line(footer));
+  if (ending.is_complete) out.put(footer_line(footer));
   out.finish();
   ::unlink(journal_of(path_).c_str());
   return answer;

@@ -53,6 +53,7 @@ class ResultsWriter {
     std::optional<std::vector<std::string>> alarms;
     // With shards, whose cases may meet what those of this one did not.
     bool is_shard = false;
+    bool is_complete = true;  // else there are cases to come, and the file has no footer
   };
   // Sorts, reconciles the readings, fills in the footer and puts the file in place in one step.
   // `visit` sees each case line as it is written. Throws ResultsUnwritable, and std::runtime_error

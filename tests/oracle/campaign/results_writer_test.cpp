@@ -38,6 +38,19 @@ TEST(ResultsWriter, SortsTheLinesAndTheReaderAgreesWithItsFooter) {
   EXPECT_FALSE(std::filesystem::exists(scratch.path("r.jsonl.part")));
 }
 
+TEST(ResultsWriter, ARunThatStoppedHasNoFooter) {
+  const Scratch scratch;
+  ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
+  writer.add(passed("a"));
+  ResultsWriter::Ending ending;
+  ending.is_complete = false;
+  ResultsFooter footer;
+  EXPECT_EQ(writer.close(ending, footer).cases, 1U);
+  ResultsReader reader(scratch.path("r.jsonl"));
+  for (Json line; reader.next(line);) EXPECT_EQ(line["id"], "a");
+  EXPECT_FALSE(reader.footer().has_value());
+}
+
 // As a kill leaves it: the writer goes without close().
 void leave_journal(const Scratch& scratch, const std::string& half_line) {
   { ResultsWriter(scratch.path("r.jsonl"), header_of("1")).add(passed("b")); }
