@@ -27,6 +27,7 @@ struct Radii {
   Wide end_square = 0;
   Real start = 0;
   Real end = 0;
+  bool exact = false;  // the squares are
 };
 
 bool is_absolute(const Machine& machine, Value::Mode mode) {
@@ -144,7 +145,7 @@ Agreement compare(const Machine& machine, const Radii& radii, const ArcSketch& s
                                   constant_only ? 0 : configuration.circle_error_factor,
                                   machine.has(Fault::kEqualityRefused)};
   const bool of_end = machine.has(Fault::kEndRadiusTolerance);
-  if (sketch.rounded) {
+  if (sketch.rounded && !radii.exact) {
     const Real fine = fine_rounding(std::fmax(radii.start, radii.end));
     return compare_radii(radii.start, radii.end, of_end ? radii.end : radii.start, tolerance,
                          sketch.known ? fine : Real{kRounding});
@@ -165,6 +166,7 @@ void take_circle(Machine& machine, const Block& block, const GivenCentre& centre
     move_end_onto_circle(machine, centre, sketch);
     return put_exact_centre(machine, centre, sketch);
   }
+  sketch.unclear = agreement == Agreement::kUnclear;
   const bool kept = agreement != Agreement::kWithin ||
                     machine.configuration.correction == Correction::kProgrammed;
   if (kept) return put_exact_centre(machine, centre, sketch);
@@ -232,8 +234,10 @@ void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
   sketch.rounded = sketch.rounded || pole.rounded;
   sketch.known = sketch.known && !pole.coarse && !state.polar.radius_rounded;
   const Fixed radius = state.polar.radius;
+  const bool exact = ((state.rounded | state.coarse) & plane_axes(plane)) == 0 && !pole.rounded &&
+                     !pole.coarse && !state.polar.radius_rounded;
   const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),
-                    static_cast<Real>(radius)};
+                    static_cast<Real>(radius), exact};
   take_circle(machine, block, centre, radii, sketch);
 }
 

@@ -23,6 +23,7 @@ struct ArcSketch {
   Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts
   bool sharp = true;          ///< `centre` is known well enough to be put out
+  bool unclear = false;       ///< whether the arc is allowed hangs on rounding
 
   /// What start and end may be beside.
   Real doubt() const { return known ? 0 : coarse_rounding(farthest); }

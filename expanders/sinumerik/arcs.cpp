@@ -85,9 +85,10 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
   if (fit == ChordFit::kLonger || refused) {
     return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
   }
+  sketch.unclear = fit == ChordFit::kUnclear;
   const bool long_way = (radius < 0) != machine.has(Fault::kRadiusSignSwapped);
   Real side = 0;
-  if (fit != ChordFit::kDiameter) {
+  if (fit == ChordFit::kShorter) {
     const Wide square = squared(radius);
     side = sketch.rounded ? side_of_radius(sketch.way, static_cast<Real>(square))
                           : side_of_radius(sketch.chord, square);
@@ -232,6 +233,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
     return;
   }
   if (!sketch.sharp) plan.lacking = kFlatArc;
+  if (sketch.unclear) plan.lacking = kUnclearArc;
   sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
 }

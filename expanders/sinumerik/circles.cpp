@@ -88,28 +88,39 @@ Real fine_rounding(Real length) {
 Agreement compare_radii(Real start, Real end, Real reference, const RadiusTolerance& tolerance,
                         Real rounding) {
   const Real difference = std::fabs(start - end);
-  if (difference <= rounding) return Agreement::kEqual;
   const Real relative = static_cast<Real>(tolerance.factor) / kOne * reference;
   const Real limit = std::fmax(static_cast<Real>(tolerance.constant), relative);
-  const Real slack = tolerance.strict ? -rounding : rounding;
-  return difference <= limit + slack ? Agreement::kWithin : Agreement::kApart;
+  if (difference == 0) return Agreement::kEqual;
+  if (std::fabs(difference - limit) <= rounding) return Agreement::kUnclear;
+  if (difference <= rounding) return Agreement::kEqual;
+  return difference <= limit ? Agreement::kWithin : Agreement::kApart;
 }
 
 ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool rounded) {
   const Wide square = chord.square();
   const Fixed slack = rounded ? kRounding : 0;
   const Fixed diameter = 2 * radius;
-  const Fixed least = diameter > slack ? diameter - slack : 0;
-  if (square < squared(least)) return ChordFit::kShorter;
-  return square <= squared(diameter + tolerance + slack) ? ChordFit::kDiameter : ChordFit::kLonger;
+  if (square < squared(diameter > slack ? diameter - slack : 0)) return ChordFit::kShorter;
+  const Fixed most = diameter + tolerance;
+  if (square > squared(most + slack)) return ChordFit::kLonger;
+  const bool unclear = rounded && square >= squared(most > slack ? most - slack : 0);
+  return unclear ? ChordFit::kUnclear : ChordFit::kDiameter;
 }
 
 ChordFit fit_chord(const Vector& chord, Fixed radius, Fixed tolerance) {
   const Real length = std::sqrt(chord.square());
   const Real slack = fine_rounding(length);
-  const Real above = length - 2 * static_cast<Real>(radius);
+  const Real diameter = 2 * static_cast<Real>(radius);
+  // Along an axis nothing cancels out.
+  const Real longer = std::fmax(std::fabs(chord.p), std::fabs(chord.q));
+  const Real shorter = std::fmin(std::fabs(chord.p), std::fabs(chord.q));
+  const Real above =
+      ((longer - diameter) * (longer + diameter) + shorter * shorter) / (length + diameter);
   if (above < -slack) return ChordFit::kShorter;
-  return above <= static_cast<Real>(tolerance) + slack ? ChordFit::kDiameter : ChordFit::kLonger;
+  const Real beyond = above - static_cast<Real>(tolerance);
+  if (beyond == 0) return ChordFit::kDiameter;
+  if (std::fabs(beyond) <= slack) return ChordFit::kUnclear;
+  return beyond < 0 ? ChordFit::kDiameter : ChordFit::kLonger;
 }
 
 }  // namespace gonogo::expanders::sinumerik

@@ -59,7 +59,8 @@ inline constexpr Fixed kRounding = 4;
 enum class Agreement {
   kEqual,
   kWithin,  ///< the tolerance
-  kApart
+  kApart,
+  kUnclear  ///< so near the tolerance that rounding decides
 };
 
 /// How far the radii at the start and at the end of an arc may be apart.
@@ -83,7 +84,7 @@ Real coarse_rounding(Real farthest);
 /// What a length of that many counts is known to where nothing but the processor rounds.
 Real fine_rounding(Real length);
 
-enum class ChordFit { kShorter, kDiameter, kLonger };
+enum class ChordFit { kShorter, kDiameter, kLonger, kUnclear };
 
 /// A chord against twice the radius; up to `tolerance` above it counts as equal.
 ChordFit fit_chord(const Chord& chord, Fixed radius, Fixed tolerance, bool rounded);

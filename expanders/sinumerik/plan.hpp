@@ -99,5 +99,6 @@ inline constexpr Real kSharp = 4e-4L * kOne;
 
 /// What Plan::lacking says of arcs whose centre the digits of the processor do not reach.
 inline constexpr std::string_view kFlatArc = "An arc as flat as this";
+inline constexpr std::string_view kUnclearArc = "An arc as near its limit as this";
 
 }  // namespace gonogo::expanders::sinumerik

@@ -207,17 +207,19 @@ void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& r
   }
 }
 
-void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
+// An alarm outside the program.
+void ProgramJudge::refuse_alarm_outside(const SubjectAlarm& alarm) {
   if (end_record_) {
     decide(
         alarm_verdict(VerdictKind::fail_overrun, alarm, "An alarm follows the end of the trace."));
-    return;
-  }
-  if (alarm.before_program) {
+  } else if (alarm.before_program) {
     decide(alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
                          "The alarm comes before the program, in a line that leads to its start."));
-    return;
   }
+}
+
+void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
+  refuse_alarm_outside(alarm);
   // A controller that checks at load may alarm with no motion at all.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
   std::optional<ReferenceStep> unfinished;

@@ -127,6 +127,7 @@ class ProgramJudge {
   void decide(Verdict verdict);
   void decide_gap(std::string message);
   bool is_of_block(const SubjectAlarm& alarm, const Motion& motion) const;
+  void refuse_alarm_outside(const SubjectAlarm& alarm);
   void decide_undecided(const exact::Undecided& undecided);
   // In departure.cpp.
   void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);

@@ -140,6 +140,18 @@ TEST(SinumerikFlatArc, WhatIsAllButInLineIsNotImplemented) {
   EXPECT_EQ(note("CIP X30 I1=20 J1=10.001 F100\nCT Y0 Z0 X6\n"), none);
 }
 
+// The start is 1.7e-8 mm beside the line through the end, so the chord is 1.5e-17 mm above 10.
+TEST(SinumerikFlatArc, AChordThatIsTheDiameterButForRoundingIsNotImplemented) {
+  const std::string none = "An arc as near its limit as this is not implemented.";
+  const std::string start = "G0 AP=359.999 RP=0.001\nG0 X10\n";
+  const auto note = [&](const char* block) { return run_sinumerik(start + block, "{}").note; };
+  EXPECT_EQ(note("G2 X20 Y0 CR=5 F100\n"), none);
+  EXPECT_EQ(note("G2 X20 Y0 CR=5.001 F100\n"), "");
+  // From the start to the centre 5.000000000000000030 mm, from there to the end 5.01.
+  EXPECT_EQ(note("G2 X20.01 Y0 I5 J=AC(0) F100\n"), none);
+  EXPECT_EQ(note("G2 X20.009 Y0 I5 J=AC(0) F100\n"), "");
+}
+
 // Whether places that are known to a count lie in line cannot be said.
 TEST(SinumerikFlatArc, ThreePointsInLineAreKnownOfWholeCountsOnly) {
   EXPECT_EQ(
