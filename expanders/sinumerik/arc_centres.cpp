@@ -125,10 +125,8 @@ void correct_centre(Machine& machine, const Block& block, const GivenCentre& cen
   const Vector corrected = on_bisector(sketch.way, side);
   if (!sketch.known) {
     // Ends a little beside turn the bisector, and near half a circle move the centre along it.
-    const Real chord = std::sqrt(sketch.way.square());
-    const Real from_chord = std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
     const Real radius = std::sqrt(corrected.square());
-    sketch.sharp = sketch.doubt() * (std::fabs(side) + radius / from_chord) <= kSharp;
+    sketch.sharp = sketch.doubt() * (std::fabs(side) + radius / from_chord(sketch, side)) <= kSharp;
   }
   const bool no_direction = centre.place.square() == 0;
   if (no_direction || too_far_turned(centre.place, corrected)) {

@@ -32,6 +32,10 @@ struct ArcSketch {
 /// Chord, way and `rounded`, from the target.
 void take_end(const State& state, ArcSketch& sketch);
 
+/// How far the centre lies from the chord, for `side` as in on_bisector: no less than what rounding
+/// makes of it near half a circle.
+Real from_chord(const ArcSketch& sketch, Real side);
+
 /// No centre is farther, in counts: below 2^126.
 inline constexpr Real kFarthest = 8e37L;
 

@@ -96,11 +96,9 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
   if (sketch.counterclockwise == long_way) side = -side;
   // Near half a circle the centre moves far on the bisector, for ends or a radius a little beside.
   if (!sketch.known || finer) {
-    const Real chord = std::sqrt(sketch.way.square());
-    const Real from_chord = std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
     const Real whole_radius = static_cast<Real>(magnitude(radius));
     const Real beside = std::fmax(sketch.doubt(), 2);
-    sketch.sharp = beside * whole_radius <= kSharp * from_chord;
+    sketch.sharp = beside * whole_radius <= kSharp * from_chord(sketch, side);
   }
   put_centre(machine, on_bisector(sketch.way, side), sketch);
 }
@@ -236,6 +234,11 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
   if (sketch.unclear) plan.lacking = kUnclearArc;
   sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
+}
+
+Real from_chord(const ArcSketch& sketch, Real side) {
+  const Real chord = std::sqrt(sketch.way.square());
+  return std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
 }
 
 void take_end(const State& state, ArcSketch& sketch) {

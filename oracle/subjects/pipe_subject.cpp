@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <system_error>
+#include <utility>
 
 #include "oracle/subjects/configuration.hpp"
 #include "oracle/subjects/pipe_session.hpp"
@@ -177,11 +178,9 @@ class PipeSubject : public Subject {
   // tells.
   bool is_given_up() {
     if (failures_ <= limits_.restarts || given_up_) return given_up_;
-    std::deque<Announced> others;
-    std::swap(others, ahead_);
-    ahead_.push_back({"probe", "M30\n"});
+    std::deque<Announced> announced = std::exchange(ahead_, {Announced{"probe", "M30\n"}});
     given_up_ = is_breakdown(attempt([](const reference::Record&) { return true; }));
-    std::swap(others, ahead_);
+    ahead_ = std::move(announced);
     if (session_ && !session_->usable()) session_.reset();
     if (!given_up_) failures_ = 0;
     return given_up_;

@@ -72,9 +72,19 @@ bool is_not_positive(const Interval& x) {
   return x.bounded() && mpfr_sgn(x.high()) <= 0;
 }
 
-// Whether each has a sign: then one pair of ends gives the low end of a product, another the high.
-bool have_signs(const Interval& x, const Interval& y) {
-  return (is_not_negative(x) || is_not_positive(x)) && (is_not_negative(y) || is_not_positive(y));
+// A product or quotient. Where each operand has a sign, one pair of ends gives its low end, another
+// the high. `least` and `most` are the ends of y by which a positive x comes out least and most.
+Interval combined(MpfrOperation operation, const Interval& x, const Interval& y, mpfr_srcptr least,
+                  mpfr_srcptr most, mpfr_prec_t bits) {
+  const bool x_up = is_not_negative(x);
+  const bool y_up = is_not_negative(y);
+  if ((!x_up && !is_not_positive(x)) || (!y_up && !is_not_positive(y))) {
+    return hull_of_ends(operation, x, y, bits);
+  }
+  Interval result(bits);
+  operation(result.low(), y_up ? x.low() : x.high(), x_up ? least : most, MPFR_RNDD);
+  operation(result.high(), y_up ? x.high() : x.low(), x_up ? most : least, MPFR_RNDU);
+  return result;
 }
 
 using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
@@ -196,24 +206,12 @@ Interval subtract(const Interval& x, const Interval& y, mpfr_prec_t bits) {
 }
 
 Interval multiply(const Interval& x, const Interval& y, mpfr_prec_t bits) {
-  if (!have_signs(x, y)) return hull_of_ends(mpfr_mul, x, y, bits);
-  const bool x_up = is_not_negative(x);
-  const bool y_up = is_not_negative(y);
-  Interval product(bits);
-  mpfr_mul(product.low(), y_up ? x.low() : x.high(), x_up ? y.low() : y.high(), MPFR_RNDD);
-  mpfr_mul(product.high(), y_up ? x.high() : x.low(), x_up ? y.high() : y.low(), MPFR_RNDU);
-  return product;
+  return combined(mpfr_mul, x, y, y.low(), y.high(), bits);
 }
 
 Interval divide(const Interval& x, const Interval& y, mpfr_prec_t bits) {
   if (mpfr_sgn(y.low()) <= 0 && mpfr_sgn(y.high()) >= 0) return whole_line(bits);
-  if (!have_signs(x, y)) return hull_of_ends(mpfr_div, x, y, bits);
-  const bool x_up = is_not_negative(x);
-  const bool y_up = is_not_negative(y);
-  Interval quotient(bits);
-  mpfr_div(quotient.low(), y_up ? x.low() : x.high(), x_up ? y.high() : y.low(), MPFR_RNDD);
-  mpfr_div(quotient.high(), y_up ? x.high() : x.low(), x_up ? y.low() : y.high(), MPFR_RNDU);
-  return quotient;
+  return combined(mpfr_div, x, y, y.high(), y.low(), bits);
 }
 
 Interval sqrt_of(const Interval& x, mpfr_prec_t bits) {

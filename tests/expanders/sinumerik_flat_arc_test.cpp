@@ -11,6 +11,13 @@
 namespace gonogo::expanders::testing {
 namespace {
 
+const std::string kTooFlat = "An arc as flat as this is not implemented.";
+
+// What the expander says of a program that it does not implement.
+std::string note_of(const std::string& program) {
+  return run_sinumerik(program, "{}").note;
+}
+
 /// How far the centre of the last arc is off, millimetres; infinite when there is none.
 long double off_centre(const std::string& program, long double p, long double q) {
   const std::string record = last_motion_or_alarm(program);
@@ -108,55 +115,46 @@ TEST(SinumerikFlatArc, LargestLength) {
 // The direction at the end of a spiral is irrational, and the end 0.00254 mm beside it: of a radius
 // of 5.08e12 mm a processor's digits leave thousands of millimetres open.
 TEST(SinumerikFlatArc, WhatTheDigitsDoNotReachIsNotImplemented) {
-  const std::string none = "An arc as flat as this is not implemented.";
-  const auto note = [](const char* program) { return run_sinumerik(program, "{}").note; };
-  EXPECT_EQ(note("G70\nG0 X1 Y30 Z30\nG19 G0 Y40\n"
-                 "G3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n"),
-            none);
+  EXPECT_EQ(note_of("G70\nG0 X1 Y30 Z30\nG19 G0 Y40\n"
+                    "G3 Y30.0001 Z20 K-10 TURN=3 F200\nCT X64 Z40\n"),
+            kTooFlat);
   // What an expression gives is known to a count. -0.00001745 mm beside 5 mm: a radius of 716 m.
-  EXPECT_EQ(note("G0 X=TAN(-0.001)\nG1 Y14 Z5 F90\nG18 CT X0 Z10\n"), none);
+  EXPECT_EQ(note_of("G0 X=TAN(-0.001)\nG1 Y14 Z5 F90\nG18 CT X0 Z10\n"), kTooFlat);
   // A radius of 1e6 chords from a place that is known to a count.
-  EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9999 F100\n"), none);
-  EXPECT_EQ(note("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9 F100\n"), "");
+  EXPECT_EQ(note_of("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9999 F100\n"), kTooFlat);
+  EXPECT_EQ(note_of("G0 X=SQRT(2)\nG2 Y20 X13.5 AR=359.9 F100\n"), "");
 }
 
 // An inch has fewer counts: 0.00044 mm beside, over a chord of 7.77 and with a radius of 2540 m.
 TEST(SinumerikFlatArc, ACentreMovedToTheBisectorFromAReckonedPlaceIsNotImplemented) {
-  const auto note = [](const char* program) { return run_sinumerik(program, "{}").note; };
-  EXPECT_EQ(note("G70\nG0 X=TAN(-0.001)\nG3 X0 Y0.306 I100000 F100\n"),
-            "An arc as flat as this is not implemented.");
-  EXPECT_EQ(note("G70\nG0 X=TAN(-0.001)\nG3 X0 Y2 I1 J1 F100\n"), "");
+  EXPECT_EQ(note_of("G70\nG0 X=TAN(-0.001)\nG3 X0 Y0.306 I100000 F100\n"), kTooFlat);
+  EXPECT_EQ(note_of("G70\nG0 X=TAN(-0.001)\nG3 X0 Y2 I1 J1 F100\n"), "");
 }
 
 // The start, 0.001 mm about the pole along 359.999 degrees, is 1.5e-13 mm beside the line of the
 // other two.
 TEST(SinumerikFlatArc, WhatIsAllButInLineIsNotImplemented) {
-  const std::string none = "An arc as flat as this is not implemented.";
   const std::string start = "G19 G0 X10 Y10 Z-6\nG111 Y10 Z-6\nG0 AP=359.999 RP=0.001\n";
-  const auto note = [&](const char* block) { return run_sinumerik(start + block, "{}").note; };
-  EXPECT_EQ(note("CIP X12 I1=60 J1=10.001 F100\n"), none);
-  EXPECT_EQ(note("CIP X30 I1=60 J1=10.1 F100\n"), "");
+  EXPECT_EQ(note_of(start + "CIP X12 I1=60 J1=10.001 F100\n"), kTooFlat);
+  EXPECT_EQ(note_of(start + "CIP X30 I1=60 J1=10.1 F100\n"), "");
   // Nor does the tangent, seen in the plane, have a direction that is known.
-  EXPECT_EQ(note("CIP X30 I1=20 J1=10.001 F100\nCT Y0 Z0 X6\n"), none);
+  EXPECT_EQ(note_of(start + "CIP X30 I1=20 J1=10.001 F100\nCT Y0 Z0 X6\n"), kTooFlat);
 }
 
 // The start is 1.7e-8 mm beside the line through the end, so the chord is 1.5e-17 mm above 10.
 TEST(SinumerikFlatArc, AChordThatIsTheDiameterButForRoundingIsNotImplemented) {
   const std::string none = "An arc as near its limit as this is not implemented.";
   const std::string start = "G0 AP=359.999 RP=0.001\nG0 X10\n";
-  const auto note = [&](const char* block) { return run_sinumerik(start + block, "{}").note; };
-  EXPECT_EQ(note("G2 X20 Y0 CR=5 F100\n"), none);
-  EXPECT_EQ(note("G2 X20 Y0 CR=5.001 F100\n"), "");
+  EXPECT_EQ(note_of(start + "G2 X20 Y0 CR=5 F100\n"), none);
+  EXPECT_EQ(note_of(start + "G2 X20 Y0 CR=5.001 F100\n"), "");
   // From the start to the centre 5.000000000000000030 mm, from there to the end 5.01.
-  EXPECT_EQ(note("G2 X20.01 Y0 I5 J=AC(0) F100\n"), none);
-  EXPECT_EQ(note("G2 X20.009 Y0 I5 J=AC(0) F100\n"), "");
+  EXPECT_EQ(note_of(start + "G2 X20.01 Y0 I5 J=AC(0) F100\n"), none);
+  EXPECT_EQ(note_of(start + "G2 X20.009 Y0 I5 J=AC(0) F100\n"), "");
 }
 
 // Whether places that are known to a count lie in line cannot be said.
 TEST(SinumerikFlatArc, ThreePointsInLineAreKnownOfWholeCountsOnly) {
-  EXPECT_EQ(
-      run_sinumerik("G0 X=SQRT(2) Y=SQRT(3)\nCIP X3 Y=SQRT(3) I1=2 J1=SQRT(3) F9\n", "{}").note,
-      "An arc as flat as this is not implemented.");
+  EXPECT_EQ(note_of("G0 X=SQRT(2) Y=SQRT(3)\nCIP X3 Y=SQRT(3) I1=2 J1=SQRT(3) F9\n"), kTooFlat);
   EXPECT_EQ(last_motion_or_alarm("G0 X1 Y1\nCIP X3 Y1 I1=2 J1=1 F9\n").substr(0, 5), "feed ");
 }
 
