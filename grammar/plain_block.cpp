@@ -10,6 +10,7 @@ namespace gonogo::grammar {
 namespace {
 
 constexpr std::ptrdiff_t kMostPlainDigits = 18;  // above them a Decimal has its digits as text
+constexpr std::size_t kUsualItems = 8;           // of a block, for which there is room at once
 
 // The line while it is read.
 struct Cursor {
@@ -86,6 +87,7 @@ bool take_comment(Cursor& cursor, Block& block) {
 // An item of letter-address programs: a word or a comment.
 template <Letters letters>
 struct LetterAddress {
+  static void make_room(Block& block) { block.words.reserve(kUsualItems); }
   static bool take(Cursor& cursor, Block& block) {
     const char* const begin = cursor.at;
     if (*begin == '(') return take_comment(cursor, block);
@@ -104,6 +106,10 @@ struct LetterAddress {
 // An item of SINUMERIK: a letter and a constant, or an address of two letters, '=' and a constant.
 // What an operator follows is no constant.
 struct Sinumerik {
+  static void make_room(Block& block) {
+    block.named.reserve(kUsualItems);
+    block.terms.reserve(kUsualItems);
+  }
   static bool take(Cursor& cursor, Block& block) {
     const char* const begin = cursor.at;
     const char letter = capital_of(*begin);
@@ -145,6 +151,7 @@ struct Sinumerik {
 
 template <Letters letters, typename Item>
 bool read_plain(std::string_view line, Block& block) {
+  Item::make_room(block);
   Cursor cursor{line.data(), line.data(), line.data() + line.size()};
   cursor.skip_blanks();
   if (!take_sequence_number<letters>(cursor, block)) return false;

@@ -116,7 +116,7 @@ Assignments assignments_of(const reference::Profile& profile, const ProgramText&
 JudgeSession::JudgeSession(const reference::Profile& profile, const ProgramText& program,
                            const JudgeTerms& terms)
     : profile_(profile), program_(program), terms_(terms), choices_{profile.readings} {
-  judges_.push_back(std::make_unique<ProgramJudge>(profile, program_, terms));
+  only_judge_.emplace(profile, program_, terms);
   std::vector<ReadingKey> open = open_in(profile);
   if (!open.empty()) unsettled_ = Unsettled{std::move(open), {}};
 }
@@ -126,13 +126,14 @@ bool JudgeSession::record(const Record& record) {
 }
 
 bool JudgeSession::tell_judges(const Record& record) {
+  if (only_judge_) return only_judge_->record(record);
   bool undecided = false;
-  for (const auto& judge : judges_) undecided = judge->record(record) || undecided;
+  for (const auto& one : assigned_judges_) undecided = one->judge.record(record) || undecided;
   return undecided;
 }
 
 bool JudgeSession::record_unsettled(const Record& record) {
-  ProgramJudge& judge = *judges_.front();
+  ProgramJudge& judge = *only_judge_;
   const bool undecided = judge.record(record);
   if (undecided && judge.is_in_step()) {
     unsettled_->told.add_own(judge.progress(), &record);
@@ -141,12 +142,14 @@ bool JudgeSession::record_unsettled(const Record& record) {
   }
   if (!touches_open() && unsettled_->told.parts() < kMostToldParts) return undecided;
   settle();
-  return std::ranges::any_of(judges_, [](const auto& one) { return !one->is_decided(); });
+  if (only_judge_) return !only_judge_->is_decided();
+  return std::ranges::any_of(assigned_judges_,
+                             [](const auto& one) { return !one->judge.is_decided(); });
 }
 
 bool JudgeSession::line(std::string_view line) {
-  if (judges_.size() != 1) return false;
-  ProgramJudge& judge = *judges_.front();
+  if (choices_.size() != 1) return false;
+  ProgramJudge& judge = judge_of(0);
   if (!unsettled_) return judge.line(line);
   // Else it has to be kept as a record.
   if (!judge.is_in_step() || !judge.line(line) || judge.is_decided()) return false;
@@ -156,7 +159,7 @@ bool JudgeSession::line(std::string_view line) {
 }
 
 bool JudgeSession::touches_open() const {
-  const reference::ReadingsInUse& readings = judges_.front()->readings();
+  const reference::ReadingsInUse& readings = only_judge_->readings();
   return std::ranges::any_of(unsettled_->open,
                              [&](ReadingKey key) { return readings.touched(key); });
 }
@@ -169,20 +172,25 @@ void JudgeSession::settle() {
   open_ = std::move(assignments.open);
   if (open_.empty()) return;  // the one judge goes on
   choices_ = std::move(assignments.choices);
-  judges_.clear();
+  only_judge_.reset();
   if (too_many_) return;  // `finish` says so, whatever comes
   for (const ReadingChoice& choice : choices_) {
     reference::Profile assigned = profile_;
     assigned.readings = choice;
-    judges_.push_back(std::make_unique<ProgramJudge>(std::move(assigned), program_, terms_));
+    assigned_judges_.push_back(
+        std::make_unique<AssignedJudge>(std::move(assigned), program_, terms_));
   }
   told.tell(profile_, program_, [this](const Record& record) { tell_judges(record); });
 }
 
+ProgramJudge& JudgeSession::judge_of(std::size_t assignment) {
+  return only_judge_ ? *only_judge_ : assigned_judges_[assignment]->judge;
+}
+
 SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& end) {
   if (end.sampled == nullptr) {
-    SampledVerdict said{judges_[assignment]->finish(end), 0};
-    said.progress = judges_[assignment]->progress();
+    SampledVerdict said{judge_of(assignment).finish(end), 0};
+    said.progress = judge_of(assignment).progress();
     return said;
   }
   reference::Profile assigned = profile_;
@@ -220,7 +228,7 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
     return result;
   }
   std::optional<SampledVerdict> best;
-  for (std::size_t i = 0; i < judges_.size(); ++i) {
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
     SampledVerdict said = finish_under(i, end);
     if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choices_[i]);
     if (!best || outranks(said, *best)) best = std::move(said);

@@ -72,6 +72,7 @@ class JudgeSession {
   void settle();
   bool tell_judges(const Record& record);
 
+  ProgramJudge& judge_of(std::size_t assignment);
   // What is said under one assignment, and how far it came.
   SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
 
@@ -79,7 +80,16 @@ class JudgeSession {
   ProgramText program_;
   const JudgeTerms& terms_;
   std::vector<reference::ReadingChoice> choices_;
-  std::vector<std::unique_ptr<ProgramJudge>> judges_;
+  // One judge stands for all assignments, or each has its own.
+  struct AssignedJudge {
+    AssignedJudge(reference::Profile its_profile, const ProgramText& program,
+                  const JudgeTerms& terms)
+        : profile(std::move(its_profile)), judge(profile, program, terms) {}
+    const reference::Profile profile;
+    ProgramJudge judge;
+  };
+  std::optional<ProgramJudge> only_judge_;
+  std::vector<std::unique_ptr<AssignedJudge>> assigned_judges_;
   std::optional<Unsettled> unsettled_;
   std::vector<reference::ReadingKey> open_;
   bool too_many_ = false;

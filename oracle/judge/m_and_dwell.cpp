@@ -172,7 +172,7 @@ void ProgramJudge::settle_m_functions(bool at_end) {
 // load need not pass any, and passes no others either.
 void ProgramJudge::settle_m_functions_before(std::size_t alarm_block, bool at_load) {
   const std::string_view line = reference_.failed_line();
-  std::erase_if(got_m_, [&](const GotM& got) {
+  got_m_.erase_if([&](const GotM& got) {
     return (!terms_.compare_blocks || got.record.block == alarm_block) &&
            names_m_function(line, got.record.m);
   });

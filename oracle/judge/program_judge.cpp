@@ -8,9 +8,9 @@
 
 namespace gonogo::oracle {
 
-ProgramJudge::ProgramJudge(reference::Profile profile, const ProgramText& program,
+ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
                            const JudgeTerms& terms)
-    : profile_(std::move(profile)),
+    : profile_(profile),
       terms_(terms),
       input_(program),
       reference_(profile_, input_.lines, terms_),

@@ -4,7 +4,6 @@
 // reference is pulled along, the first departure decides.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "oracle/judge/queue.hpp"
 #include "oracle/judge/record_budget.hpp"
 #include "oracle/judge/reference_stream.hpp"
 #include "oracle/judge/thread_judge.hpp"
@@ -24,8 +24,9 @@ namespace gonogo::oracle {
 
 class ProgramJudge {
  public:
-  // `profile` says every reading that counts; `program` and `terms` must outlive the judge.
-  ProgramJudge(reference::Profile profile, const ProgramText& program, const JudgeTerms& terms);
+  // `profile` says every reading that counts; it, `program` and `terms` must outlive the judge.
+  ProgramJudge(const reference::Profile& profile, const ProgramText& program,
+               const JudgeTerms& terms);
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   // Its next record as a line of JSON, where that is how the reference writes its own and nothing
@@ -133,7 +134,7 @@ class ProgramJudge {
   void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);
   bool fits_later(const Motion& motion);
 
-  reference::Profile profile_;
+  const reference::Profile& profile_;
   const JudgeTerms& terms_;
   ProgramInput input_;
   ReferenceStream reference_;
@@ -169,12 +170,12 @@ class ProgramJudge {
   std::optional<HelixPocketJudge> helix_pocket_;
   std::optional<PocketMillingJudge> pocket_;
 
-  std::deque<Record> want_m_;
+  Queue<Record> want_m_;
   struct GotM {
     Record record;
     bool after_cut;  // of its block
   };
-  std::deque<GotM> got_m_;
+  Queue<GotM> got_m_;
   std::uint64_t cut_block_ = 0;     // of the last cutting motion
   std::uint64_t motion_block_ = 0;  // of the last motion or dwell
   std::uint64_t m_block_ = 0;       // of the last M function that the subject passed on

@@ -36,7 +36,7 @@ ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::Lin
 void ReferenceStream::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
   if (record != nullptr && record->kind == RecordKind::m) {
-    if (terms_.compare_m) ready_.emplace_back(*record);
+    if (terms_.compare_m) ready_.push_back(*record);
     return;
   }
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
@@ -52,7 +52,7 @@ void ReferenceStream::take(const reference::Item& item) {
   }
   if (auto* thread = std::get_if<reference::ThreadMilling>(&item)) count_passes(*thread);
   flush();
-  std::visit([this](const auto& step) { ready_.emplace_back(step); }, item);
+  std::visit([this](const auto& step) { ready_.push_back(step); }, item);
 }
 
 void ReferenceStream::take_motion(const Record& record) {
@@ -105,7 +105,7 @@ void ReferenceStream::drop(const Motion& motion) {
 
 void ReferenceStream::flush() {
   if (!pending_) return;
-  ready_.emplace_back(*std::move(pending_));
+  ready_.push_back(*std::move(pending_));
   pending_.reset();
 }
 

@@ -4,12 +4,12 @@
 // wants them, and everything that lies between.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "oracle/judge/motion.hpp"
+#include "oracle/judge/queue.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -87,7 +87,7 @@ class ReferenceStream {
   Position position_;  // where the motions so far end
   Dropped dropped_;    // since the last one that was kept, which ends where it `stood`
   std::optional<Motion> pending_;
-  std::deque<ReferenceStep> ready_;
+  Queue<ReferenceStep> ready_;
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
   std::size_t dropped_in_a_row_ = 0;

@@ -10,20 +10,46 @@
 namespace gonogo::exact {
 namespace {
 
-// cos and sin of a rational angle in [0, 45].
-std::array<Number, 2> cos_sin_of_octant(const Number& degrees) {
-  const Number half = Number::millionths(500'000);
-  if (degrees == Number(0)) return {1, 0};
-  if (degrees == Number(30)) return {Number::root(0, half, 3), half};
-  if (degrees == Number(45)) return {Number::root(0, half, 2), Number::root(0, half, 2)};
-  return {enclosure(Operation::cos_degrees, degrees), enclosure(Operation::sin_degrees, degrees)};
+enum class Wave : std::uint8_t { cosine, sine };
+
+Wave other(Wave wave) {
+  return wave == Wave::cosine ? Wave::sine : Wave::cosine;
 }
 
-// The same in [0, 90].
-std::array<Number, 2> cos_sin_of_quadrant(const Number& degrees) {
-  if (degrees <= Number(45)) return cos_sin_of_octant(degrees);
-  const auto [cosine, sine] = cos_sin_of_octant(Number(90) - degrees);
-  return {sine, cosine};
+// Of any angle.
+Number enclosed_wave(Wave wave, const Number& degrees) {
+  return enclosure(wave == Wave::cosine ? Operation::cos_degrees : Operation::sin_degrees, degrees);
+}
+
+// Of a rational angle in [0, 45].
+Number wave_of_octant(Wave wave, const Number& degrees) {
+  const Number half = Number::millionths(500'000);
+  if (degrees == Number(0)) return wave == Wave::cosine ? 1 : 0;
+  if (degrees == Number(30)) return wave == Wave::cosine ? Number::root(0, half, 3) : half;
+  if (degrees == Number(45)) return Number::root(0, half, 2);
+  return enclosed_wave(wave, degrees);
+}
+
+// A rational angle: quarters of a turn, 0 to 3, and degrees in [0, 90).
+struct Reduced {
+  std::int64_t quadrant;
+  Number degrees;
+};
+
+Reduced reduced(const Number& degrees) {
+  const Number quarters = (degrees / Number(90)).floor();
+  const Number quadrant = quarters - (quarters / Number(4)).floor() * Number(4);
+  return {*quadrant.to_int64(), degrees - quarters * Number(90)};
+}
+
+Number wave_of(Wave wave, const Reduced& angle) {
+  const auto [quadrant, degrees] = angle;
+  const Wave in_quadrant = quadrant % 2 == 0 ? wave : other(wave);
+  const Number value = degrees <= Number(45)
+                           ? wave_of_octant(in_quadrant, degrees)
+                           : wave_of_octant(other(in_quadrant), Number(90) - degrees);
+  const bool is_negative = wave == Wave::cosine ? quadrant == 1 || quadrant == 2 : quadrant >= 2;
+  return is_negative ? -value : value;
 }
 
 // The angle in (-90, 90) whose tangent is `slope`.
@@ -47,21 +73,20 @@ std::optional<int> try_sign(const Number& value) {
 
 std::array<Number, 2> cos_sin_degrees(const Number& degrees) {
   if (!degrees.is_rational()) {
-    return {enclosure(Operation::cos_degrees, degrees), enclosure(Operation::sin_degrees, degrees)};
+    return {enclosed_wave(Wave::cosine, degrees), enclosed_wave(Wave::sine, degrees)};
   }
-  const Number quarters = (degrees / Number(90)).floor();
-  const Number quadrant = quarters - (quarters / Number(4)).floor() * Number(4);
-  const auto [cosine, sine] = cos_sin_of_quadrant(degrees - quarters * Number(90));
-  switch (*quadrant.to_int64()) {
-    case 0:
-      return {cosine, sine};
-    case 1:
-      return {-sine, cosine};
-    case 2:
-      return {-cosine, -sine};
-    default:
-      return {sine, -cosine};
-  }
+  const Reduced angle = reduced(degrees);
+  return {wave_of(Wave::cosine, angle), wave_of(Wave::sine, angle)};
+}
+
+Number cos_degrees(const Number& degrees) {
+  return degrees.is_rational() ? wave_of(Wave::cosine, reduced(degrees))
+                               : enclosed_wave(Wave::cosine, degrees);
+}
+
+Number sin_degrees(const Number& degrees) {
+  return degrees.is_rational() ? wave_of(Wave::sine, reduced(degrees))
+                               : enclosed_wave(Wave::sine, degrees);
 }
 
 Number angle_degrees(const Number& x, const Number& y) {

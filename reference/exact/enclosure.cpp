@@ -42,6 +42,9 @@ std::uint32_t depth_of(const Number& value) {
 }
 
 Interval interval_of_leaf(const Number& value, mpfr_prec_t bits) {
+  if (NumberAccess::node(value) == nullptr) {
+    return interval_of_millionths(NumberAccess::millionths(value), bits);
+  }
   if (value.is_rational()) {
     mpq_class scratch;
     const mpq_class& exact = rational_of(value, scratch);

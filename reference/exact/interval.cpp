@@ -31,12 +31,7 @@ Interval half_turn_in_radians(mpfr_prec_t bits) {
   return pi;
 }
 
-Interval half_turn_in_degrees(mpfr_prec_t bits) {
-  Interval half(bits);
-  mpfr_set_ui(half.low(), 180, MPFR_RNDD);
-  mpfr_set_ui(half.high(), 180, MPFR_RNDU);
-  return half;
-}
+constexpr unsigned long kHalfTurnInDegrees = 180;
 
 using MpfrOperation = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
@@ -95,8 +90,7 @@ Interval wave_of_degrees(Function wave, const Interval& degrees, mpfr_prec_t bit
   Interval result(bits);
   mpfr_set_si(result.low(), -1, MPFR_RNDD);
   mpfr_set_si(result.high(), 1, MPFR_RNDU);
-  const Interval angle =
-      divide(multiply(degrees, half_turn_in_radians(bits), bits), half_turn_in_degrees(bits), bits);
+  const Interval angle = in_radians(degrees, bits);
   if (!angle.bounded()) return result;
   Interval work(bits);
   mpfr_ptr middle = work.low();
@@ -174,6 +168,16 @@ Interval interval_of(const mpq_class& low, const mpq_class& high, mpfr_prec_t bi
   return result;
 }
 
+Interval interval_of_millionths(std::int64_t count, mpfr_prec_t bits) {
+  constexpr unsigned long kUnit = 1'000'000;
+  Interval result(bits);
+  mpfr_set_si(result.low(), count, MPFR_RNDD);
+  mpfr_set_si(result.high(), count, MPFR_RNDU);
+  mpfr_div_ui(result.low(), result.low(), kUnit, MPFR_RNDD);
+  mpfr_div_ui(result.high(), result.high(), kUnit, MPFR_RNDU);
+  return result;
+}
+
 Interval interval_of(const Root& value, mpfr_prec_t bits) {
   const Interval a = interval_of(value.a, value.a, bits);
   if (sgn(value.b) == 0) return a;
@@ -241,12 +245,16 @@ Interval atan_in_degrees(const Interval& x, mpfr_prec_t bits) {
   Interval angle(bits);
   mpfr_atan(angle.low(), x.low(), MPFR_RNDD);
   mpfr_atan(angle.high(), x.high(), MPFR_RNDU);
-  return divide(multiply(angle, half_turn_in_degrees(bits), bits), half_turn_in_radians(bits),
-                bits);
+  mpfr_mul_ui(angle.low(), angle.low(), kHalfTurnInDegrees, MPFR_RNDD);
+  mpfr_mul_ui(angle.high(), angle.high(), kHalfTurnInDegrees, MPFR_RNDU);
+  return divide(angle, half_turn_in_radians(bits), bits);
 }
 
 Interval in_radians(const Interval& x, mpfr_prec_t bits) {
-  return divide(multiply(x, half_turn_in_radians(bits), bits), half_turn_in_degrees(bits), bits);
+  Interval result = multiply(x, half_turn_in_radians(bits), bits);
+  mpfr_div_ui(result.low(), result.low(), kHalfTurnInDegrees, MPFR_RNDD);
+  mpfr_div_ui(result.high(), result.high(), kHalfTurnInDegrees, MPFR_RNDU);
+  return result;
 }
 
 }  // namespace gonogo::exact

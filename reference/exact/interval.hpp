@@ -40,6 +40,7 @@ int compare(const Interval& a, const Interval& b);
 mpq_class rational_end(mpfr_srcptr end);  // REQUIRES: finite
 
 Interval interval_of(const mpq_class& low, const mpq_class& high, mpfr_prec_t bits);
+Interval interval_of_millionths(std::int64_t count, mpfr_prec_t bits);
 Interval interval_of(const Root& value, mpfr_prec_t bits);
 
 Interval negate(const Interval& x, mpfr_prec_t bits);

@@ -125,6 +125,9 @@ const Number& max(const Number& a, const Number& b);
 Number sqrt(const Number& value);
 // cos and sin of an angle in degrees: exact at multiples of 30 and 45 degrees, else enclosures.
 std::array<Number, 2> cos_sin_degrees(const Number& degrees);
+// The same, where only one of them is wanted.
+Number cos_degrees(const Number& degrees);
+Number sin_degrees(const Number& degrees);
 // The angle of the vector (x, y) in degrees, in [0, 360): exact on the axes and the diagonals and
 // at multiples of 30 degrees where that is decidable, else an enclosure. REQUIRES: not both zero,
 // else std::domain_error. Undecided where it may be 0 or just below 360.

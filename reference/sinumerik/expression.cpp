@@ -55,10 +55,10 @@ bool Calculator::apply_function(const grammar::Term& term, NoValue& problem) {
       top = exact::sqrt(top);
       return true;
     case TermKind::sin:
-      top = exact::cos_sin_degrees(top)[1];
+      top = exact::sin_degrees(top);
       return true;
     case TermKind::cos:
-      top = exact::cos_sin_degrees(top)[0];
+      top = exact::cos_degrees(top);
       return true;
     default: {
       const auto [cosine, sine] = exact::cos_sin_degrees(top);

@@ -129,6 +129,18 @@ TEST(Angle, OfCosineAndSineIsTheAngle) {
   }
 }
 
+// In every quadrant, at the angles that are exact and at others.
+TEST(Angle, CosineAndSineAreThoseOfThePair) {
+  for (int degrees = -375; degrees <= 375; degrees += 5) {
+    const auto [cosine, sine] = cos_sin_degrees(degrees);
+    EXPECT_EQ(cos_degrees(degrees), cosine) << degrees;
+    EXPECT_EQ(sin_degrees(degrees), sine) << degrees;
+  }
+  const auto [cosine, sine] = cos_sin_degrees(sqrt(Number(2)));
+  EXPECT_EQ(cos_degrees(sqrt(Number(2))), cosine);
+  EXPECT_EQ(sin_degrees(sqrt(Number(2))), sine);
+}
+
 // atan(1e-40) lies below 1e-38 degrees.
 TEST(Angle, JustBelowTheAxisIsJustBelow360) {
   const Number angle = angle_degrees(1, num("-1e-40"));

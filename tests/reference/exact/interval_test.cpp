@@ -64,6 +64,18 @@ TEST(Interval, RoundingIsOutward) {
 }
 
 // 0 times what has no end is no number.
+TEST(Interval, MillionthsAreTheFraction) {
+  for (const std::int64_t count : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-333'333},
+                                   std::int64_t{2'500'000}, std::int64_t{-9'999'999'999'999}}) {
+    mpq_class fraction(count, 1'000'000);
+    fraction.canonicalize();
+    const Interval direct = interval_of_millionths(count, kBits);
+    const Interval expected = interval_of(fraction, fraction, kBits);
+    EXPECT_EQ(rational_end(direct.low()), rational_end(expected.low())) << count;
+    EXPECT_EQ(rational_end(direct.high()), rational_end(expected.high())) << count;
+  }
+}
+
 TEST(Interval, AnEndThatIsNoNumberLeavesNothingKnown) {
   const Interval whole_line = divide(between(1, 1), between(-1, 1), kBits);
   EXPECT_FALSE(multiply(between(0, 1), whole_line, kBits).bounded());
