@@ -123,11 +123,8 @@ void correct_centre(Machine& machine, const Block& block, const GivenCentre& cen
     if (!lies_left(sketch, centre)) side = -side;
   }
   const Vector corrected = on_bisector(sketch.way, side);
-  if (!sketch.known) {
-    // Ends a little beside turn the bisector, and near half a circle move the centre along it.
-    const Real radius = std::sqrt(corrected.square());
-    sketch.sharp = sketch.doubt() * (std::fabs(side) + radius / from_chord(sketch, side)) <= kSharp;
-  }
+  sketch.centre_doubt =
+      doubt_on_bisector(sketch, side, sketch.doubt(), std::sqrt(corrected.square()));
   const bool no_direction = centre.place.square() == 0;
   if (no_direction || too_far_turned(centre.place, corrected)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
@@ -212,6 +209,9 @@ void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, Ar
   if (turn.cosine != 0 && turn.sine != 0) target.rounded |= plane_axes(plane);
   const bool coarse = !sketch.known || block.value(Address::kOpeningAngle).number.finer;
   if (coarse) target.coarse |= plane_axes(plane);
+  if (block.value(Address::kOpeningAngle).number.finer) {
+    machine.check_turn(kAngleDoubt, std::sqrt(c.square()));
+  }
   take_end(machine.state, sketch);
   put_exact_centre(machine, centre, sketch);
 }

@@ -22,7 +22,7 @@ struct ArcSketch {
   Vector way;                 ///< the chord with what rounding took from its ends
   Vector centre;              ///< from the start, as `way`
   bool exact_centre = false;  ///< `centre` is in whole counts
-  bool sharp = true;          ///< `centre` is known well enough to be put out
+  Real centre_doubt = 0;      ///< what `centre` may be beside, from what the ends may be
   bool unclear = false;       ///< whether the arc is allowed hangs on rounding
 
   /// What start and end may be beside.
@@ -32,9 +32,10 @@ struct ArcSketch {
 /// Chord, way and `rounded`, from the target.
 void take_end(const State& state, ArcSketch& sketch);
 
-/// How far the centre lies from the chord, for `side` as in on_bisector: no less than what rounding
-/// makes of it near half a circle.
-Real from_chord(const ArcSketch& sketch, Real side);
+/// What the centre of a circle of this radius may be beside, for `side` as in on_bisector, where
+/// ends or radius may be `beside`: they turn the bisector, and near half a circle move the centre
+/// far along it.
+Real doubt_on_bisector(const ArcSketch& sketch, Real side, Real beside, Real radius);
 
 /// No centre is farther, in counts: below 2^126.
 inline constexpr Real kFarthest = 8e37L;

@@ -94,11 +94,9 @@ void take_radius(Machine& machine, const Block& block, ArcSketch& sketch) {
                           : side_of_radius(sketch.chord, square);
   }
   if (sketch.counterclockwise == long_way) side = -side;
-  // Near half a circle the centre moves far on the bisector, for ends or a radius a little beside.
   if (!sketch.known || finer) {
-    const Real whole_radius = static_cast<Real>(magnitude(radius));
     const Real beside = std::fmax(sketch.doubt(), 2);
-    sketch.sharp = beside * whole_radius <= kSharp * from_chord(sketch, side);
+    sketch.centre_doubt = doubt_on_bisector(sketch, side, beside, static_cast<Real>(radius));
   }
   put_centre(machine, on_bisector(sketch.way, side), sketch);
 }
@@ -127,9 +125,8 @@ void take_angle_and_end(Machine& machine, const Block& block, ArcSketch& sketch)
   const bool left = sketch.counterclockwise != machine.has(Fault::kOpeningAngleOtherSide);
   const bool finer = block.value(Address::kOpeningAngle).number.finer;
   const Real chord = std::sqrt(sketch.way.square());
-  constexpr Real kCountOfAngle = 1e-11L;  // half of 1e-9 degrees, as radians
-  const Real beside = sketch.doubt() + (finer ? chord * std::fabs(side) * kCountOfAngle : 0);
-  sketch.sharp = beside * std::fabs(side) <= kSharp;
+  const Real beside = sketch.doubt() + (finer ? chord * std::fabs(side) * kAngleDoubt : 0);
+  sketch.centre_doubt = beside * std::fabs(side);
   put_centre(machine, on_bisector(sketch.way, left ? side : -side), sketch);
 }
 
@@ -159,6 +156,7 @@ void put_centre(Machine& machine, const Vector& from_start, ArcSketch& sketch) {
   const std::size_t p = sketch.plane.p;
   const std::size_t q = sketch.plane.q;
   sketch.centre = from_start;
+  machine.check_distance(from_start.p, from_start.q);
   sketch.arc.centre_p = state.position[p] + to_whole(state.remainder[p] + from_start.p);
   sketch.arc.centre_q = state.position[q] + to_whole(state.remainder[q] + from_start.q);
 }
@@ -175,7 +173,7 @@ Heading heading_of(const Machine& machine, const ArcSketch& sketch, int turns) {
   heading.along[plane.p] = -sense * radius.q;
   heading.along[plane.q] = sense * radius.p;
   const auto largest = static_cast<Real>(kLargestWhole);
-  heading.doubt = sketch.doubt() / std::hypot(radius.p, radius.q);
+  heading.doubt = (sketch.doubt() + sketch.centre_doubt) / std::hypot(radius.p, radius.q);
   heading.exact = sketch.exact_centre && !sketch.rounded && std::fabs(radius.p) <= largest &&
                   std::fabs(radius.q) <= largest;
   const Real rise = straight_heading(machine.state, sketch.arc.target).along[plane.d];
@@ -230,15 +228,17 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
     plan.motion = Line{target, false, sketch.arc.feed};
     return;
   }
-  if (!sketch.sharp) plan.lacking = kFlatArc;
+  if (sketch.centre_doubt > kSharp) plan.lacking = kFlatArc;
   if (sketch.unclear) plan.lacking = kUnclearArc;
   sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
 }
 
-Real from_chord(const ArcSketch& sketch, Real side) {
+Real doubt_on_bisector(const ArcSketch& sketch, Real side, Real beside, Real radius) {
   const Real chord = std::sqrt(sketch.way.square());
-  return std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
+  // No less than what rounding makes of it near half a circle.
+  const Real from_chord = std::fmax(std::fabs(side) * chord / 2, std::sqrt(chord));
+  return beside * (std::fabs(side) + std::fabs(radius) / from_chord);
 }
 
 void take_end(const State& state, ArcSketch& sketch) {

@@ -52,10 +52,6 @@ Real side_of_projection(const Vector& chord, const Vector& centre);
 /// Whether the directions from the start to the two centres are more than sqrt(0.001) rad apart.
 bool too_far_turned(const Vector& programmed, const Vector& corrected);
 
-/// Lengths from angles, roots and long decimals are right to a count or two: differences up to this
-/// are none.
-inline constexpr Fixed kRounding = 4;
-
 enum class Agreement {
   kEqual,
   kWithin,  ///< the tolerance

@@ -59,8 +59,9 @@ void Frame::shift_to(const Point& place, Axes rounded) {
   shift_rounded_ = rounded;
 }
 
-void Frame::turn_by(Fixed degrees, int plane) {
+void Frame::turn_by(Fixed degrees, int plane, Real doubt) {
   plane_ = plane;
+  doubt_ += doubt;
   const bool flipped = flipped_in_g18_ && plane == 18;
   turn_to(angle_ + (flipped ? -degrees : degrees) % kFullTurn);
 }

@@ -32,9 +32,15 @@ class Frame {
   const Point& shift() const { return shift_; }
   /// `rounded`: axes along which it is only nearly what was asked for.
   void shift_to(const Point& place, Axes rounded);
-  /// Turns by `degrees` more, in counts, from the first axis of the plane toward the second.
-  void turn_by(Fixed degrees, int plane);
-  void clear_rotation() { turn_to(0); }
+  /// Turns by `degrees` more, in counts, from the first axis of the plane toward the second; they
+  /// may be beside by `doubt`, in radians.
+  void turn_by(Fixed degrees, int plane, Real doubt);
+  void clear_rotation() {
+    turn_to(0);
+    doubt_ = 0;
+  }
+  /// What the rotation may be beside, in radians.
+  Real doubt() const { return doubt_; }
 
   bool is_turned() const { return angle_ != 0; }
   /// Whether work in the plane is possible under the rotation in force.
@@ -43,7 +49,7 @@ class Frame {
   Axes rounded() const { return shift_rounded_ | (is_exact() ? 0 : turned_axes()); }
 
   // Faults.
-  void turn_as(const Frame& other) { turn_by(other.angle_, other.plane_); }
+  void turn_as(const Frame& other) { turn_by(other.angle_, other.plane_, other.doubt_); }
   void turn_about_machine_zero() { about_machine_zero_ = true; }
   void turn_the_other_way_in_g18() { flipped_in_g18_ = true; }
 
@@ -59,6 +65,7 @@ class Frame {
   Axes shift_rounded_ = 0;
   int plane_ = 17;
   Fixed angle_ = 0;  // degrees, 0 to below 360
+  Real doubt_ = 0;
   Direction2 turn_{1, 0};
   bool about_machine_zero_ = false;
   bool flipped_in_g18_ = false;

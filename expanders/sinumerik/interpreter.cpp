@@ -105,7 +105,8 @@ Flow Interpreter::run_block() {
   Plan plan;
   prepare(plan);
   if (machine_.in_alarm()) return Flow::kAlarm;
-  if (!plan.lacking.empty()) return not_implemented(machine_.tracer, plan.lacking);
+  const std::string_view lacking = plan.lacking.empty() ? machine_.lacking : plan.lacking;
+  if (!lacking.empty()) return not_implemented(machine_.tracer, lacking);
   return perform_plan(plan);
 }
 

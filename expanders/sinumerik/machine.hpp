@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <string_view>
+
 #include "expanders/common/complaints.hpp"
 #include "expanders/common/flow.hpp"
 #include "expanders/common/tracer.hpp"
@@ -39,6 +42,15 @@ class Machine : public Complaints<AlarmKind> {
   /// Without translation and rotation.
   Frame plain_frame() const { return plain_frame(fault_); }
 
+  /// What the expander would need for the block and has not; "": nothing.
+  std::string_view lacking;
+  /// A turn by an angle that may be beside puts nothing so far off that it would be seen.
+  void check_turn(Real angle_doubt, Real distance) {
+    if (angle_doubt * distance > kSharp) lacking = "A turn as far off as this";
+  }
+  /// The same of the frame in force, for a place of the workpiece.
+  void check_distance(Real p, Real q) { check_turn(frame.doubt(), std::hypot(p, q)); }
+
   using Complaints::complain;
   void complain(AlarmKind kind, Address address, const Block& block) {
     complain(kind, letter_of(address), block.position(address));
@@ -74,6 +86,9 @@ struct Target {
   Remainder remainder{};  ///< as State::remainder
   Axes coarse = 0;        ///< as State::coarse
 };
+
+/// Whether the frame in force brings a place of the workpiece to where it belongs.
+void check_place(Machine& machine, const Point& place);
 
 /// The axes with a word in the block.
 Axes axes_of(const Block& block);

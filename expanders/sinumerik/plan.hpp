@@ -94,9 +94,6 @@ Real doubt_between(const Target& from, const Target& to, Axes axes);
 /// The direction of the straight way to `target`.
 Heading straight_heading(const State& state, const Target& target);
 
-/// What is not known to less than this, in counts, is not put out: half the finest resolution.
-inline constexpr Real kSharp = 4e-4L * kOne;
-
 /// What Plan::lacking says of arcs whose centre the digits of the processor do not reach.
 inline constexpr std::string_view kFlatArc = "An arc as flat as this";
 inline constexpr std::string_view kUnclearArc = "An arc as near its limit as this";

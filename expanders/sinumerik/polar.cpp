@@ -28,6 +28,7 @@ void take_angle(Machine& machine, const Block& block, PolarUse use, Polar& polar
     return machine.complain(AlarmKind::kMissingWord, Address::kPolarAngle, block);
   }
   polar.angle = within_turn((adds ? Wide{polar.angle} : Wide{0}) + written);
+  polar.angle_rounded = (adds && polar.angle_rounded) || value.number.finer;
   polar.has_angle = true;
 }
 
@@ -69,13 +70,15 @@ Pole place_of(Machine& machine, const Pole& base, const Polar& polar) {
     machine.complain(AlarmKind::kValueOutOfRange);
     return base;
   }
+  if (polar.angle_rounded) machine.check_turn(kAngleDoubt, radius);
+  machine.check_distance(static_cast<Real>(p), static_cast<Real>(q));
   const bool on_axis = polar.angle % (90 * kOne) == 0 || polar.radius == 0;
   return {static_cast<Fixed>(p),
           static_cast<Fixed>(q),
-          base.rounded || polar.radius_rounded || !on_axis,
+          base.rounded || polar.radius_rounded || polar.angle_rounded || !on_axis,
           from_p - static_cast<Real>(step_p),
           from_q - static_cast<Real>(step_q),
-          base.coarse || polar.radius_rounded};
+          base.coarse || polar.radius_rounded || polar.angle_rounded};
 }
 
 Pole position_in(const State& state, const Plane& plane) {

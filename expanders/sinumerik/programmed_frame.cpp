@@ -46,7 +46,8 @@ void take_rotation(Machine& machine, const Block& block, bool adds, Frame& frame
     frame = machine.plain_frame();
   }
   if (!block.has(Address::kRotation)) return;
-  frame.turn_by(block.value(Address::kRotation).number.value, machine.state.plane);
+  const Decimal& angle = block.value(Address::kRotation).number;
+  frame.turn_by(angle.value, machine.state.plane, angle.finer ? kAngleDoubt : 0);
 }
 
 // What rounding takes from the place of the tool, which is `position` in `frame`.
@@ -84,6 +85,7 @@ void put_frame(Machine& machine, const Frame& frame) {
   state.remainder = remainder_in(machine, frame, position);
   state.position = position;
   machine.frame = frame;
+  check_place(machine, position);
 }
 
 }  // namespace

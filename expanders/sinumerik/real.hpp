@@ -20,6 +20,15 @@ inline constexpr Fixed kLargestWhole = Fixed{1} << std::min(62, std::numeric_lim
 /// What rounding to counts took from a place, along each axis: the place meant is their sum.
 using Remainder = std::array<Real, GONOGO_AXES>;
 
+/// Lengths from angles, roots and long decimals are right to a count or two: differences up to this
+/// are none.
+inline constexpr Fixed kRounding = 4;
+/// As much of an angle, in radians.
+inline constexpr Real kAngleDoubt = kRounding * 1.8e-11L;
+
+/// What is not known to less than this, in counts, is not put out: half the finest resolution.
+inline constexpr Real kSharp = 4e-4L * kOne;
+
 /// Cosine and sine of an angle.
 struct Direction2 {
   Real cosine;

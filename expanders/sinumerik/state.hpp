@@ -26,7 +26,8 @@ struct Pole {
 /// AP and RP in force.
 struct Polar {
   bool has_angle = false;
-  Fixed angle = 0;  ///< degrees, 0 to below 360
+  Fixed angle = 0;             ///< degrees, 0 to below 360
+  bool angle_rounded = false;  ///< it was no whole number of counts
   bool has_radius = false;
   Fixed radius = 0;             ///< mm
   bool radius_rounded = false;  ///< it was no whole number of counts

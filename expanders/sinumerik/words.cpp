@@ -46,6 +46,11 @@ Axes axes_of(const Block& block) {
   return axes;
 }
 
+void check_place(Machine& machine, const Point& place) {
+  const Plane& plane = plane_of(machine.state.plane);
+  machine.check_distance(static_cast<Real>(place[plane.p]), static_cast<Real>(place[plane.q]));
+}
+
 // SIE-G1-01, SIE-G1-03
 Target cartesian_target(Machine& machine, const Block& block) {
   const State& state = machine.state;
@@ -72,6 +77,7 @@ Target cartesian_target(Machine& machine, const Block& block) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }
+  check_place(machine, target.to);
   return target;
 }
 

@@ -10,6 +10,7 @@
 #include "reference/range.hpp"
 #include "reference/sinumerik/cycle.hpp"
 #include "reference/sinumerik/machine.hpp"
+#include "reference/sinumerik/names.hpp"
 
 namespace gonogo::reference::sinumerik {
 namespace {
@@ -32,6 +33,8 @@ class Interpreter : public BlockInterpreter {
  private:
   bool parses(const grammar::Block& block, BlockOutput& out) const;
   bool take_codes(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
+  bool pass_over_value(std::uint64_t line, const grammar::Block& block,
+                       const grammar::NamedWord& word, BlockOutput& out);
   bool take_values(std::uint64_t line, BlockWords& words, BlockOutput& out);
   void take_m(std::uint64_t line, const grammar::NamedWord& word, const Number& value,
               BlockOutput& out);
@@ -147,6 +150,21 @@ bool is_measured(Address address) {
   return address != Address::t && address != Address::d && address != Address::turn;
 }
 
+// SIE-PAR-01: what is passed over has a value all the same, which is reckoned as any other. Whether
+// it has one.
+bool Interpreter::pass_over_value(std::uint64_t line, const grammar::Block& block,
+                                  const grammar::NamedWord& word, BlockOutput& out) {
+  NoValue problem;
+  if (calculator_.value(block, word, problem)) return true;
+  if (problem.is_too_long) {
+    out.not_covered = NotCovered{line, "expression", problem.message, problem.where};
+  } else {
+    out.alarms.push_back({AlarmClass::value_out_of_range, "SIE-PAR-01"_clause, WordName(word.name),
+                          word.where, problem.message});
+  }
+  return false;
+}
+
 // SIE-PAR-01: from left to right, each assignment at once. SIE-COM-01: no address twice. Whether
 // all words have values.
 bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
@@ -155,6 +173,10 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
   bool complete = true;
   for (const grammar::NamedWord& word : block.named) {
     const std::optional<Address> address = address_of(word);
+    if (!address && word.terms != 0 && find_name(word) != nullptr) {
+      complete = pass_over_value(line, block, word, out) && complete;
+      if (out.not_covered) return false;
+    }
     if (!address || *address == Address::g) continue;
     const bool repeats = *address == Address::r || *address == Address::m || *address == Address::h;
     const WordName name =

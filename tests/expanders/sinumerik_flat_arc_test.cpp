@@ -131,6 +131,28 @@ TEST(SinumerikFlatArc, ACentreMovedToTheBisectorFromAReckonedPlaceIsNotImplement
   EXPECT_EQ(note_of("G70\nG0 X=TAN(-0.001)\nG3 X0 Y2 I1 J1 F100\n"), "");
 }
 
+// The start is known to a count. A radius of 5 mm over a chord of 0.001 turns by 1e4 times what
+// the chord does; of 254 km over 1 km, where an inch has fewer counts, the centre moves by 0.012
+// mm.
+TEST(SinumerikFlatArc, ARadiusFarAboveTheChordFromAReckonedPlaceIsNotImplemented) {
+  const std::string tiny = "G0 X=TAN(-0.001)\nG3 X0 Z0.001 CR=-5 F200\n";
+  EXPECT_EQ(note_of(tiny), "");
+  EXPECT_EQ(note_of(tiny + "G18 CT X0 Z10\n"), kTooFlat);
+  const std::string start = "G70\nG0 X=TAN(-0.001)\n";
+  EXPECT_EQ(note_of(start + "G3 X17.203 Y38.029 CR=-999 F500\n"), "");
+  EXPECT_EQ(note_of(start + "G3 X17.203 Y38.029 CR=-9999998.999 F500\n"), kTooFlat);
+}
+
+// The angle is known to some counts of 1e-9 degrees: over 254 km they are 0.018 mm.
+TEST(SinumerikFlatArc, AFarPlaceByACalculatedAngleIsNotImplemented) {
+  const std::string none = "A turn as far off as this is not implemented.";
+  EXPECT_EQ(note_of("G0 AP=TAN(18) RP=254000000\n"), none);
+  EXPECT_EQ(note_of("G0 AP=0.324919696 RP=254000000\n"), "");
+  EXPECT_EQ(note_of("G0 AP=TAN(18) RP=2540000\n"), "");
+  EXPECT_EQ(note_of("G3 I254000000 AR=TAN(18) F100\n"), none);
+  EXPECT_EQ(note_of("G3 I2540000 AR=TAN(18) F100\n"), "");
+}
+
 // The start, 0.001 mm about the pole along 359.999 degrees, is 1.5e-13 mm beside the line of the
 // other two.
 TEST(SinumerikFlatArc, WhatIsAllButInLineIsNotImplemented) {

@@ -53,6 +53,15 @@ TEST(SieExpression, WhatHasNoValueIsAnAlarm) {
   EXPECT_EQ(clauses("R1=1/0"), Lines{"SIE-PAR-01"});
 }
 
+// SIE-MOD-02: what is passed over is a word with a value all the same.
+TEST(SieExpression, WhatIsPassedOverHasAValueToo) {
+  EXPECT_EQ(outcome("SPOS=SQRT(-1)"), "value-out-of-range SPOS");
+  EXPECT_EQ(outcome("G0 LIMS=1/0"), "value-out-of-range LIMS");
+  EXPECT_EQ(outcome("G0 X1 FFWON=TAN(90)"), "value-out-of-range FFWON");
+  EXPECT_EQ(clauses("SPOS=1/0"), Lines{"SIE-PAR-01"});
+  EXPECT_EQ(outcome("SPOS=SQRT(4) LIMS=R1"), "end");
+}
+
 TEST(SieExpression, TheParametersAreR0ToR999) {
   EXPECT_EQ(outcome("R0=1 R999=2"), "end");
   EXPECT_EQ(outcome("R1000=2"), "value-out-of-range R1000");
