@@ -149,6 +149,15 @@ Agreement compare(const Machine& machine, const Radii& radii, const ArcSketch& s
                        of_end ? radii.end_square : radii.start_square, tolerance);
 }
 
+// SIE-ARC-08: whether radii that are one but for rounding may be two all the same, and so far above
+// the chord that it would be seen.
+bool hides_correction(const Machine& machine, const Radii& radii, const ArcSketch& sketch) {
+  if (machine.configuration.correction == Correction::kProgrammed) return false;
+  if (!sketch.rounded || radii.exact) return false;
+  const Real radius = std::fmax(radii.start, radii.end);
+  return fine_rounding(radius) * radius > kSharp * std::sqrt(sketch.way.square());
+}
+
 // The circle about `centre`.
 void take_circle(Machine& machine, const Block& block, const GivenCentre& centre,
                  const Radii& radii, ArcSketch& sketch) {
@@ -161,7 +170,8 @@ void take_circle(Machine& machine, const Block& block, const GivenCentre& centre
     move_end_onto_circle(machine, centre, sketch);
     return put_exact_centre(machine, centre, sketch);
   }
-  sketch.unclear = agreement == Agreement::kUnclear;
+  sketch.unclear = agreement == Agreement::kUnclear ||
+                   (agreement == Agreement::kEqual && hides_correction(machine, radii, sketch));
   const bool kept = agreement != Agreement::kWithin ||
                     machine.configuration.correction == Correction::kProgrammed;
   if (kept) return put_exact_centre(machine, centre, sketch);

@@ -39,8 +39,14 @@ Bend bend_of(const Heading& heading, const ArcSketch& sketch) {
   bend.across = cross(t, d);
   bend.along = dot(t, d);
   bend.off_line = std::fabs(bend.across) / std::hypot(t.p, t.q);
-  bend.straight = bend.off_line <= (known ? fine_rounding(std::hypot(d.p, d.q)) : kRounding);
-  bend.unclear = bend.straight && !known;
+  const Real length = std::hypot(d.p, d.q);
+  const Real fine = fine_rounding(length);
+  bend.straight = bend.off_line <= (known ? fine : kRounding);
+  // What the processor rounds of far places may hide a bend, and does not make one of this size.
+  constexpr Real kDigits = 2e-19L;
+  const bool told_apart = kDigits * sketch.farthest <= fine &&
+                          bend.off_line <= 50 * kDigits * (sketch.farthest + length);
+  bend.unclear = bend.straight && !(known && told_apart);
   return bend;
 }
 

@@ -143,6 +143,24 @@ TEST(SinumerikFlatArc, ARadiusFarAboveTheChordFromAReckonedPlaceIsNotImplemented
   EXPECT_EQ(note_of(start + "G3 X17.203 Y38.029 CR=-9999998.999 F500\n"), kTooFlat);
 }
 
+// Over a way of 355 mm the end lies 3e-13 mm off the line, at 25 km from zero.
+TEST(SinumerikFlatArc, ATangentOfAFarPlaceIsStraightOnlyForAll) {
+  EXPECT_EQ(note_of("G70 G19 G0 Y40 Z30\nG110 Y5 Z-6\nG0 AP=359.9999999 RP=0.5\n"
+                    "G1 AP=0 RP=1000000 F100\nG91 CT Y14.001\n"),
+            kTooFlat);
+  EXPECT_EQ(last_motion_or_alarm("G0 AP=30 RP=5\nG1 AP=30 RP=10 F100\nCT AP=30 RP=20\n"),
+            "feed x=17.320508076 y=10 f=100");
+}
+
+// The chord is 1.5e-9 mm, and the radii, of 6.6 km, differ by as much: the centre lies on the
+// chord.
+TEST(SinumerikFlatArc, RadiiAreEqualButForRoundingOnlyWhereTheirDifferenceShows) {
+  const std::string none = "An arc as near its limit as this is not implemented.";
+  const std::string start = "G1 AP=359.999 RP=10 F100\n";
+  EXPECT_EQ(note_of(start + "G2 X=AC(10) I=AC(6602548)\n"), none);
+  EXPECT_EQ(note_of(start + "G2 AP=200 RP=10\n"), "");
+}
+
 // The angle is known to some counts of 1e-9 degrees: over 254 km they are 0.018 mm.
 TEST(SinumerikFlatArc, AFarPlaceByACalculatedAngleIsNotImplemented) {
   const std::string none = "A turn as far off as this is not implemented.";
