@@ -217,11 +217,9 @@ void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, Ar
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
   if (turn.cosine != 0 && turn.sine != 0) target.rounded |= plane_axes(plane);
-  const bool coarse = !sketch.known || block.value(Address::kOpeningAngle).number.finer;
-  if (coarse) target.coarse |= plane_axes(plane);
-  if (block.value(Address::kOpeningAngle).number.finer) {
-    machine.check_turn(kAngleDoubt, std::sqrt(c.square()));
-  }
+  const bool finer = block.value(Address::kOpeningAngle).number.finer;
+  if (!sketch.known || finer) target.coarse |= plane_axes(plane);
+  if (finer) machine.check_turn(kAngleDoubt, std::sqrt(c.square()));
   take_end(machine.state, sketch);
   put_exact_centre(machine, centre, sketch);
 }

@@ -228,8 +228,8 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
     plan.motion = Line{target, false, sketch.arc.feed};
     return;
   }
-  if (sketch.centre_doubt > kSharp) plan.lacking = kFlatArc;
-  if (sketch.unclear) plan.lacking = kUnclearArc;
+  if (sketch.centre_doubt > kSharp) machine.lacking = kFlatArc;
+  if (sketch.unclear) machine.lacking = kUnclearArc;
   sketch.arc.rot = sense_of(machine, sketch) * rounds;
   plan.motion = sketch.arc;
 }

@@ -105,8 +105,7 @@ Flow Interpreter::run_block() {
   Plan plan;
   prepare(plan);
   if (machine_.in_alarm()) return Flow::kAlarm;
-  const std::string_view lacking = plan.lacking.empty() ? machine_.lacking : plan.lacking;
-  if (!lacking.empty()) return not_implemented(machine_.tracer, lacking);
+  if (!machine_.lacking.empty()) return not_implemented(machine_.tracer, machine_.lacking);
   return perform_plan(plan);
 }
 

@@ -63,8 +63,7 @@ struct Pocketing {
 
 struct Plan {
   std::variant<Idle, Dwell, Line, Arc, SpaceArc, Drilling, Pocketing> motion;
-  Heading heading;           ///< at the end; not known: as before
-  std::string_view lacking;  ///< what the expander would need for the motion and has not
+  Heading heading;  ///< at the end; not known: as before
 };
 
 void prepare_dwell(Machine& machine, const Block& block, Plan& plan);
@@ -94,7 +93,7 @@ Real doubt_between(const Target& from, const Target& to, Axes axes);
 /// The direction of the straight way to `target`.
 Heading straight_heading(const State& state, const Target& target);
 
-/// What Plan::lacking says of arcs whose centre the digits of the processor do not reach.
+/// What Machine::lacking says of arcs whose centre the digits of the processor do not reach.
 inline constexpr std::string_view kFlatArc = "An arc as flat as this";
 inline constexpr std::string_view kUnclearArc = "An arc as near its limit as this";
 

@@ -154,7 +154,7 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
   }
   const Bend bend = bend_of(heading, sketch);
   if (seen == Seen::kUnclear || bend.unclear) {
-    plan.lacking = kFlatArc;
+    machine.lacking = kFlatArc;
     return;
   }
   if (bend.straight) {
@@ -164,7 +164,7 @@ void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
   }
   if (!take_tangent_circle(machine, bend, sketch)) return make_straight(machine, sketch, plan);
   if (machine.in_alarm()) return;
-  if (!is_sharp(state, bend, sketch)) plan.lacking = kFlatArc;
+  if (!is_sharp(state, bend, sketch)) machine.lacking = kFlatArc;
   target.axes |= plane_axes(plane);
   sketch.arc.plane = plane.number;
   sketch.arc.rot = sketch.counterclockwise ? 1 : -1;

@@ -163,7 +163,7 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   }
   arc.target.axes |= kLinearAxes;
   const OnLine in_line = on_line(start, via, arc.target);
-  if (in_line == OnLine::kUnclear) plan.lacking = kFlatArc;
+  if (in_line == OnLine::kUnclear) machine.lacking = kFlatArc;
   if (in_line == OnLine::kYes) {
     const bool between = dot(to_via, to_end) > 0 && dot(via_to_end, to_end) > 0;
     if (!between || machine.has(Fault::kIntermediateStraightRefused)) {

@@ -126,9 +126,10 @@ bool JudgeSession::record(const Record& record) {
 }
 
 bool JudgeSession::tell_judges(const Record& record) {
-  if (only_judge_) return only_judge_->record(record);
   bool undecided = false;
-  for (const auto& one : assigned_judges_) undecided = one->judge.record(record) || undecided;
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    undecided = judge_of(i).record(record) || undecided;
+  }
   return undecided;
 }
 
@@ -142,9 +143,11 @@ bool JudgeSession::record_unsettled(const Record& record) {
   }
   if (!touches_open() && unsettled_->told.parts() < kMostToldParts) return undecided;
   settle();
-  if (only_judge_) return !only_judge_->is_decided();
-  return std::ranges::any_of(assigned_judges_,
-                             [](const auto& one) { return !one->judge.is_decided(); });
+  bool all_decided = true;
+  for (std::size_t i = 0; i < choices_.size(); ++i) {
+    all_decided = all_decided && judge_of(i).is_decided();
+  }
+  return !all_decided;
 }
 
 bool JudgeSession::line(std::string_view line) {
@@ -171,9 +174,10 @@ void JudgeSession::settle() {
   too_many_ = assignments.too_many;
   open_ = std::move(assignments.open);
   if (open_.empty()) return;  // the one judge goes on
-  choices_ = std::move(assignments.choices);
   only_judge_.reset();
+  choices_.clear();
   if (too_many_) return;  // `finish` says so, whatever comes
+  choices_ = std::move(assignments.choices);
   for (const ReadingChoice& choice : choices_) {
     reference::Profile assigned = profile_;
     assigned.readings = choice;

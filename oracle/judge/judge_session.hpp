@@ -79,7 +79,7 @@ class JudgeSession {
   const reference::Profile& profile_;
   ProgramText program_;
   const JudgeTerms& terms_;
-  std::vector<reference::ReadingChoice> choices_;
+  std::vector<reference::ReadingChoice> choices_;  // each with its judge
   // One judge stands for all assignments, or each has its own.
   struct AssignedJudge {
     AssignedJudge(reference::Profile its_profile, const ProgramText& program,

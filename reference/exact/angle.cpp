@@ -52,6 +52,11 @@ Number wave_of(Wave wave, const Reduced& angle) {
   return is_negative ? -value : value;
 }
 
+// Of any angle, in the one form.
+Number wave_of(Wave wave, const Number& degrees) {
+  return degrees.is_rational() ? wave_of(wave, reduced(degrees)) : enclosed_wave(wave, degrees);
+}
+
 // The angle in (-90, 90) whose tangent is `slope`.
 Number arc_tangent(const Number& slope) {
   if (slope.form() != Number::Form::enclosure) {
@@ -80,13 +85,11 @@ std::array<Number, 2> cos_sin_degrees(const Number& degrees) {
 }
 
 Number cos_degrees(const Number& degrees) {
-  return degrees.is_rational() ? wave_of(Wave::cosine, reduced(degrees))
-                               : enclosed_wave(Wave::cosine, degrees);
+  return wave_of(Wave::cosine, degrees);
 }
 
 Number sin_degrees(const Number& degrees) {
-  return degrees.is_rational() ? wave_of(Wave::sine, reduced(degrees))
-                               : enclosed_wave(Wave::sine, degrees);
+  return wave_of(Wave::sine, degrees);
 }
 
 Number angle_degrees(const Number& x, const Number& y) {

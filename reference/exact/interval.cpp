@@ -169,7 +169,7 @@ Interval interval_of(const mpq_class& low, const mpq_class& high, mpfr_prec_t bi
 }
 
 Interval interval_of_millionths(std::int64_t count, mpfr_prec_t bits) {
-  constexpr unsigned long kUnit = 1'000'000;
+  constexpr auto kUnit = static_cast<unsigned long>(detail::kUnit);
   Interval result(bits);
   mpfr_set_si(result.low(), count, MPFR_RNDD);
   mpfr_set_si(result.high(), count, MPFR_RNDU);

@@ -33,8 +33,6 @@ class Interpreter : public BlockInterpreter {
  private:
   bool parses(const grammar::Block& block, BlockOutput& out) const;
   bool take_codes(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
-  bool pass_over_value(std::uint64_t line, const grammar::Block& block,
-                       const grammar::NamedWord& word, BlockOutput& out);
   bool take_values(std::uint64_t line, BlockWords& words, BlockOutput& out);
   void take_m(std::uint64_t line, const grammar::NamedWord& word, const Number& value,
               BlockOutput& out);
@@ -150,44 +148,32 @@ bool is_measured(Address address) {
   return address != Address::t && address != Address::d && address != Address::turn;
 }
 
-// SIE-PAR-01: what is passed over has a value all the same, which is reckoned as any other. Whether
-// it has one.
-bool Interpreter::pass_over_value(std::uint64_t line, const grammar::Block& block,
-                                  const grammar::NamedWord& word, BlockOutput& out) {
-  NoValue problem;
-  if (calculator_.value(block, word, problem)) return true;
-  if (problem.is_too_long) {
-    out.not_covered = NotCovered{line, "expression", problem.message, problem.where};
-  } else {
-    out.alarms.push_back({AlarmClass::value_out_of_range, "SIE-PAR-01"_clause, WordName(word.name),
-                          word.where, problem.message});
-  }
-  return false;
+// The name that an alarm gives the word.
+WordName word_name(const grammar::NamedWord& word, const std::optional<Address>& address) {
+  if (!address) return WordName(word.name);
+  return address == Address::r ? WordName(fmt::format("R{}", *word.index)) : name_of(*address);
 }
 
-// SIE-PAR-01: from left to right, each assignment at once. SIE-COM-01: no address twice. Whether
-// all words have values.
+// SIE-PAR-01: from left to right, each assignment at once; what is passed over has a value, too.
+// SIE-COM-01: no address twice. Whether all words have values.
 bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
   const grammar::Block& block = words.block();
   const ClauseId clause = "SIE-PAR-01"_clause;
   bool complete = true;
   for (const grammar::NamedWord& word : block.named) {
     const std::optional<Address> address = address_of(word);
-    if (!address && word.terms != 0 && find_name(word) != nullptr) {
-      complete = pass_over_value(line, block, word, out) && complete;
-      if (out.not_covered) return false;
-    }
-    if (!address || *address == Address::g) continue;
-    const bool repeats = *address == Address::r || *address == Address::m || *address == Address::h;
-    const WordName name =
-        *address == Address::r ? WordName(fmt::format("R{}", *word.index)) : name_of(*address);
+    const bool is_passed_over = !address && word.terms != 0 && find_name(word) != nullptr;
+    if (address ? *address == Address::g : !is_passed_over) continue;
+    const bool repeats = is_passed_over || *address == Address::r || *address == Address::m ||
+                         *address == Address::h;
+    const WordName name = word_name(word, address);
     if (!repeats && words.has(*address)) {
       out.alarms.push_back({AlarmClass::duplicate_word, kCommon, name, word.where,
                             fmt::format("The address {} stands twice in the block.", name.text())});
     }
     NoValue problem;
     std::optional<Number> value = calculator_.value(block, word, problem);
-    if (value && *address == Address::r && *word.index >= calculator_.count()) {
+    if (value && address == Address::r && *word.index >= calculator_.count()) {
       problem = {word.where,
                  fmt::format("The R parameters are R0 to R{}.", calculator_.count() - 1), false};
       value.reset();
@@ -200,6 +186,8 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
       complete = false;
       out.alarms.push_back(
           {AlarmClass::value_out_of_range, clause, name, word.where, problem.message});
+    } else if (is_passed_over) {
+      continue;
     } else if (*address == Address::r) {
       calculator_.assign(*word.index, *std::move(value));
     } else if (*address == Address::m) {

@@ -144,7 +144,7 @@ TEST(SinumerikFlatArc, ARadiusFarAboveTheChordFromAReckonedPlaceIsNotImplemented
 }
 
 // Over a way of 355 mm the end lies 3e-13 mm off the line, at 25 km from zero.
-TEST(SinumerikFlatArc, ATangentOfAFarPlaceIsStraightOnlyForAll) {
+TEST(SinumerikFlatArc, WhetherATangentIsStraightFarOffIsNotImplemented) {
   EXPECT_EQ(note_of("G70 G19 G0 Y40 Z30\nG110 Y5 Z-6\nG0 AP=359.9999999 RP=0.5\n"
                     "G1 AP=0 RP=1000000 F100\nG91 CT Y14.001\n"),
             kTooFlat);
@@ -154,7 +154,7 @@ TEST(SinumerikFlatArc, ATangentOfAFarPlaceIsStraightOnlyForAll) {
 
 // The chord is 1.5e-9 mm, and the radii, of 6.6 km, differ by as much: the centre lies on the
 // chord.
-TEST(SinumerikFlatArc, RadiiAreEqualButForRoundingOnlyWhereTheirDifferenceShows) {
+TEST(SinumerikFlatArc, RadiiWhoseRoundingWouldBeSeenAreNotImplemented) {
   const std::string none = "An arc as near its limit as this is not implemented.";
   const std::string start = "G1 AP=359.999 RP=10 F100\n";
   EXPECT_EQ(note_of(start + "G2 X=AC(10) I=AC(6602548)\n"), none);

@@ -63,7 +63,6 @@ TEST(Interval, RoundingIsOutward) {
   }
 }
 
-// 0 times what has no end is no number.
 TEST(Interval, MillionthsAreTheFraction) {
   for (const std::int64_t count : {std::int64_t{0}, std::int64_t{1}, std::int64_t{-333'333},
                                    std::int64_t{2'500'000}, std::int64_t{-9'999'999'999'999}}) {
@@ -76,6 +75,7 @@ TEST(Interval, MillionthsAreTheFraction) {
   }
 }
 
+// 0 times what has no end is no number.
 TEST(Interval, AnEndThatIsNoNumberLeavesNothingKnown) {
   const Interval whole_line = divide(between(1, 1), between(-1, 1), kBits);
   EXPECT_FALSE(multiply(between(0, 1), whole_line, kBits).bounded());
