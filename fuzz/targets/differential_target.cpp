@@ -4,6 +4,7 @@
 #include <fstream>
 #include <memory>
 #include <span>
+#include <unordered_set>
 
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
@@ -65,14 +66,22 @@ class ProgramStatistics {
     if (file_ != nullptr) std::ofstream(file_) << distribution_text(distribution_);
   }
   Distribution* distribution() { return file_ == nullptr ? nullptr : &distribution_; }
+  void count(const GeneratedProgram& program) {
+    if (file_ == nullptr) return;
+    count_program(program, distribution_);
+    const std::string all = profile_text(program.profile) + program.text;
+    if (!seen_.insert(std::hash<std::string>()(all)).second)
+      ++distribution_["programs seen before"];
+  }
 
  private:
   const char* file_;
   Distribution distribution_;
+  std::unordered_set<std::size_t> seen_;  // hashes
 };
 
 // Environment GONOGO_FUZZ_SETTINGS=LIST changes the settings of generated programs.
-GeneratorSettings settings_in_force() {
+GeneratorSettings read_environment() {
   const char* const list = std::getenv("GONOGO_FUZZ_SETTINGS");
   const auto settings = read_settings(list == nullptr ? "" : list, in_process_settings());
   if (settings) return *settings;
@@ -80,19 +89,26 @@ GeneratorSettings settings_in_force() {
   std::exit(2);
 }
 
+GeneratedProgram generate(std::string_view name, std::string_view dialect, Choices& choices,
+                          Distribution* distribution) {
+  static const Generator& generator = *find_generator(name, dialect);
+  static const GeneratorSettings settings = read_environment();
+  return generator.generate(choices, settings, distribution);
+}
+
 }  // namespace
 
-void try_expander(std::string_view name, const std::uint8_t* data, std::size_t size,
-                  std::string_view dialect) {
+void try_expander(std::string_view name, Choices choices, std::string_view dialect) {
   constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
   static const auto subject = make_subject(name);
-  static const Generator& generator = *find_generator(name, dialect);
-  static const GeneratorSettings settings = settings_in_force();
   static ProgramStatistics statistics;
-  Choices choices(std::span<const std::uint8_t>(data, size));
-  const GeneratedProgram program = generator.generate(choices, settings, statistics.distribution());
-  if (statistics.distribution() != nullptr) count_program(program, *statistics.distribution());
+  const GeneratedProgram program = generate(name, dialect, choices, statistics.distribution());
+  statistics.count(program);
   check(*subject, program.profile, program.text, kMostRecords);
+}
+
+void decide_program(std::string_view name, Choices& choices, std::string_view dialect) {
+  generate(name, dialect, choices, nullptr);
 }
 
 void try_text(std::string_view name, std::string_view dialect, const std::uint8_t* data,

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/differential_target.hpp"
 
+void gonogo::fuzz::decide(Choices& choices) {
+  decide_program("ngc", choices);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gonogo::fuzz::try_expander("ngc", data, size);
+  gonogo::fuzz::try_expander("ngc", gonogo::fuzz::choices_of(data, size));
   return 0;
 }

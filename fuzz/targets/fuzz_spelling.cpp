@@ -8,6 +8,7 @@
 
 #include "fuzz/generator.hpp"
 #include "fuzz/hunt/program_text.hpp"
+#include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
 #include "grammar/parser.hpp"
 #include "reference/dialect.hpp"
@@ -62,17 +63,31 @@ std::string meaning(const reference::Profile& profile, std::string_view program)
   return text;
 }
 
-}  // namespace
+struct Spelled {
+  const fuzz::Generator& generator;
+  std::uint32_t spelling;
+  fuzz::GeneratedProgram program;
+};
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::Choices choices(std::span<const std::uint8_t>(data, size));
+Spelled spelled_program(fuzz::Choices& choices) {
   const std::uint32_t choice = choices.below(256);
   const auto all = fuzz::generators();
-  const fuzz::Generator& generator = all[choice % all.size()];
-  const fuzz::GeneratedProgram program = generator.generate(choices, nullptr);
+  const auto dialects = static_cast<std::uint32_t>(all.size());
+  const fuzz::Generator& generator = all[choice % dialects];
+  return {generator, choice / dialects % 3, generator.generate(choices, nullptr)};
+}
+
+}  // namespace
+
+void gonogo::fuzz::decide(Choices& choices) {
+  spelled_program(choices);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Choices choices = fuzz::choices_of(data, size);
+  const auto [generator, spelling, program] = spelled_program(choices);
   const grammar::Dialect dialect = reference::find_dialect(generator.dialect)->grammar;
-  std::string other =
-      spelled(dialect, program.text, choice / static_cast<std::uint32_t>(all.size()) % 3);
+  std::string other = spelled(dialect, program.text, spelling);
   if (fuzz::planted_fault() == "line-added") other.insert(0, "\n");
   if (meaning(program.profile, program.text) != meaning(program.profile, other)) {
     fuzz::fail("another spelling means something else: " + other, program.text);

@@ -5,6 +5,7 @@
 // records, since a tiny Q over a great depth is a long program.
 #include "fuzz/reference_run.hpp"
 #include "fuzz/relations/trace.hpp"
+#include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
 
 namespace {
@@ -37,15 +38,22 @@ void check(const fuzz::GeneratedProgram& program) {
              program.text);
 }
 
+fuzz::GeneratedProgram moved_program(fuzz::Choices& choices) {
+  const auto all = fuzz::generators();
+  const auto dialects = static_cast<std::uint32_t>(all.size());
+  return all[choices.below(256) % dialects].generate(choices, nullptr);
+}
+
 }  // namespace
 
+void gonogo::fuzz::decide(Choices& choices) {
+  moved_program(choices);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::Choices choices(std::span<const std::uint8_t>(data, size));
-  const auto all = fuzz::generators();
-  const fuzz::Generator& generator =
-      all[choices.below(256) % static_cast<std::uint32_t>(all.size())];
+  fuzz::Choices choices = fuzz::choices_of(data, size);
   try {
-    check(generator.generate(choices, nullptr));
+    check(moved_program(choices));
   } catch (const exact::Undecided&) {
     // What 4,096 bits do not decide is a gap, and no finding.
   }

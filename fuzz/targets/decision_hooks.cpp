@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/targets/decision_hooks.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "fuzz/decision_mutator.hpp"
+
+// libFuzzer's own mutations. Other engines have none.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t most);
+
+namespace gonogo::fuzz {
+namespace {
+
+struct Decided {
+  std::vector<std::uint8_t> bytes;
+  std::vector<NotedDecision> decisions;
+};
+
+Decided& last_decided() {
+  static Decided decided;
+  return decided;
+}
+
+const std::vector<NotedDecision>& decisions_of(const std::uint8_t* data, std::size_t size) {
+  if (!std::ranges::equal(last_decided().bytes, std::span(data, size))) {
+    Choices choices = choices_of(data, size);
+    decide(choices);
+  }
+  return last_decided().decisions;
+}
+
+}  // namespace
+
+Choices choices_of(const std::uint8_t* data, std::size_t size) {
+  Decided& decided = last_decided();
+  decided.bytes.assign(data, data + size);
+  decided.decisions.clear();
+  Choices choices(decided.bytes);
+  choices.note_in(decided.decisions);
+  return choices;
+}
+
+}  // namespace gonogo::fuzz
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned int seed) {
+  using namespace gonogo::fuzz;
+  const std::vector<NotedDecision>& decisions = decisions_of(data, size);
+  if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) {
+    return LLVMFuzzerMutate(data, deciding_bytes(decisions), most);
+  }
+  const std::vector<std::uint8_t> after = mutate_decisions({data, size}, decisions, most, seed);
+  std::ranges::copy(after, data);
+  return after.size();
+}
