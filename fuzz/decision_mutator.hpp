@@ -15,9 +15,9 @@
 namespace gonogo::fuzz {
 
 // Other decisions: some are made anew, left out, made once more elsewhere, or all from one of them
-// on. `decisions` is what `bytes` decide (Choices::note_in). (1) `most_bytes` bytes come back;
-// behind those that decide something they are random, and decide
-//     what the changed decisions still ask for.
+// on. `decisions` is what `bytes` decide (Choices::note_in).
+//
+// (1) `most_bytes` bytes come back; behind those that decide something they are random.
 // (2) It follows from the arguments alone.
 // (3) Nearly always at least one decision is another one.
 std::vector<std::uint8_t> mutate_decisions(std::span<const std::uint8_t> bytes,
