@@ -9,7 +9,8 @@ namespace gonogo::checker {
 namespace {
 
 constexpr std::array<std::string_view, 5> kGo = {"pass-exact", "pass-rounded", "pass-tolerance",
-                                                 "skip", "xfail"};
+                                                 "pass-properties", "xfail"};
+constexpr std::array<std::string_view, 2> kNeither = {"skip", "advice"};
 constexpr std::array<std::string_view, 17> kNoGo = {"fail.geometry",
                                                     "fail.order",
                                                     "fail.feed",
@@ -37,6 +38,7 @@ std::optional<Decision> decision_of(std::string_view verdict) {
   };
   if (is_in(kGo)) return Decision::go;
   if (is_in(kNoGo)) return Decision::no_go;
+  if (is_in(kNeither)) return Decision::neither;
   if (is_in(kUndecided)) return Decision::undecided;
   return std::nullopt;
 }

@@ -15,7 +15,7 @@
 
 namespace gonogo::checker {
 
-enum class Decision { go, no_go, undecided };
+enum class Decision { go, no_go, undecided, neither };
 // Nothing for a verdict that is unknown.
 std::optional<Decision> decision_of(std::string_view verdict);
 

@@ -7,11 +7,13 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::array<std::string_view, 25> kNames = {"pass-exact",
+constexpr std::array<std::string_view, 27> kNames = {"pass-exact",
                                                      "pass-rounded",
                                                      "pass-tolerance",
-                                                     "skip",
+                                                     "pass-properties",
                                                      "xfail",
+                                                     "skip",
+                                                     "advice",
                                                      "fail.geometry",
                                                      "fail.order",
                                                      "fail.feed",
@@ -48,6 +50,7 @@ std::optional<VerdictKind> verdict_kind(std::string_view name) {
 
 Decision decision(VerdictKind kind) {
   if (kind <= VerdictKind::xfail) return Decision::go;
+  if (kind <= VerdictKind::advice) return Decision::neither;
   return kind < VerdictKind::oracle_gap ? Decision::no_go : Decision::undecided;
 }
 

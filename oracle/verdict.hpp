@@ -17,8 +17,11 @@ enum class VerdictKind : std::uint8_t {
   pass_exact,
   pass_rounded,
   pass_tolerance,
-  skip,
+  pass_properties,  // a path that the manual leaves open, held to its properties
   xfail,
+  // Neither
+  skip,    // not claimed
+  advice,  // departs from an expectation that no text states
   // NO-GO
   fail_geometry,
   fail_order,
@@ -41,7 +44,9 @@ enum class VerdictKind : std::uint8_t {
   oracle_gap,
   oracle_error,
 };
-enum class Decision : std::uint8_t { go, no_go, undecided };
+// `neither`: it says nothing for or against the subject.
+enum class Decision : std::uint8_t { go, no_go, undecided, neither };
+inline constexpr std::size_t kDecisions = 4;
 
 std::string_view name(VerdictKind kind);  // "fail.geometry"
 std::optional<VerdictKind> verdict_kind(std::string_view name);
@@ -52,6 +57,9 @@ std::span<const std::string_view> verdict_names();
 struct Verdict {
   VerdictKind kind = VerdictKind::pass_exact;
   reference::ClauseId clause = reference::kNoClause;
+  // Of an advice: what it would be if a text stated the expectation.
+  std::optional<VerdictKind> departure;
+  std::size_t property_motions = 0;   // of a GO: motions of the subject held to properties alone
   std::string reading;                // another reading under which the answer would be GO: "k=v"
   std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0

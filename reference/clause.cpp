@@ -27,4 +27,16 @@ std::string_view name(ClauseLevel level) {
   return "";
 }
 
+std::string_view name(Basis basis) {
+  switch (basis) {
+    case Basis::text:
+      return "text";
+    case Basis::derived:
+      return "derived";
+    case Basis::silent:
+      return "silent";
+  }
+  return "";
+}
+
 }  // namespace gonogo::reference

@@ -40,6 +40,7 @@ std::span<const Clause> clauses();
 const Clause& clause(ClauseId id);
 std::string_view clause_name(ClauseId id);  // "" for kNoClause
 std::string_view name(ClauseLevel level);
+std::string_view name(Basis basis);
 
 // A code of the maker that the gauge does not read.
 struct OutsideCode {

@@ -221,9 +221,8 @@ CaseResult CaseJudge::judge(const Case& test) {
   result.microseconds = attempt.end.microseconds;
   result.mapped = attempt.mapped;
   if (decision(result.verdict.kind) == Decision::go) {
-    const bool passed = result.verdict.kind != VerdictKind::skip;
-    if (passed) result.readings = open_readings(attempt.session);
-  } else {
+    result.readings = open_readings(attempt.session);
+  } else if (result.verdict.kind != VerdictKind::skip) {
     keep_evidence(test, terms, attempt, result);
   }
   return result;

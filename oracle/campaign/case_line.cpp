@@ -190,7 +190,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   }
   if (result.readings) append_readings(*result.readings, line);
   if (!result.profile.empty() && result.profile != "{}") line.json("profile", result.profile);
-  if (decision(verdict.kind) != Decision::go) {
+  if (decision(verdict.kind) != Decision::go && verdict.kind != VerdictKind::skip) {
     line.json("program", dump(program_json(result.program)));
     line.jsons("trace", result.trace);
   }

@@ -172,7 +172,7 @@ void KnownFailures::apply(CaseResult& result) const {
   const Decision answer = decision(verdict.kind);
   for (const KnownFailure& entry : entries_) {
     if (!matches(entry.cases, result.id)) continue;
-    if (answer == Decision::undecided || verdict.kind == VerdictKind::skip) return;
+    if (answer == Decision::undecided || answer == Decision::neither) return;
     if (answer == Decision::go) {
       verdict.kind = VerdictKind::xpass;
       verdict.message = fmt::format("Known to fail with {} ({}), but it passes.",

@@ -81,7 +81,7 @@ VerdictKind Tally::add(const CaseFacts& facts) {
   if (answer == Decision::no_go) ++answer_.no_go;
   if (kind == VerdictKind::oracle_error) ++answer_.oracle_errors;
   if (kind == VerdictKind::oracle_gap && !facts.expected_gap) ++answer_.unexpected_gaps;
-  if (answer != Decision::undecided && kind != VerdictKind::skip) {
+  if (answer == Decision::go || answer == Decision::no_go || kind == VerdictKind::advice) {
     ++answer_.judged;
     ++judged;
   }

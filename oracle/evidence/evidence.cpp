@@ -29,7 +29,8 @@ void copy_results(const std::string& results, const fs::path& target) {
 
 // Passes and skips are said in full by the head of their line.
 bool is_told_by_head(const CaseRow& row) {
-  return row.decision() == Decision::go && row.kind != VerdictKind::xfail;
+  return row.kind == VerdictKind::skip ||
+         (row.decision() == Decision::go && row.kind != VerdictKind::xfail);
 }
 
 // What the lines of a run are written to, in one pass over them.
@@ -80,7 +81,7 @@ class Writers {
     sarif_.add(row);
     markdown_.add(row);
     programs_.add(row);
-    if (row.decision() != Decision::go) page_.add_detail(line);
+    if (!is_told_by_head(row)) page_.add_detail(line);
   }
 
   ResultsReader& reader_;

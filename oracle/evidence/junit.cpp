@@ -64,6 +64,7 @@ JunitMark junit_mark(const CaseRow& facts) {
     case VerdictKind::oracle_error:
       return JunitMark::error;
     case VerdictKind::skip:
+    case VerdictKind::advice:
     case VerdictKind::xfail:
     case VerdictKind::oracle_gap:
       return JunitMark::skipped;

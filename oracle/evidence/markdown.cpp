@@ -20,6 +20,8 @@ std::string_view word(Decision decision) {
       return "GO";
     case Decision::no_go:
       return "NO-GO";
+    case Decision::neither:
+      return "neither";
     default:
       return "undecided";
   }

@@ -12,8 +12,8 @@ std::string_view meaning_of_go(VerdictKind kind) {
       return "Every end and centre is the correctly rounded value.";
     case VerdictKind::pass_tolerance:
       return "The path agrees with the reference within the tolerance.";
-    case VerdictKind::skip:
-      return "The subject does not have what the case needs.";
+    case VerdictKind::pass_properties:
+      return "The manual leaves the path open, and the path has every property that it asks for.";
     default:
       return "The case fails as the known-failures file says.";
   }
@@ -52,6 +52,10 @@ std::string_view meaning_of_failure(VerdictKind kind) {
 std::string_view meaning_of(VerdictKind kind) {
   if (decision(kind) == Decision::go) return meaning_of_go(kind);
   switch (kind) {
+    case VerdictKind::skip:
+      return "The subject does not have what the case needs.";
+    case VerdictKind::advice:
+      return "The subject departs from what no text states: our judgement alone.";
     case VerdictKind::state_leak:
       return "The same program gave another answer in a fresh process.";
     case VerdictKind::crash:

@@ -204,11 +204,20 @@ SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& 
 
 bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   const auto rank = [](const SampledVerdict& said) {
-    const Decision its = decision(said.verdict.kind);
-    return its == Decision::go ? 2 : its == Decision::undecided ? 1 : 0;
+    switch (decision(said.verdict.kind)) {
+      case Decision::go:
+        return 3;
+      case Decision::undecided:
+        return 2;
+      case Decision::neither:
+        return 1;
+      case Decision::no_go:
+        return 0;
+    }
+    return 0;
   };
   if (rank(one) != rank(other)) return rank(one) > rank(other);
-  if (rank(one) == 2) return one.verdict.kind < other.verdict.kind;
+  if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
   return rank(one) == 0 && one.progress > other.progress;
 }
 

@@ -17,6 +17,7 @@ struct JudgeTerms {
   bool binary64 = false;       // numbers come as doubles
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
+  bool strict = false;  // a departure from what no text states is NO-GO, no advice
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
 };

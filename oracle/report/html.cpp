@@ -158,7 +158,8 @@ std::optional<ReportError> write_html_report(const std::string& results,
     if (is_object && !head.id.empty() && !head.verdict.empty()) {
       summary.add(head);
       page.add(head);
-      if (decision_of(head.verdict) != Decision::go) page.add_detail(Json::parse(line));
+      const bool is_told = head.verdict == "skip" || decision_of(head.verdict) == Decision::go;
+      if (!is_told) page.add_detail(Json::parse(line));
       continue;
     }
     std::optional<Json> value = parse_object(line);

@@ -110,6 +110,9 @@ void Summary::add(const CaseHead& line) {
       case Decision::undecided:
         ++cell.undecided;
         break;
+      case Decision::neither:
+        ++cell.elsewhere;
+        break;
     }
   };
   if (!line.clause.empty()) hit(line.clause);
@@ -122,7 +125,7 @@ void Summary::add(const CaseHead& line) {
 }
 
 Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
-  std::uint64_t count[3] = {};
+  std::uint64_t count[kDecisions] = {};
   for (const auto& [verdict, cases] : totals_) {
     count[static_cast<std::size_t>(decision_of(verdict))] += cases;
   }
