@@ -16,6 +16,8 @@ std::string_view word(Decision decision) {
       return "GO";
     case Decision::no_go:
       return "NO-GO";
+    case oracle::Decision::neither:
+      return "not judged";
     case Decision::undecided:
       return "UNDECIDED";
   }
