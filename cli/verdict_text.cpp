@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "oracle/judge/evidence.hpp"
+
 namespace gonogo::cli {
 
 using oracle::Decision;
@@ -31,6 +33,10 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
     if (!value.empty()) text += fmt::format("{}{:<11}{}\n", indent, what, value);
   };
   put("", verdict.message);
+  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+    put("properties",
+        fmt::format("{} motions are held to properties alone", verdict.property_motions));
+  }
   if (verdict.clause != reference::kNoClause) {
     const reference::Clause& clause = reference::clause(verdict.clause);
     put("clause", fmt::format("{}: {}", clause.id, clause.text));
@@ -45,7 +51,7 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
         same ? verdict.deviation_mm + " mm"
              : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
   }
-  put("witness", verdict.witness);
+  put("witness", oracle::point_for_people(verdict.witness));
   if (!verdict.reading.empty()) put("GO under", fmt::format("--reading {}", verdict.reading));
   return text;
 }

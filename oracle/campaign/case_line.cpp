@@ -181,6 +181,9 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   line.texts("clauses", result.clauses);
   line.text("verdict", name(verdict.kind));
   if (result.expected_gap && verdict.kind == VerdictKind::oracle_gap) line.json("expected", "true");
+  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+    line.number("property_motions", verdict.property_motions);
+  }
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
   if (with_timing) {

@@ -99,6 +99,7 @@ CaseResult result_of_line(std::string_view line) {
   result.cycle = text_in(source, "cycle");
   Verdict& verdict = result.verdict;
   verdict.kind = verdict_kind(text_in(source, "verdict")).value_or(VerdictKind::oracle_error);
+  verdict.property_motions = source.value("property_motions", std::size_t{0});
   const std::string clause = text_in(source, "clause");
   const auto clauses = reference::clauses();
   for (std::size_t i = 0; i < clauses.size(); ++i) {

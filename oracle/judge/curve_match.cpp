@@ -57,21 +57,6 @@ bool agrees_with_line(const Motion& line, const Position& point, const Number& t
          !agreeing_parameters(line, point, tolerance).empty();
 }
 
-// By estimates: of two that are as long as each other either will do, and enclosures of one length
-// could not be told apart.
-Axis longest_axis(const Motion& motion) {
-  Axis longest = Axis::x;
-  double length = -1;
-  for (Axis axis : kAllAxes) {
-    const double travel = std::abs(estimate(motion.to()[axis] - motion.from[axis]));
-    if (travel > length) {
-      length = travel;
-      longest = axis;
-    }
-  }
-  return longest;
-}
-
 bool moves_one_axis(const Motion& motion, const Number& tolerance) {
   const AxisSet moved = moved_axes(motion, tolerance);
   return std::ranges::count_if(kAllAxes, [&](Axis axis) { return moved.has(axis); }) == 1;
@@ -87,6 +72,19 @@ bool rounds_to(const Number& exact, const Number& got, const std::optional<Numbe
 }
 
 }  // namespace
+
+Axis longest_axis(const Motion& motion) {
+  Axis longest = Axis::x;
+  double length = -1;
+  for (Axis axis : kAllAxes) {
+    const double travel = std::abs(estimate(motion.to()[axis] - motion.from[axis]));
+    if (travel > length) {
+      length = travel;
+      longest = axis;
+    }
+  }
+  return longest;
+}
 
 bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms) {
   return reference.feed_mode == subject.feed_mode &&

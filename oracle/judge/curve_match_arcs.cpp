@@ -142,7 +142,7 @@ MatchResult CurveMatch::other_centre(const Motion& subject) const {
     centre[axis] = got[i];
     wanted[axis] = want[i];
   }
-  result.centre = CentreApart{centre, largest_difference(centre, wanted)};
+  result.centre = Apart{centre, largest_difference(centre, wanted)};
   return result;
 }
 

@@ -75,8 +75,8 @@ void ProgramJudge::take_dwell(const Record& record) {
       reference_.advance();
       continue;
     }
-    if (std::holds_alternative<reference::NotCovered>(step)) {
-      decide_gap(std::get<reference::NotCovered>(step).message);
+    if (auto* outside = std::get_if<reference::NotCovered>(&step)) {
+      decide_not_covered(*outside);
       return;
     }
     if (after_alarm_ || std::holds_alternative<reference::AlarmReport>(step)) {
@@ -101,8 +101,17 @@ void ProgramJudge::take_dwell(const Record& record) {
     verdict.want = step_text(step);
     verdict.clause = clause_of(step);
     verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
+    if (motion != nullptr && piece_before() != nullptr) verdict = dwell_behind(std::move(verdict));
     decide(std::move(verdict));
   }
+}
+
+// J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
+Verdict ProgramJudge::dwell_behind(Verdict verdict) {
+  reference_.advance();
+  const auto* due = std::get_if<Record>(&reference_.behind_m_functions());
+  if (due == nullptr || due->kind != RecordKind::dwell) return verdict;
+  return short_of(*want_, *piece_before());
 }
 
 void ProgramJudge::take_m_functions() {

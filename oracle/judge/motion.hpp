@@ -30,6 +30,7 @@ struct Motion {
   Position from;
   std::size_t number = 0;                       // place of its (first) record in the trace, from 0
   std::shared_ptr<const Dropped> dropped = {};  // of the reference, just before; null: nothing
+  std::size_t behind_first = 0;                 // place of its last record, counted from the first
 
   const Position& to() const { return record.to; }
 };

@@ -29,6 +29,14 @@ void ProgramJudge::decide_gap(std::string message) {
   decide(std::move(verdict));
 }
 
+void ProgramJudge::decide_not_covered(const reference::NotCovered& outside) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.block = outside.block;
+  verdict.message = outside.message;
+  decide(std::move(verdict));
+}
+
 void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
   decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
 }
