@@ -68,6 +68,16 @@ bool nearly_whole(const Motion& arc, const Number& tolerance) {
   return along >= -tau * sides && std::abs(across) <= tau * sides && may_be_in_line(from, to, tau);
 }
 
+// Whether the arc's centre lies within the tolerance of one of its ends, which then shows no
+// direction: the record does not tell what part of a turn it sweeps.
+bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
+  const auto is_centre = [&](const PlaneVector& v) {
+    return agree(v.p, 0, tolerance) && agree(v.q, 0, tolerance);
+  };
+  return is_centre(from_centre(arc.record, arc.from)) ||
+         is_centre(from_centre(arc.record, arc.to()));
+}
+
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
@@ -158,6 +168,12 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
   if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
+  // J-PATH-06: what is left of the turn will do.
+  const double rest = round_->whole() - progress_.arc;
+  if (hides_its_sweep(subject, terms_.tolerance) && std::abs(rest - turns) < 1 &&
+      ends_at(subject.to())) {
+    return end_of_piece(subject, rest);
+  }
   // The nil and the full turn are tried, and the one that fits is taken. After other whole turns, a
   // turn that the arc does make is no nil one; and an arc that ends exactly where it starts is a
   // full turn by what a record means, unless the reference's turn is as small.

@@ -243,7 +243,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       return;
     }
     auto* level = std::get_if<PocketLevel>(&step);
-    if (level != nullptr && !level_motions_.empty() && !at_load) {
+    if (level != nullptr && !at_load && (!level_motions_.empty() || needs_no_motion(*level))) {
       finish_level(*level, position_);
       continue;
     }

@@ -101,6 +101,8 @@ class ProgramJudge {
   Verdict level_fault(const reference::PocketLevel& level, const region::Finding& finding,
                       const Position& here) const;
   bool is_known_level(const reference::PocketLevel& level) const;
+  // Whether it is so small that it is cleared where the subject stands.
+  bool needs_no_motion(const reference::PocketLevel& level) const;
   void go_on_below(const reference::PocketLevel& level);
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);

@@ -60,8 +60,11 @@ void ReferenceStream::take_motion(const Record& record) {
   position_ = motion.to();
   if (!terms_.compare_blocks) motion.record.block = 0;
   // Joined before anything is dropped: what goes on in the same way belongs to the motion, however
-  // small it is.
-  if (pending_ && join(*pending_, motion)) {
+  // small it is. Not over arcs: the subject's may be a full turn together, which it has to be able
+  // to put out in between.
+  const bool over_arcs = std::ranges::any_of(
+      dropped_.motions, [](const Record& dropped) { return is_round(dropped.kind); });
+  if (pending_ && !over_arcs && join(*pending_, motion)) {
     dropped_.stood = position_;
     return;
   }

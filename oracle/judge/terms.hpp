@@ -17,9 +17,16 @@ struct JudgeTerms {
   bool binary64 = false;       // numbers come as doubles
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
-  bool strict = false;  // a departure from what no text states is NO-GO, no advice
+  bool strict = false;         // a departure from what no text states is NO-GO, no advice
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
+
+  // J-CONST-07: of a level of a pocket, mm. Centre and start of an arc are each rounded by half of
+  // the resolution along an axis: 3/sqrt(2) = 2.12 times it is what its points may be off.
+  Number level_tolerance() const {
+    constexpr int kEighths = 17;
+    return resolution ? max(tolerance, *resolution * kEighths / 8) : tolerance;
+  }
 };
 
 // tau is the smaller of the declared resolution and the profile's, unless the certifier says

@@ -106,6 +106,21 @@ TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
       VerdictKind::pass_properties);
 }
 
+// A slot that the tool fills but for a micrometre: at each level four quarters of a circle of that
+// radius, each too small to see, between infeeds along one line. Found by generated programs.
+TEST(OwnOutcome, CirclesAsSmallAsTheToleranceMayStandBetweenInfeeds) {
+  reference::Profile profile =
+      profile_of("sinumerik802s", {{"sie.pocket.path", "contour-parallel"}});
+  profile.tools["1"] = 3;
+  const Verdict verdict = judge_own(
+      "F254 S600 M3 G0 X0 Y0 Z23\nT1 D1\nR101=10 R102=2.5 R103=7.5 R104=1.6 R116=19 R117=10\n"
+      "R118=6.002 R119=6.002 R120=3.001 R121=3.475 R122=105 R123=214 R124=0 R125=0.1 R126=2 "
+      "R127=1\n"
+      "LCYC75\n",
+      profile);
+  EXPECT_EQ(verdict.kind, VerdictKind::pass_exact) << verdict.message << verdict.got;
+}
+
 TEST(OwnOutcome, OfRandomProgramsIsExact) {
   const reference::Profile profile = profile_of("sinumerik840d");
   EXPECT_TRUE(rc::check([&] {
