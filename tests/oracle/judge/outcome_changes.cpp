@@ -142,15 +142,29 @@ Outcome joined(const Outcome& outcome, const Position& start) {
   return result;
 }
 
-Outcome rounded(const Outcome& outcome, const Number& resolution) {
-  Outcome result = outcome;
-  for (Record& record : result.records) {
-    for (Axis axis : kAllAxes) {
-      record.to[axis] = multiple(record.to[axis], resolution);
-      record.via[axis] = multiple(record.via[axis], resolution);
-    }
-    for (Number& centre : record.centre) centre = multiple(centre, resolution);
-  }
+namespace {
+
+void round_to(const Number& resolution, Position& point) {
+  for (Axis axis : kAllAxes) point[axis] = multiple(point[axis], resolution);
+}
+
+}  // namespace
+
+Outcome rounded(const Outcome& outcome, const Position& start, const Number& resolution) {
+  Outcome result{{}, outcome.end};
+  each_motion(outcome, start, [&](const Motion& exact, bool) {
+    Motion motion = exact;
+    round_to(resolution, motion.from);
+    round_to(resolution, motion.record.to);
+    round_to(resolution, motion.record.via);
+    for (Number& centre : motion.record.centre) centre = multiple(centre, resolution);
+    const std::int32_t rot = motion.record.rot;
+    // Ends that are the same now would say one turn more than is made.
+    const bool says_more = exact.record.kind == RecordKind::arc && std::abs(rot) > 1 &&
+                           closes(motion, 0) && approximate_turns(exact) < std::abs(rot) - 0.5;
+    if (says_more) motion.record.rot += rot < 0 ? 1 : -1;
+    result.records.push_back(motion.record);
+  });
   return result;
 }
 

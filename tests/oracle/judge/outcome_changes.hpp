@@ -13,8 +13,9 @@ namespace gonogo::oracle {
 Outcome split(const Outcome& outcome, const Position& start, const Number& least, Trials& trials);
 // Consecutive motions that go on in the same way become one.
 Outcome joined(const Outcome& outcome, const Position& start);
-// Every end, centre and intermediate point as a multiple of the resolution.
-Outcome rounded(const Outcome& outcome, const Number& resolution);
+// Every end, centre and intermediate point as a multiple of the resolution; of an arc whose ends
+// become the same, the turns that it makes.
+Outcome rounded(const Outcome& outcome, const Position& start, const Number& resolution);
 // Traverses and cuts to where the subject stands, and dwells of no time.
 Outcome with_nothing_added(const Outcome& outcome, const Position& start, Trials& trials);
 // Any line numbers.

@@ -170,7 +170,7 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
     RC_PRE(terms.resolution == terms.tolerance);
     Outcome changed;
     try {
-      changed = rounded(exact, *terms.resolution);
+      changed = rounded(exact, profile.initial.at, *terms.resolution);
     } catch (const exact::Undecided&) {
       RC_DISCARD("half way between two");
     }
