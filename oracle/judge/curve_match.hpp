@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a motion of the subject belongs to a motion of the reference: pieces of it in its own
-// sense, none of them back, and traverses that end where it ends.
+// J-PATH-01. Whether a motion of the subject belongs to a motion of the reference: pieces of it in
+// its own sense, none of them back, and traverses that end where it ends.
 #pragma once
 
 #include <optional>

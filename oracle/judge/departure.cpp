@@ -34,9 +34,9 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 }  // namespace
 
-// Whether the motion is one that the reference makes later on.
+// J-CMP-12: whether the motion is one that the reference makes later on.
 bool ProgramJudge::fits_later(const Motion& motion) {
-  constexpr int kLookAhead = 200;
+  constexpr int kLookAhead = 200;  // J-CONST-09
   for (int i = 0; i < kLookAhead && !reference_.at_end(); ++i, reference_.advance()) {
     const Motion* later = std::get_if<Motion>(&reference_.current());
     if (later == nullptr) continue;

@@ -79,6 +79,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
   }
   if (verdict_) return *verdict_;
   Verdict verdict;
+  // J-CMP-09.
   verdict.property_motions = property_motions_;
   verdict.kind = property_motions_ > 0 ? VerdictKind::pass_properties
                  : exact_              ? VerdictKind::pass_exact
@@ -113,6 +114,7 @@ void ProgramJudge::ends_early(const ReferenceStep& step, const std::string& got)
   decide(std::move(verdict));
 }
 
+// J-CMP-07.
 void ProgramJudge::compare_end(const Record& end) {
   settle_m_functions(true);
   if (verdict_ || !end_record_) return;
@@ -177,6 +179,7 @@ bool ProgramJudge::is_of_block(const SubjectAlarm& alarm, const Motion& motion) 
   return !terms_.compare_blocks || alarm.block == motion.record.block;
 }
 
+// J-CMP-08.
 void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& report) {
   auto verdict = [&](VerdictKind kind, std::string message) {
     Verdict result = alarm_verdict(kind, report, std::move(message));

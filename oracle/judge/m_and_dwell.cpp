@@ -51,6 +51,7 @@ bool names_m_function(std::string_view line, std::int32_t number) {
 
 }  // namespace
 
+// J-CMP-06.
 void ProgramJudge::take_dwell(const Record& record) {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
@@ -149,8 +150,8 @@ void ProgramJudge::m_out_of_place(const Record& record) {
   decide(std::move(verdict));
 }
 
-// M functions are compared in their order, wherever among the motions of their block they stand,
-// but for those that have to come before the tool cuts.
+// J-CMP-05: M functions are compared in their order, wherever among the motions of their block they
+// stand, but for those that have to come before the tool cuts.
 void ProgramJudge::settle_m_functions(bool at_end) {
   if (!terms_.compare_m) return;
   auto differs = [&](const Record* want, const Record* got) {

@@ -59,16 +59,16 @@ void ReferenceStream::take_motion(const Record& record) {
   Motion motion = motion_from(position_, record, items_);
   position_ = motion.to();
   if (!terms_.compare_blocks) motion.record.block = 0;
-  // Joined before anything is dropped: what goes on in the same way belongs to the motion, however
-  // small it is. Not over arcs: the subject's may be a full turn together, which it has to be able
-  // to put out in between.
+  // J-CMP-04: joined before anything is dropped: what goes on in the same way belongs to the
+  // motion, however small it is. Not over arcs: the subject's may be a full turn together, which it
+  // has to be able to put out in between.
   const bool over_arcs = std::ranges::any_of(
       dropped_.motions, [](const Record& dropped) { return is_round(dropped.kind); });
   if (pending_ && !over_arcs && join(*pending_, motion)) {
     dropped_.stood = position_;
     return;
   }
-  // Dropped: it stays where the last kept motion ended, and makes no turn.
+  // J-CMP-03. Dropped: it stays where the last kept motion ended, and makes no turn.
   if (stays_at(dropped_.stood, motion, terms_)) {
     drop(motion);
     return;
@@ -94,6 +94,7 @@ void ReferenceStream::count_passes(const reference::ThreadMilling& thread) {
 // A cycle that goes back by as much as it goes forward moves nothing that can be seen, as often as
 // it likes, and no record of the subject's comes between.
 void ReferenceStream::drop(const Motion& motion) {
+  // J-CONST-06.
   constexpr std::size_t kMostRemembered = 64;
   constexpr std::size_t kMostInARow = 1'000'000;
   if (++dropped_in_a_row_ > kMostInARow) {

@@ -137,6 +137,7 @@ TEST(DepartureMessage, ADwellThatIsNotDueIsWhatDeparts) {
 // A helix of one turn of radius 10 about (10, 0), 12 mm down; half way it is 6 mm down.
 constexpr std::string_view kHelix = "G17 G21 G90 G94\nG2 X0 Y0 Z-12 I10 F100\n";
 
+// J-PATH-07.
 TEST(DepartureMessage, AHelixOffByHalfAMicrometreIsToldByThatMuch) {
   TraceText trace(2, 100);
   trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 20}, {'y', 0}, {'z', -6.0005}});
