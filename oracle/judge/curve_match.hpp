@@ -57,6 +57,8 @@ class CurveMatch {
   MatchResult match_round(const Motion& subject);
   MatchResult match_piece(const Motion& subject);
   MatchResult match_arc(const Motion& subject);
+  // Of an arc whose ends are seen from its centre in one direction.
+  MatchResult nil_or_full(const Motion& subject, double turns);
   MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);
   int chord_stays(const Motion& chord, const Number& granted) const;

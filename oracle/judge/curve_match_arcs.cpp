@@ -70,10 +70,12 @@ bool nearly_whole(const Motion& arc, const Number& tolerance) {
 }
 
 // Whether the arc's centre lies within the tolerance of one of its ends, which then shows no
-// direction: the record does not tell what part of a turn it sweeps.
+// direction: the record does not tell what part of a turn it sweeps. An estimate, for only what
+// ends where the curve does is taken.
 bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
+  const double tau = approximate(tolerance);
   const auto is_centre = [&](const PlaneVector& v) {
-    return agree(v.p, 0, tolerance) && agree(v.q, 0, tolerance);
+    return std::abs(estimate(v.p)) <= tau && std::abs(estimate(v.q)) <= tau;
   };
   return is_centre(from_centre(arc.record, arc.from)) ||
          is_centre(from_centre(arc.record, arc.to()));
@@ -171,15 +173,25 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
   if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
-  // J-PATH-06: what is left of the turn will do.
-  const double rest = round_->whole() - progress_.arc;
-  if (hides_its_sweep(subject, terms_.tolerance) && std::abs(rest - turns) < 1 &&
-      ends_at(subject.to())) {
-    return end_of_piece(subject, rest);
+  const double before = progress_.arc;
+  MatchResult result = nil_or_full(subject, turns);
+  const double rest = round_->whole() - before;
+  if (result.done || std::abs(rest - turns) >= 1 || !hides_its_sweep(subject, terms_.tolerance)) {
+    return result;
   }
-  // J-PATH-06. The nil and the full turn are tried, and the one that fits is taken. After other
-  // whole turns, a turn that the arc does make is no nil one; and an arc that ends exactly where it
-  // starts is a full turn by what a record means, unless the reference's turn is as small.
+  const double taken = progress_.arc;
+  progress_.arc = before;
+  MatchResult to_end = end_of_piece(subject, rest);
+  if (to_end.done) return to_end;
+  progress_.arc = taken;
+  return result;
+}
+
+// J-PATH-06. The nil and the full turn are tried, and the one that fits is taken. After other whole
+// turns, a turn that the arc does make is no nil one; and an arc that ends exactly where it starts
+// is a full turn by what a record means, unless the reference's turn is as small.
+MatchResult CurveMatch::nil_or_full(const Motion& subject, double turns) {
+  const Record& got = subject.record;
   const PlaneAxes axes = reference::axes_of(got.plane);
   const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
