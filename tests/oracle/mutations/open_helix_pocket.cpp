@@ -26,7 +26,7 @@ class OpenHelixPocket : public OpenPart {
         radius_(value_of(pocket.radius)) {}
 
   std::string broken_by(std::span<const Stroke> strokes, const Margin& margin) const override {
-    const bool small = radius_ <= 16 * margin.arc;
+    const bool small = radius_ <= 16 * margin.arc || std::abs(top_ - bottom_) <= 16 * margin.arc;
     double turned = 0;
     for (const Stroke& motion : strokes) {
       if (motion.is_nil(margin.nil)) continue;

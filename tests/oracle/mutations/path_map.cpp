@@ -267,7 +267,7 @@ class Mapping {
       if (is_first_of_open(state)) {
         if (const auto empty = read_open_part(state, j)) move_to(*empty);
       }
-      if (want.is_nil(margin_.nil)) {
+      if (is_nil(want)) {
         move_to({state.element + 1, 0, state.opened});
       } else if (!want.is_dwell() && is_at_end(state, want, here)) {
         move_to({state.element + 1, 0, state.opened});
@@ -333,7 +333,7 @@ class Mapping {
 
   void read_stroke(const State& state, std::size_t j) {
     const Stroke& got = got_[j];
-    if (got.is_nil(margin_.nil)) {
+    if (is_nil(got)) {
       states_[j + 1].insert(state);
     }
     if (state.element == all_.size()) return;
@@ -358,13 +358,17 @@ class Mapping {
     }
   }
 
+  bool is_nil(const Stroke& stroke) const {
+    return margin_.strict ? stroke.is_surely_nil(margin_.nil) : stroke.is_nil(margin_.nil);
+  }
+
   // How far back along a stroke is still the same place.
   double slack_of(const Stroke& want) const {
     double length = apart(want.from, want.to);
     if (want.is_round) {
       length = std::max(length, std::abs(want.sweep) * std::max(want.from_radius, want.to_radius));
     }
-    const double back = margin_.strict ? margin_.place : 2 * margin_.place;
+    const double back = margin_.strict ? margin_.place / 2 : 2 * margin_.place;
     return std::min(1.0, back / std::max(length, margin_.place));
   }
 

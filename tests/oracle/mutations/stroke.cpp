@@ -157,6 +157,10 @@ bool Stroke::is_nil(double tolerance) const {
   return std::abs(sweep) < pi || one_turn;
 }
 
+bool Stroke::is_surely_nil(double tolerance) const {
+  return is_nil(tolerance) && (!is_round || std::abs(sweep) < pi);
+}
+
 std::vector<Stroke> strokes_of(std::span<const Record> records, const Place& start,
                                std::span<const NewName> names) {
   std::vector<Stroke> strokes;

@@ -52,6 +52,8 @@ struct Stroke {
   // Whether it may be meant as none: its ends agree within the tolerance, and it makes no turn, or
   // one that the tolerance leaves open.
   bool is_nil(double tolerance) const;
+  // The same, but that a turn of it is none is certain.
+  bool is_surely_nil(double tolerance) const;
 };
 
 // A new name of the position, G50 or G92: from the first record of a later block on.
