@@ -3,8 +3,11 @@
 // One block: its codes change the modal state, then the code in force runs.
 #include "reference/gsk988ta/interpreter.hpp"
 
+#include <algorithm>
+
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/gsk988ta/milling.hpp"
+#include "reference/gsk988ta/word_use.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -35,6 +38,7 @@ class Interpreter : public BlockInterpreter {
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
+  bool has_stray_word(const BlockContext& block) const;
   void check_words(const BlockContext& block, bool last_wins) const;
   void check_cycle_words(const BlockContext& block, bool last_wins) const;
   void take_in_entry_words(BlockContext& block) const;
@@ -134,6 +138,21 @@ void Interpreter::take_feed(const BlockWords& words) {
   machine_.feed_in_inch = machine_.units == Units::inch;
   machine_.feed = words.written('F');
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
+}
+
+// GSK-COM-09: what no code of the block uses and no rule passes over ends the program, before what
+// is wrong; beside a code that the control lacks words have no meaning.
+bool Interpreter::has_stray_word(const BlockContext& block) const {
+  BlockOutput& out = block.out;
+  const auto is_undefined = [](const Alarm& alarm) {
+    return alarm.alarm == AlarmClass::undefined_code;
+  };
+  if (out.not_covered || std::ranges::any_of(out.alarms, is_undefined)) return false;
+  const StrayWord stray = stray_word(block);
+  if (stray.word == nullptr) return false;
+  out.alarms.clear();
+  out.not_covered = word_outside(*stray.word, code_name(stray.code * 10), block.line);
+  return true;
 }
 
 void Interpreter::check_words(const BlockContext& block, bool last_wins) const {
@@ -270,6 +289,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_motion_code(context);
   take_cycle_code(context);
   put_m_function_of(context);
+  if (has_stray_word(context)) return;
   check_words(context, last_wins);
   take_feed(words);
   run_code(context);

@@ -27,10 +27,21 @@ std::optional<Number> BlockContext::commanded(const AxisAddresses& axis) const {
   return word->value + (word->incremental ? state.position[axis.axis] : offset(axis.axis));
 }
 
+// HNC-G82-07: J is an inch lead, or as a reading says so many threads to the inch.
 Number BlockContext::lead() const {
   const Lead& lead = machine.command.lead.value();
-  if (!lead.in_units || readings.is(ReadingKey::hnc_lead_unit, "mm")) return lead.value;
-  return inches(lead.value);
+  const auto is = [&](std::string_view alternative) {
+    return readings.is(ReadingKey::hnc_lead_unit, alternative);
+  };
+  switch (lead.kind) {
+    case Lead::Kind::millimetres:
+      break;
+    case Lead::Kind::f_under_g20:
+      return is("units") || is("units-tpi") ? inches(lead.value) : lead.value;
+    case Lead::Kind::j:
+      return is("tpi") || is("units-tpi") ? inches(1) / lead.value : inches(lead.value);
+  }
+  return lead.value;
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {

@@ -167,9 +167,9 @@ void read_name(Control control, const grammar::NamedWord& word, CodeReading& rea
          word.where});
   } else if (!reading.not_covered) {
     reading.not_covered =
-        NotCovered{0, word.name,
+        NotCovered{0, written_name(word),
                    fmt::format("{} ({}) is a code of the control that the gauge does not read.",
-                               word.name, name->title),
+                               written_name(word), name->title),
                    word.where};
   }
 }
