@@ -3,8 +3,6 @@
 // One block: its codes change the modal state, then the code in force runs.
 #include "reference/gsk988ta/interpreter.hpp"
 
-#include <algorithm>
-
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/word_use.hpp"
@@ -141,13 +139,10 @@ void Interpreter::take_feed(const BlockWords& words) {
 }
 
 // GSK-COM-09: what no code of the block uses and no rule passes over ends the program, before what
-// is wrong; beside a code that the control lacks words have no meaning.
+// is wrong; but beside codes that are wrong it is not known whose a word is.
 bool Interpreter::has_stray_word(const BlockContext& block) const {
   BlockOutput& out = block.out;
-  const auto is_undefined = [](const Alarm& alarm) {
-    return alarm.alarm == AlarmClass::undefined_code;
-  };
-  if (out.not_covered || std::ranges::any_of(out.alarms, is_undefined)) return false;
+  if (out.not_covered) return false;
   const StrayWord stray = stray_word(block);
   if (stray.word == nullptr) return false;
   out.alarms.clear();
@@ -288,8 +283,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};
   take_motion_code(context);
   take_cycle_code(context);
+  const bool has_wrong_codes = !out.alarms.empty();
   put_m_function_of(context);
-  if (has_stray_word(context)) return;
+  if (!has_wrong_codes && has_stray_word(context)) return;
   check_words(context, last_wins);
   take_feed(words);
   run_code(context);

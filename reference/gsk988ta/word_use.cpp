@@ -19,11 +19,9 @@ bool holds(std::string_view set, char address) {
   return set.find(address) != std::string_view::npos;
 }
 
-// GSK-COM-05: P goes before X, and X before U.
+// GSK-COM-05: P goes before X and U, which exclude each other.
 bool times_dwell(const BlockWords& words, char address) {
-  if (address == 'P') return true;
-  if (address == 'X') return !words.has('P');
-  return address == 'U' && !words.has('P') && !words.has('X');
+  return address == 'P' || ((address == 'X' || address == 'U') && !words.has('P'));
 }
 
 // GSK-COM-05: R goes before the centre; a centre along the axis outside the plane is none.

@@ -39,6 +39,7 @@ Number BlockContext::lead() const {
     case Lead::Kind::f_under_g20:
       return is("units") || is("units-tpi") ? inches(lead.value) : lead.value;
     case Lead::Kind::j:
+      if (lead.value.sign() <= 0) break;  // an alarm of its block
       return is("tpi") || is("units-tpi") ? inches(1) / lead.value : inches(lead.value);
   }
   return lead.value;

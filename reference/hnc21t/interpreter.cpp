@@ -213,6 +213,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   const BlockCodes& codes = reading_.codes;
   out.alarms = std::move(reading_.alarms);
+  const bool has_wrong_codes = !out.alarms.empty();
   take_modes(codes);
   take_motion_code(codes);
   const BlockWords words(block, machine_.modes);
@@ -227,7 +228,8 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     return alarm.alarm == AlarmClass::undefined_code && alarm.word == 'G';
   };
   const bool has_undefined = std::ranges::any_of(out.alarms, is_undefined);
-  if (!has_undefined) check_stray_words(words, codes, line, out);
+  // Beside codes that are wrong it is not known whose a word is.
+  if (!has_wrong_codes) check_stray_words(words, codes, line, out);
   if (has_undefined) {
     // HNC-COM-01: a block with an unknown code is not checked further.
     std::erase_if(out.alarms, [&](const Alarm& alarm) { return !is_undefined(alarm); });
