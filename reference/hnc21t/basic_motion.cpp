@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // HNC-COM-01 without arcs: G00, G01, G04, G32, G92, and the work offsets.
+#include <fmt/format.h>
+
 #include "reference/hnc21t/machine.hpp"
 
 namespace gonogo::reference::hnc21t {
@@ -76,9 +78,11 @@ void run_straight_feed(BlockContext& block) {
 void run_thread(BlockContext& block) {
   for (char address : {'R', 'E', 'P', 'C', 'Q', 'K', 'I'}) {
     if (!block.words.has(address) || block.words.written(address).sign() == 0) continue;
-    block.not_covered(32, address,
-                      "G32 with a run-out, a start angle or several starts is a form of the code "
-                      "that the gauge does not read.");
+    block.not_covered(
+        32, address,
+        fmt::format("G32 with the word {} (a run-out, a start angle or several starts) is a form "
+                    "of the code that the gauge does not read.",
+                    address));
     return;
   }
   Position to;

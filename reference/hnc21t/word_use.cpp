@@ -40,6 +40,8 @@ constexpr auto kPassedWords = std::to_array<PassedWords>({
     {"G02, G03 with R", "I K", "HNC-COM-01"_clause, "the radius goes before the centre"},
     {"G32", "R E P C Q K I of 0", "HNC-COM-02"_clause,
      "a run-out, a start angle or a number of starts of zero asks for none"},
+    {"G74, G75", "Q without R", "HNC-G74-01"_clause,
+     "the depth of a peck is checked; without a withdrawal there are no pecks"},
     {"G74", "X U", "HNC-G74-04"_clause, "drilling goes along Z alone"},
     {"G74", "I K E C A P J", kOfCycles, kOwnWord},
     {"G75", "K E C A J, and the one of I and P that is not the count", kOfCycles, kOwnWord},
