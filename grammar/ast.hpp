@@ -103,7 +103,8 @@ struct Comment {
 // Something that the maker's language has and the gauge does not read: a variable, an expression, a
 // jump. The block is well formed as far as can be told; its meaning is not covered.
 struct OutsideConstruct {
-  // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string".
+  // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string",
+  // "comma-word", "RL=", "RC=".
   std::string name;
   Span where;
   friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {

@@ -83,13 +83,12 @@ class Linter {
     const std::size_t place = test.id.rfind('.');
     if (test.id.find(".sign-") == std::string::npos) return;
     triples_[test.id.substr(0, place)].insert(sign.substr(sign.rfind(':') + 1));
-    for (const Expectation& expectation : test.expect) {
-      std::set<reference::AlarmClass> classes;
-      for (const ExpectedAlarm& alarm : expectation.alarms) classes.insert(alarm.alarm);
-      if (classes.size() > 1) {
-        say_(fmt::format("{}: a case at a limit has one fault, this one alarms in several ways.",
-                         test.id));
-      }
+    // Where readings are open, as the case was drawn: under the alternatives stated first.
+    std::set<reference::AlarmClass> classes;
+    for (const ExpectedAlarm& alarm : test.expect.front().alarms) classes.insert(alarm.alarm);
+    if (classes.size() > 1) {
+      say_(fmt::format("{}: a case at a limit has one fault, this one alarms in several ways.",
+                       test.id));
     }
   }
 
