@@ -112,12 +112,20 @@ struct OutsideConstruct {
   }
 };
 
+// A place of the line. Trees are the same wherever their parts stand.
+struct Place {
+  Span span;
+  friend constexpr bool operator==(const Place&, const Place&) { return true; }
+};
+
 // One line of a program. Words stand in the order written; N and O are not among them.
 struct Block {
   bool skip = false;                       // begins with '/'
   bool tape_mark = false;                  // the line is '%'
   std::optional<Decimal> sequence_number;  // N
   std::optional<Decimal> program_number;   // O, in HNC also %
+  Place number_place;                      // of the number of either
+  Place line_comment;                      // of ';' and all behind it, in letter addresses
   std::vector<Word> words;
   std::vector<NamedWord> named;  // SINUMERIK, in place of `words`, in the order written
   std::vector<Term> terms;       // the values of `named`, one after the other

@@ -161,7 +161,7 @@ std::optional<DrawnCase> case_of(const Making& making, const Parameters& paramet
   Case test;
   test.dialect = model.dialect;
   test.cycle = model.cycle;
-  test.program = drawing.text;
+  test.program = drawing.program();
   test.profile = drawing.profile;
   test.clauses = clause_list(model.clauses);
   test.features = words_of(model.features);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fuzz/cover/boundary.hpp"
+#include "fuzz/cover/drawing.hpp"
 #include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::fuzz::cover {
@@ -26,7 +27,10 @@ std::string id_of(const Making& making, const Case& from, const Triple& triple, 
   oracle::Sha256 hash;
   hash.update(reference::profile_json(from.profile));
   hash.update(triple.address);
-  hash.update(triple.programs[1]);
+  std::string_view program = triple.programs[1];
+  const std::string_view last = last_line(from.dialect);
+  if (program.ends_with(last)) program.remove_suffix(last.size());
+  hash.update(program);
   return fmt::format("{}.sign-{}.{:06}", making.model->name, hash.hex().substr(0, 10), side + 1);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -58,7 +59,7 @@ class Linter {
 
   void check_errata(const Corpus& corpus) const {
     for (const Erratum& erratum : read_errata(corpus.folder())) {
-      if (!ids_.contains(erratum.id) && !corpus.retired().contains(erratum.id)) {
+      if (!covers(erratum, ids_) && !covers(erratum, corpus.retired())) {
         say_(fmt::format("The erratum {} is of no case, nor of one that is retired.", erratum.id));
       }
       if (is_before(corpus.version(), erratum.since)) {
@@ -71,6 +72,11 @@ class Linter {
   std::size_t cases() const { return cases_; }
 
  private:
+  template <typename Ids>
+  static bool covers(const Erratum& erratum, const Ids& ids) {
+    return std::ranges::any_of(ids,
+                               [&](const std::string& id) { return is_covered(erratum.id, id); });
+  }
   void check_id(const Case& test) const {
     static const std::regex kForm("[a-z0-9]+(\\.[a-z0-9-]+)+\\.[0-9]{6}");
     if (!std::regex_match(test.id, kForm)) {
