@@ -74,7 +74,8 @@ struct PocketLevel {
   FeedMode feed_mode = FeedMode::per_minute;
 };
 
-// How the tool leaves a thread at its bottom: open, or as one of the given readings says.
+// How the tool leaves a thread at its bottom: as one of the given readings says; open: any one of
+// them, the same in a whole program.
 enum class ThreadRunOut : std::uint8_t { open, polar, radial, tangent };
 
 // The passes of one thread milling block where the manual leaves their path open (readings

@@ -183,6 +183,7 @@ class ProgramJudge {
   Position last_plunge_;
 
   std::optional<ThreadJudge> thread_;  // while the reference's step is one
+  RunOutSet run_outs_;                 // that explain the threads so far
   std::optional<HelixPocketJudge> helix_pocket_;
   std::optional<PocketMillingJudge> pocket_;
 

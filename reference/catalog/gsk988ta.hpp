@@ -242,8 +242,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-06", must, kG114,
      "Each pass: an arc to the start of the thread, infeed to the radius of the pass, a helix "
-     "of lead I from the R plane to the bottom, the run-out, back to the R plane, away to the "
-     "safe position.",
+     "of lead I from the R plane to the bottom, a partial last turn allowed, the run-out, back to "
+     "the R plane, away to the safe position.",
      "reference/gsk988ta/thread_path.cpp"},
     {"GSK-G114-07", must, kG114, "Traverse d to the initial plane at the end.",
      "reference/gsk988ta/g114.cpp"},
@@ -254,19 +254,35 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "counterclockwise.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-10", derived, kG114,
-     "Outside the helices, their infeed and run-out nothing moves in the material below the R "
-     "plane; the run-out is never deeper than its pass.",
-     "reference/gsk988ta/thread_path.cpp"},
+     "The entry is an arc at the R plane, the infeed straight, the helix of so many turns as its "
+     "depth has, all of one sense; from where the run-out ends the tool returns along d alone, and "
+     "moves along p alone until it is as far from the axis as rho_0 + J, in a bore as near to it "
+     "along p as rho_0 - J. Nothing is deeper than its pass; with J as long as the thread is deep "
+     "the way back keeps off the material.",
+     "reference/gsk988ta/thread_path.cpp", std::nullopt,
+     "from the steps of GSK-G114-06, each taken as it is written: back to the R plane, then along "
+     "the first axis to the safe position that J gives"},
     {"GSK-G114-11", open, kG114,
-     "The run-out leaves to the free side, J of radius over K degrees further round as the "
-     "cycle turns; J = 0: none. Without the words and the parameters J and K are 0.",
-     "reference/gsk988ta/thread_path.cpp"},
+     "A pass ends with a run-out to the free side that gains J at K degrees; what K is measured "
+     "from is open, one for a whole program. J = 0: none, and K is not needed. What neither the "
+     "block nor the parameters give is not known.",
+     "reference/gsk988ta/thread_path.cpp", Basis::text},
     {"GSK-G114-12", open, kG114,
      "Q = 0 counts as omitted; R that leads away from the bottom is an alarm as in G110; R of "
      "G116 and G117 is optional.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-13", open, kG114, "K is an angle from 0 to 360 degrees.",
      "reference/gsk988ta/words.cpp"},
+    {"GSK-G114-14", derived, kG114,
+     "Inside the block of a thread every motion is one of its steps (GSK-CYC-01).",
+     "reference/gsk988ta/g114.cpp", std::nullopt,
+     "from GSK-CYC-01 and the list of steps, which is complete"},
+
+    {"GSK-CYC-01", derived, kG114,
+     "Inside the block of a cycle every motion is one that a clause of the cycle describes, within "
+     "what the clause leaves open.",
+     "reference/gsk988ta/g114.cpp", std::nullopt,
+     "a list of steps that a control carries out says what it does, and so what it does not"},
 
     {"GSK-COM-01", derived, kBasic,
      "A required word that is missing, an address written twice, and an axis given both absolute "

@@ -77,7 +77,49 @@ ThreadRunOut run_out_of(const BlockContext& block) {
   return readings.is(ReadingKey::thread_runout, "any") ? ThreadRunOut::open : ThreadRunOut::polar;
 }
 
-ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words) {
+// J and K. K is not needed for J = 0, which is no run-out.
+struct RunOutWords {
+  std::optional<Number> length;
+  std::optional<Number> angle;
+  bool lacks_angle() const { return !angle && (!length || length->sign() != 0); }
+};
+
+// GSK-G114-02, GSK-G114-11: they default to the parameters, and these to nothing.
+RunOutWords take_run_out(const BlockContext& block) {
+  RunOutWords words{block.words.length('J'), std::nullopt};
+  if (!words.length) words.length = block.profile.parameter("5921");
+  words.angle = block.words.has('K') ? std::optional(block.words.written('K'))
+                                     : block.profile.parameter("5920");
+  return words;
+}
+
+// What the machine does then only its parameters say: no alarm of it, and nothing is assumed.
+bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
+  const int code = block.machine.milling.code;
+  if (!words.length && words.lacks_angle()) {
+    block.not_covered(code, 'J',
+                      "The run-out needs J and K, which the block does not give, and the profile "
+                      "lacks the machine's parameters 5921 (distance, mm) and 5920 (angle, "
+                      "degrees). Write into the profile, with the machine's own values: parameters "
+                      "= { \"5920\" = \"30\", \"5921\" = \"2\" }");
+  } else if (!words.length) {
+    block.not_covered(code, 'J',
+                      "The run-out needs J, which the block does not give, and the profile lacks "
+                      "the machine's parameter 5921 (distance, mm). Write into the profile, with "
+                      "the machine's own value: parameters = { \"5921\" = \"2\" }");
+  } else if (words.lacks_angle()) {
+    block.not_covered(code, 'K',
+                      "The run-out needs K, which the block does not give, and the profile lacks "
+                      "the machine's parameter 5920 (angle, degrees). Write into the profile, with "
+                      "the machine's own value: parameters = { \"5920\" = \"30\" }");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words,
+                          const RunOutWords& run_out) {
   const int code = block.machine.milling.code;
   ThreadMilling thread;
   thread.block = block.line;
@@ -97,11 +139,8 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   // GSK-G114-04; GSK-G114-12: Q = 0 counts as omitted.
   const Number infeed = block.words.length('Q').value_or(0);
   thread.infeed = infeed.sign() > 0 ? min(infeed, thread.height) : thread.height;
-  // GSK-G114-02, GSK-G114-11: J and K default to the parameters, and these to 0.
-  thread.runout_length =
-      block.words.length('J').value_or(block.profile.parameter("5921").value_or(0));
-  thread.runout_angle =
-      block.words.has('K') ? block.words.written('K') : block.profile.parameter("5920").value_or(0);
+  thread.runout_length = *run_out.length;
+  thread.runout_angle = run_out.angle.value_or(0);
   thread.arc_path = !block.readings.is(ReadingKey::thread_path, "any");
   thread.runout = run_out_of(block);
   thread.feed = site.feed;  // GSK-G114-08: along the helix
@@ -141,9 +180,12 @@ void run_g114(BlockContext& block) {
   ThreadMilling thread;
   bool open = false;
   if (site.depth().sign() != 0) {
-    thread = make_thread(block, site, words);
+    const RunOutWords run_out = take_run_out(block);
+    if (lacks_parameter(block, run_out)) return;
+    thread = make_thread(block, site, words, run_out);
     if (has_too_many_turns(block, thread)) return;
-    // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it.
+    // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it; its steps are not
+    // (GSK-G114-14, GSK-CYC-01).
     open = block.open_paths == OpenPaths::judged &&
            (!thread.arc_path ||
             (thread.runout == ThreadRunOut::open && thread.runout_length.sign() != 0));
