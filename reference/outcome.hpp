@@ -39,6 +39,11 @@ struct AlarmReport {
   std::optional<grammar::SyntaxError> syntax;
 };
 
+// Of the alarms of a block the first of those that rest on a text; else the first that is derived;
+// else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-02).
+// REQUIRES: there is one.
+const Alarm& firmest(const AlarmReport& report);
+
 // A code, word or construct that the maker has and the gauge does not read, or something of the
 // machine that the profile does not say; the program ends here for the gauge.
 struct NotCovered {

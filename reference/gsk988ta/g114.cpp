@@ -12,7 +12,9 @@ namespace gonogo::reference::gsk988ta {
 namespace {
 
 Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open) {
-  co_yield site.rapid_to_centre("GSK-G114-05"_clause, site.positioned);
+  const bool plane_alone = site.positioned == AxisSet{site.axes.p, site.axes.q};
+  co_yield site.rapid_to_centre(plane_alone ? "GSK-G114-05"_clause : "GSK-G114-16"_clause,
+                                site.positioned);
   co_yield site.rapid_depth("GSK-G114-05"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
     // GSK-G110-17: no depth, no cut.
@@ -40,7 +42,7 @@ struct ThreadWords {
   std::optional<Number> diameter;  // E
 };
 
-// GSK-G114-03
+// GSK-G114-03, GSK-G114-15
 void check_tool(BlockContext& block, const ThreadWords& words) {
   if (words.height && words.tool && *words.height > *words.tool) {
     block.alarm(AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
@@ -49,7 +51,7 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
   }
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
   if (*words.diameter / 2 <= *words.tool) {
-    block.alarm(AlarmClass::tool_too_large, "GSK-G114-03"_clause, 'D',
+    block.alarm(AlarmClass::tool_too_large, "GSK-G114-15"_clause, 'D',
                 fmt::format("The tool radius {} is not smaller than the radius {} of the bore.",
                             words.tool->text(), (*words.diameter / 2).text()));
   }
@@ -58,8 +60,10 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
 ThreadWords take_words(BlockContext& block) {
   const BlockWords& words = block.words;
   ThreadWords taken{words.length('I'), words.length('P'), words.length('D'), words.length('E')};
-  const std::array<NeededWord, 4> needed = {
-      {{'I', taken.lead}, {'P', taken.height}, {'D', taken.tool}, {'E', taken.diameter}}};
+  const std::array<NeededWord, 4> needed = {{{'I', taken.lead},
+                                             {'P', taken.height, "GSK-G114-17"_clause},
+                                             {'D', taken.tool},
+                                             {'E', taken.diameter, "GSK-G114-17"_clause}}};
   check_needed(block, needed, true, "GSK-G114-02"_clause, "GSK-G114-02"_clause);
   check_tool(block, taken);
   // GSK-G114-12: the format of G116 and G117 prints R without brackets.
