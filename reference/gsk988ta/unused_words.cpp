@@ -10,7 +10,7 @@
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-constexpr std::string_view kAxes = "XYZUVWCH";
+constexpr std::string_view kAxisWords = "XYZUVWCH";
 
 bool is_among(std::string_view set, char address) {
   return set.find(address) != std::string_view::npos;
@@ -24,7 +24,7 @@ std::string used_words(const BlockContext& block) {
   if (block.codes.once == 4) {
     used = "PXU";
   } else {
-    used = kAxes;
+    used = kAxisWords;
   }
   // The words of a cycle that is entered are taken in beside a code of group 00, too.
   if (block.codes.once >= 0 && !block.entered_cycle) return used;
