@@ -8,26 +8,16 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
 #include <functional>
 
+#include "tests/fixed_seed.hpp"
 #include "tests/oracle/judge/outcome_changes.hpp"
 #include "tests/oracle/judge/own_outcome.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-// As many as Trials would make, from its seed; RapidCheck prints both.
-const bool kSeeded = [] {
-  const auto or_else = [](const char* name, const char* usual) {
-    const char* const text = std::getenv(name);
-    return std::string(text == nullptr ? usual : text);
-  };
-  const std::string parameters =
-      fmt::format("seed={} max_success={} max_discard_ratio=100 noshrink=1",
-                  or_else("GONOGO_SEED", "20261122"), or_else("GONOGO_TRIALS", "1000"));
-  return setenv("RC_PARAMS", parameters.c_str(), 0) == 0;
-}();
+const bool kSeeded = fix_seed("1000");
 
 // A name of the position's own is in no record: where motions start would not be known.
 bool renames_position(std::string program) {
