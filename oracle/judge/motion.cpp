@@ -122,16 +122,6 @@ bool agree(const Position& a, const Position& b, const Number& tolerance) {
   return true;
 }
 
-Number largest_difference(const Position& a, const Position& b) {
-  Number largest = 0;
-  for (Axis axis : kAllAxes) {
-    const Number difference = a[axis] - b[axis];
-    if (difference > largest) largest = difference;
-    if (-difference > largest) largest = -difference;
-  }
-  return largest;
-}
-
 AxisSet moved_axes(const Motion& motion, const Number& tolerance) {
   AxisSet moved;
   for (Axis axis : kAllAxes) {
@@ -160,6 +150,22 @@ bool differ(const Number& a, const Number& b) {
 int visible_sign(const Number& a) {
   return differ(a, 0) ? a.sign() : 0;
 }
+
+}  // namespace
+
+// Two that are equal as far as can be seen are as large as each other: a centre whose coordinates
+// changed places differs by the same on both axes, and no precision tells these apart.
+Number largest_difference(const Position& a, const Position& b) {
+  Number largest = 0;
+  for (Axis axis : kAllAxes) {
+    const Number difference = a[axis] - b[axis];
+    if (visible_sign(difference - largest) > 0) largest = difference;
+    if (visible_sign(-difference - largest) > 0) largest = -difference;
+  }
+  return largest;
+}
+
+namespace {
 
 // Vectors of [0, 180) degrees from the origin come before those of [180, 360).
 struct TurnedVector {

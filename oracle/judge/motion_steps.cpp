@@ -111,6 +111,18 @@ bool ProgramJudge::is_unseen(const Motion& motion, const ReferenceStep& step) co
   return (is_approach || is_earlier) && means_nothing(motion, step);
 }
 
+void ProgramJudge::moves_before_renaming(const Motion& motion, const ReferenceStep& step) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.message = "The subject moves where the position gets another name, and no motion is due.";
+  verdict.block = motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = step_text(step);
+  verdict.got = record_text(motion.record);
+  verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  decide(std::move(verdict));
+}
+
 // Before a step where no motion is due.
 void ProgramJudge::stop_before(const Motion& motion, const ReferenceStep& step) {
   if (auto* outside = std::get_if<reference::NotCovered>(&step)) {
@@ -122,6 +134,8 @@ void ProgramJudge::stop_before(const Motion& motion, const ReferenceStep& step) 
     return;
   }
   if (std::holds_alternative<reference::Renaming>(step)) {
+    // With line numbers it is a motion too many: all that are due before the renaming were made.
+    if (terms_.compare_blocks) return moves_before_renaming(motion, step);
     return decide_gap("A motion of the subject spans a renaming of the position.");
   }
   const auto& record = std::get<Record>(step);

@@ -71,6 +71,7 @@ class ProgramJudge {
   // Whether it leads to a cycle and may be meant as none.
   bool is_unseen(const Motion& motion, const ReferenceStep& step) const;
   void stop_before(const Motion& motion, const ReferenceStep& step);
+  void moves_before_renaming(const Motion& motion, const ReferenceStep& step);
   bool match_motion(Motion& motion, const Motion& want);
   void note_properties(const OpenPathAnswer& answer, const Motion& motion);
   // As a piece of the reference's current motion; where it is done, the reference goes on.

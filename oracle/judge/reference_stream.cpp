@@ -9,23 +9,6 @@
 
 namespace gonogo::oracle {
 
-JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
-                      const std::optional<Number>& tolerance, const std::optional<Number>& chord) {
-  JudgeTerms terms;
-  terms.tolerance = profile.resolution();
-  if (subject.resolution) terms.tolerance = min(terms.tolerance, *subject.resolution);
-  if (tolerance) terms.tolerance = terms.granted = *tolerance;
-  if (chord) terms.chord = *chord;
-  // A subject that rounds more coarsely than the machine is not excused by saying so; a granted
-  // tolerance is one of axes, not of leads, angles and dwells.
-  if (subject.resolution) terms.resolution = min(*subject.resolution, profile.resolution());
-  terms.feed_resolution = subject.feed_resolution;
-  terms.binary64 = subject.numeric_kind == "binary64";
-  terms.compare_blocks = subject.features.contains("blocks");
-  terms.compare_m = subject.features.contains("m");
-  return terms;
-}
-
 ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::LineSource& lines,
                                  const JudgeTerms& terms)
     : terms_(terms),

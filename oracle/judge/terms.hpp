@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "oracle/subject.hpp"
 
@@ -29,9 +31,33 @@ struct JudgeTerms {
   }
 };
 
-// tau is the smaller of the declared resolution and the profile's, unless the certifier says
-// otherwise.
+// What the certifier grants with options of his own, whatever the subject declares and the profile
+// says.
+struct Grants {
+  std::optional<Number> tolerance;        // mm an axis
+  std::optional<Number> chord;            // mm
+  std::optional<Number> feed_resolution;  // mm/min or mm/rev
+  bool strict = false;
+};
+
+// What a subject declares counts up to the profile's `resolution`, unless the certifier grants
+// more (J-RUN-02, J-RUN-03).
 JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
-                      const std::optional<Number>& tolerance, const std::optional<Number>& chord);
+                      const Grants& grants);
+inline JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
+                             const std::optional<Number>& tolerance,
+                             const std::optional<Number>& chord) {
+  return make_terms(subject, profile, Grants{tolerance, chord, std::nullopt, false});
+}
+
+// A declaration that counts for less than it says.
+struct Capped {
+  std::string_view what;  // "resolution", "feed_resolution", "chord"
+  Number declared;
+  Number counts;
+};
+// Of a subject under a profile.
+std::vector<Capped> capped(const SubjectInfo& subject, const reference::Profile& profile,
+                           const Grants& grants);
 
 }  // namespace gonogo::oracle

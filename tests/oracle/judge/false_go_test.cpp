@@ -217,5 +217,36 @@ TEST(FalseGo, AGrantedToleranceExcusesNoDwell) {
   EXPECT_EQ(decision(kind("1.4")), Decision::no_go);
 }
 
+// A G50 moves nothing: between its block and the one before, no motion is due. It was a gap.
+TEST(FalseGo, AMotionTooManyBeforeARenamingIsNoGap) {
+  constexpr std::string_view kRenamed = "G00 X50 Z20\nG50 Z0\nG01 Z-5 F100\n";
+  const std::string there = R"({"k":"rapid","b":1,"to":{"x":"25","z":"20"}})"
+                            "\n";
+  const std::string back = R"({"k":"rapid","b":1,"to":{"x":"0","z":"0"}})"
+                           "\n";
+  const std::string cut = R"({"k":"feed","b":3,"to":{"x":"25","z":"-5"},"f":"100"})"
+                          "\n";
+  EXPECT_EQ(decision(judge_trace(kRenamed, there + cut).kind), Decision::go);
+  EXPECT_EQ(judge_trace(kRenamed, there + back + cut).kind, VerdictKind::fail_geometry);
+}
+
+// The centre is (40.000..., 32.999...), both about the middle of 30 and 43: with the coordinates
+// swapped it is off by 7 on either axis, and which of them is more no precision shows. It was a
+// gap.
+TEST(FalseGo, ACentreOffByTheSameOnBothAxesIsNoGap) {
+  const std::string trace =
+      R"({"k":"rapid","b":1,"to":{"x":"30","y":"40"}}
+{"k":"arc","b":3,"plane":"G17","rot":-1,"f":"100","c":{)"
+      R"("x":{"enclosure":["32.99996935274966657332","32.99996935274966657333"]},)"
+      R"("y":{"enclosure":["40.00024976559255608353","40.00024976559255608354"]}},"to":{)"
+      R"("x":{"enclosure":["51.39621626625134174992","51.39621626625134174993"]},)"
+      R"("y":{"enclosure":["37.37459756009948043842","37.37459756009948043843"]}}})"
+      "\n";
+  EXPECT_EQ(judge_trace("G0 X30 Y40\nG111 X40 Y33\nG2 RP=12.207 AP=21 F100\n", trace,
+                        {.reading = "sie.arc.correct=project", .dialect = "sinumerik840d"})
+                .kind,
+            VerdictKind::fail_geometry);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Steps of the milling cycles left out, done otherwise, or too many.
+#include <algorithm>
+#include <cmath>
+
+#include "operator.hpp"
+#include "reference/sinumerik/lcyc75.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using reference::Axis;
+using reference::PlaneAxes;
+using reference::Position;
+
+// What a record of a thread is, by its clause and where it leads.
+enum class Step : std::uint8_t { other, entry, infeed, helix, run_out, back, away };
+
+double way(const Edit& edit, std::size_t number, Axis axis) {
+  return std::abs(value_of(edit.specimen.after[number][axis] - edit.specimen.before[number][axis]));
+}
+
+Step step_of(const Edit& edit, std::size_t number) {
+  const Record& record = edit.right(number);
+  const std::string_view clause = reference::clause_name(record.clause);
+  if (clause == "GSK-G114-11") return Step::run_out;
+  if (clause != "GSK-G114-06") return Step::other;
+  if (record.kind == RecordKind::feed) return Step::infeed;
+  const auto words = edit.cutting_words(number);
+  const PlaneAxes axes = axes_of(words ? words->plane : record.plane);
+  if (record.kind == RecordKind::arc) {
+    return record.axes.has(axes_of(record.plane).d) ? Step::helix : Step::entry;
+  }
+  return record.axes.has(axes.d) ? Step::back : Step::away;
+}
+
+std::optional<std::size_t> any_step(Edit& edit, Step step) {
+  return edit.any([&](std::size_t i) {
+    return step_of(edit, i) == step && edit.size_of(i) > 8 * edit.specimen.tolerance();
+  });
+}
+
+bool leave_out(Edit& edit, Step step) {
+  const auto number = any_step(edit, step);
+  if (!number || !edit.lead_next_to_its_end(*number)) return false;
+  edit.erase(*number);
+  return true;
+}
+
+bool no_entry(Edit& edit) {
+  return leave_out(edit, Step::entry);
+}
+bool no_infeed(Edit& edit) {
+  return leave_out(edit, Step::infeed);
+}
+bool no_helix(Edit& edit) {
+  return leave_out(edit, Step::helix);
+}
+bool no_run_out(Edit& edit) {
+  return leave_out(edit, Step::run_out);
+}
+bool no_way_back(Edit& edit) {
+  return leave_out(edit, Step::back);
+}
+bool no_way_to_safety(Edit& edit) {
+  return leave_out(edit, Step::away);
+}
+
+// A traverse from the centre to the pass radius, without arc or infeed.
+bool straight_in(Edit& edit) {
+  const auto number = edit.any([&](std::size_t i) {
+    return step_of(edit, i) == Step::entry && i + 1 < edit.specimen.right.records.size() &&
+           step_of(edit, i + 1) == Step::infeed;
+  });
+  if (!number) return false;
+  Record& record = edit.trace.records[*number];
+  record.kind = RecordKind::rapid;
+  record.axes = reference::kEveryAxis;
+  record.to = edit.specimen.after[*number + 1];
+  edit.erase(*number + 1);
+  return true;
+}
+
+// The run-out straight on to a place that is so many times as far.
+bool run_out_by(Edit& edit, const Number& factor) {
+  const auto number = any_step(edit, Step::run_out);
+  if (!number) return false;
+  Record& record = edit.trace.records[*number];
+  Position to = edit.specimen.after[*number];
+  for (const Axis axis : reference::kLinearAxes) {
+    const Number& from = edit.specimen.before[*number][axis];
+    to[axis] = from + (to[axis] - from) * factor;
+  }
+  record.kind = RecordKind::feed;
+  record.axes = reference::kEveryAxis;
+  record.to = to;
+  return true;
+}
+
+bool long_run_out(Edit& edit) {
+  return run_out_by(edit, 3);
+}
+bool run_out_to_the_other_side(Edit& edit) {
+  return run_out_by(edit, -1);
+}
+
+// Away from the thread at its bottom, where J is 0 or has been used up.
+bool run_out_too_many(Edit& edit) {
+  const auto number = edit.any([&](std::size_t i) { return step_of(edit, i) == Step::back; });
+  if (!number) return false;
+  const auto words = edit.cutting_words(*number);
+  if (!words || words->kind != RecordKind::arc) return false;
+  const PlaneAxes axes = axes_of(words->plane);
+  Position aside = edit.specimen.before[*number];
+  for (const bool second : {false, true}) {
+    const Axis axis = second ? axes.q : axes.p;
+    aside[axis] += (aside[axis] - words->centre[second ? 1 : 0]) / 4;
+  }
+  Record out = edit.motion_to(RecordKind::feed, edit.right(*number).block, aside);
+  out.feed = words->feed;
+  out.feed_mode = words->feed_mode;
+  Record& up = edit.trace.records[*number];
+  up.axes = reference::kEveryAxis;
+  up.to = aside;
+  up.to[axes.d] = edit.specimen.after[*number][axes.d];
+  edit.lead_next_to_its_end(*number);
+  edit.insert(*number, out);
+  return true;
+}
+
+// A second thread on the way back, with the hand of the first or the other.
+bool helix_on_the_way_back(Edit& edit) {
+  const auto number = any_step(edit, Step::back);
+  if (!number) return false;
+  std::size_t helix = *number;
+  while (helix > 0 && step_of(edit, helix) != Step::helix) --helix;
+  if (step_of(edit, helix) != Step::helix) return false;
+  Record up = edit.right(helix);
+  up.axes = reference::kEveryAxis;
+  up.to = edit.specimen.after[*number];
+  if (edit.chance.once_in(2)) up.rot = -up.rot;
+  const PlaneAxes axes = axes_of(up.plane);
+  const double radius =
+      plane_radius(axes, place_of(up.to), {value_of(up.centre[0]), value_of(up.centre[1])});
+  if (radius < 0.1) return false;
+  edit.trace.records[*number] = up;
+  return true;
+}
+
+// All of one pass but its helix's neighbours: a pass less than P and Q order.
+bool no_pass(Edit& edit) {
+  const auto number = any_step(edit, Step::helix);
+  if (!number) return false;
+  std::size_t begin = *number;
+  while (begin > 0 &&
+         (step_of(edit, begin - 1) == Step::infeed || step_of(edit, begin - 1) == Step::entry)) {
+    --begin;
+  }
+  std::size_t end = *number + 1;
+  while (end < edit.specimen.right.records.size() && step_of(edit, end) != Step::other &&
+         step_of(edit, end) != Step::infeed && step_of(edit, end) != Step::entry) {
+    ++end;
+  }
+  const auto first = edit.trace.records.begin();
+  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
+                           first + static_cast<std::ptrdiff_t>(end));
+  return true;
+}
+
+bool is_level_cut(const Edit& edit, std::size_t i) {
+  return reference::clause_name(edit.right(i).clause) == "GSK-G110-09";
+}
+
+// The first and the one behind the last record of any level of G110.
+std::optional<std::pair<std::size_t, std::size_t>> any_level(Edit& edit) {
+  const auto first = edit.any([&](std::size_t i) {
+    return is_level_cut(edit, i) && (i == 0 || !is_level_cut(edit, i - 1));
+  });
+  if (!first) return std::nullopt;
+  std::size_t end = *first;
+  while (end < edit.specimen.right.records.size() && is_level_cut(edit, end)) ++end;
+  return std::pair{*first, end};
+}
+
+bool no_level(Edit& edit) {
+  const auto level = any_level(edit);
+  if (!level) return false;
+  const auto first = edit.trace.records.begin();
+  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(level->first),
+                           first + static_cast<std::ptrdiff_t>(level->second));
+  return true;
+}
+
+// The same circles about the same centres, from the wall to the middle.
+bool clear_inwards(Edit& edit) {
+  const auto level = any_level(edit);
+  if (!level || level->second - level->first < 3) return false;
+  const auto [begin, end] = *level;
+  const Record& last = edit.right(end - 1);
+  std::vector<Record> inwards;
+  Record out = edit.motion_to(RecordKind::feed, last.block, edit.specimen.before[end - 1]);
+  out.feed = last.feed;
+  out.feed_mode = last.feed_mode;
+  inwards.push_back(out);
+  for (std::size_t i = end; i-- > begin;) {
+    Record record = edit.right(i);
+    record.axes = reference::kEveryAxis;
+    record.to = edit.specimen.before[i];
+    inwards.push_back(record);
+  }
+  const auto first = edit.trace.records.begin();
+  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
+                           first + static_cast<std::ptrdiff_t>(end));
+  edit.trace.records.insert(edit.trace.records.begin() + static_cast<std::ptrdiff_t>(begin),
+                            inwards.begin(), inwards.end());
+  return true;
+}
+
+// A cut from the centre to the wall and back before the level is cleared.
+bool through_solid(Edit& edit) {
+  const auto level = any_level(edit);
+  if (!level || level->second - level->first < 4) return false;
+  const auto [begin, end] = *level;
+  const Record& last = edit.right(end - 1);
+  Record out = edit.motion_to(RecordKind::feed, last.block, edit.specimen.before[end - 1]);
+  out.feed = last.feed;
+  out.feed_mode = last.feed_mode;
+  Record back = out;
+  back.to = edit.specimen.before[begin];
+  edit.insert(begin, back);
+  edit.insert(begin, out);
+  return true;
+}
+
+// An inner arc of a level left out: what follows begins where it began.
+bool island(Edit& edit) {
+  const auto level = any_level(edit);
+  if (!level || level->second - level->first < 4) return false;
+  const std::size_t at = level->first + edit.chance.below(level->second - level->first - 2);
+  edit.erase(at);
+  return true;
+}
+
+bool no_finishing_circle(Edit& edit) {
+  const auto level = any_level(edit);
+  if (!level) return false;
+  edit.erase(level->second - 1);
+  return true;
+}
+
+// The traverses with which a cycle begins.
+bool no_approach(Edit& edit) {
+  const auto number = edit.any([&](std::size_t i) {
+    const bool begins = i > 0 && edit.right(i - 1).block != edit.right(i).block;
+    const bool goes_on = i + 1 < edit.specimen.right.records.size() &&
+                         edit.right(i + 1).block == edit.right(i).block;
+    return edit.right(i).kind == RecordKind::rapid && begins && goes_on;
+  });
+  if (!number) return false;
+  const std::uint64_t block = edit.right(*number).block;
+  while (*number < edit.trace.records.size() && edit.trace.records[*number].block == block &&
+         edit.trace.records[*number].kind == RecordKind::rapid) {
+    edit.erase(*number);
+  }
+  return true;
+}
+
+const reference::PocketMilling* any_pocket(Edit& edit, std::size_t& begin, std::size_t& end) {
+  const auto number =
+      edit.any([&](std::size_t i) { return edit.specimen.part[i] == PartKind::pocket_milling; });
+  if (!number) return nullptr;
+  const std::size_t part = edit.specimen.part_number[*number];
+  begin = end = *number;
+  const auto belongs = [&](std::size_t i) {
+    return edit.specimen.part[i] == PartKind::pocket_milling &&
+           edit.specimen.part_number[i] == part;
+  };
+  while (begin > 0 && belongs(begin - 1)) --begin;
+  while (end < edit.specimen.right.records.size() && belongs(end)) ++end;
+  return &std::get<reference::PocketMilling>(edit.specimen.items[part]);
+}
+
+// Up above R101 and back as a cut, before the tool plunges.
+bool cut_above_retract(Edit& edit) {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  const reference::PocketMilling* pocket = any_pocket(edit, begin, end);
+  if (pocket == nullptr) return false;
+  const Axis depth = axes_of(pocket->plane).d;
+  Record up = edit.motion_to(RecordKind::feed, pocket->block, edit.specimen.before[begin]);
+  up.feed = edit.chance.once_in(2) ? pocket->depth_feed : pocket->plane_feed;
+  up.feed_mode = pocket->feed_mode;
+  Record back = up;
+  up.to[depth] = pocket->retract + Number(20);
+  edit.insert(begin, back);
+  edit.insert(begin, up);
+  return true;
+}
+
+// A level that is not cleared: two infeeds at once, or a floor that is left.
+bool no_pocket_level(Edit& edit) {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  const reference::PocketMilling* pocket = any_pocket(edit, begin, end);
+  if (pocket == nullptr) return false;
+  const Axis depth = axes_of(pocket->plane).d;
+  std::vector<std::size_t> plunges;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (way(edit, i, depth) > 0) plunges.push_back(i);
+  }
+  if (plunges.size() < 2) return false;
+  const std::size_t which = edit.chance.below(plunges.size() - 1);
+  const auto first = edit.trace.records.begin();
+  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(plunges[which]),
+                           first + static_cast<std::ptrdiff_t>(plunges[which + 1]));
+  return true;
+}
+
+// The floor milled where only the contour is to be finished.
+bool floor_with_the_contour(Edit& edit) {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  const reference::PocketMilling* found = any_pocket(edit, begin, end);
+  if (found == nullptr || !found->contour_only) return false;
+  reference::PocketMilling pocket = *found;
+  pocket.contour_only = false;
+  std::vector<Record> records;
+  auto path = reference::sinumerik::contour_parallel(pocket);
+  while (const reference::Item* item = path.next()) records.push_back(std::get<Record>(*item));
+  const auto first = edit.trace.records.begin();
+  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
+                           first + static_cast<std::ptrdiff_t>(end));
+  edit.trace.records.insert(edit.trace.records.begin() + static_cast<std::ptrdiff_t>(begin),
+                            records.begin(), records.end());
+  return true;
+}
+
+// The plunge of a level beside the centre.
+bool plunge_aside(Edit& edit) {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  const reference::PocketMilling* pocket = any_pocket(edit, begin, end);
+  if (pocket == nullptr || begin == 0) return false;
+  const PlaneAxes axes = axes_of(pocket->plane);
+  Record aside = edit.motion_to(RecordKind::rapid, pocket->block, edit.specimen.before[begin]);
+  aside.to[axes.p] += Number::millionths(100'000);
+  Record& plunge = edit.trace.records[begin];
+  plunge.axes = reference::kEveryAxis;
+  plunge.to = edit.specimen.after[begin];
+  plunge.to[axes.p] = aside.to[axes.p];
+  edit.lead_next_to_its_end(begin);
+  edit.insert(begin, aside);
+  return true;
+}
+
+}  // namespace
+
+std::vector<Operator> cycle_operators() {
+  return {
+      {"no-approach", "a cycle begins without its traverses", no_approach},
+      {"no-entry", "a thread is entered without its arc", no_entry},
+      {"no-infeed", "a pass lacks its infeed", no_infeed},
+      {"straight-in", "a traverse from the centre to the pass radius", straight_in},
+      {"no-helix", "a pass lacks its helix", no_helix},
+      {"no-pass", "a pass is missing", no_pass},
+      {"no-run-out", "the run-out is missing", no_run_out},
+      {"long-run-out", "the run-out is three times as long", long_run_out},
+      {"run-out-to-the-other-side", "the run-out leads into the thread", run_out_to_the_other_side},
+      {"run-out-too-many", "a run-out more", run_out_too_many},
+      {"helix-on-the-way-back", "a second thread on the way back", helix_on_the_way_back},
+      {"no-way-back", "the tool leaves the thread across it", no_way_back},
+      {"no-way-to-safety", "the safe position is left out", no_way_to_safety},
+      {"no-level", "a level is not cleared", no_level},
+      {"clear-inwards", "a level is cleared from the wall to the middle", clear_inwards},
+      {"through-solid", "a cut to the wall before the level is cleared", through_solid},
+      {"island", "an inner arc of a level is missing", island},
+      {"no-finishing-circle", "the circle along the wall is missing", no_finishing_circle},
+      {"cut-above-retract", "a cut above R101 before the plunge", cut_above_retract},
+      {"no-pocket-level", "a level of LCYC75 is missing", no_pocket_level},
+      {"floor-with-the-contour", "the floor is milled with the contour alone due",
+       floor_with_the_contour},
+      {"plunge-aside", "a plunge beside the centre", plunge_aside},
+  };
+}
+
+}  // namespace gonogo::mutations

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// M functions, dwells, alarms and the end.
+#include <algorithm>
+
+#include "operator.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using oracle::RunEnd;
+
+bool alarms(const Edit& edit) {
+  return edit.specimen.right.end.kind == RunEnd::Kind::alarm;
+}
+
+bool drop_m(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::m);
+  if (!number) return false;
+  edit.erase(*number);
+  return true;
+}
+
+bool add_m(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  Record record;
+  record.kind = RecordKind::m;
+  record.m = 8;
+  record.block = edit.right(*number).block;
+  edit.insert(*number, record);
+  return true;
+}
+
+bool repeat_m(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::m);
+  if (!number) return false;
+  edit.insert(*number, edit.right(*number));
+  return true;
+}
+
+bool change_m(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::m);
+  if (!number) return false;
+  ++edit.trace.records[*number].m;
+  return true;
+}
+
+// Over a motion of another block, or to a place anywhere.
+bool move_m(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::m);
+  const auto motion = edit.any_motion();
+  if (!number || !motion) return false;
+  const Record record = edit.right(*number);
+  edit.erase(*number);
+  edit.insert(*motion < *number ? *motion : *motion - 1, record);
+  return true;
+}
+
+bool drop_dwell(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::dwell);
+  if (!number) return false;
+  edit.erase(*number);
+  return true;
+}
+
+bool change_dwell(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::dwell);
+  if (!number) return false;
+  Number& seconds = edit.trace.records[*number].seconds;
+  seconds =
+      edit.chance.once_in(2) ? seconds * 1000 + Number(1) : seconds + Number::millionths(10'000);
+  return true;
+}
+
+bool add_dwell(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  Record record;
+  record.kind = RecordKind::dwell;
+  record.seconds = Number(1) / 2;
+  record.block = edit.right(*number).block;
+  edit.insert(*number + edit.chance.below(2), record);
+  return true;
+}
+
+bool no_alarm(Edit& edit) {
+  if (!alarms(edit)) return false;
+  edit.trace.end = RunEnd{};
+  return true;
+}
+
+bool alarm_where_none_is(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (alarms(edit) || !number) return false;
+  edit.trace.end.kind = RunEnd::Kind::alarm;
+  edit.trace.end.alarm.block = edit.right(*number).block;
+  edit.trace.end.alarm.alarm_class = "value-out-of-range";
+  // With the motions of the blocks before it.
+  std::erase_if(edit.trace.records, [&](const Record& record) {
+    return record.kind == RecordKind::end || record.block >= edit.right(*number).block;
+  });
+  return true;
+}
+
+bool alarm_in_another_class(Edit& edit) {
+  if (!alarms(edit)) return false;
+  for (const auto other : {reference::AlarmClass::undefined_code, reference::AlarmClass::no_tool,
+                           reference::AlarmClass::pocket_size}) {
+    if (std::ranges::find(edit.specimen.admissible, other) == edit.specimen.admissible.end()) {
+      edit.trace.end.alarm.alarm_class = reference::name(other);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool alarm_in_a_later_block(Edit& edit) {
+  if (!alarms(edit)) return false;
+  ++edit.trace.end.alarm.block;
+  return true;
+}
+
+bool alarm_in_an_earlier_block(Edit& edit) {
+  if (!alarms(edit) || edit.specimen.right.end.alarm.block < 2) return false;
+  --edit.trace.end.alarm.block;
+  const std::uint64_t block = edit.trace.end.alarm.block;
+  std::erase_if(edit.trace.records, [&](const Record& record) { return record.block >= block; });
+  return true;
+}
+
+bool alarm_before_all_motion(Edit& edit) {
+  if (!alarms(edit) || !edit.any_motion()) return false;
+  edit.trace.records.clear();
+  return true;
+}
+
+bool alarm_after_motion_of_its_block(Edit& edit) {
+  if (!alarms(edit)) return false;
+  reference::Position to = edit.specimen.profile.initial.at;
+  if (!edit.specimen.after.empty()) to = edit.specimen.after.back();
+  to[edit.chance.one_of(reference::kLinearAxes)] += edit.off();
+  edit.trace.records.push_back(
+      edit.motion_to(RecordKind::rapid, edit.specimen.right.end.alarm.block, to));
+  return true;
+}
+
+bool other_end_position(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::end);
+  if (!number) return false;
+  edit.trace.records[*number].to[edit.chance.one_of(reference::kAllAxes)] += edit.off();
+  return true;
+}
+
+}  // namespace
+
+std::vector<Operator> event_operators() {
+  return {
+      {"drop-m", "an M function is missing", drop_m},
+      {"add-m", "an M function more", add_m},
+      {"repeat-m", "an M function comes twice", repeat_m},
+      {"change-m", "another M function", change_m},
+      {"move-m", "an M function stands elsewhere among the motions", move_m},
+      {"drop-dwell", "a dwell is missing", drop_dwell},
+      {"change-dwell", "a dwell is longer", change_dwell},
+      {"add-dwell", "a dwell more", add_dwell},
+      {"no-alarm", "the alarm is missing", no_alarm},
+      {"alarm-where-none-is", "an alarm in a program without fault", alarm_where_none_is},
+      {"alarm-in-another-class", "the alarm is of another class", alarm_in_another_class},
+      {"alarm-in-a-later-block", "the alarm names the next block", alarm_in_a_later_block},
+      {"alarm-in-an-earlier-block", "the alarm comes a block too early", alarm_in_an_earlier_block},
+      {"alarm-before-all-motion", "the alarm comes before any motion", alarm_before_all_motion},
+      {"alarm-after-motion", "the alarm comes after motion of its block",
+       alarm_after_motion_of_its_block},
+      {"other-end-position", "the end says another place", other_end_position},
+  };
+}
+
+}  // namespace gonogo::mutations

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// No trace that is wrong is GO, and none is left undecided.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+TEST(Mutations, NoneThatIsWrongIsGo) {
+  Trials trials(60'000);
+  const RawCases cases = cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
+  Bench bench(cases);
+  bench.run(trials);
+  bench.print();
+  EXPECT_TRUE(bench.survivors().empty());
+  EXPECT_TRUE(bench.faults().empty());
+  EXPECT_TRUE(bench.untried().empty()) << bench.untried().front();
+}
+
+}  // namespace
+}  // namespace gonogo::mutations

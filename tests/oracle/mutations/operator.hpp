@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Operators: each makes one thing wrong, or otherwise right, with a trace, as a control might. One
+// file a family.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "specimen.hpp"
+#include "tests/trials.hpp"
+
+namespace gonogo::mutations {
+
+// A trace in change.
+class Edit {
+ public:
+  Edit(const Specimen& of, Trials& trials) : specimen(of), chance(trials), trace(of.right) {}
+
+  using Wanted = std::function<bool(std::size_t)>;
+  // The number of any record of the right trace that is wanted.
+  std::optional<std::size_t> any(const Wanted& wanted);
+  std::optional<std::size_t> any_motion();
+  std::optional<std::size_t> any_of_kind(RecordKind kind);
+
+  const Record& right(std::size_t number) const { return specimen.right.records[number]; }
+  // Largest way of an axis, and whether an arc goes round: what is seen of the motion, mm.
+  double size_of(std::size_t number) const;
+  // The next motion after record `number` of the trace as it stood leads where it led, on every
+  // axis. False where there is none.
+  bool lead_next_to_its_end(std::size_t number);
+  // A motion of the same words that leads to a place.
+  Record motion_to(RecordKind kind, std::uint64_t block, const reference::Position& to) const;
+  // A feed that is in force thereabouts; nothing where nothing cuts.
+  std::optional<Record> cutting_words(std::size_t near) const;
+  void insert(std::size_t before, Record record);
+  void erase(std::size_t number);
+  // A length well beyond the tolerance, of either sign.
+  Number off();
+  Number times_tolerance(double factor) const;
+
+  const Specimen& specimen;
+  Trials& chance;
+  Trace trace;
+};
+
+struct Operator {
+  std::string_view name;
+  std::string_view says;  // what it makes wrong, or another way of doing the same
+  // False where it cannot be applied.
+  std::function<bool(Edit&)> apply;
+  // Wrong by its nature, where the path is open: then no other proof is needed.
+  bool wrong_by_nature = false;
+};
+
+std::vector<Operator> shifting_operators();  // ends, centres, radii
+std::vector<Operator> sequence_operators();  // dropped, repeated, reversed, inserted
+std::vector<Operator> word_operators();      // kinds, feeds, blocks, leads, planes
+std::vector<Operator> turning_operators();   // senses, turns, rings
+std::vector<Operator> event_operators();     // M functions, dwells, alarms, the end
+std::vector<Operator> cycle_operators();     // steps of cycles
+std::vector<Operator> wrong_operators();     // all of these
+
+}  // namespace gonogo::mutations

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Places beside the right ones: by 1.5 tolerances and more.
+#include "operator.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using reference::Axis;
+using reference::kLinearAxes;
+
+// The end of one motion beside its place; the next leads where it led.
+bool shift_end(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  Record& record = edit.trace.records[*number];
+  const Axis axis = edit.chance.one_of(kLinearAxes);
+  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.axes.add(axis);
+  edit.lead_next_to_its_end(*number);
+  return true;
+}
+
+// The same, and what follows stays where it is then, on axes that it does not name.
+bool shift_end_for_good(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  Record& record = edit.trace.records[*number];
+  const Axis axis = edit.chance.one_of(kLinearAxes);
+  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.axes.add(axis);
+  return true;
+}
+
+bool shift_rotary_end(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  Record& record = edit.trace.records[*number];
+  const Axis axis = edit.chance.one_of(std::to_array({Axis::a, Axis::c}));
+  record.to[axis] = edit.specimen.after[*number][axis] + edit.off();
+  record.axes.add(axis);
+  edit.lead_next_to_its_end(*number);
+  return true;
+}
+
+// All from one motion on moved along an axis: an offset that is wrong.
+bool shift_rest(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  const Axis axis = edit.chance.one_of(kLinearAxes);
+  const Number by = edit.off();
+  for (std::size_t i = *number; i < edit.trace.records.size(); ++i) {
+    Record& record = edit.trace.records[i];
+    if (!is_motion(record.kind)) continue;
+    if (i == *number) {
+      record.axes.add(axis);
+      record.to[axis] = edit.specimen.after[i][axis];
+    }
+    if (record.axes.has(axis)) record.to[axis] += by;
+    if (record.kind == RecordKind::arc) {
+      const reference::PlaneAxes axes = axes_of(record.plane);
+      if (axes.p == axis) record.centre[0] += by;
+      if (axes.q == axis) record.centre[1] += by;
+    } else if (record.kind == RecordKind::arc3) {
+      record.via[axis] += by;
+    }
+  }
+  return true;
+}
+
+bool shift_centre(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::arc);
+  if (!number) return false;
+  edit.trace.records[*number].centre[edit.chance.below(2)] += edit.off();
+  return true;
+}
+
+bool shift_via(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::arc3);
+  if (!number) return false;
+  edit.trace.records[*number].via[edit.chance.one_of(kLinearAxes)] += edit.off();
+  return true;
+}
+
+// An arc about its centre, farther out or nearer: gouged walls, wrong passes.
+bool widen_arc(Edit& edit, const Number& by) {
+  const auto number = edit.any([&](std::size_t i) {
+    return edit.right(i).kind == RecordKind::arc && i > 0 && is_motion(edit.right(i - 1).kind);
+  });
+  if (!number) return false;
+  Record& arc = edit.trace.records[*number];
+  const reference::PlaneAxes axes = axes_of(arc.plane);
+  const std::array<double, 2> centre = {value_of(arc.centre[0]), value_of(arc.centre[1])};
+  const auto widened = [&](reference::Position at) -> std::optional<reference::Position> {
+    const double radius = plane_radius(axes, place_of(at), centre);
+    if (radius < 0.2) return std::nullopt;
+    constexpr double kParts = 1e9;
+    const Number scale =
+        by / Number(static_cast<std::int64_t>(radius * kParts)) * Number(1'000'000'000);
+    at[axes.p] += (at[axes.p] - arc.centre[0]) * scale;
+    at[axes.q] += (at[axes.q] - arc.centre[1]) * scale;
+    return at;
+  };
+  const auto from = widened(edit.specimen.before[*number]);
+  const auto to = widened(edit.specimen.after[*number]);
+  if (!from || !to) return false;
+  Record& before = edit.trace.records[*number - 1];
+  before.axes.add(axes.p);
+  before.axes.add(axes.q);
+  before.to = edit.specimen.after[*number - 1];
+  before.to[axes.p] = (*from)[axes.p];
+  before.to[axes.q] = (*from)[axes.q];
+  arc.to = *to;
+  arc.axes = reference::kEveryAxis;
+  edit.lead_next_to_its_end(*number);
+  return true;
+}
+
+bool widen(Edit& edit) {
+  return widen_arc(edit, Number::millionths(50'000));
+}
+
+bool narrow(Edit& edit) {
+  return widen_arc(edit, Number::millionths(-50'000));
+}
+
+// Radius values where diameters are due, or the other way round.
+bool scale_axis(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  const Axis axis = edit.chance.one_of(kLinearAxes);
+  Record& record = edit.trace.records[*number];
+  record.to[axis] =
+      edit.specimen.after[*number][axis] * (edit.chance.once_in(2) ? Number(2) : Number(1) / 2);
+  record.axes.add(axis);
+  edit.lead_next_to_its_end(*number);
+  return true;
+}
+
+bool mirror_axis(Edit& edit) {
+  const auto number = edit.any_motion();
+  if (!number) return false;
+  const Axis axis = edit.chance.one_of(kLinearAxes);
+  Record& record = edit.trace.records[*number];
+  record.to[axis] = -edit.specimen.after[*number][axis];
+  record.axes.add(axis);
+  edit.lead_next_to_its_end(*number);
+  return true;
+}
+
+}  // namespace
+
+std::vector<Operator> shifting_operators() {
+  return {
+      {"shift-end", "one end lies beside its place", shift_end},
+      {"shift-end-for-good", "from one end on an axis is off", shift_end_for_good},
+      {"shift-rotary-end", "one end has a rotary axis elsewhere", shift_rotary_end},
+      {"shift-rest", "from one motion on all lies beside", shift_rest},
+      {"shift-centre", "an arc has its centre beside", shift_centre},
+      {"shift-via", "a circle in space leads through another point", shift_via},
+      {"widen-arc", "an arc lies 0.05 farther out", widen},
+      {"narrow-arc", "an arc lies 0.05 farther in", narrow},
+      {"scale-axis", "a radius is taken as a diameter or the other way round", scale_axis},
+      {"mirror-axis", "an end has the other sign", mirror_axis},
+  };
+}
+
+}  // namespace gonogo::mutations

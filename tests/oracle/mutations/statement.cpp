@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "statement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gonogo::mutations {
+
+using oracle::RunEnd;
+
+namespace {
+
+Statement wrong(std::string why) {
+  return {Answer::reject, std::move(why)};
+}
+
+// Nothing wrong so far.
+Statement nothing() {
+  return {Answer::same, ""};
+}
+
+bool is_alarm(const Trace& trace) {
+  return trace.end.kind == RunEnd::Kind::alarm;
+}
+
+Statement state_alarm(const Specimen& specimen, const Trace& mutant) {
+  if (!is_alarm(specimen.right)) {
+    return is_alarm(mutant) ? wrong("an alarm without a fault") : nothing();
+  }
+  if (!is_alarm(mutant)) return wrong("no alarm");
+  const oracle::SubjectAlarm& alarm = mutant.end.alarm;
+  if (alarm.block != specimen.right.end.alarm.block) return wrong("an alarm of another block");
+  const bool admissible = std::ranges::any_of(specimen.admissible, [&](reference::AlarmClass one) {
+    return reference::name(one) == alarm.alarm_class;
+  });
+  return admissible ? nothing() : wrong("an alarm of another class");
+}
+
+struct PassedOn {
+  std::int32_t m;
+  std::uint64_t block;
+  friend bool operator==(const PassedOn&, const PassedOn&) = default;
+};
+
+std::vector<PassedOn> functions_of(const Trace& trace) {
+  std::vector<PassedOn> all;
+  for (const Record& record : trace.records) {
+    if (record.kind == RecordKind::m) all.push_back({record.m, record.block});
+  }
+  return all;
+}
+
+// Whether an M function stands among motions of other blocks, or too late in its own.
+bool is_out_of_place(const Trace& trace, double tolerance, const Specimen& specimen) {
+  std::uint64_t last_motion = 0;
+  std::uint64_t last_function = 0;
+  std::uint64_t last_cut = 0;
+  const std::vector<Stroke> strokes = specimen.strokes(trace);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < trace.records.size(); ++i) {
+    const Record& record = trace.records[i];
+    if (next < strokes.size() && strokes[next].number == i) {
+      const Stroke& stroke = strokes[next++];
+      if (stroke.is_nil(2 * tolerance)) continue;
+      if (record.block < last_function) return true;
+      last_motion = record.block;
+      if (record.kind != RecordKind::rapid && record.kind != RecordKind::dwell) {
+        last_cut = record.block;
+      }
+    } else if (record.kind == RecordKind::m) {
+      if (record.block < last_motion) return true;
+      if (record.before_cut && last_cut == record.block) return true;
+      last_function = record.block;
+    }
+  }
+  return false;
+}
+
+Statement state_functions(const Specimen& specimen, const Trace& mutant) {
+  if (functions_of(mutant) != functions_of(specimen.right)) {
+    // Of the block that alarms no text says which are passed on.
+    if (is_alarm(specimen.right)) {
+      auto without = [&](const Trace& trace) {
+        std::vector<PassedOn> all = functions_of(trace);
+        std::erase_if(
+            all, [&](const PassedOn& one) { return one.block >= specimen.right.end.alarm.block; });
+        return all;
+      };
+      if (without(mutant) == without(specimen.right)) return {Answer::unsure, "M of the alarm"};
+    }
+    return wrong("other M functions");
+  }
+  if (is_out_of_place(mutant, specimen.tolerance(), specimen)) {
+    return wrong("an M function out of its place");
+  }
+  return nothing();
+}
+
+// A motion that is seen, or anything else, behind the `end` record.
+Statement state_end(const Specimen& specimen, const Trace& mutant) {
+  const auto is_end = [](const Record& record) { return record.kind == RecordKind::end; };
+  const auto end = std::ranges::find_if(mutant.records, is_end);
+  if (end == mutant.records.end()) return nothing();
+  if (end + 1 != mutant.records.end()) return wrong("something after the end");
+  if (is_alarm(mutant)) return wrong("an end and an alarm");
+  const auto right = std::ranges::find_if(specimen.right.records, is_end);
+  if (right == specimen.right.records.end()) return wrong("an end where an alarm is due");
+  for (const reference::Axis axis : reference::kAllAxes) {
+    if (!end->axes.has(axis)) continue;
+    const double off = std::abs(value_of(end->to[axis] - right->to[axis]));
+    if (off > 1.02 * specimen.tolerance()) return wrong("another end position");
+  }
+  return nothing();
+}
+
+constexpr double kSurelyBeyond = 1.2;  // tolerances: what is farther off is wrong
+constexpr double kSurelyWithin = 0.98;
+
+Statement state_path(const Specimen& specimen, const Trace& mutant) {
+  const double tau = specimen.tolerance();
+  const std::vector<Stroke> strokes = joined(specimen.strokes(mutant));
+  // A control that checks at load may alarm with no motion at all.
+  const bool at_load = specimen.profile.alarm_timing == reference::AlarmTiming::program;
+  if (at_load && is_alarm(mutant) && is_alarm(specimen.right) && strokes.empty()) {
+    return {Answer::same, "no motion before an alarm at load (J-ALM)"};
+  }
+  const Margin wide{kSurelyBeyond * tau, 4 * tau, kSurelyBeyond * tau};
+  const MapResult weak = map_onto(specimen.path, strokes, wide);
+  if (weak.fit == Fit::none) {
+    return wrong(weak.broken.empty() ? "off the path" : weak.broken);
+  }
+  if (weak.fit == Fit::open) return {Answer::unsure, "the path is open there"};
+  const Margin narrow{kSurelyWithin * tau, kSurelyWithin * tau, kSurelyWithin * tau, true};
+  const MapResult strong = map_onto(specimen.path, strokes, narrow);
+  if (strong.fit != Fit::along) return {Answer::unsure, "near the tolerance"};
+  return nothing();
+}
+
+}  // namespace
+
+Statement state(const Specimen& specimen, const Trace& mutant) {
+  Statement unsure;
+  for (auto part : {state_alarm, state_end, state_functions, state_path}) {
+    Statement statement = part(specimen, mutant);
+    if (statement.answer == Answer::reject) return statement;
+    if (statement.answer == Answer::unsure) unsure = statement;
+  }
+  if (!unsure.why.empty()) return unsure;
+  return {Answer::same, "the same path"};
+}
+
+}  // namespace gonogo::mutations
