@@ -172,6 +172,23 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
   }));
 }
 
+// J-PROP-03, J-CONST-07. The last ring of the path that is shown has a radius of 286.76346 about
+// Z1107.51366 X-317.50254. Rounded, its radius is 0.00046 less and its centre 0.00057 off: on the
+// far side the tool leaves 1.03 micrometres. Found by generated programs.
+TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
+  reference::Profile profile = profile_of("gsk988ta");
+  profile.units = reference::Units::inch;
+  const std::string program =
+      "G00 X0 Y88.1416 Z75.4187\nG00 X16.9999 W-39.0001\nG00 Z28.0001\n"
+      "G111 W15.6028 U-42.0001 V12.0003 I15.1791 L5.0177 Q3.0001 D3.8892 P0.5 F468\n";
+  const OwnOutcome own = own_outcome(program, profile);
+  const JudgeTerms terms = exact_terms(profile, "0.001");
+  const Outcome changed =
+      rounded({own.records, own.end}, profile.initial.at, Number::millionths(1'000));
+  const Verdict verdict = judged(profile, program, changed, terms).verdict;
+  EXPECT_EQ(verdict.kind, VerdictKind::pass_properties) << verdict.message;
+}
+
 // J-PROP-04.
 TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
   EXPECT_TRUE(rc::check([] {
