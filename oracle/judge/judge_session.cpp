@@ -218,7 +218,8 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   };
   if (rank(one) != rank(other)) return rank(one) > rank(other);
   if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
-  return rank(one) == 0 && one.progress > other.progress;
+  const bool departs = rank(one) <= 1;
+  return departs && one.progress > other.progress;
 }
 
 SessionVerdict JudgeSession::finish(const RunEnd& end) {

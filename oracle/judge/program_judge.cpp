@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/standing.hpp"
 
@@ -12,6 +13,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
                            const JudgeTerms& terms)
     : profile_(profile),
       terms_(terms),
+      program_(program),
       input_(program),
       reference_(profile_, input_.lines, terms_),
       budget_(profile_, program),
@@ -19,7 +21,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       anchor_(position_) {}
 
 void ProgramJudge::decide(Verdict verdict) {
-  if (!verdict_) verdict_ = std::move(verdict);
+  if (!verdict_) verdict_ = advised(std::move(verdict), terms_);
 }
 
 void ProgramJudge::decide_gap(std::string message) {

@@ -29,18 +29,16 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-04", derived, kFrames,
      "Codes of frames stand alone and move nothing: an axis not named afterwards stays where the "
-     "tool is. G158 and G258 replace translation and rotation. A rotation stays in its plane: no "
-     "other plane while it is in force.",
+     "tool is. G158 and G258 replace translation and rotation.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-LC82-01", derived, kDrilling,
      "LCYC82 drills where the tool stands: traverse to R103 + R102, feed to R104, dwell of R105 "
      "seconds, traverse to R101.",
      "reference/sinumerik/lcyc82.cpp"},
-    {"SIE-LC82-02", derived, kDrilling, "R101 is not below R103 + R102, and R104 is below R103.",
+    {"SIE-LC82-02", derived, kDrilling, "R101 is not below R103, and R104 is below R103.",
      "reference/sinumerik/cycle.cpp"},
     {"SIE-LC82-03", derived, kDrilling,
-     "R105 and R102 are not below zero and a feed is in force. A cycle stands alone in its block "
-     "and leaves F, the motion code and the plane as they were.",
+     "A feed is in force. A cycle leaves F, the motion code and the plane as they were.",
      "reference/sinumerik/lcyc82.cpp"},
     {"SIE-LC75-01", must, kPockets,
      "LCYC75 mills the pocket about R116, R117, R118 long and R119 wide with corners of R120, from "

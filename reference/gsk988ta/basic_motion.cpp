@@ -6,7 +6,8 @@
 namespace gonogo::reference::gsk988ta {
 
 void BlockContext::need_feed() {
-  BlockBase::need_feed("GSK-COM-04"_clause);
+  // GSK-COM-08: that one below zero is none, no text says.
+  BlockBase::need_feed(machine.feed.sign() < 0 ? "GSK-COM-08"_clause : "GSK-COM-04"_clause);
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {
@@ -60,7 +61,7 @@ void run_dwell(BlockContext& block) {
   const char address = words.has('P') ? 'P' : words.has('X') ? 'X' : 'U';
   if (!words.has(address)) {
     if (block.readings.is(ReadingKey::dwell_without_word, "alarm")) {
-      block.missing("GSK-COM-05"_clause, 'P');
+      block.missing("GSK-COM-12"_clause, 'P');
     }
     return;
   }
@@ -71,7 +72,7 @@ void run_dwell(BlockContext& block) {
   record.seconds = words.written(address);
   if (address == 'P') record.seconds = record.seconds / 1000;
   if (record.seconds.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, "GSK-COM-05"_clause, address,
+    block.alarm(AlarmClass::value_sign, "GSK-COM-12"_clause, address,
                 "A dwell cannot be negative.");
   }
   block.put(std::move(record));

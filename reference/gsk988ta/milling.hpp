@@ -60,6 +60,7 @@ void check_depth(BlockContext& block, const MillingSite& site);
 struct NeededWord {
   char address;
   const std::optional<Number>& value;
+  std::optional<ClauseId> positive = std::nullopt;  // of its own, that it is above zero
 };
 // Missing words; in a block that mills also those that are not above zero.
 void check_needed(BlockContext& block, std::span<const NeededWord> words, bool mills,

@@ -13,7 +13,8 @@ void BlockContext::need_feed() {
       is_cycle(machine.motion) ? machine.command.feed.value_or(0) : machine.plain_feed;
   const bool same = own == machine.latest_feed;
   machine.feed = same || readings.is(ReadingKey::hnc_modal_f, "feed") ? machine.latest_feed : own;
-  BlockBase::need_feed("HNC-COM-01"_clause);
+  // HNC-COM-04: that one below zero is none, no text says.
+  BlockBase::need_feed(machine.feed.sign() < 0 ? "HNC-COM-04"_clause : "HNC-COM-01"_clause);
 }
 
 Number BlockContext::offset(Axis axis) const {
@@ -101,7 +102,7 @@ void run_thread(BlockContext& block) {
 // G04: P in milliseconds.
 void run_dwell(BlockContext& block) {
   if (!block.words.has('P')) {
-    block.missing("HNC-COM-01"_clause, 'P');
+    block.missing("HNC-COM-04"_clause, 'P');
     return;
   }
   Record record;
@@ -110,7 +111,7 @@ void run_dwell(BlockContext& block) {
   record.clause = "HNC-COM-01"_clause;
   record.seconds = block.words.written('P') / 1000;
   if (record.seconds.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, "HNC-COM-01"_clause, 'P', "A dwell cannot be negative.");
+    block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P', "A dwell cannot be negative.");
   }
   block.put(std::move(record));
 }

@@ -25,14 +25,15 @@ void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t
 void check_planes(const CycleCall& call) {
   const ClauseId clause = "SIE-LC82-02"_clause;
   if (call.retract() < call.clearance()) {
+    const bool is_above_reference = call.retract() >= call.parameter(103);
     call.parameter_alarm(
-        AlarmClass::reference_plane, clause, 101,
+        AlarmClass::reference_plane, is_above_reference ? "SIE-LC82-04"_clause : clause, 101,
         fmt::format("The retract plane R101 = {} lies below the clearance {} above the "
                     "reference plane.",
                     call.retract().text(), call.clearance().text()));
   }
   if (call.parameter(102).sign() < 0) {
-    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-03"_clause, 102,
+    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
                          "The safety clearance R102 is below zero.");
   }
   if (call.parameter(104) >= call.parameter(103)) {

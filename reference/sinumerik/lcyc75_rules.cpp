@@ -9,6 +9,7 @@ namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kRanges = "SIE-LC75-09"_clause;
+constexpr ClauseId kUnsaid = "SIE-LC75-15"_clause;
 
 bool roughs(const CycleCall& call) {
   return call.parameter(127) == Number(1);
@@ -58,7 +59,7 @@ void check_tool(const CycleCall& call) {
 
 void need_not_negative(const CycleCall& call, std::uint64_t number) {
   if (call.parameter(number).sign() >= 0) return;
-  call.parameter_alarm(AlarmClass::value_sign, kRanges, number,
+  call.parameter_alarm(AlarmClass::value_sign, kUnsaid, number,
                        fmt::format("R{} is below zero.", number));
 }
 
@@ -76,7 +77,7 @@ void check_sizes(const CycleCall& call) {
                          "The corner radius R120 is larger than half the pocket.");
   }
   if (call.parameter(121).sign() <= 0) {
-    call.parameter_alarm(AlarmClass::value_sign, kRanges, 121,
+    call.parameter_alarm(AlarmClass::value_sign, kUnsaid, 121,
                          "The infeed R121 is not above zero.");
   }
 }
@@ -98,7 +99,7 @@ void check_allowances(const CycleCall& call, const std::optional<Number>& radius
   need_not_negative(call, 125);
   const Number depth = call.parameter(103) - call.parameter(104);
   if (roughs(call) && depth.sign() > 0 && call.parameter(125) >= depth) {
-    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
+    call.parameter_alarm(AlarmClass::allowance_too_large, kUnsaid, 125,
                          "The allowance R125 leaves nothing to be roughed.");
   }
 }
