@@ -118,7 +118,7 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
 namespace {
 
 region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge,
-                                const Number& tolerance) {
+                                const JudgeTerms& terms) {
   region::CircularLevel circle;
   circle.centre = {level.centre[0], level.centre[1]};
   circle.pocket_radius = level.pocket_radius;
@@ -126,7 +126,7 @@ region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge
   circle.step = level.step;
   circle.sense = level.sense;
   circle.plunge = plane_point(plunge, axes_of(level.plane));
-  circle.tolerance = tolerance;
+  circle.tolerance = terms.level_tolerance();
   return circle;
 }
 
@@ -166,7 +166,7 @@ bool ProgramJudge::is_known_level(const PocketLevel& level) const {
 }
 
 bool ProgramJudge::needs_no_motion(const PocketLevel& level) const {
-  const region::CircularLevel circle = circle_of(level, position_, terms_.level_tolerance());
+  const region::CircularLevel circle = circle_of(level, position_, terms_);
   return level_motions_.empty() &&
          region::judge_level(circle, {}).kind == region::LevelVerdict::Kind::go;
 }
@@ -180,7 +180,7 @@ void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) 
                        agree(last_level_->depth, level.depth, terms_.tolerance);
   if (!known && !cleared) {
     const region::LevelVerdict answer =
-        region::judge_level(circle_of(level, plunge_, terms_.level_tolerance()), level_motions_);
+        region::judge_level(circle_of(level, plunge_, terms_), level_motions_);
     if (answer.kind == region::LevelVerdict::Kind::gap) return decide_gap(answer.gap);
     if (answer.kind == region::LevelVerdict::Kind::no_go) {
       return decide(level_fault(level, answer.finding.value(), here));
