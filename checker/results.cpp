@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 5> kGo = {"pass-exact", "pass-rounded", "pass-tolerance",
                                                  "pass-properties", "xfail"};
 constexpr std::array<std::string_view, 2> kNeither = {"skip", "advice"};
-constexpr std::array<std::string_view, 17> kNoGo = {"fail.geometry",
+constexpr std::array<std::string_view, 18> kNoGo = {"fail.geometry",
                                                     "fail.order",
                                                     "fail.feed",
                                                     "fail.region",
@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 17> kNoGo = {"fail.geometry",
                                                     "fail.alarm-spurious",
                                                     "fail.alarm-class",
                                                     "fail.alarm-late",
+                                                    "fail.declaration",
                                                     "state-leak",
                                                     "crash",
                                                     "timeout",

@@ -47,11 +47,17 @@ Terms terms_of(const Json& header, std::string_view dialect, const Json& profile
   const Json& numeric = found == nullptr ? none : *found;
   Terms terms;
   Rational tolerance = resolution(dialect, profile);
+  const Rational least = tolerance;  // increment of the machine: the most that a declaration counts
   if (const auto own = declared(numeric, "resolution"); own && *own < tolerance) tolerance = *own;
   const Json* set = header.find("tolerance");
   if (set != nullptr && set->is(Json::Kind::text)) tolerance = parse_rational(set->text);
   terms.tolerance = tolerance;
   terms.feed_resolution = declared(numeric, "feed_resolution");
+  if (terms.feed_resolution && *terms.feed_resolution > least) terms.feed_resolution = least;
+  const Json* feeds = header.find("feed_resolution");
+  if (feeds != nullptr && feeds->is(Json::Kind::text)) {
+    terms.feed_resolution = parse_rational(feeds->text);
+  }
   const Json* kind = numeric.find("kind");
   terms.is_binary64 = kind != nullptr && kind->text == "binary64";
   terms.has_blocks = lists(subject, "blocks");

@@ -19,6 +19,7 @@ namespace {
 const std::map<std::string, std::string, std::less<>> kNoTraceTells = {
     {"skip", "skipped: the subject was not asked or did not have it"},
     {"fail.reading", "fail.reading: a matter of the run as a whole"},
+    {"fail.declaration", "fail.declaration: the subject skipped what it declares"},
     {"state-leak", "state-leak: a matter of two runs"},
     {"crash", "crash: there is no outcome"},
     {"timeout", "timeout: there is no outcome"},

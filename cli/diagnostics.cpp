@@ -34,7 +34,8 @@ void report_warning(const reference::Warning& warning, std::string_view file,
 
 void report_not_covered(const reference::NotCovered& outside, std::string_view file,
                         std::string_view line) {
-  const std::string message = fmt::format("not covered: {}", outside.message);
+  const std::string_view kind = outside.lacks.empty() ? "not covered" : "the profile lacks";
+  const std::string message = fmt::format("{}: {}", kind, outside.message);
   complain("{}", grammar::render(message, outside.where, file, outside.block, line));
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/svg_format.hpp"
 #include "oracle/manual/motion_text.hpp"
+#include "oracle/subjects/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -29,8 +30,13 @@ class JsonLines : public RecordFormat {
     out += '\n';
   }
   void not_covered(const reference::NotCovered& outside, std::string& out) override {
-    out += fmt::format("{{\"k\":\"not-covered\",\"b\":{},\"code\":\"{}\"}}\n", outside.block,
+    out += fmt::format("{{\"k\":\"not-covered\",\"b\":{},\"code\":\"{}\"", outside.block,
                        outside.code);
+    if (!outside.lacks.empty()) {
+      out += ",\"lacks\":";
+      oracle::append_json_string(outside.lacks, out);
+    }
+    out += "}\n";
   }
 };
 
@@ -70,7 +76,10 @@ class Table : public RecordFormat {
                        reference::clause_name(first.clause));
   }
   void not_covered(const reference::NotCovered& outside, std::string& out) override {
-    out += fmt::format("{:>6}  not covered: {}\n", outside.block, outside.code);
+    const bool lacks = !outside.lacks.empty();
+    out +=
+        fmt::format("{:>6}  {}: {}\n", outside.block, lacks ? "the profile lacks" : "not covered",
+                    lacks ? outside.lacks : outside.code);
   }
 
  private:

@@ -37,6 +37,7 @@ std::string tolerances_of(const LimitOptions& limits) {
   std::string words;
   if (!limits.tolerance.empty()) words += " --tolerance " + limits.tolerance;
   if (!limits.chord.empty()) words += " --chord " + limits.chord;
+  if (!limits.feed_resolution.empty()) words += " --feed-resolution " + limits.feed_resolution;
   return words;
 }
 

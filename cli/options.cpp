@@ -17,6 +17,13 @@ void add_profile_options(Command& command, ProfileOptions& options) {
 void add_tolerance_options(Command& command, LimitOptions& options) {
   command.option("--tolerance", options.tolerance, "tolerance an axis, mm, a decimal");
   command.option("--chord", options.chord, "chord tolerance of arcs, mm, a decimal");
+  command.option("--feed-resolution", options.feed_resolution,
+                 "what feeds may be rounded to, mm/min or mm/rev, a decimal");
+}
+
+void add_strict_option(Command& command, LimitOptions& options) {
+  command.flag("--strict", options.strict,
+               "a departure from what no text of a manual states is NO-GO, not an advice");
 }
 
 void add_run_options(Command& command, LimitOptions& options) {
@@ -45,6 +52,11 @@ oracle::Limits LimitOptions::limits() const {
   return limits;
 }
 
+oracle::Grants LimitOptions::grants() const {
+  return {length_option(tolerance, "--tolerance"), length_option(chord, "--chord"),
+          feed_option(feed_resolution, "--feed-resolution"), strict};
+}
+
 std::optional<reference::Number> decimal_option(const std::string& text, const char* option,
                                                 const char* what) {
   if (text.empty()) return std::nullopt;
@@ -58,6 +70,10 @@ std::optional<reference::Number> decimal_option(const std::string& text, const c
 
 std::optional<reference::Number> length_option(const std::string& text, const char* option) {
   return decimal_option(text, option, "a length in mm");
+}
+
+std::optional<reference::Number> feed_option(const std::string& text, const char* option) {
+  return decimal_option(text, option, "a feed in mm/min or mm/rev");
 }
 
 fuzz::GeneratorSettings settings_option(const std::string& text) {

@@ -9,6 +9,7 @@
 #include "cli/command_line.hpp"
 #include "cli/program_file.hpp"
 #include "fuzz/generator_settings.hpp"
+#include "oracle/judge/terms.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::cli {
@@ -21,13 +22,18 @@ struct LimitOptions {
   long memory = 0;   // MB; 0: the default
   std::string tolerance;
   std::string chord;
+  std::string feed_resolution;
+  bool strict = false;
   std::string feed_tolerance;
   std::string manifest;
   oracle::Limits limits() const;
+  oracle::Grants grants() const;
 };
-// --tolerance, --chord
+// --tolerance, --chord, --feed-resolution
 void add_tolerance_options(Command& command, LimitOptions& options);
-// Those, and of a subject that runs --timeout, --memory
+// --strict
+void add_strict_option(Command& command, LimitOptions& options);
+// --tolerance, --chord, --feed-resolution, and of a subject that runs --timeout, --memory
 void add_run_options(Command& command, LimitOptions& options);
 // Those, and of captured output --feed-tolerance, --manifest
 void add_subject_options(Command& command, LimitOptions& options);
@@ -35,6 +41,7 @@ void add_subject_options(Command& command, LimitOptions& options);
 // What is not below zero, as a decimal: "a feed in mm/min". Throws UsageError.
 std::optional<reference::Number> decimal_option(const std::string& text, const char* option,
                                                 const char* what);
+std::optional<reference::Number> feed_option(const std::string& text, const char* option);
 std::optional<reference::Number> length_option(const std::string& text, const char* option);
 
 // --settings: what generated programs are like. Throws UsageError.

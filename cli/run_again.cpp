@@ -77,8 +77,11 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   campaign.only = texts(selection.value("only", Json::array()));
   campaign.case_id = text_of(selection, "case");
   campaign.readings = texts(header.value("readings", Json::array()));
-  campaign.tolerance = length_option(text_of(header, "tolerance"), "the tolerance of the run");
-  campaign.chord = length_option(text_of(header, "chord"), "the chord of the run");
+  campaign.grants = {
+      length_option(text_of(header, "tolerance"), "the tolerance of the run"),
+      length_option(text_of(header, "chord"), "the chord of the run"),
+      feed_option(text_of(header, "feed_resolution"), "the feed resolution of the run"),
+      header.value("strict", false)};
   if (std::sscanf(text_of(header, "shard").c_str(), "%u/%u", &campaign.shard, &campaign.shards) !=
       2) {
     campaign.shard = campaign.shards = 1;

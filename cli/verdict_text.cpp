@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
+#include "oracle/judge/evidence.hpp"
+#include "oracle/report/clauses.hpp"
+
 namespace gonogo::cli {
 
 using oracle::Decision;
@@ -10,8 +16,9 @@ using oracle::Verdict;
 
 namespace {
 
-std::string_view word(Decision decision) {
-  switch (decision) {
+std::string_view word(oracle::VerdictKind kind) {
+  if (kind == oracle::VerdictKind::advice) return "ADVICE";
+  switch (decision(kind)) {
     case Decision::go:
       return "GO";
     case Decision::no_go:
@@ -31,6 +38,10 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
     if (!value.empty()) text += fmt::format("{}{:<11}{}\n", indent, what, value);
   };
   put("", verdict.message);
+  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+    put("properties",
+        fmt::format("{} motions are held to properties alone", verdict.property_motions));
+  }
   if (verdict.clause != reference::kNoClause) {
     const reference::Clause& clause = reference::clause(verdict.clause);
     put("clause", fmt::format("{}: {}", clause.id, clause.text));
@@ -45,7 +56,7 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
         same ? verdict.deviation_mm + " mm"
              : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
   }
-  put("witness", verdict.witness);
+  put("witness", oracle::point_for_people(verdict.witness));
   if (!verdict.reading.empty()) put("GO under", fmt::format("--reading {}", verdict.reading));
   return text;
 }
@@ -53,11 +64,14 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
 }  // namespace
 
 std::string verdict_text(const Verdict& verdict) {
-  return fmt::format("{}: {}\n{}", word(decision(verdict.kind)), name(verdict.kind),
+  const std::string departure =
+      verdict.departure ? fmt::format(", {} if a text stated it", name(*verdict.departure)) : "";
+  return fmt::format("{}: {}{}\n{}", word(verdict.kind), name(verdict.kind), departure,
                      evidence(verdict, "  "));
 }
 
 ExitCode exit_code_of(const oracle::Verdict& verdict) {
+  if (verdict.kind == oracle::VerdictKind::advice) return kGo;  // J-RUN-04
   switch (decision(verdict.kind)) {
     case oracle::Decision::go:
       return kGo;
@@ -67,6 +81,30 @@ ExitCode exit_code_of(const oracle::Verdict& verdict) {
       return kUndecided;
   }
 }
+
+namespace {
+
+constexpr std::size_t kShownIds = 3;
+
+// The advices by what they are about.
+std::string advices_text(const oracle::RunScope& scope) {
+  std::string text;
+  for (const auto& [about, group] : scope.advices()) {
+    const reference::Clause* clause = oracle::report::find_clause(about.clause);
+    text += fmt::format(
+        "advice: {} {}, {} {}: {}{}\n", about.clause, about.departure, oracle::grouped(group.cases),
+        group.cases == 1 ? "case" : "cases",
+        fmt::join(
+            std::span(group.first).first(std::min<std::size_t>(kShownIds, group.first.size())),
+            ", "),
+        group.cases > kShownIds ? ", ..." : "");
+    if (clause != nullptr)
+      text += fmt::format("  {} No text of the manual says it.\n", clause->text);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
 
 std::string summary_text(const CampaignSummary& summary, const std::string& subject) {
   std::string text;
@@ -79,6 +117,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += fmt::format("{} {}\n{}\n", failure.id, name(failure.verdict.kind),
                         evidence(failure.verdict, "  "));
   }
+  text += advices_text(summary.answer.scope);
   text += fmt::format("{}: {} cases\n", subject, summary.answer.cases);
   for (std::string_view verdict : oracle::verdict_names()) {
     auto total = summary.footer.totals.find(std::string(verdict));
@@ -98,7 +137,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
   if (summary.answer.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
-  text += fmt::format("{}\n", summary.answer.decision);
+  text += summary.answer.head + "\n";
   return text;
 }
 

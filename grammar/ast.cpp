@@ -8,6 +8,8 @@ void Block::clear() {
   tape_mark = false;
   sequence_number.reset();
   program_number.reset();
+  number_place = {};
+  line_comment = {};
   words.clear();
   named.clear();
   terms.clear();

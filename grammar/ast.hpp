@@ -103,12 +103,19 @@ struct Comment {
 // Something that the maker's language has and the gauge does not read: a variable, an expression, a
 // jump. The block is well formed as far as can be told; its meaning is not covered.
 struct OutsideConstruct {
-  // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string".
+  // Stable: "variable", "expression", "control-statement", "file-name", "o-word", "string",
+  // "comma-word", "RL=", "RC=".
   std::string name;
   Span where;
   friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {
     return a.name == b.name;
   }
+};
+
+// A place of the line. Trees are the same wherever their parts stand.
+struct Place {
+  Span span;
+  friend constexpr bool operator==(const Place&, const Place&) { return true; }
 };
 
 // One line of a program. Words stand in the order written; N and O are not among them.
@@ -117,6 +124,8 @@ struct Block {
   bool tape_mark = false;                  // the line is '%'
   std::optional<Decimal> sequence_number;  // N
   std::optional<Decimal> program_number;   // O, in HNC also %
+  Place number_place;                      // of the number of either
+  Place line_comment;                      // of ';' and all behind it, in letter addresses
   std::vector<Word> words;
   std::vector<NamedWord> named;  // SINUMERIK, in place of `words`, in the order written
   std::vector<Term> terms;       // the values of `named`, one after the other

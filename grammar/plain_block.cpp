@@ -55,12 +55,15 @@ bool take_sequence_number(Cursor& cursor, Block& block) {
   }
   ++cursor.at;
   cursor.skip_blanks();
+  const char* const begin = cursor.at;
   const std::ptrdiff_t digits = cursor.take_digits(block.sequence_number.emplace().magnitude);
+  block.number_place.span = cursor.from(begin);
   return digits > 0 && digits <= kMostPlainDigits;
 }
 
 // ';' and the rest of the line, which is a comment where there is any.
 bool take_line_comment(Cursor& cursor, Block& block) {
+  block.line_comment.span = {cursor.place(cursor.at), cursor.place(cursor.end)};
   const char* const begin = ++cursor.at;
   if (begin == cursor.end) return true;
   Comment& comment = block.comments.emplace_back();

@@ -28,22 +28,26 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   auto parsed = document.parse(line);
   auto* object = std::get_if<simdjson::dom::object>(&parsed);
   if (object == nullptr) return false;
-  const std::array<std::pair<std::string_view, std::string*>, 7> texts = {{
+  const std::array<std::pair<std::string_view, std::string*>, 8> texts = {{
       {"id", &head.id},
       {"dialect", &head.dialect},
       {"cycle", &head.cycle},
       {"verdict", &head.verdict},
       {"clause", &head.clause},
+      {"departure", &head.departure},
       {"feature", &head.feature},
       {"message", &head.message},
   }};
   for (const auto& [key, text] : texts) text->clear();
+  head.features.clear();
   head.clauses.clear();
   head.microseconds = 0;
   head.expected = false;
   for (auto field : *object) {
     if (field.key == "clauses") {
       take_texts(field.value, head.clauses);
+    } else if (field.key == "features") {
+      take_texts(field.value, head.features);
     } else if (field.key == "us") {
       if (field.value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
     } else if (field.key == "expected") {

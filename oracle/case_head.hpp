@@ -16,9 +16,11 @@ struct CaseHead {
   std::string dialect;
   std::string cycle;
   std::string verdict;
-  std::string clause;  // departed from
-  std::string feature;
+  std::string clause;     // departed from
+  std::string departure;  // of an advice: the verdict that it would be
+  std::string feature;    // that was skipped
   std::string message;
+  std::vector<std::string> features;  // that the case needs
   std::vector<std::string> clauses;
   std::uint64_t microseconds = 0;
   bool expected = false;  // an oracle-gap that the corpus expects

@@ -29,6 +29,7 @@ struct SubjectInfo {
   // said of dialects at all, `everything` is set.
   std::map<std::string, std::set<std::string>> dialects;
   bool everything = false;
+  bool recorded = false;  // captured output: what is not there was not asked of the machine
   std::set<std::string> features;         // "blocks", "m", "bytes"
   std::string numeric_kind = "exact";     // fixed, binary64, exact
   std::optional<Number> resolution;       // mm

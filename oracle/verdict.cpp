@@ -7,7 +7,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::array<std::string_view, 27> kNames = {"pass-exact",
+constexpr std::array<std::string_view, 28> kNames = {"pass-exact",
                                                      "pass-rounded",
                                                      "pass-tolerance",
                                                      "pass-properties",
@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 27> kNames = {"pass-exact",
                                                      "fail.alarm-spurious",
                                                      "fail.alarm-class",
                                                      "fail.alarm-late",
+                                                     "fail.declaration",
                                                      "state-leak",
                                                      "crash",
                                                      "timeout",

@@ -33,6 +33,7 @@ enum class VerdictKind : std::uint8_t {
   fail_alarm_spurious,
   fail_alarm_class,
   fail_alarm_late,
+  fail_declaration,  // what the subject declares, it skips
   state_leak,
   crash,
   timeout,
@@ -69,7 +70,7 @@ struct Verdict {
   std::string deviation_exact;  // mm, as in a record; empty: none
   std::string deviation_mm;     // the same as a decimal
   std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
-  std::string feature;          // skip: what the subject does not have; empty: it refused a profile
+  std::string feature;          // skip, fail.declaration: what the subject skips; empty: it refused a profile
   std::string message;          // a sentence for people
 };
 

@@ -17,7 +17,9 @@ void BlockBase::missing(ClauseId clause, WordName address) {
 
 void BlockBase::need_feed(ClauseId clause) {
   if (state.feed.sign() > 0) return;
-  alarm(AlarmClass::feed_missing, clause, 'F', "The block cuts, but no feed is in force.");
+  alarm(AlarmClass::feed_missing, clause, 'F',
+        "The block cuts, but no feed is in force. A machine that comes up with one has it in "
+        "the profile: initial = { f = \"100\" }");
 }
 
 bool BlockBase::turns_alone(const Position& to) const {
@@ -94,6 +96,23 @@ bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_be
       NotCovered{line, "program-head",
                  "Another program begins here, which the gauge does not read.", grammar::Span{}};
   return true;
+}
+
+NotCovered lacking_in_profile(std::string_view what, std::string line, const grammar::Span& where,
+                              std::uint64_t block) {
+  std::string message = fmt::format(
+      "{} is needed here, and the profile does not say it. Write into the profile, with the "
+      "machine's own value: {}",
+      what, line);
+  return {block, std::string(kLackingProfile), std::move(message), where, std::move(line)};
+}
+
+NotCovered word_outside(const grammar::Word& word, std::string_view code, std::uint64_t line) {
+  return {line, std::string(1, word.address),
+          fmt::format("The gauge does not read the word {} beside {}; a control may give it a "
+                      "meaning.",
+                      text_of(word), code),
+          word.where};
 }
 
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line) {

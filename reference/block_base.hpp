@@ -60,6 +60,15 @@ struct BlockBase {
 bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
                     BlockOutput& out);
 
+// What of the machine the program needs and the profile does not say: `what` it is, as the subject
+// of a sentence, and the `line` of TOML that says it.
+NotCovered lacking_in_profile(std::string_view what, std::string line, const grammar::Span& where,
+                              std::uint64_t block);
+
+// A word that the block's code does not use and no rule passes over; a control may give it a
+// meaning. `code` as it is quoted: G01.
+NotCovered word_outside(const grammar::Word& word, std::string_view code, std::uint64_t line);
+
 // A block whose construct is not read. REQUIRES: there is one.
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line);
 

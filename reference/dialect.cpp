@@ -6,12 +6,15 @@
 
 #include "reference/gsk988ta/codes.hpp"
 #include "reference/gsk988ta/interpreter.hpp"
+#include "reference/gsk988ta/word_use.hpp"
 #include "reference/hnc21t/codes.hpp"
 #include "reference/hnc21t/interpreter.hpp"
+#include "reference/hnc21t/word_use.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/interpreter.hpp"
 #include "reference/sinumerik/codes.hpp"
 #include "reference/sinumerik/interpreter.hpp"
+#include "reference/sinumerik/word_use.hpp"
 
 namespace gonogo::reference {
 
@@ -28,6 +31,11 @@ constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});
 // The 802S has the path commands of the 840D, and more.
 constexpr auto kClauses802s =
     catalog::joined(catalog::sinumerik::kPathClauses, catalog::sinumerik::kCycleClauses);
+
+// The language of rs274 has none: a word that its block does not use is an alarm.
+std::span<const PassedWords> no_passed_words() {
+  return {};
+}
 
 void keeps_defaults(Profile&) {}
 
@@ -48,16 +56,16 @@ std::span<const Dialect> dialects() {
   static const auto kDialects = std::to_array<Dialect>({
       {"gsk988ta", grammar::Dialect::gsk988ta, catalog::kGsk988ta, "GSK-COM-02"_clause, true,
        gsk988ta::make_interpreter, gsk988ta::outside_codes, gsk988ta::codes_without_effect,
-       kOffsets, kGskParameters, keeps_defaults,
+       gsk988ta::passed_words, kOffsets, kGskParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, variables "
-       "(#), expressions ([ ]) and "
-       "control statements"},
+       "(#), expressions ([ ]), "
+       "words behind a comma and control statements"},
       {"hnc21t", grammar::Dialect::hnc21t, catalog::hnc21t::kClauses, "HNC-COM-01"_clause, true,
-       hnc21t::make_interpreter, hnc21t::outside_codes, hnc21t::codes_without_effect, kOffsets,
-       kHncParameters, keeps_defaults,
+       hnc21t::make_interpreter, hnc21t::outside_codes, hnc21t::codes_without_effect,
+       hnc21t::passed_words, kOffsets, kHncParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
        "outside the cycles (programs "
-       "for mills), variables (#), expressions ([ ]) and control statements"},
+       "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements"},
       {"rs274",
        grammar::Dialect::rs274,
        catalog::rs274::kClauses,
@@ -66,6 +74,7 @@ std::span<const Dialect> dialects() {
        rs274::make_interpreter,
        rs274::outside_codes,
        rs274::codes_without_effect,
+       no_passed_words,
        {},
        {},
        mills_finely,
@@ -79,10 +88,12 @@ std::span<const Dialect> dialects() {
        sinumerik::make_interpreter_840d,
        sinumerik::outside_codes,
        sinumerik::codes_without_effect,
+       sinumerik::passed_words,
        {},
        kSinumerikParameters,
        mills,
-       "subprograms (L, P, calls), the axes B U V W and those with a number, R[ ] and $ variables, "
+       "subprograms (L, P, calls), the axes B E Q U V W, addresses with a number, names of own "
+       "subprograms and variables, R[ ] and $ variables, "
        "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},
       {"sinumerik802s",
        grammar::Dialect::sinumerik,
@@ -92,10 +103,12 @@ std::span<const Dialect> dialects() {
        sinumerik::make_interpreter_802s,
        sinumerik::outside_codes,
        sinumerik::codes_without_effect,
+       sinumerik::passed_words,
        {},
        kSinumerikParameters,
        mills,
-       "subprograms (L, P, calls), M functions above 99, the axes B U V W and those with a number, "
+       "subprograms (L, P, calls), M functions above 99, the axes B E Q U V W, addresses with a "
+       "number, names of own subprograms and variables, "
        "R[ ] and $ variables, "
        "exponents (EX), strings as values and control words (IF, GOTO, DEF, ...)"},
   });

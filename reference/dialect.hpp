@@ -11,6 +11,7 @@
 #include "grammar/ast.hpp"
 #include "reference/clause.hpp"
 #include "reference/expander.hpp"
+#include "reference/passed_words.hpp"
 
 namespace gonogo::reference {
 
@@ -27,6 +28,8 @@ struct Dialect {
   std::span<const OutsideCode> (*outside_codes)();
   // Modal codes without effect on the path, passed over.
   std::span<const std::string_view> (*codes_without_effect)();
+  // The words that are passed over, by which rule.
+  std::span<const PassedWords> (*passed_words)();
   std::span<const std::string_view> offsets;     // names of work offsets that a profile may give
   std::span<const std::string_view> parameters;  // and of machine parameters
   void (*power_on)(Profile& profile);            // sets what is not Profile's own default

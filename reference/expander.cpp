@@ -60,25 +60,40 @@ void Expander::leave_out_of_range() {
       word != nullptr ? word->where : out_.beyond_range.value_or(grammar::Span{})};
 }
 
+// Whether there is a block to run. At the end of the text the interpreter is heard once.
+bool Expander::next_line() {
+  out_.clear();
+  next_item_ = next_after_ = 0;
+  const auto size = static_cast<std::uint32_t>(line_.text.size());
+  if (lines_.next(line_)) return true;
+  text_ended_ = true;
+  interpreter_->end_text({size, size}, out_);
+  return false;
+}
+
 const Item* Expander::next() {
   while (!ended_) {
     if (next_item_ < out_.items.size()) return &out_.items[next_item_++];
     if (const Item* item = out_.cycle.next()) return item;
     if (next_after_ < out_.after.size()) return &out_.after[next_after_++];
     if (!out_.alarms.empty()) {
-      return finish(AlarmReport{line_.number, std::move(out_.alarms), std::nullopt});
+      // A text without a line has its alarm in the first.
+      const std::uint64_t line = std::max<std::uint64_t>(line_.number, 1);
+      return finish(AlarmReport{line, std::move(out_.alarms), std::nullopt});
     }
     if (out_.not_covered) return finish(*std::move(out_.not_covered));
-    if (out_.program_end || !lines_.next(line_)) {
+    if (out_.program_end || text_ended_) {
       Record end;
       end.kind = RecordKind::end;
       end.axes = kEveryAxis;
       end.to = interpreter_->position();
       return finish(std::move(end));
     }
-    out_.clear();
-    next_item_ = next_after_ = 0;
-    if (profile_.block_skip && is_skipped(line_)) continue;
+    if (!next_line()) continue;
+    if (profile_.block_skip && is_skipped(line_)) {
+      interpreter_->leave_out();
+      continue;
+    }
     std::optional<grammar::SyntaxError> error;
     if (line_.too_long) {
       error = grammar::line_too_long();
@@ -91,7 +106,10 @@ const Item* Expander::next() {
                   grammar::message(*error)};
       return finish(AlarmReport{line_.number, {std::move(alarm)}, std::move(error)});
     }
-    if (block_.skip && profile_.block_skip) continue;
+    if (block_.skip && profile_.block_skip) {
+      interpreter_->leave_out();
+      continue;
+    }
     interpreter_->run(line_.number, block_, out_);
     leave_out_of_range();
     if (warn_) {

@@ -38,6 +38,14 @@ class BlockInterpreter {
  public:
   virtual ~BlockInterpreter() = default;
   virtual void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) = 0;
+  // A block was left out, since blocks behind '/' are skipped.
+  virtual void leave_out() {}
+  // The text is at its end, and no block ended the program; `end` is the place behind the last
+  // line. Alarms are of that line.
+  virtual void end_text(const grammar::Span& end, BlockOutput& out) {
+    static_cast<void>(end);
+    static_cast<void>(out);
+  }
   // Where the machine stands after everything that was put out so far.
   virtual const Position& position() const = 0;
   // The machine stands elsewhere than the open path that was put out last would have left it.
@@ -75,6 +83,7 @@ class Expander {
  private:
   const Item* finish(Item item);
   void leave_out_of_range();
+  bool next_line();
 
   const Profile& profile_;
   grammar::LineSource& lines_;
@@ -88,6 +97,7 @@ class Expander {
   std::size_t next_item_ = 0;
   std::size_t next_after_ = 0;
   Item last_;
+  bool text_ended_ = false;
   bool ended_ = false;
 };
 

@@ -39,13 +39,18 @@ struct AlarmReport {
   std::optional<grammar::SyntaxError> syntax;
 };
 
-// A code or construct that the maker has and the gauge does not read; the program ends here for it.
+// A code, word or construct that the maker has and the gauge does not read, or something of the
+// machine that the profile does not say; the program ends here for the gauge.
 struct NotCovered {
   std::uint64_t block = 0;
-  std::string code;
+  std::string code;  // the code or the word; "profile" for what the profile lacks
   std::string message;
   grammar::Span where;
+  // The line of TOML that the profile lacks, with a value that stands for the machine's own; empty:
+  // nothing of the profile.
+  std::string lacks = {};
 };
+inline constexpr std::string_view kLackingProfile = "profile";
 
 // Something of a block that the gauge passes over, and that a reader should know of.
 struct Warning {

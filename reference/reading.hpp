@@ -70,6 +70,13 @@ enum class ReadingKey : std::uint8_t {
   ngc_arc_tolerance,
   ngc_full_circle_words,
   ngc_whole,
+  ngc_g80_beside,
+  ngc_unused_words,
+  ngc_line_number,
+  ngc_o_name,
+  ngc_program_end,
+  ngc_bare_motion,
+  ngc_arc_words_alone,
   sie_arc_correct,
   sie_cr_tolerance,
   sie_spindle,
@@ -84,7 +91,7 @@ enum class ReadingKey : std::uint8_t {
   sie_corner,
   sie_pocket_path,
 };
-inline constexpr std::size_t kReadings = 64;
+inline constexpr std::size_t kReadings = 71;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

@@ -14,6 +14,7 @@
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/first_subject.hpp"
+#include "cli/gauge.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -27,6 +28,7 @@
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/trace_file.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -105,8 +107,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
     const bool one = options.dialects.size() == 1;
     campaign.profile = load_profile({one ? options.dialects.front() : "", options.profile, {}});
   }
-  campaign.tolerance = length_option(options.limits.tolerance, "--tolerance");
-  campaign.chord = length_option(options.limits.chord, "--chord");
+  campaign.grants = options.limits.grants();
   campaign.jobs = options.jobs > 0
                       ? static_cast<int>(options.jobs)
                       : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
@@ -125,12 +126,34 @@ std::string sha256_of(const std::string& path) {
   return hash.hex();
 }
 
+// What the subject declares and the machine of each dialect, as it is without the profiles of the
+// cases, does not admit.
+std::vector<std::pair<std::string, oracle::Capped>> capped_declarations(
+    const oracle::CampaignOptions& campaign, const oracle::SubjectInfo& info) {
+  std::vector<std::pair<std::string, oracle::Capped>> found;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    const std::string name(dialect.name);
+    const bool asked = campaign.dialects.empty() ||
+                       std::ranges::find(campaign.dialects, name) != campaign.dialects.end();
+    if (!asked || !info.declares(name, "")) continue;
+    const bool is_set = campaign.profile && campaign.profile->dialect == name;
+    const auto machine =
+        is_set ? *campaign.profile : std::get<reference::Profile>(reference::default_profile(name));
+    for (oracle::Capped& one : oracle::capped(info, machine, campaign.grants)) {
+      found.emplace_back(name, std::move(one));
+    }
+  }
+  return found;
+}
+
 oracle::ResultsHeader results_header(const CertifyOptions& options, const std::string& subject,
                                      const oracle::Corpus& corpus,
                                      const oracle::CampaignOptions& campaign,
                                      const oracle::SubjectInfo& info) {
   oracle::ResultsHeader header;
   header.version = kVersion;
+  header.commit = gauge_commit();
+  header.program_sha256 = gauge_sha256();
   header.corpus_version = corpus.version();
   header.corpus_sha256 = corpus.sha256();
   header.subject_spec = subject;
@@ -142,8 +165,12 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.case_id = options.case_id;
   header.known_failures_sha256 = sha256_of(options.known_failures);
   header.alarm_map_sha256 = sha256_of(options.alarm_map);
-  if (campaign.tolerance) header.tolerance = campaign.tolerance->text();
-  if (campaign.chord) header.chord = campaign.chord->text();
+  const oracle::Grants& grants = campaign.grants;
+  if (grants.tolerance) header.tolerance = grants.tolerance->text();
+  if (grants.chord) header.chord = grants.chord->text();
+  if (grants.feed_resolution) header.feed_resolution = grants.feed_resolution->text();
+  header.strict = grants.strict;
+  header.capped = capped_declarations(campaign, info);
   header.shard = options.shard;
   header.argv = options.argv;
   return header;
@@ -315,6 +342,7 @@ void add_certify(Command& program) {
                "go on from the journal of an interrupted run in the same folder");
   command.flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
   add_subject_options(command, options->limits);
+  add_strict_option(command, options->limits);
   options->argv = arguments();
   command.run([options] { return certify(*options); });
 }

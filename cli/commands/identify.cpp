@@ -53,8 +53,10 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
   }
   const oracle::Corpus corpus(corpus_folder(words.corpus));
   const identify::ProbePool pool = make_pool(corpus, dialect, pool_options);
-  const identify::IdentifyOptions options{length_option(words.limits.tolerance, "--tolerance"),
-                                          length_option(words.limits.chord, "--chord")};
+  const identify::IdentifyOptions options{
+      length_option(words.limits.tolerance, "--tolerance"),
+      length_option(words.limits.chord, "--chord"),
+      feed_option(words.limits.feed_resolution, "--feed-resolution")};
   const identify::Identification found = identify_readings(subject, pool, options);
   Output output;
   output.text() = identification_text(found, subject.info().name, dialect);
@@ -106,6 +108,7 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
   identify::DepartureOptions options;
   options.tolerance = length_option(words.limits.tolerance, "--tolerance");
   options.chord = length_option(words.limits.chord, "--chord");
+  options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");
   const identify::Attribution attribution =
       attribute(subject, corpus, asked_for(words, corpus, subject.info()), options);
   Output output;

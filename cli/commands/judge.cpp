@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // gonogo judge: one program and one recorded outcome.
+#include <fmt/format.h>
+
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
@@ -15,6 +17,7 @@ namespace {
 struct JudgeOptions {
   std::string program;
   std::string trace;
+  std::string numeric;
   std::string resolution;
   ProfileOptions profile;
   LimitOptions limits;
@@ -27,8 +30,13 @@ oracle::JudgeTerms terms_for(const TraceFeatures& features, const JudgeOptions& 
   if (features.m) subject.features.insert("m");
   subject.resolution = length_option(options.resolution, "--resolution");
   if (subject.resolution) subject.numeric_kind = "fixed";
-  return make_terms(subject, profile, length_option(options.limits.tolerance, "--tolerance"),
-                    length_option(options.limits.chord, "--chord"));
+  if (!options.numeric.empty()) subject.numeric_kind = options.numeric;
+  return make_terms(subject, profile, options.limits.grants());
+}
+
+void check_numeric(const std::string& kind) {
+  if (kind.empty() || kind == "fixed" || kind == "binary64" || kind == "exact") return;
+  throw UsageError(fmt::format("--numeric takes fixed, binary64 or exact, not \"{}\".", kind));
 }
 
 // What a trace has decides what is compared, and is known for certain only at its end: where the
@@ -57,6 +65,7 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
 }
 
 int judge(const JudgeOptions& options) {
+  check_numeric(options.numeric);
   const reference::Profile profile = load_profile(options.profile);
   if (options.program == "-" && options.trace == "-") {
     throw UsageError("Only one of program and trace can come from standard input.");
@@ -79,10 +88,13 @@ void add_judge(Command& program) {
   command.argument("program", options->program, "NC program, or - for standard input");
   command.needed_option("--trace", options->trace,
                         "records as JSON lines, or - for standard input");
+  command.option("--numeric", options->numeric,
+                 "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,
                  "what the trace's lengths were rounded to, mm, a decimal");
   add_profile_options(command, options->profile);
   add_tolerance_options(command, options->limits);
+  add_strict_option(command, options->limits);
   command.run([options] { return judge(*options); });
 }
 

@@ -70,6 +70,12 @@ void append_outside(const reference::Dialect& dialect, std::string& out) {
     out += fmt::format(" {}", code);
   }
   out += '\n';
+  if (dialect.passed_words().empty()) return;
+  out += "\nPassed over: words beside codes that do not use them\n";
+  for (const reference::PassedWords& rule : dialect.passed_words()) {
+    out += fmt::format("  {}: {}\n{:8}{} ({})\n", rule.codes, rule.words, "", rule.why,
+                       reference::clause_name(rule.clause));
+  }
 }
 
 // The page of each dialect chosen, with its drawings.

@@ -49,6 +49,10 @@ class Tokenizer {
   Token next(Word& word);
   /// The line from the first byte of the token that was read last.
   std::string_view from_token() const { return {token_, static_cast<std::size_t>(end_ - token_)}; }
+  /// The number of the word that was read last, as it is written.
+  std::string_view number_text() const {
+    return {token_ + 1, static_cast<std::size_t>(cursor_ - token_ - 1)};
+  }
   /// Whether the number of the word is nothing but digits, as those of N and O are.
   bool has_plain_number() const;
   /// Passes over the digits that follow the token; false: there are none.

@@ -213,8 +213,44 @@ void Interpreter::take_motion_code() {
   if (!machine_.has(Fault::kPocketLeaksPastMotion)) state.cycle = Cycle::kNone;
 }
 
+// Words that this expander has a use for, or holds to their range, beside the codes in force.
+AddressSet Interpreter::known_words() const {
+  constexpr AddressSet kAxes{"XUYVZWCH"};
+  constexpr AddressSet kCycle{"XUYVZWCHRILQDEJKP"};
+  const bool in_cycle = machine_.state.cycle != Cycle::kNone;
+  const bool enters = block_.code(Group::kCycle) != nullptr && in_cycle;
+  if (is_dwell()) {
+    if (enters) return AddressSet{"RILQDEJKPXU"};
+    return block_.has('P') ? AddressSet{"P"} : AddressSet{"XU"};
+  }
+  if (block_.code(Group::kNonModal) != nullptr) return enters ? kCycle : kAxes;
+  if (in_cycle || is_turning_cycle(machine_.state.motion)) return kCycle;
+  const Motion motion = machine_.state.motion;
+  if (motion != Motion::kArcClockwise && motion != Motion::kArcCounterclockwise) return kAxes;
+  AddressSet known = kAxes;
+  known.add('R');
+  const std::size_t across = machine_.state.plane->d;
+  for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z}) {
+    if (block_.has('R') || axis != across) known.add(static_cast<char>('I' + (axis - GONOGO_X)));
+  }
+  return known;
+}
+
+// A word that a control may chamfer or round by.
+Flow Interpreter::check_stray_words() {
+  constexpr AddressSet kAnywhere{"FMST"};
+  const AddressSet known = known_words();
+  for (char address = 'A'; address <= 'Z'; ++address) {
+    if (!block_.has(address) || known.has(address) || kAnywhere.has(address)) continue;
+    return unsupported({&address, 1});
+  }
+  return Flow::kContinue;
+}
+
 // Of the codes in force one takes the words of the block.
 Flow Interpreter::prepare(Plan& plan) {
+  const Flow known = check_stray_words();
+  if (known != Flow::kContinue) return known;
   const bool in_cycle = machine_.state.cycle != Cycle::kNone;
   if (in_cycle && entering_ && block_.code(Group::kNonModal) != nullptr) {
     const Flow flow = prepare_cycle(false, plan);

@@ -29,6 +29,8 @@ class Interpreter {
   void take_cycle_code();
   void enter_cycle(Cycle cycle);
   void cancel_cycles();
+  AddressSet known_words() const;
+  Flow check_stray_words();
   Flow prepare(Plan& plan);
   Flow prepare_cycle(bool mills, Plan& plan);
   Flow run_functions(bool before);

@@ -7,9 +7,9 @@ namespace gonogo::expanders::hnc {
 namespace {
 
 // Words of the macro language that begin a statement or a function.
-constexpr std::string_view kMacroWords[] = {"IF",   "ELSE", "ENDIF", "WHILE", "ENDW", "DO",  "END",
-                                            "GOTO", "CALL", "AR",    "SIN",   "COS",  "TAN", "ATAN",
-                                            "ABS",  "INT",  "SQRT",  "EXP",   "SIGN", "PI"};
+constexpr std::string_view kMacroWords[] = {
+    "IF",  "ELSE", "ENDIF", "WHILE", "ENDW", "DO",   "END", "GOTO", "CALL", "AR", "SIN",
+    "COS", "TAN",  "ATAN",  "ABS",   "INT",  "SQRT", "EXP", "SIGN", "PI",   "RL", "RC"};
 
 bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');

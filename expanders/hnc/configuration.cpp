@@ -22,7 +22,6 @@ constexpr Choice<Configuration> kChoices[] = {
     {"hnc.g82.starts", "all", "one", &Configuration::one_start_a_block},
     {"hnc.modal.f", "feed", "forgotten", &Configuration::cycle_feed_forgotten},
     {"hnc.offset.initial", "G54", "none", &Configuration::no_initial_frame},
-    {"hnc.lead.unit", "mm", "units", &Configuration::lead_in_units},
     {"hnc.arc.zero-radius", "alarm", "none", &Configuration::zero_radius_allowed},
 };
 
@@ -36,6 +35,8 @@ class Reader : public ProfileReader {
   bool setting(const std::string& key, const Json& value) override;
   bool initial(const std::string& key, const Json& value) override;
   bool reading(const std::string& key, const Json& json) override;
+  bool missing_axis(const std::string& key, const Json& json);
+  bool lead_unit(const std::string& key, const Json& json);
   bool motion(const Json& value);
   bool offsets(const Json& json);
   bool parameters(const Json& json);
@@ -92,7 +93,12 @@ bool Reader::parameters(const Json& json) {
 bool Reader::reading(const std::string& key, const Json& json) {
   const std::optional<bool> read = choice(kChoices, key, json, configuration_);
   if (read) return *read;
-  if (key != "hnc.missing-axis") return refuse(key, json);
+  if (key == "hnc.missing-axis") return missing_axis(key, json);
+  if (key == "hnc.lead.unit") return lead_unit(key, json);
+  return refuse(key, json);
+}
+
+bool Reader::missing_axis(const std::string& key, const Json& json) {
   const std::string value = text_of(json);
   if (is_any(json) || value == "reject") {
     configuration_.missing_axis = MissingAxis::kReject;
@@ -100,10 +106,21 @@ bool Reader::reading(const std::string& key, const Json& json) {
     configuration_.missing_axis = MissingAxis::kKeep;
   } else if (value == "none") {
     configuration_.missing_axis = MissingAxis::kNone;
+  } else if (value == "nothing") {
+    configuration_.missing_axis = MissingAxis::kNothing;
   } else {
     return refuse(key, json);
   }
   return true;
+}
+
+bool Reader::lead_unit(const std::string& key, const Json& json) {
+  const std::string value = is_any(json) ? std::string("mm") : text_of(json);
+  configuration_.lead_in_units = value == "units" || value == "units-tpi";
+  configuration_.threads_per_inch = value == "tpi" || value == "units-tpi";
+  const bool known =
+      configuration_.lead_in_units || configuration_.threads_per_inch || value == "mm";
+  return known || refuse(key, json);
 }
 
 }  // namespace

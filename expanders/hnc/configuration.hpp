@@ -11,7 +11,7 @@
 namespace gonogo::expanders::hnc {
 
 /// What a coordinate that a cycle block does not give stands for.
-enum class MissingAxis { kReject, kKeep, kNone };
+enum class MissingAxis { kReject, kKeep, kNone, kNothing };
 
 inline constexpr std::size_t kFrames = 6;  // G54 to G59
 
@@ -42,7 +42,8 @@ struct Configuration {
   bool one_start_a_block = false;                   ///< hnc.g82.starts
   bool cycle_feed_forgotten = false;                ///< hnc.modal.f
   bool no_initial_frame = false;                    ///< hnc.offset.initial
-  bool lead_in_units = false;                       ///< hnc.lead.unit
+  bool lead_in_units = false;                       ///< hnc.lead.unit: F under G20
+  bool threads_per_inch = false;                    ///< hnc.lead.unit: J
   bool zero_radius_allowed = false;                 ///< hnc.arc.zero-radius
   MissingAxis missing_axis = MissingAxis::kReject;  ///< hnc.missing-axis
 };

@@ -16,6 +16,7 @@ Fixed coordinate(Machine& machine, const Block& block, std::size_t axis) {
       if (kept.present) return kept.value;
       break;
     case MissingAxis::kReject:
+    case MissingAxis::kNothing:  // is_idle
       break;
   }
   machine.complain(AlarmKind::kMissingWord, is_x ? 'X' : 'Z', kNowhere);
@@ -23,6 +24,13 @@ Fixed coordinate(Machine& machine, const Block& block, std::size_t axis) {
 }
 
 }  // namespace
+
+bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool needs_z) {
+  if (!block.has_any(kAxisAddresses)) return true;
+  if (machine.configuration.missing_axis != MissingAxis::kNothing) return false;
+  return (needs_x && !axis_word(machine, block, GONOGO_X).present) ||
+         (needs_z && !axis_word(machine, block, GONOGO_Z).present);
+}
 
 CycleEnd cycle_end(Machine& machine, const Block& block, bool needs_x, bool needs_z) {
   CycleEnd end{machine.state.position[GONOGO_X], machine.state.position[GONOGO_Z]};

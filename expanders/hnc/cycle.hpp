@@ -16,6 +16,10 @@ struct CycleEnd {
 /// position's (HNC-MOD-03). Complains about what is missing.
 CycleEnd cycle_end(Machine& machine, const Block& block, bool needs_x, bool needs_z);
 
+/// Whether the block of a cycle moves nothing: it has no axis word, or under the reading
+/// hnc.missing-axis = nothing lacks one that the cycle needs.
+bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool needs_z);
+
 /// Keeps C for blocks that leave a coordinate out.
 void keep_end(Machine& machine, const CycleEnd& end);
 

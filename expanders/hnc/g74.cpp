@@ -6,7 +6,7 @@ namespace gonogo::expanders::hnc {
 
 void prepare_drill(Machine& machine, const Block& block, Plan& plan) {
   take_pecks(machine, block, false);
-  if (!block.has_any(kAxisAddresses)) return;
+  if (is_idle(machine, block, false, true)) return;
   // HNC-G74-04: X and U stand there without effect.
   const CycleEnd end = cycle_end(machine, block, false, true);
   Drill drill;

@@ -94,7 +94,7 @@ void prepare_groove(Machine& machine, const Block& block, Plan& plan) {
   const char count = machine.configuration.count_in_p ? 'P' : 'I';
   take_pecks(machine, block, by_reading != machine.has(Fault::kGrooveDepthDiameter));
   take_count(machine, block, count);
-  if (!block.has_any(kAxisAddresses)) return;
+  if (is_idle(machine, block, true, false)) return;
   const bool wide = block.has('Z') || block.has('W');
   const CycleEnd end = cycle_end(machine, block, true, wide);
   Groove groove;

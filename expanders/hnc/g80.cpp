@@ -8,7 +8,7 @@ void prepare_turn_cycle(Machine& machine, const Block& block, Plan& plan) {
   Retained& taper = machine.state.store.taper;
   if (machine.has(Fault::kTurnTaperLost)) taper = {};
   take_length(machine, block, 'I', taper);
-  if (!block.has_any(kAxisAddresses)) return;
+  if (is_idle(machine, block, true, true)) return;
   const CycleEnd end = cycle_end(machine, block, true, true);
   // HNC-G80-02: I is a difference of radii, whatever G36 and G91 say.
   Fixed by = taper.value;

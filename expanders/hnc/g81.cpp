@@ -8,7 +8,7 @@ void prepare_face_cycle(Machine& machine, const Block& block, Plan& plan) {
   Retained& taper = machine.state.store.taper;
   const bool ignored = machine.has(Fault::kFaceTaperIgnored) && !machine.state.incremental;
   if (!ignored) take_length(machine, block, 'K', taper);
-  if (!block.has_any(kAxisAddresses)) return;
+  if (is_idle(machine, block, true, true)) return;
   const CycleEnd end = cycle_end(machine, block, true, true);
   // HNC-G81-02
   const Fixed by = machine.has(Fault::kFaceTaperSign) ? -taper.value : taper.value;

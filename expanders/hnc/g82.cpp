@@ -119,7 +119,7 @@ bool pass(Machine& machine, const ThreadCycle& cycle, Fixed start) {
 
 void prepare_thread_cycle(Machine& machine, const Block& block, Plan& plan) {
   take_words(machine, block);
-  if (!block.has_any(kAxisAddresses)) return;
+  if (is_idle(machine, block, true, true)) return;
   const CycleStore& store = machine.state.store;
   const CycleEnd end = cycle_end(machine, block, true, true);
   ThreadCycle cycle;

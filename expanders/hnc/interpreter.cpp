@@ -93,6 +93,34 @@ Motion Interpreter::coming_motion() const {
   return code == nullptr ? machine_.state.motion : motion_of(code->number);
 }
 
+// Words that this expander has a use for, or may pass over, under a motion code; an empty set is
+// that of G00 and G01. HNC-MOD-05: the cycles take in each other's words.
+AddressSet Interpreter::words_of(Motion motion) const {
+  constexpr AddressSet kPlain{"XUZW"};
+  constexpr AddressSet kCycle{"XUZWIKRECAPJQ"};
+  if (block_.has_code(Group::kOnce, 4)) return AddressSet{"P"};
+  if (is_apart()) return kPlain;
+  switch (motion) {
+    case Motion::kArcClockwise:
+    case Motion::kArcCounterclockwise:
+      return AddressSet{"XUZWRIK"};
+    case Motion::kThread:
+      return AddressSet{"XUZWJREPCQKI"};
+    default:
+      return is_cycle(motion) ? kCycle : kPlain;
+  }
+}
+
+// A word that a control may chamfer, round or offset by; 0: none.
+char Interpreter::stray_word(Motion motion) const {
+  constexpr AddressSet kAnywhere{"FMSTYV"};
+  const AddressSet known = words_of(motion);
+  for (char address = 'A'; address <= 'Z'; ++address) {
+    if (block_.has(address) && !known.has(address) && !kAnywhere.has(address)) return address;
+  }
+  return 0;
+}
+
 // What the control can do and this expander cannot; it goes before every alarm of the block.
 Flow Interpreter::check_coverage() {
   if (const Code* code = block_.outside()) return unsupported('G', code->number);
@@ -112,6 +140,8 @@ Flow Interpreter::check_coverage() {
   for (const char address : {'Y', 'V'}) {
     if (block_.has(address) && !is_cycle(motion)) return unsupported({&address, 1});
   }
+  const char stray = block_.unknown_code() ? char{0} : stray_word(motion);
+  if (stray != 0) return unsupported({&stray, 1});
   if (motion != Motion::kThread || is_apart()) return Flow::kContinue;
   for (const char address : {'R', 'E', 'P', 'C', 'Q', 'K', 'I'}) {
     const bool shapes =
@@ -197,7 +227,18 @@ void Interpreter::take_speed() {
     machine_.complain(AlarmKind::kConflictingWords, later, block_);
   }
   take_lead('F', inch_lead);
-  if (by_j) take_lead('J', !machine_.has(Fault::kInchLeadAsMillimetres));
+  if (!by_j) return;
+  take_lead('J', !machine_.has(Fault::kInchLeadAsMillimetres));
+  if (machine_.configuration.threads_per_inch) take_thread_count();
+}
+
+// J as threads to the inch.
+void Interpreter::take_thread_count() {
+  const Fixed count = block_.number('J').value;
+  if (count <= 0) return;
+  const Wide lead = scaled(254 * kOne / 10, kOne, count);
+  if (!fits(lead)) return machine_.complain(AlarmKind::kValueOutOfRange, 'J', block_);
+  machine_.state.store.lead = static_cast<Fixed>(lead);
 }
 
 void Interpreter::take_lead(char address, bool in_inches) {

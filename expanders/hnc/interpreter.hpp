@@ -37,6 +37,9 @@ class Interpreter {
   Motion coming_motion() const;
   /// G04 or G92: the axis words of the block are not the motion code's.
   bool is_apart() const { return block_.code(Group::kOnce) != nullptr; }
+  void take_thread_count();
+  AddressSet words_of(Motion motion) const;
+  char stray_word(Motion motion) const;
 
   Machine machine_;
   Block block_;

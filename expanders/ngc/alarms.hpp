@@ -12,6 +12,8 @@ enum class AlarmKind {
   kDuplicateWord,
   kConflictingWords,
   kMissingWord,
+  kUnusedWord,
+  kProgramEnd,
   kValueOutOfRange,
   kValueSign,
   kNotAnInteger,

@@ -38,7 +38,7 @@ int sense_of(const Machine& machine, bool counterclockwise) {
 
 // NGC-ARC-05
 int turns_of(Machine& machine, const Block& block) {
-  if (!block.has_turns() || machine.has(Fault::kTurnsIgnored)) return 1;
+  if (!block.has('P') || block.uses('P') || machine.has(Fault::kTurnsIgnored)) return 1;
   const Decimal& written = block.number('P');
   const std::optional<Fixed> whole = whole_turns(written, machine.whole);
   const Fixed count = whole.value_or(written.value / kOne);

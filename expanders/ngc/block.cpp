@@ -44,10 +44,31 @@ std::string_view macro_at(std::string_view rest) {
   return begins ? rest.substr(0, 1) : std::string_view{};
 }
 
-// NGC-COM-01: `%` with nothing but blanks beside it.
+// NGC-COM-07: `%` with nothing but blanks beside it.
 bool is_alone(std::string_view line) {
   return std::all_of(line.begin(), line.end(), [](char c) { return is_blank(c) || c == '%'; }) &&
          std::count(line.begin(), line.end(), '%') == 1;
+}
+
+// NGC-COM-04: copies the line without the blanks that stand outside comments.
+void copy_without_blanks(std::string_view line, std::string& into) {
+  into.clear();
+  bool comment = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!comment && line[i] == ';') {
+      into.append(line.substr(i));
+      return;
+    }
+    if (comment || !is_blank(line[i])) into.push_back(line[i]);
+    if (line[i] == '(') comment = true;
+    if (line[i] == ')') comment = false;
+  }
+}
+
+std::size_t digits_at(std::string_view text, std::size_t from) {
+  std::size_t end = from;
+  while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+  return end - from;
 }
 
 // Whether a comment stands before `token`, which ends `line`.
@@ -72,6 +93,8 @@ void Block::clear() {
   duplicate_position_ = kNowhere;
   last_address_ = 0;
   macro_ = {};
+  long_number_ = false;
+  motions_ = {};
 }
 
 Block::Reading Block::unreadable(std::string_view rest) {
@@ -82,6 +105,14 @@ Block::Reading Block::unreadable(std::string_view rest) {
 Block::Reading Block::read(std::string_view line, Manner manner) {
   clear();
   if (line.size() > kLongestLine) return Reading::kSyntax;
+  copy_without_blanks(line, line_);
+  if (line_.empty()) return Reading::kBlank;
+  const Reading reading = read_words(manner.blanks_end_numbers ? line : line_, manner);
+  if (reading == Reading::kWords) settle_motion(manner);
+  return reading;
+}
+
+Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
   Tokenizer tokens(line);
   Word word;
   bool first_word = true;  // N may stand here
@@ -98,12 +129,18 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
         if (manner.block_delete) return Reading::kSkipped;
         break;
       case Token::kWord:
-        if (word.address == 'O') return unreadable(tokens.from_token());
+        if (word.address == 'O') {
+          const std::string_view rest = tokens.from_token();
+          const bool whole = tokens.has_plain_number();
+          // NGC-COM-06
+          if (position == 0 && whole && tokens.next(word) == Token::kEnd) return Reading::kName;
+          return unreadable(rest);
+        }
         last_address_ = word.address;
         if (manner.capitals_only && is_small(tokens.from_token())) return Reading::kSyntax;
         if (word.address != 'N') {
           take(word, position, manner.whole);
-        } else if (!first_word || !tokens.has_plain_number() ||
+        } else if (!first_word || !take_line_number(tokens, word, manner) ||
                    follows_comment(line, tokens.from_token())) {
           return Reading::kSyntax;
         }
@@ -111,6 +148,18 @@ Block::Reading Block::read(std::string_view line, Manner manner) {
         break;
     }
   }
+}
+
+// NGC-COM-05
+bool Block::take_line_number(const Tokenizer& tokens, const Word& word, const Manner& manner) {
+  std::string_view text = tokens.number_text();
+  while (!text.empty() && is_blank(text[0])) text.remove_prefix(1);
+  const std::size_t whole = digits_at(text, 0);
+  if (whole == 0) return false;
+  long_number_ = text.size() > whole || word.number.overflow || word.number.value > 99'999 * kOne;
+  if (text.size() == whole) return true;
+  const std::size_t decimals = digits_at(text, whole + 1);
+  return (decimals > 0 || manner.open_line_numbers) && whole + 1 + decimals == text.size();
 }
 
 void Block::take(const Word& word, Position position, const WholeRule& whole) {
@@ -133,9 +182,31 @@ void Block::take_code(std::optional<Fixed> tenths, Position position) {
     return;
   }
   if (code->support == Support::kOutside && outside_ == nullptr) outside_ = code;
+  if (code->group == Group::kMotion) return take_motion(*code, position);
   const auto group = static_cast<std::size_t>(code->group);
   if (codes_[group] != nullptr) return note_duplicate('G', position);
   codes_[group] = code;
+}
+
+void Block::take_motion(const Code& code, Position position) {
+  if (motions_.codes + motions_.offs == 1) motions_.second = position;
+  const bool off = code.tenths == 800;
+  (off ? motions_.off : motions_.code) = &code;
+  ++(off ? motions_.offs : motions_.codes);
+  motions_.last = &code;
+}
+
+// NGC-COM-03: the code of the motion group; G80 beside another one is forgotten, or is too many.
+void Block::settle_motion(const Manner& manner) {
+  const Motions& found = motions_;
+  const Code*& motion = codes_[static_cast<std::size_t>(Group::kMotion)];
+  motion = found.code != nullptr ? found.code : found.off;
+  if (manner.last_motion_wins) {
+    motion = found.last;
+    return;
+  }
+  const bool forgiven = manner.forgets_g80 && found.codes <= 1;
+  if (found.codes + found.offs > 1 && !forgiven) note_duplicate('G', found.second);
 }
 
 void Block::note_duplicate(char address, Position position) {

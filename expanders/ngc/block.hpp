@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,8 @@ class Block {
     kWords,     // may be without any word
     kSkipped,   // `/` with the block delete on
     kTapeMark,  // `%`, alone
+    kName,      // O and a number, alone
+    kBlank,     // nothing at all
     kMacro,     // O word, parameter, expression
     kSyntax
   };
@@ -38,6 +41,10 @@ class Block {
   struct Manner {
     bool block_delete = false;
     bool capitals_only = false;
+    bool forgets_g80 = false;
+    bool last_motion_wins = false;
+    bool blanks_end_numbers = false;
+    bool open_line_numbers = false;  // 10. is one
     const WholeRule& whole;
   };
 
@@ -58,14 +65,18 @@ class Block {
     const Code* once = code(Group::kOnce);
     return once != nullptr && once->tenths == 40;
   }
-  /// P of an arc; G4, G64 and some M functions take it for themselves.
-  bool has_turns() const {
+  /// Whether a code or function of the block, motions left out, has a use for the word.
+  bool uses(char address) const {
     const Code* control = code(Group::kControl);
-    if (!has('P') || has_dwell() || (control != nullptr && control->tenths == 640)) return false;
-    return std::none_of(functions_.begin(), functions_.end(), [](const FunctionWord& word) {
-      return word.number && takes_p(*word.number);
+    const bool blends = control != nullptr && control->tenths == 640;
+    if (address == 'P' && (has_dwell() || blends)) return true;
+    if (address == 'Q' && blends) return true;
+    return std::any_of(functions_.begin(), functions_.end(), [&](const FunctionWord& word) {
+      return word.number && uses_word(*word.number, address);
     });
   }
+  /// Of the line: it has decimals, or more digits than NIST's interpreter takes.
+  bool long_number() const { return long_number_; }
   bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
 
   /// The first code that is not implemented; null: none.
@@ -85,6 +96,10 @@ class Block {
   static std::size_t index_of(char address) { return static_cast<std::size_t>(address - 'A'); }
   void clear();
   Reading unreadable(std::string_view rest);
+  Reading read_words(std::string_view line, const Manner& manner);
+  bool take_line_number(const Tokenizer& tokens, const Word& word, const Manner& manner);
+  void take_motion(const Code& code, Position position);
+  void settle_motion(const Manner& manner);
   void take(const Word& word, Position position, const WholeRule& whole);
   void take_code(std::optional<Fixed> tenths, Position position);
   void note_duplicate(char address, Position position);
@@ -101,6 +116,19 @@ class Block {
   Position duplicate_position_ = kNowhere;
   char last_address_ = 0;
   std::string_view macro_;
+  bool long_number_ = false;
+  std::string line_;  // without blanks
+
+  // Codes of the motion group, G80 apart.
+  struct Motions {
+    const Code* code = nullptr;
+    const Code* off = nullptr;
+    const Code* last = nullptr;
+    unsigned codes = 0;
+    unsigned offs = 0;
+    Position second = kNowhere;
+  };
+  Motions motions_;
 };
 
 }  // namespace gonogo::expanders::ngc

@@ -103,8 +103,13 @@ FunctionGroup group_of(Fixed m) {
   return m >= 62 ? FunctionGroup::kSignal : FunctionGroup::kOverride;
 }
 
-bool takes_p(Fixed m) {
-  return (m >= 50 && m <= 53) || (m >= 62 && m <= 68);
+bool uses_word(Fixed m, char address) {
+  if (m >= 50 && m <= 53) return address == 'P';  // overrides
+  if (m == 61) return address == 'Q';             // tool
+  if (m >= 62 && m <= 65) return address == 'P';  // outputs
+  if (m == 66) return address == 'P' || address == 'E' || address == 'L' || address == 'Q';
+  if (m == 67 || m == 68) return address == 'E' || address == 'Q';  // analogue outputs
+  return false;
 }
 
 }  // namespace gonogo::expanders::ngc

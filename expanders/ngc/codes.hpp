@@ -63,7 +63,8 @@ enum class FunctionGroup : std::uint8_t {
 /// Of a function that the control has.
 FunctionGroup group_of(Fixed m);
 
-/// Overrides, outputs and inputs, whose number is P.
-bool takes_p(Fixed m);
+/// Whether the function has a use for a word of this address: the numbers and values of overrides,
+/// outputs, inputs and tools.
+bool uses_word(Fixed m, char address);
 
 }  // namespace gonogo::expanders::ngc

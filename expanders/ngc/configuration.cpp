@@ -9,6 +9,13 @@ namespace {
 constexpr Choice<Configuration> kChoices[] = {
     {"ngc.arc-tolerance", "nist", "linuxcnc", &Configuration::forgiving_arcs},
     {"ngc.full-circle-words", "free", "needed", &Configuration::circle_needs_word},
+    {"ngc.g80-beside", "alarm", "ignored", &Configuration::forgets_g80},
+    {"ngc.unused-words", "alarm", "ignored", &Configuration::passes_over_words},
+    {"ngc.line-number", "decimal", "whole", &Configuration::whole_line_numbers},
+    {"ngc.o-name", "passed-over", "syntax", &Configuration::refuses_names},
+    {"ngc.program-end", "needed", "free", &Configuration::needs_no_end},
+    {"ngc.bare-motion", "nothing", "missing-word", &Configuration::motion_needs_axis},
+    {"ngc.arc-words-alone", "arc", "alarm", &Configuration::arc_needs_axis},
 };
 
 // Values of ngc.whole. A G code is whole in tenths: as it is written, its limit is a tenth.

@@ -22,9 +22,16 @@ struct Configuration {
   int motion = -1;  ///< number of the G code; below 0: none
 
   // Options; false is the standard machine.
-  bool forgiving_arcs = false;     ///< ngc.arc-tolerance
-  bool circle_needs_word = false;  ///< ngc.full-circle-words
-  WholeRule whole;                 ///< ngc.whole
+  bool forgiving_arcs = false;      ///< ngc.arc-tolerance
+  bool circle_needs_word = false;   ///< ngc.full-circle-words
+  bool forgets_g80 = false;         ///< ngc.g80-beside
+  bool passes_over_words = false;   ///< ngc.unused-words
+  bool whole_line_numbers = false;  ///< ngc.line-number
+  bool refuses_names = false;       ///< ngc.o-name
+  bool needs_no_end = false;        ///< ngc.program-end
+  bool motion_needs_axis = false;   ///< ngc.bare-motion
+  bool arc_needs_axis = false;      ///< ngc.arc-words-alone
+  WholeRule whole;                  ///< ngc.whole
 };
 
 /// Reads {"dialect", "profile"}. When it cannot, `message` says what is not implemented or wrong.

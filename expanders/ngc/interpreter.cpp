@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expanders/ngc/interpreter.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "expanders/common/program_loop.hpp"
 
 namespace gonogo::expanders::ngc {
 namespace {
+
+constexpr AddressSet kAxisWords{"XYZAC"};
+constexpr AddressSet kCentreWords{"IJK"};
 
 bool is_end(Fixed m) {
   return m == 2 || m == 30;
@@ -23,8 +27,9 @@ gonogo_answer Interpreter::run(std::string_view program) {
   const bool pairs_twice = machine_.has(Fault::kCrLfCountedTwice);
   const Counting counting = pairs_twice ? Counting::kPairTwice : Counting::kAll;
   std::uint64_t& line = machine_.state.line;
-  const Flow flow =
+  Flow flow =
       run_lines(program, counting, line, [this](std::string_view text) { return run_line(text); });
+  if (flow == Flow::kContinue) flow = check_end();
   const unsigned late = machine_.has(Fault::kAlarmNextBlock) ? 1 : 0;
   auto send_alarm = [&] {
     machine_.tracer.alarm(text_of(machine_.alarm().kind), machine_.alarm().word, line + late);
@@ -32,30 +37,79 @@ gonogo_answer Interpreter::run(std::string_view program) {
   return close_program(flow, send_alarm, [this] { return machine_.tracer.end(); });
 }
 
+// NGC-COM-08
+Flow Interpreter::check_end() {
+  machine_.state.line = std::max<std::uint64_t>(machine_.state.line, 1);
+  const bool closed = opened_ && machine_.has(Fault::kSecondTapeMarkOptional);
+  if (ended_ || closed || machine_.configuration.needs_no_end) return Flow::kContinue;
+  machine_.complain(AlarmKind::kProgramEnd);
+  return Flow::kAlarm;
+}
+
+Block::Manner Interpreter::manner() const {
+  return {
+      .block_delete =
+          machine_.configuration.block_delete || machine_.has(Fault::kBlockDeleteAlways),
+      .capitals_only = machine_.has(Fault::kCapitalsOnly),
+      .forgets_g80 = machine_.configuration.forgets_g80,
+      .last_motion_wins = machine_.has(Fault::kLastMotionWins),
+      .blanks_end_numbers = machine_.has(Fault::kBlanksEndNumbers),
+      .open_line_numbers = machine_.has(Fault::kOpenLineNumbers),
+      .whole = machine_.whole,
+  };
+}
+
+Flow Interpreter::refuse_line() {
+  machine_.complain(AlarmKind::kSyntax, block_.last_address(), 0);
+  return Flow::kAlarm;
+}
+
 Flow Interpreter::run_line(std::string_view line) {
-  const bool deletes =
-      machine_.configuration.block_delete || machine_.has(Fault::kBlockDeleteAlways);
-  switch (block_.read(line, {deletes, machine_.has(Fault::kCapitalsOnly), machine_.whole})) {
+  const Block::Reading reading = block_.read(line, manner());
+  if (reading == Block::Reading::kBlank) return Flow::kContinue;
+  const bool first = !any_line_;
+  const bool comment = reading == Block::Reading::kWords && block_.empty();
+  if (!(comment && machine_.has(Fault::kTapeMarkAfterComment))) any_line_ = true;
+  switch (reading) {
     case Block::Reading::kSyntax:
-      machine_.complain(AlarmKind::kSyntax, block_.last_address(), 0);
-      return Flow::kAlarm;
+      return refuse_line();
     case Block::Reading::kMacro:
       return unsupported(block_.macro());
     case Block::Reading::kTapeMark:
-      return any_block_ && !machine_.has(Fault::kTapeMarkIgnored) ? Flow::kEnd : Flow::kContinue;
+      return run_tape_mark(first);
+    case Block::Reading::kName:
+      if (machine_.configuration.refuses_names) return refuse_line();
+      return machine_.has(Fault::kNameEndsProgram) ? Flow::kEnd : Flow::kContinue;
+    case Block::Reading::kBlank:
     case Block::Reading::kSkipped:
       return Flow::kContinue;
     case Block::Reading::kWords:
       break;
   }
-  if (block_.empty()) return Flow::kContinue;
-  any_block_ = true;
+  if (block_.empty()) return refuses_number() ? refuse_line() : Flow::kContinue;
   return run_block();
+}
+
+// NGC-COM-07
+Flow Interpreter::run_tape_mark(bool first) {
+  if (first) {
+    opened_ = true;
+    return Flow::kContinue;
+  }
+  if (!opened_ && !machine_.has(Fault::kTapeMarkAnywhere)) return refuse_line();
+  ended_ = true;
+  return machine_.has(Fault::kTapeMarkIgnored) ? Flow::kContinue : Flow::kEnd;
+}
+
+// NGC-COM-05
+bool Interpreter::refuses_number() const {
+  return machine_.configuration.whole_line_numbers && block_.long_number();
 }
 
 Flow Interpreter::run_block() {
   const Flow covered = check_coverage();
   if (covered != Flow::kContinue) return covered;
+  if (refuses_number()) return refuse_line();
   check_block();
   if (machine_.in_alarm()) return Flow::kAlarm;
   Plan plan;
@@ -175,20 +229,44 @@ void Interpreter::take_motion() {
   machine_.state.motion = motion;
 }
 
-// Words that ask for a motion.
+// An arc by its code, by an axis word or, alone, by I J K (NGC-ARC-06).
+bool Interpreter::moves_in_arc() const {
+  const Motion motion = machine_.state.motion;
+  if (motion != Motion::kArcClockwise && motion != Motion::kArcCounterclockwise) return false;
+  if (block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords)) return true;
+  const bool alone = block_.has_any(kCentreWords) && !machine_.has(Fault::kArcWordsNeedCode);
+  return alone && !machine_.configuration.arc_needs_axis;
+}
+
+// NGC-COM-02
+void Interpreter::check_uses() {
+  static constexpr AddressSet kOfArcs{"IJKRP"};
+  static constexpr AddressSet kOfCodes{"DEHIJKLPQR"};
+  if (machine_.configuration.passes_over_words || machine_.has(Fault::kUnusedWordPassed)) return;
+  const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);
+  if (!moves && machine_.has(Fault::kUnusedAlonePassed)) return;
+  const bool arc = moves_in_arc();
+  for (char address = 'A'; address <= 'Z'; ++address) {
+    if (!block_.has(address) || !kOfCodes.has(address)) continue;
+    if ((arc && kOfArcs.has(address)) || block_.uses(address)) continue;
+    const bool of_arc = machine_.has(Fault::kArcWordsNeedCode) && kCentreWords.has(address);
+    if (of_arc && !moves) continue;
+    machine_.complain(AlarmKind::kUnusedWord, address, block_);
+  }
+}
+
 void Interpreter::prepare_motion(Plan& plan) {
-  static constexpr AddressSet kWords{"XYZACIJKR"};
-  const bool asked = block_.has_any(kWords) || block_.has_turns();
+  check_uses();
   switch (machine_.state.motion) {
     case Motion::kNone:
-      if (asked) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);
+      if (block_.has_any(kAxisWords)) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);
       return;
     case Motion::kRapid:
     case Motion::kLine:
       return prepare_line(machine_, block_, plan);
     case Motion::kArcClockwise:
     case Motion::kArcCounterclockwise:
-      if (asked || block_.code(Group::kMotion) != nullptr) prepare_arc(machine_, block_, plan);
+      if (moves_in_arc()) prepare_arc(machine_, block_, plan);
       return;
   }
 }
@@ -208,7 +286,9 @@ Flow Interpreter::run_functions(bool before) {
     const Fixed m = *word.number;
     if (is_after_motion(m) == before) continue;
     if (!machine_.tracer.function(static_cast<int>(m))) return Flow::kStopped;
-    if (is_end(m) && !machine_.has(Fault::kEndIgnored)) return Flow::kEnd;
+    if (!is_end(m)) continue;
+    ended_ = true;
+    if (!machine_.has(Fault::kEndIgnored)) return Flow::kEnd;
   }
   return Flow::kContinue;
 }

@@ -20,7 +20,12 @@ class Interpreter {
   Machine& machine() { return machine_; }
 
  private:
+  Block::Manner manner() const;
   Flow run_line(std::string_view line);
+  Flow run_tape_mark(bool first);
+  Flow refuse_line();
+  bool refuses_number() const;
+  Flow check_end();
   Flow run_block();
   Flow check_coverage();
   void check_block();
@@ -30,6 +35,8 @@ class Interpreter {
   void take_modes();
   void take_distance();
   void take_motion();
+  bool moves_in_arc() const;
+  void check_uses();
   void prepare_motion(Plan& plan);
   Flow perform_plan(const Plan& plan);
   Flow run_functions(bool before);
@@ -38,7 +45,9 @@ class Interpreter {
 
   Machine machine_;
   Block block_;
-  bool any_block_ = false;
+  bool any_line_ = false;  // a line that is not blank
+  bool opened_ = false;    // by a tape mark
+  bool ended_ = false;
 };
 
 }  // namespace gonogo::expanders::ngc

@@ -9,6 +9,16 @@ bool moves_straight(const Point& from, const Point& to) {
          from[GONOGO_Z] != to[GONOGO_Z];
 }
 
+// NGC-MOD-02: G0 or G1 without an axis word.
+void check_bare(Machine& machine, const Block& block, bool cut) {
+  if (block.code(Group::kMotion) == nullptr) return;
+  if (machine.configuration.motion_needs_axis) {
+    machine.complain(AlarmKind::kMissingWord, 'X', kNowhere);
+  } else if (cut && machine.state.feed.linear == 0 && !machine.has(Fault::kBareFeedUnchecked)) {
+    machine.complain(AlarmKind::kFeedMissing);
+  }
+}
+
 }  // namespace
 
 // NGC-G0-01, NGC-DIS-01
@@ -16,8 +26,8 @@ void prepare_line(Machine& machine, const Block& block, Plan& plan) {
   const State& state = machine.state;
   Line line;
   line.to = commanded_point(machine, block, line.axes);
-  if (line.axes == 0) return;
   line.cut = state.motion == Motion::kLine;
+  if (line.axes == 0) return check_bare(machine, block, line.cut);
   if (line.cut && state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
   const bool linear =
       moves_straight(state.position, line.to) || machine.has(Fault::kRotaryFeedScaled);

@@ -14,7 +14,7 @@ constexpr Addresses kPlaces = addresses(
     Address::kK, Address::kI1, Address::kJ1, Address::kK1, Address::kPolarAngle);
 
 bool is_axis(char letter) {
-  return std::string_view("XYZABCUVW").find(letter) != std::string_view::npos;
+  return std::string_view("XYZABCEOQUVW").find(letter) != std::string_view::npos;
 }
 
 }  // namespace
@@ -100,7 +100,8 @@ bool Block::take_letter(const Item& item) {
   const Letter letter = find_letter(item.letter);
   const auto position = static_cast<Position>(items_);
   if (letter.kind == LetterKind::kAddress) return take_word(letter.address, item);
-  if (item.value.mode != Value::Mode::kPlain) return false;
+  const bool axis = letter.kind == LetterKind::kOutside && is_axis(item.letter);
+  if (item.value.mode != Value::Mode::kPlain && !axis) return false;
   switch (letter.kind) {
     case LetterKind::kCode:
       take_code(item.value);
@@ -125,12 +126,8 @@ bool Block::take_indexed(const Item& item) {
   if (intermediate) {
     return take_word(intermediate_address(static_cast<std::size_t>(item.letter - 'I')), item);
   }
-  if (item.value.mode != Value::Mode::kPlain) return false;
-  if (item.letter == 'S' || item.letter == 'M' || is_axis(item.letter)) {
-    note_outside({&item.letter, 1});
-  } else if (item.letter != 'H') {
-    unknown_.note(static_cast<Position>(items_), item.letter);
-  }
+  if (item.value.mode != Value::Mode::kPlain && !is_axis(item.letter)) return false;
+  if (item.letter != 'H') note_outside({&item.letter, 1});
   return true;
 }
 

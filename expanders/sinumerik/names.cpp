@@ -55,9 +55,9 @@ bool find_in(const std::string_view (&list)[kSize], std::string_view name, NameK
   return true;
 }
 
-bool is_cycle(std::string_view name) {
-  if (!name.starts_with(kCycle) || name.size() == kCycle.size()) return false;
-  name.remove_prefix(kCycle.size());
+bool is_numbered(std::string_view name, std::string_view family) {
+  if (!name.starts_with(family) || name.size() == family.size()) return false;
+  name.remove_prefix(family.size());
   return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -76,8 +76,10 @@ Name find_name(std::string_view name, Control control) {
   if (find_in(kControl, name, NameKind::kControl, found)) return found;
   if (find_in(kPassedOver, name, NameKind::kPassedOver, found)) return found;
   if (find_in(kOutsideNames, name, NameKind::kOutside, found)) return found;
-  if (is_cycle(name)) return {kCycle, NameKind::kOutside};
-  return {};
+  if (is_numbered(name, kCycle)) return {kCycle, NameKind::kOutside};
+  // LCYC is the maker's prefix; any other name may be a subprogram or a variable of the owner.
+  if (is_numbered(name, "LCYC")) return {};
+  return {"A name of the owner's", NameKind::kOutside};
 }
 
 Letter find_letter(char letter) {
@@ -97,6 +99,9 @@ Letter find_letter(char letter) {
       return {LetterKind::kPassedOver, Address::kX};
     // Further axes; subprograms and how often they run.
     case 'B':
+    case 'E':
+    case 'O':
+    case 'Q':
     case 'U':
     case 'V':
     case 'W':

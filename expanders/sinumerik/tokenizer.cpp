@@ -107,7 +107,7 @@ Item Tokenizer::letter() {
     skip_blanks(cursor_, end_);
     if (at('=')) {
       item.kind = Item::Kind::kIndexed;
-      return plain ? marked(item, Scan::kSyntax, from) : with_value(item);
+      return item.letter == 'G' ? marked(item, Scan::kSyntax, from) : with_value(item);
     }
     cursor_ = digits;
   }

@@ -161,7 +161,7 @@ std::optional<DrawnCase> case_of(const Making& making, const Parameters& paramet
   Case test;
   test.dialect = model.dialect;
   test.cycle = model.cycle;
-  test.program = drawing.text;
+  test.program = drawing.program();
   test.profile = drawing.profile;
   test.clauses = clause_list(model.clauses);
   test.features = words_of(model.features);
@@ -172,9 +172,9 @@ std::optional<DrawnCase> case_of(const Making& making, const Parameters& paramet
   test.expect = expectations_of(test.profile, test.program);
 
   const std::set<std::string> wanted = wanted_alarms(parameters, row, drawing.test_line);
-  for (const Expectation& expectation : test.expect) {
-    const std::set<std::string> got = alarms_of(expectation);
-    if (got == wanted) continue;
+  // The model knows one choice: where a reading is open, that of the alternatives shown first.
+  const std::set<std::string> got = alarms_of(test.expect.front());
+  if (got != wanted) {
     why = fmt::format("the model wants the alarms {}, the reference gives {}.\n{} {}\n{}",
                       joined(wanted), joined(got), test.comment,
                       reference::profile_json(test.profile), test.program);

@@ -28,6 +28,15 @@ bool Pick::is(std::string_view parameter, std::string_view class_name) const {
   return has(parameter) && class_of(parameter).name == class_name;
 }
 
+std::string_view last_line(std::string_view dialect) {
+  return dialect == "rs274" ? "M2\n" : "";
+}
+
+std::string Drawing::program() const {
+  const std::string_view last = last_line(dialect_);
+  return text.ends_with(last) ? text : text + std::string(last);
+}
+
 Drawing::Drawing(const Pick& pick, std::string_view dialect)
     : profile(std::get<Profile>(reference::default_profile(dialect))),
       pick_(pick),

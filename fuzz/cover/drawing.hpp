@@ -67,6 +67,9 @@ class Drawing {
   // Later words are those of this plane. REQUIRES: 17 to 19.
   void plane(int code) { plane_ = code; }
 
+  // The program, with the last line that the dialect asks for.
+  std::string program() const;
+
   reference::Profile profile;
   std::string text;
   std::vector<std::string> features;  // beside those of the model
@@ -87,5 +90,9 @@ class Drawing {
   std::size_t lines_ = 0;
   std::array<Length, 3> at_;  // by role
 };
+
+// The line without which a text of the dialect is no whole program (NGC-COM-08); empty: none. It
+// belongs to no model: ids do not hang on it.
+std::string_view last_line(std::string_view dialect);
 
 }  // namespace gonogo::fuzz::cover

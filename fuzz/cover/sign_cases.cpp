@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fuzz/cover/boundary.hpp"
+#include "fuzz/cover/drawing.hpp"
 #include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::fuzz::cover {
@@ -16,27 +17,28 @@ using oracle::Case;
 
 constexpr std::size_t kProgramsTried = 24;
 
+// Where readings are open, under the alternatives shown first: what others make of a case does not
+// choose the cases.
 bool is_valid(const Case& test) {
-  return std::ranges::all_of(test.expect, [](const oracle::Expectation& expectation) {
-    return expectation.alarms.empty() && !expectation.not_covered;
-  });
+  return test.expect.front().alarms.empty() && !test.expect.front().not_covered;
 }
 
 std::string id_of(const Making& making, const Case& from, const Triple& triple, std::size_t side) {
   oracle::Sha256 hash;
   hash.update(reference::profile_json(from.profile));
   hash.update(triple.address);
-  hash.update(triple.programs[1]);
+  std::string_view program = triple.programs[1];
+  const std::string_view last = last_line(from.dialect);
+  if (program.ends_with(last)) program.remove_suffix(last.size());
+  hash.update(program);
   return fmt::format("{}.sign-{}.{:06}", making.model->name, hash.hex().substr(0, 10), side + 1);
 }
 
 // A case at a limit has one fault.
 bool has_several_faults(const Case& test) {
-  return std::ranges::any_of(test.expect, [](const oracle::Expectation& expectation) {
-    std::set<reference::AlarmClass> classes;
-    for (const oracle::ExpectedAlarm& alarm : expectation.alarms) classes.insert(alarm.alarm);
-    return classes.size() > 1;
-  });
+  std::set<reference::AlarmClass> classes;
+  for (const oracle::ExpectedAlarm& alarm : test.expect.front().alarms) classes.insert(alarm.alarm);
+  return classes.size() > 1;
 }
 
 // The three cases of a limit, or none of them.

@@ -35,7 +35,7 @@ std::string verdict_text(const Finding& finding, const oracle::Case& test) {
   put("want", verdict.want);
   put("got", verdict.got);
   put("deviation", verdict.deviation_exact);
-  put("witness", verdict.witness);
+  put("witness", oracle::point_for_people(verdict.witness));
   put("GO under", verdict.reading);
   put("from", test.provenance);
   return text;

@@ -50,7 +50,8 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const GeneratedProgram&
 std::optional<oracle::Verdict> Trial::judge(oracle::Subject& subject,
                                             const GeneratedProgram& program, Evidence* evidence) {
   const oracle::JudgeTerms terms =
-      make_terms(subject.info(), program.profile, options_.tolerance, options_.chord);
+      make_terms(subject.info(), program.profile,
+                 {options_.tolerance, options_.chord, options_.feed_resolution});
   oracle::Verdict verdict;
   try {
     oracle::JudgeSession session(program.profile, program.text, terms);
@@ -118,7 +119,8 @@ Evidence Trial::examine(const Exhibit& exhibit) {
     constexpr std::size_t kMostJudged = 200'000;
     evidence.verdict.reading = oracle::explaining_reading(
         exhibit.program.profile, exhibit.program.text,
-        make_terms(subject.info(), exhibit.program.profile, options_.tolerance, options_.chord),
+        make_terms(subject.info(), exhibit.program.profile,
+                   {options_.tolerance, options_.chord, options_.feed_resolution}),
         evidence.records, evidence.end, kMostJudged);
   }
   second_.reset();

@@ -20,6 +20,7 @@ using SubjectMaker = std::function<std::unique_ptr<oracle::Subject>()>;
 struct TrialOptions {
   std::optional<reference::Number> tolerance;         // mm; nothing: as declared
   std::optional<reference::Number> chord;             // mm
+  std::optional<reference::Number> feed_resolution;   // mm/min or mm/rev
   std::shared_ptr<const oracle::AlarmMap> alarm_map;  // null: the subject's classes as they are
   std::chrono::milliseconds run_limit{2'000};
   std::size_t most_records = 5'000;  // of a program, where all of them agree

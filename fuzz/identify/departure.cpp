@@ -37,7 +37,8 @@ class Attributor {
   };
 
   oracle::JudgeTerms terms(const Profile& profile) const {
-    return make_terms(subject_.info(), profile, options_.tolerance, options_.chord);
+    return make_terms(subject_.info(), profile,
+                      {options_.tolerance, options_.chord, options_.feed_resolution});
   }
   bool judge_trial(const Trial& trial) const;
   bool explains(const Variant& variant, const Observation& seen) const;

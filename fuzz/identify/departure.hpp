@@ -15,6 +15,7 @@ namespace gonogo::identify {
 struct DepartureOptions {
   std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
   std::optional<reference::Number> chord;
+  std::optional<reference::Number> feed_resolution;
   std::size_t alike = 32;   // programs with the code that departs
   std::size_t others = 12;  // and without it
   std::size_t more = 400;   // on which what explains all of these is tried as well

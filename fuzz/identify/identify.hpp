@@ -15,6 +15,7 @@ namespace gonogo::identify {
 struct IdentifyOptions {
   std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
   std::optional<reference::Number> chord;
+  std::optional<reference::Number> feed_resolution;
   std::size_t most_programs = 300;  // skipped ones too
 };
 

@@ -6,7 +6,8 @@
 //   tape-mark = '%' comment* [';' text]
 //   block     = ['/' comment*] [N whole | O whole] comment* (assignment | item* [construct])
 //               [';' text]
-//   construct = control keyword rest | P '[' T digit rest | address [sign] ('#' | '[') rest
+//   construct = control keyword rest | P '[' T digit rest | ',' address rest
+//             | address [sign] ('#' | '[') rest
 //
 // The rest of the block is that of all letter-address programs.
 #include "grammar/x3/gsk988ta.hpp"
@@ -19,6 +20,7 @@ namespace {
 using namespace x3;  // the vocabulary of the dialect grammars
 
 constexpr char kFileName[] = "file-name";
+constexpr char kCommaWord[] = "comma-word";
 constexpr std::array<std::string_view, 7> kKeywords{"IF",  "WHILE", "GOTO", "DO",
                                                     "END", "THEN",  "ELSE"};
 
@@ -33,8 +35,12 @@ constexpr auto tape_mark =
 constexpr auto file_name =
     sole<'P'> >> blanks >> &(sole<'['> >> blanks >> sole<'T'> >> digit);
 
+// GSK-COM-09: ,C and ,R between two motions.
+constexpr auto comma_word = sole<','> >> blanks >> address<Letters::capital>;
+
 constexpr auto construct =
       control_statement<kKeywords>
+    | outside<kCommaWord>[comma_word >> macro_rest<>]
     | outside<kFileName>[file_name >> macro_rest<>]
     | macro_word<>;
 

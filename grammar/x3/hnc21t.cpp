@@ -6,7 +6,7 @@
 //   tape-mark = '%' comment* [';' text]
 //   block     = head comment* (assignment | item* [construct]) [';' text]
 //   head      = '%' whole | ['/' comment*] [N whole | O whole]
-//   construct = control keyword rest | address [sign] ('#' | '[') rest
+//   construct = control keyword rest | ('RL' | 'RC') '=' rest | address [sign] ('#' | '[') rest
 //
 // The rest of the block is that of all letter-address programs.
 #include "grammar/x3/hnc21t.hpp"
@@ -18,7 +18,15 @@ namespace {
 
 using namespace x3;  // the vocabulary of the dialect grammars
 
-constexpr std::array<std::string_view, 6> kKeywords{"IF", "ELSE", "ENDIF", "WHILE", "ENDW", "GOTO"};
+// RL= and RC= are no control words; they only keep R from being read as an address.
+constexpr std::array<std::string_view, 8> kKeywords{"IF",   "ELSE", "ENDIF", "WHILE",
+                                                    "ENDW", "GOTO", "RL",    "RC"};
+constexpr std::array<std::string_view, 6> kControlWords{"IF",    "ELSE", "ENDIF",
+                                                        "WHILE", "ENDW", "GOTO"};
+constexpr std::array<std::string_view, 1> kChamferWord{"RC"};
+constexpr std::array<std::string_view, 1> kRoundingWord{"RL"};
+constexpr char kChamfer[] = "RC=";
+constexpr char kRounding[] = "RL=";
 
 constexpr auto percent_sign_end = rule<struct PercentSignEndId>{"percent-sign-end"} = spirit::eoi;
 
@@ -31,7 +39,16 @@ constexpr auto tape_mark =
 constexpr auto percent_head =
     sole<'%'> >> blanks >> store<&Block::program_number>[expect[whole]];
 
-constexpr auto construct = control_statement<kKeywords> | macro_word<>;
+// HNC-COM-02: the chamfer and the rounding between two motions.
+template <const auto& keyword, const char* name>
+constexpr auto corner = outside<name>[
+    Keyword<keyword, Letters::capital>{} >> blanks >> &sole<'='> >> macro_rest<>];
+
+constexpr auto construct =
+      control_statement<kControlWords>
+    | corner<kChamferWord, kChamfer>
+    | corner<kRoundingWord, kRounding>
+    | macro_word<>;
 
 constexpr auto line =
     blanks >> leading_comments

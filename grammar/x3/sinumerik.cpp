@@ -6,7 +6,7 @@
 //   line      = blanks (tape-mark | head item*) [';' text]
 //   tape-mark = '%' name of the program
 //   head      = ['/' [digit]] [N whole | ':' whole] [name ':']
-//   item      = letter number | letter [whole] '=' value | R whole '=' value
+//   item      = letter number | letter [whole] '=' value | L whole '=' value | R whole '=' value
 //             | name | name '=' value | name '(' arguments ')' | construct
 //   value     = sum | (AC | IC) '(' sum ')'
 //   sum       = product (('+' | '-') product)*
@@ -99,8 +99,12 @@ constexpr auto value = blanks >> (OwnDimension{} >> blanks >> expect[open] >> ne
 
 constexpr auto element = outside<kVariable>[sole<'['> >> rest];
 
-// G1, L10: no '='.
-constexpr auto code = LetterName<kCode>{} >> blanks >> (element | expect[code_number] >> -exponent);
+// G1, L10: no '=', but L1=5 is an address of the machine.
+constexpr auto code =
+    LetterName<kCode>{} >> blanks >>
+    (element
+     | NumberedLAhead{} >> Index{} >> blanks >> Equals{} >> value
+     | expect[code_number] >> -exponent);
 
 constexpr auto plain =
     LetterName<kPlainAddress>{} >> blanks >>

@@ -206,6 +206,16 @@ struct IndexAhead : Silent<IndexAhead> {
   }
 };
 
+// Looks ahead whether the word is L and such a number follows: L1=5 is no call of a subprogram.
+struct NumberedLAhead : Silent<NumberedLAhead> {
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
+             Attribute& attribute) const {
+    return current(context).name == "L" &&
+           IndexAhead{}.parse(first, last, context, rule, attribute);
+  }
+};
+
 // '=' of a word.
 struct Equals : Silent<Equals> {
   template <typename Context, typename RuleContext, typename Attribute>

@@ -22,14 +22,18 @@ inline std::optional<Dimension> dimension_at(Iterator& first, Iterator last) {
   return place == 0 ? Dimension::absolute : Dimension::incremental;
 }
 
+// The letters that a machine may give to an axis: all that have no other meaning.
+inline constexpr ByteSet kAxisLetters{"ABCEOQUVWXYZ"};
+
 // AC and IC belong to end points, centres, intermediate points and the polar angle.
 inline bool takes_dimension(const NamedWord& word) {
   if (word.name == "AP") return true;
   if (word.name.size() != 1) return false;
   const char letter = word.name[0];
   const bool centre = letter == 'I' || letter == 'J' || letter == 'K';
-  if (word.index) return centre && *word.index == 1;
-  return centre || (letter >= 'X' && letter <= 'Z') || letter == 'A' || letter == 'C';
+  if (word.index && centre) return *word.index == 1;
+  if (word.index) return kAxisLetters.contains(letter);
+  return centre || kAxisLetters.contains(letter);
 }
 
 // AC or IC where they may stand.

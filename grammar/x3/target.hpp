@@ -57,7 +57,7 @@ struct Append : spirit::unary_parser<Subject, Append<Subject, list>> {
   }
 };
 
-// store<&Block::sequence_number>[number]: the only value of an optional member.
+// store<&Block::sequence_number>[number]: the number of a block or a program, with its span.
 template <typename Subject, auto member>
 struct Store : spirit::unary_parser<Subject, Store<Subject, member>> {
   using spirit::unary_parser<Subject, Store>::unary_parser;
@@ -67,8 +67,12 @@ struct Store : spirit::unary_parser<Subject, Store<Subject, member>> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
              Attribute&) const {
-    auto& node = (target(context).block.*member).emplace();
-    return this->subject.parse(first, last, context, rule, node);
+    Target& into = target(context);
+    const Iterator begin = first;
+    auto& node = (into.block.*member).emplace();
+    if (!this->subject.parse(first, last, context, rule, node)) return false;
+    into.block.number_place.span = into.span(begin, first);
+    return true;
   }
 };
 

@@ -13,6 +13,7 @@
 #include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results.hpp"
 #include "oracle/corpus/corpus.hpp"
+#include "oracle/judge/terms.hpp"
 
 namespace gonogo::oracle {
 
@@ -24,8 +25,7 @@ struct CampaignOptions {
   // A certifier's profile: what it sets holds for every case, and groups that contradict it are
   // left out.
   std::optional<reference::Profile> profile;
-  std::optional<Number> tolerance;
-  std::optional<Number> chord;
+  Grants grants;
   int jobs = 1;
   unsigned shard = 1;
   unsigned shards = 1;

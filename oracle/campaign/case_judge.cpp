@@ -13,6 +13,8 @@ namespace {
 // Records that are kept as evidence of a NO-GO.
 constexpr std::size_t kKeptRecords = 20'000;
 constexpr int kTries = 3;
+// An answer later than the limit is one of a slow machine; none in so many times the limit is a
+// hang (J-RUN-09).
 constexpr int kTimeoutFactor = 4;
 
 }  // namespace
@@ -34,7 +36,9 @@ struct CaseJudge::Attempt {
 };
 
 CaseJudge::CaseJudge(const CampaignOptions& options, const SubjectMaker& make_subject)
-    : options_(options), make_subject_(make_subject), subject_(make()) {}
+    : options_(options), make_subject_(make_subject), subject_(make()) {
+  subject_->set_run_limit(options_.limits.run * kTimeoutFactor);
+}
 
 // What has been made once may fail to be made for a reason that passes.
 std::unique_ptr<Subject> CaseJudge::make() const {
@@ -72,20 +76,30 @@ std::optional<std::string> CaseJudge::undeclared_feature(const Case& test) const
   return std::nullopt;
 }
 
-// A refused profile is a skip, but not a profile of defaults only; a declared feature that is
-// skipped breaks the protocol.
+// Whether the subject says that it has what the case needs. Not where it declares nothing at all,
+// where the corpus itself expects no answer, and of recorded output, which may be a part.
+bool CaseJudge::is_claimed(const Case& test, const RunEnd& end) const {
+  const SubjectInfo& info = subject_->info();
+  if (info.everything || info.recorded) return false;
+  if (std::ranges::any_of(test.expect, &Expectation::not_covered)) return false;
+  // A program that is not UTF-8 is for subjects with the feature only.
+  if (end.feature == "bytes" && !info.features.contains("bytes")) return false;
+  return info.declares(test.dialect, "");
+}
+
+// A skip is no claim (J-RUN-05); but what was declared, or a profile of defaults, is a failure of
+// the declaration to skip (J-RUN-06).
 void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   Verdict& verdict = attempt.session.verdict;
   if (attempt.end.kind == RunEnd::Kind::refused && profile_text_ == "{}") {
-    verdict.kind = VerdictKind::protocol;
+    verdict.kind = VerdictKind::fail_declaration;
     verdict.message =
         fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
-  } else if (attempt.end.kind == RunEnd::Kind::skip && !test.features.empty() &&
-             !subject_->info().everything && attempt.end.feature != "bytes") {
-    if (!subject_->info().declares(test.dialect, attempt.end.feature)) return;
-    verdict.kind = VerdictKind::protocol;
-    verdict.message = fmt::format("The subject declares {} and then skips it: {}",
-                                  attempt.end.feature, attempt.end.message);
+  } else if (attempt.end.kind == RunEnd::Kind::skip && is_claimed(test, attempt.end)) {
+    verdict.kind = VerdictKind::fail_declaration;
+    verdict.message = fmt::format(
+        "The subject declares {} of {}, and skips a case of it: {}", fmt::join(test.features, ", "),
+        test.dialect, attempt.end.message.empty() ? attempt.end.feature : attempt.end.message);
   }
 }
 
@@ -137,13 +151,28 @@ Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
   return *second_;
 }
 
-// A NO-GO is run again alone in a fresh process; two different answers are a state leak.
+// What took more memory than it may in either run is told as that, whatever the other one came to
+// (J-RUN-10): how soon it is noticed is a matter of time.
+bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
+  const bool first = attempt.session.verdict.kind == VerdictKind::out_of_memory;
+  const bool second = again.session.verdict.kind == VerdictKind::out_of_memory;
+  if (!first && !second) return false;
+  if (!first) attempt = std::move(again);
+  if (first != second) {
+    attempt.session.verdict.message +=
+        first ? " A fresh process, which has run nothing else, runs the same program without."
+              : " That was a fresh process, which has run nothing else.";
+  }
+  return true;
+}
+
+// A NO-GO is run again alone in a fresh process; two different answers are a state leak (J-RUN-08).
 void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                         CaseResult& result) {
   if (!subject_->keeps_state() || attempt.end.given_up) return;
   Attempt again = run(fresh_subject(test.profile), test, terms);
   ++result.attempts;
-  if (again.end.given_up) return;
+  if (again.end.given_up || settle_memory(attempt, again)) return;
   if (!attempt.differs(again)) {
     // Nothing was under way beside it or before: what is said of it is the same each time.
     attempt = std::move(again);
@@ -157,9 +186,14 @@ void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& atte
                   verdict.message, name(again.session.verdict.kind));
 }
 
-// Near the limit times flap: up to three more tries with four times the limit.
+// No answer within four times the limit. Up to three tries in fresh processes, each with four times
+// the limit: one that answers later than the limit says that the machine is slow, and its answer
+// counts; three that all answer within the limit say that what ran before made the subject hang,
+// which is a state leak (J-RUN-09).
 void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                                 CaseResult& result) {
+  const auto limit = std::chrono::microseconds(options_.limits.run).count();
+  int in_time = 0;
   for (int i = 0; i < kTries; ++i) {
     Subject& subject = fresh_subject(test.profile);
     subject.set_run_limit(options_.limits.run * kTimeoutFactor);
@@ -167,7 +201,18 @@ void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attem
     subject.set_run_limit(options_.limits.run);
     ++result.attempts;
     if (again.session.verdict.kind == VerdictKind::timeout) continue;
-    attempt = std::move(again);
+    const bool is_slow = again.end.microseconds > limit || !subject_->keeps_state();
+    if (!is_slow && ++in_time < kTries) continue;
+    if (is_slow) {
+      attempt = std::move(again);
+    } else {
+      attempt.session.verdict.kind = VerdictKind::state_leak;
+      attempt.session.verdict.message = fmt::format(
+          "{} In fresh processes, which had run nothing else, the same program was answered within "
+          "{} ms, {} times out of {}: {}.",
+          attempt.session.verdict.message, options_.limits.run.count(), in_time, kTries,
+          name(again.session.verdict.kind));
+    }
     return;
   }
 }
@@ -196,6 +241,7 @@ CaseResult CaseJudge::judge(const Case& test) {
   result.id = test.id;
   result.dialect = test.dialect;
   result.cycle = test.cycle;
+  result.features = test.features;
   result.clauses = test.clauses;
   result.profile = profile_text_;
   result.expected_gap = std::ranges::any_of(test.expect, &Expectation::not_covered);
@@ -206,8 +252,7 @@ CaseResult CaseJudge::judge(const Case& test) {
         fmt::format("The subject does not declare {} in {}.", *feature, test.dialect);
     return result;
   }
-  const JudgeTerms terms =
-      make_terms(subject_->info(), test.profile, options_.tolerance, options_.chord);
+  const JudgeTerms terms = make_terms(subject_->info(), test.profile, options_.grants);
   Attempt attempt = run_kept(*subject_, test, terms);
   if (attempt.session.verdict.kind == VerdictKind::timeout) {
     confirm_timeout(test, terms, attempt, result);

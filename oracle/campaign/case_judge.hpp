@@ -33,7 +33,9 @@ class CaseJudge {
               TraceFile* keep = nullptr) const;
   // The run whose outcome counts, kept as a trace when the campaign keeps them.
   Attempt run_kept(Subject& subject, const Case& test, const JudgeTerms& terms) const;
+  bool is_claimed(const Case& test, const RunEnd& end) const;
   void interpret_skip(const Case& test, Attempt& attempt) const;
+  static bool settle_memory(Attempt& attempt, Attempt& again);
   void confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt, CaseResult& result);
   void confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                        CaseResult& result);

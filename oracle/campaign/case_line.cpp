@@ -103,10 +103,34 @@ class LineText {
   bool first_ = true;
 };
 
+std::string_view basis_text(reference::Basis basis) {
+  switch (basis) {
+    case reference::Basis::text:
+      return "text";
+    case reference::Basis::derived:
+      return "derived";
+    case reference::Basis::silent:
+      return "silent";
+  }
+  return "silent";
+}
+
+// On what the expectation stands that was departed from. An advice is one of no text, whatever its
+// clause says of others.
+void append_basis(const Verdict& verdict, LineText& line) {
+  if (verdict.kind == VerdictKind::advice) {
+    line.text("basis", basis_text(reference::Basis::silent));
+  } else if (verdict.clause != reference::kNoClause && decision(verdict.kind) == Decision::no_go) {
+    line.text("basis", basis_text(reference::clause(verdict.clause).basis()));
+  }
+}
+
 void append_departure(const Verdict& verdict, LineText& line) {
+  if (verdict.departure) line.text("departure", name(*verdict.departure));
   if (verdict.clause != reference::kNoClause) {
     line.text("clause", reference::clause_name(verdict.clause));
   }
+  append_basis(verdict, line);
   if (!verdict.reading.empty()) line.text("reading", verdict.reading);
   if (verdict.block != 0) line.number("b", verdict.block);
   if (verdict.record) line.number("record", *verdict.record);
@@ -178,9 +202,13 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   line.text("id", result.id);
   line.text("dialect", result.dialect);
   line.text("cycle", result.cycle);
+  if (!result.features.empty()) line.texts("features", result.features);
   line.texts("clauses", result.clauses);
   line.text("verdict", name(verdict.kind));
   if (result.expected_gap && verdict.kind == VerdictKind::oracle_gap) line.json("expected", "true");
+  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+    line.number("property_motions", verdict.property_motions);
+  }
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
   if (with_timing) {

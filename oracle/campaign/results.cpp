@@ -21,6 +21,25 @@ Json numeric_json(const SubjectInfo& subject) {
   return numeric;
 }
 
+// What it declares of each dialect; null: nothing of any.
+Json dialects_json(const SubjectInfo& subject) {
+  if (subject.everything) return nullptr;
+  Json dialects = Json::object();
+  for (const auto& [dialect, features] : subject.dialects) dialects[dialect] = features;
+  return dialects;
+}
+
+Json capped_json(const ResultsHeader& header) {
+  Json list = Json::array();
+  for (const auto& [dialect, one] : header.capped) {
+    list.push_back({{"dialect", dialect},
+                    {"what", one.what},
+                    {"declared", one.declared.text()},
+                    {"counts", one.counts.text()}});
+  }
+  return list;
+}
+
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
@@ -36,16 +55,22 @@ std::string header_line(const ResultsHeader& header) {
   Json line;
   line["format"] = 1;
   line["gonogo"] = header.version;
+  line["gauge"] = {{"commit", text_or_null(header.commit)},
+                   {"sha256", text_or_null(header.program_sha256)}};
   line["corpus"] = {{"version", header.corpus_version}, {"sha256", header.corpus_sha256}};
   line["subject"] = {{"spec", header.subject_spec},
                      {"name", header.subject.name},
                      {"version", header.subject.version},
+                     {"dialects", dialects_json(header.subject)},
                      {"numeric", numeric_json(header.subject)},
                      {"features", header.subject.features}};
   line["profile"] = Json::parse(header.profile.empty() ? "{}" : header.profile);
   line["readings"] = header.readings;
   line["tolerance"] = text_or_null(header.tolerance);
   line["chord"] = text_or_null(header.chord);
+  line["feed_resolution"] = text_or_null(header.feed_resolution);
+  line["strict"] = header.strict;
+  line["capped"] = capped_json(header);
   line["selection"] = {
       {"dialects", header.dialects}, {"only", header.only}, {"case", text_or_null(header.case_id)}};
   line["known_failures"] = text_or_null(header.known_failures_sha256);
@@ -59,6 +84,7 @@ std::string header_line(const ResultsHeader& header) {
 std::string footer_line(const ResultsFooter& footer) {
   Json line;
   line["decision"] = footer.decision;
+  line["head"] = footer.head;
   line["totals"] = footer.totals;
   line["cases"] = footer.cases;
   line["judged"] = footer.judged;
@@ -99,11 +125,13 @@ CaseResult result_of_line(std::string_view line) {
   result.cycle = text_in(source, "cycle");
   Verdict& verdict = result.verdict;
   verdict.kind = verdict_kind(text_in(source, "verdict")).value_or(VerdictKind::oracle_error);
+  verdict.property_motions = source.value("property_motions", std::size_t{0});
   const std::string clause = text_in(source, "clause");
   const auto clauses = reference::clauses();
   for (std::size_t i = 0; i < clauses.size(); ++i) {
     if (clauses[i].id == clause) verdict.clause = static_cast<reference::ClauseId>(i);
   }
+  verdict.departure = verdict_kind(text_in(source, "departure"));
   verdict.reading = text_in(source, "reading");
   verdict.block = source.value("b", std::uint64_t{0});
   if (source.contains("record")) verdict.record = source["record"].get<std::size_t>();

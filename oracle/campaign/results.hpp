@@ -13,6 +13,7 @@
 
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "oracle/judge/terms.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/verdict.hpp"
 
@@ -20,7 +21,9 @@ namespace gonogo::oracle {
 
 // What was run.
 struct ResultsHeader {
-  std::string version;  // of gonogo
+  std::string version;         // of gonogo
+  std::string commit;          // that it was built from; empty: unknown
+  std::string program_sha256;  // of the program file; empty: unknown
   std::string corpus_version;
   std::string corpus_sha256;
   std::string subject_spec;
@@ -29,6 +32,10 @@ struct ResultsHeader {
   std::vector<std::string> readings;  // "k=v" over the cases' profiles
   std::string tolerance;              // empty: as declared
   std::string chord;                  // empty: none
+  std::string feed_resolution;        // empty: as declared
+  bool strict = false;                // advices are NO-GO
+  // By dialect: what the subject declares, but counts for less.
+  std::vector<std::pair<std::string, Capped>> capped;
   std::vector<std::string> dialects;  // empty: all
   std::vector<std::string> only;      // globs over ids; empty: all
   std::string case_id;                // empty: all
@@ -44,6 +51,7 @@ struct CaseResult {
   std::string id;
   std::string dialect;
   std::string cycle;
+  std::vector<std::string> features;  // that it needs
   std::vector<std::string> clauses;
   Verdict verdict;
   std::string profile;             // JSON object
@@ -59,6 +67,7 @@ struct CaseResult {
 
 struct ResultsFooter {
   std::string decision;                       // of the run: GO, NO-GO or UNDECIDED
+  std::string head;                           // of what, in a line
   std::map<std::string, std::size_t> totals;  // by verdict
   std::size_t cases = 0;
   std::size_t judged = 0;                // neither skipped nor undecided

@@ -180,6 +180,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   }
   const RunAnswer answer = tally.finish(footer.stale);
   footer.decision = answer.decision;
+  footer.head = answer.head;
   footer.totals = answer.totals;
   footer.cases = answer.cases;
   footer.judged = answer.judged;

@@ -50,6 +50,7 @@ CaseFacts facts_of(std::string_view case_line) {
   if (auto* fault = std::get_if<JsonFault>(&parsed)) fail(case_line, fault->message);
   const object& source = std::get<object>(parsed);
   CaseFacts facts;
+  read_case_head(case_line, facts.head);
   facts.id = text_of(source, "id");
   facts.dialect = text_of(source, "dialect");
   if (facts.id.empty() || facts.dialect.empty()) fail(case_line, "It needs id and dialect.");
@@ -74,6 +75,7 @@ VerdictKind Tally::add(const CaseFacts& facts) {
     kind = VerdictKind::fail_reading;
     if (answer_.reading_conflict.empty()) answer_.reading_conflict = facts.id;
   }
+  answer_.scope.add(facts.head, kind);
   ++answer_.cases;
   ++answer_.totals[std::string(name(kind))];
   std::size_t& judged = judged_by_dialect_[facts.dialect];
@@ -104,6 +106,7 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale) const {
     answer.exit_code = 0;
     answer.decision = "GO";
   }
+  answer.head = answer.scope.head(answer.decision);
   return answer;
 }
 

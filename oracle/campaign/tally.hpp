@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "oracle/campaign/reading_tally.hpp"
+#include "oracle/case_head.hpp"
+#include "oracle/run_scope.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::oracle {
@@ -24,6 +26,7 @@ struct CaseFacts {
   bool expected_gap = false;                      // the corpus expects that the gauge cannot say
   std::optional<OpenReadings> readings;           // of a GO that touched open readings
   std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
+  CaseHead head;       // what lists show of the line
 };
 
 // The facts of a case line of results.jsonl. Throws std::runtime_error with a sentence when the
@@ -42,7 +45,9 @@ struct RunAnswer {
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   std::string decision;          // GO, NO-GO or UNDECIDED
-  int exit_code = 0;             // of the program: 0, 1 or 3
+  std::string head;              // of what: a line
+  RunScope scope;
+  int exit_code = 0;  // of the program: 0, 1 or 3
 };
 
 class Tally {

@@ -36,6 +36,7 @@ void declare_everything(SubjectInfo& info) {
     }
   }
   info.everything = false;
+  info.recorded = true;
   for (auto& [dialect, features] : info.dialects) {
     if (!features.empty()) continue;
     for (const Feature& feature : feature_vocabulary()) {

@@ -2,6 +2,7 @@
 #include "oracle/corpus/errata.hpp"
 
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include <toml++/toml.h>
 #include <array>
@@ -54,6 +55,10 @@ std::array<int, 3> numbers_of(const std::string& version) {
 bool is_version(const std::string& text) {
   static const std::regex kForm("[0-9]{4}\\.[0-9]{1,6}\\.[0-9]{1,6}");
   return std::regex_match(text, kForm);
+}
+
+bool is_covered(const std::string& pattern, const std::string& id) {
+  return fnmatch(pattern.c_str(), id.c_str(), 0) == 0;
 }
 
 bool is_before(const std::string& version, const std::string& other) {

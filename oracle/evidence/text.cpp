@@ -103,10 +103,4 @@ std::string file_stem(std::string_view id) {
   return kept + "-" + hash.hex().substr(0, 16);
 }
 
-std::string grouped(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
-  return digits;
-}
-
 }  // namespace gonogo::oracle::evidence

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "oracle/run_scope.hpp"
+
 namespace gonogo::oracle::evidence {
 
 // For an XML attribute in double quotes: line ends and tabs survive the reader.
@@ -20,7 +22,6 @@ std::string markdown_fence(std::string_view text);
 // A case id as the name of a file without ending: itself where that is safe, else what can be kept
 // of it and a part of its hash.
 std::string file_stem(std::string_view id);
-// "6,613"
-std::string grouped(std::size_t count);
+using oracle::grouped;
 
 }  // namespace gonogo::oracle::evidence

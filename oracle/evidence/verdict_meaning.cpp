@@ -42,6 +42,8 @@ std::string_view meaning_of_failure(VerdictKind kind) {
       return "The alarm is of another class.";
     case VerdictKind::fail_alarm_late:
       return "The alarm comes in a later block, or after motion of its own.";
+    case VerdictKind::fail_declaration:
+      return "The subject declares what the case needs, and skips it.";
     default:
       return "The case fails.";
   }

@@ -57,8 +57,22 @@ bool agrees_with_line(const Motion& line, const Position& point, const Number& t
          !agreeing_parameters(line, point, tolerance).empty();
 }
 
-// By estimates: of two that are as long as each other either will do, and enclosures of one length
-// could not be told apart.
+bool moves_one_axis(const Motion& motion, const Number& tolerance) {
+  const AxisSet moved = moved_axes(motion, tolerance);
+  return std::ranges::count_if(kAllAxes, [&](Axis axis) { return moved.has(axis); }) == 1;
+}
+
+// J-PATH-04: whether `got` is the exact value, or that correctly rounded.
+bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
+               const JudgeTerms& terms) {
+  if (resolution && agree(exact * 2, got * 2, *resolution)) return true;
+  // J-CONST-03. Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
+  if (terms.binary64 && agree(exact, got, scaled_down(exact, 51))) return true;
+  return exact == got;
+}
+
+}  // namespace
+
 Axis longest_axis(const Motion& motion) {
   Axis longest = Axis::x;
   double length = -1;
@@ -71,22 +85,6 @@ Axis longest_axis(const Motion& motion) {
   }
   return longest;
 }
-
-bool moves_one_axis(const Motion& motion, const Number& tolerance) {
-  const AxisSet moved = moved_axes(motion, tolerance);
-  return std::ranges::count_if(kAllAxes, [&](Axis axis) { return moved.has(axis); }) == 1;
-}
-
-// Whether `got` is the exact value, or that correctly rounded.
-bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
-               const JudgeTerms& terms) {
-  if (resolution && agree(exact * 2, got * 2, *resolution)) return true;
-  // Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
-  if (terms.binary64 && agree(exact, got, scaled_down(exact, 51))) return true;
-  return exact == got;
-}
-
-}  // namespace
 
 bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms) {
   return reference.feed_mode == subject.feed_mode &&
@@ -157,8 +155,8 @@ MatchResult CurveMatch::match_piece(const Motion& subject) {
   return MatchResult::departs(Departure::kind, "The motion is of another kind.");
 }
 
-// A line whose lead counts instead of a feed. The spindle angle is that of its beginning: of the
-// first of several pieces.
+// J-PATH-03. A line whose lead counts instead of a feed. The spindle angle is that of its
+// beginning: of the first of several pieces.
 MatchResult CurveMatch::match_thread(const Motion& subject) {
   const Record& want = reference_.record;
   const Record& got = subject.record;
@@ -178,7 +176,7 @@ MatchResult CurveMatch::match_thread(const Motion& subject) {
   return result;
 }
 
-// Rule 4: rapids that end where it ends, monotone on each axis, no other axis.
+// J-PATH-02: rapids that end where it ends, monotone on each axis, no other axis.
 MatchResult CurveMatch::match_rapid(const Motion& subject) {
   const Position& reached = progress_.traverse ? *progress_.traverse : subject.from;
   for (Axis axis : kAllAxes) {
@@ -229,8 +227,8 @@ MatchResult CurveMatch::match_line(const Motion& subject) {
   return {Departure::none, agree(subject.to(), reference_.to(), terms_.tolerance), {}};
 }
 
-// Whether the reference is an arc in space that nothing tells from its chord: rounded, its three
-// points may lie in line, and then it can be put out only as that.
+// J-PATH-11: whether the reference is an arc in space that nothing tells from its chord: rounded,
+// its three points may lie in line, and then it can be put out only as that.
 bool CurveMatch::is_flat_arc3() const {
   if (reference_.record.kind != RecordKind::arc3) return false;
   const ThreePoints points(reference_);

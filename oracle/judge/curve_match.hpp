@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a motion of the subject belongs to a motion of the reference: pieces of it in its own
-// sense, none of them back, and traverses that end where it ends.
+// J-PATH-01. Whether a motion of the subject belongs to a motion of the reference: pieces of it in
+// its own sense, none of them back, and traverses that end where it ends.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ namespace gonogo::oracle {
 
 enum class Departure : std::uint8_t { none, kind, block, feed, geometry, sense, undecided };
 
-// The centre of the subject's arc, and how far it is from the reference's along an axis, mm.
-struct CentreApart {
+// A place of the subject's, and how far it is from where it may be, mm.
+struct Apart {
   Position at;
   Number distance;
 };
@@ -25,8 +25,8 @@ struct MatchResult {
   Departure departure = Departure::none;
   bool done = false;   // the reference motion is complete
   std::string reason;  // a sentence when it departs
-  // Where the centre is what differs.
-  std::optional<CentreApart> centre = {};
+  // The centre of the subject's arc, where that is what differs.
+  std::optional<Apart> centre = {};
 
   static MatchResult departs(Departure departure, std::string reason) {
     return {departure, false, std::move(reason)};
@@ -45,6 +45,8 @@ class CurveMatch {
   // Whether the motion starts as the reference's does and follows it beyond its end: the two are
   // equal but for where they end.
   bool goes_beyond(const Motion& subject) const;
+  // Where a motion that departs is off what is left of the reference's, and how far.
+  Apart apart(const Motion& subject) const;
 
  private:
   MatchResult match_rapid(const Motion& subject);
@@ -55,6 +57,8 @@ class CurveMatch {
   MatchResult match_round(const Motion& subject);
   MatchResult match_piece(const Motion& subject);
   MatchResult match_arc(const Motion& subject);
+  // Of an arc whose ends are seen from its centre in one direction.
+  MatchResult nil_or_full(const Motion& subject, double turns);
   MatchResult other_centre(const Motion& subject) const;
   MatchResult match_chord(const Motion& subject);
   int chord_stays(const Motion& chord, const Number& granted) const;
@@ -69,6 +73,8 @@ class CurveMatch {
   bool arc_goes_beyond(const Motion& subject) const;
   bool ends_at(const Position& point) const;
   bool centre_agrees(const Record& arc) const;
+  // From what is left of the curve; `turns` along it, where it is round.
+  Number distance(const Position& point, double turns) const;
 
   const Motion& reference_;
   const JudgeTerms& terms_;
@@ -82,6 +88,10 @@ class CurveMatch {
   };
   Progress progress_;
 };
+
+// By estimates: of two that are as long as each other either will do, and enclosures of one length
+// could not be told apart.
+Axis longest_axis(const Motion& motion);
 
 // Whether the feeds of two cutting motions are the same on these terms.
 bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms);

@@ -18,6 +18,7 @@ using reference::kAllAxes;
 using reference::PlaneAxes;
 
 // Differences of less than this are no difference of whole turns.
+// J-CONST-08.
 constexpr double kQuarterTurn = 0.25;
 
 using Vector2 = std::array<double, 2>;
@@ -68,6 +69,19 @@ bool nearly_whole(const Motion& arc, const Number& tolerance) {
   return along >= -tau * sides && std::abs(across) <= tau * sides && may_be_in_line(from, to, tau);
 }
 
+// Whether the arc's centre lies within the tolerance of one of its ends, which then shows no
+// direction: the record does not tell what part of a turn it sweeps. An estimate, for only what
+// ends where the curve does is taken.
+bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
+  const double tau = approximate(tolerance);
+  const auto is_centre = [&](const PlaneVector& v) {
+    return std::abs(estimate(v.p)) <= tau && std::abs(estimate(v.q)) <= tau;
+  };
+  return is_centre(from_centre(arc.record, arc.from)) ||
+         is_centre(from_centre(arc.record, arc.to()));
+}
+
+// J-PATH-14.
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
@@ -142,10 +156,11 @@ MatchResult CurveMatch::other_centre(const Motion& subject) const {
     centre[axis] = got[i];
     wanted[axis] = want[i];
   }
-  result.centre = CentreApart{centre, largest_difference(centre, wanted)};
+  result.centre = Apart{centre, largest_difference(centre, wanted)};
   return result;
 }
 
+// J-PATH-05.
 MatchResult CurveMatch::match_arc(const Motion& subject) {
   const Record& got = subject.record;
   if (round_->arc() == nullptr || round_->arc()->record.plane != got.plane) {
@@ -158,9 +173,25 @@ MatchResult CurveMatch::match_arc(const Motion& subject) {
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
   if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
-  // The nil and the full turn are tried, and the one that fits is taken. After other whole turns, a
-  // turn that the arc does make is no nil one; and an arc that ends exactly where it starts is a
-  // full turn by what a record means, unless the reference's turn is as small.
+  const double before = progress_.arc;
+  MatchResult result = nil_or_full(subject, turns);
+  const double rest = round_->whole() - before;
+  if (result.done || std::abs(rest - turns) >= 1 || !hides_its_sweep(subject, terms_.tolerance)) {
+    return result;
+  }
+  const double taken = progress_.arc;
+  progress_.arc = before;
+  MatchResult to_end = end_of_piece(subject, rest);
+  if (to_end.done) return to_end;
+  progress_.arc = taken;
+  return result;
+}
+
+// J-PATH-06. The nil and the full turn are tried, and the one that fits is taken. After other whole
+// turns, a turn that the arc does make is no nil one; and an arc that ends exactly where it starts
+// is a full turn by what a record means, unless the reference's turn is as small.
+MatchResult CurveMatch::nil_or_full(const Motion& subject, double turns) {
+  const Record& got = subject.record;
   const PlaneAxes axes = reference::axes_of(got.plane);
   const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
                       agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
@@ -195,8 +226,8 @@ int CurveMatch::chord_stays(const Motion& chord, const Number& granted) const {
   return answer;
 }
 
-// A straight cut as a chord of the arc: its ends on the curve, and the sagitta within the chord
-// tolerance that the certifier granted.
+// J-PATH-10. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
+// the chord tolerance that the certifier granted.
 MatchResult CurveMatch::match_chord(const Motion& subject) {
   const Number granted = terms_.tolerance + terms_.chord;
   if (!round_->on_circle(subject.to(), granted)) {
@@ -237,13 +268,13 @@ bool CurveMatch::names_points_of_program(const Motion& arc3) const {
          agree(via_of(arc3), via_of(reference_), tau) && agree(arc3.to(), reference_.to(), tau);
 }
 
-// A record of an arc in space has no centre: its three points stand for it. They agree with points
-// of the reference's curve in their order, and the arc turns in its sense. The middles of its two
-// parts agree with points of it too, to within twice the tolerance: that much may come of rounding
-// three points that are well apart, while an intermediate point near an end that makes another
-// circle of it shows there. Not where the program itself names the three points: what circle they
-// make when they are rounded is its doing then. What nothing tells from its chord has no sense of
-// its own, and follows the curve forward as a chord does.
+// J-PATH-09. A record of an arc in space has no centre: its three points stand for it. They agree
+// with points of the reference's curve in their order, and the arc turns in its sense. The middles
+// of its two parts agree with points of it too, to within twice the tolerance: that much may come
+// of rounding three points that are well apart, while an intermediate point near an end that makes
+// another circle of it shows there. Not where the program itself names the three points: what
+// circle they make when they are rounded is its doing then. What nothing tells from its chord has
+// no sense of its own, and follows the curve forward as a chord does.
 MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const {
   const ThreePoints points(subject);
   const Number& tau = terms_.tolerance;

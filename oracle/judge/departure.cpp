@@ -34,11 +34,10 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 }  // namespace
 
-// Whether the motion is one that the reference makes later on.
+// J-CMP-12: whether the motion is one that the reference makes later on.
 bool ProgramJudge::fits_later(const Motion& motion) {
-  constexpr int kLookAhead = 200;
-  for (int i = 0; i < kLookAhead && !reference_.at_end(); ++i) {
-    reference_.advance();
+  constexpr int kLookAhead = 200;  // J-CONST-09
+  for (int i = 0; i < kLookAhead && !reference_.at_end(); ++i, reference_.advance()) {
     const Motion* later = std::get_if<Motion>(&reference_.current());
     if (later == nullptr) continue;
     MatchResult result = CurveMatch(*later, terms_).match(motion);
@@ -49,6 +48,77 @@ bool ProgramJudge::fits_later(const Motion& motion) {
     }
   }
   return false;
+}
+
+namespace {
+
+std::string_view short_sentence(RecordKind kind) {
+  switch (kind) {
+    case RecordKind::rapid:
+      return "The traverse ends before it is where it has to end.";
+    case RecordKind::thread:
+      return "The thread ends before it is where it has to end.";
+    default:
+      return "The cut ends before it is where it has to end.";
+  }
+}
+
+}  // namespace
+
+// J-PATH-13.
+Verdict ProgramJudge::short_of(const Motion& want, const Motion& piece) const {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = want.record.clause;
+  verdict.block = want.record.block != 0 ? want.record.block : piece.record.block;
+  verdict.record = piece.number + piece.behind_first;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(piece.record);
+  verdict.message = short_sentence(want.record.kind);
+  verdict.witness = point_text(piece.to(), moved_axes(piece, 0) | moved_axes(want, 0));
+  try {
+    set_deviation(verdict, largest_difference(piece.to(), want.to()));
+  } catch (const exact::Undecided&) {
+  }
+  return verdict;
+}
+
+// J-PATH-13: whether the motion that departs follows one that ended too early. It did where this
+// one leads on as the reference does next, or where less was missing than this one is off. Goes on
+// in the reference.
+bool ProgramJudge::ended_short(const Motion& motion, const Motion& want, const Apart& apart) {
+  reference_.advance();
+  const Motion* piece = piece_before();
+  if (piece == nullptr) return false;
+  if (auto* next = std::get_if<Motion>(&reference_.behind_m_functions()); next != nullptr) {
+    Motion moved = motion;
+    moved.from = next->from;
+    if (CurveMatch(*next, terms_).match(moved).departure == Departure::none) return true;
+  }
+  return apart.distance > terms_.tolerance &&
+         largest_difference(piece->to(), want.to()) <= apart.distance;
+}
+
+// That motions differ is known; how far, and which departs first, may hang on an enclosure's width,
+// and then stays unsaid.
+void ProgramJudge::report_path_departure(const MatchResult& result, const Motion& motion,
+                                         const Motion& want, Verdict& verdict) {
+  departed_at_ = reference_.items();
+  verdict.kind = VerdictKind::fail_geometry;
+  const AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
+  verdict.witness = point_text(result.centre ? result.centre->at : motion.to(), axes);
+  try {
+    const Apart apart = result.centre ? *result.centre : match_->apart(motion);
+    verdict.witness = point_text(apart.at, axes);
+    set_deviation(verdict, apart.distance);
+    if (ended_short(motion, want, apart)) {
+      verdict = short_of(want, *piece_before());
+    } else if (fits_later(motion)) {
+      verdict.kind = VerdictKind::fail_order;
+      verdict.message = "A later motion comes here: one before it is missing, or comes after it.";
+    }
+  } catch (const exact::Undecided&) {
+  }
 }
 
 void ProgramJudge::report_departure(const MatchResult& result, const Motion& motion,
@@ -72,17 +142,7 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
   } else {
-    const Position& witness = result.centre ? result.centre->at : motion.to();
-    verdict.witness = point_text(witness, moved_axes(motion, 0) | moved_axes(want, 0));
-    verdict.kind = VerdictKind::fail_geometry;
-    // That motions differ is known; how far, and whether a later one fits, may hang on an
-    // enclosure's width, and then stays unsaid.
-    try {
-      set_deviation(verdict, result.centre ? result.centre->distance
-                                           : largest_difference(motion.to(), want.to()));
-      if (fits_later(motion)) verdict.kind = VerdictKind::fail_order;
-    } catch (const exact::Undecided&) {
-    }
+    report_path_departure(result, motion, want, verdict);
   }
   decide(std::move(verdict));
 }

@@ -29,6 +29,36 @@ std::string point_text(const reference::Position& point, reference::AxisSet axes
 
 namespace {
 
+// A number of a point as `append_json` writes it.
+Number number_of(const nlohmann::ordered_json& json) {
+  const auto part = [](const nlohmann::ordered_json& text) {
+    return Number::parse(text.get<std::string>()).value();
+  };
+  if (json.is_string()) return part(json);
+  if (const auto root = json.find("root"); root != json.end()) {
+    return Number::root(part(root->at(0)), part(root->at(1)), part(root->at(2)));
+  }
+  const nlohmann::ordered_json& bounds = json.at("enclosure");
+  return Number::between(part(bounds.at(0)), part(bounds.at(1)));
+}
+
+}  // namespace
+
+std::string point_for_people(const std::string& point) {
+  if (point.empty()) return point;
+  std::string text;
+  bool says_more = false;
+  const auto axes = nlohmann::ordered_json::parse(point);
+  for (const auto& [axis, value] : axes.items()) {
+    const std::string decimal = millimetres_text(number_of(value));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis, decimal);
+    says_more = says_more || !value.is_string() || value.get<std::string>() != decimal;
+  }
+  return says_more ? fmt::format("{} = {}", point, text) : point;
+}
+
+namespace {
+
 using NamedNumber = std::pair<std::string_view, const Number*>;
 
 // What pockets and threads have in common: block, plane, centre with the depth, numbers, sense.

@@ -79,9 +79,12 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
   }
   if (verdict_) return *verdict_;
   Verdict verdict;
-  verdict.kind = exact_     ? VerdictKind::pass_exact
-                 : rounded_ ? VerdictKind::pass_rounded
-                            : VerdictKind::pass_tolerance;
+  // J-CMP-09.
+  verdict.property_motions = property_motions_;
+  verdict.kind = property_motions_ > 0 ? VerdictKind::pass_properties
+                 : exact_              ? VerdictKind::pass_exact
+                 : rounded_            ? VerdictKind::pass_rounded
+                                       : VerdictKind::pass_tolerance;
   return verdict;
 }
 
@@ -95,6 +98,10 @@ void ProgramJudge::judge_other_end(const RunEnd& end) {
 
 // The trace stops although the reference goes on with `step`.
 void ProgramJudge::ends_early(const ReferenceStep& step, const std::string& got) {
+  auto* want = std::get_if<Motion>(&step);
+  if (const Motion* piece = piece_before(); piece != nullptr && want != nullptr) {
+    return decide(short_of(*want, *piece));
+  }
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   verdict.got = got;
@@ -107,6 +114,7 @@ void ProgramJudge::ends_early(const ReferenceStep& step, const std::string& got)
   decide(std::move(verdict));
 }
 
+// J-CMP-07.
 void ProgramJudge::compare_end(const Record& end) {
   settle_m_functions(true);
   if (verdict_ || !end_record_) return;
@@ -140,7 +148,7 @@ void ProgramJudge::judge_ok_end() {
       }
       decide(std::move(verdict));
     } else if (auto* outside = std::get_if<NotCovered>(&step)) {
-      decide_gap(outside->message);
+      decide_not_covered(*outside);
     } else if (auto* level = std::get_if<PocketLevel>(&step)) {
       finish_level(*level, position_);
     } else if (end_open_path(position_)) {
@@ -159,6 +167,7 @@ void ProgramJudge::judge_ok_end() {
         ends_early(step, "end");
       }
     } else if (reached(std::get<Motion>(step), position_)) {
+      match_.reset();
       reference_.advance();
     } else {
       ends_early(step, "end");
@@ -170,6 +179,7 @@ bool ProgramJudge::is_of_block(const SubjectAlarm& alarm, const Motion& motion) 
   return !terms_.compare_blocks || alarm.block == motion.record.block;
 }
 
+// J-CMP-08.
 void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& report) {
   auto verdict = [&](VerdictKind kind, std::string message) {
     Verdict result = alarm_verdict(kind, report, std::move(message));
@@ -232,11 +242,11 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
       return;
     }
     if (auto* outside = std::get_if<NotCovered>(&step)) {
-      decide_gap(outside->message);
+      decide_not_covered(*outside);
       return;
     }
     auto* level = std::get_if<PocketLevel>(&step);
-    if (level != nullptr && !level_motions_.empty() && !at_load) {
+    if (level != nullptr && !at_load && (!level_motions_.empty() || needs_no_motion(*level))) {
       finish_level(*level, position_);
       continue;
     }
@@ -253,6 +263,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     }
     auto* motion = std::get_if<Motion>(&step);
     if (motion != nullptr && !unfinished && reached(*motion, position_)) {
+      match_.reset();
       reference_.advance();
       continue;
     }

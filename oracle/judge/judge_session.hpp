@@ -16,7 +16,7 @@
 
 namespace gonogo::oracle {
 
-inline constexpr std::size_t kMaximumAssignments = 64;
+inline constexpr std::size_t kMaximumAssignments = 64;  // J-CONST-02
 // What explaining_reading judges again, in records.
 inline constexpr std::size_t kMostRecordsAgain = 4'000'000;
 

@@ -165,6 +165,12 @@ bool ProgramJudge::is_known_level(const PocketLevel& level) const {
                     last_motions_.end(), same_motion);
 }
 
+bool ProgramJudge::needs_no_motion(const PocketLevel& level) const {
+  const region::CircularLevel circle = circle_of(level, position_, terms_.level_tolerance());
+  return level_motions_.empty() &&
+         region::judge_level(circle, {}).kind == region::LevelVerdict::Kind::go;
+}
+
 void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) {
   if (level_motions_.empty()) plunge_ = here;
   // Equal levels are judged once. Levels no farther apart than the tolerance are one level, and
@@ -174,7 +180,7 @@ void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) 
                        agree(last_level_->depth, level.depth, terms_.tolerance);
   if (!known && !cleared) {
     const region::LevelVerdict answer =
-        region::judge_level(circle_of(level, plunge_, terms_.tolerance), level_motions_);
+        region::judge_level(circle_of(level, plunge_, terms_.level_tolerance()), level_motions_);
     if (answer.kind == region::LevelVerdict::Kind::gap) return decide_gap(answer.gap);
     if (answer.kind == region::LevelVerdict::Kind::no_go) {
       return decide(level_fault(level, answer.finding.value(), here));

@@ -51,6 +51,7 @@ bool names_m_function(std::string_view line, std::int32_t number) {
 
 }  // namespace
 
+// J-CMP-06.
 void ProgramJudge::take_dwell(const Record& record) {
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
@@ -75,8 +76,8 @@ void ProgramJudge::take_dwell(const Record& record) {
       reference_.advance();
       continue;
     }
-    if (std::holds_alternative<reference::NotCovered>(step)) {
-      decide_gap(std::get<reference::NotCovered>(step).message);
+    if (auto* outside = std::get_if<reference::NotCovered>(&step)) {
+      decide_not_covered(*outside);
       return;
     }
     if (after_alarm_ || std::holds_alternative<reference::AlarmReport>(step)) {
@@ -101,8 +102,17 @@ void ProgramJudge::take_dwell(const Record& record) {
     verdict.want = step_text(step);
     verdict.clause = clause_of(step);
     verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
+    if (motion != nullptr && piece_before() != nullptr) verdict = dwell_behind(std::move(verdict));
     decide(std::move(verdict));
   }
+}
+
+// J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
+Verdict ProgramJudge::dwell_behind(Verdict verdict) {
+  reference_.advance();
+  const auto* due = std::get_if<Record>(&reference_.behind_m_functions());
+  if (due == nullptr || due->kind != RecordKind::dwell) return verdict;
+  return short_of(*want_, *piece_before());
 }
 
 void ProgramJudge::take_m_functions() {
@@ -140,8 +150,8 @@ void ProgramJudge::m_out_of_place(const Record& record) {
   decide(std::move(verdict));
 }
 
-// M functions are compared in their order, wherever among the motions of their block they stand,
-// but for those that have to come before the tool cuts.
+// J-CMP-05: M functions are compared in their order, wherever among the motions of their block they
+// stand, but for those that have to come before the tool cuts.
 void ProgramJudge::settle_m_functions(bool at_end) {
   if (!terms_.compare_m) return;
   auto differs = [&](const Record* want, const Record* got) {

@@ -448,6 +448,7 @@ bool join(Motion& motion, const Motion& next) {
       return false;
   }
   motion.record.to = next.record.to;
+  motion.behind_first = next.number + next.behind_first - motion.number;
   motion.record.axes = motion.record.axes | next.record.axes;
   return true;
 }

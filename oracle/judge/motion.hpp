@@ -30,6 +30,7 @@ struct Motion {
   Position from;
   std::size_t number = 0;                       // place of its (first) record in the trace, from 0
   std::shared_ptr<const Dropped> dropped = {};  // of the reference, just before; null: nothing
+  std::size_t behind_first = 0;                 // place of its last record, counted from the first
 
   const Position& to() const { return record.to; }
 };
@@ -52,7 +53,7 @@ bool is_same_point(const Position& a, const Position& b);
 void shift(Position& position, const Position& by);
 void shift(Dropped& dropped, const Position& by);
 
-// Whether no axis differs by more than `tolerance`.
+// J-CMP-02: whether no axis differs by more than `tolerance`.
 bool agree(const Position& a, const Position& b, const Number& tolerance);
 bool agree(const Number& a, const Number& b, const Number& tolerance);
 // The largest difference of an axis.
@@ -92,10 +93,10 @@ Motion straightened(Motion motion);
 // its points lie in line.
 std::optional<Motion> as_arc(const Motion& arc3);
 
-// Joins `next` to `motion` when they are of equal kind, feed and block and continue the same line
-// in the same direction, or the same circle in the same sense; rapids, along one axis alone.
-// Circles in space, as long as they are less than a full turn together. What an enclosure leaves
-// open counts as the same line or circle: it is so for all that can be seen.
+// J-CMP-04: joins `next` to `motion` when they are of equal kind, feed and block and continue the
+// same line in the same direction, or the same circle in the same sense; rapids, along one axis
+// alone. Circles in space, as long as they are less than a full turn together. What an enclosure
+// leaves open counts as the same line or circle: it is so for all that can be seen.
 bool join(Motion& motion, const Motion& next);
 
 }  // namespace gonogo::oracle

@@ -54,15 +54,27 @@ bool ProgramJudge::process_step(Motion& motion) {
   }
   if (is_unseen(motion, step)) return true;
   if (auto* level = std::get_if<PocketLevel>(&step)) {
-    if (collect(motion, *level)) return true;
+    if (collect(motion, *level)) {
+      ++property_motions_;
+      return true;
+    }
     if (!verdict_) finish_level(*level, motion.from);
     return false;
   }
   if (std::optional<OpenPathAnswer> answer = take_in_path(motion, step)) {
+    note_properties(*answer, motion);
     return follow_open_path(*answer, motion);
   }
   stop_before(motion, step);
   return true;
+}
+
+// J-CMP-09: a motion counts where an open step has taken it, or its first part.
+void ProgramJudge::note_properties(const OpenPathAnswer& answer, const Motion& motion) {
+  const bool taken = answer.kind == OpenPathAnswer::Kind::taken ||
+                     (answer.kind == OpenPathAnswer::Kind::ended &&
+                      !agree(answer.here, motion.from, terms_.tolerance));
+  if (taken) ++property_motions_;
 }
 
 std::optional<OpenPathAnswer> ProgramJudge::take_in_path(const Motion& given,
@@ -114,7 +126,7 @@ void ProgramJudge::moves_before_renaming(const Motion& motion, const ReferenceSt
 // Before a step where no motion is due.
 void ProgramJudge::stop_before(const Motion& motion, const ReferenceStep& step) {
   if (auto* outside = std::get_if<reference::NotCovered>(&step)) {
-    return decide_gap(outside->message);
+    return decide_not_covered(*outside);
   }
   if (means_nothing(motion, step)) return;
   if (std::holds_alternative<reference::AlarmReport>(step)) {
@@ -139,6 +151,8 @@ void ProgramJudge::stop_before(const Motion& motion, const ReferenceStep& step) 
   if (record.kind == RecordKind::dwell) {
     verdict.message = "The subject moves where a dwell is due.";
     // Goes on in the reference: `record` is gone after it.
+    departed_at_ = reference_.items();
+    reference_.advance();
     verdict.kind = fits_later(motion) ? VerdictKind::fail_order : VerdictKind::fail_geometry;
   }
   decide(std::move(verdict));
@@ -148,11 +162,13 @@ MatchResult ProgramJudge::try_motion(const Motion& motion, const Motion& want) {
   if (!match_) {
     want_ = want;
     match_.emplace(*want_, terms_);
+    piece_.reset();
   }
   MatchResult result = match_->match(motion);
   if (result.departure != Departure::none) return result;
   const bool is_chord = is_round(want_->record.kind) && motion.record.kind == RecordKind::feed;
   if (is_chord) budget_.forgive();
+  if (!result.done) piece_ = motion;
   if (result.done) {
     note_match(motion, *want_);
     match_.reset();
@@ -201,7 +217,7 @@ bool ProgramJudge::goes_on_outside(const Motion& motion) {
   if (terms_.compare_blocks || !match_->goes_beyond(motion)) return false;
   reference_.advance();
   auto* outside = std::get_if<reference::NotCovered>(&reference_.current());
-  if (outside != nullptr) decide_gap(outside->message);
+  if (outside != nullptr) decide_not_covered(*outside);
   return outside != nullptr;
 }
 

@@ -64,7 +64,7 @@ class OpenHelices {
   std::list<OpenHelix> take_done() { return std::move(done_); }
 
  private:
-  static constexpr std::size_t kMaximum = 1'000;
+  static constexpr std::size_t kMaximum = 1'000;  // J-CONST-10
   std::list<OpenHelix> open_;
   std::list<OpenHelix> done_;
   bool undecided_ = false;  // of one that was dropped

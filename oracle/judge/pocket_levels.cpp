@@ -100,7 +100,7 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   level.tool_radius = item_.tool_radius;
   level.sense = item_.sense;
   level.plunge = plunge_;
-  level.tolerance = terms_.tolerance;
+  level.tolerance = terms_.level_tolerance();
   level.slack = slack_;
   return level;
 }

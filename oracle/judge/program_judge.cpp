@@ -29,6 +29,15 @@ void ProgramJudge::decide_gap(std::string message) {
   decide(std::move(verdict));
 }
 
+void ProgramJudge::decide_not_covered(const reference::NotCovered& outside) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.block = outside.block;
+  verdict.message = outside.message;
+  decide(std::move(verdict));
+}
+
+// J-CONST-01.
 void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
   decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
 }
@@ -60,6 +69,7 @@ void ProgramJudge::decide_too_many(const Record& record) {
   decide(std::move(verdict));
 }
 
+// J-CMP-01, J-CMP-07.
 void ProgramJudge::take_record(const Record& record) {
   if (end_record_) {
     Verdict verdict;
@@ -127,6 +137,7 @@ void ProgramJudge::take_motion(const Record& record) {
   if (verdict_) return;
   Motion motion = motion_from(position_, record, records_ - 1);
   if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
+  // J-CMP-10.
   if (!terms_.compare_blocks) {
     motion.record.block = 0;
   } else if (record.block == 0) {
@@ -148,8 +159,8 @@ void ProgramJudge::take_motion(const Record& record) {
     anchor_ = position_;
     return;
   }
-  // Dropped: within the tolerance of where the last kept motion ended, so that many small motions
-  // cannot add up unseen. Arcs stay: they may mean a full turn.
+  // J-CMP-03. Dropped: within the tolerance of where the last kept motion ended, so that many small
+  // motions cannot add up unseen. Arcs stay: they may mean a full turn.
   const bool is_nil = record.kind != RecordKind::arc && stays;
   if (is_nil && !mills_pocket(motion)) {
     if (!verdict_ && is_due(motion)) anchor_ = position_;
@@ -161,8 +172,8 @@ void ProgramJudge::take_motion(const Record& record) {
   if (!verdict_) pending_ = std::move(motion);
 }
 
-// Whether the two are not to be joined, for the motion is where the reference's ends: what follows
-// belongs to the next one, though it goes on in the same way.
+// J-CMP-04: whether the two are not to be joined, for the motion is where the reference's ends:
+// what follows belongs to the next one, though it goes on in the same way.
 bool ProgramJudge::ends_here(const Motion& motion, const Motion& next) {
   const RecordKind kind = motion.record.kind;
   if (is_round(kind) || kind != next.record.kind || motion.record.block != next.record.block) {

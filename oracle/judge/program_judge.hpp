@@ -36,7 +36,7 @@ class ProgramJudge {
   Verdict finish(const RunEnd& end);
 
   // How far the comparison came, in items of the reference.
-  std::size_t progress() const { return reference_.items(); }
+  std::size_t progress() const { return departed_at_.value_or(reference_.items()); }
   // Whether nothing that is still to come changes the answer.
   bool is_decided() const { return verdict_.has_value(); }
   // What its reference has asked for so far.
@@ -73,6 +73,7 @@ class ProgramJudge {
   void stop_before(const Motion& motion, const ReferenceStep& step);
   void moves_before_renaming(const Motion& motion, const ReferenceStep& step);
   bool match_motion(Motion& motion, const Motion& want);
+  void note_properties(const OpenPathAnswer& answer, const Motion& motion);
   // As a piece of the reference's current motion; where it is done, the reference goes on.
   MatchResult try_motion(const Motion& motion, const Motion& want);
   bool reached(const Motion& want, const Position& at) const;
@@ -80,6 +81,9 @@ class ProgramJudge {
   bool means_nothing(const Motion& motion, const ReferenceStep& step) const;
   bool goes_on_outside(const Motion& motion);
   void take_dwell(const Record& record);
+  // What is said of a dwell that comes within a motion of the reference: the verdict, or that the
+  // motion is short.
+  Verdict dwell_behind(Verdict verdict);
   void take_m_functions();
   // Follows the renamings of the position that come before a record of `block` (0: not known).
   void follow_renamings(std::uint64_t block);
@@ -98,6 +102,8 @@ class ProgramJudge {
   Verdict level_fault(const reference::PocketLevel& level, const region::Finding& finding,
                       const Position& here) const;
   bool is_known_level(const reference::PocketLevel& level) const;
+  // Whether it is so small that it is cleared where the subject stands.
+  bool needs_no_motion(const reference::PocketLevel& level) const;
   void go_on_below(const reference::PocketLevel& level);
   void depart_from_level(VerdictKind kind, const Motion& motion,
                          const reference::PocketLevel& level, std::string message);
@@ -131,8 +137,16 @@ class ProgramJudge {
   bool is_of_block(const SubjectAlarm& alarm, const Motion& motion) const;
   void refuse_alarm_outside(const SubjectAlarm& alarm);
   void decide_undecided(const exact::Undecided& undecided);
+  void decide_not_covered(const reference::NotCovered& outside);
   // In departure.cpp.
   void report_departure(const MatchResult& result, const Motion& motion, const Motion& want);
+  // What of the reference's current motion the subject has put out last; null: nothing.
+  const Motion* piece_before() const { return match_ && piece_ ? &*piece_ : nullptr; }
+  bool ended_short(const Motion& motion, const Motion& want, const Apart& apart);
+  void report_path_departure(const MatchResult& result, const Motion& motion, const Motion& want,
+                             Verdict& verdict);
+  Verdict short_of(const Motion& want, const Motion& piece) const;
+  // From the reference's current step on.
   bool fits_later(const Motion& motion);
 
   const reference::Profile& profile_;
@@ -159,6 +173,7 @@ class ProgramJudge {
   std::optional<InStep> in_step_;
   std::optional<Motion> want_;  // the reference's current motion, which match_ looks at
   std::optional<CurveMatch> match_;
+  std::optional<Motion> piece_;  // of want_, the last one that match_ has taken
 
   Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> level_motions_;
@@ -182,11 +197,13 @@ class ProgramJudge {
   std::uint64_t m_block_ = 0;       // of the last M function that the subject passed on
 
   std::optional<Verdict> verdict_;
-  std::optional<Motion> after_alarm_;  // motion in or after the block that should have alarmed
-  std::optional<Record> end_record_;   // the subject's `end`
-  bool moved_ = false;                 // the subject has put out a motion
-  bool exact_ = true;                  // every end and centre is exact so far
-  bool rounded_ = true;                // ... or correctly rounded
+  std::optional<std::size_t> departed_at_;  // in items, before what comes later is looked at
+  std::optional<Motion> after_alarm_;       // motion in or after the block that should have alarmed
+  std::optional<Record> end_record_;        // the subject's `end`
+  bool moved_ = false;                      // the subject has put out a motion
+  bool exact_ = true;                       // every end and centre is exact so far
+  bool rounded_ = true;                     // ... or correctly rounded
+  std::size_t property_motions_ = 0;        // of the subject, that open steps have taken
 };
 
 }  // namespace gonogo::oracle

@@ -7,6 +7,7 @@
 namespace gonogo::oracle {
 
 bool RecordBudget::allows(std::size_t records, std::size_t live) {
+  // J-CONST-05.
   constexpr std::size_t kFactor = 10;
   constexpr std::size_t kSlack = 1'000;
   while (records - forgiven() > kFactor * std::max(counted_, live) + kSlack) {

@@ -9,23 +9,6 @@
 
 namespace gonogo::oracle {
 
-JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
-                      const std::optional<Number>& tolerance, const std::optional<Number>& chord) {
-  JudgeTerms terms;
-  terms.tolerance = profile.resolution();
-  if (subject.resolution) terms.tolerance = min(terms.tolerance, *subject.resolution);
-  if (tolerance) terms.tolerance = terms.granted = *tolerance;
-  if (chord) terms.chord = *chord;
-  // A subject that rounds more coarsely than the machine is not excused by saying so; a granted
-  // tolerance is one of axes, not of leads, angles and dwells.
-  if (subject.resolution) terms.resolution = min(*subject.resolution, profile.resolution());
-  terms.feed_resolution = subject.feed_resolution;
-  terms.binary64 = subject.numeric_kind == "binary64";
-  terms.compare_blocks = subject.features.contains("blocks");
-  terms.compare_m = subject.features.contains("m");
-  return terms;
-}
-
 ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::LineSource& lines,
                                  const JudgeTerms& terms)
     : terms_(terms),
@@ -59,13 +42,16 @@ void ReferenceStream::take_motion(const Record& record) {
   Motion motion = motion_from(position_, record, items_);
   position_ = motion.to();
   if (!terms_.compare_blocks) motion.record.block = 0;
-  // Joined before anything is dropped: what goes on in the same way belongs to the motion, however
-  // small it is.
-  if (pending_ && join(*pending_, motion)) {
+  // J-CMP-04: joined before anything is dropped: what goes on in the same way belongs to the
+  // motion, however small it is. Not over arcs: the subject's may be a full turn together, which it
+  // has to be able to put out in between.
+  const bool over_arcs = std::ranges::any_of(
+      dropped_.motions, [](const Record& dropped) { return is_round(dropped.kind); });
+  if (pending_ && !over_arcs && join(*pending_, motion)) {
     dropped_.stood = position_;
     return;
   }
-  // Dropped: it stays where the last kept motion ended, and makes no turn.
+  // J-CMP-03. Dropped: it stays where the last kept motion ended, and makes no turn.
   if (stays_at(dropped_.stood, motion, terms_)) {
     drop(motion);
     return;
@@ -91,6 +77,7 @@ void ReferenceStream::count_passes(const reference::ThreadMilling& thread) {
 // A cycle that goes back by as much as it goes forward moves nothing that can be seen, as often as
 // it likes, and no record of the subject's comes between.
 void ReferenceStream::drop(const Motion& motion) {
+  // J-CONST-06.
   constexpr std::size_t kMostRemembered = 64;
   constexpr std::size_t kMostInARow = 1'000'000;
   if (++dropped_in_a_row_ > kMostInARow) {

@@ -125,9 +125,9 @@ bool RoundCurve::is_spiral() const {
   return std::abs(std::hypot(estimate(end.p), estimate(end.q)) - radius_) > kEstimate;
 }
 
-// Where the box meets the circles of both radii it meets every one between them, exactly. Else the
-// radius is estimated, and a band round the tolerance is left undecided: the estimate's own error,
-// and what the radius changes by over a tolerance's length of arc.
+// J-PATH-08. Where the box meets the circles of both radii it meets every one between them,
+// exactly. Else the radius is estimated, and a band round the tolerance is left undecided: the
+// estimate's own error, and what the radius changes by over a tolerance's length of arc.
 int RoundCurve::on_spiral(const Position& point, double turns, const Number& tolerance) const {
   if (arc_ == nullptr || open_) return 1;
   const PlaneVector a = from_centre(arc_->record, arc_->from);
@@ -165,11 +165,11 @@ bool RoundCurve::on_space_circle(const Position& point, const Number& tolerance)
   throw exact::Undecided("whether a point agrees with the circle hangs on an enclosure's width");
 }
 
-// The sweep is estimated, so a band round the tolerance is left undecided: the estimate's own
-// error, and the height that the helix gains over a tolerance's length of arc.
+// J-PATH-07. The sweep is estimated, so a band round the tolerance is left undecided: the
+// estimate's own error, and the height that the helix gains over a tolerance's length of arc.
 int RoundCurve::on_helix(const Position& point, double turns, const Number& tolerance,
                          bool linear_only) const {
-  constexpr double kEstimate = 1e-7;  // mm
+  constexpr double kEstimate = 1e-7;  // mm; J-CONST-08
   const double within = approximate(tolerance);
   int answer = 1;
   for (Axis axis : reference::kAllAxes) {

@@ -80,10 +80,14 @@ class RoundCurve {
   int on_spiral(const Position& point, double turns, const Number& tolerance) const;
   // The part of a turn from one point to another in the sense of the curve; an estimate.
   double part_of_turn(const Position& from, const Position& to) const;
+  // How far the point is from the curve, which is `turns` along it; from a circle in space, from
+  // the whole of it. In curve_distance.cpp.
+  Number distance(const Position& point, double turns) const;
   // Whether an arc about this normal turns in the sense of the curve.
   bool same_sense(const SpacePoint& normal) const;
 
  private:
+  Number distance_in_space(const Position& point) const;
   bool on_space_circle(const Position& point, const Number& tolerance) const;
 
   const Motion& motion_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What it means to stand still: the one relation by which both sides drop motions.
+// J-CMP-03. What it means to stand still: the one relation by which both sides drop motions.
 #pragma once
 
 #include "oracle/judge/motion.hpp"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "oracle/subject.hpp"
 
@@ -17,14 +19,45 @@ struct JudgeTerms {
   bool binary64 = false;       // numbers come as doubles
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
-  bool strict = false;  // a departure from what no text states is NO-GO, no advice
+  bool strict = false;         // a departure from what no text states is NO-GO, no advice
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
+
+  // J-CONST-07: of a level of a pocket, mm. Centre and start of an arc are each rounded by half of
+  // the resolution along an axis: 3/sqrt(2) = 2.12 times it is what its points may be off.
+  Number level_tolerance() const {
+    constexpr int kEighths = 17;
+    return resolution ? max(tolerance, *resolution * kEighths / 8) : tolerance;
+  }
 };
 
-// tau is the smaller of the declared resolution and the profile's, unless the certifier says
-// otherwise.
+// What the certifier grants with options of his own, whatever the subject declares and the profile
+// says.
+struct Grants {
+  std::optional<Number> tolerance;        // mm an axis
+  std::optional<Number> chord;            // mm
+  std::optional<Number> feed_resolution;  // mm/min or mm/rev
+  bool strict = false;
+};
+
+// What a subject declares counts up to the profile's `resolution`, unless the certifier grants
+// more (J-RUN-02, J-RUN-03).
 JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
-                      const std::optional<Number>& tolerance, const std::optional<Number>& chord);
+                      const Grants& grants);
+inline JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
+                             const std::optional<Number>& tolerance,
+                             const std::optional<Number>& chord) {
+  return make_terms(subject, profile, Grants{tolerance, chord, std::nullopt, false});
+}
+
+// A declaration that counts for less than it says.
+struct Capped {
+  std::string_view what;  // "resolution", "feed_resolution", "chord"
+  Number declared;
+  Number counts;
+};
+// Of a subject under a profile.
+std::vector<Capped> capped(const SubjectInfo& subject, const reference::Profile& profile,
+                           const Grants& grants);
 
 }  // namespace gonogo::oracle

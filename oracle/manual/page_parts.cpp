@@ -255,6 +255,14 @@ void append_outside(PageDraft& page, const reference::Dialect& dialect) {
   for (std::string_view code : dialect.codes_without_effect())
     page.text += fmt::format(" {}", code);
   page.text += ".\n";
+  if (dialect.passed_words().empty()) return;
+  page.text +=
+      "\nWords beside codes that do not use them. Every other word is used, breaks a rule, or ends "
+      "the program as not covered.\n\n| beside | words | rule | clause |\n|---|---|---|---|\n";
+  for (const reference::PassedWords& rule : dialect.passed_words()) {
+    page.text += fmt::format("| {} | {} | {} | {} |\n", rule.codes, escaped(rule.words),
+                             escaped(rule.why), clause_link(rule.clause));
+  }
 }
 
 }  // namespace gonogo::oracle::manual

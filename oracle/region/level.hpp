@@ -104,7 +104,7 @@ struct LevelVerdict {
   bool by_filter = true;           // decided by certified subdivision alone
 };
 
-inline constexpr std::size_t kMaximumLevelMotions = 50'000;
+inline constexpr std::size_t kMaximumLevelMotions = 50'000;  // J-CONST-04
 
 // The first rule broken in the order sense, gouge, cover, step.
 LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions);

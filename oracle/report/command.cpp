@@ -14,9 +14,9 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 // What a verdict depends on, besides the subject and the case.
-constexpr std::array<std::string_view, 9> kKept = {
-    "--corpus",  "--profile", "--reading",   "--tolerance",     "--chord",
-    "--timeout", "--memory",  "--alarm-map", "--known-failures"};
+constexpr std::array<std::string_view, 10> kKept = {
+    "--corpus",          "--profile", "--reading", "--tolerance", "--chord",
+    "--feed-resolution", "--timeout", "--memory",  "--alarm-map", "--known-failures"};
 
 bool is_plain_in_shell(char c) {
   constexpr std::string_view kPlain = "_@%+=:,./-";
@@ -87,11 +87,14 @@ std::string command_for_case(const Json& header) {
         if (reading.is_string()) add(option, reading.get<std::string>());
       }
     }
-    if (option == "--tolerance" || option == "--chord") {
-      const std::string value = text_of(header, std::string(option.substr(2)).c_str());
+    if (option == "--tolerance" || option == "--chord" || option == "--feed-resolution") {
+      std::string key(option.substr(2));
+      std::ranges::replace(key, '-', '_');
+      const std::string value = text_of(header, key.c_str());
       if (!value.empty()) add(option, value);
     }
   }
+  if (header.value("strict", Json(false)) == true) command += " --strict";
   return command + " --case ";
 }
 

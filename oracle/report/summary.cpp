@@ -213,7 +213,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
   }
   Json decisions = Json::object();
   for (const auto& [verdict, cases] : totals_) {
-    constexpr const char* kNames[] = {"go", "no-go", "undecided"};
+    constexpr const char* kNames[kDecisions] = {"go", "no-go", "undecided", "neither"};
     decisions[verdict] = kNames[static_cast<std::size_t>(decision_of(verdict))];
   }
   return {{"header", header},

@@ -4,7 +4,7 @@
 namespace gonogo::oracle {
 
 bool SubjectInfo::declares(std::string_view dialect, std::string_view feature) const {
-  if (everything) return true;
+  if (everything || features.contains(std::string(feature))) return true;
   const auto found = dialects.find(std::string(dialect));
   if (found == dialects.end()) return false;
   return feature.empty() || found->second.empty() || found->second.contains(std::string(feature));

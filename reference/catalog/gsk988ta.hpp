@@ -285,9 +285,14 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "the position, feed modes, M, S and T; the arc's rules for R and I J K.",
      "reference/gsk988ta/basic_motion.cpp"},
     {"GSK-COM-06", open, kBasic,
-     "The ranges of the words hold in the blocks of the cycles; a word that the code does not use "
-     "is checked against its range and ignored.",
+     "The ranges of the words hold in the blocks of the cycles; a word of their tables that the "
+     "cycle does not use is checked against its range and ignored.",
      "reference/gsk988ta/words.cpp"},
+    {"GSK-COM-09", derived, kBasic,
+     "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
+     "ends the program as not covered: a control may chamfer or round by it.",
+     "reference/gsk988ta/word_use.cpp", std::nullopt,
+     "a word that changes a path on some control, passed over, is a wrong path"},
     {"GSK-COM-07", open, kBasic,
      "One address twice, and two codes of one group, are an alarm; a parameter of the machine can "
      "let the later one win.",

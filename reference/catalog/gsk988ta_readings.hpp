@@ -253,7 +253,7 @@ inline std::vector<Reading> gsk988ta_readings() {
        "gsk.duplicate",
        "gsk988ta",
        {"alarm", "last"},
-       "alarm",
+       "any",
        false,
        false,
        "GSK-COM-07"_clause,

@@ -55,7 +55,10 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "C is the number of starts: omitted, 0 or 1 is one, at spindle angle P; n above 1 are n whole "
      "passes, pass k at k times P, and P is needed.",
      "reference/hnc21t/g82.cpp"},
-    {"HNC-G82-07", derived, kG82, "A thread needs F or J in force, and not both.",
+    {"HNC-G82-07", derived, kG82,
+     "A thread needs F or J in force, and not both. F is the lead; J is the lead of an inch "
+     "thread, "
+     "in inches or as threads to the inch.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-08", open, kG82,
      "F and J exclude each other in a block, a later one replaces the one in force, both are above "
@@ -113,7 +116,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "it.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-MOD-03", open, kSimple,
-     "What a block of a cycle does that has only one of X and Z is open.",
+     "What a block of a cycle does that has only one of X and Z is open; G74 needs Z alone, G75 "
+     "without a width X alone.",
      "reference/hnc21t/cycle.cpp"},
     {"HNC-MOD-04", open, kSimple,
      "F of G74, G75, G80 and G81 is the ordinary feed. A lead never becomes a feed, nor a feed a "
@@ -121,8 +125,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-MOD-05", open, kSimple,
      "The same code again is no change of command. A code without an axis word takes in its words "
-     "and moves nothing. Words that a cycle does not use have no effect, but Y and V are not words "
-     "of a lathe. Of the planes only G18 is there; G40, G96 and G97 have no effect.",
+     "and moves nothing. I K R E C A P J Q that a cycle does not use have no effect in it; Y and V "
+     "are not words of a lathe. Of the planes only G18 is there; G40, G96 and G97 have no effect.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-COM-01", derived, kBasic,
      "A missing required word, an address twice in a block, X with U and Z with W, a code that the "
@@ -131,6 +135,12 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "G04, "
      "G20, G21, G32, G36, G37, G54 to G59, G90 to G92, G94 and G95.",
      "reference/hnc21t/interpreter.cpp"},
+    {"HNC-COM-02", derived, kBasic,
+     "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
+     "ends the program as not covered: a control may chamfer or round by it (C, R, RL= and RC= of "
+     "G01).",
+     "reference/hnc21t/word_use.cpp", std::nullopt,
+     "a word that changes a path on some control, passed over, is a wrong path"},
 });
 
 }  // namespace gonogo::reference::catalog::hnc21t

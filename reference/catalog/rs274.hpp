@@ -14,6 +14,9 @@ inline constexpr std::string_view kLines = "RS274/NGC interpreter, version 3: tr
 inline constexpr std::string_view kModes = "RS274/NGC interpreter, version 3: modes and order";
 inline constexpr std::string_view kArcs = "RS274/NGC interpreter, version 3: arcs";
 inline constexpr std::string_view kBlocks = "RS274/NGC interpreter, version 3: lines of a program";
+inline constexpr std::string_view kOverview =
+    "LinuxCNC 2.9, G-code overview: format of a line, the end of a program";
+inline constexpr std::string_view kGroups = "LinuxCNC 2.9, G-code overview: modal groups";
 
 using enum ClauseLevel;
 inline constexpr auto kClauses = std::to_array<Clause>({
@@ -51,10 +54,50 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/arc.cpp"},
     {"NGC-G4-01", must, kLines, "G4 dwells for P seconds.", "reference/rs274/basic_motion.cpp"},
     {"NGC-COM-01", derived, kBlocks,
-     "A line with a slash runs unless blocks are skipped. An axis word or a modal group twice in a "
+     "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, a code that the language lacks, and R with I J K are alarms. G40 G49 G54 G61 G64 G80 "
      "M6 S and T are passed over. M functions, G codes times ten and P of an arc are whole "
      "numbers.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-COM-02", must, kGroups,
+     "A word that no code of the block uses is an alarm, also in a block without a motion: I J K "
+     "and R belong to an arc; P to G4, an arc, G64, M50 to M53 and M62 to M66; Q to G64, M61 and "
+     "M66 to M68; E to M66 to M68; L to M66; D and H to codes that the gauge does not read.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-COM-03", open, kGroups,
+     "Two codes of a modal group in a block are an alarm. LinuxCNC forgets G80 beside another code "
+     "of the motion group, wherever it stands: the other one acts and stays in force.",
+     "reference/rs274/codes.cpp", Basis::text},
+    {"NGC-COM-04", must, kOverview,
+     "Blanks and tabs mean nothing outside comments, also inside a number and after its sign.",
+     "grammar/x3/squeezed.hpp"},
+    {"NGC-COM-05", must, kOverview,
+     "A line number stands first, is whole, or two whole numbers with a point between, and has no "
+     "meaning.",
+     "reference/rs274/program_text.cpp"},
+    {"NGC-COM-06", open, kOverview,
+     "A line that is only O, a number and comments names the program; with other words or a "
+     "control "
+     "word it is an O word, which the gauge does not read.",
+     "reference/rs274/program_text.cpp"},
+    {"NGC-COM-07", must, kOverview,
+     "A % line opens the program where no line but blank ones stands before it; then a second % "
+     "line ends the program, and nothing after it is read. A % anywhere else is an alarm.",
+     "reference/rs274/program_text.cpp"},
+    {"NGC-COM-08", must, kOverview,
+     "A program ends with M2 or M30, or with the second of two % lines. Where the text ends "
+     "before, "
+     "its last line alarms, after all motion.",
+     "reference/rs274/program_text.cpp"},
+    {"NGC-MOD-02", open, kLines,
+     "G0 and G1 without an axis word: an alarm to NIST's interpreter; to LinuxCNC no motion, and "
+     "an "
+     "alarm only for a G1 without a feed.",
+     "reference/rs274/basic_motion.cpp", Basis::text},
+    {"NGC-ARC-06", open, kArcs,
+     "I J K alone, while G2 or G3 is in force, are an arc to LinuxCNC and words that nothing uses "
+     "to "
+     "NIST's interpreter.",
      "reference/rs274/interpreter.cpp"},
 });
 

@@ -40,6 +40,83 @@ inline std::vector<Reading> rs274_readings() {
        "how far an M function, ten times a G code, or P of an arc may be from a whole number and "
        "count as it: not at all; by 0.0001, as NIST's report says; or, as LinuxCNC has it, by "
        "0.0001 for M and 0.001 for the others"},
+      {ReadingKey::ngc_g80_beside,
+       "ngc.g80-beside",
+       "rs274",
+       {"alarm", "ignored"},
+       "any",
+       false,
+       false,
+       "NGC-COM-03"_clause,
+       "G80 in a block with another code of the motion group: an alarm, as the documents and "
+       "NIST's "
+       "interpreter have it; or forgotten, as LinuxCNC has it. Open, for the usual first line of a "
+       "program, G00 G17 G21 G40 G49 G80 G90, hangs on it. Asked for only where the group has one "
+       "other code or G80 again"},
+      {ReadingKey::ngc_unused_words,
+       "ngc.unused-words",
+       "rs274",
+       {"alarm", "ignored"},
+       "alarm",
+       false,
+       false,
+       "NGC-COM-02"_clause,
+       "a word that no code of its block uses: an alarm, on which the documents and all "
+       "interpreters of controls agree; or passed over, as viewers of programs have it. Asked for "
+       "only where such a word stands"},
+      {ReadingKey::ngc_line_number,
+       "ngc.line-number",
+       "rs274",
+       {"decimal", "whole"},
+       "any",
+       false,
+       false,
+       "NGC-COM-05"_clause,
+       "a line number with decimals or above 99999: without meaning as any other, as the documents "
+       "and LinuxCNC have it; or an alarm, as NIST's interpreter has it. Open, and asked for only "
+       "where there is one"},
+      {ReadingKey::ngc_o_name,
+       "ngc.o-name",
+       "rs274",
+       {"passed-over", "syntax"},
+       "any",
+       false,
+       false,
+       "NGC-COM-06"_clause,
+       "a line of O and a number alone: passed over, as LinuxCNC has it; or an alarm, as NIST's "
+       "interpreter has it. No text says which: open, and asked for only where there is one"},
+      {ReadingKey::ngc_program_end,
+       "ngc.program-end",
+       "rs274",
+       {"needed", "free"},
+       "needed",
+       false,
+       false,
+       "NGC-COM-08"_clause,
+       "a text that ends before the program does: an alarm, on which the documents, LinuxCNC and "
+       "NIST's interpreter agree; or the end, as controls have it that are sent blocks one by one. "
+       "Asked for only at such an end"},
+      {ReadingKey::ngc_bare_motion,
+       "ngc.bare-motion",
+       "rs274",
+       {"nothing", "missing-word"},
+       "any",
+       false,
+       false,
+       "NGC-MOD-02"_clause,
+       "G0 or G1 without an axis word: no motion, as LinuxCNC has it; or an alarm, as NIST's "
+       "interpreter has it. Open, and asked for only where there is one"},
+      {ReadingKey::ngc_arc_words_alone,
+       "ngc.arc-words-alone",
+       "rs274",
+       {"arc", "alarm"},
+       "any",
+       false,
+       false,
+       "NGC-ARC-06"_clause,
+       "I J K in a block without a code of motion and axis words, while G2 or G3 is in force: an "
+       "arc, as LinuxCNC has it; or words that nothing uses, as NIST's interpreter has it. Open, "
+       "and asked for only in such a block"},
   };
 }
 

@@ -129,9 +129,16 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "skipped.",
      "reference/sinumerik/codes.cpp"},
     {"SIE-COM-01", derived, kModes,
-     "Cutting needs a feed. An address twice, an unknown word, and Cartesian with polar words are "
-     "alarms.",
+     "Cutting needs a feed. An address twice, a code that the control lacks, and Cartesian with "
+     "polar words are alarms.",
      "reference/sinumerik/interpreter.cpp"},
+    {"SIE-COM-02", derived, kModes,
+     "Every word of a block is used, has no meaning for the motion in force (an alarm), or is "
+     "passed "
+     "over by a rule of the list below. Names of own subprograms and variables, and addresses that "
+     "only the machine gives a meaning, are not covered: no alarm of the machine.",
+     "reference/sinumerik/word_use.cpp", std::nullopt,
+     "what a name of the machine's owner does stands in no manual"},
 });
 
 }  // namespace gonogo::reference::catalog::sinumerik

@@ -16,13 +16,16 @@ inline constexpr std::string_view kPockets = "SINUMERIK 802S, cycles: LCYC75";
 using enum ClauseLevel;
 inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"SIE-FRM-01", derived, kFrames,
-     "G158 is a programmable translation; alone it clears translation and rotation.",
+     "G158 is a programmable translation; alone it clears translation and rotation. Whether one "
+     "with values replaces those before it or is added to them is open: the maker's third example "
+     "of LCYC75 comes back to its start only where it is added.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-02", derived, kFrames,
      "G258 RPL= is a rotation, G259 RPL= one added to that in force, about the shifted zero; "
      "positive from the first axis of the plane toward the second.",
      "reference/sinumerik/frame.cpp"},
-    {"SIE-FRM-03", derived, kFrames, "RPL and its angle may stand without '='.",
+    {"SIE-FRM-03", derived, kFrames,
+     "An '=' is due between RPL and its angle; the maker's own example writes RPL45 without it.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-04", derived, kFrames,
      "Codes of frames stand alone and move nothing: an axis not named afterwards stays where the "

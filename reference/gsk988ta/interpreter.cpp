@@ -5,6 +5,7 @@
 
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/gsk988ta/milling.hpp"
+#include "reference/gsk988ta/word_use.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -35,6 +36,7 @@ class Interpreter : public BlockInterpreter {
   void take_motion_code(BlockContext& block);
   void take_cycle_code(BlockContext& block);
   void take_feed(const BlockWords& words);
+  bool has_stray_word(const BlockContext& block) const;
   void check_words(const BlockContext& block, bool last_wins) const;
   void check_cycle_words(const BlockContext& block, bool last_wins) const;
   void take_in_entry_words(BlockContext& block) const;
@@ -134,6 +136,18 @@ void Interpreter::take_feed(const BlockWords& words) {
   machine_.feed_in_inch = machine_.units == Units::inch;
   machine_.feed = words.written('F');
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
+}
+
+// GSK-COM-09: what no code of the block uses and no rule passes over ends the program, before what
+// is wrong; but beside codes that are wrong it is not known whose a word is.
+bool Interpreter::has_stray_word(const BlockContext& block) const {
+  BlockOutput& out = block.out;
+  if (out.not_covered) return false;
+  const StrayWord stray = stray_word(block);
+  if (stray.word == nullptr) return false;
+  out.alarms.clear();
+  out.not_covered = word_outside(*stray.word, code_name(stray.code * 10), block.line);
+  return true;
 }
 
 void Interpreter::check_words(const BlockContext& block, bool last_wins) const {
@@ -269,7 +283,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, open_paths_};
   take_motion_code(context);
   take_cycle_code(context);
+  const bool has_wrong_codes = !out.alarms.empty();
   put_m_function_of(context);
+  if (!has_wrong_codes && has_stray_word(context)) return;
   check_words(context, last_wins);
   take_feed(words);
   run_code(context);

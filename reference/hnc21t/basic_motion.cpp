@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // HNC-COM-01 without arcs: G00, G01, G04, G32, G92, and the work offsets.
+#include <fmt/format.h>
+
 #include "reference/hnc21t/machine.hpp"
 
 namespace gonogo::reference::hnc21t {
@@ -27,10 +29,22 @@ std::optional<Number> BlockContext::commanded(const AxisAddresses& axis) const {
   return word->value + (word->incremental ? state.position[axis.axis] : offset(axis.axis));
 }
 
+// HNC-G82-07: J is an inch lead, or as a reading says so many threads to the inch.
 Number BlockContext::lead() const {
   const Lead& lead = machine.command.lead.value();
-  if (!lead.in_units || readings.is(ReadingKey::hnc_lead_unit, "mm")) return lead.value;
-  return inches(lead.value);
+  const auto is = [&](std::string_view alternative) {
+    return readings.is(ReadingKey::hnc_lead_unit, alternative);
+  };
+  switch (lead.kind) {
+    case Lead::Kind::millimetres:
+      break;
+    case Lead::Kind::f_under_g20:
+      return is("units") || is("units-tpi") ? inches(lead.value) : lead.value;
+    case Lead::Kind::j:
+      if (lead.value.sign() <= 0) break;  // an alarm of its block
+      return is("tpi") || is("units-tpi") ? inches(1) / lead.value : inches(lead.value);
+  }
+  return lead.value;
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {
@@ -64,9 +78,11 @@ void run_straight_feed(BlockContext& block) {
 void run_thread(BlockContext& block) {
   for (char address : {'R', 'E', 'P', 'C', 'Q', 'K', 'I'}) {
     if (!block.words.has(address) || block.words.written(address).sign() == 0) continue;
-    block.not_covered(32, address,
-                      "G32 with a run-out, a start angle or several starts is a form of the code "
-                      "that the gauge does not read.");
+    block.not_covered(
+        32, address,
+        fmt::format("G32 with the word {} (a run-out, a start angle or several starts) is a form "
+                    "of the code that the gauge does not read.",
+                    address));
     return;
   }
   Position to;

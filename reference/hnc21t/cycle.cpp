@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hnc21t/cycle.hpp"
 
+#include <algorithm>
+
 namespace gonogo::reference::hnc21t {
 
 void take_command_words(BlockContext& block) {
@@ -23,6 +25,13 @@ void take_command_words(BlockContext& block) {
   } else if (auto i = words.length('I')) {
     command.i = i;
   }
+}
+
+bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed) {
+  if (!block.words.has_axis_word()) return true;
+  const auto lacks = [&](const AxisAddresses& axis) { return !block.words.has(axis); };
+  return std::ranges::any_of(needed, lacks) &&
+         block.readings.is(ReadingKey::hnc_missing_axis, "nothing");
 }
 
 std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& axis) {

@@ -4,12 +4,17 @@
 // programmed end point. A is where the tool stands, C the end point.
 #pragma once
 
+#include <span>
+
 #include "reference/hnc21t/machine.hpp"
 
 namespace gonogo::reference::hnc21t {
 
 // HNC-MOD-01: words of this block replace the retained ones.
 void take_command_words(BlockContext& block);
+// HNC-MOD-03: whether the block lacks an axis that the cycle needs, and so does nothing, as one
+// without any axis word does.
+bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed);
 // HNC-MOD-03: C along an axis that the cycle needs; an alarm and nothing where it is missing.
 std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& axis);
 // Both axes of it.

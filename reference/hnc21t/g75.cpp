@@ -99,7 +99,7 @@ void run_g75(BlockContext& block) {
   constexpr PlungeClauses kClauses{"HNC-G75-01"_clause, "HNC-G75-02"_clause, "HNC-G75-03"_clause};
   check_peck_words(block, "HNC-G75-01"_clause);
   check_count(block);
-  if (!block.words.has_axis_word()) return;
+  if (does_nothing(block, std::array{kX})) return;
   const Position a = block.machine.position;
   const std::optional<Number> bottom = cycle_end_point(block, kX);
   block.need_feed();

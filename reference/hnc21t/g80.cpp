@@ -7,7 +7,7 @@
 namespace gonogo::reference::hnc21t {
 
 void run_g80(BlockContext& block) {
-  if (!block.words.has_axis_word()) return;
+  if (does_nothing(block, kAxisAddresses)) return;
   const Position a = block.machine.position;
   const std::optional<EndPoint> c = cycle_end_point(block);
   block.need_feed();

@@ -142,7 +142,7 @@ Generator<Item> cut_thread(ThreadPath path) {
 
 void run_g82(BlockContext& block) {
   check_thread_words(block);
-  if (!block.words.has_axis_word()) return;
+  if (does_nothing(block, kAxisAddresses)) return;
   const std::optional<EndPoint> c = cycle_end_point(block);
   const CommandWords& command = block.machine.command;
   if (!command.lead) {

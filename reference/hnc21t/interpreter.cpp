@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One block: its codes change the modal state, then the code in force runs. HNC-MOD-05: words that
-// a code does not use have no effect.
+// One block: its codes change the modal state, then the code in force runs. HNC-COM-02: a word that
+// no code uses and no rule passes over is not covered.
 #include "reference/hnc21t/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "reference/hnc21t/cycle.hpp"
+#include "reference/hnc21t/word_use.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {
@@ -31,6 +32,8 @@ class Interpreter : public BlockInterpreter {
   }
   void check_mill_words(const BlockWords& words, const BlockCodes& codes, std::uint64_t line,
                         BlockOutput& out) const;
+  void check_stray_words(const BlockWords& words, const BlockCodes& codes, std::uint64_t line,
+                         BlockOutput& out) const;
   void check_words(const BlockWords& words, const BlockCodes& codes, BlockOutput& out) const;
   void check_lead_words(const BlockWords& words, std::vector<Alarm>& alarms) const;
   void run_code(BlockContext& block) const;
@@ -86,10 +89,14 @@ void Interpreter::take_feed(const BlockWords& words) {
   }
 }
 
-// HNC-G82-08: a later one replaces the one in force. J is in inches always.
+// HNC-G82-08: a later one replaces the one in force.
 void Interpreter::take_lead(const BlockWords& words) {
-  if (words.has('F')) machine_.command.lead = Lead{words.written('F'), machine_.modes.inch};
-  if (words.has('J')) machine_.command.lead = Lead{inches(words.written('J')), false};
+  using enum Lead::Kind;
+  if (words.has('F')) {
+    machine_.command.lead =
+        Lead{words.written('F'), machine_.modes.inch ? f_under_g20 : millimetres};
+  }
+  if (words.has('J')) machine_.command.lead = Lead{words.written('J'), j};
 }
 
 // HNC-MOD-05: Y and V are no words of the cycles; anywhere else they are those of a mill program.
@@ -107,6 +114,19 @@ void Interpreter::check_mill_words(const BlockWords& words, const BlockCodes& co
                       word.address),
           word.where};
     }
+  }
+}
+
+// HNC-COM-02: what no code of the block uses and no rule passes over.
+void Interpreter::check_stray_words(const BlockWords& words, const BlockCodes& codes,
+                                    std::uint64_t line, BlockOutput& out) const {
+  if (out.not_covered) return;
+  const int code = codes.once >= 0 ? codes.once : machine_.motion;
+  for (const grammar::Word& word : words.block().words) {
+    const bool of_mill = word.address == 'Y' || word.address == 'V';  // check_mill_words
+    if (of_mill || reads_word(code, word.address)) continue;
+    out.not_covered = word_outside(word, code_name(code * 10), line);
+    return;
   }
 }
 
@@ -193,6 +213,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   }
   const BlockCodes& codes = reading_.codes;
   out.alarms = std::move(reading_.alarms);
+  const bool has_wrong_codes = !out.alarms.empty();
   take_modes(codes);
   take_motion_code(codes);
   const BlockWords words(block, machine_.modes);
@@ -206,7 +227,10 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   auto is_undefined = [](const Alarm& alarm) {
     return alarm.alarm == AlarmClass::undefined_code && alarm.word == 'G';
   };
-  if (std::ranges::any_of(out.alarms, is_undefined)) {
+  const bool has_undefined = std::ranges::any_of(out.alarms, is_undefined);
+  // Beside codes that are wrong it is not known whose a word is.
+  if (!has_wrong_codes) check_stray_words(words, codes, line, out);
+  if (has_undefined) {
     // HNC-COM-01: a block with an unknown code is not checked further.
     std::erase_if(out.alarms, [&](const Alarm& alarm) { return !is_undefined(alarm); });
   } else if (!out.not_covered) {

@@ -26,10 +26,12 @@ struct ScaledLength {
   bool diameter = false;
 };
 
-// F or J of G32 and G82, mm; `in_units` where it is an F that was written under G20.
+// F or J of G32 and G82 as written; what it means is a reading.
 struct Lead {
+  // F written under G21 is in mm whatever the reading.
+  enum class Kind : std::uint8_t { millimetres, f_under_g20, j };
   Number value;
-  bool in_units = false;
+  Kind kind = Kind::millimetres;
 };
 
 // HNC-MOD-01: what the command in force retains, forgotten when the command changes.
@@ -75,7 +77,7 @@ struct BlockContext : BlockBase {
   Number offset(Axis axis) const;
   // The commanded coordinate; nothing without a word of the axis.
   std::optional<Number> commanded(const AxisAddresses& axis) const;
-  // HNC-MOD-04: the lead in force. REQUIRES: there is one.
+  // HNC-MOD-04: the lead in force, mm. REQUIRES: there is one.
   Number lead() const;
 };
 

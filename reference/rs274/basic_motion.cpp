@@ -17,11 +17,22 @@ AxisSet commanded_end_point(const BlockContext& block, Position& to) {
   return axes;
 }
 
-// NGC-G0-01. Without an axis word nothing moves.
+// NGC-MOD-02: G0 or G1 without an axis word.
+void run_bare_motion(BlockContext& block) {
+  const ClauseId clause = "NGC-MOD-02"_clause;
+  if (block.codes.motion < 0) return;
+  if (block.readings.is(ReadingKey::ngc_bare_motion, "missing-word")) {
+    block.missing(clause, 'X');
+  } else if (block.codes.motion == 1) {
+    block.need_feed(clause);
+  }
+}
+
+// NGC-G0-01
 void run_traverse(BlockContext& block) {
   Position to;
   const AxisSet axes = commanded_end_point(block, to);
-  if (axes.empty()) return;
+  if (axes.empty()) return run_bare_motion(block);
   block.put(block.motion_to(RecordKind::rapid, "NGC-G0-01"_clause, axes, to));
 }
 
@@ -29,7 +40,7 @@ void run_traverse(BlockContext& block) {
 void run_straight_feed(BlockContext& block) {
   Position to;
   const AxisSet axes = commanded_end_point(block, to);
-  if (axes.empty()) return;
+  if (axes.empty()) return run_bare_motion(block);
   block.need_feed("NGC-G0-01"_clause);
   const bool rotary = block.turns_alone(to);
   Record record = block.motion_to(RecordKind::feed, "NGC-G0-01"_clause, axes, to);

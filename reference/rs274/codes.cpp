@@ -115,12 +115,49 @@ const Code* code_of(const grammar::Word& word, const ReadingsInUse& readings) {
   return code != nullptr && tenths.counts_as_whole(Whole::g_tenths, readings) ? code : nullptr;
 }
 
+constexpr int kG80 = 800;  // tenths
+
+// NGC-COM-03: how the G80 of a block stand beside the other codes of the motion group.
+struct BesideG80 {
+  int others = 0;
+  int g80 = 0;
+  bool decides = true;  // nothing else of the block is not read, or no code
+
+  void add(const Code* code) {
+    decides = decides && code != nullptr && code->treatment != outside;
+    if (code == nullptr || code->group != Group::motion) return;
+    ++(code->tenths == kG80 ? g80 : others);
+  }
+  // Whether but for a G80 the group would have one code, and nothing else is wrong with the codes.
+  bool matters() const { return decides && others <= 1 && g80 >= 1 && others + g80 >= 2; }
+};
+
+Alarm g80_beside(const grammar::Word& word) {
+  return {AlarmClass::duplicate_word, "NGC-COM-03"_clause, 'G', word.where,
+          "G80 and another code of its group stand in the block; under ngc.g80-beside = ignored "
+          "the other one holds."};
+}
+
 }  // namespace
 
 void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading) {
   reading.clear();
+  BesideG80 beside;
   for (const grammar::Word& word : block.words) {
-    if (word.address == 'G') kTable.take(word, code_of(word, readings), false, reading);
+    if (word.address == 'G') beside.add(code_of(word, readings));
+  }
+  const bool is_beside = beside.matters();
+  const bool alarms = is_beside && !readings.is(ReadingKey::ngc_g80_beside, "ignored");
+  int motions = 0;
+  for (const grammar::Word& word : block.words) {
+    if (word.address != 'G') continue;
+    const Code* const code = code_of(word, readings);
+    if (is_beside && code->group == Group::motion) {
+      if (++motions > 1 && alarms) reading.alarms.push_back(g80_beside(word));
+      // Of two G80 one is left.
+      if (code->tenths == kG80 && (beside.others > 0 || motions > 1)) continue;
+    }
+    kTable.take(word, code, false, reading);
   }
   reading.codes = {.once = reading.of(Group::once),
                    .motion = reading.of(Group::motion),
@@ -165,8 +202,20 @@ int m_group(std::int64_t number) {
   return number <= 68 ? 5 : 10;
 }
 
-bool takes_p(std::int64_t m_number) {
-  return (m_number >= 50 && m_number <= 53) || (m_number >= 62 && m_number <= 68);
+// NGC-COM-02
+bool takes(std::int64_t m_number, char address) {
+  switch (address) {
+    case 'P':
+      return (m_number >= 50 && m_number <= 53) || (m_number >= 62 && m_number <= 66);
+    case 'E':
+      return m_number >= 66 && m_number <= 68;
+    case 'L':
+      return m_number == 66;
+    case 'Q':
+      return m_number == 61 || (m_number >= 66 && m_number <= 68);
+    default:
+      return false;
+  }
 }
 
 }  // namespace gonogo::reference::rs274

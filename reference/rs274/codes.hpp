@@ -63,7 +63,8 @@ MFunction m_function(std::int64_t number);
 // The modal group of a function that the control has; two of one group exclude each other in a
 // block (NGC-COM-01).
 int m_group(std::int64_t number);
-// Whether the function takes a P of its own: the saving of modes, outputs and inputs.
-bool takes_p(std::int64_t m_number);
+// Whether the function takes the word for its own: overrides, outputs and inputs take P, E, L and
+// Q, each some of them.
+bool takes(std::int64_t m_number, char address);
 
 }  // namespace gonogo::reference::rs274

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/program_text.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -19,6 +20,10 @@ class Interpreter : public BlockInterpreter {
   Interpreter(const Profile& profile, const ReadingsInUse& readings);
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  void leave_out() override { text_.leave_out(); }
+  void end_text(const grammar::Span& end, BlockOutput& out) override {
+    check_text_end(end, readings_, out);
+  }
   const Position& position() const override { return machine_.position; }
   void stand_at(const Position& position) override { machine_.position = position; }
 
@@ -32,7 +37,7 @@ class Interpreter : public BlockInterpreter {
   const ReadingsInUse& readings_;
   Machine machine_;
   CodeReading reading_;
-  bool has_begun_ = false;  // a block with words was there
+  ProgramText text_;
 };
 
 Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
@@ -132,33 +137,73 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
-// P belongs to the motion where no other code of the block takes it.
-bool p_is_turns(const BlockWords& words, const BlockCodes& codes, const ReadingsInUse& readings) {
-  if (!words.has('P') || codes.once == 4 || codes.path_mode == 64) return false;
-  return std::ranges::none_of(words.block().words, [&](const grammar::Word& word) {
-    return word.address == 'M' && takes_p(m_number(word, readings).value_or(0));
-  });
+// An arc is asked for by its code or an axis word; NGC-ARC-06: or by I J K alone.
+bool runs_arc(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
+              const ReadingsInUse& readings) {
+  if (machine.motion != 2 && machine.motion != 3) return false;
+  if (codes.motion >= 0 || words.has_axis_word()) return true;
+  return words.has_offset() && readings.is(ReadingKey::ngc_arc_words_alone, "arc");
 }
 
-// NGC-MOD-01: the motion in force; axis words and words of an arc ask for one.
+// The codes of a block that take words beside those of the axes.
+struct WordTakers {
+  const BlockContext& block;
+
+  // P belongs to the motion where no other code of the block takes it.
+  bool beside_motion(char address) const {
+    const BlockCodes& codes = block.codes;
+    if (address == 'P' && (codes.once == 4 || codes.path_mode == 64)) return true;
+    if (address == 'Q' && codes.path_mode == 64) return true;
+    return std::ranges::any_of(block.words.block().words, [&](const grammar::Word& word) {
+      return word.address == 'M' && takes(m_number(word, block.readings).value_or(0), address);
+    });
+  }
+  bool take(char address) const {
+    switch (address) {
+      case 'I':
+      case 'J':
+      case 'K':
+      case 'R':
+        return block.runs_arc;
+      case 'P':
+        return block.runs_arc || beside_motion(address);
+      case 'D':
+      case 'E':
+      case 'H':
+      case 'L':
+      case 'Q':
+        return beside_motion(address);
+      default:
+        return true;  // codes, axes, and what is passed on: F M S T
+    }
+  }
+};
+
+// NGC-COM-02
+void check_unused_words(BlockContext& block) {
+  const WordTakers takers{block};
+  for (const grammar::Word& word : block.words.block().words) {
+    if (takers.take(word.address)) continue;
+    if (block.readings.is(ReadingKey::ngc_unused_words, "ignored")) return;
+    block.out.alarms.push_back({AlarmClass::unused_word, "NGC-COM-02"_clause, word.address,
+                                word.where,
+                                fmt::format("No code of the block uses {}.", text_of(word))});
+  }
+}
+
+// NGC-MOD-01: the motion in force.
 void Interpreter::run_motion(BlockContext& block) const {
-  const BlockWords& words = block.words;
-  const bool has_words =
-      words.has_axis_word() || words.has_offset() || words.has('R') || block.p_is_turns;
-  const bool is_asked_for = has_words || block.codes.motion >= 0;
   switch (machine_.motion) {
     case 0:
       return run_traverse(block);
     case 1:
       return run_straight_feed(block);
     case 2:
-      if (is_asked_for) run_arc(block, -1);
-      return;
     case 3:
-      if (is_asked_for) run_arc(block, +1);
+      if (block.runs_arc) run_arc(block, machine_.motion == 2 ? -1 : +1);
       return;
     default:
-      if (has_words) block.missing("NGC-MOD-01"_clause, 'G');
+      if (block.words.has_axis_word()) block.missing("NGC-MOD-01"_clause, 'G');
   }
 }
 
@@ -167,18 +212,18 @@ void Interpreter::run_block(BlockContext& block) const {
   check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
   check_m_groups(block.words.block(), block.readings, block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
+  check_unused_words(block);
   if (block.codes.once == 4) run_dwell(block);
   run_motion(block);
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
-  if (block.tape_mark) out.program_end = has_begun_;  // NGC-COM-01: the second of a pair
+  text_.take(block, out);
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
   }
-  if (block.words.empty()) return;
-  has_begun_ = true;
+  if (block.words.empty()) return check_numbers(block, readings_, out);
   read_codes(block, readings_, reading_);
   if (reading_.not_covered) {
     out.not_covered = std::move(reading_.not_covered);
@@ -198,6 +243,12 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     out.alarms.clear();
     return;
   }
+  check_numbers(block, readings_, out);
+  if (!out.alarms.empty() && out.alarms.back().alarm == AlarmClass::syntax) {
+    // A block that cannot be read yields the syntax alarm alone.
+    out.alarms.erase(out.alarms.begin(), out.alarms.end() - 1);
+    return;
+  }
   if (has_undefined_code) {
     // A block with an unknown code is not checked further.
     out.alarms = std::move(reading_.alarms);
@@ -213,7 +264,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
                        machine_,
                        words,
                        codes,
-                       p_is_turns(words, codes, readings_)};
+                       runs_arc(machine_, words, codes, readings_)};
+  context.p_is_turns =
+      context.runs_arc && words.has('P') && !WordTakers{context}.beside_motion('P');
   run_block(context);
   sort_by_place(out.alarms);
 }

@@ -20,7 +20,8 @@ struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
-  bool p_is_turns = false;  // P is there, and no other code of the block takes it
+  bool runs_arc = false;    // G2 or G3 acts in the block
+  bool p_is_turns = false;  // of the arc: P is there, and no other code of the block takes it
 };
 
 // The axis words of the block as an end point; the axes that it names.

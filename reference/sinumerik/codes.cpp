@@ -166,11 +166,10 @@ void read_name(Control control, const grammar::NamedWord& word, CodeReading& rea
                      word.name, name->title),
          word.where});
   } else if (!reading.not_covered) {
-    reading.not_covered =
-        NotCovered{0, word.name,
-                   fmt::format("{} ({}) is a code of the control that the gauge does not read.",
-                               word.name, name->title),
-                   word.where};
+    reading.not_covered = NotCovered{
+        0, written_name(word),
+        fmt::format("{} ({}) is not read by the gauge.", written_name(word), name->title),
+        word.where};
   }
 }
 

@@ -5,12 +5,16 @@
 
 namespace gonogo::reference::sinumerik {
 
-void CycleCall::alarm(AlarmClass alarm, ClauseId clause, WordName word, std::string message) const {
+grammar::Span CycleCall::where() const {
   grammar::Span where;
   for (const grammar::NamedWord& name : block.words.block().named) {
     if (cycle_of(name) != Cycle::none) where = name.where;
   }
-  block.out.alarms.push_back({alarm, clause, word, where, std::move(message)});
+  return where;
+}
+
+void CycleCall::alarm(AlarmClass alarm, ClauseId clause, WordName word, std::string message) const {
+  block.out.alarms.push_back({alarm, clause, word, where(), std::move(message)});
 }
 
 void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,

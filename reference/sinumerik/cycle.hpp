@@ -22,6 +22,8 @@ struct CycleCall {
   void parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,
                        std::string message) const;
   void alarm(AlarmClass alarm, ClauseId clause, WordName word, std::string message) const;
+  // Of the name of the cycle.
+  grammar::Span where() const;
   // In workpiece coordinates.
   Number retract() const { return parameter(101); }
   Number clearance() const { return parameter(103) + parameter(102); }

@@ -17,21 +17,39 @@ bool finishes(const CycleCall& call) {
   return call.parameter(127) == Number(2);
 }
 
-// SIE-LC75-03: the tool in force; nothing where there is none.
-std::optional<Number> tool_radius(const CycleCall& call) {
-  const Machine& machine = call.block.machine;
-  if (machine.tool && machine.edge.sign() != 0) {
-    const auto& tools = call.block.profile.tools;
-    const auto found = tools.find(machine.tool->text());
-    if (found != tools.end() && found->second.sign() > 0) return found->second;
-  }
-  return std::nullopt;
+// SIE-LC75-03: T0 and D0 are no tool.
+bool has_tool(const CycleCall& call) {
+  return call.block.machine.tool && call.block.machine.edge.sign() != 0;
 }
 
-void check_tool(const CycleCall& call, const std::optional<Number>& radius) {
+// The radius of the tool in force; nothing where the profile does not say it.
+std::optional<Number> tool_radius(const CycleCall& call) {
+  if (!has_tool(call)) return std::nullopt;
+  const auto& tools = call.block.profile.tools;
+  const auto found = tools.find(call.block.machine.tool->text());
+  if (found == tools.end() || found->second.sign() <= 0) return std::nullopt;
+  return found->second;
+}
+
+// The machine has a tool of which the profile says nothing. Where the block alarms in any case, it
+// may as well be for the tool.
+void lack_tool(const CycleCall& call) {
+  const std::string number = call.block.machine.tool->text();
+  if (!call.block.out.alarms.empty()) {
+    call.alarm(AlarmClass::no_tool, "SIE-LC75-03"_clause, 'T',
+               fmt::format("The profile does not describe the tool {}.", number));
+    return;
+  }
+  call.block.out.not_covered =
+      lacking_in_profile(fmt::format("The radius of the tool {}", number),
+                         fmt::format("tools = {{ \"{}\" = {{ radius = \"5\" }} }}", number),
+                         call.where(), call.block.line);
+}
+
+void check_tool(const CycleCall& call) {
   const ClauseId clause = "SIE-LC75-03"_clause;
-  if (!radius) {
-    call.alarm(AlarmClass::no_tool, clause, 'T', "No tool that the profile describes is in force.");
+  if (!has_tool(call)) {
+    call.alarm(AlarmClass::no_tool, clause, 'T', "No tool is in force.");
   }
   if (!spindle_turns(call.block.machine)) {
     call.alarm(AlarmClass::spindle_stopped, clause, 'S', "The spindle does not turn.");
@@ -113,7 +131,8 @@ std::optional<Number> check_pocket(const CycleCall& call) {
   if (!roughs(call) && !finishes(call)) {
     call.parameter_alarm(AlarmClass::machining_type, kRanges, 127, "R127 is neither 1 nor 2.");
   }
-  check_tool(call, radius);
+  check_tool(call);
+  if (has_tool(call) && !radius) lack_tool(call);
   order_by_parameter(call.block.out.alarms);
   return call.block.out.alarms.empty() ? radius : std::nullopt;
 }

@@ -14,6 +14,8 @@ using enum Treatment;
 constexpr std::string_view kAnyCycle = "CYCLE<n>";
 constexpr std::string_view kOtherAxis = "axis <n>";
 constexpr std::string_view kOtherSpindle = "spindle <n>";
+constexpr std::string_view kOtherAddress = "address <n>";
+constexpr std::string_view kOwnName = "name <n>";
 
 // In the order of the bytes.
 constexpr auto kNames = std::to_array<Name>({
@@ -42,6 +44,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"DIAMOF", without_effect, "radius programming"},
     {"DIAMON", outside, "diameter programming"},
     {"DRIVE", without_effect, "acceleration of the drives"},
+    {"E", outside, "axis that the gauge does not have"},
     {"FB", outside, "feed of the block"},
     {"FFWOF", without_effect, "feedforward control off"},
     {"FFWON", without_effect, "feedforward control on"},
@@ -73,6 +76,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"MIRROR", outside, "mirroring"},
     {"MSG", without_effect, "message"},
     {"NORM", outside, "approach along a normal"},
+    {"O", outside, "address that the gauge does not have"},
     {"OFFN", outside, "allowance on the contour"},
     {"OVR", outside, "override"},
     {"P", outside, "passes of a subprogram"},
@@ -82,12 +86,14 @@ constexpr auto kNames = std::to_array<Name>({
     {"POCKET4", outside, "circular pocket"},
     {"POLY", outside, "polynomial"},
     {"PUTFTOC", outside, "tool correction while moving"},
+    {"Q", outside, "axis that the gauge does not have"},
     {"RND", outside, "rounding"},
     {"RNDM", outside, "rounding, modal"},
     {"ROT", outside, "rotation"},
     {"ROTS", outside, "rotation by angles in space"},
     {"RPL", outside, "angle of a rotation"},
     {"SCALE", outside, "scaling"},
+    {"SETAL", outside, "alarm set by the program"},
     {"SLOT1", outside, "slots on a circle"},
     {"SLOT2", outside, "slots along a circle"},
     {"SOFT", without_effect, "acceleration without jerks"},
@@ -106,7 +112,10 @@ constexpr auto kNames = std::to_array<Name>({
     {"V", outside, "axis that the gauge does not have"},
     {"W", outside, "axis that the gauge does not have"},
     {"WAITM", outside, "waiting for another channel"},
+    {"WORKPIECE", outside, "blank of the simulation"},
+    {kOtherAddress, outside, "address with a number, whose meaning is the machine's"},
     {kOtherAxis, outside, "axis by its number"},
+    {kOwnName, outside, "name of a subprogram, of a variable, or of a code that the list lacks"},
     {kOtherSpindle, outside, "word of a spindle by its number"},
 });
 static_assert(std::ranges::is_sorted(kNames, {}, &Name::name));
@@ -116,11 +125,14 @@ const Name* find(std::string_view name) {
   return found != kNames.end() && found->name == name ? found : nullptr;
 }
 
-bool is_cycle(std::string_view name) {
-  constexpr std::string_view kCycle = "CYCLE";
-  if (!name.starts_with(kCycle) || name.size() == kCycle.size()) return false;
-  return std::ranges::all_of(name.substr(kCycle.size()),
+bool is_numbered(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix) || name.size() == prefix.size()) return false;
+  return std::ranges::all_of(name.substr(prefix.size()),
                              [](char byte) { return byte >= '0' && byte <= '9'; });
+}
+
+bool is_cycle(std::string_view name) {
+  return is_numbered(name, "CYCLE");
 }
 
 }  // namespace
@@ -135,9 +147,16 @@ const Name* find_name(const grammar::NamedWord& word) {
     constexpr std::string_view kAxisLetters = "ABCUVWXYZ";
     const bool is_axis =
         word.name.size() == 1 && kAxisLetters.find(word.name[0]) != std::string_view::npos;
-    return is_axis ? find(kOtherAxis) : nullptr;
+    return find(is_axis ? kOtherAxis : kOtherAddress);
   }
-  return find(is_cycle(word.name) ? kAnyCycle : word.name);
+  if (is_cycle(word.name)) return find(kAnyCycle);
+  if (const Name* const listed = find(word.name)) return listed;
+  // Names beginning with LCYC are the maker's, of its own cycles; of others the machine decides.
+  return is_numbered(word.name, "LCYC") || word.name.size() == 1 ? nullptr : find(kOwnName);
+}
+
+std::string written_name(const grammar::NamedWord& word) {
+  return word.index ? word.name + std::to_string(*word.index) : word.name;
 }
 
 }  // namespace gonogo::reference::sinumerik

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "reference/g_codes.hpp"
@@ -17,7 +18,10 @@ struct Name {
 };
 std::span<const Name> names();
 
-// The name of a word that is no address; null when the control lacks it.
+// The name of a word that is no address; null when the control lacks it. What the list does not
+// have may be a subprogram or a variable of the machine's owner: it is outside.
 const Name* find_name(const grammar::NamedWord& word);
+// As it is quoted: L1 of L1=5.
+std::string written_name(const grammar::NamedWord& word);
 
 }  // namespace gonogo::reference::sinumerik

@@ -170,6 +170,8 @@ TEST(Coverage, EveryAlarmClassStandsAlone) {
                                            "spindle-stopped",
                                            "no-tool",
                                            "reference-plane",
+                                           "unused-word",
+                                           "program-end",
                                            "machining-type",
                                            "direction-parameter",
                                            "allowance-too-large",

@@ -221,13 +221,41 @@ TEST(Outside, OfRs274AreOWordsAndFunctionsAndNames) {
   expect_outside(Dialect::rs274, {{"o100 sub", "o-word", 0, {0, 8}},
                                   {"N5 O<drill> call [1] [2]", "o-word", 0, {3, 24}},
                                   {"O1 while [#1 lt 5]", "o-word", 0, {0, 18}},
-                                  {"O1234 (name)", "o-word", 0, {0, 12}},
+                                  {"O1234 (name) G0", "o-word", 0, {0, 15}},
+                                  {"N5 O1234", "o-word", 0, {3, 8}},
                                   {"g1 x#<_depth> y5", "variable", 1, {3, 16}},
                                   {"#<a>=[sin[30]] ;b", "variable", 0, {0, 14}},
                                   {"G1 X2 #1=5", "variable", 2, {6, 10}},
                                   {"g1 x sin[30]", "expression", 1, {3, 12}},
                                   {"G1 X-Atan[1]/[2]", "expression", 1, {3, 16}},
                                   {"G0 X[1+exists[#<q>]]", "expression", 1, {3, 20}}});
+}
+
+// NGC-COM-04: LinuxCNC and NIST's interpreter take `X 1 5` as X15 and `N 1 0` as N10.
+TEST(Block, InRs274BlanksMeanNothingOutsideComments) {
+  Block want = block_of({word('G', 1), word('X', -155, 1)});
+  want.sequence_number = decimal(10);
+  want.comments = {comment(" a  b ")};
+  const Block block = parsed(Dialect::rs274, "N 1 0 G\t1 X - 1 5 . 5 ( a  b )");
+  EXPECT_EQ(block, want);
+  EXPECT_EQ(block.words[0].where, (Span{6, 9}));
+  EXPECT_EQ(block.words[1].where, (Span{10, 21}));
+  EXPECT_EQ(block.comments[0].where, (Span{22, 30}));
+  EXPECT_EQ(block.number_place.span, (Span{2, 5}));
+}
+
+// NGC-COM-05
+TEST(Block, InRs274ALineNumberMayBeTwoNumbersWithAPointBetween) {
+  EXPECT_EQ(parsed(Dialect::rs274, "N56.78").sequence_number, decimal(5678, 2));
+}
+
+// NGC-COM-06
+TEST(Block, InRs274OAndANumberAloneNameTheProgram) {
+  for (const char* line : {"O0002 (TEXT)", "o2", "(a) o 0 2 (b) ; c", " O2;"}) {
+    const Block block = parsed(Dialect::rs274, line);
+    EXPECT_EQ(block.program_number->magnitude, 2U) << line;
+    EXPECT_FALSE(block.outside) << line;
+  }
 }
 
 TEST(Block, InRs274LettersStandInEitherCase) {

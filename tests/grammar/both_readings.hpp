@@ -45,6 +45,10 @@ inline void expect_both_read_alike(Dialect dialect, std::string_view line) {
   ASSERT_EQ(error, parse_by_definition(dialect, line, want)) << line;
   if (error) return;
   ASSERT_EQ(got, want) << line;
+  ASSERT_EQ(got.number_place.span, want.number_place.span) << line;
+  if (dialect == Dialect::rs274) {
+    ASSERT_EQ(got.line_comment.span, want.line_comment.span) << line;
+  }
   ASSERT_EQ(places_of(got.words), places_of(want.words)) << line;
   ASSERT_EQ(places_of(got.named), places_of(want.named)) << line;
   ASSERT_EQ(places_of(got.terms), places_of(want.terms)) << line;

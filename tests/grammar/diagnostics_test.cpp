@@ -35,7 +35,6 @@ TEST(Fault, AnAddressWithoutANumber) {
                  {"X-.", code, {3, 3}},
                  {"X.", code, {2, 2}},
                  {"X--5", code, {2, 3}},
-                 {"X- 5", code, {2, 3}},
                  {"X(c)5", code, {1, 2}},
                  {"X;5", code, {1, 2}},
                  {"X]", code, {1, 2}},
@@ -44,7 +43,9 @@ TEST(Fault, AnAddressWithoutANumber) {
                  {"N", code, {1, 1}},
                  {"N-5", code, {1, 2}},
                  {"N#5", code, {1, 2}}});
-  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"O.5", code, {1, 2}}});
+  for (const Dialect dialect : kLathes) {
+    expect_faults(dialect, {{"O.5", code, {1, 2}}, {"X- 5", code, {2, 3}}});
+  }
   expect_faults(Dialect::rs274, {{"x", code, {1, 1}},
                                  {"g1 x z5", code, {5, 6}},
                                  {"xsine[1]", code, {1, 2}},
@@ -52,7 +53,9 @@ TEST(Fault, AnAddressWithoutANumber) {
 }
 
 TEST(Fault, TheMissingNumberIsNamedAfterItsAddress) {
-  EXPECT_EQ(fault("G1 X- Z5").expected, "a number after X");
+  for (const Dialect dialect : kLathes) {
+    EXPECT_EQ(fault(dialect, "G1 X- Z5").expected, "a number after X");
+  }
   EXPECT_EQ(fault(Dialect::rs274, "g1 x- z5").expected, "a number after x");
   EXPECT_EQ(fault("N G1").expected, "a whole number without a sign after N");
 }
@@ -60,17 +63,29 @@ TEST(Fault, TheMissingNumberIsNamedAfterItsAddress) {
 TEST(Fault, ACharacterThatMayNotStandWhereItStands) {
   const auto code = SyntaxCode::unexpected_character;
   expect_faults({{"5", code, {0, 1}},
-                 {"X5 6", code, {3, 4}},
                  {"X1.2.3", code, {4, 5}},
                  {"X5-3", code, {2, 3}},
-                 {"N10.5", code, {3, 4}},
+                 {"N10.", code, {3, 4}},
                  {"N10/G1", code, {3, 4}},
                  {"//X1", code, {1, 2}},
                  {"X1)", code, {2, 3}},
                  {"G1 %", code, {3, 4}},
                  {"/%", code, {1, 2}},
                  {"[1]", code, {0, 1}}});
-  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"G1 #1=5", code, {3, 4}}});
+  for (const Dialect dialect : kLathes) {
+    expect_faults(dialect,
+                  {{"G1 #1=5", code, {3, 4}}, {"X5 6", code, {3, 4}}, {"N10.5", code, {3, 4}}});
+  }
+}
+
+// NGC-COM-04, NGC-COM-05: the place is that of the line as it is written.
+TEST(Fault, InRs274ALineIsReadWithoutItsBlanks) {
+  expect_faults(Dialect::rs274, {{"G1 X- Z5", SyntaxCode::number_expected, {6, 7}},
+                                 {"X 1 . 5 . 3", SyntaxCode::unexpected_character, {8, 9}},
+                                 {"X 1 (a b) 5", SyntaxCode::unexpected_character, {10, 11}},
+                                 {"N 1 0 . 5 . 5", SyntaxCode::unexpected_character, {10, 11}},
+                                 {"N10 N20", SyntaxCode::misplaced_number_word, {4, 5}},
+                                 {" X1 ( open", SyntaxCode::unclosed_comment, {4, 10}}});
 }
 
 TEST(Fault, BehindATapeMarkIsTheEndOfTheLine) {

@@ -63,7 +63,10 @@ function showFailure(detail, c, data) {
 
 function pointText(point) {
   if (typeof point !== 'object') return String(point);
-  return Object.entries(point).map(([axis, at]) => `${axis.toUpperCase()} ${exactText(at)}`).join('   ');
+  return Object.entries(point).map(([axis, at]) => {
+    const decimals = decimalText(at);
+    return `${axis.toUpperCase()} ${decimals ? `${decimals} (exactly ${exactText(at)})` : exactText(at)}`;
+  }).join('   ');
 }
 
 // Bytes that are not UTF-8 are most often a Chinese comment.

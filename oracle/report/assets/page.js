@@ -56,6 +56,26 @@ function exactText(value) {
   return JSON.stringify(value);
 }
 
+// With at most nine decimals, where its exact text is another: it may be long.
+function decimalText(value) {
+  let number = Number(value);
+  if (value && Array.isArray(value.root)) {
+    const [a, b, c] = value.root.map(quotient);
+    number = a + b * Math.sqrt(c);
+  } else if (value && Array.isArray(value.enclosure)) {
+    number = quotient(value.enclosure[0]);
+  } else if (typeof value === 'string') {
+    number = quotient(value);
+  }
+  const text = number.toFixed(9).replace(/\.?0+$/, '');
+  return text === value ? '' : text;
+}
+
+function quotient(text) {
+  const [above, below] = text.split('/').map(Number);
+  return below === undefined ? above : above / below;
+}
+
 const kFields = { k: 'kind', b: 'block', to: 'to', via: 'via', c: 'centre', f: 'feed', fm: 'feed mode',
   rot: 'turn', s: 'seconds', m: 'M', class: 'class', word: 'word', native: 'native' };
 

@@ -135,6 +135,7 @@ TEST(Arc3, EndsAndIntermediatePointMayBeOffByTheToleranceAnAxis) {
 
 // 0.03 mm after the start and 0.0009 mm further in than the circle: between points 30 mm apart that
 // bends the arc inward by 0.0009 * 15 * 15 / (0.03 * 30) = 0.2 mm.
+// J-PATH-09.
 TEST(Arc3, AnIntermediatePointNearTheStartMayNotMakeAnotherCircle) {
   const Position good = xyz("5.02", "10.01", "9.98");
   const Position bad = xyz("5.0197", "10.0094", "9.9794");
@@ -202,6 +203,7 @@ TEST(Arc3, ChordsNeedTheCertifiersGrant) {
 // Radius 10 about the origin, 3 above it, from +X over +Y to -X: counterclockwise in G17.
 const Motion kFlat = arc3(xyz("10", "0", "3"), xyz("0", "10", "3"), xyz("-10", "0", "3"));
 
+// J-PATH-09.
 TEST(Arc3, InACoordinatePlaneAnArcIsTheSame) {
   const Position from = xyz("10", "0", "3");
   const Position to = xyz("-10", "0", "3");
@@ -255,6 +257,7 @@ TEST(Arc3, HalvesMakeWholeTurnsOfAnArc) {
 }
 
 // 64 pieces of a turn of radius 10 that rises by 3.2; each leaves the helix by far less than 0.001.
+// J-PATH-07.
 TEST(Arc3, SmallPiecesFollowAHelix) {
   const auto point = [](double turn, double off) {
     Position position;
@@ -286,6 +289,7 @@ TEST(Arc3, ALineMayComeAsAnArcThatNothingTellsFromIt) {
 }
 
 // A bulge of 0.0004 is none where places are written in thousandths.
+// J-PATH-11.
 TEST(Arc3, MayComeAsALineThatNothingTellsFromIt) {
   const Position from = xyz("0", "0", "0");
   const Position to = xyz("10", "0", "0");
@@ -349,6 +353,7 @@ TEST(Arc3, GoesRoundWhereItsIntermediatePointIsElsewhere) {
 
 // Beside the line by 0.0001 mm, the intermediate point beyond the end: what comes of it hangs on
 // the tolerance of 0.001 mm where a coordinate is no short decimal, and has to be rounded.
+// J-PATH-14.
 TEST(Arc3, PointsInLineHangOnRoundingWhereThereIsAny) {
   const Number tau = Number::millionths(1000);
   const auto hangs = [&](const char* via_x, const char* via_y, const Number& start_y) {

@@ -36,6 +36,7 @@ TEST(Chords, AsManyAsAnArcTakesAreNoOverrun) {
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
 }
 
+// J-PATH-10.
 TEST(Chords, ThatAreNotGrantedAreNone) {
   const Verdict verdict = judge_trace(kHalfTurnProgram, chords(3000).text(), rs274(""));
   EXPECT_EQ(decision(verdict.kind), Decision::no_go);

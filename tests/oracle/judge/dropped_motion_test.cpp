@@ -118,6 +118,7 @@ TEST(DroppedMotions, OfTheReferenceCountWhereTheSubjectLeavesThemOut) {
 
 // Ten million pecks that go back by as much as they go in: nothing that a record could show comes
 // of them, and nobody waits for it. Found by generated text.
+// J-CONST-06.
 TEST(DroppedMotions, OfACycleThatGoesNowhereAreNotCountedForEver) {
   const std::string trace = R"({"k":"rapid","b":1,"to":{"x":"5"}})"
                             "\n"

@@ -73,6 +73,7 @@ TEST(FalseNoGo, AWithdrawalTooSmallToSeeMayBeLeftOut) {
 
 // A helix of hardly a turn, whose end is rounded to where it starts: its record cannot say less
 // than a full turn.
+// J-PATH-06.
 TEST(FalseNoGo, AHelixThatClosesOnlyBecauseItIsRoundedIsTriedAsNoTurn) {
   const auto trace = [](const char* x) {
     return fmt::format(
@@ -139,6 +140,7 @@ TEST(FalseNoGo, AnArcThroughAPointMayBePartOfAHelicalPocket) {
 }
 
 // "%a" of 359.999, the way that a double is written exactly.
+// J-PATH-04, J-CONST-03.
 TEST(FalseNoGo, ASpindleAngleMayBeTheNearestDouble) {
   const auto trace = [](const char* start) {
     return fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"17.5","z":"5"}}}}
@@ -164,6 +166,7 @@ std::string cut_arc(const char* x, int rot, const char* to) {
       x, rot, to);
 }
 
+// J-PATH-06.
 TEST(FalseNoGo, ASemicircleAsSmallAsTheResolutionMayEndOnItsOwnCentre) {
   const Judging rounded = {.resolution = "0.001"};
   const std::string before =

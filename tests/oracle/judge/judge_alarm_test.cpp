@@ -23,6 +23,7 @@ TEST(AlarmJudge, TheRightAlarmInTheRightBlockIsGo) {
             VerdictKind::pass_exact);
 }
 
+// J-CMP-08.
 TEST(AlarmJudge, EachWrongAlarmHasItsOwnVerdict) {
   EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "value-sign")).kind,
             VerdictKind::fail_alarm_class);
@@ -76,6 +77,7 @@ TEST(AlarmJudge, NoMFunctionMayComeThatIsNotDueBeforeTheAlarm) {
             VerdictKind::fail_order);
 }
 
+// J-CMP-08.
 TEST(AlarmJudge, MFunctionsOfTheBlockThatAlarmsMayComeOrNot) {
   for (const bool blocks : {true, false}) {
     EXPECT_EQ(

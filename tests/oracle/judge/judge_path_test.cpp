@@ -20,11 +20,13 @@ const std::string kToD = R"({"k":"feed","b":2,"to":{"z":"5"},"f":"200"})"
 const std::string kHome = R"({"k":"rapid","b":2,"to":{"x":"65"}})"
                           "\n";
 
+// J-CMP-01.
 TEST(PathJudge, TheManualsPathIsExact) {
   EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + kToC + kToD + kHome).kind,
             VerdictKind::pass_exact);
 }
 
+// J-CMP-04.
 TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
   const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"
                             "\n";
@@ -32,6 +34,7 @@ TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
             Decision::go);
 }
 
+// J-CMP-02.
 TEST(PathJudge, OneIncrementOffPassesAndTwoDoNot) {
   const std::string near = R"({"k":"feed","b":2,"to":{"x":"0.001"},"f":"200"})"
                            "\n";
@@ -67,6 +70,7 @@ TEST(PathJudge, AnOmittedMotionIsAnOrderFailure) {
             VerdictKind::fail_geometry);
 }
 
+// J-CMP-07.
 TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
   const std::string more = R"({"k":"rapid","b":2,"to":{"y":"1"}})"
                            "\n";
@@ -74,6 +78,7 @@ TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
             VerdictKind::fail_overrun);
 }
 
+// J-CMP-03.
 TEST(PathJudge, ManyStepsWithinTheToleranceDoNotAddUpUnseen) {
   std::string creeping = kRapidToStart;
   for (int i = 1; i <= 10; ++i) {
@@ -112,6 +117,7 @@ TEST(PathJudge, AMotionTooSmallToSeeMayStandBeforeARenaming) {
 
 // Without line numbers the traverse of block 4, after a code that is not covered, is one with those
 // before it.
+// J-CMP-10.
 TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
   constexpr std::string_view kProgram = "G00 X20\nX30\nG55\nX60\n";
   Judging judging;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The reference's own outcome, judged as a subject's, is a pass-exact: from a micrometre to a
-// kilometre, whatever form an arc has.
+// The reference's own outcome, judged as a subject's, is a pass-exact (of an open path,
+// pass-properties): from a micrometre to a kilometre, whatever form an arc has.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -103,7 +103,23 @@ TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
                 "G50 X18\nG00 X20 Z10\n",
                 profile_of("gsk988ta"))
           .kind,
-      VerdictKind::pass_exact);
+      VerdictKind::pass_properties);
+}
+
+// A slot that the tool fills but for a micrometre: at each level four quarters of a circle of that
+// radius, each too small to see, between infeeds along one line. Found by generated programs.
+// J-CMP-04.
+TEST(OwnOutcome, CirclesAsSmallAsTheToleranceMayStandBetweenInfeeds) {
+  reference::Profile profile =
+      profile_of("sinumerik802s", {{"sie.pocket.path", "contour-parallel"}});
+  profile.tools["1"] = 3;
+  const Verdict verdict = judge_own(
+      "F254 S600 M3 G0 X0 Y0 Z23\nT1 D1\nR101=10 R102=2.5 R103=7.5 R104=1.6 R116=19 R117=10\n"
+      "R118=6.002 R119=6.002 R120=3.001 R121=3.475 R122=105 R123=214 R124=0 R125=0.1 R126=2 "
+      "R127=1\n"
+      "LCYC75\n",
+      profile);
+  EXPECT_EQ(verdict.kind, VerdictKind::pass_exact) << verdict.message << verdict.got;
 }
 
 TEST(OwnOutcome, OfRandomProgramsIsExact) {
@@ -114,7 +130,12 @@ TEST(OwnOutcome, OfRandomProgramsIsExact) {
     const int motions = *rc::gen::inRange(1, 6);
     for (int i = 0; i < motions; ++i) program += any_motion_block(lengths) + "\n";
     for (const char* resolution : {"0.001", "0.000001"}) {
-      const Verdict verdict = judge_own(program, profile, resolution);
+      Verdict verdict;
+      try {
+        verdict = judge_own(program, profile, resolution);
+      } catch (const exact::Undecided&) {
+        RC_DISCARD("the reference itself cannot tell");
+      }
       if (verdict.kind == VerdictKind::pass_exact) continue;
       RC_FAIL(fmt::format("{} {}: {}\n{}want {}\ngot {}", resolution, name(verdict.kind),
                           verdict.message, program, verdict.want, verdict.got));

@@ -140,6 +140,7 @@ Decision decided_with_turns(std::string_view program, std::string trace, std::st
 
 // The radius grows by 0.0019 over two turns of 6.6 mm, and ends on the ray where it starts: the nil
 // and the full turn lie side by side there, but after others only one is meant.
+// J-PATH-06.
 TEST(SmallMotions, OneTurnTooManyToAnEndOnTheSameRayIsNoGo) {
   const auto judged = [](std::string_view rot) {
     return decided_with_turns("G0 X0 Y0.0002\nG17 G2 X0.0019 Y0.0002 I-6.6 J0 P2 F236\n",
@@ -176,6 +177,7 @@ TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
   EXPECT_EQ(decided_as_binary64(kStepAndOn, trace), Decision::no_go);
 }
 
+// J-CMP-03.
 TEST(SmallMotions, ManyOfThemCannotAddUp) {
   // To and fro in X, and on in Z by 0.6 of the tolerance.
   TraceText trace = at_ten();

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/curve_distance.hpp"
+
+#include <vector>
+
+#include "oracle/judge/curve_match.hpp"
+
+namespace gonogo::oracle {
+
+using reference::kAllAxes;
+using reference::PlaneAxes;
+
+Number distance_from_box(const Position& from, const Position& to, const Position& point) {
+  Number distance = 0;
+  for (Axis axis : kAllAxes) {
+    distance = max(distance, min(from[axis], to[axis]) - point[axis]);
+    distance = max(distance, point[axis] - max(from[axis], to[axis]));
+  }
+  return distance;
+}
+
+namespace {
+
+// |at - t along|, how far a point is along one axis from the point of a line at t.
+struct AxisOffset {
+  Number at;
+  Number along;
+};
+
+Number farthest(const std::vector<AxisOffset>& offsets, const Number& t) {
+  Number distance = 0;
+  for (const AxisOffset& each : offsets) distance = max(distance, abs(each.at - t * each.along));
+  return distance;
+}
+
+}  // namespace
+
+// The largest of several |a - t b| is least at an end, where one of them is zero, or where two are
+// equal.
+Number distance_from_line(const Position& from, const Position& to, const Position& point) {
+  std::vector<AxisOffset> offsets;
+  for (Axis axis : kAllAxes) {
+    AxisOffset offset{point[axis] - from[axis], to[axis] - from[axis]};
+    if (offset.at.sign() != 0 || offset.along.sign() != 0) offsets.push_back(std::move(offset));
+  }
+  Number least = min(farthest(offsets, 0), farthest(offsets, 1));
+  const auto try_at = [&](const Number& at, const Number& along) {
+    if (along.sign() == 0) return;
+    const Number t = at / along;
+    if (t.sign() > 0 && t < 1) least = min(least, farthest(offsets, t));
+  };
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    try_at(offsets[i].at, offsets[i].along);
+    for (std::size_t j = i + 1; j < offsets.size(); ++j) {
+      try_at(offsets[i].at - offsets[j].at, offsets[i].along - offsets[j].along);
+      try_at(offsets[i].at + offsets[j].at, offsets[i].along + offsets[j].along);
+    }
+  }
+  return least;
+}
+
+namespace {
+
+// The angle from one vector to another in turns, in [0, 1), in the sense of the turning.
+Number part_between(const PlaneVector& a, const PlaneVector& b, int sense) {
+  const Number across = (a.p * b.q - a.q * b.p) * sense;
+  return exact::angle_degrees(a.p * b.p + a.q * b.q, across) / 360;
+}
+
+// The same with the whole turns that an estimate says.
+Number turns_between(const PlaneVector& a, const PlaneVector& b, int sense, double turns) {
+  const Number part = part_between(a, b, sense);
+  return part + static_cast<std::int64_t>(std::lround(turns - estimate(part)));
+}
+
+Number length(const PlaneVector& v) {
+  return sqrt(v.p * v.p + v.q * v.q);
+}
+
+}  // namespace
+
+// Of an arc: along the radius, and along the axes outside its plane, at the part of its sweep where
+// the point is seen from its centre.
+Number RoundCurve::distance(const Position& point, double turns) const {
+  if (arc_ == nullptr) return distance_in_space(point);
+  const Record& arc = arc_->record;
+  const PlaneAxes axes = reference::axes_of(arc.plane);
+  const PlaneVector a = from_centre(arc, arc_->from);
+  const PlaneVector b = from_centre(arc, arc_->to());
+  const PlaneVector v = from_centre(arc, point);
+  const int sense = arc.rot < 0 ? -1 : 1;
+  const bool is_centre = v.p.sign() == 0 && v.q.sign() == 0;
+  const auto at_part = [&](const Number& first, const Number& last) -> Number {
+    if (is_centre || first == last) return first;
+    return first +
+           turns_between(a, v, sense, turns) / turns_between(a, b, sense, whole_) * (last - first);
+  };
+  Number distance = abs(length(v) - (is_spiral() ? at_part(length(a), length(b)) : length(a)));
+  for (Axis axis : kAllAxes) {
+    if (axis == axes.p || axis == axes.q) continue;
+    distance = max(distance, abs(point[axis] - at_part(motion_.from[axis], motion_.to()[axis])));
+  }
+  return distance;
+}
+
+// From the whole circle.
+Number RoundCurve::distance_in_space(const Position& point) const {
+  if (!points_->circle) return 0;
+  const SpaceCircle& circle = *points_->circle;
+  const SpacePoint v = space_point(point) - circle.centre;
+  const Number normal_2 = dot(circle.normal, circle.normal);
+  const Number above = dot(v, circle.normal);
+  const Number above_2 = above * above / normal_2;
+  const Number beside = sqrt(dot(v, v) - above_2) - sqrt(circle.radius_2);
+  return sqrt(above_2 + beside * beside);
+}
+
+Number CurveMatch::distance(const Position& point, double turns) const {
+  const RecordKind kind = reference_.record.kind;
+  if (kind == RecordKind::rapid) {
+    return distance_from_box(progress_.traverse ? *progress_.traverse : reference_.from,
+                             reference_.to(), point);
+  }
+  if (!round_ || is_flat_arc3()) {
+    Position reached = reference_.from;
+    const Axis axis = longest_axis(reference_);
+    const Number travel = abs(reference_.to()[axis] - reference_.from[axis]);
+    const Number part = travel.sign() == 0 ? Number(0) : progress_.line / travel;
+    for (Axis each : kAllAxes) {
+      reached[each] += part * (reference_.to()[each] - reference_.from[each]);
+    }
+    return distance_from_line(reached, reference_.to(), point);
+  }
+  constexpr double kEstimate = 1e-9;  // turns
+  Number least = largest_difference(point, reference_.to());
+  // A sweep that is nearly whole may be nil.
+  for (const double each : {turns, turns - 1}) {
+    if (each < progress_.arc - kEstimate || each > round_->whole() + kEstimate) continue;
+    least = min(least, round_->distance(point, each));
+  }
+  return least;
+}
+
+// J-PATH-12: its end, or a point before that if the end lies where it may.
+Apart CurveMatch::apart(const Motion& subject) const {
+  const auto turns_to = [&](const Position& point) {
+    return progress_.arc + (round_ ? round_->part_of_turn(subject.from, point) : 0);
+  };
+  const bool is_arc = subject.record.kind == RecordKind::arc;
+  const double sweep = is_arc ? approximate_turns(subject) : 0;
+  const double to_end = is_arc ? progress_.arc + sweep : turns_to(subject.to());
+  Apart end{subject.to(), distance(subject.to(), to_end)};
+  if (end.distance > terms_.tolerance) return end;
+  std::vector<Position> others;
+  if (subject.record.kind == RecordKind::arc3) others.push_back(via_of(subject));
+  if (subject.record.kind == RecordKind::feed) {
+    others.push_back(subject.from);
+    for (Axis axis : kAllAxes) {
+      others.back()[axis] += (subject.to()[axis] - subject.from[axis]) / 2;
+    }
+  }
+  for (const Position& point : others) {
+    Apart there{point, distance(point, turns_to(point))};
+    if (there.distance > terms_.tolerance) return there;
+  }
+  return end;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/program_text.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+constexpr std::uint64_t kMostOfNist = 99'999;  // of a line number
+
+bool is_blank(const grammar::Block& block) {
+  return !block.tape_mark && !block.skip && !block.sequence_number && !block.program_number &&
+         !block.outside && block.words.empty() && block.comments.empty() &&
+         block.line_comment.span.end == 0;
+}
+
+bool is_whole_to_99999(const grammar::Decimal& number) {
+  return number.scale == 0 && number.long_digits.empty() && number.magnitude <= kMostOfNist;
+}
+
+}  // namespace
+
+// NGC-COM-07
+void ProgramText::take(const grammar::Block& block, BlockOutput& out) {
+  if (block.tape_mark) {
+    if (!has_line_) {
+      is_opened_ = true;
+    } else if (is_opened_) {
+      out.program_end = true;
+    } else {
+      out.alarms.push_back({AlarmClass::syntax,
+                            "NGC-COM-07"_clause,
+                            0,
+                            {},
+                            "A % line stands only before everything else, and a second one at "
+                            "the end of a program that begins with one."});
+    }
+  }
+  has_line_ = has_line_ || !is_blank(block);
+}
+
+void check_numbers(const grammar::Block& block, const ReadingsInUse& readings, BlockOutput& out) {
+  // NGC-COM-05
+  if (block.sequence_number && !is_whole_to_99999(*block.sequence_number) &&
+      readings.is(ReadingKey::ngc_line_number, "whole")) {
+    out.alarms.push_back({AlarmClass::syntax, "NGC-COM-05"_clause, 'N', block.number_place.span,
+                          "A line number is whole and at most 99999."});
+  }
+  // NGC-COM-06
+  if (block.program_number && readings.is(ReadingKey::ngc_o_name, "syntax")) {
+    out.alarms.push_back({AlarmClass::syntax, "NGC-COM-06"_clause, 'O', block.number_place.span,
+                          "A line that only names the program is not read."});
+  }
+}
+
+// NGC-COM-08
+void check_text_end(const grammar::Span& end, const ReadingsInUse& readings, BlockOutput& out) {
+  if (readings.is(ReadingKey::ngc_program_end, "free")) return;
+  out.alarms.push_back({AlarmClass::program_end, "NGC-COM-08"_clause, 0, end,
+                        "A program ends with M2 or M30, or with the second of two % lines."});
+}
+
+}  // namespace gonogo::reference::rs274

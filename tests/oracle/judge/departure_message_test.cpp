@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// J-PATH-12, J-PATH-13: a NO-GO names the motion that departs first and how far it is from where it
+// may lead, not what follows from it. The numbers are by hand.
+#include <gtest/gtest.h>
+
+#include "judging.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "reference/catalog/clause.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+Judging of(std::string_view dialect, std::string_view resolution = {}) {
+  Judging judging;
+  judging.dialect = dialect;
+  judging.resolution = resolution;
+  return judging;
+}
+
+struct Expected {
+  VerdictKind kind;
+  std::size_t record;
+  std::string_view clause;
+  std::string_view deviation;  // exact
+  std::string_view message = "";
+};
+
+void expect(const Verdict& verdict, const Expected& expected) {
+  EXPECT_EQ(verdict.kind, expected.kind) << verdict.message;
+  EXPECT_EQ(verdict.record, expected.record) << verdict.message << verdict.got;
+  EXPECT_EQ(reference::clause_name(verdict.clause), expected.clause);
+  EXPECT_EQ(verdict.deviation_exact, expected.deviation) << verdict.message;
+  if (!expected.message.empty()) {
+    EXPECT_EQ(verdict.message, expected.message);
+  }
+}
+
+constexpr std::string_view kTraverseShort = "The traverse ends before it is where it has to end.";
+constexpr std::string_view kCutShort = "The cut ends before it is where it has to end.";
+constexpr std::string_view kTurning = "G00 X130 Z5\nG01 Z-28 F100\n";
+
+TEST(DepartureMessage, ATraverseATenthShortIsNamedAndNotTheCutBehindIt) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 4.9}}).block(2, 100).feed({{'z', -28}});
+  const Verdict verdict = judge_trace(kTurning, trace.text());
+  expect(verdict, {VerdictKind::fail_geometry, 0, "GSK-COM-05", "0.1", kTraverseShort});
+  EXPECT_EQ(verdict.block, 1U);
+  EXPECT_EQ(verdict.witness, R"({"x":"65","z":"4.9"})");
+}
+
+TEST(DepartureMessage, OfATraverseInPiecesTheLastIsNamed) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}}).rapid({{'z', 4}}).rapid({{'z', 4.7}}).block(2, 100).feed({{'z', -28}});
+  expect(judge_trace(kTurning, trace.text()),
+         {VerdictKind::fail_geometry, 2, "GSK-COM-05", "0.3", kTraverseShort});
+}
+
+// The cut behind it ends 0.1 from where the traverse has to end, as much as the traverse is short.
+TEST(DepartureMessage, AShortTraverseBeforeAsShortACutIsNamed) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 4.9}}).block(2, 100).feed({{'z', 4.9}, {'x', 60}});
+  expect(judge_trace("G00 X130 Z5\nG01 Z4.9 X120 F100\n", trace.text()),
+         {VerdictKind::fail_geometry, 0, "GSK-COM-05", "0.1", kTraverseShort});
+}
+
+TEST(DepartureMessage, ACutThatStandsInForTheRestOfATraverseIsOfAnotherKind) {
+  TraceText trace(1, 100);
+  trace.rapid({{'x', 65}, {'z', 2}}).feed({{'z', 5}}).block(2, 100).feed({{'z', -28}});
+  expect(judge_trace(kTurning, trace.text()),
+         {VerdictKind::fail_geometry, 1, "GSK-COM-05", "", "The motion is of another kind."});
+}
+
+constexpr std::string_view kLine = "G17 G21 G90 G94\nG1 X50 F100\nG1 Y10\n";
+
+TEST(DepartureMessage, AHundredthBesideALineIsToldAndNotTheWayStillToGo) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 25}, {'y', 0.01}}).feed({{'x', 50}, {'y', 0}}).block(3, 100).feed({{'y', 10}});
+  const Verdict verdict = judge_trace(kLine, trace.text(), of("rs274"));
+  expect(verdict,
+         {VerdictKind::fail_geometry, 0, "NGC-G0-01", "0.01", "The cut does not end on the line."});
+  EXPECT_EQ(verdict.witness, R"({"x":"25","y":"0.01"})");
+}
+
+// From (0, 0) to (30, 10). Of (15, 6), with t along the line, |15 - 30 t| = |6 - 10 t| is least at
+// t = 21/40: 3/4.
+TEST(DepartureMessage, BesideASlantingLineTheNearestPointOfItCounts) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 15}, {'y', 6}});
+  expect(judge_trace("G17 G21 G90 G94\nG1 X30 Y10 F100\n", trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-G0-01", "0.75"});
+}
+
+TEST(DepartureMessage, BeyondTheEndOfALineIsMeasuredFromItsEnd) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 50.25}}).block(3, 100).feed({{'y', 10}});
+  expect(judge_trace(kLine, trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-G0-01", "0.25"});
+}
+
+TEST(DepartureMessage, BackAlongALineIsMeasuredFromWhereTheCutHasBeen) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 25}}).feed({{'x', 22}}).feed({{'x', 50}});
+  expect(judge_trace(kLine, trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 1, "NGC-G0-01", "3", "The cut goes back along the line."});
+}
+
+TEST(DepartureMessage, ACutShortOfACornerIsNamedByTheRecordThatEndsThere) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 25}}).feed({{'x', 49.9}}).block(3, 100).feed({{'y', 10}});
+  expect(judge_trace(kLine, trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 1, "NGC-G0-01", "0.1", kCutShort});
+}
+
+TEST(DepartureMessage, ATraceThatStopsWithinAMotionNamesItsLastRecord) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 30}});
+  const Verdict verdict = judge_trace("G17 G21 G90 G94\nG1 X50 F100\n", trace.text(), of("rs274"));
+  expect(verdict, {VerdictKind::fail_geometry, 0, "NGC-G0-01", "20", kCutShort});
+}
+
+TEST(DepartureMessage, ADwellBehindAShortMotionIsNotWhatDeparts) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 49.5}}).line(R"({"k":"dwell","b":3,"s":"1"})");
+  expect(judge_trace("G17 G21 G90 G94\nG1 X50 F100\nG4 P1\n", trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-G0-01", "0.5", kCutShort});
+}
+
+TEST(DepartureMessage, ADwellThatIsNotDueIsWhatDeparts) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 25}}).line(R"({"k":"dwell","b":2,"s":"1"})").feed({{'x', 50}});
+  const Verdict verdict = judge_trace(kLine, trace.text(), of("rs274"));
+  expect(verdict, {VerdictKind::fail_order, 1, "NGC-G0-01", "",
+                   "The subject dwells where no dwell is due."});
+}
+
+// A helix of one turn of radius 10 about (10, 0), 12 mm down; half way it is 6 mm down.
+constexpr std::string_view kHelix = "G17 G21 G90 G94\nG2 X0 Y0 Z-12 I10 F100\n";
+
+// J-PATH-07.
+TEST(DepartureMessage, AHelixOffByHalfAMicrometreIsToldByThatMuch) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 20}, {'y', 0}, {'z', -6.0005}});
+  expect(judge_trace(kHelix, trace.text(), of("rs274", "0.0001")),
+         {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "0.0005", "The arc ends off the curve."});
+}
+
+TEST(DepartureMessage, AnArcThatEndsOffItsCircleIsToldByItsRadius) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 10}, {'y', 10.25}, {'z', -3}});
+  expect(judge_trace(kHelix, trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "0.25", "The arc ends off the curve."});
+}
+
+TEST(DepartureMessage, AHelixThatStopsAQuarterTurnShortIsNamed) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 10}, {'y', -10}, {'z', -9}});
+  trace.block(3, 0).rapid({{'z', 5}});
+  expect(judge_trace(std::string(kHelix) + "G0 Z5\n", trace.text(), of("rs274")),
+         {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "10", kCutShort});
+}
+
+// The cut along Z is left out. What comes instead ends 5 mm beside it.
+TEST(DepartureMessage, WhatComesInsteadOfAMotionThatIsLeftOutIsNamed) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(2, 100).feed({{'x', 70}});
+  expect(judge_trace("G00 X130 Z5\nG01 Z-28 F100\nX140\n", trace.text()),
+         {VerdictKind::fail_geometry, 1, "GSK-COM-05", "5", "The cut does not end on the line."});
+}
+
+// The traverse away and back is left out: the cut is the one that the reference makes behind it.
+TEST(DepartureMessage, AMotionThatFitsLaterIsOutOfOrder) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(4, 100).feed({{'z', -28}});
+  Judging judging;
+  judging.blocks = false;
+  const Verdict verdict =
+      judge_trace("G00 X130 Z5\nG00 X200\nG00 X130\nG01 Z-28 F100\n", trace.text(), judging);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_order);
+  EXPECT_EQ(verdict.record, 1U);
+  EXPECT_EQ(verdict.message,
+            "A later motion comes here: one before it is missing, or comes after it.");
+}
+
+// J-CMP-11. By hand: 7/3 = 2.3333..., the root of 2 = 1.41421356237...
+TEST(DepartureMessage, AWitnessIsPrintedWithNineDecimalsBesideItsExactText) {
+  EXPECT_EQ(point_for_people(R"({"x":"65","z":"4.9"})"), R"({"x":"65","z":"4.9"})");
+  EXPECT_EQ(point_for_people(R"({"x":"7/3","z":"1"})"),
+            R"({"x":"7/3","z":"1"} = x 2.333333333, z 1)");
+  EXPECT_EQ(point_for_people(R"({"y":{"root":["0","1","2"]}})"),
+            R"({"y":{"root":["0","1","2"]}} = y 1.414213562)");
+  EXPECT_EQ(point_for_people(R"({"a":{"enclosure":["0.1234567890123","0.1234567890124"]}})"),
+            R"({"a":{"enclosure":["0.1234567890123","0.1234567890124"]}} = a 0.123456789)");
+  EXPECT_EQ(point_for_people(""), "");
+}
+
+// The words of a gap are the reference's: code and word.
+TEST(DepartureMessage, WhatIsNotCoveredHasItsBlock) {
+  TraceText trace(2, 100);
+  trace.feed({{'x', 50}});
+  const Verdict verdict =
+      judge_trace("G17 G21 G90 G94\nG1 X50 F100\nG41 D1 G1 X60\n", trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << verdict.message;
+  EXPECT_EQ(verdict.block, 3U);
+  EXPECT_NE(verdict.message.find("G41"), std::string::npos) << verdict.message;
+}
+
+}  // namespace
+}  // namespace gonogo::oracle

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Other records for the same motion: in pieces, joined, rounded, with motions that lead nowhere.
+#pragma once
+
+#include "tests/oracle/judge/generated_outcomes.hpp"
+
+namespace gonogo::oracle {
+
+// Lines, traverses and threads at fractions of them, arcs and helices at angles: their points are
+// written with six decimals. No piece stays within `least` of where it starts;
+// arcs stay whole whose ends nearly agree, but for whole circles where `least` is 0.
+Outcome split(const Outcome& outcome, const Position& start, const Number& least, Trials& trials);
+// Consecutive motions that go on in the same way become one.
+Outcome joined(const Outcome& outcome, const Position& start);
+// Every end, centre and intermediate point as a multiple of the resolution; of an arc whose ends
+// become the same, the turns that it makes.
+Outcome rounded(const Outcome& outcome, const Position& start, const Number& resolution);
+// Traverses and cuts to where the subject stands, and dwells of no time.
+Outcome with_nothing_added(const Outcome& outcome, const Position& start, Trials& trials);
+// Any line numbers.
+Outcome renumbered(const Outcome& outcome, Trials& trials);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What holds of the acceptance relation whatever the program and the outcome are: docs/judging.md,
+// "Properties of the relation". Of generated programs of every dialect, with right outcomes, those
+// of faulty expanders, and spoilt ones.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <cstdlib>
+#include <functional>
+
+#include "tests/oracle/judge/outcome_changes.hpp"
+#include "tests/oracle/judge/own_outcome.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+// As many as Trials would make, from its seed; RapidCheck prints both.
+const bool kSeeded = [] {
+  const auto or_else = [](const char* name, const char* usual) {
+    const char* const text = std::getenv(name);
+    return std::string(text == nullptr ? usual : text);
+  };
+  const std::string parameters =
+      fmt::format("seed={} max_success={} max_discard_ratio=100 noshrink=1",
+                  or_else("GONOGO_SEED", "20261122"), or_else("GONOGO_TRIALS", "1000"));
+  return setenv("RC_PARAMS", parameters.c_str(), 0) == 0;
+}();
+
+// A name of the position's own is in no record: where motions start would not be known.
+bool renames_position(std::string program) {
+  std::erase(program, ' ');
+  return program.find("G50") != std::string::npos || program.find("G92") != std::string::npos;
+}
+
+struct Tried {
+  GeneratedOutcome of;
+  VerdictKind kind;
+};
+
+std::string text_of(const Tried& tried, const Outcome& changed) {
+  std::string text =
+      fmt::format("{}\n{}\n{}\n--\n", name(tried.kind),
+                  reference::profile_json(tried.of.program.profile), tried.of.program.text);
+  for (const Record& record : tried.of.outcome.records) text += line_of(record) + "\n";
+  text += "-- changed to\n";
+  for (const Record& record : changed.records) text += line_of(record) + "\n";
+  return text;
+}
+
+Verdict judge(const Tried& tried, const Outcome& outcome, const JudgeTerms& terms) {
+  return judged(tried.of.program.profile, tried.of.program.text, outcome, terms).verdict;
+}
+
+fuzz::GeneratorSettings small_and_large() {
+  fuzz::GeneratorSettings settings;
+  settings.kinds = {.valid = 2, .near_invalid = 1, .boundary = 1, .raw = 0, .tiny = 2};
+  return settings;
+}
+
+Trials drawn_trials() {
+  static const Trials kAny(0);
+  Trials trials = kAny;
+  trials.chance.seed(*rc::gen::arbitrary<std::uint64_t>());
+  return trials;
+}
+
+enum class Of { right, any };
+
+Tried drawn(Of of, Trials& trials) {
+  const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+  Tried tried{of == Of::right ? right_outcome(generator, small_and_large(), trials)
+                              : generated_outcome(generator, {}, trials),
+              VerdictKind::skip};
+  RC_PRE(!renames_position(tried.of.program.text));
+  tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
+  RC_PRE(tried.kind != VerdictKind::skip);
+  return tried;
+}
+
+// The decision of the changed outcome is that of the first; but for gaps, where nothing is claimed.
+void expect_same(const Tried& tried, const Outcome& changed) {
+  const Verdict verdict = judge(tried, changed, tried.of.terms);
+  const Decision before = decision(tried.kind);
+  const Decision after = decision(verdict.kind);
+  if (before == after || before == Decision::undecided || after == Decision::undecided) return;
+  RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
+                      verdict.want, verdict.got, text_of(tried, changed)));
+}
+
+using Change = std::function<Outcome(const Tried&, Trials&)>;
+
+bool changes_nothing(Of of, const Change& change) {
+  return rc::check([&] {
+    Trials trials = drawn_trials();
+    const Tried tried = drawn(of, trials);
+    expect_same(tried, change(tried, trials));
+  });
+}
+
+const Position& start_of(const Tried& tried) {
+  return tried.of.program.profile.initial.at;
+}
+
+// J-PROP-01.
+TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
+  EXPECT_TRUE(rc::check([] {
+    Trials trials = drawn_trials();
+    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
+    OwnOutcome own;
+    try {
+      own = own_outcome(of.program.text, of.program.profile);
+    } catch (const std::runtime_error&) {
+      RC_DISCARD("not covered");
+    }
+    const JudgeTerms terms = exact_terms(of.program.profile);
+    const Verdict verdict =
+        judge_outcome(of.program.profile, of.program.text, terms, own.records, own.end).verdict;
+    if (decision(verdict.kind) != Decision::no_go) return;
+    RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}\n{}", name(verdict.kind), verdict.message,
+                        verdict.want, verdict.got, reference::profile_json(of.program.profile),
+                        of.program.text));
+  }));
+}
+
+// J-PROP-02.
+TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
+  const auto in_pieces = [](const Tried& tried, Trials& trials) {
+    return split(tried.of.outcome, start_of(tried), tried.of.terms.tolerance * 2, trials);
+  };
+  EXPECT_TRUE(changes_nothing(Of::any, in_pieces));
+}
+
+// J-PROP-02: of pieces as small as the tolerance only one half holds.
+TEST(RelationProperties, WhatIsGoIsGoInAnyPieces) {
+  EXPECT_TRUE(rc::check([] {
+    Trials trials = drawn_trials();
+    const Tried tried = drawn(Of::right, trials);
+    if (decision(tried.kind) != Decision::go) return;
+    expect_same(tried, split(tried.of.outcome, start_of(tried), 0, trials));
+  }));
+}
+
+// J-PROP-02.
+TEST(RelationProperties, JoinedMotionsAreJudgedAsTheirPieces) {
+  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials&) {
+    return joined(tried.of.outcome, start_of(tried));
+  }));
+}
+
+// J-PROP-03.
+TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
+  EXPECT_TRUE(rc::check([] {
+    Trials trials = drawn_trials();
+    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
+    RC_PRE(!renames_position(of.program.text));
+    OwnOutcome own;
+    try {
+      own = own_outcome(of.program.text, of.program.profile);
+    } catch (const std::runtime_error&) {
+      RC_DISCARD("not covered");
+    }
+    const reference::Profile& profile = of.program.profile;
+    const JudgeTerms terms = exact_terms(profile, "0.001");
+    const Outcome exact{own.records, own.end};
+    RC_PRE(terms.resolution == terms.tolerance);
+    Outcome changed;
+    try {
+      changed = rounded(exact, profile.initial.at, *terms.resolution);
+    } catch (const exact::Undecided&) {
+      RC_DISCARD("half way between two");
+    }
+    const Verdict verdict = judged(profile, of.program.text, changed, terms).verdict;
+    if (decision(verdict.kind) != Decision::no_go) return;
+    RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\n{}", name(verdict.kind), verdict.message,
+                        verdict.want, verdict.got,
+                        text_of({of, VerdictKind::pass_exact}, changed)));
+  }));
+}
+
+// J-PROP-04.
+TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
+  EXPECT_TRUE(rc::check([] {
+    Trials trials = drawn_trials();
+    const Tried tried = drawn(Of::any, trials);
+    RC_PRE(decision(tried.kind) == Decision::go);
+    JudgeTerms wider = tried.of.terms;
+    wider.tolerance = wider.granted = wider.tolerance * trials.one_of(std::to_array({2, 3, 10}));
+    const Verdict verdict = judge(tried, tried.of.outcome, wider);
+    if (decision(verdict.kind) != Decision::no_go) return;
+    RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\nwithin {}\n{}", name(verdict.kind),
+                        verdict.message, verdict.want, verdict.got, wider.tolerance.text(),
+                        text_of(tried, tried.of.outcome)));
+  }));
+}
+
+// J-PROP-05.
+TEST(RelationProperties, MotionsThatLeadNowhereAndDwellsOfNoTimeChangeNothing) {
+  EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials& trials) {
+    return with_nothing_added(tried.of.outcome, start_of(tried), trials);
+  }));
+}
+
+// J-PROP-06.
+TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
+  EXPECT_TRUE(rc::check([] {
+    Trials trials = drawn_trials();
+    Tried tried = drawn(Of::any, trials);
+    tried.of.terms.compare_blocks = false;
+    tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
+    const Outcome changed = renumbered(tried.of.outcome, trials);
+    RC_ASSERT(judge(tried, changed, tried.of.terms).kind == tried.kind);
+  }));
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
