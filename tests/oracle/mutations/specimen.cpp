@@ -77,6 +77,7 @@ bool take_shown(Specimen& specimen, std::size_t most) {
       specimen.right.records.push_back(*record);
     } else if (const auto* renaming = std::get_if<Renaming>(&item)) {
       for (const reference::Axis axis : reference::kAllAxes) here[axis] += renaming->shift[axis];
+      specimen.renamings.push_back(*renaming);
       specimen.names.push_back({renaming->block, place_of(renaming->shift)});
     } else if (const auto* report = std::get_if<AlarmReport>(&item)) {
       specimen.right.end.kind = oracle::RunEnd::Kind::alarm;
@@ -151,6 +152,21 @@ void check_conditions(const Specimen& specimen) {
 
 std::vector<Stroke> Specimen::strokes(const Trace& trace) const {
   return strokes_of(trace.records, start, names);
+}
+
+std::optional<std::vector<Record>> shown_under(const reference::Profile& profile,
+                                               const std::string& program) {
+  std::vector<Record> records;
+  oracle::ProgramInput input(program);
+  reference::Expander expander(profile, input.lines, reference::OpenPaths::shown);
+  while (const Item* item = expander.next()) {
+    if (const auto* record = std::get_if<Record>(item)) {
+      records.push_back(*record);
+    } else if (!std::holds_alternative<Renaming>(*item)) {
+      return std::nullopt;
+    }
+  }
+  return records;
 }
 
 RawCases cases_of_corpus(const std::string& folder) {

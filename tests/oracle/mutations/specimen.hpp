@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ struct Specimen {
   std::vector<reference::Item> items;             // the open parts, in their order
   std::vector<reference::AlarmClass> admissible;  // classes of the alarm
   std::vector<NewName> names;
+  std::vector<reference::Renaming> renamings;  // the same, exact
   Place start{};
   std::vector<PathElement> path;
 
@@ -58,6 +60,10 @@ struct RawCase {
 // Those that are covered, by group.
 using RawCases = std::map<std::string, std::vector<RawCase>>;
 RawCases cases_of_corpus(const std::string& folder);
+
+// The records that the reference shows under a profile; nothing where it ends otherwise than right.
+std::optional<std::vector<Record>> shown_under(const reference::Profile& profile,
+                                               const std::string& program);
 
 // Nothing for what the bench leaves alone: programs that are not covered, traces of more than
 // `most` records. Throws std::logic_error where the shown path breaks a condition of its own.

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// No trace that is right in another way is NO-GO, advised against or left undecided.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "alternative.hpp"
+#include "bench.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using oracle::Decision;
+
+constexpr std::size_t kMostRecords = 400;
+constexpr std::size_t kPrinted = 30;
+
+struct Count {
+  long accepted = 0;
+  std::map<std::string, long> rejected;  // by what the judge says
+};
+
+class Alternatives {
+ public:
+  explicit Alternatives(Trials& trials) : trials_(trials) {}
+
+  void try_all(const Specimen& specimen) {
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Attempt attempt(specimen, trials_);
+      if (!all_[i].apply(attempt)) continue;
+      judge(all_[i].name, attempt);
+    }
+    // Two at once: an open part first, for it takes the right trace as it stands.
+    Attempt attempt(specimen, trials_);
+    const Alternative& one = trials_.one_of(all_);
+    if (!one.apply(attempt)) return;
+    const std::vector<Alternative> wordings = wording_alternatives();
+    const Alternative& other = trials_.one_of(wordings);
+    if (other.name == one.name || one.name == "looser-tolerance") return;
+    if (other.apply(attempt))
+      judge("two-at-once", attempt, std::string(one.name) + " + " + std::string(other.name));
+  }
+
+  long tried() const {
+    long count = 0;
+    for (const auto& [name, one] : counts_) {
+      count += one.accepted;
+      for (const auto& [why, times] : one.rejected) count += times;
+    }
+    return count;
+  }
+
+  long rejected() const {
+    long count = 0;
+    for (const auto& [name, one] : counts_) {
+      for (const auto& [why, times] : one.rejected) count += times;
+    }
+    return count;
+  }
+
+  void print() const {
+    for (const auto& [name, one] : counts_) {
+      fmt::print("{:32} {:7} accepted\n", name, one.accepted);
+      for (const auto& [why, times] : one.rejected) fmt::print("    {:5} x {}\n", times, why);
+    }
+    std::map<std::string, int> seen;
+    std::size_t printed = 0;
+    for (const auto& [key, text] : examples_) {
+      if (++printed <= kPrinted) fmt::print("\n--- {}\n{}", key, text.second);
+    }
+  }
+
+ private:
+  void judge(std::string_view name, const Attempt& attempt, std::string what = {}) {
+    const oracle::Verdict verdict =
+        judge_outcome(attempt.profile, attempt.specimen.program, attempt.terms,
+                      attempt.trace.records, attempt.trace.end)
+            .verdict;
+    Count& count = counts_[std::string(name)];
+    if (decision(verdict.kind) == Decision::go) {
+      ++count.accepted;
+      return;
+    }
+    const std::string why = fmt::format("{}: {}", oracle::name(verdict.kind), verdict.message);
+    ++count.rejected[why];
+    // The smallest of its kind.
+    const std::size_t size = attempt.trace.records.size();
+    auto& example = examples_[fmt::format("{}{}{}: {}", name, what.empty() ? "" : " ", what, why)];
+    if (!example.second.empty() && example.first <= size) return;
+    example = {size,
+               fmt::format("{}\n{}{}\n{}", attempt.specimen.id, attempt.specimen.program,
+                           reference::profile_json(attempt.profile), trace_text(attempt.trace))};
+  }
+
+  Trials& trials_;
+  std::vector<Alternative> all_ = all_alternatives();
+  std::map<std::string, Count> counts_;
+  std::map<std::string, std::pair<std::size_t, std::string>> examples_;
+};
+
+TEST(Alternatives, NoneThatIsRightIsRejected) {
+  Trials trials(20'000);
+  const RawCases cases = cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
+  Alternatives alternatives(trials);
+  while (alternatives.tried() < trials.count) {
+    for (const auto& [group, raws] : cases) {
+      const RawCase& raw = trials.one_of(raws);
+      const auto specimen = make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
+      if (specimen == nullptr) continue;
+      const auto verdict = judge_outcome(specimen->profile, specimen->program, specimen->terms,
+                                         specimen->right.records, specimen->right.end);
+      if (decision(verdict.verdict.kind) != Decision::go) continue;
+      alternatives.try_all(*specimen);
+    }
+  }
+  alternatives.print();
+  EXPECT_EQ(alternatives.rejected(), 0) << "of " << alternatives.tried();
+}
+
+}  // namespace
+}  // namespace gonogo::mutations

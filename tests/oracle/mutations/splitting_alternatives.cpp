@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same path in more motions, or in motions of another form.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "alternative.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using reference::Axis;
+using reference::Position;
+
+constexpr std::size_t kFew = 60;  // records: of longer traces a hundred pieces each are too many
+
+Position end_of(const Record& record, const Position& from) {
+  Position to = from;
+  for (const Axis axis : reference::kAllAxes) {
+    if (record.axes.has(axis)) to[axis] = record.to[axis];
+  }
+  return to;
+}
+
+Position between(const Position& from, const Position& to, std::int64_t part, std::int64_t of) {
+  Position at = to;
+  for (const Axis axis : reference::kAllAxes) {
+    if (from[axis] == to[axis]) continue;
+    at[axis] = from[axis] + (to[axis] - from[axis]) * Number(part) / Number(of);
+  }
+  return at;
+}
+
+bool is_line(RecordKind kind) {
+  return kind == RecordKind::feed || kind == RecordKind::thread;
+}
+
+std::int64_t pieces(Attempt& attempt) {
+  static const std::array<std::int64_t, 5> kPieces = {2, 3, 7, 20, 100};
+  const std::size_t last = attempt.specimen.right.records.size() > kFew ? 3 : kPieces.size();
+  return kPieces[attempt.chance.below(last)];
+}
+
+bool split_lines(Attempt& attempt) {
+  const std::int64_t count = pieces(attempt);
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (!is_line(record.kind)) return made;
+    const Position to = end_of(record, from);
+    for (std::int64_t i = 1; i <= count; ++i) {
+      made.push_back(record);
+      made.back().to = between(from, to, i, count);
+    }
+    return made;
+  });
+}
+
+std::optional<Stroke> stroke_of(const Record& record, const Position& from) {
+  Record alone = record;
+  const auto strokes = strokes_of({&alone, 1}, place_of(from), {});
+  if (strokes.empty() || !strokes.front().is_round) return std::nullopt;
+  Stroke stroke = strokes.front();
+  stroke.record = &record;
+  return stroke;
+}
+
+// The place of an arc at a part of its way, near enough.
+Position place_on(const Stroke& arc, const Position& to, double part) {
+  const Place place = arc.at(part);
+  Position at = to;
+  for (const Axis axis : reference::kLinearAxes) at[axis] = number_near(place[index(axis)]);
+  return at;
+}
+
+// Short enough for a piece to say whether it is a turn.
+bool has_room(const Stroke& arc, std::int64_t count, double tolerance) {
+  const double radius = std::min(arc.from_radius, arc.to_radius);
+  return radius * std::abs(arc.sweep) / static_cast<double>(count) > 4 * tolerance &&
+         radius > 8 * tolerance && !std::isnan(radius);
+}
+
+// Axes that go along with an arc beside its plane and depth are rare, and left.
+bool turns_rotary(const Record& record, const Position& from) {
+  return (record.axes.has(Axis::a) && record.to[Axis::a] != from[Axis::a]) ||
+         (record.axes.has(Axis::c) && record.to[Axis::c] != from[Axis::c]);
+}
+
+bool split_arcs(Attempt& attempt) {
+  const std::int64_t count = pieces(attempt);
+  const double tolerance = attempt.specimen.tolerance();
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
+    const Position to = end_of(record, from);
+    const auto arc = stroke_of(record, from);
+    const auto turns = static_cast<std::int64_t>(std::abs(arc->sweep) / 6) + 1;
+    if (!has_room(*arc, count * turns, tolerance) || turns > 20) return made;
+    for (std::int64_t i = 1; i <= count * turns; ++i) {
+      made.push_back(record);
+      Record& piece = made.back();
+      piece.rot = record.rot < 0 ? -1 : 1;
+      piece.axes = record.axes;
+      piece.to =
+          i == count * turns
+              ? to
+              : place_on(*arc, to, static_cast<double>(i) / static_cast<double>(count * turns));
+    }
+    return made;
+  });
+}
+
+// Two halves of each full turn.
+bool circles_in_halves(Attempt& attempt) {
+  const double tolerance = attempt.specimen.tolerance();
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
+    const Position to = end_of(record, from);
+    const auto arc = stroke_of(record, from);
+    const bool is_circle = std::abs(std::abs(arc->sweep) - 2 * std::numbers::pi) < 1e-9;
+    if (!is_circle || !has_room(*arc, 2, tolerance)) return made;
+    made.assign(2, record);
+    made[0].to = place_on(*arc, to, 0.5);
+    made[1].to = to;
+    return made;
+  });
+}
+
+bool arcs_through_a_point(Attempt& attempt) {
+  const double tolerance = attempt.specimen.tolerance();
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
+    const Axis depth = axes_of(record.plane).d;
+    const Position to = end_of(record, from);
+    const auto arc = stroke_of(record, from);
+    const bool rises = std::abs(value_of(to[depth] - from[depth])) > 0;
+    const bool grows = std::abs(arc->from_radius - arc->to_radius) > tolerance / 100;
+    if (rises || grows || !has_room(*arc, 8, tolerance)) return made;
+    // Not so long that the ends are one point, nor so short that all three lie in line.
+    if (std::abs(arc->sweep) > 5 || std::abs(arc->sweep) < 0.2) return made;
+    Record circle = record;
+    circle.kind = RecordKind::arc3;
+    circle.axes = circle.via_axes = {Axis::x, Axis::y, Axis::z};
+    circle.to = to;
+    circle.via = place_on(*arc, to, 0.5);
+    made.push_back(circle);
+    return made;
+  });
+}
+
+// Chords, where the certifier grants them.
+bool chords_of_arcs(Attempt& attempt) {
+  constexpr std::int64_t kChordMillionths = 10'000;
+  constexpr double kChord = 0.009;  // a little less than is granted, mm
+  attempt.terms.chord = Number::millionths(kChordMillionths);
+  const double tolerance = attempt.specimen.tolerance();
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::arc || turns_rotary(record, from)) return made;
+    const Position to = end_of(record, from);
+    const auto arc = stroke_of(record, from);
+    const double radius = std::max(arc->from_radius, arc->to_radius);
+    if (radius < 0.5 || std::abs(arc->sweep) > 60 || !has_room(*arc, 1, tolerance)) return made;
+    const double step = 2 * std::acos(1 - kChord / radius);
+    const auto count = static_cast<std::int64_t>(std::ceil(std::abs(arc->sweep) / step));
+    if (count > 400) return made;
+    for (std::int64_t i = 1; i <= count; ++i) {
+      Record chord = record;
+      chord.kind = RecordKind::feed;
+      chord.rot = 0;
+      chord.to =
+          i == count ? to : place_on(*arc, to, static_cast<double>(i) / static_cast<double>(count));
+      made.push_back(chord);
+    }
+    return made;
+  });
+}
+
+// All axes as far as they go, in several traverses; each leads on along every axis.
+bool split_traverses(Attempt& attempt) {
+  const std::int64_t count = pieces(attempt);
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::rapid) return made;
+    const Position to = end_of(record, from);
+    for (std::int64_t i = 1; i <= count; ++i) {
+      made.push_back(record);
+      made.back().to = between(from, to, i, count);
+    }
+    return made;
+  });
+}
+
+// Axis by axis, in any order. Not where a cycle begins: which axis goes first is told there.
+bool traverses_axis_by_axis(Attempt& attempt) {
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (record.kind != RecordKind::rapid) return made;
+    const Position to = end_of(record, from);
+    std::vector<Axis> axes;
+    for (const Axis axis : reference::kAllAxes) {
+      if (record.axes.has(axis) && from[axis] != to[axis]) axes.push_back(axis);
+    }
+    if (axes.size() < 2) return made;
+    std::shuffle(axes.begin(), axes.end(), attempt.chance.chance);
+    Position here = from;
+    for (const Axis axis : axes) {
+      here[axis] = to[axis];
+      made.push_back(record);
+      made.back().axes = {axis};
+      made.back().to = here;
+    }
+    return made;
+  });
+}
+
+// A traverse of no length before a motion, or a cut of none.
+bool motions_of_no_length(Attempt& attempt) {
+  return attempt.replace([&](const Record& record, const Position& from) {
+    std::vector<Record> made;
+    if (!is_motion(record.kind) || attempt.chance.once_in(2)) return made;
+    Record nothing;
+    nothing.kind = is_line(record.kind) ? record.kind : RecordKind::rapid;
+    nothing.block = record.block;
+    nothing.axes = reference::kEveryAxis;
+    nothing.to = from;
+    nothing.feed = record.feed;
+    nothing.feed_mode = record.feed_mode;
+    nothing.lead = record.lead;
+    nothing.start = record.start;
+    made = {nothing, record};
+    return made;
+  });
+}
+
+bool dwells_of_no_time(Attempt& attempt) {
+  return attempt.replace([&](const Record& record, const Position&) {
+    std::vector<Record> made;
+    if (!is_motion(record.kind) || attempt.chance.once_in(2)) return made;
+    Record dwell;
+    dwell.kind = RecordKind::dwell;
+    dwell.block = record.block;
+    made = {dwell, record};
+    return made;
+  });
+}
+
+}  // namespace
+
+std::vector<Alternative> splitting_alternatives() {
+  return {
+      {"split-lines", "lines and threads in pieces", split_lines},
+      {"split-arcs", "arcs and helices in pieces", split_arcs},
+      {"circles-in-halves", "full circles in two halves", circles_in_halves},
+      {"arcs-through-a-point", "arcs by an intermediate point", arcs_through_a_point},
+      {"chords-of-arcs", "chords that the certifier grants", chords_of_arcs},
+      {"split-traverses", "traverses in pieces", split_traverses},
+      {"traverses-axis-by-axis", "traverses axis by axis", traverses_axis_by_axis},
+      {"motions-of-no-length", "motions of no length", motions_of_no_length},
+      {"dwells-of-no-time", "dwells of no time", dwells_of_no_time},
+  };
+}
+
+}  // namespace gonogo::mutations

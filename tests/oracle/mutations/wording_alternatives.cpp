@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same motions in other words: rounded, with fewer fields or more, without blocks.
+#include <algorithm>
+#include <cmath>
+
+#include "alternative.hpp"
+
+namespace gonogo::mutations {
+namespace {
+
+using oracle::RunEnd;
+using reference::Axis;
+
+void each_length(Record& record, const std::function<Number(const Number&)>& change) {
+  for (const Axis axis : reference::kAllAxes) {
+    record.to[axis] = change(record.to[axis]);
+    record.via[axis] = change(record.via[axis]);
+  }
+  for (Number& coordinate : record.centre) coordinate = change(coordinate);
+}
+
+// A number that is given in steps, the nearest.
+Number rounded(const Number& value, const Number& step) {
+  return Number(static_cast<std::int64_t>(std::llround(value_of(value / step)))) * step;
+}
+
+bool in_steps(Attempt& attempt, const Number& step) {
+  attempt.terms.resolution = step;
+  for (Record& record : attempt.trace.records) {
+    each_length(record, [&](const Number& value) { return rounded(value, step); });
+  }
+  return true;
+}
+
+bool rounded_to_the_resolution(Attempt& attempt) {
+  return in_steps(attempt, attempt.specimen.profile.resolution());
+}
+
+bool rounded_ten_times_finer(Attempt& attempt) {
+  const Number step = attempt.specimen.profile.resolution() / 10;
+  attempt.terms.tolerance = min(attempt.terms.tolerance, step);
+  return in_steps(attempt, step);
+}
+
+// The nearest double.
+Number as_double(const Number& value) {
+  int exponent = 0;
+  const double fraction = std::frexp(value_of(value), &exponent);
+  constexpr int kBits = 53;
+  return Number::binary(static_cast<std::int64_t>(std::ldexp(fraction, kBits)), exponent - kBits);
+}
+
+bool as_doubles(Attempt& attempt) {
+  attempt.terms.binary64 = true;
+  for (Record& record : attempt.trace.records) {
+    each_length(record, as_double);
+    record.feed = as_double(record.feed);
+    record.lead = as_double(record.lead);
+    record.start = as_double(record.start);
+    record.seconds = as_double(record.seconds);
+  }
+  return true;
+}
+
+bool rounded_feeds(Attempt& attempt) {
+  const Number step = Number::millionths(1'000);
+  attempt.terms.feed_resolution = step;
+  for (Record& record : attempt.trace.records) record.feed = rounded(record.feed, step);
+  return true;
+}
+
+bool all_axes_named(Attempt& attempt) {
+  return attempt.replace([&](const Record& record, const reference::Position& from) {
+    std::vector<Record> made;
+    if (!is_motion(record.kind)) return made;
+    made.push_back(record);
+    for (const Axis axis : reference::kAllAxes) {
+      if (!record.axes.has(axis)) made.back().to[axis] = from[axis];
+    }
+    made.back().axes = reference::kEveryAxis;
+    return made;
+  });
+}
+
+bool only_moved_axes_named(Attempt& attempt) {
+  return attempt.replace([&](const Record& record, const reference::Position& from) {
+    std::vector<Record> made;
+    if (!is_motion(record.kind) || record.kind == RecordKind::arc3) return made;
+    made.push_back(record);
+    reference::AxisSet named;
+    for (const Axis axis : reference::kAllAxes) {
+      const bool in_plane =
+          record.kind == RecordKind::arc && axis != axes_of(record.plane).d && is_linear(axis);
+      if (in_plane || (record.axes.has(axis) && record.to[axis] != from[axis])) named.add(axis);
+    }
+    if (named.empty()) named.add(Axis::x);
+    for (const Axis axis : reference::kAllAxes) {
+      if (!record.axes.has(axis)) made.back().to[axis] = from[axis];
+    }
+    made.back().axes = named;
+    return made;
+  });
+}
+
+bool no_clauses(Attempt& attempt) {
+  for (Record& record : attempt.trace.records) record.clause = reference::kNoClause;
+  return true;
+}
+
+bool no_end(Attempt& attempt) {
+  return std::erase_if(attempt.trace.records,
+                       [](const Record& record) { return record.kind == RecordKind::end; }) > 0;
+}
+
+bool end_of_some_axes(Attempt& attempt) {
+  if (attempt.trace.records.empty() || attempt.trace.records.back().kind != RecordKind::end) {
+    return false;
+  }
+  attempt.trace.records.back().axes = {Axis::x, Axis::z};
+  return true;
+}
+
+// G50 and G92 are found by the blocks.
+bool no_blocks(Attempt& attempt) {
+  if (!attempt.specimen.renamings.empty()) return false;
+  attempt.terms.compare_blocks = false;
+  for (Record& record : attempt.trace.records) record.block = 0;
+  attempt.trace.end.alarm.block = 0;
+  return true;
+}
+
+bool no_m(Attempt& attempt) {
+  attempt.terms.compare_m = false;
+  return std::erase_if(attempt.trace.records,
+                       [](const Record& record) { return record.kind == RecordKind::m; }) > 0;
+}
+
+bool other_m(Attempt& attempt) {
+  attempt.terms.compare_m = false;
+  Record record;
+  record.kind = RecordKind::m;
+  record.m = 77;
+  record.block = 1;
+  attempt.trace.records.insert(attempt.trace.records.begin(), record);
+  return true;
+}
+
+// Before the motions of its block, or behind them.
+bool m_elsewhere_in_its_block(Attempt& attempt) {
+  std::vector<Record>& records = attempt.trace.records;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i].kind != RecordKind::m || records[i].before_cut) continue;
+    std::size_t to = i;
+    while (to > 0 && records[to - 1].block == records[i].block && is_motion(records[to - 1].kind)) {
+      --to;
+    }
+    if (to == i) continue;
+    std::rotate(records.begin() + static_cast<std::ptrdiff_t>(to),
+                records.begin() + static_cast<std::ptrdiff_t>(i),
+                records.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    return true;
+  }
+  return false;
+}
+
+bool other_admissible_class(Attempt& attempt) {
+  const auto& classes = attempt.specimen.admissible;
+  if (classes.size() < 2) return false;
+  attempt.trace.end.alarm.alarm_class =
+      reference::name(classes[1 + attempt.chance.below(classes.size() - 1)]);
+  return true;
+}
+
+bool alarm_at_load(Attempt& attempt) {
+  if (attempt.trace.end.kind != RunEnd::Kind::alarm) return false;
+  attempt.profile.alarm_timing = reference::AlarmTiming::program;
+  attempt.trace.records.clear();
+  return true;
+}
+
+bool alarm_in_its_block_though_at_load_is_allowed(Attempt& attempt) {
+  if (attempt.trace.end.kind != RunEnd::Kind::alarm) return false;
+  attempt.profile.alarm_timing = reference::AlarmTiming::program;
+  return true;
+}
+
+bool looser_tolerance(Attempt& attempt) {
+  attempt.terms.granted = attempt.terms.tolerance * 3;
+  attempt.terms.tolerance = attempt.terms.granted;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Alternative> wording_alternatives() {
+  return {
+      {"rounded-to-the-resolution", "the nearest step of the resolution",
+       rounded_to_the_resolution},
+      {"rounded-ten-times-finer", "the nearest step of a finer resolution",
+       rounded_ten_times_finer},
+      {"as-doubles", "the nearest double", as_doubles},
+      {"rounded-feeds", "the nearest step of the feed resolution", rounded_feeds},
+      {"all-axes-named", "axes that do not move", all_axes_named},
+      {"only-moved-axes-named", "axes that move alone", only_moved_axes_named},
+      {"no-clauses", "no field that is not asked for", no_clauses},
+      {"no-end", "no end", no_end},
+      {"end-of-some-axes", "an end of some axes", end_of_some_axes},
+      {"no-blocks", "no blocks declared", no_blocks},
+      {"no-m", "no M functions declared", no_m},
+      {"other-m", "M functions where none are compared", other_m},
+      {"m-elsewhere-in-its-block", "M functions before or after the motions of their block",
+       m_elsewhere_in_its_block},
+      {"other-admissible-class", "an alarm by any rule that is broken", other_admissible_class},
+      {"alarm-at-load", "an alarm at load", alarm_at_load},
+      {"alarm-in-its-block", "an alarm in its block, where it may come at load",
+       alarm_in_its_block_though_at_load_is_allowed},
+      {"looser-tolerance", "the same under a larger tolerance", looser_tolerance},
+  };
+}
+
+}  // namespace gonogo::mutations
