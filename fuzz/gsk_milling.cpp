@@ -79,8 +79,7 @@ void GskWriter::helix_block() {
 
 // J and K. Mostly far enough to clear the thread, and in a bore never so far that the tool would
 // meet the opposite wall. A straight run-out clears it only along the radius.
-void GskWriter::run_out_words(Words& words, std::int64_t height, std::int64_t room,
-                              bool internal) {
+void GskWriter::run_out_words(Words& words, std::int64_t height, std::int64_t room, bool internal) {
   const bool straight = profile_.readings.is(ReadingKey::thread_runout, "radial") ||
                         profile_.readings.is(ReadingKey::thread_runout, "tangent");
   // Without the word the profile's length holds, which the bore may be too small for; without

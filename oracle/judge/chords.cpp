@@ -94,8 +94,8 @@ bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tol
     swept += std::abs(std::atan2(estimate(turn), estimate(scalar_product(from, to))));
     // A sagitta of g has a half chord of sqrt(2 r g - g^2).
     const PlaneVector chord = points[i] - points[i - 1];
-    const bool is_flat = circle->radius * granted * 2 >=
-                         granted * granted + scalar_product(chord, chord) / 4;
+    const bool is_flat =
+        circle->radius * granted * 2 >= granted * granted + scalar_product(chord, chord) / 4;
     if (circle->radius > granted && !is_flat) return false;
   }
   constexpr double kEstimate = 1e-6;

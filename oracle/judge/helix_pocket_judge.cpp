@@ -220,9 +220,9 @@ OpenPathAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   if (!at_bottom || result.departure == Departure::undecided) return departs(result, motion);
   Motion at = motion;
   at.record.to = motion.from;
-  return departs({Departure::geometry, false,
-                  "The helix ends beside the place that its whole turns lead to."},
-                 at);
+  return departs(
+      {Departure::geometry, false, "The helix ends beside the place that its whole turns lead to."},
+      at);
 }
 
 OpenPathAnswer HelixPocketJudge::end_helix(const Motion& motion) {

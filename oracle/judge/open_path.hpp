@@ -25,7 +25,9 @@ struct OpenPathAnswer {
   // Taken, but it moves nothing that is seen.
   static OpenPathAnswer wait() { return {Kind::taken, {}, {}, false}; }
   static OpenPathAnswer end(const Position& here) { return {Kind::ended, here, {}, true}; }
-  static OpenPathAnswer decide(Verdict verdict) { return {Kind::decided, {}, std::move(verdict), true}; }
+  static OpenPathAnswer decide(Verdict verdict) {
+    return {Kind::decided, {}, std::move(verdict), true};
+  }
   static OpenPathAnswer gap(std::string message);
 };
 

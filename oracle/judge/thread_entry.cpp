@@ -110,9 +110,9 @@ std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
   const std::span<const PlaneVector> points(points_);
   if (infeed > 0) {
     // J-THR-08: chords where they are granted.
-    const bool chords = chords_granted() && sense_ == 0 &&
-                        are_chords_of_an_arc(points.first(infeed + 1), twice,
-                                             terms.tolerance + terms.chord);
+    const bool chords =
+        chords_granted() && sense_ == 0 &&
+        are_chords_of_an_arc(points.first(infeed + 1), twice, terms.tolerance + terms.chord);
     if (!chords) return "The entry is no arc: straight cuts lead to the start of the thread.";
   } else if (sense_ == 0 && !on_start_circle(points[0])) {
     return "The entry arc is missing.";

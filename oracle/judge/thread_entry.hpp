@@ -38,11 +38,11 @@ class ThreadEntry {
   bool chords_granted() const { return geometry_.terms().chord.sign() > 0; }
 
   const ThreadGeometry& geometry_;
-  Number radius_;           // of the pass
-  Number reached_;          // radius to which the passes before have cut
-  Position stands_;         // after the last motion that counts
-  int sense_ = 0;           // of the arcs; 0: none yet
-  double swept_ = 0;        // by them, in turns; an estimate
+  Number radius_;                    // of the pass
+  Number reached_;                   // radius to which the passes before have cut
+  Position stands_;                  // after the last motion that counts
+  int sense_ = 0;                    // of the arcs; 0: none yet
+  double swept_ = 0;                 // by them, in turns; an estimate
   std::vector<PlaneVector> points_;  // from the axis: the ends of the straight cuts behind them
   std::string departure_;
 };

@@ -21,8 +21,11 @@ PlaneVector near_rational(const PlaneVector& v) {
 ThreadGeometry::ThreadGeometry(const reference::ThreadMilling& item, const JudgeTerms& terms)
     : item_(item),
       terms_(terms),
+      loose_(terms),
       axes_(reference::axes_of(item.plane)),
-      up_(item.r_plane < item.bottom ? -1 : 1) {}
+      up_(item.r_plane < item.bottom ? -1 : 1) {
+  loose_.tolerance = terms.tolerance * 3;
+}
 
 PlaneVector ThreadGeometry::from_axis(const Position& at) const {
   return {at[axes_.p] - item_.centre[0], at[axes_.q] - item_.centre[1]};
@@ -80,8 +83,8 @@ Clearance ThreadGeometry::clearance_from(const Motion& motion, const Keep& keep)
     return clearance_of_line({from.p, from.q}, {to.p, to.q}, keep);
   }
   if (record.plane != item_.plane) return {Clearance::Kind::undecided, {}, {}};
-  const PlaneVector centre = near_rational(PlaneVector{record.centre[0] - item_.centre[0],
-                                                       record.centre[1] - item_.centre[1]});
+  const PlaneVector centre = near_rational(
+      PlaneVector{record.centre[0] - item_.centre[0], record.centre[1] - item_.centre[1]});
   region::LevelMotion arc;
   arc.is_arc = true;
   arc.from = {from.p, from.q};

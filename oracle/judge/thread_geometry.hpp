@@ -17,6 +17,9 @@ class ThreadGeometry {
 
   const reference::ThreadMilling& item() const { return item_; }
   const JudgeTerms& terms() const { return terms_; }
+  // For what begins where the subject's helix ends, which may be off by the tolerance at either of
+  // the points that fix it.
+  const JudgeTerms& loose_terms() const { return loose_; }
   const reference::PlaneAxes& axes() const { return axes_; }
 
   // Over the R plane, positive away from the bottom.
@@ -49,6 +52,7 @@ class ThreadGeometry {
 
   const reference::ThreadMilling& item_;
   const JudgeTerms& terms_;
+  JudgeTerms loose_;
   reference::PlaneAxes axes_;
   int up_;  // sign of d from the bottom to the R plane
 };

@@ -105,8 +105,8 @@ OpenPathAnswer ThreadJudge::take_entry(const Motion& motion) {
   }
   if (geometry_.is_above(motion.to())) {
     const bool missing = !entry_.has_begun();
-    return fault(VerdictKind::fail_geometry,
-                 missing ? "GSK-G114-04"_clause : "GSK-G114-10"_clause, motion,
+    return fault(VerdictKind::fail_geometry, missing ? "GSK-G114-04"_clause : "GSK-G114-10"_clause,
+                 motion,
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
@@ -160,8 +160,8 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
     helix_ = open_->take_done();
     open_.emplace();
     line_.reset();
-    run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(), allowed_run_outs(run_outs_),
-                     allowed_run_outs({}));
+    run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(),
+                     allowed_run_outs(run_outs_), allowed_run_outs({}));
     phase_ = Phase::run_out;
   }
   return result;
@@ -235,7 +235,7 @@ OpenPathAnswer ThreadJudge::take_away(const Motion& motion) {
   if (!safe) return not_away(motion);
   if (last) return take_after_last(motion);
   pass_ += 1;
-  begin_pass(motion.from);
+  begin_pass(position_);
   return take_entry(motion);
 }
 

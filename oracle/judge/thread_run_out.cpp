@@ -58,15 +58,11 @@ ThreadRunOutJudge::ThreadRunOutJudge(const ThreadGeometry& geometry, const Numbe
     : geometry_(geometry),
       helix_(helix),
       to_end_(to_end),
-      loose_(geometry.terms()),
       radius_(geometry.item().radius_of_pass(pass)),
       from_(from),
       allowed_(allowed),
       named_(named),
-      left_(allowed) {
-  // The end of the helix may be off by the tolerance at either of the points that fix it.
-  loose_.tolerance = loose_.tolerance * 3;
-}
+      left_(allowed) {}
 
 Similarity ThreadRunOutJudge::map_of(ThreadRunOut run_out) const {
   return run_out_map(geometry_.item(), radius_, to_end_, run_out);
@@ -100,23 +96,24 @@ bool ThreadRunOutJudge::take(const Motion& flat) {
 }
 
 bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
-  Line& line = lines_[place_of(run_out)];
-  if (line.departed || flat.record.kind != RecordKind::feed) return false;
-  if (!line.match) {
-    line.want = line_to(run_out);
-    line.want.record.block = flat.record.block;
-    line.match.emplace(line.want, loose_);
+  const std::size_t place = place_of(run_out);
+  if (off_line_[place] || flat.record.kind != RecordKind::feed) return false;
+  std::optional<Line>& line = lines_[place];
+  if (!line) {
+    Motion want = line_to(run_out);
+    want.record.block = flat.record.block;
+    line.emplace(std::move(want), geometry_.loose_terms());
   }
-  const MatchResult result = line.match->match(flat);
+  const MatchResult result = line->match.match(flat);
   // The feed is held to the text by the judge of the thread.
-  line.departed = result.departure != Departure::none && result.departure != Departure::feed;
-  return !line.departed;
+  off_line_[place] = result.departure != Departure::none && result.departure != Departure::feed;
+  return !off_line_[place];
 }
 
 // One arc in pieces, chords of one, or a straight line.
 bool ThreadRunOutJudge::take_polar(const Motion& flat) {
   if (flat.record.kind == RecordKind::arc) return take_arc(flat);
-  const bool chord = loose_.chord.sign() > 0 && !arc_ && chords_.size() < kMostChords;
+  const bool chord = geometry_.terms().chord.sign() > 0 && !arc_ && chords_.size() < kMostChords;
   if (chord) chords_.push_back(near_rational(geometry_.from_axis(flat.to())));
   arc_departed_ = arc_departed_ || !chord;
   return take_line(ThreadRunOut::polar, flat) || chord;
@@ -124,14 +121,15 @@ bool ThreadRunOutJudge::take_polar(const Motion& flat) {
 
 bool ThreadRunOutJudge::take_arc(const Motion& arc) {
   const Record& record = arc.record;
-  lines_[place_of(ThreadRunOut::polar)].departed = true;
+  off_line_[place_of(ThreadRunOut::polar)] = true;
   if (chords_.size() > 1 || record.plane != geometry_.item().plane) arc_departed_ = true;
   if (!arc_) arc_ = record;
   swept_ += approximate_turns(arc);
+  const Number& apart = geometry_.loose_terms().tolerance;
   constexpr double kEstimate = 1e-6;
   const bool goes_on = std::abs(record.rot) == 1 && (record.rot < 0) == (arc_->rot < 0) &&
-                       agree(record.centre[0], arc_->centre[0], loose_.tolerance) &&
-                       agree(record.centre[1], arc_->centre[1], loose_.tolerance);
+                       agree(record.centre[0], arc_->centre[0], apart) &&
+                       agree(record.centre[1], arc_->centre[1], apart);
   if (!goes_on || swept_ > 1 + kEstimate || bulges(arc)) arc_departed_ = true;
   return !arc_departed_;
 }
@@ -152,10 +150,10 @@ RunOutSet ThreadRunOutJudge::ending_at(const Position& here) const {
   std::optional<exact::Undecided> undecided;
   for (const ThreadRunOut each : kRunOuts) {
     if (!left_.has(each)) continue;
-    const bool by_chords = each == ThreadRunOut::polar && begun_ && !arc_ &&
-                           lines_[place_of(each)].departed;
+    const bool by_chords =
+        each == ThreadRunOut::polar && begun_ && !arc_ && off_line_[place_of(each)];
     if (by_chords && !are_chords_of_an_arc(chords_, geometry_.terms().tolerance * 2,
-                                           loose_.tolerance + loose_.chord)) {
+                                           geometry_.terms().tolerance + geometry_.terms().chord)) {
       continue;
     }
     try {

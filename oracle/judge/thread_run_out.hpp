@@ -15,8 +15,8 @@
 namespace gonogo::oracle {
 
 using reference::ThreadRunOut;
-inline constexpr std::array<ThreadRunOut, 3> kRunOuts = {
-    ThreadRunOut::polar, ThreadRunOut::radial, ThreadRunOut::tangent};
+inline constexpr std::array<ThreadRunOut, 3> kRunOuts = {ThreadRunOut::polar, ThreadRunOut::radial,
+                                                         ThreadRunOut::tangent};
 
 // Which of the named run-outs explain all passes so far: one holds for a whole program.
 class RunOutSet {
@@ -42,8 +42,8 @@ class RunOutSet {
 class ThreadRunOutJudge {
  public:
   // `helix` has been followed to `from`, `to_end` leads from its start to its end; these and
-  // `geometry` outlive the judge. `allowed`: of those that the reading names, what the passes before
-  // have left.
+  // `geometry` outlive the judge. `allowed`: of those that the reading names, what the passes
+  // before have left.
   ThreadRunOutJudge(const ThreadGeometry& geometry, const Number& pass, const OpenHelix& helix,
                     const Similarity& to_end, const Position& from, const RunOutSet& allowed,
                     const RunOutSet& named);
@@ -62,8 +62,8 @@ class ThreadRunOutJudge {
   double swept() const { return swept_; }
   // How far along an axis a point is from the nearest of their ends.
   Number distance_from_end(const Position& here) const;
-  // Whether all that the reading names cut deeper than the pass itself, or leave J behind in the material: then
-  // no path is right.
+  // J-THR-11: whether all that the reading names cut deeper than the pass itself, or leave J behind
+  // in the material: then no path is right.
   bool all_cut_deeper() const;
   bool all_end_in_material() const;
 
@@ -81,8 +81,7 @@ class ThreadRunOutJudge {
   const ThreadGeometry& geometry_;
   const OpenHelix& helix_;
   const Similarity& to_end_;
-  JudgeTerms loose_;  // for what begins where the subject's helix ends
-  Number radius_;     // of the pass
+  Number radius_;  // of the pass
   Position from_;
   RunOutSet allowed_;
   RunOutSet named_;
@@ -90,11 +89,13 @@ class ThreadRunOutJudge {
   bool begun_ = false;
 
   struct Line {
+    Line(Motion motion, const JudgeTerms& terms) : want(std::move(motion)), match(want, terms) {}
+    Line(const Line&) = delete;
     Motion want;
-    std::optional<CurveMatch> match;
-    bool departed = false;
+    CurveMatch match;
   };
-  std::array<Line, 3> lines_;
+  std::array<std::optional<Line>, 3> lines_;
+  std::array<bool, 3> off_line_ = {};
   // Of the polar run-out as an arc.
   std::optional<Record> arc_;  // its first piece
   double swept_ = 0;           // in turns; an estimate

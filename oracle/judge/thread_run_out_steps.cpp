@@ -55,8 +55,7 @@ OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const bool falls = rise < geometry_.height_over_bottom(motion.from) - terms_.tolerance;
   if (falls || geometry_.is_above(motion.to())) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
-                 falls ? "The run-out goes down again."
-                       : "The run-out rises beyond the R plane.");
+                 falls ? "The run-out goes down again." : "The run-out rises beyond the R plane.");
   }
   // A run-out that rises is judged by its part in the plane.
   Motion flat = motion;

@@ -175,7 +175,8 @@ inline std::vector<Reading> gsk988ta_readings() {
        true,
        false,
        "GSK-G114-06"_clause,
-       "entry, infeed and the way between the passes: judged step by step by what the text fixes, or "
+       "entry, infeed and the way between the passes: judged step by step by what the text fixes, "
+       "or "
        "one given path"},
       {ReadingKey::thread_runout,
        "gsk.thread.runout",

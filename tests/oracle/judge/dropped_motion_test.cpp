@@ -25,10 +25,10 @@ TEST(DroppedMotions, OfTheReferenceAreExactWhereTheSubjectKeepsThem) {
            // An arc before a thread, a traverse to the first level of a pocket or to a helix.
            Program{"gsk988ta", "G17 Y0.002 F1\nG02 U0.002 R1\nG116 U0 Y0.002 W1 I1 E5 P1 D1 J0\n"},
            Program{"gsk988ta",
-                   "F1\nG18 G116 Z0.002 X0 V1 I1 E0.016 P0.001 D0.003 J0.001\n"
+                   "F1\nG18 G116 Z0.002 X0 V1 I1 E0.016 P0.001 D0.003 J0.001 K0\n"
                    "G110 Z-0.001 U0 V0.001 I2 L1 Q1 D1\n"},
            Program{"gsk988ta",
-                   "F1\nG18 G116 Z0.001 X33.5 V-1.974 I0.718 E0.009 P0.001 D0.002 J0.002\n"
+                   "F1\nG18 G116 Z0.001 X33.5 V-1.974 I0.718 E0.009 P0.001 D0.002 J0.002 K0\n"
                    "G113 Z0 U0 V-0.001 I4.703 D0.003\n"},
            // The second arc is too small to see and ends beside the end of the third.
            Program{"rs274",

@@ -210,7 +210,7 @@ inline void expect_go(const Thread& thread, const Judging& judging = {}) {
 
 // `says`: a part of the message, which names the defect.
 inline void expect_no_go(const Thread& thread, std::string_view clause, std::string_view says,
-                  const Judging& judging = {}) {
+                         const Judging& judging = {}) {
   const Verdict verdict = judge(thread, judging);
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
   EXPECT_EQ(reference::clause_name(verdict.clause), clause) << verdict.message;

@@ -119,12 +119,12 @@ TEST(ThreadJudge, RoundedPointsAreGoAtAnyAngle) {
 
 // What `expand` shows is one of the admissible paths, with its numbers as they are.
 TEST(ThreadJudge, ThePathThatExpandShowsIsGo) {
-  for (const char* block :
-       {"G114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900",
-        "G115 X0 Z0 V-18 R-5 I5 J2 K30 E30 P1 D3 F900",
-        "G116 X70 Z70 V-20 R-5 I5 J2 K30 E15 P1 Q0.5 D3 F900",
-        "G117 X70 Z70 V-17.3 R-5 I1.7 J2 K41 E15 P1 Q0.3 D3 F900",
-        "G114 X0 Z0 V-20 I5 J0 E30 P1 Q0.5 D3 F900", "G17 G114 X0 Y0 Z-3 R-1 I2 J3 K45 E9 P2 D3 F9"}) {
+  for (const char* block : {"G114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900",
+                            "G115 X0 Z0 V-18 R-5 I5 J2 K30 E30 P1 D3 F900",
+                            "G116 X70 Z70 V-20 R-5 I5 J2 K30 E15 P1 Q0.5 D3 F900",
+                            "G117 X70 Z70 V-17.3 R-5 I1.7 J2 K41 E15 P1 Q0.3 D3 F900",
+                            "G114 X0 Z0 V-20 I5 J0 E30 P1 Q0.5 D3 F900",
+                            "G17 G114 X0 Y0 Z-3 R-1 I2 J3 K45 E9 P2 D3 F9"}) {
     for (const char* reading : {"gsk.thread.runout=any", "gsk.thread.runout=polar",
                                 "gsk.thread.runout=radial", "gsk.thread.path=arc"}) {
       reference::Profile profile;

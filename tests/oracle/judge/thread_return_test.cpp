@@ -40,8 +40,10 @@ Verdict home(TraceText trace) {
 }
 
 TEST(ThreadReturn, TheTraverseAlongTheDepthAxisIsGo) {
-  EXPECT_EQ(decision(home(to_the_run_out().rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}})).kind),
-            Decision::go);
+  EXPECT_EQ(
+      decision(
+          home(to_the_run_out().rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}})).kind),
+      Decision::go);
 }
 
 // A quarter of a turn goes down by 1.25; the ring there would cut a groove.
@@ -57,9 +59,11 @@ TEST(ThreadReturn, ARingWithinTheHelixIsNoGo) {
 }
 
 TEST(ThreadReturn, ADiveBelowTheBottomIsNoGo) {
-  const Verdict verdict =
-      home(
-      to_the_run_out().rapid({{'y', -40}}).rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}}));
+  const Verdict verdict = home(to_the_run_out()
+                                   .rapid({{'y', -40}})
+                                   .rapid({{'y', 15}})
+                                   .rapid({{'z', 20}})
+                                   .rapid({{'y', 20}}));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G114-10");
 }

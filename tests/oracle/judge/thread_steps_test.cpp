@@ -56,21 +56,29 @@ TEST(ThreadSteps, ThePathThatExpandShowsIsGo) {
 }
 
 TEST(ThreadSteps, ATraverseStraightToThePassRadiusIsNoGo) {
-  is_no_go({.entry = kNothing, .infeed = [](TraceText& t) { t.rapid({{'z', 17}}); }},
+  is_no_go({.entry = kNothing,
+            .infeed =
+                [](TraceText& t) {
+                  t.rapid({{'z', 17}});
+                }},
            "entry arc is missing");
 }
 
 TEST(ThreadSteps, AMissingEntryArcIsNoGo) {
   is_no_go({.entry = kNothing}, "entry arc is missing");
-  is_no_go({.entry = [](TraceText& t) { t.feed({{'x', 5}}).feed({{'z', 18}, {'x', 0}}); }},
+  is_no_go({.entry =
+                [](TraceText& t) {
+                  t.feed({{'x', 5}}).feed({{'z', 18}, {'x', 0}});
+                }},
            "entry is no arc");
 }
 
 TEST(ThreadSteps, AMissingInfeedIsNoGo) {
   // The arc leads straight to the radius of the pass.
-  is_no_go({.entry = [](TraceText& t) {
-              t.arc("G18", {{'z', 8.5}, {'x', 0}}, -1, {{'z', 17}, {'x', 0}});
-            },
+  is_no_go({.entry =
+                [](TraceText& t) {
+                  t.arc("G18", {{'z', 8.5}, {'x', 0}}, -1, {{'z', 17}, {'x', 0}});
+                },
             .infeed = kNothing},
            "infeed is missing");
 }
@@ -148,7 +156,9 @@ TEST(ThreadSteps, AHelixInPiecesIsGo) {
       for (int i = 1; i <= pieces; ++i) {
         const double angle = -2 * std::numbers::pi * 4 * i / pieces;
         t.arc("G18", {{'z', 0}, {'x', 0}}, -1,
-              {{'z', 17 * std::cos(angle)}, {'x', 17 * std::sin(angle)}, {'y', 15 - 20.0 * i / pieces}});
+              {{'z', 17 * std::cos(angle)},
+               {'x', 17 * std::sin(angle)},
+               {'y', 15 - 20.0 * i / pieces}});
       }
     }});
   }
@@ -167,8 +177,9 @@ TEST(ThreadSteps, StepsInManyPiecesAreNoOverrun) {
   path.helix = [](TraceText& t) {
     for (int i = 1; i <= 5000; ++i) {
       const double angle = -2 * std::numbers::pi * 4 * i / 5000;
-      t.arc("G18", {{'z', 0}, {'x', 0}}, -1,
-            {{'z', 17 * std::cos(angle)}, {'x', 17 * std::sin(angle)}, {'y', 15 - 20.0 * i / 5000}});
+      t.arc(
+          "G18", {{'z', 0}, {'x', 0}}, -1,
+          {{'z', 17 * std::cos(angle)}, {'x', 17 * std::sin(angle)}, {'y', 15 - 20.0 * i / 5000}});
     }
   };
   path.away = [](TraceText& t) { t.rapid({{'z', 20}}); };
@@ -210,7 +221,10 @@ TEST(ThreadSteps, ALeftHandThreadOnTheWayBackIsNoGo) {
 // J 0.2 is below the pass depth of 1: the rings at 17.2 cut the crests between 17 and 18.
 TEST(ThreadSteps, RingsAtHalfHeightAreNoGo) {
   is_no_go({.words = "J0.2 K0",
-            .run_out = [](TraceText& t) { t.feed({{'z', 17.2}}); },
+            .run_out =
+                [](TraceText& t) {
+                  t.feed({{'z', 17.2}});
+                },
             .way_back =
                 [](TraceText& t) {
                   t.rapid({{'y', 5}});
@@ -221,16 +235,29 @@ TEST(ThreadSteps, RingsAtHalfHeightAreNoGo) {
 }
 
 TEST(ThreadSteps, AWayBackBesideTheDepthAxisIsNoGo) {
-  is_no_go({.way_back = [](TraceText& t) { t.rapid({{'z', 30}, {'y', 15}}); }},
+  is_no_go({.way_back =
+                [](TraceText& t) {
+                  t.rapid({{'z', 30}, {'y', 15}});
+                }},
            "along the depth axis alone");
-  is_no_go({.way_back = [](TraceText& t) { t.rapid({{'y', 10}}).rapid({{'y', 5}}).rapid({{'y', 15}}); }},
+  is_no_go({.way_back =
+                [](TraceText& t) {
+                  t.rapid({{'y', 10}}).rapid({{'y', 5}}).rapid({{'y', 15}});
+                }},
            "goes down again");
 }
 
 // With J below the pass depth the way back passes the crests: the text orders it.
 TEST(ThreadSteps, AWayBackThroughTheCrestsIsGoWhereJIsSmall) {
-  is_go({.words = "J0.2 K0", .run_out = [](TraceText& t) { t.feed({{'z', 17.2}}); },
-         .away = [](TraceText& t) { t.rapid({{'z', 18.2}}); }});
+  is_go({.words = "J0.2 K0",
+         .run_out =
+             [](TraceText& t) {
+               t.feed({{'z', 17.2}});
+             },
+         .away =
+             [](TraceText& t) {
+               t.rapid({{'z', 18.2}});
+             }});
   is_go({.words = "J0", .run_out = kNothing, .away = [](TraceText& t) { t.rapid({{'z', 18}}); }});
 }
 
