@@ -6,8 +6,7 @@
 namespace gonogo::reference::gsk988ta {
 
 void BlockContext::need_feed() {
-  // GSK-COM-08: that one below zero is none, no text says.
-  BlockBase::need_feed(machine.feed.sign() < 0 ? "GSK-COM-08"_clause : "GSK-COM-04"_clause);
+  BlockBase::need_feed("GSK-COM-04"_clause);
 }
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {

@@ -13,8 +13,7 @@ void BlockContext::need_feed() {
       is_cycle(machine.motion) ? machine.command.feed.value_or(0) : machine.plain_feed;
   const bool same = own == machine.latest_feed;
   machine.feed = same || readings.is(ReadingKey::hnc_modal_f, "feed") ? machine.latest_feed : own;
-  // HNC-COM-04: that one below zero is none, no text says.
-  BlockBase::need_feed(machine.feed.sign() < 0 ? "HNC-COM-04"_clause : "HNC-COM-01"_clause);
+  BlockBase::need_feed("HNC-COM-01"_clause);
 }
 
 Number BlockContext::offset(Axis axis) const {
