@@ -111,12 +111,6 @@ TEST(NgcModes, M2AndM30EndTheProgram) {
   EXPECT_EQ(path("G0 X1\nM30\nX2"), Lines{"rapid x1"});
 }
 
-TEST(NgcModes, ATapeMarkBehindTheFirstBlockEndsTheProgram) {
-  EXPECT_EQ(path("%\nG0 X1\n%\nX2"), Lines{"rapid x1"});
-  EXPECT_EQ(path("G0 X1\n%\nX2"), Lines{"rapid x1"});
-  EXPECT_EQ(path("%\n(head)\n\nN5\n%\nG0 X1"), Lines{"rapid x1"});
-}
-
 TEST(NgcModes, ASlashRunsUnlessBlocksAreSkipped) {
   EXPECT_EQ(path("/G0 X1"), Lines{"rapid x1"});
   Profile profile = ngc();
