@@ -170,6 +170,7 @@ std::string RunScope::skips() const {
   return text;
 }
 
+// J-RUN-01.
 std::string RunScope::head(std::string_view decision) const {
   const std::string features = judged_features(std::numeric_limits<std::size_t>::max());
   std::string text(decision);

@@ -202,6 +202,7 @@ SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& 
   return end.sampled->judge(assigned, program_, terms_, end);
 }
 
+// J-ALM-08.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   const auto rank = [](const SampledVerdict& said) {
     switch (decision(said.verdict.kind)) {
