@@ -30,6 +30,8 @@ std::string_view sentence(region::Rule rule) {
       return "The step between the tool's paths is too wide.";
     case region::Rule::sense:
       return "An arc of the level turns the wrong way.";
+    case region::Rule::order:
+      return "The tool cuts through solid material for more than the step.";
   }
   return "";
 }
@@ -118,7 +120,7 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
 namespace {
 
 region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge,
-                                const Number& tolerance) {
+                                const JudgeTerms& terms) {
   region::CircularLevel circle;
   circle.centre = {level.centre[0], level.centre[1]};
   circle.pocket_radius = level.pocket_radius;
@@ -126,7 +128,8 @@ region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge
   circle.step = level.step;
   circle.sense = level.sense;
   circle.plunge = plane_point(plunge, axes_of(level.plane));
-  circle.tolerance = tolerance;
+  circle.tolerance = terms.tolerance;
+  circle.chord = terms.chord;
   return circle;
 }
 
@@ -174,7 +177,7 @@ void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) 
                        agree(last_level_->depth, level.depth, terms_.tolerance);
   if (!known && !cleared) {
     const region::LevelVerdict answer =
-        region::judge_level(circle_of(level, plunge_, terms_.tolerance), level_motions_);
+        region::judge_level(circle_of(level, plunge_, terms_), level_motions_);
     if (answer.kind == region::LevelVerdict::Kind::gap) return decide_gap(answer.gap);
     if (answer.kind == region::LevelVerdict::Kind::no_go) {
       return decide(level_fault(level, answer.finding.value(), here));

@@ -102,6 +102,7 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   level.plunge = plunge_;
   level.tolerance = terms_.tolerance;
   level.slack = slack_;
+  level.chord = terms_.chord;
   return level;
 }
 
