@@ -13,6 +13,7 @@ using reference::axes_of;
 using reference::kAllAxes;
 using reference::PlaneAxes;
 using reference::PocketLevel;
+using reference::operator""_clause;
 
 namespace {
 
@@ -144,7 +145,7 @@ Verdict ProgramJudge::level_fault(const PocketLevel& level, const region::Findin
   witness[axes.d] = level.depth;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_region;
-  verdict.clause = level.clause;
+  verdict.clause = finding.rule == region::Rule::order ? "GSK-CYC-02"_clause : level.clause;
   verdict.block = level.block;
   verdict.record = finding.record;
   verdict.want = level_text(level);

@@ -18,14 +18,24 @@ constexpr double kShortestPart = 1e-7;
 // Proofs tried before the search for a witness is given up.
 constexpr int kMaximumProofs = 24;
 
+// For a reach that is less by so much.
+Band narrowed(Band band, Interval by) {
+  band.outer = band.outer - by;
+  band.inner = band.inner + by;
+  band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
+  band.outer2 = square(band.outer);
+  return band;
+}
+
 bool is_at_most_quarter(const Stretch& stretch) {
   return stretch.turns == 0 && !stretch.wide && dot(stretch.ua, stretch.ub).lo >= 0;
 }
 
 }  // namespace
 
-CutSequence::CutSequence(const PlanePoint& plunge, const Number& reach, double width)
-    : plunge_(enclose(plunge)), reach_(enclose(reach)), width_(width) {
+CutSequence::CutSequence(const PlanePoint& plunge, const Number& step, const Number& reach,
+                         double width)
+    : plunge_(enclose(plunge)), step_(enclose(step)), reach_(enclose(reach)), width_(width) {
   bands_.push_back(disc_about(plunge_, reach_));
 }
 
@@ -117,6 +127,8 @@ class OrderCheck {
   std::optional<CutOrder> refute(std::size_t unit, const Part& part);
   bool is_supported(std::size_t unit, const Part& part);
   bool seems_supported(std::size_t unit, const IntervalVector& at) const;
+  bool is_supported_nearer(std::size_t unit, const Piece& piece, const IntervalVector& middle,
+                           Interval size) const;
   std::int64_t last_support(std::size_t unit, const IntervalVector& at, Interval size) const;
   bool lies_in(const Piece& piece, std::size_t band) const;
   Piece piece_of(const CutUnit& unit, const Part& part) const;
@@ -203,6 +215,23 @@ bool OrderCheck::is_supported(std::size_t unit, const Part& part) {
     remember(unit, band, recent_.size());
     return true;
   }
+  const bool is_small = size * 16 < path_.reach_.lo;
+  return whole_unit.clears && is_small &&
+         is_supported_nearer(unit, piece, middle, {size, above(size)});
+}
+
+// The same for a smaller reach. Where the path was out of the larger one only just, or not quite,
+// it was out of the smaller one.
+bool OrderCheck::is_supported_nearer(std::size_t unit, const Piece& piece,
+                                     const IntervalVector& middle, Interval size) const {
+  const Interval half{0.5, 0.5};
+  const Interval less = half * (path_.reach_ - path_.step_);
+  const std::int64_t last = stations_.last_beyond(unit, middle, path_.reach_ - less + size);
+  for (const std::uint32_t index : grid_.near(middle.x.middle(), middle.y.middle())) {
+    if (index == 0 || static_cast<std::int64_t>(bands_[index].unit) > last) continue;
+    const Band band = narrowed(bands_[index], less);
+    if (std::visit([&](const auto& curve) { return lies_inside(curve, band); }, piece)) return true;
+  }
   return false;
 }
 
@@ -236,8 +265,8 @@ std::optional<CutOrder> OrderCheck::refute(std::size_t unit, const Part& part) {
       behind.ub = whole_unit.stretch.ub;
       behind.rb = whole_unit.stretch.rb;
     }
-    const auto distance =
-        distance_from_support(units_, unit, behind, upto.to, {path_.plunge_, path_.reach_});
+    const auto distance = distance_from_support(units_, unit, behind, upto.to,
+                                                {path_.plunge_, path_.step_, path_.reach_});
     if (!distance || (best && best->distance >= to_number(*distance))) continue;
     best.emplace();
     best->kind = CutOrder::Kind::broken;

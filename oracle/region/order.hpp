@@ -3,10 +3,10 @@
 // J-PKT-05: the order in which a level is cut (GSK-CYC-02): from the plunge outwards, each place
 // within reach of what was cut before it.
 //
-// A place of the path is supported when it lies within reach of the plunge; on a link, when it lies
-// within reach of an arc made before the link; on an arc, when it lies within reach of a place of
-// an arc, and the path has been out of that reach since: the groove behind the tool supports
-// nothing.
+// The reach is the step and what places may be off. A place of the path is supported when it lies
+// within reach of the plunge; on a link, when it lies within reach of an arc made before the link;
+// on an arc, when it lies within reach of a place of an arc, and the path has since been farther
+// off than that place and than the step: the groove behind the tool supports nothing.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ struct CutOrder {
 class CutSequence {
  public:
   // `width`: how finely the bands of spirals are cut.
-  CutSequence(const PlanePoint& plunge, const Number& reach, double width);
+  CutSequence(const PlanePoint& plunge, const Number& step, const Number& reach, double width);
 
   void add(const Arc& arc, bool counterclockwise);
   void add_line(const Line& line, bool clears, std::size_t record);
@@ -57,6 +57,7 @@ class CutSequence {
   void own_bands(std::size_t first);
 
   IntervalVector plunge_;
+  Interval step_;
   Interval reach_;
   double width_;
   std::vector<CutUnit> units_;

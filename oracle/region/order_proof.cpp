@@ -12,7 +12,8 @@ constexpr Interval kTwo{2, 2};
 
 class Proof {
  public:
-  Proof(const IntervalVector& at, Interval reach) : at_(at), reach_(reach) {}
+  Proof(const IntervalVector& at, const Support& support)
+      : at_(at), step_(support.step), reach_(support.reach) {}
 
   // The distance of the place from all points of a stretch of a unit of an arc, or of a line.
   Interval distance(const CutUnit& unit, const Stretch& stretch) const {
@@ -54,8 +55,9 @@ class Proof {
   }
 
   IntervalVector at_;
+  Interval step_;
   Interval reach_;
-  bool was_out_ = false;  // the path may have been out of reach since what comes now
+  bool was_out_ = false;  // the path may have been farther off than the step since what comes now
   double least_ = std::numeric_limits<double>::infinity();
 };
 
@@ -75,14 +77,15 @@ bool Proof::approaches(const CutUnit& unit, const Stretch& stretch) const {
   return unit.counterclockwise ? growth.hi < 0 : growth.lo > 0;
 }
 
-// Backwards in time. What is within reach supports the place once the path was out since.
+// Backwards in time. What is within reach supports the place once the path was farther off since;
+// where it only comes nearer, it was not.
 bool Proof::take(const CutUnit& unit, const Stretch& stretch, int depth) {
   const Interval d = distance(unit, stretch);
   if (notes(d)) {
     was_out_ = true;
     return true;
   }
-  if (!was_out_ && d.hi <= reach_.lo) return true;
+  if (!was_out_ && d.hi <= step_.lo) return true;
   if (!was_out_ && approaches(unit, stretch)) {
     was_out_ = true;
     return true;
@@ -96,7 +99,7 @@ bool Proof::take(const CutUnit& unit, const Stretch& stretch, int depth) {
 bool Proof::take_line(const CutUnit& unit) {
   const Interval d = distance_to_line(unit);
   if (!unit.clears) {
-    was_out_ = was_out_ || !(d.hi <= reach_.lo);
+    was_out_ = was_out_ || !(d.hi <= step_.lo);
     return true;
   }
   if (notes(d)) {
@@ -104,7 +107,7 @@ bool Proof::take_line(const CutUnit& unit) {
     return true;
   }
   if (was_out_) return false;
-  if (d.hi <= reach_.lo) return true;
+  if (d.hi <= step_.lo) return true;
   was_out_ = true;
   return approaches_on_line(unit);
 }
@@ -121,7 +124,7 @@ bool Proof::is_out(const CutUnit& unit, const Stretch& stretch, int depth) {
 std::optional<double> distance_from_support(std::span<const CutUnit> units, std::size_t unit,
                                             const Stretch& behind, const IntervalVector& at,
                                             const Support& support) {
-  Proof proof(at, support.reach);
+  Proof proof(at, support);
   if (!proof.notes(norm(at - support.plunge))) return std::nullopt;
   const CutUnit& own = units[unit];
   if (own.clears) {

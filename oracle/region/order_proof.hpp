@@ -13,6 +13,7 @@ namespace gonogo::oracle::region {
 
 struct Support {
   IntervalVector plunge;
+  Interval step;
   Interval reach;
 };
 

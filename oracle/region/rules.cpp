@@ -108,7 +108,8 @@ LevelVerdict LevelJudge::judge() {
     // J-PKT-05: two places, each off by the tolerance on both axes, are 2 sqrt(2) of it farther
     // apart than they should be, and chords each run so far inside of their arcs.
     const Number reach = *terms_.step + Number(3) * terms_.tolerance + Number(2) * terms_.chord;
-    sequence_.emplace(terms_.plunge - terms_.middle, reach, enclose(terms_.tolerance).lo / 8);
+    sequence_.emplace(terms_.plunge - terms_.middle, *terms_.step, reach,
+                      enclose(terms_.tolerance).lo / 8);
   }
   if (auto verdict = gouge()) return *verdict;
   path_.points.push_back(terms_.plunge - terms_.middle);

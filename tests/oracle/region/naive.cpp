@@ -144,6 +144,10 @@ std::vector<Sample> samples_of(const Job& job, double stride) {
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < job.motions.size(); ++i) {
     const LevelMotion& motion = job.motions[i];
+    // A leftover that may be a whole turn or nothing says nothing here.
+    const double ends = std::hypot(approximate(motion.to.p - motion.from.p),
+                                   approximate(motion.to.q - motion.from.q));
+    if (motion.is_arc && ends < 0.002 && !(motion.from == motion.to)) continue;
     const auto put = [&](double x, double y) { samples.push_back({x, y, motion.is_arc, i}); };
     if (motion.is_arc) {
       const PlainArc arc = plain(motion, job.level.centre);
@@ -170,17 +174,20 @@ std::vector<Sample> samples_of(const Job& job, double stride) {
 }
 
 // J-PKT-05 by its words: whether something supports the sample within the reach.
-bool is_supported(const std::vector<Sample>& samples, std::size_t which, double reach, double px,
-                  double py) {
+bool is_supported(const std::vector<Sample>& samples, std::size_t which, double reach,
+                  const CircularLevel& level) {
   const Sample& at = samples[which];
+  const double px = approximate(level.plunge.p - level.centre.p);
+  const double py = approximate(level.plunge.q - level.centre.q);
   if (std::hypot(at.x - px, at.y - py) <= reach) return true;
-  bool was_out = !at.clears;
+  const double step = approximate(level.step);
+  double farthest = at.clears ? 0 : 1e9;  // since
   for (std::size_t k = which; k-- > 0;) {
     const Sample& before = samples[k];
     if (!at.clears && before.motion == at.motion) continue;
-    const bool near = std::hypot(at.x - before.x, at.y - before.y) <= reach;
-    if (near && was_out && before.clears) return true;
-    was_out = was_out || !near;
+    const double apart = std::hypot(at.x - before.x, at.y - before.y);
+    if (before.clears && apart <= reach && farthest > std::max(step, apart + 1e-9)) return true;
+    farthest = std::max(farthest, apart);
   }
   return false;
 }
@@ -189,8 +196,6 @@ std::string flaw_of_disorder(const Job& job, const Finding& finding, double x, d
   const CircularLevel& level = job.level;
   const double reach = approximate(level.step + level.tolerance * Number(3));
   if (finding.deviation < level.tolerance * Number(3)) return "deviation is within the tolerance";
-  const double px = approximate(level.plunge.p - level.centre.p);
-  const double py = approximate(level.plunge.q - level.centre.q);
   const double stride = approximate(level.step) / 200;
   const std::vector<Sample> samples = samples_of(job, stride);
   std::size_t nearest = 0;
@@ -203,7 +208,7 @@ std::string flaw_of_disorder(const Job& job, const Finding& finding, double x, d
   }
   if (least > stride) return "not on the motion";
   // The sample lies beside the witness, and so do those beside what supports it.
-  if (is_supported(samples, nearest, reach - 2 * stride, px, py)) return "is supported";
+  if (is_supported(samples, nearest, reach - 2 * stride, level)) return "is supported";
   return {};
 }
 
@@ -211,14 +216,12 @@ std::string flaw_of_order(const Job& job) {
   const CircularLevel& level = job.level;
   const double stride = approximate(level.step) / 20;
   const double reach = approximate(level.step + level.tolerance * Number(3));
-  const double px = approximate(level.plunge.p - level.centre.p);
-  const double py = approximate(level.plunge.q - level.centre.q);
   const std::vector<Sample> samples = samples_of(job, stride);
   for (std::size_t k = 0; k < samples.size(); ++k) {
     // Rounded up to the next sample; a place just back within reach needs no more.
     const double slack = stride * stride / reach + 1e-6;
-    if (is_supported(samples, k, reach + slack, px, py)) continue;
-    if (is_supported(samples, k, reach + 2 * stride, px, py)) continue;
+    if (is_supported(samples, k, reach + slack, level)) continue;
+    if (is_supported(samples, k, reach + 2 * stride, level)) continue;
     return fmt::format("order: {}, {}", samples[k].x, samples[k].y);
   }
   return {};

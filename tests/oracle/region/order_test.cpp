@@ -169,5 +169,15 @@ RC_GTEST_PROP(CutOrderProperty, ThePermutationDecides, ()) {
   RC_ASSERT((sorted ? is_go(job) : breaks(Rule::order, job)));
 }
 
+// Where the first ring begins and ends is just as far from the second as the step: on one side of
+// that place the path has been away since, on the other it begins there.
+TEST(CutOrder, ARingThatBeginsAtTheStepFromTheOneBeforeIsGo) {
+  CircularLevel level = i16_l3_d4();
+  level.pocket_radius = mm("3.004") + level.tool_radius;
+  Job job{level, {}};
+  circle(job, mm("1.502"), {0, -1});
+  circle(job, mm("3.004"), {1, 0});
+  EXPECT_TRUE(is_go(job));
+}
 }  // namespace
 }  // namespace gonogo::oracle::region
