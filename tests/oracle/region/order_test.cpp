@@ -41,19 +41,6 @@ TEST(CutOrder, AnArcThroughSolidIsNoGo) {
   EXPECT_EQ(verdict.finding->record, 0U);
 }
 
-// Steps of 3 straight outwards, with a bit of an arc at each: none of them supports the next.
-TEST(CutOrder, ASlotInStepsWithBitsOfArcsIsNoGo) {
-  Job job{i16_l3_d4(), {}};
-  for (const int radius : {3, 6, 9, 12}) {
-    line_to(job, {radius, 0});
-    // A hundredth of a turn or less, clockwise: 0.28, 0.96 turned small by (1 - t^2, -2 t).
-    arc_to(job, {Number(radius) * mm("9999/10001"), Number(radius) * mm("-200/10001")}, {}, -1);
-  }
-  line_to(job, {0, 0});
-  for (const int radius : {3, 6, 9, 12}) circle(job, radius, {1, 0});
-  EXPECT_TRUE(breaks(Rule::order, job));
-}
-
 // A first ring of 0.3, as where the rest of the radius is milled first.
 TEST(CutOrder, ASmallFirstRingIsGo) {
   for (const char* first : {"0.001", "0.003", "0.01", "0.03", "0.3", "1.5", "2.9"}) {
