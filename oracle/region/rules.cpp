@@ -64,6 +64,7 @@ class LevelJudge {
 
  private:
   std::optional<LevelVerdict> sense();
+  std::optional<LevelVerdict> sense_of_pieces();
   std::optional<LevelVerdict> sense_of_chords();
   Against against(const LevelMotion& motion) const;
   bool is_against(const Arc& arc, bool counterclockwise) const {
@@ -160,12 +161,34 @@ std::optional<LevelVerdict> LevelJudge::sense() {
     }
     return broken(Rule::sense, motion.record, motion.from, Number());
   }
+  if (terms_.by_border) return sense_of_pieces();
   return terms_.chord.sign() > 0 ? sense_of_chords() : std::nullopt;
+}
+
+// J-PKT-06: straight pieces that run along the border one after the other, as one.
+std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
+  std::optional<PlanePoint> start;
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const LevelMotion& motion = motions_[i];
+    if (!motion.is_arc && motion.from == motion.to) continue;
+    const BorderSense& border = is_chord(i) ? *along_chords_ : surely_;
+    if (motion.is_arc || !border.runs_along(make_line(motion.from, motion.to))) {
+      start.reset();
+      continue;
+    }
+    if (!start) start = motion.from;
+    const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
+    if (!length.is_long_enough(*start, motion.to)) continue;
+    if (length.goes_against(*start, motion.to)) {
+      return broken(Rule::sense, motion.record, motion.from, Number());
+    }
+    start = motion.to;
+  }
+  return std::nullopt;
 }
 
 // J-PKT-08
 std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
-  if (terms_.by_border) return std::nullopt;
   const ChordTurning turning =
       turning_of(motions_, chords_, terms_.sense, Number(8) * terms_.tolerance);
   if (turning.kind == Turning::undecided) doubt("Whether chords turn the wrong way is undecided.");
