@@ -82,6 +82,8 @@ constexpr std::array kDefaults = {
     Choice{"sie.infeed", "any"},
     Choice{"sie.infeed-from", "any"},
     Choice{"sie.initial-motion", "g1"},
+    Choice{"sie.lc75.r125-limit", "any"},
+    Choice{"sie.lcyc.unit", "any"},
     Choice{"sie.pocket.path", "any"},
     Choice{"sie.rpl-equals", "lenient"},
     Choice{"sie.spindle", "off"},

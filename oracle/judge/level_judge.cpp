@@ -13,6 +13,7 @@ using reference::axes_of;
 using reference::kAllAxes;
 using reference::PlaneAxes;
 using reference::PocketLevel;
+using reference::operator""_clause;
 
 namespace {
 
@@ -30,6 +31,8 @@ std::string_view sentence(region::Rule rule) {
       return "The step between the tool's paths is too wide.";
     case region::Rule::sense:
       return "An arc of the level turns the wrong way.";
+    case region::Rule::order:
+      return "The tool cuts through solid material for more than the step.";
   }
   return "";
 }
@@ -127,6 +130,7 @@ region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge
   circle.sense = level.sense;
   circle.plunge = plane_point(plunge, axes_of(level.plane));
   circle.tolerance = terms.level_tolerance();
+  circle.chord = terms.chord;
   return circle;
 }
 
@@ -141,7 +145,7 @@ Verdict ProgramJudge::level_fault(const PocketLevel& level, const region::Findin
   witness[axes.d] = level.depth;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_region;
-  verdict.clause = level.clause;
+  verdict.clause = finding.rule == region::Rule::order ? "GSK-CYC-02"_clause : level.clause;
   verdict.block = level.block;
   verdict.record = finding.record;
   verdict.want = level_text(level);

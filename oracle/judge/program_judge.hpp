@@ -13,6 +13,7 @@
 #include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "oracle/judge/progress.hpp"
 #include "oracle/judge/queue.hpp"
 #include "oracle/judge/record_budget.hpp"
 #include "oracle/judge/reference_stream.hpp"
@@ -47,6 +48,7 @@ class ProgramJudge {
 
  private:
   void decide_too_many(const Record& record);
+  bool makes_progress(const Motion& motion);
 
   // While the records of both sides are the same, in equal_steps.cpp. True when that was all.
   bool equal_record(const Record& record);
@@ -170,6 +172,7 @@ class ProgramJudge {
   ProgramInput input_;
   ReferenceStream reference_;
   RecordBudget budget_;
+  VisitedPlaces visited_;
 
   Position position_;              // where the subject stands
   Position anchor_;                // where its last motion that was kept ended

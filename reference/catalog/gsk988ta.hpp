@@ -325,6 +325,18 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Missing I L Q D is looked for in the entry block and in every block that mills; a block that "
      "mills nothing still takes its words in.",
      "reference/gsk988ta/g110.cpp"},
+    {"GSK-CYC-01",
+     derived,
+     kBasic,
+     "Inside the block of a cycle every motion is one that a clause of the cycle describes, within "
+     "what the clause leaves open; any other is none of the cycle.",
+     "reference/gsk988ta/milling.hpp",
+     {},
+     "the manual lists the motions of each cycle as its whole course"},
+    {"GSK-CYC-02", must, kG110,
+     "A level is cleared from the centre with the step L: the place first cut is the centre, and "
+     "each place is cut from material already removed within L of it.",
+     "reference/gsk988ta/g110.cpp"},
     {"GSK-MOD-03", open, kG110, "R and P of G110 to G113 hold for their block.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-MOD-04", open, kG114,

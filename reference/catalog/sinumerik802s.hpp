@@ -63,8 +63,8 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "plane or from the clearance above it.",
      "reference/sinumerik/lcyc75_levels.cpp"},
     {"SIE-LC75-07", must, kPockets,
-     "Finishing takes the contour alone when R124 is above zero and R125 is zero, else contour and "
-     "floor; its last level is R104.",
+     "Finishing takes the contour alone when R124 is above zero and R125 is zero: the floor is then "
+     "not milled. Else it takes contour and floor; its last level is R104.",
      "reference/sinumerik/lcyc75.cpp"},
     {"SIE-LC75-08", derived, kPockets,
      "Roughing clears the rectangle inset by R124, finishing the programmed one; a tool larger "
@@ -88,7 +88,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/lcyc75_path.cpp"},
     {"SIE-LC75-13", derived, kPockets,
      "The approach to R101 is one traverse from any height; between levels and at the end the tool "
-     "travels freely in what is cleared, and it ends at the centre at R101.",
+     "travels freely in what is cleared, never above R101, and it ends at the centre at R101.",
      "reference/sinumerik/lcyc75.cpp"},
 });
 

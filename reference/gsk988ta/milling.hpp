@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the milling cycles G110 to G117 have in common: where a block mills, and the words that
-// their modes retain.
+// their modes retain. GSK-CYC-01: what a cycle puts out is all that it does.
 #pragma once
 
 #include <span>

@@ -4,6 +4,21 @@
 #include <fmt/format.h>
 
 namespace gonogo::reference::sinumerik {
+namespace {
+
+// Whether R`number` of a cycle is a length.
+bool is_length(std::uint64_t number) {
+  return (number >= 101 && number <= 104) || (number >= 116 && number <= 121) || number == 124 ||
+         number == 125;
+}
+
+}  // namespace
+
+Number CycleCall::parameter(std::uint64_t number) const {
+  const Number& written = calculator.parameter(number);
+  if (!block.machine.modes.inch || !is_length(number) || written.sign() == 0) return written;
+  return block.readings.is(ReadingKey::sie_lcyc_unit, "inch") ? inches(written) : written;
+}
 
 grammar::Span CycleCall::where() const {
   grammar::Span where;

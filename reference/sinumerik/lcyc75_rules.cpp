@@ -97,6 +97,11 @@ void check_allowances(const CycleCall& call, const std::optional<Number>& radius
                          "The allowance R124 is not smaller than the tool.");
   }
   need_not_negative(call, 125);
+  if (radius && call.parameter(125) >= *radius * 2 &&
+      call.block.readings.is(ReadingKey::sie_lc75_r125_limit, "alarm")) {
+    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
+                         "The allowance R125 is not smaller than the tool.");
+  }
   const Number depth = call.parameter(103) - call.parameter(104);
   if (roughs(call) && depth.sign() > 0 && call.parameter(125) >= depth) {
     call.parameter_alarm(AlarmClass::allowance_too_large, kUnsaid, 125,
@@ -109,7 +114,7 @@ void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
   if (!radius || (!roughs(call) && !finishes(call))) return;
   const Number needs = roughs(call) ? *radius + call.parameter(124) : *radius;
   for (const std::uint64_t number : {118U, 119U}) {
-    const Number& size = call.parameter(number);
+    const Number size = call.parameter(number);
     if (size.sign() <= 0 || needs * 2 <= size) continue;
     call.parameter_alarm(AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
                          fmt::format("The tool does not fit into R{}.", number));
@@ -125,7 +130,7 @@ std::optional<Number> check_pocket(const CycleCall& call) {
   check_fit(call, radius);
   check_feeds(call);
   check_allowances(call, radius);
-  const Number& direction = call.parameter(126);
+  const Number direction = call.parameter(126);
   if (direction != Number(2) && direction != Number(3)) {
     call.parameter_alarm(AlarmClass::direction_parameter, kRanges, 126, "R126 is neither 2 nor 3.");
   }
