@@ -11,7 +11,7 @@
 
 namespace gonogo::oracle {
 
-// J-CONST-10: 10 times those of the reference and 1,000, of records that make no progress. The
+// J-CONST-05: 10 times those of the reference and 1,000, of records that make no progress. The
 // reference's are counted only as far as needed.
 class RecordBudget {
  public:
