@@ -112,8 +112,9 @@ RC_GTEST_PROP(GskThreadProperty, BelowTheRPlaneOnlyHelixRunOutAndRetractMove, ()
       // In a bore a J of more than the way to the other wall ends in it.
       const double j = static_cast<double>(thread.run_out) / 1000;
       const bool fits = j <= thread.surface() + thread.radius(pass);
-      RC_ASSERT(thread.internal ? radius < thread.surface() + kNear || !fits
-                                : radius > thread.surface() - kNear);
+      const bool free = thread.internal ? radius < thread.surface() + kNear || !fits
+                                        : radius > thread.surface() - kNear;
+      RC_ASSERT(free);
     }
   }
 }
