@@ -248,7 +248,9 @@ OpenPathAnswer ThreadJudge::take_after_last(const Motion& motion) {
   // Without block numbers the next block's traverse may be joined to the return.
   const bool to_initial =
       agree(motion.to()[axes_.d], item_.initial_plane, tau) || (!terms_.compare_blocks && rises);
-  if (geometry_.moves_depth_alone(motion) && to_initial && !at_initial) {
+  // In pieces, of which one was dropped, the last may be no motion that is seen.
+  const bool is_small = agree(motion.from, motion.to(), tau);
+  if ((geometry_.moves_depth_alone(motion) || is_small) && to_initial && !at_initial) {
     return OpenPathAnswer::end(motion.from);
   }
   if (is_below(motion.to())) {
