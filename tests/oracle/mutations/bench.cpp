@@ -13,7 +13,6 @@ using oracle::VerdictKind;
 
 namespace {
 
-constexpr std::size_t kMostRecords = 400;  // of a trace: its map takes time
 constexpr std::size_t kPrinted = 40;
 
 Verdict judge(const Specimen& specimen, const Trace& trace) {

@@ -142,6 +142,8 @@ class OpenPocketMilling : public OpenPart {
       return "a plunge beside the centre (SIE-LC75-04)";
     }
     if (motion.record->feed != pocket_.depth_feed) return "another feed in depth";
+    // Of a level that is the centre alone nothing shows that it was cleared.
+    if (std::max(half_length_, half_width_) <= 16 * margin.arc) return "";
     return lowest - to > infeed_ + margin.place ? "an infeed above R121 (SIE-LC75-05)" : "";
   }
 
