@@ -17,6 +17,7 @@ namespace {
 using Names = std::vector<std::string_view>;
 
 const Names kDialects = {"gsk988ta", "hnc21t", "sinumerik802s", "sinumerik840d", "rs274"};
+const Names kBases = {"text", "derived", "silent"};
 const Names kAlarms = {"syntax",
                        "undefined-code",
                        "duplicate-word",
@@ -133,7 +134,10 @@ void check_record(const Json& record) {
 }
 
 void check_expectation(const Json& expectation) {
-  need_keys(expectation, "An expectation", {"records"}, {"when", "alarm", "not_covered"});
+  need_keys(expectation, "An expectation", {"basis", "records"}, {"when", "alarm", "not_covered"});
+  if (!is_one_of(expectation.text_of("basis"), kBases)) {
+    throw Fault("The basis " + expectation.text_of("basis") + " is unknown.");
+  }
   for (const Json& record : expectation.member("records", Json::Kind::list).items) {
     check_record(record);
   }

@@ -79,22 +79,28 @@ void GskWriter::helix_block() {
 
 // J and K. Mostly far enough to clear the thread, and in a bore never so far that the tool would
 // meet the opposite wall. A straight run-out clears it only along the radius.
-void GskWriter::run_out_words(Words& words, std::int64_t height, std::int64_t room) {
+void GskWriter::run_out_words(Words& words, std::int64_t height, std::int64_t room, bool internal) {
   const bool straight = profile_.readings.is(ReadingKey::thread_runout, "radial") ||
                         profile_.readings.is(ReadingKey::thread_runout, "tangent");
-  // Without the word the profile's length holds, which the bore may be too small for.
-  const bool needed = straight || profile_.parameters.contains("5921");
-  if (needed || choices_.below(4) != 0) {
-    const std::int64_t clears = height + length(1);
-    const std::int64_t reach = !straight && choices_.one_in(3) ? length(3) : clears;
-    words.push_back(word('J', std::min(reach, room)));
-  }
+  // Without the word the profile's length holds, which the bore may be too small for; without
+  // either the thread is not covered.
+  const bool may_lack_length = !straight && !internal && profile_.parameters.contains("5921");
+  const bool has_length = !may_lack_length || choices_.below(4) != 0;
+  const std::int64_t clears = height + length(1);
+  const std::int64_t reach = !straight && choices_.one_in(3) ? length(3) : clears;
+  const bool no_run_out = !straight && choices_.one_in(6);
+  if (has_length) words.push_back(word('J', no_run_out ? 0 : std::min(reach, room)));
   if (straight) {
     words.push_back(profile_.readings.is(ReadingKey::thread_runout, "radial") ? "K0" : "K90");
-  } else if (choices_.below(3) != 0) {
+  } else if (choices_.below(3) != 0 || !may_lack_angle(has_length && no_run_out)) {
     const std::uint32_t angle = choices_.one_in(2) ? choices_.below(13) * 30 : choices_.below(362);
     words.push_back(fmt::format("K{}", angle));
   }
+}
+
+// The profile gives it, or nothing needs it.
+bool GskWriter::may_lack_angle(bool no_run_out) const {
+  return no_run_out || profile_.parameters.contains("5920");
 }
 
 void GskWriter::thread_block() {
@@ -126,7 +132,7 @@ void GskWriter::thread_block() {
   if (choices_.below(3) != 0) {
     words.push_back(word('Q', height / choices_.between(1, settings_.layers) + choices_.below(2)));
   }
-  run_out_words(words, height, room);
+  run_out_words(words, height, room, internal);
   if (choices_.one_in(4)) words.push_back(feed_word());
   mode_ = Mode::thread;
   put(std::move(words));

@@ -38,7 +38,8 @@ class GskWriter final : ProgramWriter {
   void thread_block();
   void mill_place(Words& words, std::int64_t depth);
   void mill_r(Words& words, bool down);
-  void run_out_words(Words& words, std::int64_t height, std::int64_t room);
+  void run_out_words(Words& words, std::int64_t height, std::int64_t room, bool internal);
+  bool may_lack_angle(bool no_run_out) const;
   // What changes modes, or has nothing to do with them.
   void mode_block();
 

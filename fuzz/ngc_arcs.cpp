@@ -93,8 +93,8 @@ void NgcWriter::centre_words(Words& words) {
   const Pair offset = {-start.p, -start.q};
   if (choices_.one_in(4)) {
     count("full circle");
-    // Whether a centre alone repeats the motion is undecided.
-    if (!has_code_) words.push_back(travel_word(p, 0));
+    // A centre alone is an arc by a reading.
+    if (!has_code_ && choices_.one_in(2)) words.push_back(travel_word(p, 0));
     if (has_code_ && choices_.one_in(2)) end_words(words, {});
   } else {
     Pair end = turned(start);
@@ -157,6 +157,7 @@ void NgcWriter::arc_block() {
   }
   helix_words(words);
   feed_words(words);
+  unused_words(words, "QLDHE");
   arrive();
   arc_faults(words, by_radius);
   write(std::move(words));

@@ -35,15 +35,23 @@ void NgcWriter::make_state() {
 }
 
 void NgcWriter::make_head() {
-  if (choices_.one_in(4)) text_ += choices_.pick({"%\n", "%\n(part 7)\n", "(part 7)\n\n%\n"});
+  if (choices_.one_in(4)) {
+    opened_ = true;
+    text_ += choices_.pick({"%\n", "\n  %\n", "%\n(part 7)\n", "%\nO0007 (part)\n"});
+  } else if (puts_wrong(40)) {
+    text_ += choices_.pick({"(part 7)\n\n%\n", ";\n%\n", "%part 7\n", "/\n%\n"});
+  } else if (choices_.one_in(16)) {
+    count("name of a program");
+    text_ += choices_.pick({"O7\n", "o 0 0 7 (part) ;\n", "O0007 (part)\n", "N1 O7\n"});
+  }
   if (choices_.one_in(3)) {
     text_ += choices_.pick(
         {"G17 G21 G40 G49 G80 G90 G94\n", "T1 M3 S500\n", "G54 G64 M3\n", "g40 g49 g90\n"});
-    if (text_.find("G17") != std::string::npos) {
-      plane_ = 17;
-      motion_ = -1;
-      inch_ = false;
-    }
+    if (text_.find("G17") != std::string::npos) start_modes(-1);
+  } else if (is_g80_forgotten() ? choices_.one_in(2) : choices_.one_in(40)) {
+    count("G80 beside G0");
+    text_ += "G00 G17 G21 G40 G49 G80 G90\n";
+    start_modes(0);
   }
   Words words;
   enter(words, 0);
@@ -51,6 +59,25 @@ void NgcWriter::make_head() {
   if (choices_.below(20) != 0) words.push_back(feed_word());
   arrive();
   write(std::move(words));
+}
+
+// After a first line that says all of them.
+void NgcWriter::start_modes(int motion) {
+  plane_ = 17;
+  motion_ = motion;
+  inch_ = false;
+}
+
+// A text without an end alarms, or does not, by a reading.
+void NgcWriter::make_end() {
+  if (choices_.one_in(12)) return count("no end");
+  if (opened_ && choices_.one_in(2)) {
+    text_ += choices_.pick({"%\n", "%\nG0 X99\n", " % \ngarbage (\n"});
+  } else if (puts_wrong(20)) {
+    text_ += choices_.pick({"%\n", "% end\n", "%%\n"});
+  } else {
+    text_ += choices_.pick({"M30\n", "M5\nM2\n", "m2\n", "M2\n%\n", "M 0 2\n", "M30\nX99\n"});
+  }
 }
 
 void NgcWriter::make_block() {
@@ -66,10 +93,7 @@ GeneratedProgram NgcWriter::run() {
   make_head();
   const std::int64_t blocks = number_of_blocks(10);
   for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
-  if (choices_.one_in(2)) {
-    text_ +=
-        choices_.pick({"M30\n", "M5\nM2\n", "m2\n", "M2\n%\n", "%\n", "%\nG0 X99\n", "M30\nX99\n"});
-  }
+  make_end();
   return {std::move(profile_), std::move(text_)};
 }
 

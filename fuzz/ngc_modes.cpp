@@ -40,7 +40,13 @@ void NgcWriter::units_block() {
 
 void NgcWriter::setting_block() {
   Words words;
-  switch (choices_.below(5)) {
+  switch (choices_.below(6)) {
+    case 5:
+      count("motion code alone");
+      motion_ = choices_.one_in(2) ? 1 : 0;
+      words.push_back(code(motion_));
+      if (choices_.one_in(4)) words.push_back(feed_word());
+      break;
     case 0:
       count("absolute or incremental");
       set_incremental(words, choices_.one_in(2));
@@ -110,11 +116,14 @@ void NgcWriter::mode_block() {
       if (puts_wrong(4)) return outside_block();
       return write({choices_.one_in(4) ? "F0" : feed_word()});
     case 8:
-      return write({choices_.pick({"M3", "M5", "M8", "M9", "M0", "M1", "M60", "M48", "G40", "G49",
-                                   "G61.1", "G64", "G97", "G99", "S800", "T4"})});
+      return write({choices_.pick(
+          {"M3",        "M5",        "M8",     "M9",     "M0",     "M1",           "M60",  "M48",
+           "G40",       "G49",       "G61.1",  "G64",    "G97",    "G99",          "S800", "T4",
+           "M66 P0 L0", "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0", "G64 P0.1 Q0.1"})});
     default:
       count("no motion");
-      text_ += choices_.pick({"\n", "(only a comment)\n", "; text\n", "N77\n", "/\n"});
+      text_ += choices_.pick(
+          {"\n", "(only a comment)\n", "; text\n", "N77\n", "/\n", ";\n", "O12 (name)\n"});
   }
 }
 

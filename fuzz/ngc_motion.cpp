@@ -52,9 +52,22 @@ void NgcWriter::line_block() {
   // Whose feed holds where the linear axes happen not to move is undecided in inches.
   if (!inch_ && choices_.one_in(6)) words.push_back(axis_word(choices_.one_in(2) ? a : c, 360));
   feed_words(words);
-  if (choices_.one_in(30)) words.push_back("P2");
+  unused_words(words, "PQLDHEIJKR");
+  if (has_code_ && (is_g80_forgotten() ? choices_.one_in(6) : puts_wrong(40))) {
+    count("G80 beside a motion");
+    words.push_back(code(80));
+  }
   arrive();
   write(std::move(words));
+}
+
+void NgcWriter::unused_words(Words& words, std::string_view letters) {
+  const bool ignored = profile_.readings.is(reference::ReadingKey::ngc_unused_words, "ignored") &&
+                       choices_.one_in(4);
+  if (!ignored && !puts_wrong(40)) return;
+  count("unused word");
+  const char letter = letters[choices_.below(static_cast<std::uint32_t>(letters.size()))];
+  words.push_back(word(letter, any_sign(length(5))));
 }
 
 void NgcWriter::rotary_block() {
@@ -66,6 +79,7 @@ void NgcWriter::rotary_block() {
   if (without != 0) words.push_back(axis_word(a, 360));
   if (without != 1) words.push_back(axis_word(c, 360));
   feed_words(words);
+  unused_words(words, "QLDHEJ");
   arrive();
   rotary_ = true;
   write(std::move(words));
@@ -87,8 +101,7 @@ std::string NgcWriter::stray_word() {
 bool NgcWriter::may_have(Fault fault, const std::string& word) const {
   const char address = word[0];
   const bool is_code = address == 'G' || address == 'M';
-  // Undecided: words of an arc or a dwell without its code; two M functions of one kind.
-  if (fault == Fault::missing) return address != 'G' && (has_code_ || motion_ < 2);
+  // Undecided: two M functions of one kind.
   // Also whose P it is where a dwell meets an arc.
   if (fault == Fault::stray && dwells_) return motion_ < 2 && !profile_.block_skip;
   if (fault == Fault::twice) return address != 'M';
@@ -118,7 +131,14 @@ std::string NgcWriter::beside_whole(const std::string& word) {
                      size % 1'000'000, choices_.pick({"", "", "0000001", "9999999"}));
 }
 
-// Letters in either case; a blank may stand between a letter and its number.
+// Now and then a number with decimals, or one that is too large for some.
+std::string NgcWriter::head() {
+  if (!choices_.one_in(60)) return ProgramWriter::head();
+  count("line number of one reading");
+  return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789012345678901 "});
+}
+
+// Letters in either case; blanks may stand between all of it.
 std::string NgcWriter::printed(const std::string& planned) {
   if (planned.empty()) return planned;
   const std::string word = beside_whole(planned);
@@ -126,6 +146,10 @@ std::string NgcWriter::printed(const std::string& planned) {
   std::string text(1, small ? static_cast<char>(word[0] - 'A' + 'a') : word[0]);
   if (choices_.one_in(30)) text += ' ';
   text += word.substr(1);
+  if (choices_.one_in(30)) {
+    const std::uint32_t place = choices_.below(static_cast<std::uint32_t>(text.size()));
+    text.insert(place + 1, choices_.pick({" ", "\t", "  "}));
+  }
   return text;
 }
 

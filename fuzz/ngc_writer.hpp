@@ -32,6 +32,8 @@ class NgcWriter final : ProgramWriter {
   void make_state();
   void make_head();
   void make_block();
+  void make_end();
+  void start_modes(int motion);
   // In ngc_modes.cpp: what changes modes, or has nothing to do with them.
   void mode_block();
   void setting_block();
@@ -65,6 +67,11 @@ class NgcWriter final : ProgramWriter {
   void enter(Words& words, int motion);
   void set_incremental(Words& words, bool incremental);
   void feed_words(Words& words);
+  // A word that no code of the block uses; `letters` are such.
+  void unused_words(Words& words, std::string_view letters);
+  bool is_g80_forgotten() const {
+    return profile_.readings.is(reference::ReadingKey::ngc_g80_beside, "ignored");
+  }
   std::array<Axis, 3> plane_axes() const;
 
   // The tool is where the words led.
@@ -78,10 +85,12 @@ class NgcWriter final : ProgramWriter {
   std::string stray_word() override;
   bool may_have(Fault fault, const std::string& word) const override;
   std::string printed(const std::string& word) override;
+  std::string head() override;
   void on_fault() override { lose_place(); }
 
   using Place = std::array<std::optional<std::int64_t>, 5>;
 
+  bool opened_ = false;  // the program, by a %
   bool inch_ = false;
   bool incremental_ = false;
   bool absolute_centre_ = false;

@@ -39,7 +39,8 @@ oracle::Verdict judge_reference(const reference::Profile& profile, std::string_v
                                 const ReferenceRun& run) {
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
-  const oracle::JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);
+  oracle::JudgeTerms terms = make_terms(subject, profile, std::nullopt, std::nullopt);
+  terms.strict = true;  // the reference departs from nothing of its own
   return judge_outcome(profile, program, terms, run.records, run.end).verdict;
 }
 

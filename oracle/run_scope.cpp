@@ -49,8 +49,29 @@ std::string grouped(std::size_t count) {
   return digits;
 }
 
+bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {
+  const std::string_view digits = "0123456789";
+  const std::size_t own = a.find_first_of(digits);
+  const std::size_t other = b.find_first_of(digits);
+  if (own == other && own != std::string_view::npos && a.substr(0, own) == b.substr(0, own)) {
+    auto number = [&](std::string_view text) {
+      const std::size_t end = text.find_first_not_of(digits);
+      return end == std::string_view::npos ? text.size() : end;
+    };
+    const std::size_t own_length = number(a.substr(own));
+    const std::size_t other_length = number(b.substr(other));
+    if (own_length != other_length) return own_length < other_length;
+  }
+  return a < b;
+}
+
+// A skip is neither GO nor judged (J-RUN-05), and an advice is judged (J-RUN-04).
 void RunScope::add(const CaseHead& line, VerdictKind kind) {
   dialects_.insert(line.dialect);
+  if (line.expected && (kind == VerdictKind::skip || kind == VerdictKind::oracle_gap)) {
+    ++not_covered_;
+    return;
+  }
   if (kind == VerdictKind::skip) {
     ++skipped_;
     // One that the gauge did not even ask for, or a reason of the subject's own.
@@ -112,6 +133,7 @@ std::string RunScope::counts() const {
   put(advised_, "advice", "advices");
   put(known_, "known to fail", "known to fail");
   put(undecided_, "undecided", "undecided");
+  put(not_covered_, "not covered by the gauge", "not covered by the gauge");
   return text;
 }
 
@@ -135,6 +157,7 @@ std::string RunScope::skips() const {
     lacking += group.cases;
     names.push_back(with_dialect(key.feature, key.dialect, dialects_.size() > 1));
   }
+  std::ranges::sort(names, NaturalOrder());
   text += "; not claimed: ";
   if (lacking > 0) {
     text += fmt::format("{} ({})", fmt::join(names, ", "), counted(lacking, "case", "cases"));
@@ -147,6 +170,7 @@ std::string RunScope::skips() const {
   return text;
 }
 
+// J-RUN-01.
 std::string RunScope::head(std::string_view decision) const {
   const std::string features = judged_features(std::numeric_limits<std::size_t>::max());
   std::string text(decision);

@@ -18,6 +18,11 @@
 
 namespace gonogo::oracle {
 
+// g90 before g110, as people count.
+struct NaturalOrder {
+  bool operator()(std::string_view a, std::string_view b) const;
+};
+
 class RunScope {
  public:
   // Cases of one kind, with the ids of the first.
@@ -25,8 +30,7 @@ class RunScope {
     std::size_t cases = 0;
     std::vector<std::string> first;
   };
-  // Dialect, then what was skipped: a feature that the subject does not declare, or with "" before
-  // it a sentence of its own.
+  // What was skipped: a feature that the subject does not declare, or for a reason of its own.
   struct Skipped {
     std::string dialect;
     std::string feature;  // empty: for another reason
@@ -62,10 +66,12 @@ class RunScope {
 
   std::size_t judged() const { return judged_; }
   std::size_t no_go() const { return no_go_; }
+  // Not claimed; without those that the corpus expects no answer to.
   std::size_t skipped() const { return skipped_; }
   std::size_t advised() const { return advised_; }
   // Dialect -> feature; features of every subject (`m`, `bytes`) are no part of it.
-  const std::map<std::string, std::map<std::string, Judged>>& features() const { return features_; }
+  using Features = std::map<std::string, Judged, NaturalOrder>;
+  const std::map<std::string, Features>& features() const { return features_; }
   const std::map<Skipped, Group>& not_claimed() const { return not_claimed_; }
   const std::map<Broken, Group>& broken() const { return broken_; }
   const std::map<Advice, Group>& advices() const { return advices_; }
@@ -81,8 +87,9 @@ class RunScope {
   std::size_t advised_ = 0;
   std::size_t known_ = 0;
   std::size_t undecided_ = 0;
+  std::size_t not_covered_ = 0;  // the corpus expects no answer
   std::set<std::string> dialects_;
-  std::map<std::string, std::map<std::string, Judged>> features_;
+  std::map<std::string, Features> features_;
   std::map<Skipped, Group> not_claimed_;
   std::map<Broken, Group> broken_;
   std::map<Advice, Group> advices_;

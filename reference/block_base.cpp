@@ -85,10 +85,11 @@ void BlockBase::rename(const Position& to) {
 }
 
 bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
-                    BlockOutput& out) {
+                    ClauseId clause, BlockOutput& out) {
   if (!has_begun) return false;
   if (block.tape_mark) {
     out.program_end = true;
+    out.end_clause = clause;
     return true;
   }
   if (!block.program_number) return false;
@@ -137,13 +138,13 @@ NotCovered m_function_too_large(std::int64_t number, const grammar::Span& where,
 }
 
 std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
-                                      ClauseId clause, BlockOutput& out) {
+                                      ClauseId clause, ClauseId alarm_clause, BlockOutput& out) {
   const Number value = to_number(word.value);
   const std::optional<std::int64_t> number = value.to_int64();  // nothing: not whole, or too large
   if (!number || *number < 0 || *number > kLargestM) {
     const bool is_whole = value == value.floor();
     out.alarms.push_back({is_whole ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
-                          clause, 'M', word.where,
+                          alarm_clause, 'M', word.where,
                           "An M function is a whole number from 0 to 2147483647."});
     return std::nullopt;
   }

@@ -55,10 +55,22 @@ struct BlockBase {
   void rename(const Position& to);
 };
 
-// What stands between programs, once a block has run: a second % ends the program, and the number
-// of another one is not read. Whether the block is either.
+// What stands between programs, once a block has run: a second % ends the program, which `clause`
+// says, and the number of another one is not read. Whether the block is either.
 bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_begun,
-                    BlockOutput& out);
+                    ClauseId clause, BlockOutput& out);
+
+// A program number before the first block of a program, which may stand again.
+class ProgramHead {
+ public:
+  // Whether the block has a number although one stood before it.
+  bool repeats(const grammar::Block& block) {
+    return block.program_number.has_value() && std::exchange(has_number_, true);
+  }
+
+ private:
+  bool has_number_ = false;
+};
 
 // What of the machine the program needs and the profile does not say: `what` it is, as the subject
 // of a sentence, and the `line` of TOML that says it.
@@ -79,9 +91,10 @@ inline constexpr std::int64_t kLastCommonM = 9'999;
 
 // The M functions of a block are passed on: those that stop or end something after the motion, the
 // others before.
-// The record of an M word; nothing for one that is no M function (an alarm), or that is not read.
+// The record of an M word; nothing for one that is no M function (an alarm, by a clause of its
+// own), or that is not read.
 std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t line,
-                                      ClauseId clause, BlockOutput& out);
+                                      ClauseId clause, ClauseId alarm_clause, BlockOutput& out);
 void put_m_function(Record record, BlockOutput& out);
 // A code of the control that the gauge does not read.
 NotCovered m_function_outside(std::int64_t number, std::string_view title,

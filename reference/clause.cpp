@@ -39,4 +39,11 @@ std::string_view name(Basis basis) {
   return "";
 }
 
+std::optional<Basis> basis(std::string_view text) {
+  for (const Basis one : {Basis::text, Basis::derived, Basis::silent}) {
+    if (name(one) == text) return one;
+  }
+  return std::nullopt;
+}
+
 }  // namespace gonogo::reference

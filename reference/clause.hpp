@@ -9,9 +9,11 @@
 #include <span>
 #include <string_view>
 
+#include "reference/catalog/bases.hpp"
 #include "reference/catalog/gsk988ta.hpp"
 #include "reference/catalog/hnc21t.hpp"
 #include "reference/catalog/rs274.hpp"
+#include "reference/catalog/silent_rules.hpp"
 #include "reference/catalog/sinumerik.hpp"
 #include "reference/catalog/sinumerik802s.hpp"
 
@@ -27,8 +29,23 @@ consteval auto joined(const Catalog&... catalogs) {
   return all;
 }
 
-inline constexpr auto kAll = joined(kGsk988ta, hnc21t::kClauses, rs274::kClauses,
-                                    sinumerik::kPathClauses, sinumerik::kCycleClauses);
+// With what they rest on where the level alone does not say it.
+template <typename Catalog>
+consteval Catalog resting(Catalog all) {
+  for (const ClauseBasis& basis : kBases) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Clause& clause) { return clause.id == basis.id; });
+    if (found == all.end()) throw "no such clause in the catalog";
+    found->stated_basis = Basis::derived;
+    found->derivation = basis.derivation;
+  }
+  return all;
+}
+
+inline constexpr auto kAll =
+    resting(joined(kGsk988ta, silent::kGsk988ta, hnc21t::kClauses, silent::kHnc21t, rs274::kClauses,
+                   sinumerik::kPathClauses, silent::kSinumerikPath, sinumerik::kCycleClauses,
+                   silent::kSinumerikCycles));
 
 }  // namespace catalog
 
@@ -41,6 +58,7 @@ const Clause& clause(ClauseId id);
 std::string_view clause_name(ClauseId id);  // "" for kNoClause
 std::string_view name(ClauseLevel level);
 std::string_view name(Basis basis);
+std::optional<Basis> basis(std::string_view name);
 
 // A code of the maker that the gauge does not read.
 struct OutsideCode {

@@ -28,9 +28,24 @@ constexpr auto kSinumerikParameters =
     std::to_array<std::string_view>({"CIRCLE_ERROR_CONST", "CIRCLE_ERROR_FACTOR"});
 constexpr auto kHncParameters = std::to_array<std::string_view>({"3410"});
 
-// The 802S has the path commands of the 840D, and more.
-constexpr auto kClauses802s =
-    catalog::joined(catalog::sinumerik::kPathClauses, catalog::sinumerik::kCycleClauses);
+// The clauses of the catalog from one to another; the 802S has the path commands of the 840D, and
+// more.
+consteval std::span<const Clause> clauses_from(ClauseId first, ClauseId last) {
+  return std::span(catalog::kAll).subspan(first, last - first + 1U);
+}
+consteval std::span<const Clause> clauses_of(std::string_view maker) {
+  std::size_t first = catalog::kAll.size();
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < catalog::kAll.size(); ++i) {
+    if (!catalog::kAll[i].id.starts_with(maker)) continue;
+    first = std::min(first, i);
+    last = i;
+  }
+  return clauses_from(static_cast<ClauseId>(first), static_cast<ClauseId>(last));
+}
+constexpr std::span<const Clause> kClauses802s = clauses_of("SIE-");
+constexpr std::span<const Clause> kClauses840d = kClauses802s.first(
+    catalog::sinumerik::kPathClauses.size() + catalog::silent::kSinumerikPath.size());
 
 // The language of rs274 has none: a word that its block does not use is an alarm.
 std::span<const PassedWords> no_passed_words() {
@@ -54,21 +69,22 @@ void mills_finely(Profile& profile) {
 
 std::span<const Dialect> dialects() {
   static const auto kDialects = std::to_array<Dialect>({
-      {"gsk988ta", grammar::Dialect::gsk988ta, catalog::kGsk988ta, "GSK-COM-02"_clause, true,
-       gsk988ta::make_interpreter, gsk988ta::outside_codes, gsk988ta::codes_without_effect,
-       gsk988ta::passed_words, kOffsets, kGskParameters, keeps_defaults,
+      {"gsk988ta", grammar::Dialect::gsk988ta, clauses_of("GSK-"), "GSK-COM-02"_clause,
+       "GSK-COM-02"_clause, true, gsk988ta::make_interpreter, gsk988ta::outside_codes,
+       gsk988ta::codes_without_effect, gsk988ta::passed_words, kOffsets, kGskParameters,
+       keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, variables "
-       "(#), expressions ([ ]), "
-       "words behind a comma and control statements"},
-      {"hnc21t", grammar::Dialect::hnc21t, catalog::hnc21t::kClauses, "HNC-COM-01"_clause, true,
-       hnc21t::make_interpreter, hnc21t::outside_codes, hnc21t::codes_without_effect,
-       hnc21t::passed_words, kOffsets, kHncParameters, keeps_defaults,
+       "(#), expressions ([ ]), words behind a comma and control statements"},
+      {"hnc21t", grammar::Dialect::hnc21t, clauses_of("HNC-"), "HNC-COM-01"_clause,
+       "HNC-COM-01"_clause, true, hnc21t::make_interpreter, hnc21t::outside_codes,
+       hnc21t::codes_without_effect, hnc21t::passed_words, kOffsets, kHncParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
        "outside the cycles (programs "
        "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements"},
       {"rs274",
        grammar::Dialect::rs274,
-       catalog::rs274::kClauses,
+       clauses_of("NGC-"),
+       "NGC-COM-01"_clause,
        "NGC-COM-01"_clause,
        false,
        rs274::make_interpreter,
@@ -82,8 +98,9 @@ std::span<const Dialect> dialects() {
        "variables (#) and expressions ([ ])"},
       {"sinumerik840d",
        grammar::Dialect::sinumerik,
-       catalog::sinumerik::kPathClauses,
+       kClauses840d,
        "SIE-LEX-01"_clause,
+       "SIE-LEX-02"_clause,
        false,
        sinumerik::make_interpreter_840d,
        sinumerik::outside_codes,
@@ -99,6 +116,7 @@ std::span<const Dialect> dialects() {
        grammar::Dialect::sinumerik,
        kClauses802s,
        "SIE-LEX-01"_clause,
+       "SIE-LEX-02"_clause,
        false,
        sinumerik::make_interpreter_802s,
        sinumerik::outside_codes,

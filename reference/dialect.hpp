@@ -19,8 +19,9 @@ struct Dialect {
   std::string_view name;  // "gsk988ta"
   grammar::Dialect grammar;
   std::span<const Clause> clauses;
-  ClauseId syntax_clause;  // of a block that cannot be read
-  bool lathe;              // drawings show X upwards over Z
+  ClauseId syntax_clause;           // of a block that cannot be read
+  ClauseId disputed_syntax_clause;  // of one that another reader of the text might read
+  bool lathe;                       // drawings show X upwards over Z
   // `profile` and `readings` must outlive the interpreter.
   std::unique_ptr<BlockInterpreter> (*make_interpreter)(const Profile& profile,
                                                         const ReadingsInUse& readings,

@@ -16,6 +16,21 @@ bool is_skipped(const grammar::Line& line) {
   return !line.too_long && first != std::string_view::npos && line.text[first] == '/';
 }
 
+// Whether what cannot be read is a sign behind another, or an '=' behind G: elsewhere such things
+// are values and codes.
+bool is_disputed(const grammar::Line& line, const grammar::SyntaxError& error) {
+  if (line.too_long || error.where.begin >= line.text.size()) return false;
+  const auto is_sign = [&](std::size_t place) {
+    return line.text[place] == '+' || line.text[place] == '-';
+  };
+  const std::string_view before = line.text.substr(0, error.where.begin);
+  const std::size_t last = before.find_last_not_of(" \t");
+  if (last == std::string_view::npos) return false;
+  const char letter = line.text[last];
+  const bool is_code = line.text[error.where.begin] == '=' && (letter == 'G' || letter == 'g');
+  return is_code || (is_sign(error.where.begin) && is_sign(last));
+}
+
 }  // namespace
 
 void BlockOutput::clear() {
@@ -27,6 +42,8 @@ void BlockOutput::clear() {
   not_covered.reset();
   beyond_range.reset();
   program_end = false;
+  end_clause = kNoClause;
+  accepted.clear();
 }
 
 Expander::Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths open_paths)
@@ -86,6 +103,7 @@ const Item* Expander::next() {
       Record end;
       end.kind = RecordKind::end;
       end.axes = kEveryAxis;
+      end.clause = out_.end_clause;
       end.to = interpreter_->position();
       return finish(std::move(end));
     }
@@ -102,8 +120,9 @@ const Item* Expander::next() {
     }
     if (error) {
       // A block that cannot be read yields the syntax alarm alone.
-      Alarm alarm{AlarmClass::syntax, dialect_.syntax_clause, 0, error->where,
-                  grammar::message(*error)};
+      const ClauseId clause =
+          is_disputed(line_, *error) ? dialect_.disputed_syntax_clause : dialect_.syntax_clause;
+      Alarm alarm{AlarmClass::syntax, clause, 0, error->where, grammar::message(*error)};
       return finish(AlarmReport{line_.number, {std::move(alarm)}, std::move(error)});
     }
     if (block_.skip && profile_.block_skip) {
@@ -116,11 +135,13 @@ const Item* Expander::next() {
       for (const Warning& warning : out_.warnings) warn_(warning, line_);
     }
     if (!out_.alarms.empty() || out_.not_covered) {
+      out_.accepted.clear();
       // None of the motion of the alarming block.
       out_.items.clear();
       out_.after.clear();
       out_.cycle = {};
     }
+    for (const ClauseId clause : out_.accepted) accept_(line_.number, clause);
   }
   return nullptr;
 }

@@ -29,6 +29,15 @@ struct BlockOutput {
   std::optional<NotCovered> not_covered;
   std::optional<grammar::Span> beyond_range;  // a value that an expression has, reference/range.hpp
   bool program_end = false;
+  // Of a program that a rule ends which no text states: that rule.
+  ClauseId end_clause = kNoClause;
+
+  // The rules that no text states by which the block runs on; only while somebody asks for them.
+  bool notes_acceptances = false;
+  std::vector<ClauseId> accepted;
+  void accept(ClauseId clause) {
+    if (notes_acceptances) accepted.push_back(clause);
+  }
 
   void clear();
 };
@@ -77,6 +86,13 @@ class Expander {
   // Is told of every warning, with its line. A judge does without.
   using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
   void on_warning(WarningSink sink) { warn_ = std::move(sink); }
+  // Is told of every block that runs on by a rule that no text states, with that clause: a control
+  // that alarms there breaks no text (docs/judging.md, J-ALM-05).
+  using AcceptanceSink = std::function<void(std::uint64_t block, ClauseId clause)>;
+  void on_acceptance(AcceptanceSink sink) {
+    accept_ = std::move(sink);
+    out_.notes_acceptances = true;
+  }
   // After a syntax alarm: the text of its line, for a diagnostic.
   std::string_view failed_line() const { return line_.text; }
 
@@ -94,6 +110,7 @@ class Expander {
   grammar::Block block_;
   BlockOutput out_;
   WarningSink warn_;
+  AcceptanceSink accept_;
   std::size_t next_item_ = 0;
   std::size_t next_after_ = 0;
   Item last_;

@@ -39,6 +39,11 @@ struct AlarmReport {
   std::optional<grammar::SyntaxError> syntax;
 };
 
+// Of the alarms of a block the first of those that rest on a text; else the first that is derived;
+// else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-02).
+// REQUIRES: there is one.
+const Alarm& firmest(const AlarmReport& report);
+
 // A code, word or construct that the maker has and the gauge does not read, or something of the
 // machine that the profile does not say; the program ends here for the gauge.
 struct NotCovered {
@@ -74,7 +79,8 @@ struct PocketLevel {
   FeedMode feed_mode = FeedMode::per_minute;
 };
 
-// How the tool leaves a thread at its bottom: open, or as one of the given readings says.
+// How the tool leaves a thread at its bottom: as one of the given readings says; open: any one of
+// them, the same in a whole program.
 enum class ThreadRunOut : std::uint8_t { open, polar, radial, tangent };
 
 // The passes of one thread milling block where the manual leaves their path open (readings

@@ -90,8 +90,10 @@ enum class ReadingKey : std::uint8_t {
   sie_finish_levels,
   sie_corner,
   sie_pocket_path,
+  sie_lcyc_unit,
+  sie_lc75_r125_limit,
 };
-inline constexpr std::size_t kReadings = 71;
+inline constexpr std::size_t kReadings = 73;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/record.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "reference/outcome.hpp"
@@ -64,6 +65,13 @@ std::string_view name(RecordKind kind) {
   return kKinds[static_cast<std::size_t>(kind)];
 }
 
+const Alarm& firmest(const AlarmReport& report) {
+  const auto basis = [](const Alarm& alarm) {
+    return alarm.clause == kNoClause ? Basis::silent : clause(alarm.clause).basis();
+  };
+  return *std::ranges::min_element(report.alarms, {}, basis);
+}
+
 std::string_view name(AlarmClass alarm) {
   return kAlarmNames[static_cast<std::size_t>(alarm)];
 }
@@ -109,7 +117,8 @@ void append_json(const Record& record, std::string& out) {
     default:
       break;
   }
-  if (record.clause != kNoClause) {
+  // That a rule of our own ends the program is no part of the trace.
+  if (record.clause != kNoClause && record.kind != RecordKind::end) {
     out += ",\"clause\":\"";
     out += clause_name(record.clause);
     out += '"';

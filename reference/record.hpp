@@ -27,7 +27,9 @@ struct Record {
   std::int32_t m = 0;        // m
   bool before_cut = false;   // m: it has to come before the cutting motions of its block
   std::uint64_t block = 0;   // 1-based source line; 0: not known
-  ClauseId clause = kNoClause;   // what says so
+  ClauseId clause = kNoClause;  // what says so
+  // Of an arc whose centre the control works out: how finely. No part of the trace.
+  ClauseId centre_clause = kNoClause;
   Position to;                   // end point
   Number feed;                   // feed, arc, arc3: mm/min or mm/rev of the path
   std::array<Number, 2> centre;  // arc: along p and q

@@ -270,11 +270,12 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                     "the cases.",
                     corpus.folder()));
   }
-  tell_run({summary_text(summary, subject),
-            summary.answer.exit_code,
-            {results_path, options.known_failures, options.alarm_map, options.profile},
-            report,
-            options.certificate});
+  tell_run(
+      {summary_text(summary, subject),
+       summary.answer.exit_code,
+       {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
+       report,
+       options.certificate});
   return summary.answer.exit_code;
 }
 

@@ -26,11 +26,16 @@ namespace {
 using fuzz::cover::Making;
 using oracle::Case;
 
+std::string_view basis_name(const oracle::Expectation& expectation) {
+  return expectation.basis ? reference::name(*expectation.basis) : "not said";
+}
+
 // Which cases are meant; empty lists choose all.
 struct Choice {
   std::vector<std::string> only;  // globs over ids
   std::vector<std::string> dialects;
   std::vector<std::string> features;
+  std::vector<std::string> bases;  // one of the expectations stands on it
 
   bool takes(const Case& test) const {
     const bool named = std::ranges::any_of(only, [&](const std::string& glob) {
@@ -40,7 +45,11 @@ struct Choice {
     const bool needed = std::ranges::any_of(features, [&](const std::string& feature) {
       return std::ranges::find(test.features, feature) != test.features.end();
     });
-    return (only.empty() || named) && (dialects.empty() || spoken) && (features.empty() || needed);
+    const bool based = std::ranges::any_of(test.expect, [&](const auto& expectation) {
+      return std::ranges::find(bases, basis_name(expectation)) != bases.end();
+    });
+    return (only.empty() || named) && (dialects.empty() || spoken) &&
+           (features.empty() || needed) && (bases.empty() || based);
   }
 };
 
@@ -54,12 +63,21 @@ struct CorpusWords {
 
 [[noreturn]] void fail_to_choose(const oracle::Corpus& corpus) {
   throw UsageError(
-      fmt::format("No case of the corpus {} is meant. Widen --only, --dialect or "
-                  "--feature.",
+      fmt::format("No case of the corpus {} is meant. Widen --only, --dialect, "
+                  "--feature or --basis.",
                   corpus.folder()));
 }
 
+void check_bases(const Choice& choice) {
+  for (const std::string& name : choice.bases) {
+    if (reference::basis(name)) continue;
+    throw UsageError(
+        fmt::format("There is no basis {}. A basis is text, derived or silent.", name));
+  }
+}
+
 int list(const CorpusWords& words) {
+  check_bases(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Output output;
   bool any = false;
@@ -165,6 +183,8 @@ class Stats {
     dialects_.insert(test.dialect);
     std::set<std::string> alarms;
     for (const oracle::Expectation& expectation : test.expect) {
+      ++bases_[fmt::format("{}, {}", basis_name(expectation),
+                           expectation.alarms.empty() ? "no alarm" : "alarm")];
       for (const auto& alarm : expectation.alarms) alarms.emplace(name(alarm.alarm));
       for (const auto& record : expectation.records) {
         if (record.clause != reference::kNoClause) {
@@ -203,6 +223,7 @@ class Stats {
     }
     text += fmt::format("clauses: {} of {} stand in groups, {} in records\n", listed_.size(),
                         count_clauses(), clauses_.size());
+    print(text, "basis, expectations", bases_);
     print(text, "alarm, cases that may raise it", alarms_);
     print(text, "plane of arcs, records", planes_);
     print(text, "reading other than the default, cases", readings_);
@@ -237,12 +258,13 @@ class Stats {
 
   std::map<std::string, Cycle> cycles_;
   std::size_t cases_ = 0, alarming_ = 0, signs_ = 0;
-  Count alarms_, planes_, readings_;
+  Count bases_, alarms_, planes_, readings_;
   std::set<std::string> clauses_, listed_, dialects_;
   Arrays arrays_;
 };
 
 int stats(const CorpusWords& words) {
+  check_bases(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   Stats stats;
   corpus.for_each([&](const Case& test) {
@@ -258,6 +280,7 @@ int stats(const CorpusWords& words) {
 }
 
 int copy(const CorpusWords& words) {
+  check_bases(words.choice);
   const oracle::Corpus corpus(corpus_folder(words.folder));
   oracle::CorpusFolder part{corpus.version(), corpus.retired(), {}};
   std::size_t cases = 0;
@@ -280,6 +303,8 @@ void add_choice(Command& command, Choice& choice) {
   command.repeated_option("--only", choice.only, "cases by a glob over ids: gsk.g94.*");
   command.repeated_option("--dialect", choice.dialects, "cases of this dialect");
   command.repeated_option("--feature", choice.features, "cases that need this feature");
+  command.repeated_option("--basis", choice.bases,
+                          "cases with an expectation on this basis: text, derived or silent");
 }
 
 }  // namespace

@@ -57,7 +57,9 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
       continue;
     }
     oracle::SessionVerdict said = session.finish(seen.end);
-    if (decision(said.verdict.kind) == oracle::Decision::no_go) {
+    const bool departs = decision(said.verdict.kind) == oracle::Decision::no_go ||
+                         said.verdict.kind == oracle::VerdictKind::advice;
+    if (departs) {
       said.verdict.reading = explaining_reading(profile, program, terms, trace, seen.end);
     }
     return said;

@@ -55,6 +55,7 @@ void add_report(Command& program) {
                  "known-failures file of the run, for the certificate");
   command.option("--alarm-map", sources.alarm_map, "alarm map of the run, for the certificate");
   command.option("--profile", sources.profile, "profile of the run, for the certificate");
+  command.option("--traces", sources.traces, "traces of the run, for the certificate");
   command.run([options] { return report(*options); });
 }
 

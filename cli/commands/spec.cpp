@@ -32,6 +32,7 @@ void append_features(std::string& out) {
   }
 }
 
+// Below the document and section where each stands: level, basis and text.
 void append_clauses(const reference::Dialect& dialect, std::string& out) {
   std::string_view source;
   for (const reference::Clause& clause : dialect.clauses) {
@@ -39,8 +40,12 @@ void append_clauses(const reference::Dialect& dialect, std::string& out) {
       source = clause.source;
       out += fmt::format("\n{}\n", source);
     }
-    out += fmt::format("  {:<12} {:<8} {}\n{:25}carried by {}\n", clause.id,
-                       reference::name(clause.level), clause.text, "", clause.carrier);
+    out += fmt::format("  {:<12} {:<8} {:<8} {}\n", clause.id, reference::name(clause.level),
+                       reference::name(clause.basis()), clause.text);
+    if (!clause.derivation.empty()) {
+      out += fmt::format("{:34}derived: {}\n", "", clause.derivation);
+    }
+    out += fmt::format("{:34}carried by {}\n", "", clause.carrier);
   }
 }
 

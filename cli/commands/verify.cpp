@@ -9,6 +9,7 @@
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/gauge.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 #include "cli/run_again.hpp"
@@ -56,7 +57,7 @@ int verify(const VerifyOptions& options) {
   }
   const std::string corpus = corpus_here(options.corpus);
   std::vector<Check> checks =
-      oracle::evidence::verify_certificate(options.folder, corpus, kVersion);
+      oracle::evidence::verify_certificate(options.folder, corpus, kVersion, gauge_commit());
   auto any = [&](Check::Result result) {
     return std::ranges::find(checks, result, &Check::result) != checks.end();
   };

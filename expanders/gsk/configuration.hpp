@@ -12,8 +12,7 @@ namespace gonogo::expanders::gsk {
 enum class Decimals { kKeep, kNearest, kAlarm };
 
 /// How a thread mill leaves the thread: to a point by radius and angle, or straight at an angle
-/// from the normal or the tangent. kOwn is kPolar, but in a bore goes no further than to the
-/// centre.
+/// from the normal or the tangent. kOwn, where the profile leaves it open, is kPolar.
 enum class RunOut { kOwn, kPolar, kRadial, kTangent };
 
 /// The machine: what its parameters and options fix. Lengths are true millimetres.

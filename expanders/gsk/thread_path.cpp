@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G114 to G117: the motion. Where the manual leaves the path open this machine starts each thread
-// at -p of the centre and goes in by a semicircle that touches the thread; reading
-// gsk.thread.path = arc starts at +p and goes in straight.
+// at -p of the centre; reading gsk.thread.path = arc starts it at +p.
 #include <algorithm>
 #include <cmath>
 
@@ -90,14 +89,11 @@ bool ThreadMill::semicircle(const Point& to, int rot) {
   return machine_.trace.arc(middle_p, middle_q, rot, to, 0);
 }
 
-// By a semicircle to the uncut surface, then to the radius of the pass.
+// By a semicircle to the uncut surface, then straight in to the radius of the pass.
 bool ThreadMill::enter(Fixed radius) {
   const Direction at{static_cast<Real>(start_), 0};
   if (!semicircle(point(thread_.surface, at), thread_.rot)) return false;
-  const Point to = point(radius, at);
-  if (machine_.configuration.thread_path_plain) return machine_.trace.feed(to, axis_bit(plane_.p));
-  // It touches the thread: from outside turning against the helix, from inside with it.
-  return semicircle(to, -thread_.side * thread_.rot);
+  return machine_.trace.feed(point(radius, at), axis_bit(plane_.p));
 }
 
 // Of the lead from the R plane to the bottom; the last turn may be part of one.
@@ -159,9 +155,7 @@ bool ThreadMill::run_out_on_arc(Fixed radius, const Direction& at) {
   const int out = machine_.has(Fault::kRunOutIntoWall) ? -thread_.side : thread_.side;
   const int sense = machine_.has(Fault::kRunOutBackwards) ? -thread_.rot : thread_.rot;
   const Direction by = direction_of(thread_.angle, 360 * kOne);
-  Fixed end_radius = radius + out * thread_.run_out;
-  // Beyond the centre the other wall would be near.
-  if (machine_.configuration.run_out == RunOut::kOwn) end_radius = std::max<Fixed>(end_radius, 0);
+  const Fixed end_radius = radius + out * thread_.run_out;
   const Point to = point(end_radius, turned(at, by, sense));
   if (to == machine_.state.position) return true;
   const Real u = static_cast<Real>(end_radius) * by.cosine - static_cast<Real>(radius);

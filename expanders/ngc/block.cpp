@@ -131,9 +131,9 @@ Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
       case Token::kWord:
         if (word.address == 'O') {
           const std::string_view rest = tokens.from_token();
-          const bool whole = tokens.has_plain_number();
+          const bool named = position == 0 && tokens.has_plain_number() && rest == line;
           // NGC-COM-06
-          if (position == 0 && whole && tokens.next(word) == Token::kEnd) return Reading::kName;
+          if (named && tokens.next(word) == Token::kEnd) return Reading::kName;
           return unreadable(rest);
         }
         last_address_ = word.address;

@@ -246,11 +246,13 @@ void Interpreter::check_uses() {
   const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);
   if (!moves && machine_.has(Fault::kUnusedAlonePassed)) return;
   const bool arc = moves_in_arc();
+  const Motion motion = machine_.state.motion;
+  const bool of_arc = motion == Motion::kArcClockwise || motion == Motion::kArcCounterclockwise;
+  const bool forgets = of_arc && !moves && machine_.has(Fault::kArcWordsNeedCode);
   for (char address = 'A'; address <= 'Z'; ++address) {
     if (!block_.has(address) || !kOfCodes.has(address)) continue;
     if ((arc && kOfArcs.has(address)) || block_.uses(address)) continue;
-    const bool of_arc = machine_.has(Fault::kArcWordsNeedCode) && kCentreWords.has(address);
-    if (of_arc && !moves) continue;
+    if (forgets && kCentreWords.has(address)) continue;
     machine_.complain(AlarmKind::kUnusedWord, address, block_);
   }
 }

@@ -21,6 +21,8 @@ constexpr Choice<Configuration> kCycleChoices[] = {
     {"sie.infeed", "equal", "max-rest", &Configuration::infeeds_with_rest},
     {"sie.infeed-from", "reference", "clearance", &Configuration::infeeds_from_clearance},
     {"sie.corner", "clamp", "reject", &Configuration::large_corners_refused},
+    {"sie.lcyc.unit", "mm", "inch", &Configuration::cycles_in_inches},
+    {"sie.lc75.r125-limit", "none", "alarm", &Configuration::depth_allowance_limited},
 };
 
 constexpr const char* kDialect = "sinumerik840d";

@@ -41,12 +41,14 @@ struct Configuration {
   bool starts_rapid = false;                         ///< sie.initial-motion = g0
   bool feed_in_inches = false;                       ///< sie.g70.f = inch
   // Those of 802S.
-  bool shifts_add = false;              ///< sie.g158 = additive
-  bool rotation_only = false;           ///< sie.g258 = rotation-only
-  bool rotation_is_lenient = true;      ///< sie.rpl-equals = lenient
-  bool infeeds_with_rest = false;       ///< sie.infeed = max-rest
-  bool infeeds_from_clearance = false;  ///< sie.infeed-from = clearance
-  bool large_corners_refused = false;   ///< sie.corner = reject
+  bool shifts_add = false;               ///< sie.g158 = additive
+  bool rotation_only = false;            ///< sie.g258 = rotation-only
+  bool rotation_is_lenient = true;       ///< sie.rpl-equals = lenient
+  bool infeeds_with_rest = false;        ///< sie.infeed = max-rest
+  bool infeeds_from_clearance = false;   ///< sie.infeed-from = clearance
+  bool large_corners_refused = false;    ///< sie.corner = reject
+  bool cycles_in_inches = false;         ///< sie.lcyc.unit = inch
+  bool depth_allowance_limited = false;  ///< sie.lc75.r125-limit = alarm
 };
 
 /// Reads {"dialect", "profile"}. When it cannot, `message` says what is not implemented or wrong.

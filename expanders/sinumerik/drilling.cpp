@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // LCYC82, and what it has in common with LCYC75.
+#include <algorithm>
+#include <array>
+
 #include "expanders/sinumerik/cycles.hpp"
 
 namespace gonogo::expanders::sinumerik {
+
+namespace {
+
+// Positions, sizes and allowances; feeds, a dwell and the ways are none.
+bool is_measured(int number) {
+  constexpr std::array kMeasured{101, 102, 103, 104, 116, 117, 118, 119, 120, 121, 124, 125};
+  return std::find(kMeasured.begin(), kMeasured.end(), number) != kMeasured.end();
+}
+
+}  // namespace
 
 Fixed CycleParameters::operator()(int number) {
   const Decimal value = to_counts(machine_.state.parameters[static_cast<std::size_t>(number)]);
@@ -11,7 +24,15 @@ Fixed CycleParameters::operator()(int number) {
     return 0;
   }
   rounded_ = rounded_ || value.finer;
-  return value.value;
+  const bool inches = machine_.configuration.cycles_in_inches && machine_.state.inch;
+  if (!inches || !is_measured(number)) return value.value;
+  const Wide length = scaled(value.value, 254, 10);
+  if (!in_reach(length)) {
+    complain(AlarmKind::kValueOutOfRange, number);
+    return 0;
+  }
+  rounded_ = rounded_ || value.value % 5 != 0;  // of 127/5
+  return static_cast<Fixed>(length);
 }
 
 void CycleParameters::complain(AlarmKind kind, int number) {

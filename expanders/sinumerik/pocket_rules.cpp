@@ -55,6 +55,8 @@ void check_tool(Machine& machine, CycleParameters& r, int type) {
   const Fixed radius = tool_radius(machine);
   if (radius == 0) return machine.complain(AlarmKind::kNoTool, 'T', kBehindParameters);
   if (r(124) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 124);
+  const bool limited = machine.configuration.depth_allowance_limited;
+  if (limited && r(125) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 125);
   if (type == 0 || machine.has(Fault::kToolUnchecked)) return;
   const Fixed reach = radius + (type == kRoughing ? r(124) : 0);
   const Fixed room = machine.has(Fault::kToolEqualityRefused) ? 2 * reach + 1 : 2 * reach;

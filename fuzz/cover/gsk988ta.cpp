@@ -151,6 +151,7 @@ void draw_gsk_step(const std::string& step, bool arc, Drawing& drawing) {
     drawing.put({"G113", way(Role::p, 2), way(Role::q, 9), way(Role::d, -4), "R-1 I12 D4 L2 F160"});
   }
   if (step == "thread") {
+    drawing.profile.parameters["5921"] = 0;  // no run-out
     drawing.put(
         {"G114", way(Role::p, 9), way(Role::q, 1), way(Role::d, -6), "I2 E20 P1 D3 Q0.6 F170"});
   }

@@ -63,7 +63,10 @@ void draw_gsk_helix(const Pick& pick, Drawing& drawing) {
   }
 }
 
+// GSK-G114-11: what the block leaves out the machine's parameters give.
 void draw_gsk_thread(const Pick& pick, Drawing& drawing) {
+  if (pick.is("J", "none")) drawing.profile.parameters["5921"] = 0;
+  if (pick.is("K", "none")) drawing.profile.parameters["5920"] = 0;
   const std::string k = pick.is("K", "none") ? "" : "K" + pick["K"];
   draw_mill(pick, drawing,
             {drawing.word("I", "I"), drawing.word("P", "P"), drawing.word("Q", "Q"),

@@ -34,7 +34,8 @@ Kill run_corpus(const MatrixTarget& target, const MatrixOptions& options) {
   auto take = [&](const oracle::CaseResult& result) {
     if (kill.killed) return;
     ++kill.executions;
-    const bool no_go = decision(result.verdict.kind) == oracle::Decision::no_go;
+    const bool no_go = decision(result.verdict.kind) == oracle::Decision::no_go ||
+                       result.verdict.kind == oracle::VerdictKind::advice;  // as under strict
     const bool contradicts = result.readings && !tally.add(*result.readings);
     kill.killed = (no_go || contradicts) && !options.blind;
     if (!kill.killed) return;
@@ -56,6 +57,7 @@ std::size_t blocks_of(const Exhibit& exhibit) {
 Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool guided) {
   TrialOptions trial;
   trial.blind = options.blind;
+  trial.strict = true;  // a fault may be planted where no text says anything
   std::vector<std::unique_ptr<Hunt>> hunts;
   for (const std::string& dialect : target.dialects) {
     HuntOptions hunt;
@@ -65,7 +67,9 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     hunts.push_back(std::make_unique<Hunt>(target.make, trial, std::move(hunt)));
   }
   // What the expander without the fault shows too is not of the fault.
-  Trial control(target.control, {});
+  TrialOptions of_control;
+  of_control.strict = true;
+  Trial control(target.control, of_control);
   const StillShows is_of_the_fault = [&](const Exhibit& exhibit) {
     const std::optional<oracle::Verdict> verdict = control.run_alone(exhibit);
     return target.clause.empty() || (verdict && decision(verdict->kind) == oracle::Decision::go);

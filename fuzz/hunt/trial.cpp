@@ -47,11 +47,18 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const GeneratedProgram&
   return end;
 }
 
+oracle::JudgeTerms Trial::terms_for(const oracle::Subject& subject,
+                                    const reference::Profile& profile) const {
+  oracle::JudgeTerms terms =
+      make_terms(subject.info(), profile,
+                 {options_.tolerance, options_.chord, options_.feed_resolution});
+  terms.strict = options_.strict;
+  return terms;
+}
+
 std::optional<oracle::Verdict> Trial::judge(oracle::Subject& subject,
                                             const GeneratedProgram& program, Evidence* evidence) {
-  const oracle::JudgeTerms terms =
-      make_terms(subject.info(), program.profile,
-                 {options_.tolerance, options_.chord, options_.feed_resolution});
+  const oracle::JudgeTerms terms = terms_for(subject, program.profile);
   oracle::Verdict verdict;
   try {
     oracle::JudgeSession session(program.profile, program.text, terms);
@@ -118,9 +125,7 @@ Evidence Trial::examine(const Exhibit& exhibit) {
       evidence.records.size() < kKeptRecords) {
     constexpr std::size_t kMostJudged = 200'000;
     evidence.verdict.reading = oracle::explaining_reading(
-        exhibit.program.profile, exhibit.program.text,
-        make_terms(subject.info(), exhibit.program.profile,
-                   {options_.tolerance, options_.chord, options_.feed_resolution}),
+        exhibit.program.profile, exhibit.program.text, terms_for(subject, exhibit.program.profile),
         evidence.records, evidence.end, kMostJudged);
   }
   second_.reset();

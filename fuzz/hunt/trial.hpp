@@ -24,6 +24,7 @@ struct TrialOptions {
   std::shared_ptr<const oracle::AlarmMap> alarm_map;  // null: the subject's classes as they are
   std::chrono::milliseconds run_limit{2'000};
   std::size_t most_records = 5'000;  // of a program, where all of them agree
+  bool strict = false;               // a departure from what no text states is NO-GO, too
   bool blind = false;  // for the check of the bench: a judge that says GO to everything
 };
 
@@ -57,6 +58,8 @@ class Trial {
   std::chrono::milliseconds run_limit() const { return options_.run_limit; }
 
  private:
+  oracle::JudgeTerms terms_for(const oracle::Subject& subject,
+                               const reference::Profile& profile) const;
   std::optional<oracle::Verdict> judge(oracle::Subject& subject, const GeneratedProgram& program,
                                        Evidence* evidence);
   oracle::RunEnd run_once(oracle::Subject& subject, const GeneratedProgram& program,

@@ -37,8 +37,11 @@ class Attributor {
   };
 
   oracle::JudgeTerms terms(const Profile& profile) const {
-    return make_terms(subject_.info(), profile,
-                      {options_.tolerance, options_.chord, options_.feed_resolution});
+    oracle::JudgeTerms terms =
+        make_terms(subject_.info(), profile,
+                   {options_.tolerance, options_.chord, options_.feed_resolution});
+    terms.strict = true;  // what it follows, not what a text states
+    return terms;
   }
   bool judge_trial(const Trial& trial) const;
   bool explains(const Variant& variant, const Observation& seen) const;

@@ -94,8 +94,9 @@ oracle::Verdict Identifier::judge(const Item& item, const PartialAssignment& rea
   Profile profile = item.probe->profile;
   profile.readings = base_;
   set_values(profile, readings);
-  const oracle::JudgeTerms terms = make_terms(
+  oracle::JudgeTerms terms = make_terms(
       subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+  terms.strict = true;  // what it follows, not what a text states
   return judge_kept(profile, item.probe->program, terms, run.outcome);
 }
 
@@ -151,9 +152,10 @@ void Identifier::check_outcomes(Item& item) {
     if (!outcome) return;
     shown.emplace(leaf.outcome, std::pair{std::move(profile), std::move(*outcome)});
   }
-  const oracle::JudgeTerms terms =
+  oracle::JudgeTerms terms =
       make_terms(subject_.info(), probe.profile,
                  {options_.tolerance, options_.chord, options_.feed_resolution});
+  terms.strict = true;
   const auto passes = [&](const auto& outcome, const auto& under) {
     const oracle::Verdict verdict =
         judge_kept(under.second.first, probe.program, terms, outcome.second.second);

@@ -261,10 +261,22 @@ void add_forgotten_motions(const std::set<std::string>& motions, Variants& out) 
   }
 }
 
+// The machine on which a text without an end is none that alarms.
+reference::Profile without_need_of_an_end(reference::Profile profile) {
+  profile.readings.set(reference::ReadingKey::ngc_program_end, "free");
+  return profile;
+}
+
+std::optional<Trial> with_last_mark_ignored(const Observation& seen) {
+  auto text = without_last_mark(ProgramText(seen.profile, seen.program));
+  if (!text) return std::nullopt;
+  return Trial{std::move(*text), without_need_of_an_end(seen.profile), seen.outcome, std::nullopt};
+}
+
 std::optional<Trial> with_end_ignored(const Observation& seen) {
   auto text = without_end(ProgramText(seen.profile, seen.program));
   if (!text) return std::nullopt;
-  Trial trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+  Trial trial{std::move(*text), without_need_of_an_end(seen.profile), seen.outcome, std::nullopt};
   // It is passed on all the same.
   std::erase_if(trial.outcome.records, [](const Record& record) {
     return record.kind == reference::RecordKind::m &&
@@ -283,7 +295,7 @@ void add_modal_variants(const Observation& departure, Variants& out) {
   add_late_words(named.addresses, out);
   add_forgotten_motions(named.motions, out);
   out.push_back({"the end of the program is ignored", with_end_ignored});
-  add_text("the second % does not end the program", without_last_mark, out);
+  out.push_back({"the second % does not end the program", with_last_mark_ignored});
 }
 
 }  // namespace gonogo::identify

@@ -77,7 +77,8 @@ bool has_unclear_words(const std::vector<TextLine>& lines) {
   return has_near_codes || has_bare_g(lines) || has_word(lines, [](const std::string& text) {
            const bool goes_on =
                std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
-           return text.starts_with("=") ||
+           const bool is_part_of_a_number = text[0] == '.' || (text[0] >= '0' && text[0] <= '9');
+           return text.starts_with("=") || is_part_of_a_number ||
                   (goes_on && text != "/");  // a block that may be left out
          });
 }

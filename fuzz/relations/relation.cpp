@@ -72,7 +72,8 @@ std::optional<Related> spelled(const GeneratedProgram& program, std::size_t vari
   return related;
 }
 
-// A line without words and one with a comment alone, behind every line.
+// A line without words and one with a comment alone, behind every line but the last, which may be
+// the one that alarms where an end is missing.
 std::optional<Related> spread(const GeneratedProgram& program, std::size_t) {
   const std::vector<TextLine> lines = lines_of(program.text);
   Related related;
@@ -80,7 +81,7 @@ std::optional<Related> spread(const GeneratedProgram& program, std::size_t) {
   for (const TextLine& line : lines) {
     wide.push_back(line);
     related.lines.push_back(wide.size());
-    if (line.end.empty() || is_head(line)) continue;
+    if (line.end.empty() || is_head(line) || related.lines.size() == lines.size()) continue;
     wide.push_back({{}, "", line.end});
     wide.push_back({{}, ";", line.end});
   }
@@ -102,6 +103,10 @@ std::optional<Related> cut_short(const GeneratedProgram& program, std::size_t va
   related.lines.resize(lines.size(), 0);
   lines.resize(variant + 1);
   related.program = {program.profile, text_of(lines)};
+  if (program.profile.dialect == "rs274") {
+    // What is cut off is the end, without which some alarm.
+    related.program.profile.readings.set(reference::ReadingKey::ngc_program_end, "free");
+  }
   related.is_beginning = true;
   return related;
 }

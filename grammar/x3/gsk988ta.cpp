@@ -35,7 +35,7 @@ constexpr auto tape_mark =
 constexpr auto file_name =
     sole<'P'> >> blanks >> &(sole<'['> >> blanks >> sole<'T'> >> digit);
 
-// GSK-COM-09: ,C and ,R between two motions.
+// GSK-WRD-01: ,C and ,R between two motions.
 constexpr auto comma_word = sole<','> >> blanks >> address<Letters::capital>;
 
 constexpr auto construct =

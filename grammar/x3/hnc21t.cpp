@@ -39,7 +39,7 @@ constexpr auto tape_mark =
 constexpr auto percent_head =
     sole<'%'> >> blanks >> store<&Block::program_number>[expect[whole]];
 
-// HNC-COM-02: the chamfer and the rounding between two motions.
+// HNC-WRD-01: the chamfer and the rounding between two motions.
 template <const auto& keyword, const char* name>
 constexpr auto corner = outside<name>[
     Keyword<keyword, Letters::capital>{} >> blanks >> &sole<'='> >> macro_rest<>];

@@ -5,7 +5,7 @@
 //
 //   line      = tape-mark | name | block
 //   tape-mark = '%'
-//   name      = comment* O whole comment* [';' text]
+//   name      = O whole comment* [';' text]
 //   block     = ['/'] [N whole ['.' whole]] comment* item* [construct] [';' text]
 //   construct = '#' rest | O rest | address [sign] ('#' | '[' | function) rest
 //
@@ -61,11 +61,10 @@ struct NameAhead : spirit::parser<NameAhead> {
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&,
              Attribute&) const {
-    const Iterator letter = behind_comments(first, last);
-    if (letter == last || capital_of(*letter) != 'O') return false;
+    if (first == last || capital_of(*first) != 'O') return false;
     const Iterator number_end =
-        std::find_if_not(letter + 1, last, [](char byte) { return kDigit.contains(byte); });
-    if (number_end == letter + 1) return false;
+        std::find_if_not(first + 1, last, [](char byte) { return kDigit.contains(byte); });
+    if (number_end == first + 1) return false;
     const Iterator end = behind_comments(number_end, last);
     return end == last || *end == ';';
   }
@@ -122,7 +121,7 @@ constexpr auto construct =
 constexpr auto head =
     -skip >> -(letter<'N', kCase> >> store<&Block::sequence_number>[expect[line_number]]);
 
-constexpr auto name = leading_comments >> letter<'O', kCase>
+constexpr auto name = letter<'O', kCase>
     >> store<&Block::program_number>[expect[whole]] >> leading_comments >> -text_to_end;
 
 constexpr auto block = head >> leading_comments >> items(item) >> -construct >> -text_to_end

@@ -168,13 +168,13 @@ class LinuxcncGcode(Subject):
             return None
         message = self.gcode.strerror(result)
         # next_line is called for the line at fault too; the number that parse returns is one too
-        # high when that line could not be read.
-        return alarm(message, linuxcnc.class_of(message), b=canon.line)
+        # high when that line could not be read. It is not called where every line is blank.
+        return alarm(message, linuxcnc.class_of(message), b=max(canon.line, 1))
 
     def _parse(self, program, canon, *start):
         path = os.path.join(self.folder.name, "program.ngc")
         with open(path, "wb") as file:
-            file.write(linuxcnc.completed(program))
+            file.write(program)
         # What programs leave behind in the parameter file would be the next one's start.
         with open(canon.parameter_file, "w"):
             pass

@@ -113,7 +113,7 @@ class LinuxcncRs274(Subject):
 
     def run(self, program, emit):
         with open(os.path.join(self.folder.name, "program.ngc"), "wb") as file:
-            file.write(linuxcnc.completed(program))
+            file.write(program)
         calls = Calls(emit)
         with tempfile.TemporaryFile() as complaints:
             with subprocess.Popen(["rs274", *self.flags, "-g", "program.ngc"],

@@ -10,7 +10,7 @@ FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns"]
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
 _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Bad character '|bad number format|Unclosed comment|Nested comment|No characters found in "
-     r"reading real|Bad format unsigned integer", "syntax"),
+     r"reading real|Unknown word where unary operation could be|Bad format unsigned integer", "syntax"),
     (r"Unknown [gm] code used|G-code out of range", "undefined-code"),
     (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group", "duplicate-word"),
     (r"Mixed radius ijk format", "conflicting-words"),
@@ -21,6 +21,8 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),
     (r"Arc radius too small|Zero-radius arc", "arc-radius"),
     (r"P value not an integer|Non integer value for integer", "not-an-integer"),
+    (r"^[A-Z] word with no ", "unused-word"),
+    (r"File ended with no percent sign", "program-end"),
 ]]
 
 #: The readings that LinuxCNC follows, as the profile names them.
@@ -28,6 +30,13 @@ READINGS = {
     "readings.ngc.arc-tolerance": lambda value: value in ("linuxcnc", "any"),
     "readings.ngc.full-circle-words": lambda value: value in ("free", "any"),
     "readings.ngc.whole": lambda value: value in ("linuxcnc", "any"),
+    "readings.ngc.g80-beside": lambda value: value in ("ignored", "any"),
+    "readings.ngc.unused-words": lambda value: value in ("alarm", "any"),
+    "readings.ngc.line-number": lambda value: value in ("decimal", "any"),
+    "readings.ngc.o-name": lambda value: value in ("passed-over", "any"),
+    "readings.ngc.program-end": lambda value: value in ("needed", "any"),
+    "readings.ngc.bare-motion": lambda value: value in ("nothing", "any"),
+    "readings.ngc.arc-words-alone": lambda value: value in ("arc", "any"),
 }
 
 
@@ -37,11 +46,6 @@ def class_of(message):
         if pattern.search(message):
             return cls
     return None
-
-
-def completed(program):
-    """The program with an M2 behind its last line: without an end LinuxCNC calls it an error."""
-    return program + (b"" if program.endswith(b"\n") or not program else b"\n") + b"M2\n"
 
 
 def version():
@@ -64,7 +68,7 @@ def open_tools(folder):
     """Gives this process LinuxCNC's tool data. Without it the module gcode crashes at a T word."""
     empty = os.path.join(folder, "empty.ngc")
     with open(empty, "wb") as file:
-        file.write(completed(b""))
+        file.write(b"M2\n")
     subprocess.run(["rs274", "-g", empty], cwd=folder, env=home(folder), check=True,
                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.environ["HOME"] = folder

@@ -14,6 +14,14 @@ const kHarmless = {
   'readings.ngc.arc-tolerance': (value) => value === 'any',
   'readings.ngc.full-circle-words': (value) => value === 'any',
   'readings.ngc.whole': (value) => value === 'any',
+  'readings.ngc.g80-beside': (value) => value === 'any',
+  'readings.ngc.line-number': (value) => value === 'any',
+  'readings.ngc.o-name': (value) => value === 'any',
+  'readings.ngc.bare-motion': (value) => value === 'any',
+  'readings.ngc.arc-words-alone': (value) => value === 'any',
+  // Of a program that is only looked at.
+  'readings.ngc.unused-words': (value) => value === 'ignored' || value === 'any',
+  'readings.ngc.program-end': (value) => value === 'free' || value === 'any',
 };
 for (const word of ['x', 'y', 'z', 'a', 'c', 'f']) kHarmless[`initial.${word}`] = isZero;
 

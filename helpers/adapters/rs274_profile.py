@@ -39,7 +39,12 @@ _HARMLESS = {
     "initial.x": _zero, "initial.y": _zero, "initial.z": _zero, "initial.a": _zero,
     "initial.c": _zero, "initial.f": _zero, "resolution": anything,
     "readings.ngc.arc-tolerance": one_of("any"), "readings.ngc.full-circle-words": one_of("any"),
-    "readings.ngc.whole": one_of("any"),
+    "readings.ngc.whole": one_of("any"), "readings.ngc.g80-beside": one_of("any"),
+    "readings.ngc.line-number": one_of("any"), "readings.ngc.o-name": one_of("any"),
+    "readings.ngc.bare-motion": one_of("any"), "readings.ngc.arc-words-alone": one_of("any"),
+    # Of a program that is only looked at.
+    "readings.ngc.unused-words": one_of("ignored", "any"),
+    "readings.ngc.program-end": one_of("free", "any"),
 }
 
 

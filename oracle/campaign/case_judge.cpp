@@ -229,7 +229,9 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
   }
   const bool comparable =
       attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
-  if (decision(result.verdict.kind) == Decision::no_go && comparable && attempt.whole) {
+  const bool departs = decision(result.verdict.kind) == Decision::no_go ||
+                       result.verdict.kind == VerdictKind::advice;
+  if (departs && comparable && attempt.whole) {
     result.verdict.reading =
         explaining_reading(test.profile, test.program, terms, attempt.records, attempt.end);
   }

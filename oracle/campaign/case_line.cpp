@@ -205,7 +205,9 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   if (!result.features.empty()) line.texts("features", result.features);
   line.texts("clauses", result.clauses);
   line.text("verdict", name(verdict.kind));
-  if (result.expected_gap && verdict.kind == VerdictKind::oracle_gap) line.json("expected", "true");
+  const bool says_nothing =
+      verdict.kind == VerdictKind::oracle_gap || verdict.kind == VerdictKind::skip;
+  if (result.expected_gap && says_nothing) line.json("expected", "true");
   if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
     line.number("property_motions", verdict.property_motions);
   }

@@ -31,6 +31,9 @@ struct Expectation {
   std::vector<std::pair<std::string, std::string>> when;  // reading -> value
   std::vector<reference::Record> records;                 // the shown path; `end` last, or none
   std::vector<ExpectedAlarm> alarms;                      // any of them; empty: no alarm
+  // What it stands on: of an alarm as the judge takes it (J-ALM-02), else the weakest of what its
+  // records and the blocks that run on stand on. Nothing: the file does not say.
+  std::optional<reference::Basis> basis;
   bool not_covered = false;
 };
 

@@ -38,7 +38,10 @@ std::map<std::string, Digest> digests_of(const Corpus& corpus) {
     question.update(test.dialect + reference::profile_json(test.profile));
     question.update(test.program);
     Sha256 answer;
-    for (const Expectation& expectation : test.expect) answer.update(expectation_json(expectation));
+    for (Expectation expectation : test.expect) {
+      expectation.basis.reset();  // no subject is held to it
+      answer.update(expectation_json(expectation));
+    }
     digests[test.id] = {question.hex(), answer.hex(), ends_of(test)};
     return true;
   });

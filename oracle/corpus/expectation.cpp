@@ -10,17 +10,31 @@
 namespace gonogo::oracle {
 
 using reference::AlarmReport;
+using reference::Basis;
+using reference::ClauseId;
 using reference::NotCovered;
 using reference::Record;
+
+namespace {
+
+Basis basis_of(ClauseId clause) {
+  return clause == reference::kNoClause ? Basis::text : reference::clause(clause).basis();
+}
+
+}  // namespace
 
 Expectation expectation_of(const reference::Profile& profile, std::string_view program) {
   grammar::MemorySource bytes(program);
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
   Expectation expectation;
+  Basis weakest = Basis::text;
+  const auto stand_on = [&](ClauseId clause) { weakest = std::max(weakest, basis_of(clause)); };
+  expander.on_acceptance([&](std::uint64_t, ClauseId clause) { stand_on(clause); });
   while (const reference::Item* item = expander.next()) {
     if (auto* record = std::get_if<Record>(item)) {
       expectation.records.push_back(*record);
+      stand_on(record->clause);
     } else if (auto* report = std::get_if<AlarmReport>(item)) {
       for (const reference::Alarm& alarm : report->alarms) {
         const ExpectedAlarm expected{alarm.alarm, report->block, alarm.word};
@@ -28,10 +42,12 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
           expectation.alarms.push_back(expected);
         }
       }
+      weakest = basis_of(firmest(*report).clause);
     } else if (std::holds_alternative<NotCovered>(*item)) {
       expectation.not_covered = true;
     }
   }
+  expectation.basis = weakest;
   return expectation;
 }
 

@@ -31,6 +31,12 @@ class Linter {
       }
     }
     check_id(test);
+    const auto has_basis = [](const Expectation& expectation) {
+      return expectation.basis.has_value();
+    };
+    if (!std::ranges::all_of(test.expect, has_basis)) {
+      say_(fmt::format("{}: an expectation does not say on what basis it stands.", test.id));
+    }
     if (auto fault = recheck(test)) say_(fmt::format("{}: {}", test.id, *fault));
     for (const std::string& sign : test.tags_sign) check_sign(test, sign);
   }

@@ -116,7 +116,7 @@ std::string FileReader::program_of(const JsonPlace& place) const {
 }
 
 Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test) {
-  place.need_object({"when", "records", "alarm", "not_covered"});
+  place.need_object({"when", "basis", "records", "alarm", "not_covered"});
   Expectation expectation;
   if (detail_ == Detail::to_run) {
     if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
@@ -130,6 +130,11 @@ Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test)
       }
       expectation.when.emplace_back(reading, value.text());
     }
+  }
+  if (place.has("basis")) {
+    const JsonPlace basis = place.member("basis");
+    expectation.basis = reference::basis(basis.text());
+    if (!expectation.basis) basis.fail(fmt::format("There is no basis {}.", basis.text()));
   }
   for (const JsonPlace& record : place.member("records").items()) {
     expectation.records.push_back(record_of(record));

@@ -106,6 +106,9 @@ std::string expectation_json(const Expectation& expectation) {
     }
     out += "}, ";
   }
+  if (expectation.basis) {
+    out += fmt::format("\"basis\": {}, ", json_string(reference::name(*expectation.basis)));
+  }
   std::vector<std::string> records;
   for (const reference::Record& record : expectation.records) {
     reference::append_json(record, records.emplace_back());

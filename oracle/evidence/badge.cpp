@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/evidence/badge.hpp"
 
-#include <fmt/format.h>
-
-#include "oracle/evidence/text.hpp"
 #include "oracle/report/case_paths.hpp"
+#include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
 
+// Green is what was judged in full alone: a skip and an advice are not (J-RUN-05).
 std::string badge_json(const RunState& state) {
   const Json& headline = state.summary["headline"];
-  const auto all = headline["cases"].get<std::size_t>();
-  std::string message = fmt::format("{} \xC2\xB7 {} cases", state.decision, grouped(all));
   std::string colour = "yellow";
   if (state.decision == "GO") {
-    colour = "brightgreen";
+    const bool is_whole = headline["notClaimed"] == 0 && headline["advices"] == 0;
+    colour = is_whole ? "brightgreen" : "yellowgreen";
   } else if (state.decision == "NO-GO") {
     colour = "red";
-    message = fmt::format("NO-GO \xC2\xB7 {} of {} cases",
-                          grouped(headline["noGo"].get<std::size_t>()), grouped(all));
   }
-  return report::dump(
-             {{"schemaVersion", 1}, {"label", "gonogo"}, {"message", message}, {"color", colour}}) +
+  return report::dump({{"schemaVersion", 1},
+                       {"label", "gonogo"},
+                       {"message", report::text_of(headline, "short")},
+                       {"color", colour}}) +
          "\n";
 }
 

@@ -17,6 +17,8 @@ CaseRow case_row(const Json& line) {
   facts.cycle = text_of(line, "cycle");
   facts.kind = verdict_kind(text_of(line, "verdict")).value_or(VerdictKind::oracle_error);
   facts.clause = text_of(line, "clause");
+  facts.departure = text_of(line, "departure");
+  facts.basis = text_of(line, "basis");
   facts.reading = text_of(line, "reading");
   facts.block = report::count_of(line, "b");
   facts.want = text_of(line, "want");
@@ -39,6 +41,7 @@ CaseRow case_row(const CaseHead& line) {
   facts.cycle = line.cycle;
   facts.kind = verdict_kind(line.verdict).value_or(VerdictKind::oracle_error);
   facts.clause = line.clause;
+  facts.departure = line.departure;
   facts.message = line.message;
   facts.microseconds = line.microseconds;
   facts.expected = line.expected;
@@ -57,12 +60,14 @@ std::string row_text(const CaseRow& facts) {
     if (!value.empty()) text += fmt::format("{:<10} {}\n", what, value);
   };
   if (!facts.message.empty()) text += facts.message + "\n";
+  put("would be", facts.departure);
   if (!facts.clause.empty()) {
     const reference::Clause* clause = report::find_clause(facts.clause);
     put("clause", clause == nullptr
                       ? facts.clause
                       : fmt::format("{}: {} ({})", facts.clause, clause->text, clause->source));
   }
+  put("basis", facts.basis);
   if (facts.block) put("line", std::to_string(*facts.block));
   put("want", facts.want);
   put("got", facts.got);

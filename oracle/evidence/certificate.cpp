@@ -78,8 +78,9 @@ void check_folder(const fs::path& folder, const CertificateSources& sources) {
     throw ResultsError(
         fmt::format("{} lies in the folder of the certificate: name another folder.", path));
   }
-  const std::set<std::string> own = {kResultsFile, kWaiversFile,   kAlarmMapFile,  kProfileFile,
-                                     kProfileJson, kStatementJson, kStatementText, kSums};
+  const std::set<std::string> own = {kResultsFile,   kWaiversFile, kAlarmMapFile,
+                                     kProfileFile,   kProfileJson, kStatementJson,
+                                     kStatementText, kSums,        kTraces};
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (own.contains(name)) continue;
@@ -87,7 +88,7 @@ void check_folder(const fs::path& folder, const CertificateSources& sources) {
         fmt::format("{} holds {}, which is no part of a certificate: name a folder of its own.",
                     folder.string(), name));
   }
-  for (const std::string& name : own) fs::remove(folder / name);
+  for (const std::string& name : own) fs::remove_all(folder / name);
 }
 
 std::vector<std::string> reasons_of(const std::string& path) {
@@ -95,12 +96,38 @@ std::vector<std::string> reasons_of(const std::string& path) {
   return waiver_reasons(path);
 }
 
-void write_sums(const fs::path& folder, const std::vector<std::string>& files) {
+std::string sum_line(const fs::path& folder, const std::string& name) {
+  return fmt::format("{}  {}\n", file_sha256((folder / name).string()), name);
+}
+
+void write_sums(const fs::path& folder, const std::vector<std::string>& files,
+                const std::string& of_traces) {
   std::string sums;
-  for (const std::string& name : files) {
-    sums += fmt::format("{}  {}\n", file_sha256((folder / name).string()), name);
+  for (const std::string& name : files) sums += sum_line(folder, name);
+  write_file(folder / kSums, sums + of_traces);
+}
+
+// The traces of the cases of the run, in the order of their ids. Returns their lines of SHA256SUMS.
+std::string copy_traces(const CertificateSources& sources, const fs::path& folder,
+                        TraceFiles& traces) {
+  if (sources.traces.empty()) return {};
+  fs::create_directories(folder / kTraces);
+  std::string sums;
+  auto copy = [&](const std::string& name) {
+    const fs::path from = fs::path(sources.traces) / name;
+    if (!fs::exists(from)) return false;
+    const std::string target = fmt::format("{}/{}", kTraces, name);
+    fs::copy_file(from, folder / target);
+    sums += sum_line(folder, target);
+    return true;
+  };
+  ResultsReader reader(sources.results);
+  for (CaseHead head; reader.next(head);) {
+    if (copy(head.id + ".jsonl")) ++traces.files;
   }
-  write_file(folder / kSums, sums);
+  copy("subject.json");
+  if (traces.files > 0) traces.sha256 = sha256_of_text(sums);
+  return sums;
 }
 
 void write(const CertificateSources& sources, const fs::path& folder) {
@@ -115,10 +142,14 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   if (!sources.alarm_map.empty()) files.push_back(kAlarmMapFile);
   const char* profile = sources.profile.ends_with(".json") ? kProfileJson : kProfileFile;
   if (!sources.profile.empty()) files.push_back(profile);
-  const Statement statement =
-      make_statement(sources.results, reasons_of(sources.known_failures), files);
+  const std::vector<std::string> reasons = reasons_of(sources.known_failures);
+  // What cannot be certified is told before anything is written.
+  make_statement(sources.results, reasons, files, {});
   check_folder(folder, sources);
   fs::create_directories(folder);
+  TraceFiles traces;
+  const std::string trace_sums = copy_traces(sources, folder, traces);
+  const Statement statement = make_statement(sources.results, reasons, files, traces);
   fs::copy_file(sources.results, folder / kResultsFile);
   for (const Source& source : from_run) {
     if (!source.path.empty()) fs::copy_file(source.path, folder / source.name);
@@ -128,7 +159,7 @@ void write(const CertificateSources& sources, const fs::path& folder) {
   write_file(folder / kStatementText, statement.markdown);
   files.insert(files.end(), {kStatementText, kStatementJson});
   std::ranges::sort(files);
-  write_sums(folder, files);
+  write_sums(folder, files, trace_sums);
 }
 
 }  // namespace

@@ -14,13 +14,14 @@ struct CertificateSources {
   std::string known_failures;  // TOML files of the run; empty: the run had none
   std::string alarm_map;
   std::string profile;
+  std::string traces;  // folder of `certify --traces`; empty: none are kept
 };
 
 // Writes STATEMENT.md, statement.json, results.jsonl, what there is of waivers.toml,
-// alarm-map.toml and profile.toml or .json, and SHA256SUMS over all of them. Refuses a results file that is
-// faulty or incomplete, one with cases that are known to fail without the file of the reasons, and
-// a folder that holds other files. Returns why not, a sentence.
-// Throws std::system_error where something cannot be written.
+// alarm-map.toml, profile.toml or .json and traces/<id>.jsonl, and SHA256SUMS over all of them.
+// Refuses a results file that is faulty or incomplete, one with cases that are known to fail
+// without the file of the reasons, and a folder that holds other files. Returns why not, a
+// sentence. Throws std::system_error where something cannot be written.
 std::optional<std::string> write_certificate(const CertificateSources& sources,
                                              const std::string& folder);
 

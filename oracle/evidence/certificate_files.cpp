@@ -31,6 +31,12 @@ std::string file_sha256(const std::string& path) {
   return hash.hex();
 }
 
+std::string sha256_of_text(std::string_view text) {
+  Sha256 hash;
+  hash.update(text);
+  return hash.hex();
+}
+
 std::vector<std::string> waiver_reasons(const std::string& path) {
   auto read = known_failures_from_toml(file_text(path));
   if (const auto* fault = std::get_if<FileFault>(&read)) {

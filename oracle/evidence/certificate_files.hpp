@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gonogo::oracle::evidence {
@@ -9,6 +10,7 @@ namespace gonogo::oracle::evidence {
 // Both throw ResultsError when the file cannot be read.
 std::string file_text(const std::string& path);
 std::string file_sha256(const std::string& path);
+std::string sha256_of_text(std::string_view text);
 
 // The reasons that a known-failures file gives, without repetition. Throws ResultsError when it is
 // none.

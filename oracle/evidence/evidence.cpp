@@ -64,7 +64,7 @@ class Writers {
     const Json* footer = reader_.footer() ? &*reader_.footer() : nullptr;
     const RunState state = run_state(summary_, reader_.header(), footer);
     programs_.finish();
-    junit_.finish(state.unfinished);
+    junit_.finish(state);
     sarif_.finish(state.unfinished);
     write_file(folder_ / "badge.json", badge_json(state));
     write_file(folder_ / "summary.md", markdown_.text(state));

@@ -47,9 +47,10 @@ std::string element(std::string_view tag, const CaseRow& facts, const std::strin
 }
 
 std::string skipped(const CaseRow& facts) {
-  const std::string reason = facts.message.empty()
-                                 ? std::string(facts.verdict())
-                                 : fmt::format("{}: {}", facts.verdict(), facts.message);
+  std::string verdict(facts.verdict());
+  if (!facts.departure.empty()) verdict += fmt::format(" ({})", facts.departure);
+  const std::string reason =
+      facts.message.empty() ? verdict : fmt::format("{}: {}", verdict, facts.message);
   return fmt::format("<skipped message=\"{}\"/>", xml_attribute(reason));
 }
 
@@ -138,7 +139,8 @@ void JunitWriter::add(const CaseRow& facts) {
   own.out << "</testcase>\n";
 }
 
-void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFile& out) const {
+void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFile& out,
+                             const std::string& properties) const {
   suite.out.close();
   std::ifstream in(suite.path, std::ios::binary);
   if (!suite.out || !in) {
@@ -146,7 +148,7 @@ void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFil
                             suite.path.string() + " cannot be written");
   }
   out.write(fmt::format("<testsuite name=\"{}\" {}>\n{}", xml_attribute(dialect),
-                        suite.counts.attributes(), properties_));
+                        suite.counts.attributes(), properties));
   std::string chunk(std::size_t{1} << 16, '\0');
   while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
     out.write(std::string_view(chunk).substr(0, static_cast<std::size_t>(in.gcount())));
@@ -154,12 +156,25 @@ void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFil
   out.write("</testsuite>\n");
 }
 
-void JunitWriter::finish(const std::string& unfinished) {
+// Of the whole run, in each suite: a reader of one sees what the others were.
+std::string JunitWriter::properties(const RunState& state) const {
+  const Json& headline = state.summary["headline"];
+  std::string own = property("decision", state.decision) + property("head", state.head) +
+                    property("judged", headline["judged"].dump()) +
+                    property("advices", headline["advices"].dump()) +
+                    property("not-claimed", headline["notClaimed"].dump());
+  constexpr std::string_view kEnd = "</properties>\n";
+  return properties_.substr(0, properties_.size() - kEnd.size()) + own + std::string(kEnd);
+}
+
+void JunitWriter::finish(const RunState& state) {
+  const std::string& unfinished = state.unfinished;
+  const std::string properties = this->properties(state);
   OutputFile out(path_);
   if (!unfinished.empty()) all_.add(JunitMark::error, 0);
   out.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
   out.write(fmt::format("<testsuites name=\"gonogo\" {}>\n", all_.attributes()));
-  for (auto& [dialect, suite] : suites_) copy_suite(dialect, suite, out);
+  for (auto& [dialect, suite] : suites_) copy_suite(dialect, suite, out, properties);
   if (!unfinished.empty()) {
     Counts one;
     one.add(JunitMark::error, 0);
@@ -167,7 +182,7 @@ void JunitWriter::finish(const std::string& unfinished) {
         fmt::format("<testsuite name=\"run\" {}>\n{}<testcase classname=\"run\" "
                     "name=\"whole\" time=\"0.000000\"><error type=\"incomplete\" "
                     "message=\"{}\"></error></testcase>\n</testsuite>\n",
-                    one.attributes(), properties_, xml_attribute(unfinished)));
+                    one.attributes(), properties, xml_attribute(unfinished)));
   }
   out.write("</testsuites>\n");
   out.commit();

@@ -8,13 +8,14 @@
 #include <memory>
 #include <string>
 
-#include "oracle/evidence/case_row.hpp"
+#include "oracle/evidence/run_state.hpp"
 #include "oracle/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 
 // Where the answer to a case stands in JUnit's terms: <failure> for a NO-GO, <error> where the
-// subject or the gauge broke down, <skipped> for skips, known failures and what is undecided.
+// subject or the gauge broke down, <skipped> for skips, advices, known failures and what is
+// undecided.
 enum class JunitMark { passed, failure, error, skipped };
 JunitMark junit_mark(const CaseRow& facts);
 
@@ -29,8 +30,8 @@ class JunitWriter {
   JunitWriter& operator=(const JunitWriter&) = delete;
 
   void add(const CaseRow& facts);
-  // `unfinished`: a sentence of what the run lacks, which becomes a suite with one error; or empty.
-  void finish(const std::string& unfinished);
+  // What the run lacks becomes a suite with one error.
+  void finish(const RunState& state);
 
  private:
   struct Counts {
@@ -48,7 +49,9 @@ class JunitWriter {
     Counts counts;
   };
   Suite& suite(const std::string& dialect);
-  void copy_suite(const std::string& dialect, Suite& suite, OutputFile& out) const;
+  std::string properties(const RunState& state) const;
+  void copy_suite(const std::string& dialect, Suite& suite, OutputFile& out,
+                  const std::string& properties) const;
 
   std::filesystem::path path_;
   std::string command_;     // up to the case

@@ -80,10 +80,6 @@ std::string not_checked_list(const RunState& state) {
     text += fmt::format("- Other readings of {} clauses that the manuals leave open.\n",
                         grouped(gaps["open"].size()));
   }
-  for (const auto& [reason, count] : gaps["skips"].items()) {
-    text += fmt::format("- {} skipped: {}\n", cases(count.get<std::size_t>()),
-                        markdown_text(reason.empty() ? "no reason given" : reason));
-  }
   if (const auto undecided = state.summary["headline"]["undecided"].get<std::size_t>()) {
     text += fmt::format("- {} that the gauge could not decide.\n", cases(undecided));
   }
@@ -91,6 +87,54 @@ std::string not_checked_list(const RunState& state) {
     text += fmt::format("- {}: {} codes that the maker has and the gauge does not read.\n",
                         markdown_text(dialect), codes.size());
   }
+  return text;
+}
+
+std::string not_claimed_list(const Json& scope) {
+  std::string text;
+  for (const Json& group : scope["not_claimed"]) {
+    const std::string feature = text_of(group, "feature");
+    const std::string reason = text_of(group, "reason");
+    text += fmt::format("- {}: {} of {}\n",
+                        markdown_text(!feature.empty() ? feature
+                                      : reason.empty() ? "no reason given"
+                                                       : reason),
+                        cases(group["cases"].get<std::size_t>()),
+                        markdown_text(text_of(group, "dialect")));
+  }
+  return text;
+}
+
+std::string declared_but_skipped_list(const Json& scope) {
+  std::string text;
+  for (const Json& group : scope["declared_but_skipped"]) {
+    text += fmt::format("- {} of {}, {}: {} {}\n", markdown_text(text_of(group, "cycle")),
+                        markdown_text(text_of(group, "dialect")),
+                        cases(group["cases"].get<std::size_t>()),
+                        markdown_text(text_of(group, "reason")), named_cases(group));
+  }
+  return text;
+}
+
+std::string advice_list(const Json& scope) {
+  std::string text;
+  for (const Json& group : scope["advices"]) {
+    const std::string id = text_of(group, "clause");
+    const reference::Clause* clause = report::find_clause(id);
+    text += fmt::format(
+        "- {}, would be {}, {}: {}{}\n", id.empty() ? "no clause" : markdown_code(id),
+        markdown_text(text_of(group, "departure")), cases(group["cases"].get<std::size_t>()),
+        clause == nullptr ? "" : markdown_text(clause->text) + " ", named_cases(group));
+  }
+  return text;
+}
+
+std::string named_cases(const Json& group) {
+  std::string text;
+  for (const Json& id : group["first_cases"]) {
+    text += (text.empty() ? "" : ", ") + markdown_code(id.get<std::string>());
+  }
+  if (group["cases"].get<std::size_t>() > group["first_cases"].size()) text += ", ...";
   return text;
 }
 
@@ -154,7 +198,8 @@ std::string MarkdownSummary::failures() const {
 std::string MarkdownSummary::head(const RunState& state) const {
   const Json subject = header_.value("subject", Json::object());
   const Json corpus = header_.value("corpus", Json::object());
-  std::string text = fmt::format("# {}: {}\n\n", state.decision, markdown_text(state.subject));
+  std::string text = fmt::format("# {}: {}\n\n**{}**\n\n", state.decision,
+                                 markdown_text(state.subject), markdown_text(state.head));
   text += fmt::format(
       "Subject {}, gonogo {}, corpus {} ({})", markdown_code(text_of(subject, "spec")),
       markdown_text(text_of(header_, "gonogo")), markdown_text(text_of(corpus, "version")),
@@ -167,11 +212,17 @@ std::string MarkdownSummary::head(const RunState& state) const {
 }
 
 std::string MarkdownSummary::text(const RunState& state) const {
+  const Json& scope = state.summary["scope"];
+  auto part = [](std::string_view title, const std::string& list) {
+    return list.empty() ? list : fmt::format("\n## {}\n\n{}", title, list);
+  };
   return head(state) + "\n" + totals_table(state.summary["totals"]) +
          list_of_texts(state.footer, "assignments",
                        "Readings that explain everything that passed:") +
          list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
-         failures() + "\n## What this run did not check\n\n" + not_checked_list(state);
+         part("Declared, but skipped", declared_but_skipped_list(scope)) + failures() +
+         part(kAdvicesTitle, advice_list(scope)) + part(kNotClaimedTitle, not_claimed_list(scope)) +
+         "\n## What this run did not check\n\n" + not_checked_list(state);
 }
 
 }  // namespace gonogo::oracle::evidence

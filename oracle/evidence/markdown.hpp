@@ -33,6 +33,14 @@ class MarkdownSummary {
 
 // | verdict | | cases |
 std::string totals_table(const Json& totals);
+// Lists of the groups of a scope, as of report::scope_json; empty where there are none.
+std::string not_claimed_list(const Json& scope);
+std::string declared_but_skipped_list(const Json& scope);
+std::string advice_list(const Json& scope);
+inline constexpr const char* kNotClaimedTitle = "Not claimed by the subject: not judged";
+inline constexpr const char* kAdvicesTitle = "Advices: departures from what no text states";
+// `a`, `b`, ...: the first cases of a group.
+std::string named_cases(const Json& group);
 // A list of what a run did not check; `state.summary` says it.
 std::string not_checked_list(const RunState& state);
 

@@ -129,8 +129,9 @@ RunTerms run_terms(const Json& header) {
   for (const Json& feature : subject.value("features", Json::array())) {
     if (feature.is_string()) terms.subject.features.insert(feature.get<std::string>());
   }
-  terms.tolerance = number_of(header, "tolerance");
-  terms.chord = number_of(header, "chord");
+  terms.grants = {number_of(header, "tolerance"), number_of(header, "chord"),
+                  number_of(header, "feed_resolution"),
+                  header.value("strict", Json(false)) == true};
   return terms;
 }
 
@@ -144,7 +145,7 @@ Rejudged rejudge(const Json& line, const RunTerms& terms) {
   const auto outcome = outcome_of(line, row);
   if (!outcome) return {};
   const auto& machine = std::get<reference::Profile>(profile);
-  const JudgeTerms judge_terms = make_terms(terms.subject, machine, terms.tolerance, terms.chord);
+  const JudgeTerms judge_terms = make_terms(terms.subject, machine, terms.grants);
   const SessionVerdict now =
       judge_outcome(machine, *row.program, judge_terms, outcome->records, outcome->end);
   return {true, difference(line, row, now.verdict)};

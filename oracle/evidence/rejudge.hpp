@@ -7,6 +7,7 @@
 #include <string>
 
 #include "oracle/evidence/case_row.hpp"
+#include "oracle/judge/terms.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -14,8 +15,7 @@ namespace gonogo::oracle::evidence {
 // What the header of a results file says of the terms of the run.
 struct RunTerms {
   SubjectInfo subject;
-  std::optional<Number> tolerance;
-  std::optional<Number> chord;
+  Grants grants;
 };
 // Throws ResultsError for a number that is none.
 RunTerms run_terms(const Json& header);

@@ -23,11 +23,13 @@ RunState run_state(const report::Summary& summary, const Json& header, const Jso
     state.unfinished = "The run did not come to its end: the results file has no footer.";
     const bool failed = state.summary["headline"]["noGo"] > 0;
     state.decision = failed ? "NO-GO" : "INCOMPLETE";
+    state.head = summary.scope().head(state.decision);
     return state;
   }
   state.footer = *footer;
   state.decision = text_of(*footer, "decision");
   if (state.decision.empty()) state.decision = text_of(state.summary["headline"], "decision");
+  state.head = summary.scope().head(state.decision);
   return state;
 }
 

@@ -11,6 +11,7 @@ namespace gonogo::oracle::evidence {
 // What a run came to, once all of its lines are read.
 struct RunState {
   std::string decision;    // GO, NO-GO, UNDECIDED; INCOMPLETE without a footer
+  std::string head;        // of what, in a line
   std::string unfinished;  // what the run lacks, a sentence; or empty
   std::string subject;     // its name and version
   Json summary;            // of report::Summary

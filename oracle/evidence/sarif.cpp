@@ -49,6 +49,9 @@ Json location(const CaseRow& facts) {
 std::string message(const CaseRow& facts) {
   std::string text =
       fmt::format("{}: {}", facts.verdict(), facts.message.empty() ? "No message." : facts.message);
+  if (!facts.departure.empty()) {
+    text += fmt::format("\nIt would be {} if a text of the manual stated it.", facts.departure);
+  }
   auto put = [&](std::string_view what, const std::string& value) {
     if (!value.empty()) text += fmt::format("\n{}: {}", what, value);
   };
@@ -68,6 +71,8 @@ Json properties(const CaseRow& facts, const std::string& command) {
     if (!value.empty()) bag[key] = value;
   };
   put("clause", facts.clause);
+  put("departure", facts.departure);
+  put("basis", facts.basis);
   put("want", facts.want);
   put("got", facts.got);
   if (!facts.deviation_exact.empty()) {
@@ -108,10 +113,13 @@ std::size_t SarifWriter::rule_index(const std::string& id) {
 Json SarifWriter::result(const CaseRow& facts) {
   const std::string rule = rule_of(facts);
   const bool undecided = facts.decision() == Decision::undecided;
+  const bool advice = facts.kind == VerdictKind::advice;
   Json result = {{"ruleId", rule},
                  {"ruleIndex", rule_index(rule)},
                  {"kind", undecided ? "open" : "fail"},
-                 {"level", undecided ? "none" : "error"},
+                 {"level", undecided ? "none"
+                           : advice  ? "note"
+                                     : "error"},
                  {"message", text_json(message(facts))},
                  {"locations", Json::array({location(facts)})},
                  {"partialFingerprints", {{"caseAndRule/v1", fingerprint(facts)}}}};
@@ -125,7 +133,7 @@ Json SarifWriter::result(const CaseRow& facts) {
 
 void SarifWriter::add(const CaseRow& facts) {
   const bool told = facts.decision() == Decision::no_go || facts.kind == VerdictKind::xfail ||
-                    facts.is_unexpected_gap();
+                    facts.kind == VerdictKind::advice || facts.is_unexpected_gap();
   if (!told) return;
   out_.write(any_ ? ",\n" : "\n");
   out_.write(dump(result(facts)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SARIF 2.1.0: a result a case that is not GO, or that is known to fail; the rule is the clause
-// departed from, or the verdict where no clause is at fault.
+// SARIF 2.1.0: a result a case that is not GO, or that is known to fail, or an advice (a note); the
+// rule is the clause departed from, or the verdict where no clause is at fault.
 #pragma once
 
 #include <filesystem>

@@ -86,22 +86,52 @@ Json not_checked_json(const RunState& state) {
 }
 
 Json statement_json(const Json& header, const RunState& state, const Json& waivers,
-                    const Json& findings, const std::vector<std::string>& files) {
-  Json root = {{"format", 1}, {"decision", state.decision}};
-  for (const char* key : {"subject", "gonogo", "corpus", "profile", "readings", "tolerance",
-                          "chord", "selection", "known_failures", "alarm_map", "seed", "shard"}) {
+                    const Json& findings, const std::vector<std::string>& files,
+                    const TraceFiles& traces) {
+  Json root = {{"format", 1}, {"decision", state.decision}, {"head", state.head}};
+  for (const char* key : {"subject", "gonogo", "gauge", "corpus", "profile", "readings",
+                          "tolerance", "chord", "feed_resolution", "strict", "capped", "selection",
+                          "known_failures", "alarm_map", "seed", "shard"}) {
     if (header.contains(key)) root[key] = header[key];
   }
   for (const char* key :
        {"cases", "judged", "left_out", "totals", "assignments", "stale", "unused_alarms"}) {
     if (state.footer.contains(key)) root[key] = state.footer[key];
   }
+  const Json& scope = state.summary["scope"];
+  for (const char* key : {"features", "not_claimed", "declared_but_skipped", "advices"}) {
+    root[key] = scope[key];
+  }
   root["findings"] = findings;
   root["waivers"] = waivers;
   root["not_checked"] = not_checked_json(state);
   root["results_sha256"] = text_of(state.footer, "sha256");
   root["files"] = files;
+  root["traces"] = traces.files == 0 ? Json(nullptr)
+                                     : Json({{"files", traces.files}, {"sha256", traces.sha256}});
   return root;
+}
+
+// What the subject says that it has, and how exact it is.
+std::string declared_text(const Json& subject) {
+  const Json dialects = subject.value("dialects", Json(nullptr));
+  const std::string what =
+      dialects.is_object() ? "" : "no dialects or features: what it skips it does not claim; ";
+  Json words = Json::object();
+  if (dialects.is_object()) words["dialects"] = dialects;
+  words["features"] = subject.value("features", Json::array());
+  words["numeric"] = subject.value("numeric", Json::object());
+  return what + markdown_code(dump(words));
+}
+
+std::string gauge_text(const Json& header) {
+  const Json gauge = header.value("gauge", Json::object());
+  std::string text = "gonogo " + markdown_text(text_of(header, "gonogo"));
+  const std::string commit = text_of(gauge, "commit");
+  const std::string sha256 = text_of(gauge, "sha256");
+  if (!commit.empty()) text += ", commit " + markdown_code(commit);
+  if (!sha256.empty()) text += ", SHA-256 of the program " + markdown_code(sha256);
+  return text;
 }
 
 std::string facts_of_run(const Json& header, const RunState& state) {
@@ -113,9 +143,14 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   const Json corpus = header.value("corpus", Json::object());
   put("Subject", markdown_text(state.subject));
   put("connected as", markdown_code(text_of(subject, "spec")));
-  put("declares", markdown_code(dump({{"numeric", subject.value("numeric", Json::object())},
-                                      {"features", subject.value("features", Json::array())}})));
-  put("Gauge", "gonogo " + markdown_text(text_of(header, "gonogo")));
+  put("declares", declared_text(subject));
+  for (const Json& one : header.value("capped", Json::array())) {
+    put("Not granted",
+        fmt::format("{} {} of {}: {} counts", markdown_text(text_of(one, "what")),
+                    markdown_text(text_of(one, "declared")), markdown_text(text_of(one, "dialect")),
+                    markdown_text(text_of(one, "counts"))));
+  }
+  put("Gauge", gauge_text(header));
   put("Corpus", fmt::format("version {}, SHA-256 {}", markdown_text(text_of(corpus, "version")),
                             markdown_code(text_of(corpus, "sha256"))));
   const Json profile = header.value("profile", Json::object());
@@ -127,6 +162,10 @@ std::string facts_of_run(const Json& header, const RunState& state) {
                                      : markdown_text(tolerance) + " mm, granted by the certifier");
   const std::string chord = text_of(header, "chord");
   if (!chord.empty()) put("Chord", markdown_text(chord) + " mm, granted by the certifier");
+  const std::string feeds = text_of(header, "feed_resolution");
+  if (!feeds.empty()) put("Feed resolution", markdown_text(feeds) + ", granted by the certifier");
+  put("Advices", header.value("strict", Json(false)) == true ? "are NO-GO (--strict)"
+                                                             : "are told, and are no NO-GO");
   if (header.contains("selection")) {
     put("Cases asked for", markdown_code(dump(header["selection"])));
   }
@@ -135,28 +174,25 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   return text;
 }
 
-std::string named(const Json& entry) {
-  std::string text;
-  for (const Json& id : entry["first_cases"]) {
-    text += (text.empty() ? "" : ", ") + markdown_code(id.get<std::string>());
-  }
-  const auto cases = entry["cases"].get<std::size_t>();
-  if (cases > entry["first_cases"].size()) text += ", ...";
-  return text;
-}
-
 std::string statement_text(const Json& header, const RunState& state, const Json& root) {
   std::string text = fmt::format(
       "# {}\n\nThe gauge GoNoGo judged the subject below case by case against the reference. This "
       "statement says what was judged and what came of it; `gonogo verify` on this folder checks "
       "it.\n\n## What was judged\n\n{}\n## What came of it\n\n**{}**\n\n{}",
-      state.decision, facts_of_run(header, state), state.decision,
+      state.decision, facts_of_run(header, state), markdown_text(state.head),
       totals_table(state.footer.value("totals", Json::object())));
   for (const Json& finding : root["findings"]) {
     const auto kind = verdict_kind(text_of(finding, "verdict"));
     text += fmt::format("\n- {}: {} {}", text_of(finding, "verdict"), kind ? meaning_of(*kind) : "",
-                        named(finding));
+                        named_cases(finding));
   }
+  const Json& scope = state.summary["scope"];
+  auto put = [&](std::string_view title, const std::string& list) {
+    if (!list.empty()) text += fmt::format("\n## {}\n\n{}", title, list);
+  };
+  put("Declared, but skipped", declared_but_skipped_list(scope));
+  put(kAdvicesTitle, advice_list(scope));
+  put(kNotClaimedTitle, not_claimed_list(scope));
   text += "\n## Readings\n\n";
   const Json assignments = state.footer.value("assignments", Json::array());
   if (assignments.empty()) text += "No case that passed depended on an open reading.\n";
@@ -167,12 +203,21 @@ std::string statement_text(const Json& header, const RunState& state, const Json
   if (root["waivers"].empty()) text += "None.\n";
   for (const Json& waiver : root["waivers"]) {
     text += fmt::format("- {} ({}): {}\n", markdown_text(text_of(waiver, "reason")),
-                        waiver["cases"].dump(), named(waiver));
+                        waiver["cases"].dump(), named_cases(waiver));
   }
   for (const Json& stale : state.footer.value("stale", Json::array())) {
     if (stale.is_string()) text += "- stale: " + markdown_code(stale.get<std::string>()) + "\n";
   }
-  return text + "\n## What was not checked\n\n" + not_checked_list(state);
+  text += "\n## What was not checked\n\n" + not_checked_list(state);
+  const Json& traces = root["traces"];
+  text += "\n## Traces\n\n";
+  text += traces.is_null()
+              ? std::string("None are kept: a pass is proven by running the subject again.\n")
+              : fmt::format(
+                    "What the subject sent for {} cases lies in `{}`: every verdict that "
+                    "hangs on it can be derived again without the subject.\n",
+                    grouped(traces["files"].get<std::size_t>()), kTraces);
+  return text;
 }
 
 }  // namespace
@@ -184,7 +229,7 @@ std::string unnamed_dialect(const Json& header) {
 }
 
 Statement make_statement(const std::string& results, const std::vector<std::string>& reasons,
-                         const std::vector<std::string>& files) {
+                         const std::vector<std::string>& files, const TraceFiles& traces) {
   ResultsReader reader(results);
   report::Summary summary;
   Waivers waivers(reasons);
@@ -210,9 +255,9 @@ Statement make_statement(const std::string& results, const std::vector<std::stri
         results));
   }
   const RunState state = run_state(summary, reader.header(), &*reader.footer());
-  const Json root =
-      statement_json(reader.header(), state, waivers.json(),
-                     findings_json(findings, state.footer.value("totals", Json::object())), files);
+  const Json root = statement_json(
+      reader.header(), state, waivers.json(),
+      findings_json(findings, state.footer.value("totals", Json::object())), files, traces);
   return {root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
           statement_text(reader.header(), state, root)};
 }

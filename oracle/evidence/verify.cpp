@@ -13,6 +13,7 @@
 #include "oracle/evidence/rejudge.hpp"
 #include "oracle/evidence/statement.hpp"
 #include "oracle/evidence/verify_sums.hpp"
+#include "oracle/evidence/verify_traces.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -107,8 +108,25 @@ void check_again(const ResultsFacts& facts, Findings& findings) {
   }
 }
 
+// Which gonogo.
+struct Gauge {
+  std::string version;
+  std::string commit;  // empty: any
+
+  bool is_that_of(const Json& header) const {
+    const std::string own = text_of(header.value("gauge", Json::object()), "commit");
+    return text_of(header, "gonogo") == version && (own.empty() || commit.empty() || own == commit);
+  }
+};
+
+std::string gauge_of(const Json& header) {
+  const std::string commit = text_of(header.value("gauge", Json::object()), "commit");
+  return commit.empty() ? text_of(header, "gonogo")
+                        : fmt::format("{} (commit {})", text_of(header, "gonogo"), commit);
+}
+
 // Statement and waivers, made again from the rest.
-void check_statement(const fs::path& folder, const ResultsFacts& facts, const std::string& version,
+void check_statement(const fs::path& folder, const ResultsFacts& facts, const Gauge& here,
                      Findings& findings) {
   const std::string told = file_text((folder / kStatementJson).string());
   const Json json = Json::parse(told, nullptr, false);
@@ -124,13 +142,12 @@ void check_statement(const fs::path& folder, const ResultsFacts& facts, const st
   if (text_of(json, "results_sha256") != text_of(facts.footer, "sha256")) {
     faults.push_back("The statement is of other results: their SHA-256 differs.");
   }
-  const std::string made_by = text_of(facts.header, "gonogo");
-  if (made_by == version) {
+  if (here.is_that_of(facts.header)) {
     const fs::path waivers = folder / kWaiversFile;
     const Statement own = make_statement(
         (folder / kResultsFile).string(),
         fs::exists(waivers) ? waiver_reasons(waivers.string()) : std::vector<std::string>(),
-        texts_in(json, "files"));
+        texts_in(json, "files"), trace_files_of(folder));
     if (own.json != told) {
       faults.push_back(fmt::format("{} is not what the results state.", kStatementJson));
     }
@@ -140,7 +157,7 @@ void check_statement(const fs::path& folder, const ResultsFacts& facts, const st
   } else {
     findings.add(Result::unchecked,
                  fmt::format("The wording of the statement: it was made by gonogo {}, this is {}.",
-                             made_by, version));
+                             gauge_of(facts.header), here.version));
   }
   findings.add_list(faults, "The statement follows from results and waivers.");
 }
@@ -211,10 +228,23 @@ void check_corpus(const CorpusHere& here, const ResultsFacts& facts, Findings& f
   findings.add_list(faults, fmt::format("The corpus {} here is that of the run.", version));
 }
 
+void check_traces_of(const std::string& folder, const ResultsFacts& facts,
+                     const std::string& corpus, const CorpusHere& here, Findings& findings) {
+  const Json told = facts.header.value("corpus", Json::object());
+  if (here.sha256 != text_of(told, "sha256")) {
+    findings.add(
+        Result::unchecked,
+        "The traces: their programs are those of the corpus of the run, which is not here.");
+    return;
+  }
+  check_traces((fs::path(folder) / kResultsFile).string(), (fs::path(folder) / kTraces).string(),
+               corpus, findings);
+}
+
 }  // namespace
 
 std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
-                                      const std::string& version) {
+                                      const std::string& version, const std::string& commit) {
   Findings findings;
   try {
     check_sums(folder, findings);
@@ -222,10 +252,12 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
     const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string(),
                                             here.version.empty() ? nullptr : &here.ids);
     check_footer(facts, findings);
-    check_statement(folder, facts, version, findings);
+    check_statement(folder, facts, {version, commit}, findings);
     check_run_files(folder, facts, findings);
     check_corpus(here, facts, findings);
     check_again(facts, findings);
+    if (fs::exists(fs::path(folder) / kTraces))
+      check_traces_of(folder, facts, corpus, here, findings);
   } catch (const std::runtime_error& error) {
     // A file that is faulty; what follows from it cannot be checked any more.
     findings.add(Result::fails, error.what());

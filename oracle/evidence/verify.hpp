@@ -20,10 +20,11 @@ struct Check {
 
 // Checks the sums, the results' own hash and order, the statement against the results, totals,
 // readings and decision worked out again, the reasons of the waivers, the corpus against the one in
-// `corpus` (empty: there is none here), and every NO-GO with a trace by judging it again.
-// `version`: of this gonogo.
+// `corpus` (empty: there is none here), and every NO-GO with a trace by judging it again; with
+// traces in the certificate, and the corpus of the run here, every case that has one, passes too.
+// `version` and `commit`: of this gonogo; an empty commit is any.
 std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
-                                      const std::string& version);
+                                      const std::string& version, const std::string& commit = {});
 
 // Whether two results files have the same cases with the same lines but for times and attempts.
 std::vector<Check> same_cases(const std::string& certified, const std::string& run_again);

@@ -19,6 +19,12 @@ using Result = Check::Result;
 // Of many faults of one kind, the first are named.
 constexpr std::size_t kNamedFaults = 10;
 
+constexpr std::string_view kTracesPrefix = "traces/";
+
+bool is_trace(const std::string& name) {
+  return name.starts_with(kTracesPrefix);
+}
+
 // SHA256SUMS: name -> sum.
 std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& findings) {
   std::map<std::string, std::string> sums;
@@ -28,7 +34,8 @@ std::map<std::string, std::string> read_sums(const fs::path& folder, Findings& f
     constexpr std::size_t kHex = 64;
     const bool is_entry = line.size() > kHex + 2 && line.substr(kHex, 2) == "  ";
     const std::string name = is_entry ? line.substr(kHex + 2) : std::string();
-    if (!is_entry || name.find('/') != std::string::npos) {
+    const std::string own = is_trace(name) ? name.substr(kTracesPrefix.size()) : name;
+    if (!is_entry || own.find('/') != std::string::npos) {
       findings.add(Result::fails,
                    fmt::format("{}: line {} is no sum of a file beside it.", kSums, number));
       continue;
@@ -60,15 +67,29 @@ void check_sums(const fs::path& folder, Findings& findings) {
           fmt::format("{} has been changed: its SHA-256 is {}, not {}.", name, own, sum));
     }
   }
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name == kSums || sums.contains(name)) continue;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).string();
+    if (name == kSums || name == kTraces || sums.contains(name)) continue;
     faults.push_back(fmt::format("{} does not stand in {}.", name, kSums));
   }
   for (const char* name : {kResultsFile, kStatementJson, kStatementText}) {
     if (!sums.contains(name)) faults.push_back(fmt::format("{} has no sum.", name));
   }
   findings.add_list(faults, fmt::format("The sums of {} files hold.", sums.size()));
+}
+
+TraceFiles trace_files_of(const fs::path& folder) {
+  std::istringstream lines(file_text((folder / kSums).string()));
+  TraceFiles traces;
+  std::string sums;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t name = line.find("  ");
+    if (name == std::string::npos || !is_trace(line.substr(name + 2))) continue;
+    sums += line + "\n";
+    if (!line.ends_with("/subject.json")) ++traces.files;
+  }
+  if (traces.files > 0) traces.sha256 = sha256_of_text(sums);
+  return traces;
 }
 
 }  // namespace gonogo::oracle::evidence

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/evidence/statement.hpp"
 #include "oracle/evidence/verify.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -25,6 +26,9 @@ class Findings {
  private:
   std::vector<Check> checks_;
 };
+
+// The traces that SHA256SUMS names.
+TraceFiles trace_files_of(const std::filesystem::path& folder);
 
 // Whether the files are those that SHA256SUMS names.
 void check_sums(const std::filesystem::path& folder, Findings& findings);

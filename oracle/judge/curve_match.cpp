@@ -147,7 +147,17 @@ MatchResult CurveMatch::match_round(const Motion& subject) {
   return result;
 }
 
+// A piece of which it is open whether it ends on the curve decides nothing yet, for it is not the
+// end: if what follows departs, so does the whole; if it leads to the end, the whole is open.
 MatchResult CurveMatch::match_piece(const Motion& subject) {
+  MatchResult result = match_any_piece(subject);
+  if (result.departure != Departure::undecided || !result.reached) return result;
+  progress_.arc = *result.reached;
+  progress_.doubt = std::move(result.reason);
+  return {};
+}
+
+MatchResult CurveMatch::match_any_piece(const Motion& subject) {
   const RecordKind got = subject.record.kind;
   if (got == RecordKind::arc) return match_arc(subject);
   if (got == RecordKind::arc3) return match_arc3(subject);

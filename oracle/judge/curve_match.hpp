@@ -27,6 +27,8 @@ struct MatchResult {
   std::string reason;  // a sentence when it departs
   // The centre of the subject's arc, where that is what differs.
   std::optional<Apart> centre = {};
+  // Undecided: how far along the curve it ends, in turns, if it belongs to it.
+  std::optional<double> reached = {};
 
   static MatchResult departs(Departure departure, std::string reason) {
     return {departure, false, std::move(reason)};
@@ -56,6 +58,8 @@ class CurveMatch {
   MatchResult match_thread(const Motion& subject);
   MatchResult match_round(const Motion& subject);
   MatchResult match_piece(const Motion& subject);
+  MatchResult match_any_piece(const Motion& subject);
+  MatchResult at_end(double progress);
   MatchResult match_arc(const Motion& subject);
   // Of an arc whose ends are seen from its centre in one direction.
   MatchResult nil_or_full(const Motion& subject, double turns);
@@ -84,6 +88,7 @@ class CurveMatch {
     Number line;                       // along the axis that moves most
     double arc = 0;                    // turns, to choose between whole turns only
     double none = 0;                   // of those, what may have been meant as none
+    std::string doubt;                 // of a piece of which it is open whether it belongs to it
     std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
   };
   Progress progress_;

@@ -85,6 +85,12 @@ bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
+MatchResult open_at(double progress, const char* reason) {
+  MatchResult result = MatchResult::departs(Departure::undecided, reason);
+  result.reached = progress;
+  return result;
+}
+
 // Whether nothing is seen of a motion in the plane; a helix may rise there.
 bool turns_unseen(const Motion& motion, const PlaneAxes& axes, const Number& tolerance) {
   return agree(motion.from[axes.p], motion.to()[axes.p], tolerance) &&
@@ -128,8 +134,7 @@ MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
   const double whole = round_->whole();
   const double progress = progress_.arc + turns;
   if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    progress_.arc = progress;
-    return {Departure::none, true, {}};
+    return at_end(progress);
   }
   if (progress >= whole)
     return MatchResult::departs(Departure::geometry, "The arc goes beyond its end.");
@@ -138,10 +143,19 @@ MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
   if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0 || radius < 0) {
     return MatchResult::departs(Departure::geometry, "The arc ends off the curve.");
   }
-  if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
-  if (radius == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
+  if (height == 0) return open_at(progress, kHelixTooClose);
+  if (radius == 0) return open_at(progress, kSpiralTooClose);
   progress_.arc = progress;
   return {};
+}
+
+// The end of the curve, after pieces that may all belong to it.
+MatchResult CurveMatch::at_end(double progress) {
+  if (!progress_.doubt.empty()) {
+    return MatchResult::departs(Departure::undecided, progress_.doubt);
+  }
+  progress_.arc = progress;
+  return {Departure::none, true, {}};
 }
 
 MatchResult CurveMatch::other_centre(const Motion& subject) const {
@@ -245,19 +259,18 @@ MatchResult CurveMatch::match_chord(const Motion& subject) {
   const double whole = round_->whole();
   const double progress = progress_.arc + turns;
   if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    progress_.arc = progress;
-    return {Departure::none, true, {}};
+    return at_end(progress);
   }
   if (progress >= whole && !agree(subject.to(), reference_.to(), granted)) {
     return MatchResult::departs(Departure::geometry, "The chord goes beyond the end of the arc.");
   }
   const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
   if (height < 0) return MatchResult::departs(Departure::geometry, "The chord ends off the helix.");
-  if (height == 0) return MatchResult::departs(Departure::undecided, kHelixTooClose);
+  if (height == 0) return open_at(progress, kHelixTooClose);
   const int radius = round_->on_spiral(subject.to(), progress, granted);
   if (radius < 0)
     return MatchResult::departs(Departure::geometry, "The chord ends off the spiral.");
-  if (radius == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
+  if (radius == 0) return open_at(progress, kSpiralTooClose);
   progress_.arc = progress;
   return {};
 }

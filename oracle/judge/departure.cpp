@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ProgramJudge's part for the answer to one motion: how it departs, or how well it matches.
+#include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/program_judge.hpp"
+#include "oracle/judge/standing.hpp"
 
 namespace gonogo::oracle {
 
@@ -33,6 +35,32 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 }
 
 }  // namespace
+
+// J-ALM-07. The centre that a control works out itself, within twice the tolerance of the right
+// one: what follows is judged, for the arc ends where it should.
+bool ProgramJudge::takes_coarse_centre(const MatchResult& result, const Motion& motion,
+                                       const Motion& want) {
+  const reference::ClauseId clause = want.record.centre_clause;
+  if (clause == reference::kNoClause || !result.centre) return false;
+  if (!agree(result.centre->distance, 0, terms_.tolerance * 2) ||
+      !same_place(motion.to(), want.to(), terms_)) {
+    return false;
+  }
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = clause;
+  verdict.block = want.record.block;
+  verdict.record = motion.number;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(motion.record);
+  verdict.message = "The corrected centre of the arc differs by more than the tolerance.";
+  set_deviation(verdict, result.centre->distance);
+  if (!is_advice(verdict, terms_)) return false;
+  if (!advice_) advice_ = advised(std::move(verdict), terms_);
+  match_.reset();
+  reference_.advance();
+  return true;
+}
 
 // J-CMP-12: whether the motion is one that the reference makes later on.
 bool ProgramJudge::fits_later(const Motion& motion) {
@@ -127,6 +155,7 @@ void ProgramJudge::report_departure(const MatchResult& result, const Motion& mot
     decide_gap(result.reason);
     return;
   }
+  if (result.departure == Departure::geometry && takes_coarse_centre(result, motion, want)) return;
   if (result.departure != Departure::feed && hangs_on_rounding(want, terms_.tolerance)) {
     decide_gap(kPointsNearlyInLine);
     return;

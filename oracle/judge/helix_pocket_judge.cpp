@@ -215,7 +215,14 @@ OpenPathAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
 OpenPathAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
-  return result.departure == Departure::none ? OpenPathAnswer{} : departs(result, motion);
+  if (result.departure == Departure::none) return {};
+  const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, terms_.tolerance);
+  if (!at_bottom || result.departure == Departure::undecided) return departs(result, motion);
+  Motion at = motion;
+  at.record.to = motion.from;
+  return departs(
+      {Departure::geometry, false, "The helix ends beside the place that its whole turns lead to."},
+      at);
 }
 
 OpenPathAnswer HelixPocketJudge::end_helix(const Motion& motion) {

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 
+#include "oracle/judge/advice.hpp"
+#include "oracle/judge/alarm_ground.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/program_judge.hpp"
+#include "oracle/judge/standing.hpp"
 
 namespace gonogo::oracle {
 
@@ -37,7 +40,7 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   Verdict verdict;
   verdict.kind = kind;
   verdict.block = report.block;
-  verdict.clause = report.alarms.front().clause;
+  verdict.clause = firmest(report).clause;  // J-ALM-02
   verdict.word = report.alarms.front().word;
   verdict.want = alarms_text(report);
   verdict.message = std::move(message);
@@ -78,6 +81,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
     decide_undecided(undecided);
   }
   if (verdict_) return *verdict_;
+  if (advice_) return *advice_;
   Verdict verdict;
   // J-CMP-09.
   verdict.property_motions = property_motions_;
@@ -142,6 +146,11 @@ void ProgramJudge::judge_ok_end() {
       Verdict verdict =
           alarm_verdict(VerdictKind::fail_alarm_missing, *report,
                         fmt::format("The alarm is missing: {}", report->alarms.front().message));
+      if (is_advice(verdict, terms_)) {
+        // J-ALM-04: the reference ends here, and what the subject goes on to do has no measure.
+        verdict.message += " What the subject does after it is not judged.";
+        settle_m_functions_of_earlier(report->block);
+      }
       if (after_alarm_) {
         verdict.record = after_alarm_->number;
         verdict.got = record_text(after_alarm_->record);
@@ -179,42 +188,75 @@ bool ProgramJudge::is_of_block(const SubjectAlarm& alarm, const Motion& motion) 
   return !terms_.compare_blocks || alarm.block == motion.record.block;
 }
 
-// J-CMP-08.
-void ProgramJudge::compare_alarm(const SubjectAlarm& alarm, const AlarmReport& report) {
+// The clause under which the program is right where the subject alarms: a rule that no text states,
+// if the block runs on by one (J-ALM-05), else that of its first record (J-ALM-06).
+Verdict ProgramJudge::spurious_alarm(const SubjectAlarm& alarm,
+                                     const std::optional<Unfinished>& unfinished,
+                                     std::string message) {
+  Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_spurious, alarm, std::move(message));
+  AlarmPlace place;
+  if (terms_.compare_blocks) place.block = alarm.block;
+  place.behind = reference_.passed();
+  if (unfinished) {
+    // Of motions that are joined it may have made the first.
+    auto* motion = std::get_if<Motion>(&unfinished->step);
+    const bool is_begun = motion == nullptr || !same_place(position_, motion->from, terms_);
+    place.before = is_begun ? unfinished->items + 1 : motion->number;
+  }
+  verdict.clause = clause_of_right(profile_, program_, place);
+  return verdict;
+}
+
+// J-ALM-04: what departs in motion, or in M functions, before an alarm that no text states goes
+// first.
+void ProgramJudge::conclude_alarm(std::optional<Verdict> departure, const SubjectAlarm& alarm,
+                                  std::uint64_t block, const std::optional<Unfinished>& unfinished,
+                                  bool at_load) {
+  if (departure && !is_advice(*departure, terms_)) return decide(*std::move(departure));
+  const bool is_before = unfinished && (!departure || block_of(unfinished->step) < block);
+  if (is_before) return ends_early(unfinished->step, alarm_text(alarm));
+  if (!departure) return settle_m_functions_before(block, at_load);
+  if (!at_load) settle_m_functions_of_earlier(block);
+  decide(*std::move(departure));
+}
+
+// J-CMP-08. Nothing where the subject's alarm is one that the reference's admits.
+std::optional<Verdict> ProgramJudge::compare_alarm(const SubjectAlarm& alarm,
+                                                   const AlarmReport& report,
+                                                   const std::optional<Unfinished>& unfinished) {
   auto verdict = [&](VerdictKind kind, std::string message) {
     Verdict result = alarm_verdict(kind, report, std::move(message));
     result.got = alarm_text(alarm);
-    decide(std::move(result));
+    return result;
   };
   if (after_alarm_) {
     Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
                                  "Motion was put out in or after the block that alarms.");
     late.record = after_alarm_->number;
     late.got = record_text(after_alarm_->record);
-    decide(std::move(late));
-    return;
+    return late;
   }
   if (terms_.compare_blocks && alarm.block != report.block) {
     if (alarm.block < report.block) {
-      verdict(VerdictKind::fail_alarm_spurious, "The alarm comes in a block before the right one.");
-    } else {
-      verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
+      Verdict early =
+          spurious_alarm(alarm, unfinished, "The alarm comes in a block before the right one.");
+      early.want = alarms_text(report);
+      return early;
     }
-    return;
+    return verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
   }
   if (alarm.alarm_class.empty()) {
-    verdict(VerdictKind::unmapped_alarm,
-            fmt::format("The subject's alarm \"{}\" has no class; its alarm map must give one.",
-                        alarm.native));
-    return;
+    return verdict(
+        VerdictKind::unmapped_alarm,
+        fmt::format("The subject's alarm \"{}\" has no class; its alarm map must give one.",
+                    alarm.native));
   }
   const bool admissible = std::ranges::any_of(report.alarms, [&](const reference::Alarm& want) {
     return reference::name(want.alarm) == alarm.alarm_class;
   });
-  if (!admissible) {
-    verdict(VerdictKind::fail_alarm_class,
-            fmt::format("The alarm is of another class. {}", report.alarms.front().message));
-  }
+  if (admissible) return std::nullopt;
+  return verdict(VerdictKind::fail_alarm_class,
+                 fmt::format("The alarm is of another class. {}", report.alarms.front().message));
 }
 
 // An alarm outside the program.
@@ -232,14 +274,15 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
   refuse_alarm_outside(alarm);
   // A controller that checks at load may alarm with no motion at all.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
-  std::optional<ReferenceStep> unfinished;
+  std::optional<Unfinished> unfinished;
   while (!verdict_) {
     const ReferenceStep& step = reference_.current();
     if (auto* report = std::get_if<AlarmReport>(&step)) {
-      compare_alarm(alarm, *report);
-      if (!verdict_ && unfinished) ends_early(*unfinished, alarm_text(alarm));
-      if (!verdict_) settle_m_functions_before(report->block, at_load);
-      return;
+      const AlarmReport right = *report;
+      std::optional<Verdict> departure = compare_alarm(alarm, right, unfinished);
+      const bool is_early = departure && departure->kind == VerdictKind::fail_alarm_spurious;
+      const std::uint64_t block = is_early ? alarm.block : right.block;
+      return conclude_alarm(std::move(departure), alarm, block, unfinished, at_load);
     }
     if (auto* outside = std::get_if<NotCovered>(&step)) {
       decide_not_covered(*outside);
@@ -253,9 +296,9 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     if (!at_load && end_open_path(position_)) continue;
     auto* record = std::get_if<Record>(&step);
     if (record != nullptr && record->kind == RecordKind::end) {
-      decide(alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
-                           "The subject alarms, and the program has no fault."));
-      return;
+      Verdict departure =
+          spurious_alarm(alarm, unfinished, "The subject alarms, and the program has no fault.");
+      return conclude_alarm(std::move(departure), alarm, alarm.block, unfinished, at_load);
     }
     if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
       rename(*renaming);
@@ -277,7 +320,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
                hangs_on_rounding(*motion, terms_.tolerance)) {
       decide_gap(kPointsNearlyInLine);
     } else {
-      unfinished = step;
+      unfinished = Unfinished{step, reference_.items()};
       reference_.advance();
     }
   }

@@ -202,6 +202,7 @@ SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& 
   return end.sampled->judge(assigned, program_, terms_, end);
 }
 
+// J-ALM-08.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   const auto rank = [](const SampledVerdict& said) {
     switch (decision(said.verdict.kind)) {
@@ -218,7 +219,8 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   };
   if (rank(one) != rank(other)) return rank(one) > rank(other);
   if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
-  return rank(one) == 0 && one.progress > other.progress;
+  const bool departs = rank(one) <= 1;
+  return departs && one.progress > other.progress;
 }
 
 SessionVerdict JudgeSession::finish(const RunEnd& end) {

@@ -13,6 +13,7 @@ using reference::axes_of;
 using reference::kAllAxes;
 using reference::PlaneAxes;
 using reference::PocketLevel;
+using reference::operator""_clause;
 
 namespace {
 
@@ -30,6 +31,8 @@ std::string_view sentence(region::Rule rule) {
       return "The step between the tool's paths is too wide.";
     case region::Rule::sense:
       return "An arc of the level turns the wrong way.";
+    case region::Rule::order:
+      return "The tool cuts through solid material for more than the step.";
   }
   return "";
 }
@@ -118,7 +121,7 @@ bool ProgramJudge::collect(const Motion& motion, const PocketLevel& level) {
 namespace {
 
 region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge,
-                                const Number& tolerance) {
+                                const JudgeTerms& terms) {
   region::CircularLevel circle;
   circle.centre = {level.centre[0], level.centre[1]};
   circle.pocket_radius = level.pocket_radius;
@@ -126,7 +129,8 @@ region::CircularLevel circle_of(const PocketLevel& level, const Position& plunge
   circle.step = level.step;
   circle.sense = level.sense;
   circle.plunge = plane_point(plunge, axes_of(level.plane));
-  circle.tolerance = tolerance;
+  circle.tolerance = terms.level_tolerance();
+  circle.chord = terms.chord;
   return circle;
 }
 
@@ -141,7 +145,7 @@ Verdict ProgramJudge::level_fault(const PocketLevel& level, const region::Findin
   witness[axes.d] = level.depth;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_region;
-  verdict.clause = level.clause;
+  verdict.clause = finding.rule == region::Rule::order ? "GSK-CYC-02"_clause : level.clause;
   verdict.block = level.block;
   verdict.record = finding.record;
   verdict.want = level_text(level);
@@ -166,7 +170,7 @@ bool ProgramJudge::is_known_level(const PocketLevel& level) const {
 }
 
 bool ProgramJudge::needs_no_motion(const PocketLevel& level) const {
-  const region::CircularLevel circle = circle_of(level, position_, terms_.level_tolerance());
+  const region::CircularLevel circle = circle_of(level, position_, terms_);
   return level_motions_.empty() &&
          region::judge_level(circle, {}).kind == region::LevelVerdict::Kind::go;
 }
@@ -180,7 +184,7 @@ void ProgramJudge::finish_level(const PocketLevel& level, const Position& here) 
                        agree(last_level_->depth, level.depth, terms_.tolerance);
   if (!known && !cleared) {
     const region::LevelVerdict answer =
-        region::judge_level(circle_of(level, plunge_, terms_.level_tolerance()), level_motions_);
+        region::judge_level(circle_of(level, plunge_, terms_), level_motions_);
     if (answer.kind == region::LevelVerdict::Kind::gap) return decide_gap(answer.gap);
     if (answer.kind == region::LevelVerdict::Kind::no_go) {
       return decide(level_fault(level, answer.finding.value(), here));

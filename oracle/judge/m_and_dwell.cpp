@@ -191,4 +191,13 @@ void ProgramJudge::settle_m_functions_before(std::size_t alarm_block, bool at_lo
   settle_m_functions(true);
 }
 
+// Before what no text states: those of that block and behind it are not judged (J-ALM-04). Without
+// line numbers nobody can tell them from the others.
+void ProgramJudge::settle_m_functions_of_earlier(std::uint64_t block) {
+  if (!terms_.compare_blocks) return;
+  got_m_.erase_if([&](const GotM& got) { return got.record.block >= block; });
+  want_m_.erase_if([&](const Record& want) { return want.block >= block; });
+  settle_m_functions(true);
+}
+
 }  // namespace gonogo::oracle

@@ -19,10 +19,15 @@ struct OpenPathAnswer {
   } kind = Kind::taken;
   Position here;
   Verdict verdict;
+  bool progress = true;  // of a motion taken: it brings the path nearer to its end
 
   static OpenPathAnswer take() { return {}; }
-  static OpenPathAnswer end(const Position& here) { return {Kind::ended, here, {}}; }
-  static OpenPathAnswer decide(Verdict verdict) { return {Kind::decided, {}, std::move(verdict)}; }
+  // Taken, but it moves nothing that is seen.
+  static OpenPathAnswer wait() { return {Kind::taken, {}, {}, false}; }
+  static OpenPathAnswer end(const Position& here) { return {Kind::ended, here, {}, true}; }
+  static OpenPathAnswer decide(Verdict verdict) {
+    return {Kind::decided, {}, std::move(verdict), true};
+  }
   static OpenPathAnswer gap(std::string message);
 };
 

@@ -13,7 +13,7 @@ using reference::ThreadMilling;
 using reference::operator""_clause;
 
 ThreadJudge& ProgramJudge::thread_judge(const ThreadMilling& thread) {
-  if (!thread_) thread_.emplace(thread, reference_.position(), terms_);
+  if (!thread_) thread_.emplace(thread, reference_.position(), terms_, run_outs_);
   return *thread_;
 }
 
@@ -65,6 +65,8 @@ bool ProgramJudge::dives_into_pocket(Motion& motion) {
 bool ProgramJudge::follow_open_path(const OpenPathAnswer& answer, Motion& motion) {
   switch (answer.kind) {
     case OpenPathAnswer::Kind::taken:
+      // J-THR-10: steps of a thread are bounded by its geometry, not by the number of pieces.
+      if (answer.progress && thread_) budget_.forgive();
       return true;
     case OpenPathAnswer::Kind::decided:
       decide(answer.verdict);

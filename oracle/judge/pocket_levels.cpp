@@ -3,6 +3,7 @@
 // PocketMillingJudge's part for levels and places: what a level clears, which depths it may have,
 // where the centre is, and what stays inside.
 #include <algorithm>
+#include <iterator>
 
 #include "oracle/judge/curve_match.hpp"
 #include "oracle/judge/evidence.hpp"
@@ -102,6 +103,7 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   level.plunge = plunge_;
   level.tolerance = terms_.level_tolerance();
   level.slack = slack_;
+  level.chord = terms_.chord;
   return level;
 }
 
@@ -120,8 +122,44 @@ OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
     above_floor_ = true;
     return judge_level(next);
   }
+  if (item_.contour_only && rough_area_) {
+    const OpenPathAnswer floor = check_contour_only(next);
+    if (floor.kind == OpenPathAnswer::Kind::decided) return floor;
+  }
   judged_ = Judged{motions_, plunge_, whole};
   return OpenPathAnswer::take();
+}
+
+// SIE-LC75-07, J-PKT-10: the motions that touch the strip, and the plunge, mill the contour. Where
+// all motions clear the whole level and these alone do not, the others mill the floor.
+OpenPathAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
+  region::RectangularLevel whole = level_at(depth_);
+  whole.cleared.reset();
+  if (region::judge_level(whole, motions_).kind != region::LevelVerdict::Kind::go) {
+    return OpenPathAnswer::take();
+  }
+  const region::RoundedRectangle inner =
+      region::with_radius(rough_reach_, rough_reach_.radius + terms_.tolerance);
+  const auto stays_inside = [&](const region::LevelMotion& part) {
+    const bool turns = part.is_arc && !(part.from == part.centre) && !(part.to == part.centre);
+    if (turns) {
+      return region::reach_of_arc(region::make_arc(part, {}), inner).kind ==
+             region::Reach::Kind::inside;
+    }
+    return region::contains(inner, part.from) && region::contains(inner, part.to);
+  };
+  std::vector<region::LevelMotion> contour;
+  std::ranges::copy_if(motions_, std::back_inserter(contour),
+                       [&](const auto& part) { return !stays_inside(part); });
+  const region::LevelVerdict answer = region::judge_level(whole, contour);
+  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::go) return OpenPathAnswer::take();
+  OpenPathAnswer fault = level_fault(answer.finding.value(), next.from);
+  fault.verdict.clause = "SIE-LC75-07"_clause;
+  fault.verdict.deviation_exact.clear();
+  fault.verdict.deviation_mm.clear();
+  fault.verdict.message = "The floor is milled, where R124 and R125 ask for the contour alone.";
+  return fault;
 }
 
 OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,

@@ -253,6 +253,11 @@ OpenPathAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
 OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   const Number& tau = terms_.tolerance;
+  // J-CYC-01: no clause leads above R101.
+  if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
+                   "The tool leaves the cycle's planes: it moves above R101.");
+  }
   const Number lowest = min(motion.from[axes_.d], motion.to()[axes_.d]);
   // What is finished was cleared down to the reference plane: above it is air.
   const Number free =
@@ -275,27 +280,43 @@ OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
       above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
 }
 
+// Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
+// traverse is joined with what comes after it.
+bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
+  return floor_done_ && !terms_.compare_blocks && motion.record.kind == RecordKind::rapid &&
+         above_centre(motion.from) && above_centre(motion.to()) &&
+         motion.from[axes_.d] < item_.retract && item_.retract < motion.to()[axes_.d];
+}
+
 OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   if (is_cut(motion.record.kind)) ++idle_cuts_;
+  if (passes_retract_plane(motion)) {
+    over_ = true;
+    Position here = motion.to();
+    here[axes_.d] = item_.retract;
+    return OpenPathAnswer::end(here);
+  }
+  if (const auto answer = check_first(motion); answer.kind == OpenPathAnswer::Kind::decided) {
+    return answer;
+  }
   const OpenPathAnswer answer = check_travel(motion);
   if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
   if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {
     return OpenPathAnswer::take();
   }
   // SIE-LC75-13: the end is above the centre at R101.
-  const Number& from = motion.from[axes_.d];
-  const Number& to = motion.to()[axes_.d];
-  if (agree(to, item_.retract, terms_.tolerance)) {
-    over_ = true;
-  } else if (!terms_.compare_blocks && above_centre(motion.from) && from < item_.retract &&
-             item_.retract < to) {
-    // Without line numbers the traverse is joined with what comes after the cycle.
-    over_ = true;
-    Position here = motion.to();
-    here[axes_.d] = item_.retract;
-    return OpenPathAnswer::end(here);
-  }
+  over_ = agree(motion.to()[axes_.d], item_.retract, terms_.tolerance);
   return OpenPathAnswer::take();
+}
+
+// J-CYC-01: of roughing the first infeed follows the approach, at the centre. Of finishing
+// (SIE-LC75-11) the tool may travel in what roughing left.
+OpenPathAnswer PocketMillingJudge::check_first(const Motion& motion) const {
+  if (item_.finishing || !first_ || milling_) return OpenPathAnswer::take();
+  const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
+  if (sinks && above_centre(motion.to())) return OpenPathAnswer::take();
+  return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
+                 "The tool moves away before the first infeed, where no clause leads it.");
 }
 
 }  // namespace gonogo::oracle

@@ -51,10 +51,14 @@ class PocketMillingJudge {
   OpenPathAnswer take_down(const Motion& motion);
   OpenPathAnswer take_travel(const Motion& motion);
   OpenPathAnswer check_travel(const Motion& motion) const;
+  OpenPathAnswer check_first(const Motion& motion) const;
+  bool passes_retract_plane(const Motion& motion) const;
   OpenPathAnswer check_plunge(const Motion& motion) const;
   OpenPathAnswer check_level_depth(const Motion& motion);
   OpenPathAnswer finish_level(const Motion& next);
   OpenPathAnswer judge_level(const Motion& next);
+  // SIE-LC75-07: whether the floor is milled where only the contour is to be.
+  OpenPathAnswer check_contour_only(const Motion& next);
   OpenPathAnswer level_fault(const region::Finding& finding, const Position& at) const;
   OpenPathAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                          std::string message) const;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/standing.hpp"
 
@@ -12,6 +13,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
                            const JudgeTerms& terms)
     : profile_(profile),
       terms_(terms),
+      program_(program),
       input_(program),
       reference_(profile_, input_.lines, terms_),
       budget_(profile_, program),
@@ -19,7 +21,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       anchor_(position_) {}
 
 void ProgramJudge::decide(Verdict verdict) {
-  if (!verdict_) verdict_ = std::move(verdict);
+  if (!verdict_) verdict_ = advised(std::move(verdict), terms_);
 }
 
 void ProgramJudge::decide_gap(std::string message) {
@@ -64,9 +66,29 @@ void ProgramJudge::decide_too_many(const Record& record) {
   verdict.record = records_ - 1;
   verdict.got = record_text(record);
   verdict.message = fmt::format(
-      "The subject sent {} records, more than ten times those of the reference and 1,000.",
+      "The subject sent {} records: of those that make no progress more than ten times the records "
+      "of the reference and 1,000.",
       records_);
   decide(std::move(verdict));
+}
+
+// J-CYC-02: a straight piece that comes nearer to the end of the reference's motion; of an arc or
+// an open path a place where the tool has not been.
+bool ProgramJudge::makes_progress(const Motion& motion) {
+  const ReferenceStep& step = reference_.behind_m_functions();
+  const bool is_straight =
+      motion.record.kind == RecordKind::feed || motion.record.kind == RecordKind::rapid;
+  if (const auto* want = std::get_if<Motion>(&step)) {
+    if (!is_round(want->record.kind)) {
+      return is_straight && comes_nearer(motion, want->to(), terms_.tolerance);
+    }
+  } else if (const auto* level = std::get_if<reference::PocketLevel>(&step)) {
+    if (!ends_in_pocket(motion, *level)) return false;
+  } else if (!std::holds_alternative<reference::ThreadMilling>(step) &&
+             !std::holds_alternative<reference::HelixPocket>(step)) {
+    return false;
+  }
+  return visited_.is_new(reference_.items(), motion.to(), terms_.tolerance);
 }
 
 // J-CMP-01, J-CMP-07.
@@ -152,6 +174,8 @@ void ProgramJudge::take_motion(const Record& record) {
   const bool stays = stays_at(anchor_, motion, terms_);
   if (!stays) note_block(record);
   if (verdict_) return;
+  const std::size_t live = reference_.items_and_passes();
+  if (budget_.runs_low(records_, live) && makes_progress(motion)) budget_.forgive();
   position_ = motion.to();
   moved_ = true;
   if (!stays && record.kind != RecordKind::rapid) cut_block_ = record.block;

@@ -13,6 +13,7 @@
 #include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "oracle/judge/progress.hpp"
 #include "oracle/judge/queue.hpp"
 #include "oracle/judge/record_budget.hpp"
 #include "oracle/judge/reference_stream.hpp"
@@ -47,6 +48,7 @@ class ProgramJudge {
 
  private:
   void decide_too_many(const Record& record);
+  bool makes_progress(const Motion& motion);
 
   // While the records of both sides are the same, in equal_steps.cpp. True when that was all.
   bool equal_record(const Record& record);
@@ -93,6 +95,7 @@ class ProgramJudge {
   void m_out_of_place(const Record& record);
   void settle_m_functions(bool at_end);
   void settle_m_functions_before(std::size_t alarm_block, bool at_load);
+  void settle_m_functions_of_earlier(std::uint64_t block);
   void note_match(const Motion& motion, const Motion& want);
 
   // Pocket levels, in level_judge.cpp. True when the motion belongs to the level.
@@ -128,7 +131,19 @@ class ProgramJudge {
   void judge_ok_end();
   void judge_alarm_end(const SubjectAlarm& alarm);
   void judge_other_end(const RunEnd& end);
-  void compare_alarm(const SubjectAlarm& alarm, const reference::AlarmReport& report);
+  // A step that the subject's alarm leaves undone, and the items of the reference up to there.
+  struct Unfinished {
+    ReferenceStep step;
+    std::size_t items;
+  };
+  std::optional<Verdict> compare_alarm(const SubjectAlarm& alarm,
+                                       const reference::AlarmReport& report,
+                                       const std::optional<Unfinished>& unfinished);
+  Verdict spurious_alarm(const SubjectAlarm& alarm, const std::optional<Unfinished>& unfinished,
+                         std::string message);
+  void conclude_alarm(std::optional<Verdict> departure, const SubjectAlarm& alarm,
+                      std::uint64_t block, const std::optional<Unfinished>& unfinished,
+                      bool at_load);
   void compare_end(const Record& end);
   void ends_early(const ReferenceStep& step, const std::string& got);
 
@@ -148,12 +163,16 @@ class ProgramJudge {
   Verdict short_of(const Motion& want, const Motion& piece) const;
   // From the reference's current step on.
   bool fits_later(const Motion& motion);
+  // In departure.cpp: goes on after an arc whose centre is too coarse for a rule of ours.
+  bool takes_coarse_centre(const MatchResult& result, const Motion& motion, const Motion& want);
 
   const reference::Profile& profile_;
   const JudgeTerms& terms_;
+  ProgramText program_;
   ProgramInput input_;
   ReferenceStream reference_;
   RecordBudget budget_;
+  VisitedPlaces visited_;
 
   Position position_;              // where the subject stands
   Position anchor_;                // where its last motion that was kept ended
@@ -183,6 +202,7 @@ class ProgramJudge {
   Position last_plunge_;
 
   std::optional<ThreadJudge> thread_;  // while the reference's step is one
+  RunOutSet run_outs_;                 // that explain the threads so far
   std::optional<HelixPocketJudge> helix_pocket_;
   std::optional<PocketMillingJudge> pocket_;
 
@@ -197,6 +217,7 @@ class ProgramJudge {
   std::uint64_t m_block_ = 0;       // of the last M function that the subject passed on
 
   std::optional<Verdict> verdict_;
+  std::optional<Verdict> advice_;           // of what the judge went on after, the first
   std::optional<std::size_t> departed_at_;  // in items, before what comes later is looked at
   std::optional<Motion> after_alarm_;       // motion in or after the block that should have alarmed
   std::optional<Record> end_record_;        // the subject's `end`

@@ -6,11 +6,12 @@
 
 namespace gonogo::oracle {
 
+bool RecordBudget::runs_low(std::size_t records, std::size_t live) const {
+  return counting(records) > kFactor * live + kSlack / 2;
+}
+
 bool RecordBudget::allows(std::size_t records, std::size_t live) {
-  // J-CONST-05.
-  constexpr std::size_t kFactor = 10;
-  constexpr std::size_t kSlack = 1'000;
-  while (records - forgiven() > kFactor * std::max(counted_, live) + kSlack) {
+  while (counting(records) > kFactor * std::max(counted_, live) + kSlack) {
     if (complete_) return false;
     if (!shown_) shown_.emplace(profile_, program_);
     const reference::Item* const item = shown_->expander.next();

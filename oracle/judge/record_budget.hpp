@@ -11,7 +11,8 @@
 
 namespace gonogo::oracle {
 
-// 10 times those of the reference and 1,000. The reference's are counted only as far as needed.
+// J-CONST-10: 10 times those of the reference and 1,000, of records that make no progress. The
+// reference's are counted only as far as needed.
 class RecordBudget {
  public:
   // `profile` must outlive the budget.
@@ -20,14 +21,25 @@ class RecordBudget {
   // `live` counts what the judge's own reference has put out. It counts too, because a subject's
   // own path may end elsewhere than the one that is shown, and other blocks follow from that.
   bool allows(std::size_t records, std::size_t live);
-  // A record that does not count because something else limits how many of its kind there are: a
-  // chord that goes on along an arc of the reference, a cut of a level of a pocket.
+  // Whether so few are left that it is worth looking for progress.
+  bool runs_low(std::size_t records, std::size_t live) const;
+  // A record that makes progress (J-CYC-02), or does not count because something else limits how
+  // many of its kind there are: a chord that goes on along an arc of the reference, a cut of a
+  // level of a pocket.
   void forgive() { ++forgiven_; }
   // A cut of a level whose rings the reference counts. Where the path that is shown ends in an
   // alarm that the subject's own path does not lead to, nothing counts them, and it is forgiven.
   void count_level_cut() { ++level_cuts_; }
 
  private:
+  static constexpr std::size_t kFactor = 10;
+  static constexpr std::size_t kSlack = 1'000;
+
+  // Those that count. One may have been forgiven twice.
+  std::size_t counting(std::size_t records) const {
+    return records > forgiven() ? records - forgiven() : 0;
+  }
+
   // The path that is shown, which most programs are too short to need.
   struct ShownPath {
     ShownPath(const reference::Profile& profile, const ProgramText& program)

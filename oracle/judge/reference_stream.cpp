@@ -164,6 +164,7 @@ bool ReferenceStream::at_end() {
 
 void ReferenceStream::advance() {
   if (at_end()) return;
+  if (auto* motion = std::get_if<Motion>(&ready_.front())) passed_ = motion->number;
   ready_.pop_front();
 }
 

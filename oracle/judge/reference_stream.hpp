@@ -66,6 +66,8 @@ class ReferenceStream {
   const Dropped& dropped() const { return dropped_; }
   // Whether the position gets a new name now, or right after the current step.
   bool renaming_ahead();
+  // The place of the last motion that was left behind, as `Motion::number`; 0: none.
+  std::size_t passed() const { return passed_; }
   // Items that the reference has put out so far.
   std::size_t items() const { return items_; }
   // The same, with the records that the passes of a thread would be.
@@ -90,6 +92,7 @@ class ReferenceStream {
   Queue<ReferenceStep> ready_;
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
+  std::size_t passed_ = 0;
   std::size_t dropped_in_a_row_ = 0;
   bool was_moved_ = false;
 };

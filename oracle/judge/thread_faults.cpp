@@ -10,7 +10,6 @@
 
 namespace gonogo::oracle {
 
-using region::PlanePoint;
 using reference::operator""_clause;
 
 OpenPathAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
@@ -32,72 +31,26 @@ Verdict ThreadJudge::incomplete(const Position& position) const {
   verdict.block = item_.block;
   verdict.want = want_text();
   verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
-  if (phase_ == Phase::helix) {
-    verdict.message = "The helix ends before the bottom of the thread.";
-  } else if (phase_ == Phase::run_out || phase_ == Phase::way_back) {
-    verdict.message = "The tool does not return to the R plane after a pass.";
-  } else if (pass_ > passes_) {
-    verdict.message = "The tool does not go to the safe position after the last pass.";
-  } else {
-    verdict.clause = "GSK-G114-04"_clause;
-    verdict.message = "A pass of the thread is missing.";
+  switch (phase_) {
+    case Phase::helix:
+      verdict.message = "The helix ends before the bottom of the thread.";
+      break;
+    case Phase::run_out:
+    case Phase::way_back:
+      verdict.message = "The tool does not return to the R plane after a pass.";
+      break;
+    case Phase::away:
+      if (pass_ == passes_) {
+        verdict.message = "The tool does not go to the safe position after the last pass.";
+        break;
+      }
+      [[fallthrough]];
+    case Phase::entry:
+      verdict.clause = "GSK-G114-04"_clause;
+      verdict.message = "A pass of the thread is missing.";
+      break;
   }
   return verdict;
-}
-
-namespace {
-
-// The part of a straight cut that lies below the R plane, as parameters of the line.
-std::array<Number, 2> part_below(const Number& from, const Number& to) {
-  if (from.sign() <= 0 && to.sign() <= 0) return {0, 1};
-  const Number crossing = from / (from - to);
-  return from.sign() > 0 ? std::array<Number, 2>{crossing, 1} : std::array<Number, 2>{0, crossing};
-}
-
-// The value, or a rational within 2^-80 of it: whether two points are one, or an arc is round, is
-// not to be decided for values that are only enclosed.
-Number near(const Number& value) {
-  constexpr int kBits = 80;
-  return value.is_rational() ? value : value.bounds(kBits)[0];
-}
-PlaneVector near(const PlaneVector& v) {
-  return {near(v.p), near(v.q)};
-}
-
-PlanePoint along(const PlaneVector& from, const PlaneVector& to, const Number& part) {
-  return {from.p + part * (to.p - from.p), from.q + part * (to.q - from.q)};
-}
-
-}  // namespace
-
-// `only_below`: a straight cut that crosses the R plane counts below it alone. A traverse may go
-// anywhere within its box.
-Clearance ThreadJudge::clearance(const Motion& motion, const Number& radius,
-                                 bool only_below) const {
-  // A point that agrees on each axis lies up to sqrt(2) tau beyond the limit; 1.41422 is more.
-  const Keep keep{item_.external, radius, Number::millionths(1'414'220) * terms_.tolerance};
-  const PlaneVector from = near(from_axis(motion.from));
-  const PlaneVector to = near(from_axis(motion.to()));
-  const Record& record = motion.record;
-  if (record.kind == RecordKind::rapid) {
-    return clearance_of_box({from.p, from.q}, {to.p, to.q}, keep);
-  }
-  if (record.kind == RecordKind::feed) {
-    std::array<Number, 2> part = {0, 1};
-    if (only_below) part = part_below(near(height(motion.from)), near(height(motion.to())));
-    return clearance_of_line(along(from, to, part[0]), along(from, to, part[1]), keep);
-  }
-  if (record.plane != item_.plane) return {Clearance::Kind::undecided, {}, {}};
-  region::LevelMotion arc;
-  arc.is_arc = true;
-  arc.from = {from.p, from.q};
-  arc.to = {to.p, to.q};
-  arc.centre = {near(record.centre[0] - item_.centre[0]), near(record.centre[1] - item_.centre[1])};
-  arc.rot = record.rot;
-  Clearance clear = clearance_of_arc(arc, keep);
-  const bool crosses = only_below && !is_below(motion.to());
-  if (crosses && clear.kind == Clearance::Kind::touches) clear.kind = Clearance::Kind::undecided;
-  return clear;
 }
 
 OpenPathAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
@@ -110,8 +63,8 @@ OpenPathAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId
   witness[axes_.p] = item_.centre[0] + clear.witness.p;
   witness[axes_.q] = item_.centre[1] + clear.witness.q;
   // On a sloping line the depth goes with the way in the plane.
-  const PlaneVector from = near(from_axis(motion.from));
-  const PlaneVector to = near(from_axis(motion.to()));
+  const PlaneVector from = near_rational(geometry_.from_axis(motion.from));
+  const PlaneVector to = near_rational(geometry_.from_axis(motion.to()));
   const Number length_2 = (to.p - from.p) * (to.p - from.p) + (to.q - from.q) * (to.q - from.q);
   if (motion.record.kind == RecordKind::feed && length_2.sign() != 0) {
     const Number part = ((clear.witness.p - from.p) * (to.p - from.p) +
@@ -136,9 +89,15 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   }
   const Record& record = motion.record;
   const bool on_the_way = phase_ == Phase::helix;
+  if (!on_the_way && entry_fault_) return fault(kGeometry, clause, motion, *entry_fault_);
   const bool goes_on = is_cut(record.kind) && height(motion.to()) < height(motion.from);
   if (on_the_way && !goes_on) {
-    return fault(kGeometry, clause, motion, "The helix ends before the bottom of the thread.");
+    Motion at = motion;
+    at.record.to = motion.from;
+    const bool at_bottom = agree(motion.from[axes_.d], item_.bottom, terms_.tolerance);
+    return fault(kGeometry, clause, at,
+                 at_bottom ? "The helix ends beside the place that its turns lead to."
+                           : "The helix ends before the bottom of the thread.");
   }
   if (record.kind == RecordKind::rapid) {
     return fault(kGeometry, "GSK-G114-10"_clause, motion,
@@ -147,7 +106,7 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   if (record.kind != RecordKind::arc && terms_.chord.sign() == 0) {
     return fault(kGeometry, clause, motion, "The tool goes below the R plane off the helix.");
   }
-  if (!on_the_way && !on_circle(motion.from, radius())) return wrong_radius(motion);
+  if (!on_the_way && !geometry_.on_circle(motion.from, radius())) return wrong_radius(motion);
   if (record.kind != RecordKind::arc) return fault(kGeometry, clause, motion, result.reason);
   if (record.plane != item_.plane) {
     return fault(kGeometry, clause, motion, "The helix lies in another plane.");
@@ -168,21 +127,21 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     set_deviation(answer.verdict, abs(motion.from[axes_.d] - item_.r_plane));
     return answer;
   }
-  if (!on_circle(motion.to(), radius())) return wrong_radius(motion);
+  if (!geometry_.on_circle(motion.to(), radius())) return wrong_radius(motion);
   return wrong_way_down(motion);
 }
 
 // Another radius than that of the pass; that of a neighbouring pass says more.
 OpenPathAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
-  const Position& at = on_circle(motion.from, radius()) ? motion.to() : motion.from;
-  const PlaneVector v = from_axis(at);
+  const Position& at = geometry_.on_circle(motion.from, radius()) ? motion.to() : motion.from;
+  const PlaneVector v = geometry_.from_axis(at);
   const Number got = exact::sqrt(v.p * v.p + v.q * v.q);
   const Number beyond = item_.external ? radius() - got : got - radius();
   reference::ClauseId clause = "GSK-G114-04"_clause;
   std::string message = "The helix has another radius than its pass.";
-  if (pass_ < passes_ && on_circle(at, item_.radius_of_pass(pass_ + 1))) {
+  if (pass_ < passes_ && geometry_.on_circle(at, item_.radius_of_pass(pass_ + 1))) {
     message = "A pass of the thread is missing before this one.";
-  } else if (pass_ > 1 && on_circle(at, item_.radius_of_pass(pass_ - 1))) {
+  } else if (pass_ > 1 && geometry_.on_circle(at, item_.radius_of_pass(pass_ - 1))) {
     message = "A pass of the thread is cut again.";
   } else if (pass_ == passes_ && beyond.sign() > 0) {
     message = "The last pass is deeper than the thread.";
@@ -217,6 +176,31 @@ OpenPathAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
       fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, std::move(message));
   set_deviation(answer.verdict, abs(motion.to()[axes_.d] - item_.bottom));
   return answer;
+}
+
+// J-THR-06
+OpenPathAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
+  const bool falls = height(motion.to()) < height(motion.from) - terms_.tolerance;
+  std::string message =
+      "The way back to the R plane does not lead along the depth axis alone from the end of the "
+      "run-out.";
+  if (motion.record.kind == RecordKind::arc) {
+    message = "The tool turns on its way back to the R plane.";
+  } else if (falls) {
+    message = "The tool goes down again on its way back to the R plane.";
+  } else if (motion.record.kind == RecordKind::rapid) {
+    message = "A traverse below the R plane does not lead along the depth axis alone.";
+  }
+  return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion, std::move(message));
+}
+
+// J-THR-07
+OpenPathAnswer ThreadJudge::not_away(const Motion& motion) const {
+  const bool moves_p = geometry_.moves_first_axis_alone(motion);
+  return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion,
+               moves_p ? "The tool turns back before it has reached the safe position."
+                       : "The tool does not move along the first axis of the plane to the safe "
+                         "position before it goes on.");
 }
 
 }  // namespace gonogo::oracle

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ThreadJudge's part for the reading gsk.thread.path = arc: a semicircle on the chord to +rho_0 on
-// p, straight infeed along p, the helix from there; after it along p to the safe position. Only the
-// run-out stays open.
+// p, straight infeed along p, the helix from there; after it along p to the safe position. The
+// run-out is judged as elsewhere.
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/thread_judge.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
@@ -52,33 +52,37 @@ bool ThreadJudge::prepare_named(const Position& from) {
   return true;
 }
 
+void ThreadJudge::next_named(const Position& at) {
+  line_.reset();
+  if (step_ != Step::away) {
+    step_ = step_ == Step::entry ? Step::infeed : Step::helix;
+    return;
+  }
+  pass_ += 1;
+  begin_pass(at);
+  if (pass_ > passes_) step_ = Step::over;
+}
+
 OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
-  auto next = [&] {
-    line_.reset();
-    if (step_ == Step::away) {
-      step_ = pass_ > passes_ ? Step::over : Step::entry;
-    } else {
-      step_ = step_ == Step::entry ? Step::infeed : Step::helix;
-    }
-  };
+  if (phase_ == Phase::away) step_ = Step::away;
   while (true) {
     if (step_ == Step::over) return OpenPathAnswer::end(motion.from);
-    if (step_ == Step::helix) return take_above(motion);
+    if (step_ == Step::helix) return take_entry(motion);
     if (!line_ && !prepare_named(motion.from)) {
-      next();
+      next_named(motion.from);
       continue;
     }
     const bool nothing = agree(motion.from, motion.to(), terms_.tolerance) &&
                          agree(motion.from, line_want_.from, terms_.tolerance) &&
                          !nearly_full_turn(motion);
     const MatchResult result = line_->match(motion);
-    if (result.departure != Departure::none && nothing) return {};
+    if (result.departure != Departure::none && nothing) return OpenPathAnswer::wait();
     if (result.departure == Departure::none) {
-      if (result.done) next();
+      if (result.done) next_named(motion.to());
       return {};
     }
     if (agree(motion.from, line_want_.to(), terms_.tolerance)) {
-      next();
+      next_named(motion.from);
       continue;
     }
     if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);

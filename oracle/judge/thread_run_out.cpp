@@ -1,139 +1,217 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// ThreadJudge's part for the run-out at the bottom of a pass: open, or where a reading says that it
-// ends (GSK-G114-11).
-#include "oracle/judge/evidence.hpp"
-#include "oracle/judge/thread_judge.hpp"
+#include "oracle/judge/thread_run_out.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "oracle/judge/chords.hpp"
 
 namespace gonogo::oracle {
-
-using reference::ThreadRunOut;
-using reference::operator""_clause;
-
 namespace {
+
+constexpr std::size_t kMostChords = 50'000;
 
 Similarity after(const Similarity& second, const Similarity& first) {
   return {second.a * first.a - second.b * first.b, second.a * first.b + second.b * first.a};
 }
 
-}  // namespace
-
-OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
-  const Number rise = (motion.to()[axes_.d] - item_.bottom) * up_;
-  if (!is_cut(motion.record.kind) || rise > terms_.tolerance) {
-    if (std::optional<Verdict> verdict = finish_run_out(motion)) {
-      return OpenPathAnswer::decide(*std::move(verdict));
-    }
-    OpenPathAnswer answer = take_way_back(motion);
-    if (phase_ == Phase::run_out) phase_ = Phase::way_back;
-    return answer;
-  }
-  if (rise < -terms_.tolerance) {
-    return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
-                 "The tool cuts below the bottom of the thread.");
-  }
-  const Clearance clear = clearance(motion, radius(), false);
-  if (clear.kind != Clearance::Kind::clear) {
-    if (clear.kind == Clearance::Kind::touches && reading_cuts_deeper()) {
-      return OpenPathAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
-    }
-    return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
-  }
-  // What is left of a helix that ended within the tolerance of its end.
-  const bool remainder = !ran_out_ && !nearly_full_turn(motion) &&
-                         helix_.front().starts().admits(to_end_, from_axis(motion.to()));
-  if (remainder) return {};
-  ran_out_ = true;
-  if (!is_straight_run_out(motion)) {
-    return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
-                 "The run-out is not the straight line of its reading.");
-  }
-  return {};
-}
-
-bool ThreadJudge::has_run_out_end() const {
-  return item_.runout != ThreadRunOut::open && item_.runout_length.sign() != 0;
-}
-
-Position ThreadJudge::at_run_out_end(Position at) const {
-  const PlaneVector end = apply(run_out_map(), from_axis(helix_.front().want().from));
-  at[axes_.p] = item_.centre[0] + end.p;
-  at[axes_.q] = item_.centre[1] + end.q;
-  return at;
-}
-
-bool ThreadJudge::runs_out_straight() const {
-  return has_run_out_end() && item_.runout != ThreadRunOut::polar;
-}
-
-Motion ThreadJudge::straight_run_out() const {
-  Motion line = helix_.front().want();
-  line.record.kind = RecordKind::feed;
-  line.from = helix_end_;
-  line.record.to = at_run_out_end(line.to());
-  return line;
-}
-
-// Through the axis and into the far wall, or round and back into the thread: then no path is right.
-bool ThreadJudge::reading_cuts_deeper() const {
-  if (item_.runout == ThreadRunOut::polar) {
-    return !item_.external && item_.runout_length > radius() * 2;
-  }
-  return runs_out_straight() &&
-         clearance(straight_run_out(), radius(), false).kind != Clearance::Kind::clear;
-}
-
-// Through the axis and beyond where the passes begin: then no way back keeps off the material,
-// which GSK-G114-10 asks of a J as long as the thread is deep.
-bool ThreadJudge::reading_ends_in_material() const {
-  if (!has_run_out_end()) return false;
-  Motion up = helix_.front().want();
-  up.record.kind = RecordKind::rapid;
-  up.from = up.record.to = at_run_out_end(helix_end_);
-  up.record.to[axes_.d] = item_.r_plane;
-  return clearance(up, item_.start_radius, true).kind != Clearance::Kind::clear;
-}
-
-// Under the readings radial and tangent the run-out is one straight line.
-bool ThreadJudge::is_straight_run_out(const Motion& motion) {
-  if (!runs_out_straight()) return true;
-  if (!line_) {
-    line_want_ = straight_run_out();
-    line_.emplace(line_want_, loose_);
-  }
-  const MatchResult result = line_->match(motion);
-  return result.departure == Departure::none || result.departure == Departure::feed;
+std::size_t place_of(ThreadRunOut run_out) {
+  return static_cast<std::size_t>(run_out) - static_cast<std::size_t>(ThreadRunOut::polar);
 }
 
 // GSK-G114-11 from the start of the helix: first to its end, then J over K degrees as read.
-Similarity ThreadJudge::run_out_map() const {
-  const Number r = radius();
-  const Number& k = item_.runout_angle;
-  if (item_.runout == ThreadRunOut::polar) {
-    const Number end = (item_.external ? r + item_.runout_length : r - item_.runout_length) / r;
-    const Similarity turn = turn_by(k * item_.sense);
-    return after({end * turn.a, end * turn.b}, to_end_);
+Similarity run_out_map(const reference::ThreadMilling& item, const Number& radius,
+                       const Similarity& to_end, ThreadRunOut run_out) {
+  const Number& j = item.runout_length;
+  const Number& k = item.runout_angle;
+  if (run_out == ThreadRunOut::polar) {
+    const Number end = (item.external ? radius + j : radius - j) / radius;
+    const Similarity turn = turn_by(k * item.sense);
+    return after({end * turn.a, end * turn.b}, to_end);
   }
-  const Number from_normal = item_.runout == ThreadRunOut::radial ? k : Number(90) - k;
-  const Number angle = item_.external ? from_normal : Number(180) - from_normal;
-  const Similarity turn = turn_by(angle * item_.sense);
-  const Number length = item_.runout_length / r;
-  return after({Number(1) + length * turn.a, length * turn.b}, to_end_);
+  const Number from_normal = run_out == ThreadRunOut::radial ? k : Number(90) - k;
+  const Number angle = item.external ? from_normal : Number(180) - from_normal;
+  const Similarity turn = turn_by(angle * item.sense);
+  const Number length = j / radius;
+  return after({Number(1) + length * turn.a, length * turn.b}, to_end);
 }
 
-std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
-  if (!has_run_out_end()) return std::nullopt;
-  const Similarity map = run_out_map();
-  if (helix_.front().starts().admits(map, from_axis(motion.from))) return std::nullopt;
-  Motion at = motion;
-  at.record.to = motion.from;
-  OpenPathAnswer answer =
-      fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, at,
-            ran_out_ ? "The run-out ends at another point." : "The run-out is missing.");
-  const PlaneVector want = apply(map, from_axis(helix_.front().want().from));
-  const PlaneVector got = from_axis(motion.from);
-  set_deviation(answer.verdict, max(abs(want.p - got.p), abs(want.q - got.q)));
-  return std::move(answer.verdict);
+// How far from the axis the arc of GSK-G114-11 goes that leaves the thread tangentially: to its
+// end, or beyond half a turn to the point across from where it begins.
+Number farthest_of_polar(const reference::ThreadMilling& item, const Number& radius) {
+  const Number end = radius + item.runout_length;
+  constexpr int kHalfTurn = 180;
+  if (item.runout_angle <= kHalfTurn) return end;
+  const Number cosine = turn_by(item.runout_angle).a;
+  const Number a = end * cosine - radius;
+  if (a.sign() == 0) return end;
+  const Number w = (radius * radius + end * end - radius * end * cosine * 2) / (a * 2);
+  return max(end, abs(radius + w * 2));
+}
+
+}  // namespace
+
+ThreadRunOutJudge::ThreadRunOutJudge(const ThreadGeometry& geometry, const Number& pass,
+                                     const OpenHelix& helix, const Similarity& to_end,
+                                     const Position& from, const RunOutSet& allowed,
+                                     const RunOutSet& named)
+    : geometry_(geometry),
+      helix_(helix),
+      to_end_(to_end),
+      radius_(geometry.item().radius_of_pass(pass)),
+      from_(from),
+      allowed_(allowed),
+      named_(named),
+      left_(allowed) {}
+
+Similarity ThreadRunOutJudge::map_of(ThreadRunOut run_out) const {
+  return run_out_map(geometry_.item(), radius_, to_end_, run_out);
+}
+
+Position ThreadRunOutJudge::end_of(ThreadRunOut run_out) const {
+  const PlaneVector end = apply(map_of(run_out), geometry_.from_axis(helix_.want().from));
+  Position at = from_;
+  at[geometry_.axes().p] = geometry_.item().centre[0] + end.p;
+  at[geometry_.axes().q] = geometry_.item().centre[1] + end.q;
+  return at;
+}
+
+Motion ThreadRunOutJudge::line_to(ThreadRunOut run_out) const {
+  Motion line = helix_.want();
+  line.record.kind = RecordKind::feed;
+  line.from = from_;
+  line.record.to = end_of(run_out);
+  return line;
+}
+
+bool ThreadRunOutJudge::take(const Motion& flat) {
+  if (!begun_) chords_ = {near_rational(geometry_.from_axis(flat.from))};
+  begun_ = true;
+  for (const ThreadRunOut each : kRunOuts) {
+    if (!left_.has(each)) continue;
+    const bool follows = each == ThreadRunOut::polar ? take_polar(flat) : take_line(each, flat);
+    if (!follows) left_.remove(each);
+  }
+  return !left_.empty();
+}
+
+bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
+  const std::size_t place = place_of(run_out);
+  if (off_line_[place] || flat.record.kind != RecordKind::feed) return false;
+  std::optional<Line>& line = lines_[place];
+  if (!line) {
+    Motion want = line_to(run_out);
+    want.record.block = flat.record.block;
+    line.emplace(std::move(want), geometry_.loose_terms());
+  }
+  const MatchResult result = line->match.match(flat);
+  // The feed is held to the text by the judge of the thread.
+  off_line_[place] = result.departure != Departure::none && result.departure != Departure::feed;
+  return !off_line_[place];
+}
+
+// One arc in pieces, chords of one, or a straight line.
+bool ThreadRunOutJudge::take_polar(const Motion& flat) {
+  if (flat.record.kind == RecordKind::arc) return take_arc(flat);
+  const bool chord = geometry_.terms().chord.sign() > 0 && !arc_ && chords_.size() < kMostChords;
+  if (chord) chords_.push_back(near_rational(geometry_.from_axis(flat.to())));
+  arc_departed_ = arc_departed_ || !chord;
+  return take_line(ThreadRunOut::polar, flat) || chord;
+}
+
+bool ThreadRunOutJudge::take_arc(const Motion& arc) {
+  const Record& record = arc.record;
+  off_line_[place_of(ThreadRunOut::polar)] = true;
+  if (chords_.size() > 1 || record.plane != geometry_.item().plane) arc_departed_ = true;
+  if (!arc_) arc_ = record;
+  swept_ += approximate_turns(arc);
+  const Number& apart = geometry_.loose_terms().tolerance;
+  constexpr double kEstimate = 1e-6;
+  const bool goes_on = std::abs(record.rot) == 1 && (record.rot < 0) == (arc_->rot < 0) &&
+                       agree(record.centre[0], arc_->centre[0], apart) &&
+                       agree(record.centre[1], arc_->centre[1], apart);
+  if (!goes_on || swept_ > 1 + kEstimate || bulges(arc)) arc_departed_ = true;
+  return !arc_departed_;
+}
+
+// A bore has no room for that.
+bool ThreadRunOutJudge::bulges(const Motion& arc) const {
+  if (!geometry_.item().external) return false;
+  const Number farthest = farthest_of_polar(geometry_.item(), radius_);
+  return geometry_.within(arc, farthest).kind == Clearance::Kind::touches;
+}
+
+bool ThreadRunOutJudge::ends_at(ThreadRunOut run_out, const Position& here) const {
+  return helix_.starts().admits(map_of(run_out), geometry_.from_axis(here));
+}
+
+RunOutSet ThreadRunOutJudge::ending_at(const Position& here) const {
+  RunOutSet ending = RunOutSet::none();
+  std::optional<exact::Undecided> undecided;
+  for (const ThreadRunOut each : kRunOuts) {
+    if (!left_.has(each)) continue;
+    const bool by_chords =
+        each == ThreadRunOut::polar && begun_ && !arc_ && off_line_[place_of(each)];
+    if (by_chords && !are_chords_of_an_arc(chords_, geometry_.terms().tolerance * 2,
+                                           geometry_.terms().tolerance + geometry_.terms().chord)) {
+      continue;
+    }
+    try {
+      if (ends_at(each, here)) ending.add(each);
+    } catch (const exact::Undecided& error) {
+      undecided = error;
+    }
+  }
+  if (ending.empty() && undecided) throw *undecided;
+  return ending;
+}
+
+bool ThreadRunOutJudge::surely_ends_at(ThreadRunOut run_out, const Position& here) const {
+  try {
+    return ends_at(run_out, here);
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
+bool ThreadRunOutJudge::is_end(const Position& here) const {
+  return std::ranges::any_of(kRunOuts, [&](ThreadRunOut each) {
+    return allowed_.has(each) && surely_ends_at(each, here);
+  });
+}
+
+bool ThreadRunOutJudge::is_end_of_another(const Position& here) const {
+  return std::ranges::any_of(kRunOuts, [&](ThreadRunOut each) {
+    return named_.has(each) && !allowed_.has(each) && surely_ends_at(each, here);
+  });
+}
+
+Number ThreadRunOutJudge::distance_from_end(const Position& here) const {
+  std::optional<Number> least;
+  for (const ThreadRunOut each : kRunOuts) {
+    if (!allowed_.has(each)) continue;
+    Position end = end_of(each);
+    end[geometry_.axes().d] = here[geometry_.axes().d];
+    const Number away = largest_difference(here, end);
+    if (!least || estimate(away) < estimate(*least)) least = away;
+  }
+  return least.value_or(0);
+}
+
+bool ThreadRunOutJudge::all_cut_deeper() const {
+  return std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
+    if (!named_.has(each)) return false;
+    if (each == ThreadRunOut::polar) {
+      return geometry_.item().external || geometry_.item().runout_length <= radius_ * 2;
+    }
+    return geometry_.clearance(line_to(each), radius_).kind == Clearance::Kind::clear;
+  });
+}
+
+bool ThreadRunOutJudge::all_end_in_material() const {
+  return std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
+    return named_.has(each) && geometry_.is_free(end_of(each), geometry_.item().start_radius);
+  });
 }
 
 }  // namespace gonogo::oracle

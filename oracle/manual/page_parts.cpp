@@ -155,12 +155,14 @@ std::string_view first_value(const Reading& reading) {
 }
 
 void append_clauses(PageDraft& page, std::span<const reference::Clause* const> clauses) {
-  page.text += "| clause | level | what the manual says | carried by |\n|---|---|---|---|\n";
+  page.text += "| clause | level | basis | what it says | carried by |\n|---|---|---|---|---|\n";
   for (const reference::Clause* clause : clauses) {
+    std::string text = escaped(clause->text);
+    if (!clause->derivation.empty()) text += "<br>Derived: " + escaped(clause->derivation);
     page.text +=
-        fmt::format("| <a id=\"{}\"></a>{} | {} | {} | [{}](../../{}) |\n", anchor(clause->id),
-                    clause->id, reference::name(clause->level), escaped(clause->text),
-                    clause->carrier.substr(clause->carrier.rfind('/') + 1), clause->carrier);
+        fmt::format("| <a id=\"{}\"></a>{} | {} | {} | {} | [{}](../../{}) |\n", anchor(clause->id),
+                    clause->id, reference::name(clause->level), reference::name(clause->basis()),
+                    text, clause->carrier.substr(clause->carrier.rfind('/') + 1), clause->carrier);
   }
   page.text += '\n';
 }

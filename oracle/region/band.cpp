@@ -76,8 +76,8 @@ std::optional<Fit> fit(const Arc& arc, const Stretch& stretch) {
 
 class BandMaker {
  public:
-  BandMaker(Bands& out, const Number& reach, double width)
-      : out_(out), reach_(enclose(reach)), width_(width) {}
+  BandMaker(std::vector<Band>& out, Interval reach, double width)
+      : out_(out), reach_(reach), width_(width) {}
 
   void add_point(const PlanePoint& point) {
     Band band;
@@ -116,10 +116,10 @@ class BandMaker {
   }
 
   // False when the bands are too many.
-  bool add_spiral(const Arc& arc) {
-    std::vector<Stretch> open{whole(arc)};
+  bool add_spiral(const Arc& arc, const Stretch& all) {
+    std::vector<Stretch> open{all};
     while (!open.empty()) {
-      if (out_.bands.size() > kMaximumBands) return false;
+      if (out_.size() > kMaximumBands) return false;
       const Stretch stretch = open.back();
       open.pop_back();
       if (absolute(stretch.rb - stretch.ra).hi <= width_) {
@@ -132,6 +132,37 @@ class BandMaker {
       open.insert(open.end(), parts.begin(), parts.end());
     }
     return true;
+  }
+
+  void add_joint(const IntervalVector& point) {
+    Band band;
+    band.c = point;
+    band.outer = reach_;
+    add(band);
+  }
+
+  // A part of a round arc, by its enclosures.
+  void add_round_part(const Arc& arc, const Stretch& stretch) {
+    Band band;
+    band.shape = Band::Shape::sector;
+    band.wide = stretch.wide;
+    band.c = arc.c;
+    band.inner = arc.ra - reach_;
+    band.outer = arc.ra + reach_;
+    band.ua = stretch.ua;
+    band.ub = stretch.ub;
+    add(band);
+  }
+
+  void add_capsule(const IntervalVector& from, const IntervalVector& to) {
+    Band band;
+    band.shape = Band::Shape::capsule;
+    band.c = from;
+    band.to = to;
+    band.ua = unit(to - from);
+    band.length = norm(to - from);
+    band.outer = reach_;
+    add(band);
   }
 
  private:
@@ -172,20 +203,13 @@ class BandMaker {
     return true;
   }
 
-  void add_joint(const IntervalVector& point) {
-    Band band;
-    band.c = point;
-    band.outer = reach_;
-    add(band);
-  }
-
   void add(Band& band) {
     band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
     band.outer2 = square(band.outer);
-    out_.bands.push_back(band);
+    out_.push_back(band);
   }
 
-  Bands& out_;
+  std::vector<Band>& out_;
   Interval reach_;
   double width_;
 };
@@ -218,7 +242,7 @@ std::vector<PlanePoint> points_of(const Path& path) {
 std::optional<Bands> make_bands(const Path& path, const Number& reach, double width) {
   std::optional<Bands> result(std::in_place);
   result->points = points_of(path);
-  BandMaker maker(*result, reach, width);
+  BandMaker maker(result->bands, enclose(reach), width);
   for (const PlanePoint& point : result->points) maker.add_point(point);
   for (const Line& line : path.lines) {
     if (line.length.lo > kShortestLine) maker.add_line(line);
@@ -226,11 +250,41 @@ std::optional<Bands> make_bands(const Path& path, const Number& reach, double wi
   for (const Arc& arc : path.arcs) {
     if (arc.round) {
       maker.add_round(arc);
-    } else if (!maker.add_spiral(arc)) {
+    } else if (!maker.add_spiral(arc, whole(arc))) {
       return std::nullopt;
     }
   }
   return result;
+}
+
+bool append_stretch(const Arc& arc, const Stretch& stretch, Interval reach, double width,
+                    std::vector<Band>& out) {
+  const std::size_t first = out.size();
+  BandMaker maker(out, reach, width);
+  if (arc.round) {
+    maker.add_round_part(arc, stretch);
+  } else if (!maker.add_spiral(arc, stretch)) {
+    return false;
+  }
+  for (std::size_t i = first; i < out.size(); ++i) out[i].centre = nullptr;
+  return true;
+}
+
+void append_line(const IntervalVector& from, const IntervalVector& to, Interval reach,
+                 std::vector<Band>& out) {
+  BandMaker maker(out, reach, 0);
+  if (norm(to - from).lo > kShortestLine) {
+    maker.add_capsule(from, to);
+  } else {
+    maker.add_joint(from);
+    maker.add_joint(to);
+  }
+}
+
+Band disc_about(const IntervalVector& point, Interval reach) {
+  std::vector<Band> one;
+  BandMaker(one, reach, 0).add_joint(point);
+  return one.front();
 }
 
 void add_cleared(Bands& bands, const Cleared& cleared) {

@@ -40,6 +40,7 @@ struct Band {
 
   Interval inner2;
   Interval outer2;
+  std::uint32_t unit = 0;  // of a path in the order of time (order.hpp): which part of it
 
   bool has_hole() const { return inner.hi > 0; }
   const EnclosedRectangle& rectangle() const { return cleared->enclosed; }
@@ -59,6 +60,16 @@ std::optional<Bands> make_bands(const Path& path, const Number& reach, double wi
 
 // Adds what was cleared before, which must outlive the bands.
 void add_cleared(Bands& bands, const Cleared& cleared);
+
+// Appends the bands of a stretch of an arc, less the discs about its ends; they know no exact
+// middle line. False when they are too many.
+bool append_stretch(const Arc& arc, const Stretch& stretch, Interval reach, double width,
+                    std::vector<Band>& out);
+// That of a line that is known by its enclosures only, with the discs about its ends.
+void append_line(const IntervalVector& from, const IntervalVector& to, Interval reach,
+                 std::vector<Band>& out);
+// The disc about a point.
+Band disc_about(const IntervalVector& point, Interval reach);
 
 // About how far the point is outside the band (negative: inside). Doubles: a hint only.
 double rough_distance(const Band& band, double x, double y);

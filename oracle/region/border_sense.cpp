@@ -95,6 +95,24 @@ Against BorderSense::of_line(const Line& line) const {
   return along(LinePiece{line.a, line.b});
 }
 
+bool BorderSense::runs_along(const Line& line) const {
+  if (!inner_ || is_nearly_inside(line.a) || is_nearly_inside(line.b)) return false;
+  if (!contains(outer_, line.from) || !contains(outer_, line.to)) return false;
+  return is_beside(line) || along(LinePiece{line.a, line.b}) == Against::yes;
+}
+
+bool BorderSense::is_long_enough(const PlanePoint& from, const PlanePoint& to) const {
+  return norm(enclose(to) - enclose(from)).lo > shortest_;
+}
+
+bool BorderSense::goes_against(const PlanePoint& from, const PlanePoint& to) const {
+  const IntervalVector a = enclose(from);
+  const IntervalVector b = enclose(to);
+  const IntervalVector d = b - a;
+  const IntervalVector m = Interval{0.5, 0.5} * (a + b);
+  return goes_against({m.x.middle(), m.y.middle(), d.x.middle(), d.y.middle()});
+}
+
 Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
   Against result = Against::yes;
   for (int budget = kMaximumPieces; !open.empty(); --budget) {

@@ -25,7 +25,7 @@ bool is_sound(const RoundedRectangle& shape) {
 LevelVerdict judge_level_by(Method method, const CircularLevel& level,
                             std::span<const LevelMotion> motions) {
   const bool sound = level.tool_radius.sign() > 0 && level.tool_radius < level.pocket_radius &&
-                     level.step.sign() > 0 && level.tolerance.sign() > 0;
+                     level.step.sign() > 0 && level.tolerance.sign() > 0 && level.chord.sign() >= 0;
   if (!sound) return out_of_range("The pocket, tool, step or tolerance is out of range.");
   Terms terms;
   terms.middle = level.centre;
@@ -35,6 +35,7 @@ LevelVerdict judge_level_by(Method method, const CircularLevel& level,
   terms.sense = level.sense;
   terms.plunge = level.plunge;
   terms.tolerance = level.tolerance;
+  terms.chord = level.chord;
   return judge_by_rules(terms, motions, method);
 }
 
@@ -43,7 +44,7 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
   const bool sound = is_sound(level.area) && (!level.cleared || is_sound(*level.cleared)) &&
                      level.tool_radius.sign() > 0 && level.tool_radius <= level.area.radius &&
                      level.tolerance.sign() > 0 && level.slack.sign() >= 0 &&
-                     level.slack < level.tolerance;
+                     level.slack < level.tolerance && level.chord.sign() >= 0;
   if (!sound) return out_of_range("The pocket, tool or tolerance is out of range.");
   Terms terms;
   terms.area = level.area;
@@ -54,6 +55,7 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
   terms.plunge = level.plunge;
   terms.tolerance = level.tolerance;
   terms.slack = level.slack;
+  terms.chord = level.chord;
   return judge_by_rules(terms, motions, method);
 }
 

@@ -53,6 +53,10 @@ RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half
 //          the arcs or the plunge point
 //   step:  every point of E lies within step/2 + tolerance of the arcs or the plunge point
 //   sense: every arc turns as `sense` says
+//   order: every place is cut from what was cut before it, within step + 3 tolerances (order.hpp)
+// Where chords are granted, straight motions that are chords of arcs count as arcs (chords.hpp),
+// and `chord` is added to the tolerance of gouge (for them), cover and step, twice to that of
+// order.
 struct CircularLevel {
   PlanePoint centre;
   Number pocket_radius;
@@ -61,6 +65,7 @@ struct CircularLevel {
   int sense = -1;      // the sign that rot must have
   PlanePoint plunge;   // where the tool came down
   Number tolerance;    // > 0
+  Number chord = {};   // >= 0; 0: none are granted
 };
 
 // What a level of a pocket with rounded corners (SINUMERIK LCYC75) must satisfy. The motions are in
@@ -83,18 +88,21 @@ struct RectangularLevel {
   // rational rotation near the true one (frame.hpp). GO then holds with tolerance - slack, NO-GO
   // with tolerance + slack; what lies between is a gap. 0 <= slack < tolerance.
   Number slack;
+  // Chords of arcs that are granted, >= 0: added to the tolerance of cover, of lines also to those
+  // of gouge and of running along the border.
+  Number chord = {};
 };
 
-enum class Rule { gouge, cover, step, sense };
+enum class Rule { gouge, cover, step, sense, order };
 
-// A departure, with a point that proves it. The deviation is exact for round arcs and lines; where
-// an arc with two radii decides, it is a certified lower bound, and the witness of a gouge lies
-// within 1e-9 of the arc.
+// A departure, with a point that proves it. The deviation is the distance from what is admissible,
+// with no tolerance taken off: exact for round arcs and lines; where an arc with two radii decides,
+// or the order, a certified lower bound, and the witness lies within 1e-9 of the motion.
 struct Finding {
   Rule rule = Rule::gouge;
   std::optional<std::size_t> record;  // the motion at fault, where there is one
   PlanePoint witness;                 // checked exactly against all motions
-  Number deviation;                   // how far beyond the limit at the witness, mm (0 for sense)
+  Number deviation;                   // at the witness, mm (0 for sense)
 };
 
 struct LevelVerdict {
@@ -106,7 +114,7 @@ struct LevelVerdict {
 
 inline constexpr std::size_t kMaximumLevelMotions = 50'000;  // J-CONST-04
 
-// The first rule broken in the order sense, gouge, cover, step.
+// The first rule broken in the order sense, gouge, cover, step, order.
 LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions);
 LevelVerdict judge_level(const RectangularLevel& level, std::span<const LevelMotion> motions);
 

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "oracle/region/border_sense.hpp"
+#include "oracle/region/chords.hpp"
 #include "oracle/region/gouge.hpp"
+#include "oracle/region/order.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
@@ -50,26 +52,34 @@ class LevelJudge {
         motions_(motions),
         method_(method),
         border_(terms.border()),
-        limit_(with_radius(border_, border_.radius + terms.tolerance)),
         surely_(border_, terms.sense, terms.tolerance - terms.slack),
-        perhaps_(border_, terms.sense, terms.tolerance + terms.slack) {}
+        perhaps_(border_, terms.sense, terms.tolerance + terms.slack) {
+    if (terms.chord.sign() > 0) {
+      chords_ = find_chords(motions, terms.chord + terms.tolerance);
+      along_chords_.emplace(border_, terms.sense, terms.tolerance + terms.chord);
+    }
+  }
 
   LevelVerdict judge();
 
  private:
   std::optional<LevelVerdict> sense();
+  std::optional<LevelVerdict> sense_of_pieces();
+  std::optional<LevelVerdict> sense_of_chords();
   Against against(const LevelMotion& motion) const;
   bool is_against(const Arc& arc, bool counterclockwise) const {
     if (terms_.by_border) return surely_.of_arc(arc, counterclockwise) != Against::no;
     return counterclockwise != (terms_.sense > 0);
   }
   std::optional<LevelVerdict> gouge();
-  std::optional<LevelVerdict> gouge_of_ends(const LevelMotion& motion);
-  std::optional<LevelVerdict> gouge_of_line(const LevelMotion& motion);
+  std::optional<LevelVerdict> gouge_of_ends(const LevelMotion& motion, const Number& margin);
+  std::optional<LevelVerdict> gouge_of_line(const LevelMotion& motion, bool is_chord);
   std::optional<LevelVerdict> gouge_of_arc(const LevelMotion& motion);
   template <class Part>
-  Reach reach_of(const Part& part) const;
+  Reach reach_of(const Part& part, const Number& margin) const;
   std::optional<LevelVerdict> within(const LevelMotion& motion, const Reach& reach);
+  std::optional<LevelVerdict> order();
+  bool is_chord(std::size_t motion) const { return !chords_.empty() && chords_[motion]; }
   std::optional<LevelVerdict> covers(Rule rule, const RoundedRectangle& area, const Number& reach);
   void clear_with(Arc arc, bool counterclockwise);
   void clear_with(const Line& line);
@@ -82,10 +92,12 @@ class LevelJudge {
   std::span<const LevelMotion> motions_;
   Method method_;
   RoundedRectangle border_;
-  RoundedRectangle limit_;
   BorderSense surely_;
   BorderSense perhaps_;
+  std::optional<BorderSense> along_chords_;
+  std::vector<bool> chords_;  // of the motions, where they are granted
   Path path_;
+  std::optional<CutSequence> sequence_;  // where the order counts
   std::optional<PlanePoint> line_end_;  // where the last motion ended, if it was a line that clears
   std::string doubt_;                   // the first thing that stayed undecided
   bool by_filter_ = true;
@@ -93,6 +105,13 @@ class LevelJudge {
 
 LevelVerdict LevelJudge::judge() {
   if (auto verdict = sense()) return *verdict;
+  if (terms_.step) {
+    // J-PKT-05: two places, each off by the tolerance on both axes, are 2 sqrt(2) of it farther
+    // apart than they should be, and chords each run so far inside of their arcs.
+    const Number reach = *terms_.step + Number(3) * terms_.tolerance + Number(2) * terms_.chord;
+    sequence_.emplace(terms_.plunge - terms_.middle, *terms_.step, reach,
+                      enclose(terms_.tolerance).lo / 8);
+  }
   if (auto verdict = gouge()) return *verdict;
   path_.points.push_back(terms_.plunge - terms_.middle);
   // A strip of no width needs nothing.
@@ -101,6 +120,7 @@ LevelVerdict LevelJudge::judge() {
   }
   if (terms_.step) {
     if (auto verdict = covers(Rule::step, border_, *terms_.step / Number(2))) return *verdict;
+    if (auto verdict = order()) return *verdict;
   }
   if (!doubt_.empty()) return gap(doubt_);
   LevelVerdict verdict;
@@ -141,28 +161,72 @@ std::optional<LevelVerdict> LevelJudge::sense() {
     }
     return broken(Rule::sense, motion.record, motion.from, Number());
   }
-  return std::nullopt;
+  if (terms_.by_border) return sense_of_pieces();
+  return terms_.chord.sign() > 0 ? sense_of_chords() : std::nullopt;
 }
 
-std::optional<LevelVerdict> LevelJudge::gouge() {
-  for (const LevelMotion& motion : motions_) {
-    const bool is_curve = moves(motion) && motion.rot != 0;
-    if (auto verdict = is_curve ? gouge_of_arc(motion) : gouge_of_line(motion)) return verdict;
+// J-PKT-06: straight pieces that run along the border one after the other, as one.
+std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
+  std::optional<PlanePoint> start;
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const LevelMotion& motion = motions_[i];
+    if (!motion.is_arc && motion.from == motion.to) continue;
+    const BorderSense& border = is_chord(i) ? *along_chords_ : surely_;
+    if (motion.is_arc || !border.runs_along(make_line(motion.from, motion.to))) {
+      start.reset();
+      continue;
+    }
+    if (!start) start = motion.from;
+    const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
+    if (!length.is_long_enough(*start, motion.to)) continue;
+    if (length.goes_against(*start, motion.to)) {
+      return broken(Rule::sense, motion.record, motion.from, Number());
+    }
+    start = motion.to;
   }
   return std::nullopt;
 }
 
-std::optional<LevelVerdict> LevelJudge::gouge_of_ends(const LevelMotion& motion) {
+// J-PKT-08
+std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
+  const ChordTurning turning =
+      turning_of(motions_, chords_, terms_.sense, Number(8) * terms_.tolerance);
+  if (turning.kind == Turning::undecided) doubt("Whether chords turn the wrong way is undecided.");
+  if (turning.kind != Turning::against) return std::nullopt;
+  const LevelMotion& motion = motions_[turning.motion];
+  return broken(Rule::sense, motion.record, motion.from, Number());
+}
+
+std::optional<LevelVerdict> LevelJudge::gouge() {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const LevelMotion& motion = motions_[i];
+    const bool is_curve = moves(motion) && motion.rot != 0;
+    if (auto verdict = is_curve ? gouge_of_arc(motion) : gouge_of_line(motion, is_chord(i))) {
+      return verdict;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<LevelVerdict> LevelJudge::gouge_of_ends(const LevelMotion& motion,
+                                                      const Number& margin) {
   for (const PlanePoint& end : {motion.from, motion.to}) {
-    if (auto verdict = within(motion, reach_of(end - terms_.middle))) return verdict;
+    if (auto verdict = within(motion, reach_of(end - terms_.middle, margin))) return verdict;
   }
   return std::nullopt;
 }
 
 // A line, or an arc that goes nowhere: the border is convex.
-std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion) {
-  if (auto verdict = gouge_of_ends(motion)) return verdict;
-  if (!terms_.by_border) return std::nullopt;
+std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion, bool is_chord) {
+  const Number margin = is_chord ? terms_.tolerance + terms_.chord : terms_.tolerance;
+  if (auto verdict = gouge_of_ends(motion, margin)) return verdict;
+  if (!terms_.by_border) {
+    if (motion.is_arc || motion.from == motion.to) return std::nullopt;
+    const Line line = make_line(motion.from - terms_.middle, motion.to - terms_.middle);
+    sequence_->add_line(line, is_chord, motion.record);
+    if (is_chord) clear_with(line);
+    return std::nullopt;
+  }
   if (motion.is_arc && motion.rot == 0 && !(motion.from == motion.to)) {
     doubt("An arc has no direction.");
   }
@@ -181,7 +245,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
     // One that is as small as the tolerance came to it by rounding.
     if (!ends_agree(motion, terms_.tolerance)) {
       doubt("An arc begins or ends on its own centre.");
-    } else if (auto verdict = gouge_of_ends(motion)) {
+    } else if (auto verdict = gouge_of_ends(motion, terms_.tolerance)) {
       return verdict;
     }
     clear_with_ends(motion);
@@ -196,15 +260,16 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
     clear_with_ends(motion);  // it can only be meant as no motion
     return std::nullopt;
   }
-  const Reach reach = reach_of(arc);
+  const Reach reach = reach_of(arc, terms_.tolerance);
   if (ambiguous && reach.kind != Reach::Kind::inside) {
     for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
-      if (auto verdict = within(motion, reach_of(end))) return verdict;
+      if (auto verdict = within(motion, reach_of(end, terms_.tolerance))) return verdict;
     }
     clear_with_ends(motion);
     return std::nullopt;
   }
   if (auto verdict = within(motion, reach)) return verdict;
+  if (sequence_) sequence_->add(arc, counterclockwise);
   clear_with(arc, counterclockwise);
   return std::nullopt;
 }
@@ -216,13 +281,19 @@ Reach reach_within(const Arc& arc, const RoundedRectangle& limit) {
   return reach_of_arc(arc, limit);
 }
 
-// Inside the limit, or outside it, whichever way the slack falls.
+// Inside the border and a margin, or outside of it, whichever way the slack falls. How far outside
+// is counted from the border itself.
 template <class Part>
-Reach LevelJudge::reach_of(const Part& part) const {
-  if (terms_.slack.sign() == 0) return reach_within(part, limit_);
-  Reach reach = reach_within(part, with_radius(limit_, limit_.radius - terms_.slack));
+Reach LevelJudge::reach_of(const Part& part, const Number& margin) const {
+  const auto within_margin = [&](const Number& wide) {
+    Reach reach = reach_within(part, with_radius(border_, border_.radius + wide));
+    if (reach.kind == Reach::Kind::outside) reach.beyond += wide;
+    return reach;
+  };
+  if (terms_.slack.sign() == 0) return within_margin(margin);
+  Reach reach = within_margin(margin - terms_.slack);
   if (reach.kind != Reach::Kind::outside) return reach;
-  reach = reach_within(part, with_radius(limit_, limit_.radius + terms_.slack));
+  reach = within_margin(margin + terms_.slack);
   if (reach.kind == Reach::Kind::inside) reach.kind = Reach::Kind::undecided;
   return reach;
 }
@@ -233,6 +304,18 @@ std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const 
   }
   if (reach.kind != Reach::Kind::outside) return std::nullopt;
   return broken(Rule::gouge, motion.record, reach.witness + terms_.middle, reach.beyond);
+}
+
+// GSK-CYC-02, J-PKT-05
+std::optional<LevelVerdict> LevelJudge::order() {
+  const Number half_side = border_.radius + terms_.tolerance + terms_.chord;
+  const CutOrder order = sequence_->check(enclose(half_side).hi);
+  if (order.kind == CutOrder::Kind::undecided) {
+    doubt("Whether the level is cut from the centre outwards could not be decided.");
+  }
+  if (order.kind != CutOrder::Kind::broken) return std::nullopt;
+  return broken(Rule::order, order.record, order.witness + terms_.middle,
+                order.distance - *terms_.step);
 }
 
 // Pieces of one circle, one after the other, count as one arc.
@@ -276,8 +359,10 @@ void LevelJudge::clear_with_ends(const LevelMotion& motion) {
 std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle& area,
                                                const Number& reach) {
   const std::optional<RoundedRectangle> none;
+  // J-PKT-07: chords run so far inside of their arcs.
+  const Number tolerance = terms_.tolerance + terms_.chord;
   const Target target{area, rule == Rule::cover ? terms_.cleared : none,
-                      reach + terms_.tolerance - terms_.slack, Number(2) * terms_.slack};
+                      reach + tolerance - terms_.slack, Number(2) * terms_.slack};
   const Coverage coverage = check_coverage(path_, target, terms_.tolerance, method_);
   by_filter_ = by_filter_ && coverage.by_filter;
   if (coverage.kind == Coverage::Kind::covered) return std::nullopt;
@@ -285,7 +370,8 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
     doubt(coverage.why.c_str());
     return std::nullopt;
   }
-  auto verdict = broken(rule, std::nullopt, coverage.witness + terms_.middle, coverage.excess);
+  const Number apart = coverage.excess + tolerance + terms_.slack;  // of the tool's own reach
+  auto verdict = broken(rule, std::nullopt, coverage.witness + terms_.middle, apart);
   verdict.by_filter = coverage.by_filter;
   return verdict;
 }

@@ -19,12 +19,13 @@ struct Terms {
   PlanePoint plunge;
   Number tolerance;
   Number slack;
+  Number chord;  // 0: none are granted
 
   // Where the tool's centre may be.
   RoundedRectangle border() const { return with_radius(area, area.radius - tool_radius); }
 };
 
-// The first rule broken in the order sense, gouge, cover, step.
+// The first rule broken in the order sense, gouge, cover, step, order.
 LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
                             Method method);
 

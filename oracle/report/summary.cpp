@@ -73,6 +73,12 @@ bool same_totals(const Json& told, const std::map<std::string, std::uint64_t>& o
          });
 }
 
+Json group_json(const RunScope::Group& group, Json about) {
+  about["cases"] = group.cases;
+  about["first_cases"] = group.first;
+  return about;
+}
+
 bool contains_no_go(const Json& totals) {
   if (!totals.is_object()) return false;
   return std::ranges::any_of(totals.items(), [](const auto& total) {
@@ -87,17 +93,45 @@ Decision decision_of(const std::string& verdict) {
   return kind ? decision(*kind) : Decision::no_go;
 }
 
+Json scope_json(const RunScope& scope) {
+  Json features = Json::object();
+  for (const auto& [dialect, seen] : scope.features()) {
+    for (const auto& [feature, cases] : seen) {
+      if (cases.cases == 0) continue;
+      features[dialect][feature] = {{"judged", cases.cases}, {"skipped", cases.skipped}};
+    }
+  }
+  Json not_claimed = Json::array();
+  for (const auto& [key, group] : scope.not_claimed()) {
+    Json about = {{"dialect", key.dialect}};
+    if (!key.feature.empty()) about["feature"] = key.feature;
+    if (!key.message.empty()) about["reason"] = key.message;
+    not_claimed.push_back(group_json(group, about));
+  }
+  Json broken = Json::array();
+  for (const auto& [key, group] : scope.broken()) {
+    broken.push_back(group_json(
+        group, {{"dialect", key.dialect}, {"cycle", key.cycle}, {"reason", key.message}}));
+  }
+  Json advices = Json::array();
+  for (const auto& [key, group] : scope.advices()) {
+    advices.push_back(group_json(group, {{"clause", key.clause}, {"departure", key.departure}}));
+  }
+  return {{"features", features},
+          {"not_claimed", not_claimed},
+          {"declared_but_skipped", broken},
+          {"advices", advices}};
+}
+
 void Summary::add(const CaseHead& line) {
+  scope_.add(line, verdict_kind(line.verdict).value_or(VerdictKind::oracle_error));
   ++cases_;
   ++totals_[line.verdict];
   cycles_.insert(line.cycle);
   std::uint64_t& judged = judged_[line.dialect];
-  if (line.verdict == "skip") {
-    ++skips_[line.feature.empty() ? line.message : line.feature];
-    return;
-  }
-  ++judged;
   const Decision its = decision_of(line.verdict);
+  if (line.verdict == "skip") return;
+  if (its != Decision::undecided) ++judged;
   auto hit = [&](const std::string& clause) {
     MatrixCell& cell = cells_[clause][line.cycle];
     switch (its) {
@@ -155,11 +189,17 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
   }
   const auto no_go = static_cast<std::size_t>(Decision::no_go);
   const bool failed = count[no_go] > 0 || contains_no_go(totals) || said == "NO-GO";
-  return {{"decision", failed            ? "NO-GO"
-                       : undecided       ? "UNDECIDED"
-                       : reasons.empty() ? "GO"
-                                         : "INCOMPLETE"},
+  const char* decision = failed            ? "NO-GO"
+                         : undecided       ? "UNDECIDED"
+                         : reasons.empty() ? "GO"
+                                           : "INCOMPLETE";
+  return {{"decision", decision},
+          {"head", scope_.head(decision)},
+          {"short", scope_.short_head(decision)},
           {"incomplete", reasons},
+          {"judged", scope_.judged()},
+          {"advices", scope_.advised()},
+          {"notClaimed", scope_.skipped()},
           {"cases", cases_},
           {"go", count[static_cast<std::size_t>(Decision::go)]},
           {"noGo", count[no_go]},
@@ -191,10 +231,15 @@ Json Summary::not_checked(const Json& header) const {
       outside[dialect].push_back({{"code", code.code}, {"title", code.title}});
     }
   }
+  Json skips = Json::object();
+  for (const auto& [key, group] : scope_.not_claimed()) {
+    const std::string& what = key.feature.empty() ? key.message : key.feature;
+    skips[what] = skips.value(what, std::size_t{0}) + group.cases;
+  }
   return {{"m", !has_feature(header, "m")},
           {"blocks", !has_feature(header, "blocks")},
           {"open", open},
-          {"skips", skips_},
+          {"skips", skips},
           {"outside", outside}};
 }
 
@@ -226,6 +271,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
           {"catalog", catalog},
           {"otherClauses", others},
           {"matrix", matrix()},
+          {"scope", scope_json(scope_)},
           {"notChecked", not_checked(header)},
           {"command", command_for_case(header)}};
 }

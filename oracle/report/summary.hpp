@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "oracle/case_head.hpp"
+#include "oracle/run_scope.hpp"
 #include "oracle/verdict.hpp"
 
 namespace gonogo::oracle::report {
@@ -35,6 +36,7 @@ class Summary {
   void add(const CaseHead& line);
   // `footer` null when the file has none; `bad_lines` could not be read.
   Json finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
+  const RunScope& scope() const { return scope_; }
 
  private:
   Json headline(const Json* footer, std::uint64_t bad_lines) const;
@@ -42,11 +44,14 @@ class Summary {
   Json not_checked(const Json& header) const;
 
   std::uint64_t cases_ = 0;
-  std::map<std::string, std::uint64_t> totals_;                     // by verdict
-  std::map<std::string, std::uint64_t> judged_;                     // by dialect; all but skips
+  std::map<std::string, std::uint64_t> totals_;  // by verdict
+  std::map<std::string, std::uint64_t> judged_;  // by dialect: neither skipped nor undecided
   std::map<std::string, std::map<std::string, MatrixCell>> cells_;  // clause -> cycle
   std::set<std::string> cycles_;
-  std::map<std::string, std::uint64_t> skips_;  // by what was said
+  RunScope scope_;
 };
+
+// The groups of a scope: what was not claimed, what was declared and skipped, the advices.
+Json scope_json(const RunScope& scope);
 
 }  // namespace gonogo::oracle::report

@@ -182,9 +182,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G110-14", must, kG110,
      "The axis words are not retained: a block without them mills nothing.",
      "reference/gsk988ta/g110.cpp"},
-    {"GSK-G110-15", open, kG110, "G80 and every code of group 01 cancel the cycle.",
+    {"GSK-G110-15", derived, kG110, "G80 and every code of group 01 cancel the cycle.",
      "reference/gsk988ta/interpreter.cpp"},
-    {"GSK-G110-16", derived, kG110, "I, L, Q and D of a block that mills are above zero.",
+    {"GSK-G110-16", derived, kG110, "I, L and Q of a block that mills are above zero.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-G110-17", derived, kG110,
      "A pocket without depth is positioned over and left again; it needs no feed.",
@@ -197,9 +197,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "retained in it; L is the number of turns, a whole number from 1 to 99999, and 1 without "
      "it; M35 clamps C before the motion.",
      "reference/gsk988ta/g112.cpp"},
-    {"GSK-G112-02", must, kG112,
-     "The pocket radius I must be larger than the tool radius D; R and the way from the R "
-     "plane to the bottom must have one direction.",
+    {"GSK-G112-02", must, kG112, "The pocket radius I must be larger than the tool radius D.",
      "reference/gsk988ta/g112.cpp"},
     {"GSK-G112-03", must, kG112,
      "Traverse to the centre in the plane, with every other axis that is commanded but d; "
@@ -220,6 +218,9 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G112-09", derived, kG112,
      "Both semicircles turn as commanded and touch the circle tangentially.",
      "reference/gsk988ta/g112.cpp"},
+    {"GSK-G112-10", derived, kG112,
+     "R and the way from the R plane to the bottom must have one direction.",
+     "reference/gsk988ta/g112.cpp"},
 
     {"GSK-G114-01", derived, kG114,
      "The words of the plane give the centre of the workpiece; the depth word is the bottom of "
@@ -229,21 +230,17 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "The lead I, the diameter E before threading, the thread height P and the tool radius D "
      "must be given, each above zero; J defaults to parameter 5921 and K to parameter 5920.",
      "reference/gsk988ta/g114.cpp"},
-    {"GSK-G114-03", must, kG114,
-     "P is no larger than D; an internal thread needs a tool radius smaller than E/2.",
-     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-03", must, kG114, "P is no larger than D.", "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-04", must, kG114,
      "Without Q, or with Q not below P, one pass; else as many passes as Q goes into P, the "
      "last taking what remains.",
      "reference/gsk988ta/g114.cpp"},
-    {"GSK-G114-05", must, kG114,
-     "Traverse to the centre in the plane, with every other axis that is commanded but d; "
-     "traverse d to the R plane.",
+    {"GSK-G114-05", must, kG114, "Traverse to the centre in the plane; traverse d to the R plane.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-06", must, kG114,
      "Each pass: an arc to the start of the thread, infeed to the radius of the pass, a helix "
-     "of lead I from the R plane to the bottom, the run-out, back to the R plane, away to the "
-     "safe position.",
+     "of lead I from the R plane to the bottom, a partial last turn allowed, the run-out, back to "
+     "the R plane, away to the safe position.",
      "reference/gsk988ta/thread_path.cpp"},
     {"GSK-G114-07", must, kG114, "Traverse d to the initial plane at the end.",
      "reference/gsk988ta/g114.cpp"},
@@ -254,26 +251,46 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "counterclockwise.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-10", derived, kG114,
-     "Outside the helices, their infeed and run-out nothing moves in the material below the R "
-     "plane; the run-out is never deeper than its pass.",
-     "reference/gsk988ta/thread_path.cpp"},
+     "The entry is an arc at the R plane, the infeed straight, the helix of so many turns as its "
+     "depth has, all of one sense; from where the run-out ends the tool returns along d alone, and "
+     "moves along p alone until it is as far from the axis as rho_0 + J, in a bore as near to it "
+     "along p as rho_0 - J. Nothing is deeper than its pass; with J as long as the thread is deep "
+     "the way back keeps off the material.",
+     "reference/gsk988ta/thread_path.cpp", std::nullopt,
+     "from the steps of GSK-G114-06, each taken as it is written: back to the R plane, then along "
+     "the first axis to the safe position that J gives"},
     {"GSK-G114-11", open, kG114,
-     "The run-out leaves to the free side, J of radius over K degrees further round as the "
-     "cycle turns; J = 0: none. Without the words and the parameters J and K are 0.",
-     "reference/gsk988ta/thread_path.cpp"},
+     "A pass ends with a run-out to the free side that gains J at K degrees; what K is measured "
+     "from is open, one for a whole program. J = 0: none, and K is not needed. What neither the "
+     "block nor the parameters give is not known.",
+     "reference/gsk988ta/thread_path.cpp", Basis::text},
     {"GSK-G114-12", open, kG114,
      "Q = 0 counts as omitted; R that leads away from the bottom is an alarm as in G110; R of "
      "G116 and G117 is optional.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-13", open, kG114, "K is an angle from 0 to 360 degrees.",
      "reference/gsk988ta/words.cpp"},
+    {"GSK-G114-14", derived, kG114,
+     "Inside the block of a thread every motion is one of its steps (GSK-CYC-01).",
+     "reference/gsk988ta/g114.cpp", std::nullopt,
+     "from GSK-CYC-01 and the list of steps, which is complete"},
+    {"GSK-G114-15", derived, kG114, "An internal thread needs a tool radius smaller than E/2.",
+     "reference/gsk988ta/g114.cpp"},
+    {"GSK-G114-16", derived, kG114,
+     "Every other axis that is commanded but d is positioned with the centre.",
+     "reference/gsk988ta/g114.cpp"},
 
-    {"GSK-COM-01", derived, kBasic,
-     "A required word that is missing, an address written twice, and an axis given both absolute "
-     "and as an increment are alarms.",
-     "reference/gsk988ta/words.cpp"},
+    {"GSK-CYC-01", derived, kG114,
+     "Inside the block of a cycle every motion is one that a clause of the cycle describes, within "
+     "what the clause leaves open.",
+     "reference/gsk988ta/g114.cpp", std::nullopt,
+     "a list of steps that a control carries out says what it does, and so what it does not"},
+
+    {"GSK-COM-01", derived, kBasic, "A required word that is missing is an alarm.",
+     "reference/gsk988ta/arc.cpp"},
     {"GSK-COM-02", derived, kBasic,
-     "A G code that the control lacks, and text that cannot be read, are alarms.",
+     "A G code that the control lacks, one with decimals too, and text that cannot be read, are "
+     "alarms; the text after a semicolon is ignored.",
      "reference/gsk988ta/codes.cpp"},
     {"GSK-COM-03", open, kBasic,
      "A length with more decimals than the least increment has keeps its exact value.",
@@ -284,11 +301,10 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Positioning, straight and circular feeds, dwell, planes, units, reference point, renaming of "
      "the position, feed modes, M, S and T; the arc's rules for R and I J K.",
      "reference/gsk988ta/basic_motion.cpp"},
-    {"GSK-COM-06", open, kBasic,
-     "The ranges of the words hold in the blocks of the cycles; a word of their tables that the "
-     "cycle does not use is checked against its range and ignored.",
+    {"GSK-COM-06", derived, kBasic,
+     "The ranges of the words hold in the blocks of the cycles that use them.",
      "reference/gsk988ta/words.cpp"},
-    {"GSK-COM-09", derived, kBasic,
+    {"GSK-WRD-01", derived, kBasic,
      "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
      "ends the program as not covered: a control may chamfer or round by it.",
      "reference/gsk988ta/word_use.cpp", std::nullopt,
@@ -298,8 +314,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "let the later one win.",
      "reference/gsk988ta/words.cpp"},
     {"GSK-COM-08", open, kBasic,
-     "F 0 is no feed and a negative F is an alarm; the text after a semicolon is ignored; a "
-     "decimal G code that the control lacks is undefined.",
+     "F 0 is no feed and a negative F is an alarm. No text says so; our judgement.",
      "reference/gsk988ta/words.cpp"},
 
     {"GSK-MOD-01", open, kG110,
@@ -310,30 +325,44 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Missing I L Q D is looked for in the entry block and in every block that mills; a block that "
      "mills nothing still takes its words in.",
      "reference/gsk988ta/g110.cpp"},
+    {"GSK-CYC-01",
+     derived,
+     kBasic,
+     "Inside the block of a cycle every motion is one that a clause of the cycle describes, within "
+     "what the clause leaves open; any other is none of the cycle.",
+     "reference/gsk988ta/milling.hpp",
+     {},
+     "the manual lists the motions of each cycle as its whole course"},
+    {"GSK-CYC-02", must, kG110,
+     "A level is cleared from the centre with the step L: the place first cut is the centre, and "
+     "each place is cut from material already removed within L of it.",
+     "reference/gsk988ta/g110.cpp"},
     {"GSK-MOD-03", open, kG110, "R and P of G110 to G113 hold for their block.",
      "reference/gsk988ta/g110.cpp"},
     {"GSK-MOD-04", open, kG114,
      "G114 and G115 are one mode, G116 and G117 one; they stay in force as G110, but no word of "
      "them is retained: each block that mills gives I, P, D and E.",
      "reference/gsk988ta/interpreter.cpp"},
-    {"GSK-MOD-05", open, kG110,
+    {"GSK-MOD-05", derived, kG110,
      "The initial plane is the depth coordinate at which the mode was entered, and stays; a plane "
      "code takes that of the new depth axis.",
      "reference/gsk988ta/interpreter.cpp"},
-    {"GSK-MOD-06", open, kBasic,
+    {"GSK-MOD-06", derived, kBasic,
      "G80 and every code of group 01 end the mode; G80 also ends G94, and axis words after it, in "
      "its own block too, are positioned.",
      "reference/gsk988ta/interpreter.cpp"},
     {"GSK-MOD-07", open, kBasic,
      "Retained words are lengths: units and planes do not change them; a retained increment is "
-     "taken from A again; a retained word of an axis outside the new plane waits.",
+     "taken from A again; a retained word of an axis outside the new plane waits. No text says so; "
+     "our judgement.",
      "reference/gsk988ta/cutting_cycle.cpp"},
     {"GSK-MOD-08", derived, kBasic,
      "The codes of group 00 are G04, G28 and G50; all but G04 clear the retained words of G94, "
      "none clears I L Q D.",
      "reference/gsk988ta/basic_motion.cpp"},
     {"GSK-MOD-09", open, kBasic,
-     "A code of group 01 and a code of the milling cycles exclude each other in a block.",
+     "A code of group 01 and a code of the milling cycles exclude each other in a block. No text "
+     "says so; our judgement.",
      "reference/gsk988ta/words.cpp"},
 });
 

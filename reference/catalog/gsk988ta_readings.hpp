@@ -175,8 +175,9 @@ inline std::vector<Reading> gsk988ta_readings() {
        true,
        false,
        "GSK-G114-06"_clause,
-       "entry, infeed and the way between the passes: judged by what the text fixes, or one given "
-       "path"},
+       "entry, infeed and the way between the passes: judged step by step by what the text fixes, "
+       "or "
+       "one given path"},
       {ReadingKey::thread_runout,
        "gsk.thread.runout",
        "gsk988ta",
@@ -185,7 +186,7 @@ inline std::vector<Reading> gsk988ta_readings() {
        true,
        false,
        "GSK-G114-11"_clause,
-       "the run-out of a thread: judged by its clearance, or one of three given shapes"},
+       "the run-out of a thread: any of three shapes, one for a whole program, or a given one"},
       {ReadingKey::thread_v_from,
        "gsk.thread.v-from",
        "gsk988ta",

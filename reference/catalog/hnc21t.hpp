@@ -61,23 +61,21 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "in inches or as threads to the inch.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-08", open, kG82,
-     "F and J exclude each other in a block, a later one replaces the one in force, both are above "
-     "zero. R, E, Q, C and P are judged on the values in force. Of equal travels Z is the long "
-     "one; "
-     "X counts as a radius.",
+     "A lead is above zero, and a later one replaces the one in force. R, E, Q, C and P are judged "
+     "on the values in force. Of equal travels Z is the long one; X counts as a radius. No text "
+     "says so; our judgement.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-09", open, kG82,
      "Start angles count modulo 360 degrees; the run-out keeps the lead and the start of its "
-     "thread; the passes come in the order of k. The signs of R and E are free.",
+     "thread; the passes come in the order of k. The signs of R and E are free. No text says so; "
+     "our judgement.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G82-10", must, kG82,
      "Feed hold, the meaning of Q and the versions that have it change nothing in the path.",
      "reference/hnc21t/g82.cpp"},
     {"HNC-G74-01", must, kG74,
      "Z is the bottom of the hole. The withdrawal e (word R) is not negative and the depth of a "
-     "peck (word Q) is above zero; a withdrawal needs a depth of a peck, and without one that "
-     "depth "
-     "has no effect.",
+     "peck (word Q) is above zero.",
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-02", derived, kG74,
      "Pecks end at multiples of their depth from A, each but the last followed by a withdrawal of "
@@ -87,8 +85,12 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/g74.cpp"},
     {"HNC-G74-04", open, kG74,
      "Nothing limits the withdrawal. X and U in a block of G74 have no effect. The third way of "
-     "drilling that the text announces is not described, so there is none.",
+     "drilling that the text announces is not described, so there is none. No text says more; our "
+     "judgement.",
      "reference/hnc21t/g74.cpp"},
+    {"HNC-G74-05", derived, kG74,
+     "A withdrawal needs a depth of a peck; without a withdrawal that depth has no effect.",
+     "reference/hnc21t/pecking.cpp"},
     {"HNC-G75-01", must, kG75,
      "X is the bottom of the groove; e and the depth of a peck as in G74, measured as radii along "
      "X.",
@@ -101,11 +103,11 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"HNC-G75-04", open, kG75,
      "With a width (Z or W) and a number of axial steps (I) the plunge is repeated at each step, "
      "with traverses along Z at X of A between; then traverse to A. The number is a positive whole "
-     "one, and needs a width as a width needs it.",
+     "one.",
      "reference/hnc21t/g75.cpp"},
     {"HNC-G75-05", open, kG75,
-     "A number of steps from an earlier block counts only in a block with Z or W; written in a "
-     "block without them it lacks its width. A width of zero plunges at one place again and again.",
+     "A number of steps from an earlier block counts only in a block with Z or W. A width of zero "
+     "plunges at one place again and again. No text says so; our judgement.",
      "reference/hnc21t/g75.cpp"},
     {"HNC-MOD-01", must, kSimple,
      "G74, G75, G80, G81 and G82 are one modal group. I K R E C A P F J Q given in one of them are "
@@ -125,17 +127,15 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-MOD-05", open, kSimple,
      "The same code again is no change of command. A code without an axis word takes in its words "
-     "and moves nothing. I K R E C A P J Q that a cycle does not use have no effect in it; Y and V "
-     "are not words of a lathe. Of the planes only G18 is there; G40, G96 and G97 have no effect.",
+     "and moves nothing. Y and V are not words of a lathe. Of the planes only G18 is there; G40, "
+     "G96 and G97 have no effect. No text says so; our judgement.",
      "reference/hnc21t/interpreter.cpp"},
     {"HNC-COM-01", derived, kBasic,
-     "A missing required word, an address twice in a block, X with U and Z with W, a code that the "
-     "maker lacks, unreadable text, a cut without a feed, a negative F or C and a C that is not "
-     "whole are alarms. A blank may stand between a letter and its number. Basic codes: G00 to "
-     "G04, "
+     "A missing required word, a code that the maker lacks, unreadable text and a cut without a "
+     "feed are alarms. A blank may stand between a letter and its number. Basic codes: G00 to G04, "
      "G20, G21, G32, G36, G37, G54 to G59, G90 to G92, G94 and G95.",
      "reference/hnc21t/interpreter.cpp"},
-    {"HNC-COM-02", derived, kBasic,
+    {"HNC-WRD-01", derived, kBasic,
      "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
      "ends the program as not covered: a control may chamfer or round by it (C, R, RL= and RC= of "
      "G01).",

@@ -76,9 +76,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "meaning.",
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-06", open, kOverview,
-     "A line that is only O, a number and comments names the program; with other words or a "
-     "control "
-     "word it is an O word, which the gauge does not read.",
+     "A line that is O, a number and perhaps comments behind them names the program; with other "
+     "words or a control word it is an O word, which the gauge does not read.",
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-07", must, kOverview,
      "A % line opens the program where no line but blank ones stands before it; then a second % "

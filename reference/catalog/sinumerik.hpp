@@ -30,7 +30,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "G0 and G1 go to a Cartesian or polar target; all axes named arrive together. A rotary axis "
      "goes along: F holds for X Y Z.",
      "reference/sinumerik/basic_motion.cpp"},
-    {"SIE-G1-02", open, kLines, "Cutting wants a spindle that turns.",
+    {"SIE-G1-02", must, kLines, "Cutting wants a spindle that turns; its alarm is ours.",
      "reference/sinumerik/basic_motion.cpp"},
     {"SIE-G1-03", derived, kLines,
      "Rotary axes follow G90, G91, AC and IC in degrees, under G0 too.",
@@ -124,7 +124,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "G70 makes lengths inches of 25.4 mm: positions, centres, radii and offsets; not F, not R "
      "parameters.",
      "reference/sinumerik/words.cpp"},
-    {"SIE-MOD-05", open, kModes,
+    {"SIE-MOD-05", derived, kModes,
      "Two codes of one group in a block are an alarm; a block with a slash runs unless blocks are "
      "skipped.",
      "reference/sinumerik/codes.cpp"},

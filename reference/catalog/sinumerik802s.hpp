@@ -29,18 +29,16 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/frame.cpp"},
     {"SIE-FRM-04", derived, kFrames,
      "Codes of frames stand alone and move nothing: an axis not named afterwards stays where the "
-     "tool is. G158 and G258 replace translation and rotation. A rotation stays in its plane: no "
-     "other plane while it is in force.",
+     "tool is. G158 and G258 replace translation and rotation.",
      "reference/sinumerik/frame.cpp"},
     {"SIE-LC82-01", derived, kDrilling,
      "LCYC82 drills where the tool stands: traverse to R103 + R102, feed to R104, dwell of R105 "
      "seconds, traverse to R101.",
      "reference/sinumerik/lcyc82.cpp"},
-    {"SIE-LC82-02", derived, kDrilling, "R101 is not below R103 + R102, and R104 is below R103.",
+    {"SIE-LC82-02", derived, kDrilling, "R101 is not below R103, and R104 is below R103.",
      "reference/sinumerik/cycle.cpp"},
     {"SIE-LC82-03", derived, kDrilling,
-     "R105 and R102 are not below zero and a feed is in force. A cycle stands alone in its block "
-     "and leaves F, the motion code and the plane as they were.",
+     "A feed is in force. A cycle leaves F, the motion code and the plane as they were.",
      "reference/sinumerik/lcyc82.cpp"},
     {"SIE-LC75-01", must, kPockets,
      "LCYC75 mills the pocket about R116, R117, R118 long and R119 wide with corners of R120, from "
@@ -65,8 +63,8 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "plane or from the clearance above it.",
      "reference/sinumerik/lcyc75_levels.cpp"},
     {"SIE-LC75-07", must, kPockets,
-     "Finishing takes the contour alone when R124 is above zero and R125 is zero, else contour and "
-     "floor; its last level is R104.",
+     "Finishing takes the contour alone when R124 is above zero and R125 is zero: the floor is then "
+     "not milled. Else it takes contour and floor; its last level is R104.",
      "reference/sinumerik/lcyc75.cpp"},
     {"SIE-LC75-08", derived, kPockets,
      "Roughing clears the rectangle inset by R124, finishing the programmed one; a tool larger "
@@ -90,7 +88,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/sinumerik/lcyc75_path.cpp"},
     {"SIE-LC75-13", derived, kPockets,
      "The approach to R101 is one traverse from any height; between levels and at the end the tool "
-     "travels freely in what is cleared, and it ends at the centre at R101.",
+     "travels freely in what is cleared, never above R101, and it ends at the centre at R101.",
      "reference/sinumerik/lcyc75.cpp"},
 });
 

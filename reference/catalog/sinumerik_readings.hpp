@@ -65,6 +65,14 @@ inline std::vector<Reading> sinumerik_readings() {
       only_802s(ReadingKey::sie_pocket_path, "sie.pocket.path", {"contour-parallel"}, "any", true,
                 "SIE-LC75-12"_clause,
                 "the path that clears a level: judged by what it clears, or the given one"),
+      only_802s(ReadingKey::sie_lcyc_unit, "sie.lcyc.unit", {"mm", "inch"}, "any", false,
+                "SIE-LC75-01"_clause,
+                "the lengths among the parameters of LCYC75 and LCYC82 under G70: millimetres, or "
+                "inches"),
+      only_802s(ReadingKey::sie_lc75_r125_limit, "sie.lc75.r125-limit", {"none", "alarm"}, "any",
+                false, "SIE-LC75-09"_clause,
+                "an allowance in depth R125 that is not smaller than the tool's diameter: no "
+                "matter, or an alarm"),
   };
 }
 

@@ -71,7 +71,7 @@ void run_arc(BlockContext& block, int sense) {
   if (named.empty() && !by_radius && !by_centre) return;
   block.need_feed();
   if (!by_radius && !by_centre) {
-    block.missing("GSK-COM-05"_clause, 'R');
+    block.missing("GSK-COM-01"_clause, 'R');
     return;
   }
   const ArcEnds ends(axes, machine.position, to);

@@ -60,7 +60,7 @@ void run_dwell(BlockContext& block) {
   const char address = words.has('P') ? 'P' : words.has('X') ? 'X' : 'U';
   if (!words.has(address)) {
     if (block.readings.is(ReadingKey::dwell_without_word, "alarm")) {
-      block.missing("GSK-COM-05"_clause, 'P');
+      block.missing("GSK-COM-12"_clause, 'P');
     }
     return;
   }
@@ -71,7 +71,7 @@ void run_dwell(BlockContext& block) {
   record.seconds = words.written(address);
   if (address == 'P') record.seconds = record.seconds / 1000;
   if (record.seconds.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, "GSK-COM-05"_clause, address,
+    block.alarm(AlarmClass::value_sign, "GSK-COM-12"_clause, address,
                 "A dwell cannot be negative.");
   }
   block.put(std::move(record));

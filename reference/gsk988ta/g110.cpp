@@ -37,6 +37,7 @@ Number approach_depth(const Pocket& pocket, const Number& k) {
 Generator<Item> mill(Pocket pocket) {
   const MillingSite& site = pocket.site;
   const AxisSet plane_axes = {site.axes.p, site.axes.q};
+  // GSK-CYC-02: from the centre.
   co_yield site.rapid_to_centre("GSK-G110-06"_clause, site.positioned);
   co_yield site.rapid_depth("GSK-G110-07"_clause, site.r_plane);
   if (site.depth().sign() == 0) {

@@ -85,7 +85,7 @@ void run_g112(BlockContext& block) {
   }
   check_tool_radius(block, "GSK-G112-02"_clause);
   const MillingSite site = place_site(block, r_of_pocket(block));
-  check_direction(block, site, "GSK-G112-02"_clause);
+  check_direction(block, site, "GSK-G112-10"_clause);
   check_depth(block, site);
   if (!block.out.alarms.empty()) return;
 

@@ -12,7 +12,9 @@ namespace gonogo::reference::gsk988ta {
 namespace {
 
 Generator<Item> mill(MillingSite site, ThreadMilling thread, bool open) {
-  co_yield site.rapid_to_centre("GSK-G114-05"_clause, site.positioned);
+  const bool plane_alone = site.positioned == AxisSet{site.axes.p, site.axes.q};
+  co_yield site.rapid_to_centre(plane_alone ? "GSK-G114-05"_clause : "GSK-G114-16"_clause,
+                                site.positioned);
   co_yield site.rapid_depth("GSK-G114-05"_clause, site.r_plane);
   if (site.depth().sign() == 0) {
     // GSK-G110-17: no depth, no cut.
@@ -40,7 +42,7 @@ struct ThreadWords {
   std::optional<Number> diameter;  // E
 };
 
-// GSK-G114-03
+// GSK-G114-03, GSK-G114-15
 void check_tool(BlockContext& block, const ThreadWords& words) {
   if (words.height && words.tool && *words.height > *words.tool) {
     block.alarm(AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
@@ -49,7 +51,7 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
   }
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
   if (*words.diameter / 2 <= *words.tool) {
-    block.alarm(AlarmClass::tool_too_large, "GSK-G114-03"_clause, 'D',
+    block.alarm(AlarmClass::tool_too_large, "GSK-G114-15"_clause, 'D',
                 fmt::format("The tool radius {} is not smaller than the radius {} of the bore.",
                             words.tool->text(), (*words.diameter / 2).text()));
   }
@@ -58,8 +60,10 @@ void check_tool(BlockContext& block, const ThreadWords& words) {
 ThreadWords take_words(BlockContext& block) {
   const BlockWords& words = block.words;
   ThreadWords taken{words.length('I'), words.length('P'), words.length('D'), words.length('E')};
-  const std::array<NeededWord, 4> needed = {
-      {{'I', taken.lead}, {'P', taken.height}, {'D', taken.tool}, {'E', taken.diameter}}};
+  const std::array<NeededWord, 4> needed = {{{'I', taken.lead},
+                                             {'P', taken.height, "GSK-G114-17"_clause},
+                                             {'D', taken.tool},
+                                             {'E', taken.diameter, "GSK-G114-17"_clause}}};
   check_needed(block, needed, true, "GSK-G114-02"_clause, "GSK-G114-02"_clause);
   check_tool(block, taken);
   // GSK-G114-12: the format of G116 and G117 prints R without brackets.
@@ -77,7 +81,49 @@ ThreadRunOut run_out_of(const BlockContext& block) {
   return readings.is(ReadingKey::thread_runout, "any") ? ThreadRunOut::open : ThreadRunOut::polar;
 }
 
-ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words) {
+// J and K. K is not needed for J = 0, which is no run-out.
+struct RunOutWords {
+  std::optional<Number> length;
+  std::optional<Number> angle;
+  bool lacks_angle() const { return !angle && (!length || length->sign() != 0); }
+};
+
+// GSK-G114-02, GSK-G114-11: they default to the parameters, and these to nothing.
+RunOutWords take_run_out(const BlockContext& block) {
+  RunOutWords words{block.words.length('J'), std::nullopt};
+  if (!words.length) words.length = block.profile.parameter("5921");
+  words.angle = block.words.has('K') ? std::optional(block.words.written('K'))
+                                     : block.profile.parameter("5920");
+  return words;
+}
+
+// What the machine does then only its parameters say: no alarm of it, and nothing is assumed.
+bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
+  const int code = block.machine.milling.code;
+  if (!words.length && words.lacks_angle()) {
+    block.not_covered(code, 'J',
+                      "The run-out needs J and K, which the block does not give, and the profile "
+                      "lacks the machine's parameters 5921 (distance, mm) and 5920 (angle, "
+                      "degrees). Write into the profile, with the machine's own values: parameters "
+                      "= { \"5920\" = \"30\", \"5921\" = \"2\" }");
+  } else if (!words.length) {
+    block.not_covered(code, 'J',
+                      "The run-out needs J, which the block does not give, and the profile lacks "
+                      "the machine's parameter 5921 (distance, mm). Write into the profile, with "
+                      "the machine's own value: parameters = { \"5921\" = \"2\" }");
+  } else if (words.lacks_angle()) {
+    block.not_covered(code, 'K',
+                      "The run-out needs K, which the block does not give, and the profile lacks "
+                      "the machine's parameter 5920 (angle, degrees). Write into the profile, with "
+                      "the machine's own value: parameters = { \"5920\" = \"30\" }");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const ThreadWords& words,
+                          const RunOutWords& run_out) {
   const int code = block.machine.milling.code;
   ThreadMilling thread;
   thread.block = block.line;
@@ -97,11 +143,8 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   // GSK-G114-04; GSK-G114-12: Q = 0 counts as omitted.
   const Number infeed = block.words.length('Q').value_or(0);
   thread.infeed = infeed.sign() > 0 ? min(infeed, thread.height) : thread.height;
-  // GSK-G114-02, GSK-G114-11: J and K default to the parameters, and these to 0.
-  thread.runout_length =
-      block.words.length('J').value_or(block.profile.parameter("5921").value_or(0));
-  thread.runout_angle =
-      block.words.has('K') ? block.words.written('K') : block.profile.parameter("5920").value_or(0);
+  thread.runout_length = *run_out.length;
+  thread.runout_angle = run_out.angle.value_or(0);
   thread.arc_path = !block.readings.is(ReadingKey::thread_path, "any");
   thread.runout = run_out_of(block);
   thread.feed = site.feed;  // GSK-G114-08: along the helix
@@ -141,9 +184,12 @@ void run_g114(BlockContext& block) {
   ThreadMilling thread;
   bool open = false;
   if (site.depth().sign() != 0) {
-    thread = make_thread(block, site, words);
+    const RunOutWords run_out = take_run_out(block);
+    if (lacks_parameter(block, run_out)) return;
+    thread = make_thread(block, site, words, run_out);
     if (has_too_many_turns(block, thread)) return;
-    // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it.
+    // GSK-G114-06, GSK-G114-11: the path is open unless readings name all of it; its steps are not
+    // (GSK-G114-14, GSK-CYC-01).
     open = block.open_paths == OpenPaths::judged &&
            (!thread.arc_path ||
             (thread.runout == ThreadRunOut::open && thread.runout_length.sign() != 0));

@@ -51,6 +51,7 @@ class Interpreter : public BlockInterpreter {
   OpenPaths open_paths_;
   Machine machine_;
   bool has_begun_ = false;  // a block with a word has run
+  ProgramHead head_;
   CodeReading reading_;
 };
 
@@ -138,7 +139,7 @@ void Interpreter::take_feed(const BlockWords& words) {
   if (machine_.feed_in_inch) machine_.feed = inches(machine_.feed);
 }
 
-// GSK-COM-09: what no code of the block uses and no rule passes over ends the program, before what
+// GSK-WRD-01: what no code of the block uses and no rule passes over ends the program, before what
 // is wrong; but beside codes that are wrong it is not known whose a word is.
 bool Interpreter::has_stray_word(const BlockContext& block) const {
   BlockOutput& out = block.out;
@@ -169,7 +170,7 @@ void Interpreter::check_cycle_words(const BlockContext& block, bool last_wins) c
   std::vector<Alarm>& alarms = block.out.alarms;
   const CycleFamily family = machine_.milling.family();
   if (family == CycleFamily::none && !is_cutting_cycle(machine_.motion)) return;
-  check_ranges(words, family, last_wins, profile_, machine_.units, alarms);
+  check_ranges(words, family, machine_.motion, last_wins, profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
     check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,
@@ -247,7 +248,8 @@ void Interpreter::run_motion(BlockContext& block) const {
 void Interpreter::put_m_function_of(const BlockContext& block) const {
   const grammar::Word* word = block.words.word('M');
   if (word == nullptr) return;
-  std::optional<Record> record = read_m_function(*word, block.line, "GSK-COM-05"_clause, block.out);
+  std::optional<Record> record =
+      read_m_function(*word, block.line, "GSK-COM-05"_clause, "GSK-COM-11"_clause, block.out);
   if (!record) return;
   if (record->m == 35) {
     // The C axis is clamped before the tool cuts.
@@ -258,7 +260,8 @@ void Interpreter::put_m_function_of(const BlockContext& block) const {
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
-  if (leaves_program(block, line, has_begun_, out)) return;
+  if (leaves_program(block, line, has_begun_, "GSK-COM-13"_clause, out)) return;
+  if (head_.repeats(block)) out.accept("GSK-COM-13"_clause);
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
@@ -288,6 +291,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   if (!has_wrong_codes && has_stray_word(context)) return;
   check_words(context, last_wins);
   take_feed(words);
+  if (out.notes_acceptances) note_unused_words(context);
   run_code(context);
   sort_by_place(out.alarms);
 }

@@ -74,6 +74,9 @@ struct BlockContext : BlockBase {
   void need_feed();
 };
 
+// GSK-COM-10, GSK-COM-12: says of the block that it runs on although it has words without effect.
+void note_unused_words(const BlockContext& block);
+
 // GSK-COM-05, in basic_motion.cpp and arc.cpp.
 void run_dwell(BlockContext& block);
 void run_reference_point(BlockContext& block);

@@ -144,7 +144,12 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
       block.missing(missing, word.address);
     } else if (mills && word.value->sign() <= 0) {
       const bool here = block.words.has(word.address);
-      block.alarm(AlarmClass::value_out_of_range, positive, word.address,
+      // GSK-G110-19: a radius of the tool of zero is in the range of the table.
+      const bool is_bare_tool =
+          word.address == 'D' && block.machine.milling.family() != CycleFamily::thread;
+      block.alarm(AlarmClass::value_out_of_range,
+                  is_bare_tool ? "GSK-G110-19"_clause : word.positive.value_or(positive),
+                  word.address,
                   here ? fmt::format("{} must be above zero.", word.address)
                        : fmt::format("The retained {} is not above zero.", word.address));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the milling cycles G110 to G117 have in common: where a block mills, and the words that
-// their modes retain.
+// their modes retain. GSK-CYC-01: what a cycle puts out is all that it does.
 #pragma once
 
 #include <span>
@@ -60,6 +60,7 @@ void check_depth(BlockContext& block, const MillingSite& site);
 struct NeededWord {
   char address;
   const std::optional<Number>& value;
+  std::optional<ClauseId> positive = std::nullopt;  // of its own, that it is above zero
 };
 // Missing words; in a block that mills also those that are not above zero.
 void check_needed(BlockContext& block, std::span<const NeededWord> words, bool mills,

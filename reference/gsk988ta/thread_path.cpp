@@ -35,13 +35,6 @@ Number free_side(const ThreadMilling& thread) {
   return thread.external ? 1 : -1;
 }
 
-// J from the radius; where the run-out is open, a bore's is shown no farther than to the axis,
-// since GSK-G114-10 lets nothing touch the far wall.
-Number run_out_reach(const ThreadMilling& thread, const Number& radius) {
-  const bool to_axis = !thread.external && thread.runout == ThreadRunOut::open;
-  return to_axis ? min(thread.runout_length, radius) : thread.runout_length;
-}
-
 // GSK-G114-11: J to the free side, K degrees further round. Polar: the end lies at the radius
 // r_n +- J. Radial: straight, K from the normal towards the direction of feed. Tangent: straight,
 // K from the direction of feed towards the normal.
@@ -55,8 +48,7 @@ Point run_out_end(const ThreadMilling& thread, const Number& radius) {
     const Number angle = theta + (thread.external ? turn : normal - turn);
     return polar(thread, polar(thread, thread.centre, radius, theta), j, angle);
   }
-  const Number reach = run_out_reach(thread, radius);
-  return polar(thread, thread.centre, radius + free_side(thread) * reach, theta + k);
+  return polar(thread, thread.centre, radius + free_side(thread) * j, theta + k);
 }
 
 // The polar run-out: the arc that leaves the circle of radius r at S tangentially and ends at E.
@@ -66,7 +58,7 @@ Record polar_run_out(const MillingSite& site, const ThreadMilling& thread, const
   const ClauseId clause = "GSK-G114-11"_clause;
   const Point end = run_out_end(thread, radius);
   const auto [cos_k, sin_k] = cos_sin_degrees(thread.runout_angle);
-  const Number end_radius = radius + free_side(thread) * run_out_reach(thread, radius);
+  const Number end_radius = radius + free_side(thread) * thread.runout_length;
   const Number a = end_radius * cos_k - radius;
   if (a.sign() == 0) return site.feed_to(clause, end);
   const Number chord_2 =

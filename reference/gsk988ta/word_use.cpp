@@ -8,10 +8,10 @@
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-// GSK-COM-09. Beside every code stand the codes themselves, the feed, the tool and the spindle.
+// GSK-WRD-01. Beside every code stand the codes themselves, the feed, the tool and the spindle.
 constexpr std::string_view kEverywhere = "GMFST";
 constexpr std::string_view kAxes = "XUYVZWCH";
-// GSK-COM-06: the words that the tables of the cycles give a range. One that a cycle does not use
+// GSK-COM-06, GSK-COM-10: the words that the tables of the cycles give a range. One that a cycle does not use
 // is held to its range and passed over.
 constexpr std::string_view kOfCycles = "RILQDEJKP";
 
@@ -56,7 +56,7 @@ int code_of(const BlockContext& block) {
   return block.machine.milling.code != 0 ? block.machine.milling.code : block.machine.motion;
 }
 
-constexpr ClauseId kRanges = "GSK-COM-06"_clause;
+constexpr ClauseId kRanges = "GSK-COM-10"_clause;
 constexpr std::string_view kInRange =
     "a word of the tables of the cycles that this one does not use is held to its range only";
 

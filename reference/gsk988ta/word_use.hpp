@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of each word beside each code (GSK-COM-09).
+// What becomes of each word beside each code (GSK-WRD-01).
 #pragma once
 
 #include <span>

@@ -67,8 +67,15 @@ std::optional<AxisWord> BlockWords::axis_word(Axis axis, bool diameter) const {
 }
 
 void check_pairs(const BlockWords& words, bool last_wins, std::vector<Alarm>& alarms) {
-  if (!last_wins) check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
-  check_axis_letters(words, kAxisAddresses, "GSK-COM-01"_clause, alarms);
+  if (!last_wins) {
+    check_repeated_addresses(words, "GSK-COM-07"_clause, alarms);
+    for (Alarm& alarm : alarms) {
+      if (alarm.alarm == AlarmClass::duplicate_word && alarm.word == 'M') {
+        alarm.clause = "GSK-COM-11"_clause;
+      }
+    }
+  }
+  check_axis_letters(words, kAxisAddresses, "GSK-COM-09"_clause, alarms);
 }
 
 namespace {
@@ -102,9 +109,11 @@ void check_decimals(const BlockWords& words, const Profile& profile, Units units
   }
 }
 
-void check_ranges(const BlockWords& words, CycleFamily family, bool last_wins,
+void check_ranges(const BlockWords& words, CycleFamily family, int motion, bool last_wins,
                   const Profile& profile, Units units, std::vector<Alarm>& alarms) {
   const Number upper = upper_end(profile, units);
+  const std::string_view used = words_of_cycle(family, motion);
+  const auto is_used = [&](char address) { return contains(used, address); };
   for (const grammar::Word& word : words.block().words) {
     if (last_wins && words.word(word.address) != &word) continue;        // GSK-COM-07
     if (family == CycleFamily::helix && word.address == 'L') continue;   // check_turns
@@ -114,7 +123,9 @@ void check_ranges(const BlockWords& words, CycleFamily family, bool last_wins,
     if (!takes_sign && !unsigned_p && !contains(kUnsignedWords, word.address)) continue;
     const bool bad_sign = !takes_sign && word.value.negative;
     if (!bad_sign && abs(to_number(word.value)) <= upper) continue;
-    alarms.push_back({AlarmClass::value_out_of_range, "GSK-COM-06"_clause, word.address, word.where,
+    // GSK-COM-10: of a word without effect no text gives a range.
+    const ClauseId clause = is_used(word.address) ? "GSK-COM-06"_clause : "GSK-COM-10"_clause;
+    alarms.push_back({AlarmClass::value_out_of_range, clause, word.address, word.where,
                       bad_sign
                           ? fmt::format("{} has a sign, but the word takes none.", text_of(word))
                           : fmt::format("{} lies beyond {}.", text_of(word), upper.text())});

@@ -46,7 +46,7 @@ Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
   // However near its end is: no angle leads there from the centre.
   if (arc.begins_at_centre()) refuse_zero_radius(block, "The arc begins at its centre.");
   if (limit.sign() >= 0 && !arc.radii_agree(limit)) {
-    block.alarm(AlarmClass::arc_end_point, "HNC-COM-01"_clause, block.words.has('K') ? 'K' : 'I',
+    block.alarm(AlarmClass::arc_end_point, "HNC-COM-05"_clause, block.words.has('K') ? 'K' : 'I',
                 fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
     return std::nullopt;
   }

@@ -101,7 +101,7 @@ void run_thread(BlockContext& block) {
 // G04: P in milliseconds.
 void run_dwell(BlockContext& block) {
   if (!block.words.has('P')) {
-    block.missing("HNC-COM-01"_clause, 'P');
+    block.missing("HNC-COM-04"_clause, 'P');
     return;
   }
   Record record;
@@ -110,7 +110,7 @@ void run_dwell(BlockContext& block) {
   record.clause = "HNC-COM-01"_clause;
   record.seconds = block.words.written('P') / 1000;
   if (record.seconds.sign() < 0) {
-    block.alarm(AlarmClass::value_sign, "HNC-COM-01"_clause, 'P', "A dwell cannot be negative.");
+    block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P', "A dwell cannot be negative.");
   }
   block.put(std::move(record));
 }

@@ -64,7 +64,7 @@ constexpr auto kCodes = std::to_array<Code>({
 });
 static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
-constexpr GCodeTable<Group> kTable{kCodes, "HNC-COM-01"_clause, "HNC-COM-01"_clause};
+constexpr GCodeTable<Group> kTable{kCodes, "HNC-COM-01"_clause, "HNC-COM-02"_clause};
 
 }  // namespace
 

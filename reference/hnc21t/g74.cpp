@@ -9,7 +9,7 @@ namespace gonogo::reference::hnc21t {
 
 void run_g74(BlockContext& block) {
   // HNC-G74-02, HNC-G74-03: pecks with withdrawals, or straight to the bottom.
-  constexpr PlungeClauses kClauses{"HNC-G74-01"_clause, "HNC-G74-02"_clause, "HNC-G74-03"_clause};
+  constexpr PlungeClauses kClauses{"HNC-G74-02"_clause, "HNC-G74-03"_clause};
   check_peck_words(block, "HNC-G74-01"_clause);
   if (does_nothing(block, std::array{kZ})) return;
   const std::optional<Number> bottom = cycle_end_point(block, kZ);

@@ -59,9 +59,9 @@ std::optional<Number> steps_of(BlockContext& block) {
   const char address = differ && counted_by_p(block) ? 'P' : 'I';
   const std::optional<Number>& count = address == 'P' ? command.p : command.i;
   if (wide && !count) {
-    block.missing("HNC-G75-04"_clause, address);
+    block.missing("HNC-G75-06"_clause, address);
   } else if (!wide && block.words.has(address)) {
-    block.missing("HNC-G75-05"_clause, 'Z');
+    block.missing("HNC-G75-06"_clause, 'Z');
   }
   return wide ? count : std::nullopt;
 }
@@ -96,7 +96,7 @@ void widen(BlockContext& block, Groove& groove, const Number& steps) {
 
 void run_g75(BlockContext& block) {
   // HNC-G75-02, HNC-G75-03: pecks with withdrawals, or one plunge.
-  constexpr PlungeClauses kClauses{"HNC-G75-01"_clause, "HNC-G75-02"_clause, "HNC-G75-03"_clause};
+  constexpr PlungeClauses kClauses{"HNC-G75-02"_clause, "HNC-G75-03"_clause};
   check_peck_words(block, "HNC-G75-01"_clause);
   check_count(block);
   if (does_nothing(block, std::array{kX})) return;

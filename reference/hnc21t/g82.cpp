@@ -73,13 +73,13 @@ void check_ratio(BlockContext& block, const RunOut& run_out, const Number& c_z) 
                           long_z ? 'X' : 'Z', long_z ? 'Z' : 'X'));
 }
 
-// HNC-G82-06: how many passes, at least 1; several need P.
+// HNC-G82-06: how many passes, at least 1; several need P (HNC-G82-11).
 Number passes_of(BlockContext& block) {
   const CommandWords& command = block.machine.command;
   const Number starts = command.c.value_or(0);
   if (starts <= Number(1) || starts != starts.floor()) return 1;
   if (!command.p) {
-    block.missing("HNC-G82-06"_clause, 'P');
+    block.missing("HNC-G82-11"_clause, 'P');
     return 1;
   }
   return block.readings.is(ReadingKey::hnc_g82_starts, "all") ? starts : Number(1);

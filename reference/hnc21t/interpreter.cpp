@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One block: its codes change the modal state, then the code in force runs. HNC-COM-02: a word that
+// One block: its codes change the modal state, then the code in force runs. HNC-WRD-01: a word that
 // no code uses and no rule passes over is not covered.
 #include "reference/hnc21t/interpreter.hpp"
 
@@ -42,6 +42,7 @@ class Interpreter : public BlockInterpreter {
   const ReadingsInUse& readings_;
   Machine machine_;
   bool has_begun_ = false;  // a block with a word has run
+  ProgramHead head_;
   CodeReading reading_;
 };
 
@@ -117,7 +118,7 @@ void Interpreter::check_mill_words(const BlockWords& words, const BlockCodes& co
   }
 }
 
-// HNC-COM-02: what no code of the block uses and no rule passes over.
+// HNC-WRD-01: what no code of the block uses and no rule passes over.
 void Interpreter::check_stray_words(const BlockWords& words, const BlockCodes& codes,
                                     std::uint64_t line, BlockOutput& out) const {
   if (out.not_covered) return;
@@ -145,16 +146,15 @@ void Interpreter::check_lead_words(const BlockWords& words, std::vector<Alarm>& 
                     "F and J exclude each other as the lead of a thread."});
 }
 
-// HNC-COM-01
+// HNC-COM-02, HNC-COM-03, HNC-COM-04
 void Interpreter::check_words(const BlockWords& words, const BlockCodes& codes,
                               BlockOutput& out) const {
-  const ClauseId clause = "HNC-COM-01"_clause;
-  check_repeated_addresses(words, clause, out.alarms);
-  check_axis_letters(words, kAxisAddresses, clause, out.alarms);
+  check_repeated_addresses(words, "HNC-COM-02"_clause, out.alarms);
+  check_axis_letters(words, kAxisAddresses, "HNC-COM-03"_clause, out.alarms);
   if (cuts_thread(machine_.motion)) {
     check_lead_words(words, out.alarms);
   } else {
-    check_feed_sign(words, clause, out.alarms);
+    check_feed_sign(words, "HNC-COM-04"_clause, out.alarms);
   }
   if (codes.plane < 0) return;
   // Not of the last code alone: another may stand before it.
@@ -198,7 +198,8 @@ void Interpreter::run_code(BlockContext& block) const {
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
-  if (leaves_program(block, line, has_begun_, out)) return;
+  if (leaves_program(block, line, has_begun_, "HNC-COM-06"_clause, out)) return;
+  if (head_.repeats(block)) out.accept("HNC-COM-06"_clause);
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
@@ -220,7 +221,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   check_mill_words(words, codes, line, out);
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
-    if (auto record = read_m_function(word, line, "HNC-COM-01"_clause, out)) {
+    if (auto record = read_m_function(word, line, "HNC-COM-01"_clause, "HNC-COM-04"_clause, out)) {
       put_m_function(*std::move(record), out);
     }
   }
@@ -237,6 +238,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     BlockContext context{{machine_, words, profile_, readings_, line, out}, machine_, words, codes};
     check_words(words, codes, out);
     take_feed(words);
+    if (out.notes_acceptances) note_unused_words(context);
     run_code(context);
   }
   // What is not covered goes before what is wrong.

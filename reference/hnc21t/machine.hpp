@@ -81,6 +81,9 @@ struct BlockContext : BlockBase {
   Number lead() const;
 };
 
+// HNC-COM-07, HNC-COM-04: says of the block that it runs on although it has words without effect.
+void note_unused_words(const BlockContext& block);
+
 // HNC-COM-01, in basic_motion.cpp and arc.cpp.
 void run_dwell(BlockContext& block);
 void run_rename_position(BlockContext& block);

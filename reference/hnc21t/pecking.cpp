@@ -130,7 +130,7 @@ Plunge plan_plunge(BlockContext& block, Axis axis, const Number& bottom,
   if (!is_positive(command.r)) {
     if (axis == Axis::x) plan_approach(block, plunge, clauses);
   } else if (!command.q) {
-    block.missing(clauses.words, 'Q');
+    block.missing("HNC-G74-05"_clause, 'Q');
   } else if (is_positive(command.q)) {
     plan_pecks(block, plunge, clauses);
   }

@@ -9,7 +9,6 @@ namespace gonogo::reference::hnc21t {
 
 // The clauses of the cycle whose plunge it is.
 struct PlungeClauses {
-  ClauseId words;     // about e and dK
   ClauseId pecks;     // about pecks with withdrawals
   ClauseId straight;  // about a plunge without them
 };

@@ -7,7 +7,7 @@
 namespace gonogo::reference::hnc21t {
 namespace {
 
-// HNC-COM-02. Beside every code stand the codes themselves, the feed, the tool and the spindle.
+// HNC-WRD-01. Beside every code stand the codes themselves, the feed, the tool and the spindle.
 constexpr std::string_view kEverywhere = "GMFST";
 
 struct CodeWords {
@@ -31,14 +31,14 @@ constexpr auto kCodeWords = std::to_array<CodeWords>({
     {92, "XUZW", ""},
 });
 
-constexpr ClauseId kOfCycles = "HNC-MOD-05"_clause;
+constexpr ClauseId kOfCycles = "HNC-COM-07"_clause;
 constexpr std::string_view kOwnWord =
     "a word of the group of cycles that this cycle does not use is taken in without effect";
 
 constexpr auto kPassedWords = std::to_array<PassedWords>({
     {"every block", "S T", "HNC-COM-01"_clause, "the spindle and the tool do not shape the path"},
     {"G02, G03 with R", "I K", "HNC-COM-01"_clause, "the radius goes before the centre"},
-    {"G32", "R E P C Q K I of 0", "HNC-COM-02"_clause,
+    {"G32", "R E P C Q K I of 0", "HNC-WRD-01"_clause,
      "a run-out, a start angle or a number of starts of zero asks for none"},
     {"G74, G75", "Q without R", "HNC-G74-01"_clause,
      "the depth of a peck is checked; without a withdrawal there are no pecks"},

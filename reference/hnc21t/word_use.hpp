@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of each word beside each code (HNC-COM-02).
+// What becomes of each word beside each code (HNC-WRD-01).
 #pragma once
 
 #include <span>

@@ -10,7 +10,7 @@
 namespace gonogo::reference::sinumerik {
 namespace {
 
-// SIE-MOD-03, SIE-POL-02, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
+// SIE-MOD-03, SIE-POL-03, SIE-FRM-04: a dwell, a pole and a frame stand alone in their block.
 ClauseId alone_by(int once) {
   switch (once) {
     case 4:
@@ -20,7 +20,7 @@ ClauseId alone_by(int once) {
     case 259:
       return "SIE-FRM-04"_clause;
     default:
-      return "SIE-POL-02"_clause;
+      return "SIE-POL-03"_clause;
   }
 }
 
@@ -65,7 +65,7 @@ void refuse_beside_frame(BlockContext& block) {
   }
 }
 
-// SIE-LC82-03
+// SIE-LC82-05
 bool cycle_stands_alone(BlockContext& block) {
   bool alone = true;
   bool called = false;
@@ -75,7 +75,7 @@ bool cycle_stands_alone(BlockContext& block) {
       continue;
     }
     alone = false;
-    refuse_beside(block, word, "SIE-LC82-03"_clause, "the call of a cycle");
+    refuse_beside(block, word, "SIE-LC82-05"_clause, "the call of a cycle");
   }
   return alone;
 }

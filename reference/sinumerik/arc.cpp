@@ -48,12 +48,12 @@ std::optional<int> more_turns(BlockContext& block) {
   return static_cast<int>(*turns.to_int64());
 }
 
-// SIE-ARC-02: no centre along an axis that is not of the plane. The first centre word of it.
+// SIE-ARC-14: no centre along an axis that is not of the plane. The first centre word of it.
 Address check_centre_words(BlockContext& block, const PlaneAxes& axes) {
   const Address third = centre_address(axes.d);
   if (block.words.has(third)) {
     block.alarm(
-        AlarmClass::axis_not_in_plane, "SIE-ARC-02"_clause, name_of(third),
+        AlarmClass::axis_not_in_plane, "SIE-ARC-14"_clause, name_of(third),
         fmt::format("{} is no centre along an axis of the arc's plane.", name_of(third).text()));
   }
   return block.words.has(centre_address(axes.p)) ? centre_address(axes.p) : centre_address(axes.q);

@@ -73,13 +73,13 @@ Number linear_feed(const BlockContext& block) {
 void refuse_words(BlockContext& block, std::initializer_list<Address> addresses) {
   for (const Address address : addresses) {
     if (!block.words.has(address)) continue;
-    const ClauseId clause = address == Address::turn ? "SIE-ARC-13"_clause : "SIE-COM-01"_clause;
+    const ClauseId clause = address == Address::turn ? "SIE-ARC-13"_clause : "SIE-COM-02"_clause;
     block.alarm(AlarmClass::conflicting_words, clause, name_of(address),
                 fmt::format("{} has no meaning for the motion in force.", name_of(address).text()));
   }
 }
 
-// SIE-COM-01, SIE-G1-02
+// SIE-COM-01
 void need_cutting(BlockContext& block) {
   block.need_feed("SIE-COM-01"_clause);
   need_spindle(block);
@@ -89,8 +89,13 @@ bool spindle_turns(const Machine& machine) {
   return machine.spindle != 5 && (machine.speed_given || machine.speed.sign() > 0);
 }
 
+// SIE-G1-02; SIE-G1-04 where the reading lets the block run on.
 void need_spindle(BlockContext& block) {
-  if (spindle_turns(block.machine) || !block.readings.is(ReadingKey::sie_spindle, "alarm")) return;
+  if (spindle_turns(block.machine)) return;
+  if (!block.readings.is(ReadingKey::sie_spindle, "alarm")) {
+    block.out.accept("SIE-G1-04"_clause);
+    return;
+  }
   block.alarm(AlarmClass::spindle_stopped, "SIE-G1-02"_clause, 'S',
               "The block cuts, but the spindle does not turn.");
 }
@@ -138,6 +143,7 @@ void put_arc(BlockContext& block, const ArcPath& arc, const EndPoint& end) {
       block.motion_to(RecordKind::arc, arc.clause, end.named | AxisSet{axes.p, axes.q}, end.to);
   record.plane = arc.plane;
   record.centre = arc.centre;
+  if (arc.clause == "SIE-ARC-08"_clause) record.centre_clause = "SIE-ARC-15"_clause;
   record.rot = arc.rot;
   remember_arc(block.machine, arc, end);
   put_motion(block, end, std::move(record));
@@ -153,8 +159,9 @@ void run_line(BlockContext& block, RecordKind kind) {
   put_line(block, kind, "SIE-G1-01"_clause, *end);
 }
 
-// SIE-MOD-03
+// SIE-MOD-03, SIE-MOD-06
 void run_dwell(BlockContext& block) {
+  constexpr ClauseId kUnsaidDwell = "SIE-MOD-06"_clause;
   const ClauseId clause = "SIE-MOD-03"_clause;
   const BlockWords& words = block.words;
   const bool has_both = words.has(Address::f) && words.has(Address::s);
@@ -162,12 +169,13 @@ void run_dwell(BlockContext& block) {
     block.alarm(AlarmClass::conflicting_words, clause, 'S', "A dwell is of F or of S.");
   }
   if (!words.has(Address::f) && !words.has(Address::s)) {
-    block.missing(clause, 'F');
+    block.missing(kUnsaidDwell, 'F');
     return;
   }
   for (const Address address : {Address::f, Address::s}) {
     if (words.has(address) && words.written(address).sign() < 0) {
-      block.alarm(AlarmClass::value_sign, clause, name_of(address), "A dwell cannot be negative.");
+      block.alarm(AlarmClass::value_sign, kUnsaidDwell, name_of(address),
+                  "A dwell cannot be negative.");
     }
   }
   if (has_both) return;
@@ -182,7 +190,7 @@ void run_dwell(BlockContext& block) {
   } else if (block.machine.speed.sign() > 0) {
     record.seconds = amount * 60 / block.machine.speed;
   } else {
-    block.alarm(AlarmClass::spindle_stopped, clause, 'S',
+    block.alarm(AlarmClass::spindle_stopped, kUnsaidDwell, 'S',
                 "A dwell of revolutions needs a spindle that turns.");
   }
   block.put(std::move(record));

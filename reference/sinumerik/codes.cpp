@@ -151,8 +151,7 @@ bool is_bare_code(Control control, std::string_view name) {
 
 void read_name(Control control, const grammar::NamedWord& word, CodeReading& reading) {
   if (is_bare_code(control, word.name)) {
-    // SIE-LEX-01
-    reading.alarms.push_back({AlarmClass::syntax, "SIE-LEX-01"_clause, WordName(word.name),
+    reading.alarms.push_back({AlarmClass::syntax, "SIE-LEX-02"_clause, WordName(word.name),
                               word.where, fmt::format("{} takes no value.", word.name)});
     return;
   }

@@ -4,6 +4,21 @@
 #include <fmt/format.h>
 
 namespace gonogo::reference::sinumerik {
+namespace {
+
+// Whether R`number` of a cycle is a length.
+bool is_length(std::uint64_t number) {
+  return (number >= 101 && number <= 104) || (number >= 116 && number <= 121) || number == 124 ||
+         number == 125;
+}
+
+}  // namespace
+
+Number CycleCall::parameter(std::uint64_t number) const {
+  const Number& written = calculator.parameter(number);
+  if (!block.machine.modes.inch || !is_length(number) || written.sign() == 0) return written;
+  return block.readings.is(ReadingKey::sie_lcyc_unit, "inch") ? inches(written) : written;
+}
 
 grammar::Span CycleCall::where() const {
   grammar::Span where;
@@ -25,14 +40,15 @@ void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t
 void check_planes(const CycleCall& call) {
   const ClauseId clause = "SIE-LC82-02"_clause;
   if (call.retract() < call.clearance()) {
+    const bool is_above_reference = call.retract() >= call.parameter(103);
     call.parameter_alarm(
-        AlarmClass::reference_plane, clause, 101,
+        AlarmClass::reference_plane, is_above_reference ? "SIE-LC82-04"_clause : clause, 101,
         fmt::format("The retract plane R101 = {} lies below the clearance {} above the "
                     "reference plane.",
                     call.retract().text(), call.clearance().text()));
   }
   if (call.parameter(102).sign() < 0) {
-    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-03"_clause, 102,
+    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
                          "The safety clearance R102 is below zero.");
   }
   if (call.parameter(104) >= call.parameter(103)) {

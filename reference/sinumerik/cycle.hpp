@@ -16,8 +16,8 @@ struct CycleCall {
   const Calculator& calculator;
   OpenPaths open_paths;
 
-  // R101 and so on; mm, mm/min or mm/rev.
-  const Number& parameter(std::uint64_t number) const { return calculator.parameter(number); }
+  // R101 and so on; mm, mm/min or mm/rev. Under G70 and sie.lcyc.unit = inch lengths are inches.
+  Number parameter(std::uint64_t number) const;
   // A rule about a parameter that is broken; its place is the name of the cycle.
   void parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,
                        std::string message) const;

@@ -202,7 +202,7 @@ void run_rotation(BlockContext& block) {
 bool admits_plane(BlockContext& block, Plane plane, WordName word) {
   const Frame& frame = block.machine.frame;
   if (!frame.is_rotated() || frame.plane() == plane) return true;
-  block.alarm(AlarmClass::plane_not_allowed, "SIE-FRM-04"_clause, word,
+  block.alarm(AlarmClass::plane_not_allowed, "SIE-FRM-05"_clause, word,
               fmt::format("A rotation in G{} is in force.", plane_code(frame.plane())));
   return false;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/range.hpp"
 #include "reference/sinumerik/cycle.hpp"
@@ -158,8 +159,8 @@ WordName word_name(const grammar::NamedWord& word, const std::optional<Address>&
 // SIE-COM-01: no address twice. Whether all words have values.
 bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput& out) {
   const grammar::Block& block = words.block();
-  const ClauseId clause = "SIE-PAR-01"_clause;
   bool complete = true;
+  bool has_m = false;
   for (const grammar::NamedWord& word : block.named) {
     const std::optional<Address> address = address_of(word);
     const bool is_passed_over = !address && word.terms != 0 && find_name(word) != nullptr;
@@ -172,10 +173,13 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
                             fmt::format("The address {} stands twice in the block.", name.text())});
     }
     NoValue problem;
+    ClauseId clause = "SIE-PAR-01"_clause;
     std::optional<Number> value = calculator_.value(block, word, problem);
     if (value && address == Address::r && *word.index >= calculator_.count()) {
       problem = {word.where,
                  fmt::format("The R parameters are R0 to R{}.", calculator_.count() - 1), false};
+      // The 802S's are printed; those of the 840D a machine data says.
+      if (machine_.control == Control::sinumerik840d) clause = "SIE-PAR-02"_clause;
       value.reset();
     }
     if (!value && problem.is_too_long) {
@@ -191,8 +195,10 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
     } else if (*address == Address::r) {
       calculator_.assign(*word.index, *std::move(value));
     } else if (*address == Address::m) {
+      if (std::exchange(has_m, true)) out.accept("SIE-COM-04"_clause);
       take_m(line, word, *value, out);
     } else {
+      if (*address == Address::h && words.has(*address)) out.accept("SIE-COM-04"_clause);
       if (is_measured(*address) && is_beyond_range(*value)) out.beyond_range = word.where;
       words.take(*address, word, *std::move(value));
     }
@@ -218,8 +224,8 @@ void Interpreter::take_modes(BlockContext& block) {
     for (const Address address : {Address::f, Address::s}) {
       if (!words.has(address)) continue;
       if (words.written(address).sign() < 0) {
-        block.alarm(AlarmClass::value_sign, kCommon, name_of(address),
-                    fmt::format("{} is below zero.", name_of(address).text()));
+        block.alarm(AlarmClass::value_sign, address == Address::s ? "SIE-COM-03"_clause : kCommon,
+                    name_of(address), fmt::format("{} is below zero.", name_of(address).text()));
       }
       (address == Address::f ? machine_.feed : machine_.speed) = words.written(address);
       if (address == Address::s) machine_.speed_given = false;
@@ -256,7 +262,7 @@ bool asks_for_motion(const BlockWords& words) {
 
 void Interpreter::run_motion(BlockContext& block) {
   if (block.words.has(Address::rpl)) {
-    block.alarm(AlarmClass::conflicting_words, "SIE-FRM-04"_clause, WordName("RPL"),
+    block.alarm(AlarmClass::conflicting_words, "SIE-COM-02"_clause, WordName("RPL"),
                 "RPL is the angle of G258 and G259.");
   }
   if (!asks_for_motion(block.words)) return;

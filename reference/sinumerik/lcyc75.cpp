@@ -29,8 +29,8 @@ void place(const CycleCall& call, PocketMilling& pocket) {
 // SIE-LC75-02: slots and circles are rectangles with the largest corners that fit.
 void size(const CycleCall& call, const Number& tool_radius, PocketMilling& pocket) {
   const Number corner = corner_radius(call);
-  const Number& allowance = call.parameter(124);
-  const Number& allowance_in_depth = call.parameter(125);
+  const Number allowance = call.parameter(124);
+  const Number allowance_in_depth = call.parameter(125);
   pocket.tool_radius = tool_radius;
   pocket.finishing = call.parameter(127) == Number(2);
   if (pocket.finishing) {

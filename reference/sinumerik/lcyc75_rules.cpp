@@ -9,6 +9,7 @@ namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kRanges = "SIE-LC75-09"_clause;
+constexpr ClauseId kUnsaid = "SIE-LC75-15"_clause;
 
 bool roughs(const CycleCall& call) {
   return call.parameter(127) == Number(1);
@@ -58,7 +59,7 @@ void check_tool(const CycleCall& call) {
 
 void need_not_negative(const CycleCall& call, std::uint64_t number) {
   if (call.parameter(number).sign() >= 0) return;
-  call.parameter_alarm(AlarmClass::value_sign, kRanges, number,
+  call.parameter_alarm(AlarmClass::value_sign, kUnsaid, number,
                        fmt::format("R{} is below zero.", number));
 }
 
@@ -76,7 +77,7 @@ void check_sizes(const CycleCall& call) {
                          "The corner radius R120 is larger than half the pocket.");
   }
   if (call.parameter(121).sign() <= 0) {
-    call.parameter_alarm(AlarmClass::value_sign, kRanges, 121,
+    call.parameter_alarm(AlarmClass::value_sign, kUnsaid, 121,
                          "The infeed R121 is not above zero.");
   }
 }
@@ -96,9 +97,14 @@ void check_allowances(const CycleCall& call, const std::optional<Number>& radius
                          "The allowance R124 is not smaller than the tool.");
   }
   need_not_negative(call, 125);
+  if (radius && call.parameter(125) >= *radius * 2 &&
+      call.block.readings.is(ReadingKey::sie_lc75_r125_limit, "alarm")) {
+    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
+                         "The allowance R125 is not smaller than the tool.");
+  }
   const Number depth = call.parameter(103) - call.parameter(104);
   if (roughs(call) && depth.sign() > 0 && call.parameter(125) >= depth) {
-    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
+    call.parameter_alarm(AlarmClass::allowance_too_large, kUnsaid, 125,
                          "The allowance R125 leaves nothing to be roughed.");
   }
 }
@@ -108,7 +114,7 @@ void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
   if (!radius || (!roughs(call) && !finishes(call))) return;
   const Number needs = roughs(call) ? *radius + call.parameter(124) : *radius;
   for (const std::uint64_t number : {118U, 119U}) {
-    const Number& size = call.parameter(number);
+    const Number size = call.parameter(number);
     if (size.sign() <= 0 || needs * 2 <= size) continue;
     call.parameter_alarm(AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
                          fmt::format("The tool does not fit into R{}.", number));
@@ -124,7 +130,7 @@ std::optional<Number> check_pocket(const CycleCall& call) {
   check_fit(call, radius);
   check_feeds(call);
   check_allowances(call, radius);
-  const Number& direction = call.parameter(126);
+  const Number direction = call.parameter(126);
   if (direction != Number(2) && direction != Number(3)) {
     call.parameter_alarm(AlarmClass::direction_parameter, kRanges, 126, "R126 is neither 2 nor 3.");
   }

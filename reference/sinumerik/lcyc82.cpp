@@ -10,9 +10,9 @@ void run_lcyc82(const CycleCall& call) {
   const ClauseId clause = "SIE-LC82-01"_clause;
   check_planes(call);
   // SIE-LC82-03
-  const Number& dwell = call.parameter(105);
+  const Number dwell = call.parameter(105);
   if (dwell.sign() < 0) {
-    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-03"_clause, 105,
+    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 105,
                          "The dwell R105 is below zero.");
   }
   if (block.machine.feed.sign() == 0) {

@@ -10,7 +10,33 @@ def need_linuxcnc():
     need_module("gcode", "linuxcnc-uspace")
 
 
+def ended(program):
+    """The program with an M2 behind its last line."""
+    text = program if isinstance(program, bytes) else program.encode()
+    return text + (b"" if text.endswith(b"\n") or not text else b"\n") + b"M2\n"
+
+
 class Linuxcnc(Lines, Distances, Arcs):
+    def run_program(self, program, profile=None):
+        return super().run_program(ended(program), profile)
+
+    def test_a_program_without_an_end_alarms(self):
+        reply = super().run_program("G0 X1\nX2\n")
+        self.assertEqual(reply["alarm"]["class"], "program-end")
+        self.assertEqual(reply["alarm"].get("b"), 2 if self.numbers_lines else None)
+        self.compare(reply["records"], [{"k": "rapid", "to": {"x": 1}},
+                                        {"k": "rapid", "to": {"x": 2}}])
+
+    def test_blank_lines_are_no_program(self):
+        reply = super().run_program("  ")
+        self.assertEqual(reply["alarm"]["class"], "program-end")
+        self.assertEqual(reply["alarm"].get("b"), 1 if self.numbers_lines else None)
+
+    def test_a_word_that_nothing_uses_alarms(self):
+        for word in ("I2", "J2", "K2", "R2", "P2", "Q2", "L2", "D2", "H2", "E2"):
+            with self.subTest(word=word):
+                self.assertAlarm("G0 X1 %s\n" % word, "unused-word", 1, "word with no")
+
     def test_absolute_centre(self):
         self.assertRecords("G0 X2\nG90.1 G3 X12 Y0 I7 J0 F10\n", [
             {"k": "rapid", "b": 1},

@@ -83,7 +83,7 @@ def gsk_pockets(out, blocks, seed=1):
 def gsk_threads(out, blocks, seed=1):
     """A milled thread a block: two passes."""
     del seed
-    out.write("G17 G00 X0 Y0 Z10\nG114 X20 Y10 W-4 R-1 I2 E24 P1 Q0.6 D3 F200\n")
+    out.write("G17 G00 X0 Y0 Z10\nG114 X20 Y10 W-4 R-1 I2 E24 P1 Q0.6 D3 J0 F200\n")
     for i in range(2, blocks - 1):
         out.write("X%d Y%d W-%d R-1 I2 E%d P1 Q0.6 D3\n" % (i * 7 % 400, i * 13 % 300, 4 + i % 3,
                                                            24 + i % 7))

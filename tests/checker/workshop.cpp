@@ -27,18 +27,18 @@ constexpr const char* kManifest =
 constexpr const char* kVectors =
     R"({"format":1,"corpus":"2026.1.0","dialect":"rs274","cycle":"tiny",
 "groups":[{"gid":"tiny","features":["basic"],"clauses":["NGC-G0-01"],"profile":{},"cases":[
-{"id":"tiny.line.000001","comment":"a line","program":"G0 X1\nG1 Y2 F100\nM3\n","expect":[{"records":[
+{"id":"tiny.line.000001","comment":"a line","program":"G0 X1\nG1 Y2 F100\nM3\n","expect":[{"basis":"text","records":[
 {"k":"rapid","b":1,"to":{"x":"1"}},
 {"k":"feed","b":2,"to":{"y":"2"},"f":"100"},
 {"k":"m","b":3,"m":3},
 {"k":"end","to":{"x":"1","y":"2","z":"0","a":"0","c":"0"}}]}],
 "tags":{"tway":[],"sign":[]},"provenance":"hand"},
-{"id":"tiny.arc.000001","comment":"an arc","program":"G0 X10\nG2 Y10 X0 I-10 F50\n","expect":[{"records":[
+{"id":"tiny.arc.000001","comment":"an arc","program":"G0 X10\nG2 Y10 X0 I-10 F50\n","expect":[{"basis":"text","records":[
 {"k":"rapid","b":1,"to":{"x":"10"}},
 {"k":"arc","b":2,"plane":"G17","c":{"x":"0","y":"0"},"rot":-1,"to":{"x":"0","y":"10"},"f":"50"},
 {"k":"end","to":{"x":"0","y":"10","z":"0","a":"0","c":"0"}}]}],
 "tags":{"tway":[],"sign":[]},"provenance":"hand"},
-{"id":"tiny.alarm.000001","comment":"no feed","program":"G0 X1\nG1 Y2\nX3\n","expect":[{"records":[
+{"id":"tiny.alarm.000001","comment":"no feed","program":"G0 X1\nG1 Y2\nX3\n","expect":[{"basis":"text","records":[
 {"k":"rapid","b":1,"to":{"x":"1"}}],
 "alarm":{"any_of":[{"class":"feed-missing","b":2}]}}],
 "tags":{"tway":[],"sign":[]},"provenance":"hand"}]}]})";

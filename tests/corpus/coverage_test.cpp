@@ -39,6 +39,33 @@ TEST(Coverage, EveryClauseIsListedByAGroup) {
   }
 }
 
+// J-ALM-01: what moves rests on a text or follows from one. Else a wrong path could be an advice.
+TEST(Coverage, NoMotionRestsOnARuleOfOurs) {
+  std::size_t records = 0;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const Expectation& expectation : test.expect) {
+      for (const reference::Record& record : expectation.records) {
+        if (record.clause == reference::kNoClause) continue;
+        ++records;
+        EXPECT_NE(reference::clause(record.clause).basis(), reference::Basis::silent)
+            << id << " " << reference::clause_name(record.clause);
+      }
+    }
+  }
+  EXPECT_GT(records, 50'000U);
+}
+
+TEST(Coverage, EveryExpectationSaysOnWhatItStands) {
+  std::set<reference::Basis> bases;
+  for (const auto& [id, test] : checked_in_cases()) {
+    for (const Expectation& expectation : test.expect) {
+      ASSERT_TRUE(expectation.basis.has_value()) << id;
+      bases.insert(*expectation.basis);
+    }
+  }
+  EXPECT_EQ(bases.size(), 3U);
+}
+
 // The clause that a record or an alarm of the reference names is hit whatever a group claims.
 TEST(Coverage, TheRecordsNameAllClausesThatMoveSomething) {
   std::set<std::string_view> named;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// G114 to G117, with X as a radius. This machine starts threads at -p and goes in by a semicircle.
+// G114 to G117, with X as a radius. This machine starts threads at -p.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,14 +36,14 @@ TEST(GskThread, ManualExampleOfAnExternalThread) {
   EXPECT_EQ(joined({outcome.records.begin(), outcome.records.begin() + 6}),
             "rapid x=70 y=20 z=70\nrapid x=0 z=0\nrapid y=15\n"
             "arc18 c=-9,0 rot=-1 x=0 z=-18 f=900\n"
-            "arc18 c=-17.75,0 rot=1 x=0 z=-17.5 f=900\n"
+            "feed z=-17.5 f=900\n"
             "arc18 c=0,0 rot=-4 x=0 y=-5 z=-17.5 f=900\n");
   // Radius 19.5, 30 degrees clockwise of -p: Z-16.887495, X9.75. The next entry starts from the
   // safe position Z-20, X still 9.75: middle of the way to Z-18, X0.
   EXPECT_EQ(joined({outcome.records.begin() + 7, outcome.records.begin() + 12}),
             "rapid y=15\nrapid z=-20\n"
             "arc18 c=-19,4.875 rot=-1 x=0 z=-18 f=900\n"
-            "arc18 c=-17.5,0 rot=1 x=0 z=-17 f=900\n"
+            "feed z=-17 f=900\n"
             "arc18 c=0,0 rot=-4 x=0 y=-5 z=-17 f=900\n");
   EXPECT_EQ(joined({outcome.records.begin() + 13, outcome.records.end()}),
             "rapid y=15\nrapid z=-20\nrapid y=20\nend x=9.5 y=20 z=-20 a=0 c=0\n");
@@ -57,7 +57,7 @@ TEST(GskThread, ManualExampleOfAnInternalThread) {
   EXPECT_EQ(joined({outcome.records.begin() + 1, outcome.records.begin() + 5}),
             "rapid y=25\n"
             "arc18 c=67.75,70 rot=-1 x=70 z=65.5 f=900\n"
-            "arc18 c=65.25,70 rot=-1 x=70 z=65 f=900\n"
+            "feed z=65 f=900\n"
             "arc18 c=70,70 rot=-4 x=70 y=5 z=65 f=900\n");
   // Radii 3 and 3.5, 30 degrees clockwise of -p of the centre; safe position 70 - (4.5 - 2).
   EXPECT_NE(outcome.records[5].find("x=71.5 z=67.401923"), std::string::npos);
@@ -116,12 +116,12 @@ TEST(GskThread, RunOutIsStraightWhereItsArcIs) {
   EXPECT_EQ(one_pass("V-5 I5 J17.5 K60").records[3], "feed x=30.310889132 z=-17.5 f=9");
 }
 
-TEST(GskThread, RunOutIntoABoreEndsAtItsCentreAtTheLatest) {
-  // Radius 5, J7: to the centre, or by the reading to 2 on the other side.
+TEST(GskThread, RunOutIntoABoreMayLeadBeyondItsCentre) {
+  // Radius 5, J7: to 2 on the other side.
   const std::string program = "G116 X0 Z0 V-5 I5 J7 E15 P0.5 D3 F9\n";
-  EXPECT_EQ(run(program, kRadiusProfile).records[3], "arc18 c=-2.5,0 rot=-1 x=0 z=0 f=9");
-  EXPECT_EQ(run(program, readings(R"("gsk.thread.runout":"polar")")).records[3],
-            "arc18 c=-1.5,0 rot=-1 x=0 z=2 f=9");
+  const std::string want = "arc18 c=-1.5,0 rot=-1 x=0 z=2 f=9";
+  EXPECT_EQ(run(program, kRadiusProfile).records[3], want);
+  EXPECT_EQ(run(program, readings(R"("gsk.thread.runout":"polar")")).records[3], want);
 }
 
 TEST(GskThread, RunOutOfTheOtherReadings) {
@@ -157,7 +157,7 @@ TEST(GskThread, LastTurnMayBePartOfOne) {
 TEST(GskThread, CounterclockwiseThreadsTurnTheOtherWay) {
   const Outcome outcome = run("G115 X0 Z0 V-5 I4 E30 P0.5 D3 F9\n", kRadiusProfile);
   EXPECT_EQ(outcome.records[0], "arc18 c=-9,0 rot=1 x=0 z=-18 f=9");
-  EXPECT_EQ(outcome.records[1], "arc18 c=-17.75,0 rot=-1 x=0 z=-17.5 f=9");
+  EXPECT_EQ(outcome.records[1], "feed z=-17.5 f=9");
   EXPECT_EQ(outcome.records[2], "arc18 c=0,0 rot=2 x=-17.5 y=-5 z=0 f=9");
 }
 

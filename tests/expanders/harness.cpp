@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "expanders/registry.hpp"
@@ -166,7 +167,10 @@ Outcome run_hnc(std::string_view program, std::string_view profile, std::string_
 }
 
 Outcome run_ngc(std::string_view program, std::string_view profile, std::string_view fault) {
-  return Session(profile, fault, "ngc").run(program);
+  nlohmann::json keys = nlohmann::json::parse(profile);
+  auto& end = keys["readings"]["ngc.program-end"];
+  if (end.is_null()) end = "free";
+  return Session(keys.dump(), fault, "ngc").run(program);
 }
 
 Outcome run_sinumerik(std::string_view program, std::string_view profile, std::string_view fault) {

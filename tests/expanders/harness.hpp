@@ -76,7 +76,8 @@ Outcome run_with_reading(const std::string& reading, const std::string& value,
 Outcome run_hnc(std::string_view program, std::string_view profile = "{}",
                 std::string_view fault = {});
 
-/// The same with the expander of rs274.
+/// The same with the expander of rs274; unless the profile says otherwise, a text need not end the
+/// program.
 Outcome run_ngc(std::string_view program, std::string_view profile = "{}",
                 std::string_view fault = {});
 

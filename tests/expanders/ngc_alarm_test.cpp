@@ -12,7 +12,7 @@ std::string ngc_alarm(const std::string& block, const char* profile = "{}") {
 }
 
 TEST(NgcAlarm, AnAxisWordNeedsAMotionCode) {
-  for (const char* block : {"X1", "A1", "I1", "R1", "P1", "G80 X1", "G4 P1 X1", "G1\nG80\nY1"}) {
+  for (const char* block : {"X1", "A1", "G80 X1", "G4 P1 X1", "G1\nG80\nY1"}) {
     EXPECT_EQ(ngc_alarm(block), "missing-word") << block;
   }
 }
@@ -22,7 +22,49 @@ TEST(NgcAlarm, AFeed) {
   EXPECT_EQ(ngc_alarm("F0 G2 X2 I1"), "feed-missing");
   EXPECT_EQ(ngc_alarm("F-1"), "value-sign");
   EXPECT_EQ(run_ngc("G1 X0\n").alarm, "feed-missing");
-  EXPECT_EQ(run_ngc("G1\nG0 X1\n").motions(), "rapid x=1\n");
+  EXPECT_EQ(run_ngc("G1\nG0 X1\n").alarm, "feed-missing");
+}
+
+TEST(NgcAlarm, MotionCodesAlone) {
+  constexpr const char* kNeedsAxis = R"({"readings":{"ngc.bare-motion":"missing-word"}})";
+  for (const char* block : {"G0", "G1", "G1 G4 P1", "G0 G17"}) {
+    EXPECT_EQ(ngc_alarm(block), "") << block;
+    EXPECT_EQ(ngc_alarm(block, kNeedsAxis), "missing-word") << block;
+  }
+  EXPECT_EQ(ngc_alarm("G1 X1\nG4 P1", kNeedsAxis), "");
+}
+
+TEST(NgcAlarm, WordsThatNothingUses) {
+  constexpr const char* kPassedOver = R"({"readings":{"ngc.unused-words":"ignored"}})";
+  for (const char* block :
+       {"G0 X1 I2",    "G0 X1 R2",     "G0 X1 L2",    "G1 X1 P2",     "I1",           "R1",
+        "P1",          "S100 I2",      "G17 I2",      "M3 S100 P2",   "G61 P1",       "T1 H1",
+        "G40 D1",      "G4 P1 Q1",     "M50 Q1",      "M67 E0 P1 Q1", "M68 E0 Q1 L0", "M61 Q0 L0",
+        "G2 X2 I1 Q1", "G2 X2 I1\nP2", "G2 X2 I1\nR2"}) {
+    EXPECT_EQ(ngc_alarm(block), "unused-word") << block;
+    EXPECT_EQ(ngc_alarm(block, kPassedOver), "") << block;
+  }
+  for (const char* block :
+       {"G64 P0.1 Q0.1", "M66 P0 L3 Q1", "M66 E0 L0", "M67 E0 Q1", "M61 Q0", "M62 P1", "M53 P1"}) {
+    EXPECT_EQ(ngc_alarm(block), "") << block;
+  }
+}
+
+TEST(NgcAlarm, CentresAlone) {
+  constexpr const char* kUnused = R"({"readings":{"ngc.arc-words-alone":"alarm"}})";
+  EXPECT_EQ(run_ngc("G2 X2 I1 F9\nI1\n").motions(),
+            "arc17 c=1,0 rot=-1 x=2 y=0 f=9\narc17 c=3,0 rot=-1 x=2 y=0 f=9\n");
+  EXPECT_EQ(ngc_alarm("G2 X2 I1\nI1", kUnused), "unused-word");
+  EXPECT_EQ(ngc_alarm("G2 X2 I1\nX2 I1", kUnused), "");
+}
+
+TEST(NgcAlarm, G80BesideAMotion) {
+  constexpr const char* kForgotten = R"({"readings":{"ngc.g80-beside":"ignored"}})";
+  EXPECT_EQ(run_ngc("G80 G0 X1\nX2\nG1 G80 X3 F9\n", kForgotten).motions(),
+            "rapid x=1\nrapid x=2\nfeed x=3 f=9\n");
+  EXPECT_EQ(ngc_alarm("G0 X1\nG80 G80\nX2", kForgotten), "missing-word");
+  EXPECT_EQ(ngc_alarm("G80 G0 G1 X1", kForgotten), "duplicate-word");
+  EXPECT_EQ(ngc_alarm("G00 G17 G21 G40 G49 G80 G90"), "duplicate-word");
 }
 
 TEST(NgcAlarm, UnknownCodes) {

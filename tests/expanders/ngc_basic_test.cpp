@@ -17,7 +17,7 @@ TEST(NgcLine, AxisWordsRepeatTheMode) {
 }
 
 TEST(NgcLine, CodeWithoutAxisWordDoesNothing) {
-  EXPECT_EQ(run_ngc("G0\nG1\nG1 I5 R2 P-3\nG0 X1\n").motions(), "rapid x=1\n");
+  EXPECT_EQ(run_ngc("F9 G0\nG1\nG1 S9\nG0 X1\n").motions(), "rapid x=1\n");
 }
 
 TEST(NgcLine, IncrementsAddUp) {
@@ -87,7 +87,7 @@ TEST(NgcFunction, TwoEndAProgram) {
 }
 
 TEST(NgcMode, CodesWithoutEffectAreAccepted) {
-  EXPECT_EQ(run_ngc("G17 G21 G40 G49 G54 G64 G90 G91.1 G94 G97 G98 S900 T1 M6 D1 H2 L3 Q4\n"
+  EXPECT_EQ(run_ngc("G17 G21 G40 G49 G54 G64 G90 G91.1 G94 G97 G98 S900 T1 M6\n"
                     "G61\nG61.1\nG99\nG0 X1\n")
                 .motions(),
             "m 6\nrapid x=1\n");

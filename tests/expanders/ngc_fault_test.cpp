@@ -48,6 +48,16 @@ const Exhibit kNgcExhibits[] = {
     {"plane-after-motion", "G18 G2 X4 I2 F9\nG2 I1\n",
      "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n2 arc18 c=0,5 rot=-1 x=4 z=0 f=9\n"},
     {"dwell-in-milliseconds", "G4 P2\n", "1 dwell 0.002\n"},
+    {"last-motion-wins", "G80 G0 X1\n", "1 rapid x=1\n"},
+    {"bare-feed-unchecked", "G1\n", ""},
+    {"arc-words-need-code", "G2 X4 I2 F9\nI1\n", "1 arc17 c=2,0 rot=-1 x=4 y=0 f=9\n"},
+    {"unused-word-passed", "G0 X1 I2\n", "1 rapid x=1\n"},
+    {"unused-alone-passed", "I2\nG0 X1\n", "2 rapid x=1\n"},
+    {"blanks-end-numbers", "G0 X1\nX 1 5\n", "1 rapid x=1\nalarm syntax in 2\n"},
+    {"open-line-numbers", "N1. G0 X1\n", "1 rapid x=1\n"},
+    {"name-ends-program", "G0 X1\nO2\nX2\n", "1 rapid x=1\n"},
+    {"tape-mark-anywhere", "G0 X1\n%\nX2\n", "1 rapid x=1\n"},
+    {"tape-mark-after-comment", "(a)\n%\nG0 X1\n%\n", "3 rapid x=1\n"},
     {"block-delete-always", "G0 X1\n/X2\n", "1 rapid x=1\n"},
     {"capitals-only", "G0 X1\nx2\n", "1 rapid x=1\nalarm syntax in 2\n"},
     {"tape-mark-ignored", "%\nG0 X1\n%\nX2\n", "2 rapid x=1\n4 rapid x=2\n"},
@@ -57,22 +67,24 @@ const Exhibit kNgcExhibits[] = {
     {"feed-survives-reset", "G1 X1 F9\n", "1 feed x=1 f=9\n"},
 };
 
-// Those of numbers that must be whole show where they need not be so exactly.
+// Those of numbers that must be whole show where they need not be so exactly, that of the end where
+// there must be one.
 constexpr const char* kNearIsWhole = R"({"readings":{"ngc.whole":"nist"}})";
-const ProfiledExhibit kNgcWholeExhibits[] = {
+const ProfiledExhibit kNgcReadingExhibits[] = {
+    {"second-tape-mark-optional", "%\nG0 X1\n"},
     {"whole-limit-refused", "G2 X4 I2 P3.0001 F9\n", kNearIsWhole},
     {"near-whole-cut", "M7.99995\n", kNearIsWhole},
     {"code-limit-unscaled", "G0.0001 X1\n", kNearIsWhole},
 };
 
 class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
-class PlantedNgcWholeFault : public ::testing::TestWithParam<ProfiledExhibit> {};
+class PlantedNgcReadingFault : public ::testing::TestWithParam<ProfiledExhibit> {};
 
-TEST_P(PlantedNgcWholeFault, Shows) {
+TEST_P(PlantedNgcReadingFault, Shows) {
   expect_shown(GetParam(), "ngc", "G0 X1\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcWholeFault, ::testing::ValuesIn(kNgcWholeExhibits),
+INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcReadingFault, ::testing::ValuesIn(kNgcReadingExhibits),
                          FaultName());
 
 TEST_P(PlantedNgcFault, Shows) {
@@ -90,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcFault, ::testing::ValuesIn(kNgcExhibits)
 TEST(PlantedNgcFaults, EachHasItsProgram) {
   std::set<std::string_view> shown;
   for (const Exhibit& exhibit : kNgcExhibits) shown.insert(exhibit.fault);
-  for (const ProfiledExhibit& exhibit : kNgcWholeExhibits) shown.insert(exhibit.fault);
+  for (const ProfiledExhibit& exhibit : kNgcReadingExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
     known.insert(fault.name);

@@ -15,11 +15,52 @@ using namespace std::string_literals;
 
 TEST(NgcText, TapeMarks) {
   EXPECT_EQ(run_ngc("%\nG0 X2\n%\nX4\n").motions(), "rapid x=2\n");
-  EXPECT_EQ(run_ngc("%\n(head)\n%\nG0 X4\n").motions(), "rapid x=4\n");
+  EXPECT_EQ(run_ngc("%\n(head)\n%\nG0 X4\n").motions(), "");
+  EXPECT_EQ(run_ngc(" \n\n\t%\nG0 X4\n % \nG0 (\n").all(), run_ngc("\n\n%\nG0 X4\n%\n").all());
+}
+
+TEST(NgcText, ATapeMarkStandsFirstOrSecond) {
+  for (const char* text : {"G0 X1\n%\n", "(a)\n%\n", ";\n%\n", "N1\n%\n", "/\n%\n", "O1\n%\n"}) {
+    EXPECT_EQ(run_ngc(text).alarm, "syntax") << text;
+  }
+  EXPECT_EQ(run_ngc("/G0\n%\n", R"({"block_skip":true})").alarm, "syntax");
+}
+
+TEST(NgcText, TheEndOfAProgram) {
+  constexpr const char* kNeeded = R"({"readings":{"ngc.program-end":"needed"}})";
+  for (const char* text : {"", "\n", "(a)\n", "G0 X1\n", "%\nG0 X1\n", "M0\n", "(M2)\n"}) {
+    EXPECT_EQ(run_ngc(text, kNeeded).alarm, "program-end") << text;
+    EXPECT_EQ(run_ngc(text).alarm, "") << text;
+  }
+  EXPECT_EQ(run_ngc("", kNeeded).alarm_block, 1u);
+  EXPECT_EQ(run_ngc("G0 X1\n\n(a)\n", kNeeded).alarm_block, 3u);
+  for (const char* text : {"M2\n", "m 3 0", "G0 X1 M02\n", "%\nG0 X1\n%\n"}) {
+    EXPECT_EQ(run_ngc(text, kNeeded).alarm, "") << text;
+  }
+}
+
+TEST(NgcText, LineNumbers) {
+  constexpr const char* kWholeNumbers = R"({"readings":{"ngc.line-number":"whole"}})";
+  for (const char* number : {"N10.5", "N0.0", "N100000", "N99999999999999999999"}) {
+    EXPECT_EQ(run_ngc(number + " G0 X1\n"s).motions(), "rapid x=1\n") << number;
+    EXPECT_EQ(run_ngc(number + " G0 X1\n"s, kWholeNumbers).alarm, "syntax") << number;
+    EXPECT_EQ(run_ngc(number + "\n"s, kWholeNumbers).alarm, "syntax") << number;
+    EXPECT_EQ(run_ngc(number + " G81 X1\n"s, kWholeNumbers).answer, GONOGO_UNSUPPORTED) << number;
+  }
+  EXPECT_EQ(run_ngc("N99999 G0 X1\n", kWholeNumbers).motions(), "rapid x=1\n");
+}
+
+TEST(NgcText, Names) {
+  constexpr const char* kRefused = R"({"readings":{"ngc.o-name":"syntax"}})";
+  for (const char* name : {"O0002 (TEXT)", "o2", "O 0 2 (a) ; b"}) {
+    EXPECT_EQ(run_ngc(name + "\nG0 X1\n"s).motions(), "rapid x=1\n") << name;
+    EXPECT_EQ(run_ngc(name + "\nG0 X1\n"s, kRefused).alarm, "syntax") << name;
+  }
 }
 
 TEST(NgcText, LettersAndBlanksAreFree) {
   EXPECT_EQ(run_ngc("n10g 0x 1.5 Y\t-2z+.5\n").motions(), "rapid x=1.5 y=-2 z=0.5\n");
+  EXPECT_EQ(run_ngc("N 1 0 G 0 X 1 5 Y- 2 Z1\t. 5\n").motions(), "rapid x=15 y=-2 z=1.5\n");
 }
 
 TEST(NgcText, CodesMayHaveZeros) {
@@ -37,17 +78,18 @@ TEST(NgcText, BlocksAreLines) {
 }
 
 TEST(NgcText, WhatCannotBeRead) {
-  const std::string texts[] = {"X",     "X--1", "X.",      "X1.2.3", "5",       "X1 (a",   "N1.5",
+  const std::string texts[] = {"X",     "X--1", "X.",      "X1.2.3", "5",       "X1 (a",   "N1.",
                                "*",     "X1%",  "X1 / Y2", "% X1",   "%12",     "X1 \x80", "X=1",
-                               "X1\0"s, "ABC",  "X1 N2",   "X1 2",   "X1e2.5.1"};
+                               "X1\0"s, "ABC",  "X1 N2",   "X1(a)2", "X1e2.5.1"};
   for (const std::string& text : texts) {
     EXPECT_EQ(run_ngc("G0 Z1\n" + text + "\n").alarm, "syntax") << text;
   }
 }
 
 TEST(NgcText, OutsideConstructs) {
-  for (const char* text : {"O100 sub", "o<name> call", "O1", "#1=5", "#<a>=1", "X#1", "X-#<a>",
-                           "X [1+2]", "xsin[30]", "N5 O2 if [1]", "N9 #2=1", "[1]", "X1 Y#2"}) {
+  for (const char* text :
+       {"O100 sub", "o<name> call", "O1 X2", "N1 O1", "(a) O1", "#1=5", "#<a>=1", "X#1", "X-#<a>",
+        "X [1+2]", "xsin[30]", "N5 O2 if [1]", "N9 #2=1", "[1]", "X1 Y#2"}) {
     const Outcome outcome = run_ngc("G0 Z1\n"s + text + "\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << text;
     EXPECT_EQ(outcome.motions(), "rapid z=1\n") << text;

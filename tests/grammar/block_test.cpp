@@ -223,6 +223,7 @@ TEST(Outside, OfRs274AreOWordsAndFunctionsAndNames) {
                                   {"O1 while [#1 lt 5]", "o-word", 0, {0, 18}},
                                   {"O1234 (name) G0", "o-word", 0, {0, 15}},
                                   {"N5 O1234", "o-word", 0, {3, 8}},
+                                  {"(a) O1234", "o-word", 0, {4, 9}},
                                   {"g1 x#<_depth> y5", "variable", 1, {3, 16}},
                                   {"#<a>=[sin[30]] ;b", "variable", 0, {0, 14}},
                                   {"G1 X2 #1=5", "variable", 2, {6, 10}},
@@ -251,7 +252,7 @@ TEST(Block, InRs274ALineNumberMayBeTwoNumbersWithAPointBetween) {
 
 // NGC-COM-06
 TEST(Block, InRs274OAndANumberAloneNameTheProgram) {
-  for (const char* line : {"O0002 (TEXT)", "o2", "(a) o 0 2 (b) ; c", " O2;"}) {
+  for (const char* line : {"O0002 (TEXT)", "o2", " o 0 2 (a) (b) ; c", " O2;"}) {
     const Block block = parsed(Dialect::rs274, line);
     EXPECT_EQ(block.program_number->magnitude, 2U) << line;
     EXPECT_FALSE(block.outside) << line;

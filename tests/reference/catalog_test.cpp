@@ -84,6 +84,42 @@ TEST(Catalog, EveryClauseSaysSomethingAndWhereItStands) {
   }
 }
 
+// J-ALM-01.
+TEST(Catalog, EveryDerivedClauseSaysFromWhat) {
+  for (const Clause& clause : clauses()) {
+    EXPECT_EQ(clause.basis() == Basis::derived, !clause.derivation.empty()) << clause.id;
+    EXPECT_TRUE(clause.derivation.empty() || clause.derivation.ends_with('.')) << clause.id;
+  }
+}
+
+TEST(Catalog, AClauseThatNoTextStatesSaysSo) {
+  std::size_t silent = 0;
+  for (const Clause& clause : clauses()) {
+    if (clause.basis() != Basis::silent) continue;
+    ++silent;
+    EXPECT_EQ(clause.level, ClauseLevel::open) << clause.id;
+    EXPECT_NE(clause.text.find("No text says"), std::string_view::npos) << clause.id;
+    EXPECT_TRUE(clause.text.ends_with("our judgement.") ||
+                clause.text.find("our judgement (") != std::string_view::npos)
+        << clause.id;
+  }
+  EXPECT_GE(silent, 30U);
+}
+
+// One note of the manual has one level, wherever it is printed.
+TEST(Catalog, OneNoteHasOneLevel) {
+  EXPECT_EQ(clause("GSK-G110-04"_clause).level, clause("GSK-G112-10"_clause).level);
+  EXPECT_EQ(clause("SIE-G1-02"_clause).level, ClauseLevel::must);
+  EXPECT_EQ(clause("GSK-G114-15"_clause).level, ClauseLevel::derived);
+}
+
+TEST(Catalog, TheBasesHaveTheirNames) {
+  for (const Basis one : {Basis::text, Basis::derived, Basis::silent}) {
+    EXPECT_EQ(basis(name(one)), one);
+  }
+  EXPECT_EQ(basis("must"), std::nullopt);
+}
+
 TEST(Catalog, AClauseIsFoundByItsPlace) {
   constexpr ClauseId kId = "GSK-G94-02"_clause;
   EXPECT_EQ(clause(kId).id, "GSK-G94-02");

@@ -16,6 +16,7 @@ function showCase(c) {
     el('div', { class: 'detail-head' }, el('h2', {}, c.id), badge(c.verdict), el('span', { class: 'spring' }),
       el('button', { type: 'button', id: 'previous', disabled: place <= 0, on: { click: () => choose(place - 1, false) } }, 'Previous case'),
       el('button', { type: 'button', id: 'next', disabled: place < 0 || place + 1 >= shown.length, on: { click: () => choose(place + 1, false) } }, 'Next case')),
+    c.verdict === 'advice' && el('p', { class: 'note' }, 'An advice: no text of a manual states what was expected here, so this is no NO-GO.'),
     el('p', { class: 'message' }, c.message || (decisionOf(c.verdict) === 'go' ? 'This case is GO.' : 'No message.')));
   if (data) showFailure(detail, c, data);
   else {
@@ -40,6 +41,8 @@ function showFailure(detail, c, data) {
     fact('Clause', el('strong', { class: 'mono' }, c.clause), clause ? ` ${clause.text} ` : ' not in the catalog',
       clause ? el('span', { class: 'level' }, `${clause.source}; ${clause.level}`) : null);
   }
+  if (data.departure) fact('Would be', el('span', { class: 'mono' }, data.departure), ' if a text stated it');
+  if (data.basis) fact('Stands on', { text: 'a text of the manual', derived: 'what follows from a text', silent: 'no text: our judgement' }[data.basis] ?? data.basis);
   if (c.clauses.length > 0) fact('Clauses of the case', ...clauseList(c.clauses));
   if (data.b !== undefined) fact('Block', `line ${data.b}${data.word ? `, word ${data.word}` : ''}`);
   if (data.record !== undefined) fact('Subject\u2019s record', `number ${data.record + 1}`);

@@ -19,7 +19,7 @@ function fillSelect(id, values, everything) {
 function setUpFilters() {
   const present = (pick) => [...new Set(cases.flatMap(pick))].sort().map((value) => [value]);
   fillSelect('by-verdict', [['@no-go', 'all NO-GO'], ['@undecided', 'all undecided'],
-    ['@go', 'all GO'], ...Object.keys(summary.totals).sort().map((value) => [value])], 'all');
+    ['@neither', 'neither GO nor NO-GO'], ['@go', 'all GO'], ...Object.keys(summary.totals).sort().map((value) => [value])], 'all');
   fillSelect('by-dialect', present((c) => c.dialect), 'all');
   fillSelect('by-cycle', present((c) => c.cycle), 'all');
   fillSelect('by-clause', present((c) => [...c.clauses, c.clause].filter(Boolean)), 'all');

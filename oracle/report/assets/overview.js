@@ -9,11 +9,15 @@ function showHeadline() {
   const { headline } = summary;
   const subject = header.subject ?? {};
   const tone = { GO: 'go', 'NO-GO': 'no-go' }[headline.decision] ?? 'undecided';
-  const parts = [counted(headline.cases, 'case', 'cases'), `${count(headline.go)} GO`,
-    `${count(headline.noGo)} NO-GO`, `${count(headline.undecided)} undecided`];
+  const parts = [`${count(headline.judged)} of ${counted(headline.cases, 'case', 'cases')} judged`, `${count(headline.go)} GO`,
+    `${count(headline.noGo)} NO-GO`];
+  if (headline.advices > 0) parts.push(counted(headline.advices, 'advice', 'advices'));
+  if (headline.undecided > 0) parts.push(`${count(headline.undecided)} undecided`);
+  if (headline.notClaimed > 0) parts.push(`${count(headline.notClaimed)} not claimed`);
   const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
   const words = el('div', { class: 'words' },
-    el('p', { class: 'subject' }, name), el('p', {}, parts.join(' \u00b7 ')));
+    el('p', { class: 'subject' }, name), el('p', {}, parts.join(' \u00b7 ')),
+    el('p', { class: 'head', id: 'head-line' }, headline.head));
   if (headline.undecided > 0) {
     words.append(el('p', { class: 'note' },
       'Undecided: the gauge cannot say, so these cases count neither way.'));
@@ -25,6 +29,12 @@ function showHeadline() {
       el('strong', {}, headline.decision === 'UNDECIDED' ? 'This run decides nothing.' : 'This run is incomplete.'),
       el('ul', {}, ...headline.incomplete.map((reason) => el('li', {}, reason)))));
   }
+  const broken = summary.scope.declared_but_skipped;
+  if (broken.length > 0) {
+    byId('headline').append(el('div', { class: 'banner no-go', id: 'declaration', role: 'alert' },
+      el('strong', {}, 'The subject declares what it then skips, which makes the run NO-GO.'),
+      el('ul', {}, ...broken.map((group) => el('li', {}, `${group.cycle} of ${group.dialect}, ${counted(group.cases, 'case', 'cases')}: ${group.reason}`)))));
+  }
   const stale = summary.footer?.stale;
   if (Array.isArray(stale) && stale.length > 0) {
     byId('headline').append(el('div', { class: 'banner', id: 'stale', role: 'alert' },
@@ -35,7 +45,7 @@ function showHeadline() {
 }
 
 function showTotals() {
-  const rank = { 'no-go': 0, undecided: 1, go: 2 };
+  const rank = { 'no-go': 0, undecided: 1, neither: 2, go: 3 };
   const verdicts = Object.keys(summary.totals).sort((a, b) =>
     rank[decisionOf(a)] - rank[decisionOf(b)] || summary.totals[b] - summary.totals[a]);
   byId('totals').append(...verdicts.map((verdict) => el('button', {
@@ -57,14 +67,25 @@ function showRun() {
   fact('Subject', [subject.name, subject.version].filter(Boolean).join(' '));
   fact('Given as', subject.spec, true);
   fact('Numbers', Object.entries(numeric).map(([key, value]) => `${key.replace('_', ' ')} ${exactText(value)}`).join(', '));
+  const dialects = subject.dialects;
+  if (dialects !== undefined) {
+    fact('Declares', dialects === null ? 'no dialects: what it skips it does not claim'
+      : Object.entries(dialects).map(([dialect, features]) => `${dialect}: ${features.join(', ') || 'everything'}`).join('; '));
+  }
   fact('Features', Array.isArray(subject.features) ? subject.features.join(', ') || 'none declared' : '');
-  fact('Gauge', `gonogo ${header.gonogo ?? '(version not given)'}`);
+  for (const one of header.capped ?? []) {
+    fact('Not granted', `${one.what.replace('_', ' ')} ${exactText(one.declared)} of ${one.dialect}: ${exactText(one.counts)} counts`);
+  }
+  fact('Gauge', [`gonogo ${header.gonogo ?? '(version not given)'}`, header.gauge?.commit && `commit ${header.gauge.commit}`,
+    header.gauge?.sha256 && `SHA-256 of the program ${header.gauge.sha256}`].filter(Boolean).join(', '));
   fact('Corpus', header.corpus ? `version ${header.corpus.version}, SHA-256 ${header.corpus.sha256}` : '');
   const profile = header.profile ?? {};
   fact('Profile', Object.keys(profile).length > 0 ? JSON.stringify(profile) : 'that of each case', Object.keys(profile).length > 0);
   if (Array.isArray(header.readings) && header.readings.length > 0) fact('Readings asked for', header.readings.join(', '), true);
   fact('Tolerance', header.tolerance != null ? `${exactText(header.tolerance)} mm, set by the certifier` : 'as the subject and the profile declare it');
   fact('Chord', header.chord != null ? `${exactText(header.chord)} mm` : 'none');
+  if (header.feed_resolution != null) fact('Feed resolution', `${exactText(header.feed_resolution)}, set by the certifier`);
+  fact('Advices', header.strict ? 'are NO-GO (--strict)' : 'are told, and are no NO-GO');
   fact('Seed, shard', `${header.seed ?? '?'}, ${header.shard ?? '?'}`);
   fact('Command', Array.isArray(header.argv) ? header.argv.map((word) => quoted(String(word))).join(' ') : '', true);
   if (summary.footer?.left_out > 0) fact('Left out', `${counted(summary.footer.left_out, 'case', 'cases')} that contradict the profile or the readings asked for`);
@@ -122,6 +143,56 @@ function matrixCell(clause, cycle, cell) {
     } } }, parts.filter(Boolean).join(' ')));
 }
 
+// ---- advices, and what the subject does not claim ----
+
+// A button that shows the cases of a filter in the list.
+function casesButton(label, set) {
+  return el('button', { type: 'button', on: { click: () => {
+    byId('filters').reset();
+    setTimeout(() => {
+      set();
+      applyFilters();
+      byId('cases').scrollIntoView();
+      list.focus({ preventScroll: true });
+    }, 1);
+  } } }, label);
+}
+
+function table(columns, body) {
+  return el('div', { class: 'scroll', tabindex: 0 }, el('table', {},
+    el('thead', {}, el('tr', {}, ...columns.map((name) => el('th', { scope: 'col' }, name)))), el('tbody', {}, ...body)));
+}
+
+function showAdvices() {
+  const groups = summary.scope.advices;
+  byId('advices').hidden = groups.length === 0;
+  if (groups.length === 0) return;
+  byId('advices').append(
+    el('p', { class: 'note' }, 'The subject departs from what the gauge expects, but no text of a manual states the expectation: it is our judgement alone. An advice counts neither for nor against the subject. Choose one to see its program, its path and the exact numbers.'),
+    table(['Clause', 'What is expected', 'Would be', 'Cases'], groups.map((group) => el('tr', {},
+      el('th', { scope: 'row', class: 'mono', title: clauseTitle(group.clause) }, group.clause || 'no clause'),
+      el('td', {}, catalog.get(group.clause)?.text ?? ''), el('td', { class: 'mono' }, group.departure),
+      el('td', {}, casesButton(counted(group.cases, 'case', 'cases'), () => {
+        byId('by-verdict').value = 'advice';
+        byId('by-clause').value = group.clause;
+      }))))));
+}
+
+function showNotClaimed() {
+  const groups = summary.scope.not_claimed;
+  byId('not-claimed').hidden = groups.length === 0;
+  if (groups.length === 0) return;
+  byId('not-claimed').append(
+    el('p', { class: 'note' }, `The subject does not say that it has these: ${counted(summary.headline.notClaimed, 'case', 'cases')} of them were not judged. The decision says nothing of them.`),
+    table(['Dialect', 'Not claimed', 'Cases'], groups.map((group) => el('tr', {}, el('td', {}, group.dialect),
+      group.feature ? el('th', { scope: 'row', class: 'mono' }, group.feature) : el('td', {}, group.reason ?? 'no reason given'),
+      el('td', {}, casesButton(counted(group.cases, 'case', 'cases'), () => {
+        byId('by-verdict').value = 'skip';
+        byId('by-dialect').value = group.dialect;
+        byId('search').value = group.feature ? `declare ${group.feature} in` : (group.reason ?? '');
+      }))))));
+}
+
 // ---- what this run did not check ----
 
 function showGaps() {
@@ -140,7 +211,6 @@ function showGaps() {
     item(`Other readings of ${counted(gaps.open.length, 'clause', 'clauses')} that the manuals leave open: the judge followed the reading named here.`, el('details', {}, el('summary', {}, 'Which'),
       el('ul', {}, ...gaps.open.map(openClause))));
   }
-  for (const [reason, n] of Object.entries(gaps.skips)) item(`${counted(n, 'case', 'cases')} skipped: `, el('strong', {}, reason || 'no reason given'));
   for (const [dialect, codes] of Object.entries(gaps.outside)) {
     item(`${dialect}: ${counted(codes.length, 'code', 'codes')} that the maker has and the gauge does not read; a case that comes to one ends there.`,
       el('details', {}, el('summary', {}, 'Which'), el('ul', { class: 'codes' }, ...codes.map((code) =>

@@ -20,6 +20,8 @@ function openFromHash() {
 showHeadline();
 showTotals();
 setUpFilters();
+showAdvices();
+showNotClaimed();
 showRun();
 showMatrix();
 showGaps();

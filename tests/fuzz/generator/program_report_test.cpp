@@ -34,7 +34,7 @@ TEST(ProgramReport, CountsAlarmsByClassAndProgramsThatShowNothing) {
   EXPECT_EQ(counts["alarm feed-missing"], 1U);
   EXPECT_EQ(counts["program alarms"], 1U);
   EXPECT_EQ(counts.count("programs without motion or alarm"), 0U);
-  count_program(for_defaults("rs274", "G90\n"), counts);
+  count_program(for_defaults("rs274", "G90 M2\n"), counts);
   EXPECT_EQ(counts["programs without motion or alarm"], 1U);
 }
 

@@ -7,7 +7,8 @@ namespace gonogo::fuzz::testing {
 namespace {
 
 Trace trace_of_text(const std::string& text) {
-  const GeneratedProgram program = program_of("rs274", text);
+  GeneratedProgram program = program_of("rs274", text);
+  program.profile.readings.set(reference::ReadingKey::ngc_program_end, "free");
   return trace_of(run_reference(program.profile, program.text, 100));
 }
 
@@ -50,6 +51,7 @@ TEST(Traces, AreHeldAgainstEachOtherWhereTheyAreMovedTo) {
   related.shift = {Number(5), Number(0), Number(7)};
   const std::string arc = "G2 X10 I5 F9";
   GeneratedProgram there = program_of("rs274", "G2 X15 I5 F9");
+  there.profile.readings.set(reference::ReadingKey::ngc_program_end, "free");
   there.profile.initial.at[reference::Axis::x] = 5;
   there.profile.initial.at[reference::Axis::z] = 7;
   const Trace other = trace_of(run_reference(there.profile, there.text, 100));

@@ -43,7 +43,7 @@ std::string departure() {
   }
   const auto profile = std::get<reference::Profile>(reference::default_profile(result.dialect));
   const RunTerms run = run_terms(Json::parse(kHeaderLine));
-  const JudgeTerms terms = make_terms(run.subject, profile, run.tolerance, run.chord);
+  const JudgeTerms terms = make_terms(run.subject, profile, run.grants);
   result.verdict = judge_outcome(profile, result.program, terms, records, RunEnd{}).verdict;
   return case_line(result, false);
 }

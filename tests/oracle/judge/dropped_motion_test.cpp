@@ -19,16 +19,16 @@ TEST(DroppedMotions, OfTheReferenceAreExactWhereTheSubjectKeepsThem) {
   for (const Program& program : {
            // A thread, whose last traverse is 0.001, and a taper of 0.002 from there.
            Program{"gsk988ta",
-                   "G17\nG117 X0 Y0 W1.08 I0.27 E2 P0.001 D0.5 F1\nG94 U-0.003\nG02 U1 R1\n"},
-           Program{"gsk988ta", "F1\nG18 G116 Z0 X0 V1 I1 E1 P0.001 D0.002\nG94 W0.002 R-0.001\n"},
-           Program{"gsk988ta", "F1\nG18 G117 W0 U0 V3.808 I1.904 E1 P0.001 D0.003\nG94 R-0.002\n"},
+                   "G17\nG117 X0 Y0 W1.08 I0.27 E2 P0.001 D0.5 J0 F1\nG94 U-0.003\nG02 U1 R1\n"},
+           Program{"gsk988ta", "F1\nG18 G116 Z0 X0 V1 I1 E1 P0.001 D0.002 J0\nG94 W0.002 R-0.001\n"},
+           Program{"gsk988ta", "F1\nG18 G117 W0 U0 V3.808 I1.904 E1 P0.001 D0.003 J0\nG94 R-0.002\n"},
            // An arc before a thread, a traverse to the first level of a pocket or to a helix.
-           Program{"gsk988ta", "G17 Y0.002 F1\nG02 U0.002 R1\nG116 U0 Y0.002 W1 I1 E5 P1 D1\n"},
+           Program{"gsk988ta", "G17 Y0.002 F1\nG02 U0.002 R1\nG116 U0 Y0.002 W1 I1 E5 P1 D1 J0\n"},
            Program{"gsk988ta",
-                   "F1\nG18 G116 Z0.002 X0 V1 I1 E0.016 P0.001 D0.003 J0.001\n"
+                   "F1\nG18 G116 Z0.002 X0 V1 I1 E0.016 P0.001 D0.003 J0.001 K0\n"
                    "G110 Z-0.001 U0 V0.001 I2 L1 Q1 D1\n"},
            Program{"gsk988ta",
-                   "F1\nG18 G116 Z0.001 X33.5 V-1.974 I0.718 E0.009 P0.001 D0.002 J0.002\n"
+                   "F1\nG18 G116 Z0.001 X33.5 V-1.974 I0.718 E0.009 P0.001 D0.002 J0.002 K0\n"
                    "G113 Z0 U0 V-0.001 I4.703 D0.003\n"},
            // The second arc is too small to see and ends beside the end of the third.
            Program{"rs274",

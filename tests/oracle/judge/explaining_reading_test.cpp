@@ -22,7 +22,7 @@ std::string explained(std::string_view program, std::string_view dialect, Readin
 TEST(ExplainingReading, IsTheOneThatTheSubjectFollows) {
   EXPECT_EQ(explained("G70 G1 X1 F5\n", "sinumerik840d", {}, {{"sie.g70.f", "inch"}}),
             "sie.g70.f=inch");
-  EXPECT_EQ(explained("F9\nG2 X10.004 I5\n", "sinumerik840d", {{"sie.arc.correct", "project"}},
+  EXPECT_EQ(explained("F9\nG2 X10.008 I5\n", "sinumerik840d", {{"sie.arc.correct", "project"}},
                       {{"sie.arc.correct", "programmed"}}),
             "sie.arc.correct=programmed");
 }

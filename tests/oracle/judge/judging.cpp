@@ -36,7 +36,8 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (!judging.chord.empty()) chord = Number::parse(judging.chord);
   std::optional<Number> tolerance;
   if (!judging.tolerance.empty()) tolerance = Number::parse(judging.tolerance);
-  const JudgeTerms terms = make_terms(subject, profile, tolerance, chord);
+  JudgeTerms terms = make_terms(subject, profile, tolerance, chord);
+  terms.strict = judging.strict;
   TraceReader reader;
   std::vector<reference::Record> records;
   RunEnd end;

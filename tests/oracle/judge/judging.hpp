@@ -21,6 +21,7 @@ struct Judging {
   std::string_view dialect = "gsk988ta";
   std::string tool = {};       // radius of tool 1, mm
   std::string tolerance = {};  // granted, mm
+  bool strict = false;
 };
 
 // A trace in JSON lines, judged under the default profile with one reading changed ("k=v") or none.

@@ -40,8 +40,10 @@ Verdict home(TraceText trace) {
 }
 
 TEST(ThreadReturn, TheTraverseAlongTheDepthAxisIsGo) {
-  EXPECT_EQ(decision(home(to_the_run_out().rapid({{'y', 15}}).rapid({{'y', 20}})).kind),
-            Decision::go);
+  EXPECT_EQ(
+      decision(
+          home(to_the_run_out().rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}})).kind),
+      Decision::go);
 }
 
 // A quarter of a turn goes down by 1.25; the ring there would cut a groove.
@@ -50,17 +52,20 @@ TEST(ThreadReturn, ARingWithinTheHelixIsNoGo) {
     TraceText trace = to_the_start();
     trace.arc("G18", {{'x', 0}, {'z', 0}}, -1, {{'x', -17}, {'z', 0}, {'y', 13.75}});
     if (ring) trace.arc("G18", {{'x', 0}, {'z', 0}}, -1, {{'x', -17}, {'z', 0}});
-    helix(trace).feed({{'z', 19}}).rapid({{'y', 15}}).rapid({{'y', 20}});
+    helix(trace).feed({{'z', 19}}).rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}});
     const Verdict verdict = home(trace);
     EXPECT_EQ(decision(verdict.kind), ring ? Decision::no_go : Decision::go) << verdict.message;
   }
 }
 
 TEST(ThreadReturn, ADiveBelowTheBottomIsNoGo) {
-  const Verdict verdict =
-      home(to_the_run_out().rapid({{'y', -40}}).rapid({{'y', 15}}).rapid({{'y', 20}}));
+  const Verdict verdict = home(to_the_run_out()
+                                   .rapid({{'y', -40}})
+                                   .rapid({{'y', 15}})
+                                   .rapid({{'z', 20}})
+                                   .rapid({{'y', 20}}));
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
-  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G114-06");
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G114-10");
 }
 
 // Under the path as arcs, with an infeed and a J of the size of the tolerance: the traverse to the
@@ -94,9 +99,11 @@ TEST(ThreadReturn, ARunOutThatItsReadingLeadsIntoTheWallIsAGap) {
 }
 
 TEST(ThreadReturn, AnotherWayToTheInitialPlaneIsNoGo) {
-  const TraceText diagonal = to_the_run_out().rapid({{'y', 15}}).feed({{'y', 20}, {'z', 50}});
-  const TraceText overshoot =
-      to_the_run_out().rapid({{'y', 15}}).rapid({{'y', 500}}).rapid({{'y', 20}});
+  const TraceText back = to_the_run_out().rapid({{'y', 15}}).rapid({{'z', 20}});
+  TraceText diagonal = back;
+  diagonal.feed({{'y', 20}, {'z', 50}});
+  TraceText overshoot = back;
+  overshoot.rapid({{'y', 500}}).rapid({{'y', 20}});
   const TraceText from_the_bottom = to_the_run_out().feed({{'y', 20}, {'z', 60}});
   for (const TraceText& trace : {diagonal, overshoot, from_the_bottom}) {
     EXPECT_EQ(decision(home(trace).kind), Decision::no_go) << trace.text();
@@ -108,7 +115,8 @@ TEST(ThreadReturn, WithoutBlockNumbersTheNextTraverseMayFollowTheReturn) {
   Judging judging;
   judging.blocks = false;
   TraceText trace = to_the_run_out();
-  trace.rapid({{'y', 15}}).rapid({{'y', 20}}).rapid({{'y', 100}}).rapid({{'x', 35}});
+  trace.rapid({{'y', 15}}).rapid({{'z', 20}}).rapid({{'y', 20}}).rapid({{'y', 100}});
+  trace.rapid({{'x', 35}});
   const Verdict verdict = judge_trace(
       "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K0 E30 P1 D3 F900\n"
       "G0 Y100\nX70\n",

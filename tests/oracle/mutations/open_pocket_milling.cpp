@@ -155,7 +155,8 @@ class OpenPocketMilling : public OpenPart {
     const double length =
         cut.is_round ? std::abs(cut.sweep) * cut.radius : distance(cut.from, cut.to);
     if (length <= width) return false;
-    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    // At places that no number of turns makes one.
+    for (const double part : {0.0, 0.137, 0.311, 0.5, 0.733, 0.917, 1.0}) {
       if (std::abs(outside(cut.at(part))) > margin.arc) return false;
     }
     const Point middle = cut.at(0.5);

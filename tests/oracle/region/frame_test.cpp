@@ -98,7 +98,7 @@ TEST(RegionSlack, AGougeMustShowWhicheverWayThePointsMayBeOff) {
   const Pocket job = poking_through_the_side("0.0015");
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
-  EXPECT_EQ(verdict.finding->deviation, mm("0.0001"));
+  EXPECT_EQ(verdict.finding->deviation, mm("0.0015"));
 }
 
 Pocket sides_apart_with_slack(std::string_view width) {
@@ -114,7 +114,7 @@ TEST(RegionSlack, AHoleMustShowWhicheverWayThePointsMayBeOff) {
   const Pocket job = sides_apart_with_slack("20.003");
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::cover, job, verdict));
-  EXPECT_EQ(verdict.finding->deviation.decimal_text(6), "0.000100");
+  EXPECT_EQ(verdict.finding->deviation.decimal_text(6), "0.001500");
 }
 
 Pocket back_along(std::string_view q) {

@@ -39,30 +39,30 @@ TEST(Region, SpiralWhoseLastStepIsClippedIsGo) {
   EXPECT_TRUE(is_go(job));
 }
 
-// Between 3 and 9 the middle is 3 from both, 1.499 more than 1.501. The tool still cleans it.
+// Between 3 and 9 the middle is 3 from both, 1.5 more than half the step. The tool still cleans it.
 TEST(Region, OneRingLeftOutBreaksStep) {
   const Job job = concentric(i16_l3_d4(), {3, 9, 12});
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::step, job, verdict));
-  EXPECT_LE(verdict.finding->deviation, mm("1.499"));
+  EXPECT_LE(verdict.finding->deviation, mm("1.5"));
   EXPECT_GE(verdict.finding->deviation, mm("1.49"));
 }
 
-// From 3 to 12 the tool leaves 7.001 to 7.999.
+// From 3 to 12 the tool leaves 7 to 8.
 TEST(Region, TwoRingsLeftOutBreakCover) {
   const Job job = concentric(i16_l3_d4(), {3, 12});
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::cover, job, verdict));
-  EXPECT_LE(verdict.finding->deviation, mm("0.499"));
+  EXPECT_LE(verdict.finding->deviation, mm("0.5"));
   EXPECT_GE(verdict.finding->deviation, mm("0.49"));
 }
 
-// The circle of radius 16 lies 16 - 12.001 outside.
+// The circle of radius 16 lies 16 - 12 outside.
 TEST(Region, LastCircleAtThePocketRadiusGouges) {
   const Job job = concentric(i16_l3_d4(), {3, 6, 9, 12, 16});
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
-  EXPECT_EQ(verdict.finding->deviation, mm("3.999"));
+  EXPECT_EQ(verdict.finding->deviation, mm("4"));
   EXPECT_EQ(verdict.finding->record, 8U);  // the line to the circle already
 }
 
@@ -94,7 +94,7 @@ TEST(Region, SpiralBesideTheCentreGouges) {
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
 }
 
-// On the other side the circle about (0.1, 0) of radius 11.9 is 4.2 from the rim: 0.199 too far.
+// On the other side the circle about (0.1, 0) of radius 11.9 is 4.2 from the rim: 0.2 too far.
 TEST(Region, ClosingCircleBesideTheCentreBreaksCover) {
   Job job = concentric(i16_l3_d4(), {3, 6, 9, mm("11.9")});
   job.motions.pop_back();
@@ -102,7 +102,7 @@ TEST(Region, ClosingCircleBesideTheCentreBreaksCover) {
   arc_to(job, {12, 0}, {mm("0.1"), 0}, -1);
   const LevelVerdict verdict = judge(job);
   ASSERT_TRUE(breaks(Rule::cover, job, verdict));
-  EXPECT_LE(verdict.finding->deviation, mm("0.199"));
+  EXPECT_LE(verdict.finding->deviation, mm("0.2"));
 }
 
 // An arc bulges out between its ends: centre (3, 0), radius 10, ends at (3, +-10), 10.44 out.
@@ -114,7 +114,7 @@ TEST(Region, AnArcThatLeavesBetweenItsEndsGouges) {
   ASSERT_TRUE(breaks(Rule::gouge, job, verdict));
   EXPECT_EQ(verdict.finding->witness.p, Number(13));
   EXPECT_EQ(verdict.finding->witness.q, Number(0));
-  EXPECT_EQ(verdict.finding->deviation, mm("0.999"));
+  EXPECT_EQ(verdict.finding->deviation, mm("1"));
 }
 
 // The same ends the other way round stay within: the far point is (-7, 0).

@@ -133,6 +133,100 @@ std::function<double(double x, double y)> rough_distance_to_arc(const LevelMotio
 
 namespace {
 
+// A place of the path, every so often.
+struct Sample {
+  double x, y;
+  bool clears;
+  std::size_t motion;
+};
+
+std::vector<Sample> samples_of(const Job& job, double stride) {
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < job.motions.size(); ++i) {
+    const LevelMotion& motion = job.motions[i];
+    // A leftover that may be a whole turn or nothing says nothing here.
+    const double ends = std::hypot(approximate(motion.to.p - motion.from.p),
+                                   approximate(motion.to.q - motion.from.q));
+    if (motion.is_arc && ends < 0.002 && !(motion.from == motion.to)) continue;
+    const auto put = [&](double x, double y) { samples.push_back({x, y, motion.is_arc, i}); };
+    if (motion.is_arc) {
+      const PlainArc arc = plain(motion, job.level.centre);
+      const int count =
+          1 + static_cast<int>(std::fabs(arc.turn) * std::max(arc.r0, arc.r1) / stride);
+      for (int k = 0; k <= count; ++k) {
+        const double part = double(k) / count;
+        const double angle = arc.start + arc.turn * part;
+        const double r = arc.r0 + (arc.r1 - arc.r0) * part;
+        put(arc.cx + r * std::cos(angle), arc.cy + r * std::sin(angle));
+      }
+    } else {
+      const PlanePoint from = motion.from - job.level.centre;
+      const PlanePoint way = motion.to - motion.from;
+      const double dx = approximate(way.p);
+      const double dy = approximate(way.q);
+      const int count = 1 + static_cast<int>(std::hypot(dx, dy) / stride);
+      for (int k = 0; k <= count; ++k) {
+        put(approximate(from.p) + dx * k / count, approximate(from.q) + dy * k / count);
+      }
+    }
+  }
+  return samples;
+}
+
+// J-PKT-05 by its words: whether something supports the sample within the reach.
+bool is_supported(const std::vector<Sample>& samples, std::size_t which, double reach,
+                  const CircularLevel& level) {
+  const Sample& at = samples[which];
+  const double px = approximate(level.plunge.p - level.centre.p);
+  const double py = approximate(level.plunge.q - level.centre.q);
+  if (std::hypot(at.x - px, at.y - py) <= reach) return true;
+  const double step = approximate(level.step);
+  double farthest = at.clears ? 0 : 1e9;  // since
+  for (std::size_t k = which; k-- > 0;) {
+    const Sample& before = samples[k];
+    if (!at.clears && before.motion == at.motion) continue;
+    const double apart = std::hypot(at.x - before.x, at.y - before.y);
+    if (before.clears && apart <= reach && farthest > std::max(step, apart + 1e-9)) return true;
+    farthest = std::max(farthest, apart);
+  }
+  return false;
+}
+
+std::string flaw_of_disorder(const Job& job, const Finding& finding, double x, double y) {
+  const CircularLevel& level = job.level;
+  const double reach = approximate(level.step + level.tolerance * Number(3));
+  if (finding.deviation < level.tolerance * Number(3)) return "deviation is within the tolerance";
+  const double stride = approximate(level.step) / 200;
+  const std::vector<Sample> samples = samples_of(job, stride);
+  std::size_t nearest = 0;
+  double least = 1e9;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double apart = std::hypot(samples[k].x - x, samples[k].y - y);
+    if (samples[k].motion != finding.record || apart >= least) continue;
+    least = apart;
+    nearest = k;
+  }
+  if (least > stride) return "not on the motion";
+  // The sample lies beside the witness, and so do those beside what supports it.
+  if (is_supported(samples, nearest, reach - 2 * stride, level)) return "is supported";
+  return {};
+}
+
+std::string flaw_of_order(const Job& job) {
+  const CircularLevel& level = job.level;
+  const double stride = approximate(level.step) / 20;
+  const double reach = approximate(level.step + level.tolerance * Number(3));
+  const std::vector<Sample> samples = samples_of(job, stride);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    // Rounded up to the next sample; a place just back within reach needs no more.
+    const double slack = stride * stride / reach + 1e-6;
+    if (is_supported(samples, k, reach + slack, level)) continue;
+    if (is_supported(samples, k, reach + 2 * stride, level)) continue;
+    return fmt::format("order: {}, {}", samples[k].x, samples[k].y);
+  }
+  return {};
+}
+
 std::string flaw_of_hole(const Job& job, const Finding& finding) {
   const CircularLevel& level = job.level;
   const bool cover = finding.rule == Rule::cover;
@@ -152,8 +246,12 @@ std::string flaw_of_hole(const Job& job, const Finding& finding) {
                                                approximate(w.q - level.centre.q)) -
                        approximate(reach);
   const double said = approximate(finding.deviation);
-  if (rough < said - 1e-9 || said <= 0) return fmt::format("deviation {} not {}", said, rough);
-  if (!spirals && exact::abs(least - finding.deviation) > mm("1e-20")) return "deviation differs";
+  const double tau = approximate(level.tolerance);
+  if (rough + tau < said - 1e-9 || said <= tau) {
+    return fmt::format("deviation {} not {}", said, rough + tau);
+  }
+  const Number apart = least + level.tolerance;
+  if (!spirals && exact::abs(apart - finding.deviation) > mm("1e-20")) return "deviation differs";
   return {};
 }
 
@@ -169,10 +267,11 @@ std::string flaw_of_finding(const Job& job, const Finding& finding) {
   }
   const double x = approximate(w.p - level.centre.p);
   const double y = approximate(w.q - level.centre.q);
-  const double limit = approximate(level.pocket_radius - level.tool_radius + level.tolerance);
+  if (finding.rule == Rule::order) return flaw_of_disorder(job, finding, x, y);
+  const double limit = approximate(level.pocket_radius - level.tool_radius);
   const double beyond = std::hypot(x, y) - limit;
   if (beyond < approximate(finding.deviation) - 1e-9) return "not so far outside";
-  if (!(finding.deviation.sign() > 0)) return "deviation is not positive";
+  if (!(finding.deviation > level.tolerance)) return "deviation is within the tolerance";
   if (motion.is_arc && plain(motion, level.centre).distance(x, y) > 1e-8) return "not on the arc";
   return {};
 }
@@ -200,7 +299,7 @@ std::string flaw_of_go(const Job& job) {
       return fmt::format("step: {} at {}, {}", stepped, border * x, border * y);
     }
   }
-  return {};
+  return flaw_of_order(job);
 }
 
 }  // namespace gonogo::oracle::region

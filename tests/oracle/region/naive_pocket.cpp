@@ -81,19 +81,20 @@ std::string flaw_of_hole(const Pocket& pocket, const Finding& finding) {
     if (!motion.is_arc || is_round(motion)) continue;
     const double far =
         rough_distance_to(pocket)(approximate(finding.witness.p), approximate(finding.witness.q));
-    return far - approximate(reach) > approximate(finding.deviation) - 1e-9 ? "" : "too near";
+    const double apart = far - approximate(level.tool_radius);
+    return apart > approximate(finding.deviation) - 1e-9 ? "" : "too near";
   }
   const Number beyond = exact_distance(pocket, finding.witness) - reach;
   if (beyond.sign() <= 0) return "within reach";
-  if (exact::abs(beyond - finding.deviation) > mm("1e-20")) return "deviation differs";
+  const Number apart = beyond + level.tolerance + level.slack;
+  if (exact::abs(apart - finding.deviation) > mm("1e-20")) return "deviation differs";
   return {};
 }
 
 std::string flaw_of_gouge(const Pocket& pocket, const Finding& finding) {
   const RectangularLevel& level = pocket.level;
-  const Number limit = border_of(pocket).radius + level.tolerance + level.slack;
-  const Number beyond = distance_to_core(level.area, finding.witness) - limit;
-  if (beyond.sign() <= 0) return "not outside";
+  const Number beyond = distance_to_core(level.area, finding.witness) - border_of(pocket).radius;
+  if (beyond <= level.tolerance + level.slack) return "not outside";
   if (exact::abs(beyond - finding.deviation) > mm("1e-9")) return "deviation differs";
   const LevelMotion& motion = pocket.motions.at(finding.record.value());
   const double off =

@@ -23,8 +23,10 @@ std::vector<Record> records(std::string_view program, const Profile& profile = {
 
 // A thread of 10 mm on the bar or in the bore of 40 mm, radius 2 of the tool, one pass of 1 mm:
 // r = 21 external, 19 internal.
+// Without J in the words there is no run-out.
 std::string thread(const std::string& code, const std::string& words) {
-  return "G00 Y10\n" + code + " X0 Z0 Y0 E40 D2 P1 F100 " + words;
+  const bool has_length = words.find('J') != std::string::npos;
+  return "G00 Y10\n" + code + " X0 Z0 Y0 E40 D2 P1 F100 " + words + (has_length ? "" : " J0");
 }
 
 // The helix of the first pass, and the run-out that follows it.
@@ -93,12 +95,12 @@ TEST(G114, EndsAtTheSafePositionOfTheLastPass) {
   EXPECT_EQ(ending(kExternal), "end x-9.5 y20 z20 a0 c0");
 }
 
-// rho_0 = 40/2 - 2 = 18, J 20: the run-out is shown to the axis, since a wall is behind it; the way
-// to the safe position, at rho_0 - J = -2, lies in the R plane, where nothing is.
-TEST(G116, HasItsSafePositionBeyondTheAxisWhereJIsLonger) {
-  const Lines got = lines(thread("G116", "I5 J20 K30"));
-  EXPECT_EQ(records(thread("G116", "I5 J20 K30")).at(6).to[Axis::z], Number(0));
-  EXPECT_EQ(got.at(8), "rapid z-2");
+// rho_0 = 40/2 - 2 = 18 and the pass at 19, J 20: the run-out leads to 1 beyond the axis, and the
+// safe position, at rho_0 - J = -2, lies there too.
+TEST(G116, HasItsRunOutAndSafePositionBeyondTheAxisWhereJIsLonger) {
+  const std::string program = thread("G116", "I5 J20 K0");
+  EXPECT_EQ(records(program).at(6).to[Axis::z], Number(-1));
+  EXPECT_EQ(lines(program).at(8), "rapid z-2");
 }
 
 TEST(G115, TurnsTheOtherWay) {
@@ -226,13 +228,33 @@ TEST(G114, TakesJAndKFromTheParameters) {
   Profile profile;
   profile.parameters["5921"] = 2;
   profile.parameters["5920"] = 90;
-  EXPECT_EQ(first_run_out(thread("G114", "I5"), profile).to[Axis::x], Number(-23));
-  EXPECT_EQ(first_run_out(thread("G114", "I5 J1"), profile).to[Axis::x], Number(-22));
-  EXPECT_EQ(first_run_out(thread("G114", "I5 K180"), profile).to[Axis::z], Number(-23));
+  const std::string words = "G00 Y10\nG114 X0 Z0 Y0 E40 D2 P1 F100 I5";
+  EXPECT_EQ(first_run_out(words, profile).to[Axis::x], Number(-23));
+  EXPECT_EQ(first_run_out(words + " J1", profile).to[Axis::x], Number(-22));
+  EXPECT_EQ(first_run_out(words + " K180", profile).to[Axis::z], Number(-23));
+}
+
+// What the block lacks and the profile too is not assumed: the message has the line to write.
+TEST(G114, SaysWhichParameterTheProfileLacks) {
+  const std::string words = "G00 Y10\nG114 X0 Z0 Y0 E40 D2 P1 F100 I5";
+  const auto told = [](const std::string& program, const Profile& profile) {
+    const std::vector<Item> items = expand(program, profile);
+    const auto* outside = std::get_if<NotCovered>(&items.back());
+    return outside == nullptr ? std::string() : outside->message;
+  };
+  EXPECT_NE(told(words, {}).find(R"(parameters = { "5920" = "30", "5921" = "2" })"),
+            std::string::npos);
+  EXPECT_NE(told(words + " K30", {}).find(R"(parameters = { "5921" = "2" })"), std::string::npos);
+  EXPECT_NE(told(words + " J2", {}).find(R"(parameters = { "5920" = "30" })"), std::string::npos);
+  EXPECT_EQ(told(words + " J0", {}), "");
+  Profile profile;
+  profile.parameters["5921"] = 0;
+  EXPECT_EQ(told(words, profile), "");
+  EXPECT_NE(told(words + " J2", profile).find("5920"), std::string::npos);
 }
 
 TEST(G114, CountsTheDepthIncrementFromTheRPlaneUnlessAReadingSaysNot) {
-  const std::string program = "G00 Y20\nG114 X0 Z0 V-20 R-5 I5 E40 D2 P1 F100";
+  const std::string program = "G00 Y20\nG114 X0 Z0 V-20 R-5 I5 E40 D2 P1 J0 F100";
   EXPECT_EQ(first_helix(program).to[Axis::y], Number(-5));
   EXPECT_EQ(first_helix(program, profile_with({{"gsk.thread.v-from", "initial"}})).to[Axis::y],
             Number(0));
@@ -253,14 +275,14 @@ TEST(G114, NeedsThemAboveZero) {
 }
 
 TEST(G114, NeedsAToolRadiusNoSmallerThanTheThread) {
-  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P3 D3 E30 F100").size(), 8U);
+  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P3 D3 E30 J0 F100").size(), 8U);
   EXPECT_EQ(ending("G114 X0 Z0 Y-5 I5 P3.001 D3 E30 F100"), "alarm b1 depth-exceeds-tool");
 }
 
 TEST(G116, NeedsALargerBoreThanTool) {
-  EXPECT_EQ(lines("G116 X0 Z0 Y-5 I5 P1 D3 E6.002 F100").size(), 8U);
+  EXPECT_EQ(lines("G116 X0 Z0 Y-5 I5 P1 D3 E6.002 J0 F100").size(), 8U);
   EXPECT_EQ(ending("G116 X0 Z0 Y-5 I5 P1 D3 E6 F100"), "alarm b1 tool-too-large");
-  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P1 D3 E6 F100").size(), 8U);
+  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P1 D3 E6 J0 F100").size(), 8U);
 }
 
 TEST(G114, TakesKFrom0To360) {
@@ -281,7 +303,7 @@ TEST(G114, TakesNoSignOnP) {
 }
 
 TEST(G114, RefusesAnRThatLeadsAwayUnlessItIsFree) {
-  const std::string program = "G114 X0 Z0 Y-5 R1 I5 P1 D3 E30 F100";
+  const std::string program = "G114 X0 Z0 Y-5 R1 I5 P1 D3 E30 J0 F100";
   EXPECT_EQ(ending(program), "alarm b1 direction-conflict");
   const Profile free = profile_with({{"gsk.thread.direction", "free"}});
   EXPECT_EQ(first_helix("G00 Y0\n" + program, free).to[Axis::y], Number(-5));
@@ -290,8 +312,8 @@ TEST(G114, RefusesAnRThatLeadsAwayUnlessItIsFree) {
 TEST(G116, NeedsRUnderItsReading) {
   const Profile required = profile_with({{"gsk.thread.r", "required"}});
   EXPECT_EQ(ending("G116 X0 Z0 Y-5 I5 P1 D3 E30 F100", required), "alarm b1 missing-word");
-  EXPECT_EQ(lines("G116 X0 Z0 Y-5 R0 I5 P1 D3 E30 F100", required).size(), 8U);
-  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P1 D3 E30 F100", required).size(), 8U);
+  EXPECT_EQ(lines("G116 X0 Z0 Y-5 R0 I5 P1 D3 E30 J0 F100", required).size(), 8U);
+  EXPECT_EQ(lines("G114 X0 Z0 Y-5 I5 P1 D3 E30 J0 F100", required).size(), 8U);
 }
 
 TEST(G114, PositionsOverAThreadWithoutDepthAndNeedsNoFeed) {
@@ -301,7 +323,7 @@ TEST(G114, PositionsOverAThreadWithoutDepthAndNeedsNoFeed) {
 }
 
 TEST(G114, StaysInForceButRetainsNoWord) {
-  EXPECT_EQ(lines(thread("G114", "I5") + "\nX0 Z0 Y0 I5 P1 D2 E40").size(), 17U);
+  EXPECT_EQ(lines(thread("G114", "I5") + "\nX0 Z0 Y0 I5 P1 D2 E40 J0").size(), 17U);
   EXPECT_EQ(ending(thread("G114", "I5") + "\nX0 Z0 Y0"),
             "alarm b3 missing-word missing-word missing-word missing-word");
 }
@@ -368,7 +390,7 @@ TEST(G114, GoesOnFromWhereTheSubjectStands) {
 
 // A million passes come one by one.
 TEST(G114, StreamsItsPasses) {
-  grammar::MemorySource bytes("G114 X0 Z0 Y-5 I5 P1 Q0.000001 D3 E30 F100");
+  grammar::MemorySource bytes("G114 X0 Z0 Y-5 I5 P1 Q0.000001 D3 E30 J0 F100");
   grammar::LineSource source(bytes);
   const Profile profile;
   Expander expander(profile, source, OpenPaths::shown);
@@ -377,7 +399,7 @@ TEST(G114, StreamsItsPasses) {
 }
 
 TEST(G114, DoesNotCoverMoreTurnsThanItCounts) {
-  EXPECT_EQ(ending("G00 Y999999\nG114 X0 Z0 Y-999999 I0.0001 P1 D3 E30 F100"),
+  EXPECT_EQ(ending("G00 Y999999\nG114 X0 Z0 Y-999999 I0.0001 P1 D3 E30 J0 F100"),
             "not-covered b2 G114");
 }
 

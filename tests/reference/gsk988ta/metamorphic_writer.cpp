@@ -183,10 +183,8 @@ Profile machine(const Model& model, const Writing& writing) {
       set_reading(profile, "gsk.helix.flat", writing.flat ? "on" : "off")) {
     throw std::invalid_argument("no such reading");
   }
-  if (writing.run_out_parameters) {
-    profile.parameters["5920"] = 50;
-    profile.parameters["5921"] = 2;
-  }
+  profile.parameters["5920"] = writing.run_out_parameters ? 50 : 0;
+  profile.parameters["5921"] = writing.run_out_parameters ? 2 : 0;
   return profile;
 }
 

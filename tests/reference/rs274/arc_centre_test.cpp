@@ -32,12 +32,12 @@ TEST(NgcArcCentre, AFullCircleMayNeedAxisWords) {
 }
 
 TEST(NgcArcCentre, ReadingsAreAskedForOnlyWhereTheyMatter) {
-  EXPECT_EQ(touched("F9\nG2 X2 I1\nX4 R1\nX6.002 I1"), Lines{});
-  EXPECT_EQ(touched("F9\nG2 I1"), Lines{"ngc.full-circle-words"});
-  EXPECT_EQ(touched("F9\nG2 X2.0021 I1"), Lines{"ngc.arc-tolerance"});
-  EXPECT_EQ(touched("F9\nG2 X10 R4.9988"), Lines{"ngc.arc-tolerance"});
-  EXPECT_EQ(touched("F9\nG2 X10 R4.9987"), Lines{});
-  EXPECT_EQ(touched("F9\nG2 X20 I1"), Lines{});  // 1 and 19: an alarm under both
+  EXPECT_EQ(touched("F9\nG2 X2 I1\nX4 R1\nX6.002 I1\nM2"), Lines{});
+  EXPECT_EQ(touched("F9\nG2 I1\nM2"), Lines{"ngc.full-circle-words"});
+  EXPECT_EQ(touched("F9\nG2 X2.0021 I1\nM2"), Lines{"ngc.arc-tolerance"});
+  EXPECT_EQ(touched("F9\nG2 X10 R4.9988\nM2"), Lines{"ngc.arc-tolerance"});
+  EXPECT_EQ(touched("F9\nG2 X10 R4.9987\nM2"), Lines{});
+  EXPECT_EQ(touched("F9\nG2 X20 I1\nM2"), Lines{});  // 1 and 19: an alarm under both
 }
 
 // The centre (1,0) stays where it is programmed.

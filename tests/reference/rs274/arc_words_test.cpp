@@ -34,7 +34,6 @@ TEST(NgcArc, NeedsARadiusOrACentre) {
   EXPECT_EQ(fault("G2"), "alarm b2 missing-word");
   EXPECT_EQ(fault("G2 X2 I1\nX3"), "alarm b3 missing-word");
   EXPECT_EQ(fault("G2 X2 I1\nZ3"), "alarm b3 missing-word");
-  EXPECT_EQ(fault("G2 X2 I1\nP3"), "alarm b3 missing-word");
 }
 
 TEST(NgcArc, RAndOffsetsExcludeEachOther) {

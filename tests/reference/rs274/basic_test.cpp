@@ -21,7 +21,7 @@ TEST(NgcBasic, LettersStandInEitherCase) {
 }
 
 TEST(NgcBasic, G0AndG1WithoutAnAxisWordDoNothing) {
-  EXPECT_EQ(path("G0\nG1\nG1 P2 I1 R5\nG0 P-1.5"), Lines{});
+  EXPECT_EQ(path("F9\nG0\nG1\nG1 M3\nG0 S9"), Lines{});
 }
 
 TEST(NgcBasic, CuttingNeedsAFeedAboveZero) {

@@ -8,7 +8,8 @@
 
 namespace gonogo::reference::testing::ngc {
 
-// The default profile of the dialect with these readings.
+// The default profile of the dialect with these readings, under which a text need not end the
+// program.
 Profile ngc(std::initializer_list<std::pair<std::string_view, std::string_view>> readings = {});
 // ngc.arc-tolerance = linuxcnc.
 Profile linuxcnc();

@@ -29,7 +29,7 @@ TEST(Lcyc75Rules, PlanesLieInOrder) {
   EXPECT_EQ(pocket_outcome("R102=-0.001"), "value-sign R102");
   EXPECT_EQ(pocket_outcome("R104=0"), "reference-plane R104");
   EXPECT_EQ(pocket_outcome("R104=-0.001 R125=0"), "end");
-  EXPECT_EQ(pocket_clause("R101=1"), "SIE-LC82-02");
+  EXPECT_EQ(pocket_clause("R101=1"), "SIE-LC82-04");
 }
 
 TEST(Lcyc75Rules, LengthAndWidthAreAboveZero) {

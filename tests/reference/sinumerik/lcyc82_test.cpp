@@ -75,7 +75,7 @@ TEST(Lcyc82, ClearanceAndDwellAreNotBelowZero) {
   EXPECT_EQ(hole_outcome("R102=0"), "end");
   EXPECT_EQ(hole_outcome("R102=-0.001"), "value-sign R102");
   EXPECT_EQ(hole_outcome("R105=-0.001"), "value-sign R105");
-  EXPECT_EQ(clauses(hole("R102=-1"), s802()).back(), "SIE-LC82-03");
+  EXPECT_EQ(clauses(hole("R102=-1"), s802()).back(), "SIE-LC82-04");
 }
 
 TEST(Lcyc82, NeedsAFeed) {

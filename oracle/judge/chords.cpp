@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/chords.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace gonogo::oracle {
+namespace {
+
+PlaneVector operator-(const PlaneVector& a, const PlaneVector& b) {
+  return {a.p - b.p, a.q - b.q};
+}
+
+Number scalar_product(const PlaneVector& a, const PlaneVector& b) {
+  return a.p * b.p + a.q * b.q;
+}
+
+Number vector_product(const PlaneVector& a, const PlaneVector& b) {
+  return a.p * b.q - a.q * b.p;
+}
+
+struct Circle {
+  PlaneVector centre;
+  Number radius;
+};
+
+// Of those three of the points that lie least in line: first, middle and last, or a third apart
+// where the first and last are near each other.
+std::optional<Circle> circle_of(std::span<const PlaneVector> points) {
+  const std::size_t last = points.size() - 1;
+  const PlaneVector& a = points[0];
+  std::array<PlaneVector, 2> widest;
+  Number area = 0;
+  for (const auto& [i, k] : {std::pair(last / 2, last), std::pair(last / 3, last - last / 3)}) {
+    const PlaneVector b = points[i] - a;
+    const PlaneVector c = points[k] - a;
+    const Number product = vector_product(b, c);
+    if (abs(product) <= abs(area)) continue;
+    area = product;
+    widest = {b, c};
+  }
+  if (area.sign() == 0) return std::nullopt;
+  const auto& [b, c] = widest;
+  const Number b_2 = scalar_product(b, b);
+  const Number c_2 = scalar_product(c, c);
+  const PlaneVector middle{(c.q * b_2 - b.q * c_2) / (area * 2),
+                           (b.p * c_2 - c.p * b_2) / (area * 2)};
+  return Circle{{a.p + middle.p, a.q + middle.q}, exact::sqrt(scalar_product(middle, middle))};
+}
+
+bool agrees_with(const Circle& circle, const PlaneVector& point, const Number& tolerance) {
+  const PlaneVector v = point - circle.centre;
+  const Number distance_2 = scalar_product(v, v);
+  const Number outer = circle.radius + tolerance;
+  const Number inner = circle.radius - tolerance;
+  return distance_2 <= outer * outer && (inner.sign() <= 0 || distance_2 >= inner * inner);
+}
+
+}  // namespace
+
+bool lie_along_a_line(std::span<const PlaneVector> points, const Number& tolerance) {
+  const PlaneVector along = points.back() - points.front();
+  const Number length_2 = scalar_product(along, along);
+  const Number limit = tolerance * tolerance * length_2;
+  Number reached = 0;  // along the line, times its length
+  for (const PlaneVector& point : points) {
+    const PlaneVector v = point - points.front();
+    const Number aside = vector_product(along, v);
+    if (aside * aside > limit) return false;
+    const Number here = scalar_product(along, v);
+    const Number back = reached - here;
+    if (back.sign() > 0 && back * back > limit) return false;
+    reached = max(reached, here);
+  }
+  return true;
+}
+
+bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tolerance,
+                          const Number& granted) {
+  if (points.size() < 3) return false;
+  const std::optional<Circle> circle = circle_of(points);
+  if (!circle || !agrees_with(*circle, points.front(), tolerance)) return false;
+  int sense = 0;
+  double swept = 0;  // radians; an estimate
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!agrees_with(*circle, points[i], tolerance)) return false;
+    const PlaneVector from = points[i - 1] - circle->centre;
+    const PlaneVector to = points[i] - circle->centre;
+    const Number turn = vector_product(from, to);
+    if (turn.sign() == 0 || (sense != 0 && turn.sign() != sense)) return false;
+    sense = turn.sign();
+    swept += std::abs(std::atan2(estimate(turn), estimate(scalar_product(from, to))));
+    // A sagitta of g has a half chord of sqrt(2 r g - g^2).
+    const PlaneVector chord = points[i] - points[i - 1];
+    const bool is_flat =
+        circle->radius * granted * 2 >= granted * granted + scalar_product(chord, chord) / 4;
+    if (circle->radius > granted && !is_flat) return false;
+  }
+  constexpr double kEstimate = 1e-6;
+  return swept <= 2 * std::numbers::pi + kEstimate;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where points and motions lie about a thread: its axis, its R plane, its circles.
+#pragma once
+
+#include "oracle/judge/clearance.hpp"
+#include "oracle/judge/motion.hpp"
+#include "oracle/judge/terms.hpp"
+#include "reference/outcome.hpp"
+
+namespace gonogo::oracle {
+
+class ThreadGeometry {
+ public:
+  // Both must outlive it.
+  ThreadGeometry(const reference::ThreadMilling& item, const JudgeTerms& terms);
+
+  const reference::ThreadMilling& item() const { return item_; }
+  const JudgeTerms& terms() const { return terms_; }
+  // For what begins where the subject's helix ends, which may be off by the tolerance at either of
+  // the points that fix it.
+  const JudgeTerms& loose_terms() const { return loose_; }
+  const reference::PlaneAxes& axes() const { return axes_; }
+
+  // Over the R plane, positive away from the bottom.
+  Number height(const Position& at) const { return (at[axes_.d] - item_.r_plane) * up_; }
+  Number height_over_bottom(const Position& at) const { return (at[axes_.d] - item_.bottom) * up_; }
+  bool is_below(const Position& at) const { return height(at) < -terms_.tolerance; }
+  bool is_above(const Position& at) const { return height(at) > terms_.tolerance; }
+  PlaneVector from_axis(const Position& at) const;
+  // Whether the point agrees with one of the circle about the axis.
+  bool on_circle(const Position& at, const Number& radius) const;
+  // Whether it lies no deeper in the material than a circle, as far as the tolerance tells.
+  bool is_free(const Position& at, const Number& radius) const;
+  // J-THR-07: external, as far from the axis as rho_0 + J; internal, as near to it along p as
+  // rho_0 - J. `named`: just there, on the positive side of p.
+  bool is_safe(const Position& at, bool named) const;
+  bool moves_depth_alone(const Motion& motion) const;
+  bool moves_first_axis_alone(const Motion& motion) const;
+  bool moves_in_plane(const Motion& motion) const;
+
+  // Whether a motion keeps off the material that begins at the circle. A traverse may go anywhere
+  // within its box.
+  Clearance clearance(const Motion& motion, const Number& radius) const;
+  // Whether it stays within a circle about the axis.
+  Clearance within(const Motion& motion, const Number& radius) const;
+
+ private:
+  Clearance clearance_from(const Motion& motion, const Keep& keep) const;
+  // A point that agrees on each axis lies up to sqrt(2) tau beyond a circle; 1.41422 is more.
+  Number slack() const { return Number::millionths(1'414'220) * terms_.tolerance; }
+
+  const reference::ThreadMilling& item_;
+  const JudgeTerms& terms_;
+  JudgeTerms loose_;
+  reference::PlaneAxes axes_;
+  int up_;  // sign of d from the bottom to the R plane
+};
+
+// The value, or a rational within 2^-80 of it: whether two points are one, or an arc is round, is
+// not to be decided for values that are only enclosed.
+PlaneVector near_rational(const PlaneVector& v);
+
+}  // namespace gonogo::oracle

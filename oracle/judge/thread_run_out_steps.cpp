@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ThreadJudge's part for the run-out at the bottom of a pass (J-THR-05).
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/thread_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::operator""_clause;
+
+namespace {
+
+constexpr const char* kAnotherRunOut =
+    "The run-out is another one than those of the passes before: one holds for a whole program.";
+
+}  // namespace
+
+// Those that the reading names; under `any`, of those that are left.
+RunOutSet ThreadJudge::allowed_run_outs(const RunOutSet& left) const {
+  RunOutSet allowed = RunOutSet::none();
+  for (const ThreadRunOut each : kRunOuts) {
+    const bool named = item_.runout == each;
+    if (named || (item_.runout == ThreadRunOut::open && left.has(each))) allowed.add(each);
+  }
+  return allowed;
+}
+
+// What is left of a helix that ended within the tolerance of its end.
+bool ThreadJudge::is_remainder(const Motion& motion) const {
+  const Number rise = abs(geometry_.height_over_bottom(motion.to()));
+  return !run_out_->has_begun() && !nearly_full_turn(motion) && rise <= terms_.tolerance &&
+         helix_.front().starts().admits(to_end_, geometry_.from_axis(motion.to()));
+}
+
+OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
+  if (is_cut(motion.record.kind)) {
+    if (is_remainder(motion)) return OpenPathAnswer::wait();
+    if (geometry_.moves_in_plane(motion)) return take_run_out_cut(motion);
+  }
+  if (std::optional<Verdict> verdict = finish_run_out(motion)) {
+    return OpenPathAnswer::decide(*std::move(verdict));
+  }
+  phase_ = Phase::way_back;
+  run_out_end_ = motion.from;
+  return take_way_back(motion);
+}
+
+OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
+  const Number rise = geometry_.height_over_bottom(motion.to());
+  if (rise < -terms_.tolerance) {
+    return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
+                 "The tool cuts below the bottom of the thread.");
+  }
+  if (item_.runout_length.sign() == 0) return no_run_out(motion);
+  const bool falls = rise < geometry_.height_over_bottom(motion.from) - terms_.tolerance;
+  if (falls || geometry_.is_above(motion.to())) {
+    return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
+                 falls ? "The run-out goes down again." : "The run-out rises beyond the R plane.");
+  }
+  // A run-out that rises is judged by its part in the plane.
+  Motion flat = motion;
+  flat.from[axes_.d] = flat.record.to[axes_.d] = item_.bottom;
+  const Clearance clear = geometry_.clearance(flat, radius());
+  if (clear.kind != Clearance::Kind::clear) {
+    if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
+      return OpenPathAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
+    }
+    return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
+  }
+  if (run_out_->take(flat)) return {};
+  return no_run_out(motion);
+}
+
+std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
+  if (item_.runout_length.sign() == 0) return std::nullopt;
+  const RunOutSet ending = run_out_->ending_at(motion.from);
+  if (!ending.empty()) {
+    if (item_.runout == ThreadRunOut::open) run_outs_ = ending;
+    return std::nullopt;
+  }
+  Motion at = motion;
+  at.record.to = motion.from;
+  std::string message = "The run-out ends at another point.";
+  if (!run_out_->has_begun()) {
+    message = "The run-out is missing.";
+  } else if (run_out_->is_end_of_another(motion.from)) {
+    message = kAnotherRunOut;
+  }
+  OpenPathAnswer answer =
+      fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, at, std::move(message));
+  set_deviation(answer.verdict, run_out_->distance_from_end(motion.from));
+  return std::move(answer.verdict);
+}
+
+// A cut at the bottom that none of the run-outs makes.
+OpenPathAnswer ThreadJudge::no_run_out(const Motion& motion) const {
+  const bool round = motion.record.kind == RecordKind::arc;
+  constexpr double kAlmostATurn = 0.999;
+  std::string message = "The run-out leads to another point than the readings name.";
+  if (item_.runout_length.sign() == 0) {
+    message = round ? "The tool turns on at the bottom of the thread, where the way back is due: "
+                      "J = 0 is no run-out."
+                    : "There is a run-out although J = 0.";
+  } else if (run_out_->is_end(motion.from)) {
+    message = "The tool cuts on after its run-out, where the way back to the R plane is due.";
+  } else if (run_out_->swept() >= kAlmostATurn) {
+    message = "The tool turns round at the bottom of the thread, where the run-out is due.";
+  } else if (run_out_->is_end_of_another(motion.to())) {
+    message = kAnotherRunOut;
+  } else if (round) {
+    message = "The arc at the bottom is none of the run-outs that the readings name.";
+  }
+  return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion, std::move(message));
+}
+
+}  // namespace gonogo::oracle

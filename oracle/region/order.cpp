@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/region/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/region/order_proof.hpp"
+#include "oracle/region/stations.hpp"
+
+namespace gonogo::oracle::region {
+namespace {
+
+// Pieces of path looked at, for each unit and on top.
+constexpr std::size_t kPartsPerUnit = 400;
+constexpr std::size_t kPartsOnTop = 100'000;
+// A shorter piece that is still open leaves the order undecided, mm.
+constexpr double kShortestPart = 1e-7;
+// Proofs tried before the search for a witness is given up.
+constexpr int kMaximumProofs = 24;
+
+// For a reach that is less by so much.
+Band narrowed(Band band, Interval by) {
+  band.outer = band.outer - by;
+  band.inner = band.inner + by;
+  band.inner2 = square(Interval{std::max(band.inner.lo, 0.0), std::max(band.inner.hi, 0.0)});
+  band.outer2 = square(band.outer);
+  return band;
+}
+
+bool is_at_most_quarter(const Stretch& stretch) {
+  return stretch.turns == 0 && !stretch.wide && dot(stretch.ua, stretch.ub).lo >= 0;
+}
+
+}  // namespace
+
+CutSequence::CutSequence(const PlanePoint& plunge, const Number& step, const Number& reach,
+                         double width)
+    : plunge_(enclose(plunge)), step_(enclose(step)), reach_(enclose(reach)), width_(width) {
+  bands_.push_back(disc_about(plunge_, reach_));
+}
+
+void CutSequence::add_disc(const IntervalVector& point, std::size_t unit) {
+  bands_.push_back(disc_about(point, reach_));
+  bands_.back().unit = static_cast<std::uint32_t>(unit);
+}
+
+void CutSequence::own_bands(std::size_t first) {
+  for (std::size_t i = first; i < bands_.size(); ++i) {
+    bands_[i].unit = static_cast<std::uint32_t>(units_.size());
+  }
+}
+
+void CutSequence::add(const Arc& arc, bool counterclockwise) {
+  Stretch stretch = whole(arc);
+  // What a circle does after its first turn is done.
+  if (arc.round) stretch.turns = std::min(stretch.turns, 1);
+  std::vector<Stretch> open{stretch};
+  while (!open.empty() && !too_long_) {
+    const Stretch part = open.back();
+    open.pop_back();
+    if (is_at_most_quarter(part)) {
+      add_part(arc, part, counterclockwise);
+      continue;
+    }
+    const auto parts = halves(part);
+    open.push_back(parts[counterclockwise ? 1 : 0]);
+    open.push_back(parts[counterclockwise ? 0 : 1]);
+    too_long_ = units_.size() + open.size() > kMaximumBands;
+  }
+}
+
+void CutSequence::add_part(const Arc& arc, const Stretch& stretch, bool counterclockwise) {
+  CutUnit unit;
+  unit.counterclockwise = counterclockwise;
+  unit.c = arc.c;
+  unit.stretch = stretch;
+  const IntervalVector a = arc.c + stretch.ra * stretch.ua;
+  const IntervalVector b = arc.c + stretch.rb * stretch.ub;
+  unit.begin = counterclockwise ? a : b;
+  unit.end = counterclockwise ? b : a;
+  unit.record = arc.record;
+  unit.bands = bands_.size();
+  if (!append_stretch(arc, stretch, reach_, width_, bands_)) too_long_ = true;
+  // An arc before it has a disc where it ends.
+  if (units_.empty() || !units_.back().clears) add_disc(unit.begin, units_.size());
+  add_disc(unit.end, units_.size());
+  own_bands(unit.bands);
+  units_.push_back(unit);
+}
+
+void CutSequence::add_line(const Line& line, bool clears, std::size_t record) {
+  CutUnit unit;
+  unit.is_line = true;
+  unit.clears = clears;
+  unit.begin = line.a;
+  unit.end = line.b;
+  unit.record = record;
+  unit.bands = bands_.size();
+  if (clears) append_line(line.a, line.b, reach_, bands_);
+  own_bands(unit.bands);
+  units_.push_back(unit);
+}
+
+// Walks the path in the order of time, in pieces that lie in one band each.
+class OrderCheck {
+ public:
+  OrderCheck(const CutSequence& path, double half_side)
+      : path_(path),
+        units_(path.units_),
+        bands_(path.bands_),
+        stations_(units_),
+        grid_(bands_, half_side, path.reach_.hi),
+        budget_(kPartsPerUnit * units_.size() + kPartsOnTop) {}
+
+  CutOrder run();
+
+ private:
+  // A part of a unit; of an arc a stretch.
+  struct Part {
+    Stretch stretch;
+    IntervalVector from;
+    IntervalVector to;
+  };
+  using Piece = std::variant<CirclePiece, LinePiece>;
+
+  std::optional<CutOrder> walk(std::size_t unit);
+  std::optional<CutOrder> refute(std::size_t unit, const Part& part);
+  bool is_supported(std::size_t unit, const Part& part);
+  bool seems_supported(std::size_t unit, const IntervalVector& at) const;
+  bool is_supported_nearer(std::size_t unit, const Piece& piece, const IntervalVector& middle,
+                           Interval size) const;
+  std::int64_t last_support(std::size_t unit, const IntervalVector& at, Interval size) const;
+  bool lies_in(const Piece& piece, std::size_t band) const;
+  Piece piece_of(const CutUnit& unit, const Part& part) const;
+  IntervalVector middle_of(const CutUnit& unit, const Part& part) const;
+  std::array<Part, 2> halves_of(const CutUnit& unit, const Part& part) const;
+  void remember(std::size_t unit, std::size_t band, std::size_t place);
+
+  const CutSequence& path_;
+  const std::vector<CutUnit>& units_;
+  const std::vector<Band>& bands_;
+  Stations stations_;
+  Grid grid_;
+  std::size_t budget_;
+  int proofs_ = 0;
+  bool undecided_ = false;
+  // How far back in the list the bands stand that held pieces lately, the latest first: the
+  // turn before runs along.
+  std::array<std::int64_t, 8> recent_{-1, -2, -3, -4, -5, -6, -7, -8};
+};
+
+IntervalVector OrderCheck::middle_of(const CutUnit& unit, const Part& part) const {
+  if (unit.is_line) return Interval{0.5, 0.5} * (part.from + part.to);
+  const Stretch half = halves(part.stretch)[0];
+  return unit.c + half.rb * half.ub;
+}
+
+std::array<OrderCheck::Part, 2> OrderCheck::halves_of(const CutUnit& unit, const Part& part) const {
+  const IntervalVector middle = middle_of(unit, part);
+  if (unit.is_line) return {Part{{}, part.from, middle}, Part{{}, middle, part.to}};
+  const auto parts = halves(part.stretch);
+  const std::size_t first = unit.counterclockwise ? 0 : 1;
+  return {Part{parts[first], part.from, middle}, Part{parts[1 - first], middle, part.to}};
+}
+
+OrderCheck::Piece OrderCheck::piece_of(const CutUnit& unit, const Part& part) const {
+  if (unit.is_line) return LinePiece{part.from, part.to};
+  // A spiral's as all circles between its radii.
+  const Stretch& stretch = part.stretch;
+  return CirclePiece{unit.c, hull(stretch.ra, stretch.rb), stretch.ua, stretch.ub};
+}
+
+bool OrderCheck::lies_in(const Piece& piece, std::size_t band) const {
+  return std::visit([&](const auto& curve) { return lies_inside(curve, bands_[band]); }, piece);
+}
+
+// The last unit that supports all places no farther than `size` from here; -1: none.
+std::int64_t OrderCheck::last_support(std::size_t unit, const IntervalVector& at,
+                                      Interval size) const {
+  if (!units_[unit].clears) return static_cast<std::int64_t>(unit) - 1;
+  return stations_.last_beyond(unit, at, path_.reach_ + size);
+}
+
+void OrderCheck::remember(std::size_t unit, std::size_t band, std::size_t place) {
+  const std::size_t end = std::min(place, recent_.size() - 1);
+  std::copy_backward(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(end),
+                     recent_.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+  recent_[0] = static_cast<std::int64_t>(band) - static_cast<std::int64_t>(units_[unit].bands);
+}
+
+bool OrderCheck::is_supported(std::size_t unit, const Part& part) {
+  const CutUnit& whole_unit = units_[unit];
+  const Piece piece = piece_of(whole_unit, part);
+  if (lies_in(piece, 0)) return true;
+  const IntervalVector middle = middle_of(whole_unit, part);
+  const Interval spread = whole_unit.is_line ? Interval{} : part.stretch.ra - part.stretch.rb;
+  const Interval to_from = norm(part.from - middle);
+  const Interval to_end = norm(part.to - middle);
+  const double size = std::max(to_from.hi, to_end.hi) + absolute(spread).hi;
+  const std::int64_t last = last_support(unit, middle, {size, above(size)});
+  if (last < 0) return false;
+  const auto counts = [&](std::size_t band) {
+    return band > 0 && static_cast<std::int64_t>(bands_[band].unit) <= last;
+  };
+  for (std::size_t place = 0; place < recent_.size(); ++place) {
+    const std::int64_t band = static_cast<std::int64_t>(whole_unit.bands) + recent_[place];
+    if (band <= 0 || band >= static_cast<std::int64_t>(bands_.size())) continue;
+    const auto index = static_cast<std::size_t>(band);
+    if (!counts(index) || !lies_in(piece, index)) continue;
+    remember(unit, index, place);
+    return true;
+  }
+  for (const std::uint32_t band : grid_.near(middle.x.middle(), middle.y.middle())) {
+    if (!counts(band) || !lies_in(piece, band)) continue;
+    remember(unit, band, recent_.size());
+    return true;
+  }
+  const bool is_small = size * 16 < path_.reach_.lo;
+  return whole_unit.clears && is_small &&
+         is_supported_nearer(unit, piece, middle, {size, above(size)});
+}
+
+// The same for a smaller reach. Where the path was out of the larger one only just, or not quite,
+// it was out of the smaller one.
+bool OrderCheck::is_supported_nearer(std::size_t unit, const Piece& piece,
+                                     const IntervalVector& middle, Interval size) const {
+  const Interval half{0.5, 0.5};
+  const Interval less = half * (path_.reach_ - path_.step_);
+  const std::int64_t last = stations_.last_beyond(unit, middle, path_.reach_ - less + size);
+  for (const std::uint32_t index : grid_.near(middle.x.middle(), middle.y.middle())) {
+    if (index == 0 || static_cast<std::int64_t>(bands_[index].unit) > last) continue;
+    const Band band = narrowed(bands_[index], less);
+    if (std::visit([&](const auto& curve) { return lies_inside(curve, band); }, piece)) return true;
+  }
+  return false;
+}
+
+// A hint only.
+bool OrderCheck::seems_supported(std::size_t unit, const IntervalVector& at) const {
+  const std::int64_t last = last_support(unit, at, {});
+  const double x = at.x.middle();
+  const double y = at.y.middle();
+  for (const std::uint32_t band : grid_.near(x, y)) {
+    const bool counts = band == 0 || static_cast<std::int64_t>(bands_[band].unit) <= last;
+    if (counts && rough_distance(bands_[band], x, y) <= 0) return true;
+  }
+  return false;
+}
+
+// Where the part ends the path is farthest in; else somewhere in its middle.
+std::optional<CutOrder> OrderCheck::refute(std::size_t unit, const Part& part) {
+  if (proofs_ >= kMaximumProofs) return std::nullopt;
+  ++proofs_;
+  const CutUnit& whole_unit = units_[unit];
+  const auto halved = halves_of(whole_unit, part);
+  std::optional<CutOrder> best;
+  for (const bool at_end : {true, false}) {
+    const Part upto{at_end ? part.stretch : halved[0].stretch, part.from,
+                    at_end ? part.to : halved[0].to};
+    Stretch behind = upto.stretch;  // of the unit, to the place
+    if (whole_unit.counterclockwise) {
+      behind.ua = whole_unit.stretch.ua;
+      behind.ra = whole_unit.stretch.ra;
+    } else {
+      behind.ub = whole_unit.stretch.ub;
+      behind.rb = whole_unit.stretch.rb;
+    }
+    const auto distance = distance_from_support(units_, unit, behind, upto.to,
+                                                {path_.plunge_, path_.step_, path_.reach_});
+    if (!distance || (best && best->distance >= to_number(*distance))) continue;
+    best.emplace();
+    best->kind = CutOrder::Kind::broken;
+    best->record = whole_unit.record;
+    best->witness = {to_number(upto.to.x.middle()), to_number(upto.to.y.middle())};
+    best->distance = to_number(*distance);
+  }
+  return best;
+}
+
+std::optional<CutOrder> OrderCheck::walk(std::size_t unit) {
+  const CutUnit& whole_unit = units_[unit];
+  std::vector<Part> open{{whole_unit.stretch, whole_unit.begin, whole_unit.end}};
+  while (!open.empty()) {
+    const Part part = open.back();
+    open.pop_back();
+    if (is_supported(unit, part)) continue;
+    if (!seems_supported(unit, middle_of(whole_unit, part))) {
+      if (auto broken = refute(unit, part)) return broken;
+    }
+    if (budget_ == 0 || !(norm(part.to - part.from).hi > kShortestPart)) {
+      undecided_ = true;
+      return std::nullopt;
+    }
+    --budget_;
+    const auto parts = halves_of(whole_unit, part);
+    open.push_back(parts[1]);
+    open.push_back(parts[0]);
+  }
+  return std::nullopt;
+}
+
+CutOrder OrderCheck::run() {
+  for (std::size_t unit = 0; unit < units_.size(); ++unit) {
+    if (auto broken = walk(unit)) return *broken;
+  }
+  CutOrder fine;
+  if (undecided_) fine.kind = CutOrder::Kind::undecided;
+  return fine;
+}
+
+CutOrder CutSequence::check(double half_side) const {
+  if (!too_long_) return OrderCheck(*this, half_side).run();
+  CutOrder unknown;
+  unknown.kind = CutOrder::Kind::undecided;
+  return unknown;
+}
+
+}  // namespace gonogo::oracle::region

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rules that no text states. A reference has to do something with every program; where the manuals
+// say nothing it does what follows here, and a departure from it is an advice, no NO-GO. Each has
+// the place where its rule would stand.
+#pragma once
+
+#include <array>
+
+#include "reference/catalog/clause.hpp"
+#include "reference/catalog/gsk988ta.hpp"
+#include "reference/catalog/hnc21t.hpp"
+#include "reference/catalog/sinumerik.hpp"
+#include "reference/catalog/sinumerik802s.hpp"
+
+namespace gonogo::reference::catalog {
+namespace silent {
+
+using enum ClauseLevel;
+
+inline constexpr auto kGsk988ta = std::to_array<Clause>({
+    {"GSK-COM-09", open, kBasic,
+     "An axis given both absolute and as an increment in a block is an alarm. No text says so; our "
+     "judgement (on the 980TDi the absolute word holds).",
+     "reference/gsk988ta/words.cpp"},
+    {"GSK-COM-10", open, kBasic,
+     "A word that the code in force does not use has no effect; in a block of a cycle its range "
+     "is checked. No text says either; our judgement.",
+     "reference/gsk988ta/unused_words.cpp"},
+    {"GSK-COM-11", open, kBasic,
+     "Two M functions in a block are an alarm, and so is one that is no whole number that a record "
+     "holds. No text says so for every machine (3404#7); our judgement.",
+     "reference/gsk988ta/words.cpp"},
+    {"GSK-COM-12", open, kBasic,
+     "G04 without a time, or with one below zero, is an alarm; S and T below zero have no effect. "
+     "No text says so; our judgement.",
+     "reference/gsk988ta/basic_motion.cpp"},
+    {"GSK-COM-13", open, kBasic,
+     "A second % ends the program, and what stands behind it is not run; a program number before "
+     "the first block may stand again. No text says so; our judgement.",
+     "reference/gsk988ta/interpreter.cpp"},
+    {"GSK-G110-19", open, kG110,
+     "A tool radius D of zero is an alarm. No text says so, the table of ranges begins at 0; our "
+     "judgement.",
+     "reference/gsk988ta/milling.cpp"},
+    {"GSK-G114-17", open, kG114,
+     "A thread height P or a diameter E of zero is an alarm. No text says so, the table of ranges "
+     "begins at 0; our judgement.",
+     "reference/gsk988ta/g114.cpp"},
+});
+
+inline constexpr auto kHnc21t = std::to_array<Clause>({
+    {"HNC-COM-02", open, hnc21t::kBasic,
+     "An address twice in a block, and two codes of one group, are alarms. No text says so; our "
+     "judgement.",
+     "reference/hnc21t/interpreter.cpp"},
+    {"HNC-COM-03", open, hnc21t::kBasic,
+     "X with U, and Z with W, in a block are an alarm. No text says so; our judgement.",
+     "reference/hnc21t/interpreter.cpp"},
+    {"HNC-COM-04", open, hnc21t::kBasic,
+     "A feed below zero, a dwell without P or below zero, and an M function that is no whole "
+     "number that a record holds are alarms; S and T below zero have no effect. No text says so; "
+     "our judgement.",
+     "reference/hnc21t/interpreter.cpp"},
+    {"HNC-COM-05", open, hnc21t::kBasic,
+     "The radii of an arc at its start and its end may differ by 0.01 mm, or as the profile says. "
+     "No text says by how much; our judgement.",
+     "reference/hnc21t/arc.cpp"},
+    {"HNC-COM-06", open, hnc21t::kBasic,
+     "A second % alone ends the program, and what stands behind it is not run; a program number "
+     "before the first block may stand again. No text says so; our judgement.",
+     "reference/hnc21t/interpreter.cpp"},
+    {"HNC-COM-07", open, hnc21t::kBasic,
+     "A word that the code in force does not use has no effect. No text says so; our judgement.",
+     "reference/hnc21t/unused_words.cpp"},
+    {"HNC-G82-11", open, hnc21t::kG82,
+     "A thread with several starts needs their angle P. No text says what a control does without "
+     "it; our judgement.",
+     "reference/hnc21t/g82.cpp"},
+    {"HNC-G75-06", open, hnc21t::kG75,
+     "A width without a number of axial steps, and a number written without a width, are alarms. "
+     "No text says so; our judgement.",
+     "reference/hnc21t/g75.cpp"},
+});
+
+inline constexpr auto kSinumerikPath = std::to_array<Clause>({
+    {"SIE-LEX-02", open, sinumerik::kProgram,
+     "A code that stands by itself takes no value: CIP=0 is a syntax alarm; so are two signs in a "
+     "row, and G=1. No text says which alarm comes of it; our judgement.",
+     "reference/sinumerik/codes.cpp"},
+    {"SIE-PAR-02", open, sinumerik::kProgram,
+     "The 840D has the R parameters R0 to R999. No text says how many: a machine data does; our "
+     "judgement.",
+     "reference/sinumerik/interpreter.cpp"},
+    {"SIE-G1-04", open, sinumerik::kLines,
+     "Under the reading sie.spindle = off a block that cuts without a turning spindle runs on. No "
+     "text says that the control alarms; our judgement.",
+     "reference/sinumerik/basic_motion.cpp"},
+    {"SIE-ARC-14", open, sinumerik::kArcs,
+     "A centre word along the axis that stands upright on the arc is an alarm. No text says so; "
+     "our judgement.",
+     "reference/sinumerik/arc.cpp"},
+    {"SIE-ARC-15", open, sinumerik::kArcs,
+     "A corrected centre is worked out as finely as the end point. No text says how finely; our "
+     "judgement.",
+     "reference/sinumerik/basic_motion.cpp"},
+    {"SIE-POL-03", open, sinumerik::kPolar,
+     "Beside G110, G111 and G112 nothing stands but the words of the pole. No text says so; our "
+     "judgement.",
+     "reference/sinumerik/alone.cpp"},
+    {"SIE-MOD-06", open, sinumerik::kModes,
+     "G4 without F and S, or with one below zero, is an alarm, and so are revolutions of a spindle "
+     "without a speed. No text says so; our judgement.",
+     "reference/sinumerik/basic_motion.cpp"},
+    {"SIE-COM-02", open, sinumerik::kModes,
+     "A word that has no meaning for the motion in force is an alarm. No text says so; our "
+     "judgement.",
+     "reference/sinumerik/basic_motion.cpp"},
+    {"SIE-COM-03", open, sinumerik::kModes,
+     "A spindle speed below zero is an alarm. No text says so; our judgement.",
+     "reference/sinumerik/interpreter.cpp"},
+    {"SIE-COM-04", open, sinumerik::kModes,
+     "H and M may stand more than once in a block; a second M function that ends the program has "
+     "no effect. No text says so; our judgement.",
+     "reference/sinumerik/interpreter.cpp"},
+});
+
+inline constexpr auto kSinumerikCycles = std::to_array<Clause>({
+    {"SIE-FRM-05", open, sinumerik::kFrames,
+     "While a rotation is in force another plane than its own is an alarm. No text says so; our "
+     "judgement.",
+     "reference/sinumerik/frame.cpp"},
+    {"SIE-LC82-04", open, sinumerik::kDrilling,
+     "R105 or R102 below zero, and R101 between the reference plane and the clearance above it, "
+     "are alarms. No text says so; our judgement.",
+     "reference/sinumerik/cycle.cpp"},
+    {"SIE-LC82-05", open, sinumerik::kDrilling,
+     "The call of a cycle shares its block with no other word. No text says so, the examples are "
+     "written so; our judgement.",
+     "reference/sinumerik/alone.cpp"},
+    {"SIE-LC75-15", open, sinumerik::kPockets,
+     "An infeed R121 that is not above zero, R120, R124 or R125 below zero, and an allowance R125 "
+     "that leaves nothing to be roughed are alarms. No text says so; our judgement.",
+     "reference/sinumerik/lcyc75_rules.cpp"},
+});
+
+}  // namespace silent
+}  // namespace gonogo::reference::catalog

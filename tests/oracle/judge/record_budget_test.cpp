@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// J-CYC-02, J-CONST-10: records that make progress are no overrun, however many; those that make
+// none are stopped. And GSK-CYC-02 through the whole judge. The pocket of judge_pocket_test.cpp:
+// G18, centre Z 50, X 25 (radius), I - D = 12, L = 3.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "judging.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::string_view kPocket =
+    "G18 G0 X70 Z70 Y50\nG110 X50 Z50 Y40 R-5 I16 L3 Q5 P1 D4 F800\n";
+
+TraceText approach() {
+  TraceText trace(1, 800);
+  trace.rapid({{'x', 35}, {'y', 50}, {'z', 70}}).block(2, 800).rapid({{'x', 25}, {'z', 50}});
+  trace.rapid({{'y', 45}}).feed({{'y', 40}});
+  return trace;
+}
+
+std::string leave(TraceText& trace) {
+  trace.rapid({{'y', 45}}).rapid({{'x', 25}, {'z', 50}}).rapid({{'y', 50}});
+  return trace.text();
+}
+
+// Clockwise from +z, in so many arcs.
+void ring(TraceText& trace, double radius, int pieces) {
+  trace.feed({{'x', 25}, {'z', 50 + radius}});
+  for (int k = 1; k <= pieces; ++k) {
+    const double angle = -2 * std::numbers::pi * k / pieces;
+    trace.arc("G18", {{'x', 25}, {'z', 50}}, -1,
+              {{'x', 25 + radius * std::sin(angle)}, {'z', 50 + radius * std::cos(angle)}});
+  }
+}
+
+void ring_of_chords(TraceText& trace, double radius, int pieces, int sense = -1) {
+  for (int k = 0; k <= pieces; ++k) {
+    const double angle = sense * 2 * std::numbers::pi * k / pieces;
+    trace.feed({{'x', 25 + radius * std::sin(angle)}, {'z', 50 + radius * std::cos(angle)}});
+  }
+}
+
+TEST(RecordBudget, RingsInTwoThousandArcsAreGo) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring(trace, radius, 540);
+  const Verdict verdict = judge_trace(kPocket, leave(trace));
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
+TEST(RecordBudget, EndlessTurnsInOnePlaceAreStopped) {
+  TraceText trace = approach();
+  for (int k = 0; k < 3000; ++k) {
+    trace.arc("G18", {{'x', 25}, {'z', 50.01}}, -1, {{'x', 25}, {'z', 50.02}});
+    trace.arc("G18", {{'x', 25}, {'z', 50.01}}, -1, {{'x', 25}, {'z', 50}});
+  }
+  EXPECT_EQ(judge_trace(kPocket, leave(trace)).kind, VerdictKind::fail_overrun);
+}
+
+TEST(RecordBudget, RingsMilledOverAndOverAreStopped) {
+  TraceText trace = approach();
+  for (int k = 0; k < 40; ++k) ring(trace, 3, 60);
+  EXPECT_EQ(judge_trace(kPocket, leave(trace)).kind, VerdictKind::fail_overrun);
+}
+
+TEST(RecordBudget, ALineInFiveThousandPiecesIsGo) {
+  TraceText trace(1, 200);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(2, 200);
+  for (int k = 1; k <= 5000; ++k) trace.feed({{'z', 5 - 0.01 * k}});
+  const Verdict verdict = judge_trace("G18 G98 G00 X130 Z5\nG01 Z-45 F200\n", trace.text());
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
+TEST(RecordBudget, ATraverseInThreeThousandPiecesIsGo) {
+  TraceText trace(1);
+  for (int k = 1; k <= 3000; ++k) trace.rapid({{'x', 0.02 * k}, {'z', 0.01 * k}});
+  const Verdict verdict = judge_trace("G18 G00 X120 Z30\n", trace.text());
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
+TEST(RecordBudget, AnEndlessLineAwayIsStopped) {
+  TraceText trace(1, 200);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(2, 200);
+  for (int k = 1; k <= 3000; ++k) trace.feed({{'z', 5 - 0.1 * k}});
+  EXPECT_EQ(judge_trace("G18 G98 G00 X130 Z5\nG01 Z-45 F200\n", trace.text()).kind,
+            VerdictKind::fail_overrun);
+}
+
+TEST(RecordBudget, OscillationOnALineIsNoGo) {
+  TraceText trace(1, 200);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(2, 200);
+  for (int k = 1; k <= 3000; ++k) trace.feed({{'z', k % 2 == 0 ? 5.0 : 4.0}});
+  EXPECT_EQ(decision(judge_trace("G18 G98 G00 X130 Z5\nG01 Z-45 F200\n", trace.text()).kind),
+            Decision::no_go);
+}
+
+// GSK-CYC-02: 12 straight through solid, then inwards.
+TEST(PocketOrder, StraightToTheWallAndInwardsIsNoGoWithAWitness) {
+  TraceText trace = approach();
+  for (const double radius : {12.0, 9.0, 6.0, 3.0}) ring(trace, radius, 2);
+  const Verdict verdict = judge_trace(kPocket, leave(trace));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-CYC-02");
+  EXPECT_FALSE(verdict.witness.empty());
+}
+
+// J-PKT-07: 200 chords of a circle of 12 run 12 (1 - cos(pi / 200)) = 0.0015 inside of it.
+TEST(PocketChords, RingsOfChordsAreGoWhereTheyAreGranted) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring_of_chords(trace, radius, 200);
+  const std::string text = leave(trace);
+  Judging granted;
+  granted.chord = "0.002";
+  const Verdict verdict = judge_trace(kPocket, text, granted);
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.witness;
+  EXPECT_EQ(decision(judge_trace(kPocket, text).kind), Decision::no_go);
+}
+
+// As a controller with three decimals writes them.
+TEST(PocketChords, RoundedChordsAreGo) {
+  TraceText trace = approach();
+  trace.decimals(3);
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) {
+    ring_of_chords(trace, radius, static_cast<int>(radius * 100));
+  }
+  Judging granted;
+  granted.chord = "0.002";
+  const Verdict verdict = judge_trace(kPocket, leave(trace), granted);
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.witness;
+}
+
+TEST(PocketChords, ChordsTheOtherWayRoundAreNoGo) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring_of_chords(trace, radius, 200, 1);
+  Judging granted;
+  granted.chord = "0.002";
+  const Verdict verdict = judge_trace(kPocket, leave(trace), granted);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_NE(verdict.message.find("turns"), std::string::npos) << verdict.message;
+}
+
+// 12 sides: the sides run 12 (1 - cos 15 degrees) = 0.41 inside.
+TEST(PocketChords, APolygonIsNoRing) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring_of_chords(trace, radius, 12);
+  Judging granted;
+  granted.chord = "0.002";
+  EXPECT_EQ(decision(judge_trace(kPocket, leave(trace), granted).kind), Decision::no_go);
+}
+
+TEST(PocketChords, ChordsBeyondTheBorderByMoreThanTheChordGouge) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.004}) ring_of_chords(trace, radius, 200);
+  Judging granted;
+  granted.chord = "0.002";
+  const Verdict verdict = judge_trace(kPocket, leave(trace), granted);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_region);
+  EXPECT_NE(verdict.message.find("wall"), std::string::npos) << verdict.message;
+  EXPECT_EQ(verdict.deviation_mm.substr(0, 5), "0.004");
+}
+
+TEST(PocketChords, InwardsIsNoGoInChordsToo) {
+  TraceText trace = approach();
+  for (const double radius : {12.0, 9.0, 6.0, 3.0}) ring_of_chords(trace, radius, 200);
+  Judging granted;
+  granted.chord = "0.002";
+  EXPECT_EQ(reference::clause_name(judge_trace(kPocket, leave(trace), granted).clause),
+            "GSK-CYC-02");
+}
+
+}  // namespace
+}  // namespace gonogo::oracle
