@@ -56,6 +56,10 @@ class OpenPocketMilling : public OpenPart {
       } else if (cuts(motion.kind()) && std::abs(to - lowest) <= margin.place &&
                  std::abs(motion.from[d_] - to) <= margin.place && level > 0) {
         const FlatMotion cut = flat(motion);
+        if (!has_named_feed(*motion.record) && !pocket_.finishing &&
+            engages(cut, levels[level], margin)) {
+          return "another feed (SIE-LC75-01)";
+        }
         if (runs_against(cut, margin)) return "along the border the other way (SIE-LC75-12)";
         levels[level].push_back(cut);
         inner += inner_length(cut, margin);
@@ -121,9 +125,28 @@ class OpenPocketMilling : public OpenPart {
     }
     if (!cuts(motion.kind())) return "";
     if (motion.kind() == RecordKind::arc && record.plane != pocket_.plane) return "another plane";
-    const bool named = record.feed == pocket_.depth_feed || record.feed == pocket_.plane_feed;
-    if (!named || record.feed_mode != pocket_.feed_mode) return "another feed (SIE-LC75-01)";
     return "";
+  }
+
+  bool has_named_feed(const Record& record) const {
+    const bool named = record.feed == pocket_.depth_feed || record.feed == pocket_.plane_feed;
+    return named && record.feed_mode == pocket_.feed_mode;
+  }
+
+  // Whether the tool cuts what none of these has cut: else it travels (SIE-LC75-13).
+  bool engages(const FlatMotion& cut, const std::vector<FlatMotion>& before,
+               const Margin& margin) const {
+    constexpr int kPlaces = 8;
+    constexpr int kAngles = 12;
+    for (int i = 1; i <= kPlaces; ++i) {
+      const Point at = cut.at(static_cast<double>(i) / kPlaces);
+      for (int k = 0; k < kAngles; ++k) {
+        const double angle = 2 * std::numbers::pi * k / kAngles;
+        const Point edge = {at[0] + tool_ * std::cos(angle), at[1] + tool_ * std::sin(angle)};
+        if (nearest(edge, before) > tool_ + 4 * margin.arc) return true;
+      }
+    }
+    return false;
   }
 
   // To a new depth.
