@@ -92,6 +92,7 @@ class OpenPocketMilling : public OpenPart {
     for (std::size_t i = 0; i < 3; ++i) centre[i] = motion.centre[i];
     flat.centre = in_frame(centre);
     flat.radius = motion.from_radius;
+    flat.end_radius = motion.to_radius;
     flat.start = std::atan2(flat.from[1] - flat.centre[1], flat.from[0] - flat.centre[0]);
     flat.sweep = motion.sweep;
     return flat;
