@@ -14,8 +14,7 @@ namespace {
 
 using oracle::Decision;
 
-constexpr std::size_t kMostRecords = 400;
-constexpr std::size_t kPrinted = 30;
+constexpr std::size_t kMostExamples = 30;
 
 struct Count {
   long accepted = 0;
@@ -68,7 +67,7 @@ class Alternatives {
     std::map<std::string, int> seen;
     std::size_t printed = 0;
     for (const auto& [key, text] : examples_) {
-      if (++printed <= kPrinted) fmt::print("\n--- {}\n{}", key, text.second);
+      if (++printed <= kMostExamples) fmt::print("\n--- {}\n{}", key, text.second);
     }
   }
 

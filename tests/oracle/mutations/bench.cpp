@@ -13,7 +13,6 @@ using oracle::VerdictKind;
 
 namespace {
 
-constexpr std::size_t kMostRecordsOfTrace = 400;  // of a trace: its map takes time
 constexpr std::size_t kPrinted = 40;
 
 Verdict judge(const Specimen& specimen, const Trace& trace) {
@@ -76,7 +75,7 @@ void Bench::run(Trials& trials) {
       const RawCase& raw = trials.one_of(cases);
       std::unique_ptr<Specimen> specimen;
       try {
-        specimen = make_specimen(raw, trials.one_of(raw.assignments), kMostRecordsOfTrace);
+        specimen = make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
       } catch (const std::logic_error& error) {
         faults_.insert(error.what());
         continue;

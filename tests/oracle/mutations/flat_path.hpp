@@ -18,7 +18,8 @@ struct FlatMotion {
   Point to{};
   bool is_round = false;
   Point centre{};
-  double radius = 0;
+  double radius = 0;  // at the start; linear in the angle
+  double end_radius = 0;
   double start = 0;
   double sweep = 0;
 
@@ -27,12 +28,25 @@ struct FlatMotion {
       return {from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part};
     }
     const double angle = start + sweep * part;
-    return {centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)};
+    const double here = radius + (end_radius - radius) * part;
+    return {centre[0] + here * std::cos(angle), centre[1] + here * std::sin(angle)};
   }
 };
 
 inline double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+// Of a spiral, not above the distance: by places, less what may be between two of them.
+inline double distance_to_spiral(const Point& at, const FlatMotion& motion) {
+  constexpr int kPlaces = 64;
+  double least = distance(at, motion.to);
+  for (int i = 0; i < kPlaces; ++i) {
+    least = std::min(least, distance(at, motion.at(static_cast<double>(i) / kPlaces)));
+  }
+  const double way = std::abs(motion.sweep) * std::max(motion.radius, motion.end_radius) +
+                     std::abs(motion.end_radius - motion.radius);
+  return std::max(0.0, least - way / (2 * kPlaces));
 }
 
 // From a point to the nearest place of a motion.
@@ -46,6 +60,10 @@ inline double distance_to(const Point& at, const FlatMotion& motion) {
       part = ((at[0] - motion.from[0]) * along_p + (at[1] - motion.from[1]) * along_q) / square;
     }
     return distance(at, motion.at(std::clamp(part, 0.0, 1.0)));
+  }
+  constexpr double kSameRadius = 1e-6;
+  if (std::abs(motion.end_radius - motion.radius) > kSameRadius) {
+    return distance_to_spiral(at, motion);
   }
   constexpr double kTurn = 2 * std::numbers::pi;
   const double ends = std::min(distance(at, motion.from), distance(at, motion.to));

@@ -55,6 +55,7 @@ class OpenLevel : public OpenPart {
     flat.centre = {motion.centre[index(axes_.p)] - centre_[0],
                    motion.centre[index(axes_.q)] - centre_[1]};
     flat.radius = motion.from_radius;
+    flat.end_radius = motion.to_radius;
     flat.start = motion.start_angle;
     flat.sweep = motion.sweep;
     return flat;

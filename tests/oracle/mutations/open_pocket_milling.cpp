@@ -56,6 +56,10 @@ class OpenPocketMilling : public OpenPart {
       } else if (cuts(motion.kind()) && std::abs(to - lowest) <= margin.place &&
                  std::abs(motion.from[d_] - to) <= margin.place && level > 0) {
         const FlatMotion cut = flat(motion);
+        if (!has_named_feed(*motion.record) && !pocket_.finishing &&
+            engages(cut, levels[level], margin)) {
+          return "another feed (SIE-LC75-01)";
+        }
         if (runs_against(cut, margin)) return "along the border the other way (SIE-LC75-12)";
         levels[level].push_back(cut);
         inner += inner_length(cut, margin);
@@ -88,6 +92,7 @@ class OpenPocketMilling : public OpenPart {
     for (std::size_t i = 0; i < 3; ++i) centre[i] = motion.centre[i];
     flat.centre = in_frame(centre);
     flat.radius = motion.from_radius;
+    flat.end_radius = motion.to_radius;
     flat.start = std::atan2(flat.from[1] - flat.centre[1], flat.from[0] - flat.centre[0]);
     flat.sweep = motion.sweep;
     return flat;
@@ -121,9 +126,28 @@ class OpenPocketMilling : public OpenPart {
     }
     if (!cuts(motion.kind())) return "";
     if (motion.kind() == RecordKind::arc && record.plane != pocket_.plane) return "another plane";
-    const bool named = record.feed == pocket_.depth_feed || record.feed == pocket_.plane_feed;
-    if (!named || record.feed_mode != pocket_.feed_mode) return "another feed (SIE-LC75-01)";
     return "";
+  }
+
+  bool has_named_feed(const Record& record) const {
+    const bool named = record.feed == pocket_.depth_feed || record.feed == pocket_.plane_feed;
+    return named && record.feed_mode == pocket_.feed_mode;
+  }
+
+  // Whether the tool cuts what none of these has cut: else it travels (SIE-LC75-13).
+  bool engages(const FlatMotion& cut, const std::vector<FlatMotion>& before,
+               const Margin& margin) const {
+    constexpr int kPlaces = 8;
+    constexpr int kAngles = 12;
+    for (int i = 1; i <= kPlaces; ++i) {
+      const Point at = cut.at(static_cast<double>(i) / kPlaces);
+      for (int k = 0; k < kAngles; ++k) {
+        const double angle = 2 * std::numbers::pi * k / kAngles;
+        const Point edge = {at[0] + tool_ * std::cos(angle), at[1] + tool_ * std::sin(angle)};
+        if (nearest(edge, before) > tool_ + 4 * margin.arc) return true;
+      }
+    }
+    return false;
   }
 
   // To a new depth.
@@ -142,6 +166,8 @@ class OpenPocketMilling : public OpenPart {
       return "a plunge beside the centre (SIE-LC75-04)";
     }
     if (motion.record->feed != pocket_.depth_feed) return "another feed in depth";
+    // Of a level that is the centre alone nothing shows that it was cleared.
+    if (std::max(half_length_, half_width_) <= 16 * margin.arc) return "";
     return lowest - to > infeed_ + margin.place ? "an infeed above R121 (SIE-LC75-05)" : "";
   }
 
@@ -153,7 +179,8 @@ class OpenPocketMilling : public OpenPart {
     const double length =
         cut.is_round ? std::abs(cut.sweep) * cut.radius : distance(cut.from, cut.to);
     if (length <= width) return false;
-    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    // At places that no number of turns makes one.
+    for (const double part : {0.0, 0.137, 0.311, 0.5, 0.733, 0.917, 1.0}) {
       if (std::abs(outside(cut.at(part))) > margin.arc) return false;
     }
     const Point middle = cut.at(0.5);

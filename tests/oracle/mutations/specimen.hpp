@@ -65,6 +65,9 @@ RawCases cases_of_corpus(const std::string& folder);
 std::optional<std::vector<Record>> shown_under(const reference::Profile& profile,
                                                const std::string& program);
 
+// Longer traces take their map too long.
+inline constexpr std::size_t kMostRecords = 400;
+
 // Nothing for what the bench leaves alone: programs that are not covered, traces of more than
 // `most` records. Throws std::logic_error where the shown path breaks a condition of its own.
 std::unique_ptr<Specimen> make_specimen(const RawCase& raw, const RawCase::Assignment& readings,

@@ -145,6 +145,7 @@ bool arcs_through_a_point(Attempt& attempt) {
     circle.axes = circle.via_axes = {Axis::x, Axis::y, Axis::z};
     circle.to = to;
     circle.via = place_on(*arc, to, 0.5);
+    circle.via[depth] = to[depth];
     made.push_back(circle);
     return made;
   });

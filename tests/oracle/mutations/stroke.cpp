@@ -79,7 +79,10 @@ void make_arc(Stroke& stroke, bool ends_meet) {
   measure(stroke);
   const int sense = record.rot < 0 ? -1 : 1;
   double turn = wrapped(sense * (angle_about(stroke, stroke.to) - stroke.start_angle));
-  if (ends_meet) turn = 2 * pi;
+  // From radius to radius on one ray the arc goes all the way round.
+  constexpr double kSameRay = 1e-12;
+  const bool on_one_ray = turn < kSameRay && std::abs(stroke.to_radius - stroke.from_radius) > 0.1;
+  if (ends_meet || on_one_ray) turn = 2 * pi;
   stroke.sweep = sense * (turn + 2 * pi * (std::abs(record.rot) - 1));
 }
 
