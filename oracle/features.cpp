@@ -34,6 +34,8 @@ std::span<const Feature> feature_vocabulary() {
       {"rs274", "helix", "G2 and G3 with the third axis"},
       {"rs274", "arc-distance", "G90.1 and G91.1"},
       {"rs274", "turns", "G2 and G3 with P turns"},
+      {"rs274", "lines",
+       "the form of lines, words that nothing uses, and the end of a program, as documented"},
       {"sinumerik840d", "basic", "G0, G1, G4, units, G90 and G91, AC and IC, G94 and G95"},
       {"sinumerik840d", "arc", "G2 and G3 by their centre in the plane in force"},
       {"sinumerik840d", "cr", "G2 and G3 by CR="},

@@ -17,7 +17,8 @@ struct Ngc {
   static constexpr std::size_t kFaults = ngc::kFaults;
   static constexpr std::string_view kDescription =
       R"({"protocol":1,"subject":{"name":"gonogo-ngc","version":"0.1.0"},)"
-      R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns"]},)"
+      R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
+      R"("lines"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.001","chord":"0"},)"
       R"("max_in_flight":1})";

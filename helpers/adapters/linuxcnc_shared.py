@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 
-FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns"]
+FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
 _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [

@@ -120,7 +120,7 @@ TEST(NgcSubject, DescribesItself) {
   const gonogo_text text = find("ngc")->describe();
   const auto json = nlohmann::json::parse(text.data, text.data + text.size);
   const std::vector<std::string> features = {"basic", "arc",          "arc-r", "planes",
-                                             "helix", "arc-distance", "turns"};
+                                             "helix", "arc-distance", "turns", "lines"};
   EXPECT_EQ(json["dialects"]["rs274"], features);
 }
 
