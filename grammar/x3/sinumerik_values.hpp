@@ -31,8 +31,7 @@ inline bool takes_dimension(const NamedWord& word) {
   if (word.name.size() != 1) return false;
   const char letter = word.name[0];
   const bool centre = letter == 'I' || letter == 'J' || letter == 'K';
-  if (word.index && centre) return *word.index == 1;
-  if (word.index) return kAxisLetters.contains(letter);
+  if (word.index) return centre || kAxisLetters.contains(letter);
   return centre || kAxisLetters.contains(letter);
 }
 

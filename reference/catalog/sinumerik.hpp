@@ -132,7 +132,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "Cutting needs a feed. An address twice, a code that the control lacks, and Cartesian with "
      "polar words are alarms.",
      "reference/sinumerik/interpreter.cpp"},
-    {"SIE-COM-02", derived, kModes,
+    {"SIE-WRD-01", derived, kModes,
      "Every word of a block is used, has no meaning for the motion in force (an alarm), or is "
      "passed "
      "over by a rule of the list below. Names of own subprograms and variables, and addresses that "

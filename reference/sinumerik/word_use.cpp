@@ -6,7 +6,7 @@
 namespace gonogo::reference::sinumerik {
 namespace {
 
-// SIE-COM-02
+// SIE-WRD-01
 constexpr auto kPassedWords = std::to_array<PassedWords>({
     {"every block", "S T D H H<n>=", "SIE-MOD-02"_clause,
      "the spindle, the tool and auxiliary functions do not shape the path (G4 and LCYC75 look at "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The words that are passed over (SIE-COM-02). A word that no rule passes over is used, has no
+// The words that are passed over (SIE-WRD-01). A word that no rule passes over is used, has no
 // meaning for the motion in force (SIE-COM-01), or is a name that is not read (SIE-MOD-02).
 #pragma once
 

@@ -78,7 +78,7 @@ TEST(GskArc, RadiusWithoutTravel) {
 
 TEST(GskArc, NeitherRadiusNorCentre) {
   EXPECT_EQ(gsk_arc("G02 Z10"), "missing-word");
-  EXPECT_EQ(gsk_arc("G02 Z10 J5"), "missing-word");
+  EXPECT_EQ(gsk_arc("G02 Z10 X3"), "missing-word");
 }
 
 TEST(GskArc, CodeAloneMovesNothing) {

@@ -189,7 +189,8 @@ TEST(GskThread, ModeLastsAsTheReadingSays) {
   const std::string program = "G114 X0 Z0 V-5 I5 E30 P0.5 D3 F9\nX1 Z1 V-5 I5 E30 P0.5 D3\n";
   // The first thread takes five records, the second one more for its centre.
   EXPECT_EQ(run(program, kRadiusProfile).records.size(), 5u + 6u + 1u);
-  const Outcome once = run(program, readings(R"("gsk.thread.modal":"none")"));
+  const Outcome once = run("G114 X0 Z0 V-5 I5 E30 P0.5 D3 F9\nX1 Z1 V-5\n",
+                           readings(R"("gsk.thread.modal":"none")"));
   EXPECT_EQ(once.records[5], "rapid x=1 y=-5 z=1");
 }
 

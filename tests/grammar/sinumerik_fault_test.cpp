@@ -52,8 +52,7 @@ TEST(SinumerikFault, OneLetterIsNoLabel) {
 TEST(SinumerikFault, GAndLTakeNoEqualsSign) {
   expect_faults("a number after G", {{"G=1", kNumber, 1, 2}, {"G X1", kNumber, 2, 3}});
   expect_faults("a number after l", {{"X1 l=1", kNumber, 4, 5}});
-  expect_faults("a word, a comment or the end of the block",
-                {{"G1=5", kCharacter, 2, 3}, {"L10 = 1", kCharacter, 4, 5}});
+  expect_faults("a word, a comment or the end of the block", {{"G1=5", kCharacter, 2, 3}});
 }
 
 TEST(SinumerikFault, BlockNumbersAreWhole) {
@@ -142,8 +141,8 @@ TEST(SinumerikFault, AcAndIcWhereTheyAreNotTheWholeValueOfAPosition) {
                            {"R1=IC(5)", kCharacter, 3, 4},
                            {"CR=ac(5)", kCharacter, 3, 4},
                            {"RP=IC(5)", kCharacter, 3, 4},
-                           {"I2=AC(5)", kCharacter, 3, 4},
-                           {"X1=AC(5)", kCharacter, 3, 4},
+                           {"F1=AC(5)", kCharacter, 3, 4},
+                           {"S2=AC(5)", kCharacter, 3, 4},
                            {"X=1+AC(5)", kCharacter, 4, 5},
                            {"X=-AC(5)", kCharacter, 3, 4},
                            {"X=(IC(5))", kCharacter, 3, 4},

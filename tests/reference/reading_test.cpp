@@ -54,9 +54,11 @@ TEST(Reading, EachDefaultIsOneOfItsChoices) {
     }
   }
   EXPECT_EQ(named_open,
-            (std::set<std::string_view>{"ngc.arc-words-alone", "ngc.bare-motion", "ngc.g80-beside",
-                                        "ngc.line-number", "ngc.o-name", "sie.arc.correct",
-                                        "sie.infeed-from"}));
+            (std::set<std::string_view>{"gsk.duplicate", "hnc.g75.mode3", "hnc.lead.unit",
+                                        "hnc.missing-axis", "ngc.arc-words-alone",
+                                        "ngc.bare-motion", "ngc.g80-beside", "ngc.line-number",
+                                        "ngc.o-name", "sie.arc.correct", "sie.corner", "sie.g158",
+                                        "sie.infeed-from", "sie.rpl-equals"}));
 }
 
 TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {

@@ -160,7 +160,7 @@ TEST(Words, ReadingDecimalsIsNotAboutFeedsAndDwells) {
 
 TEST(Words, Com06RangesAreNotHeldOutsideTheCycles) {
   EXPECT_EQ(lines("G0 Z1000000"), Lines{"rapid z1000000"});
-  EXPECT_EQ(lines("G0 Z1 L-1 Q1000000"), Lines{"rapid z1"});
+  EXPECT_EQ(lines("G0 Z1 M1 S1000000"), (Lines{"rapid z1", "m1"}));
 }
 
 }  // namespace

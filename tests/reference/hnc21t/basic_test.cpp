@@ -31,9 +31,10 @@ TEST(HncBasic, ACutNeedsAFeed) {
 }
 
 TEST(HncBasic, DwellsMilliseconds) {
-  EXPECT_EQ(path("G04 P4000\nG04 P0.5 X99 Z99"), (Lines{"dwell 4", "dwell 0.0005"}));
+  EXPECT_EQ(path("G04 P4000\nG04 P0.5"), (Lines{"dwell 4", "dwell 0.0005"}));
   EXPECT_EQ(ending_of("G04"), "alarm b1 missing-word");
-  EXPECT_EQ(ending_of("G04 X5"), "alarm b1 missing-word");
+  EXPECT_EQ(ending_of("G04 X5"), "not-covered b1 X");
+  EXPECT_EQ(ending_of("G04 P0.5 Z99"), "not-covered b1 Z");
   EXPECT_EQ(ending_of("G04 P-1"), "alarm b1 value-sign");
   EXPECT_EQ(path("G04 P1000 F80\nG01 X2"), (Lines{"dwell 1", "feed x1 f80"}));
 }

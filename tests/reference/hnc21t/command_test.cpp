@@ -33,8 +33,8 @@ TEST(Command, BlocksWithoutAxisWordsDoNotRepeatACycle) {
 }
 
 TEST(Command, ADwellLeavesTheCycle) {
-  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000 X99 I99\nX20 Z-10").at(4), "dwell 1");
-  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000 X99 I99\nX20 Z-10").at(5), "rapid x5");
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000\nX20 Z-10").at(4), "dwell 1");
+  EXPECT_EQ(path("G80 X20 Z-10 I-5 F100\nG04 P1000\nX20 Z-10").at(5), "rapid x5");
 }
 
 TEST(Command, FOfACycleIsTheFeed) {

@@ -88,7 +88,8 @@ TEST(Frame, G92IsAbsoluteUnderG91AndIncrementalByUAndW) {
 }
 
 TEST(Frame, G92WordsAreNoWordsOfTheCycleInForce) {
-  EXPECT_EQ(path("G80 I-5 F100\nG92 X40 Z30 I9\nX20 Z10"),
+  EXPECT_EQ(path("G80 I-5 F100\nG92 X40 Z30 I9\nX20 Z10"), Lines{"not-covered b2 I"});
+  EXPECT_EQ(path("G80 I-5 F100\nG92 X40 Z30\nX20 Z10"),
             (Lines{"rename x20 y0 z30 a0 c0", "rapid x5", "feed x10 z10 f100", "feed x20 f100",
                    "rapid z30"}));
 }

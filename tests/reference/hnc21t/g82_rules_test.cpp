@@ -94,6 +94,36 @@ TEST(G82Rules, NeedsBothAxes) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 F2\nZ-10"), "alarm b2 missing-word");
 }
 
+// Eight threads to the inch are 25.4 / 8 = 3.175 mm each; a lead of 8 inches is 203.2 mm; F0.1
+// under G20 is 0.1 mm or 2.54 mm.
+TEST(G82Rules, ALeadIsMeantAsItsReadingSays) {
+  struct Meaning {
+    std::string_view value, f, j;
+  };
+  for (const Meaning& meaning :
+       {Meaning{"mm", "0.1", "203.2"}, Meaning{"units", "2.54", "203.2"},
+        Meaning{"tpi", "0.1", "3.175"}, Meaning{"units-tpi", "2.54", "3.175"}}) {
+    const Profile profile = hnc({{"hnc.lead.unit", meaning.value}});
+    EXPECT_EQ(path("G20 G32 Z-1 F0.1", profile).front(),
+              "thread z-25.4 lead" + std::string(meaning.f) + " start0");
+    EXPECT_EQ(path("G32 Z-1 J8", profile).front(),
+              "thread z-1 lead" + std::string(meaning.j) + " start0");
+    EXPECT_EQ(path("G32 Z-1 F1.5", profile).front(), "thread z-1 lead1.5 start0");
+  }
+  EXPECT_EQ(touched("G82 X20 Z-10 F2"), Lines{"hnc.g82.exit"});
+}
+
+// A block that lacks an axis may do nothing: it needs no lead, but what is written wrong is wrong.
+TEST(G82Rules, ABlockWithoutAnAxisMayDoNothing) {
+  const Profile profile = hnc({{"hnc.missing-axis", "nothing"}});
+  EXPECT_EQ(ending_of("G82 X20", profile), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G82 X20 C-1", profile), "alarm b1 value-sign");
+  EXPECT_EQ(ending_of("G80 Z-5", profile), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G74 X5", profile), kEndAtOrigin);
+  EXPECT_EQ(ending_of("G75 Z-5 I2", profile), kEndAtOrigin);
+  EXPECT_EQ(path("G80 X20 F50\nX20 Z-10", profile).size(), 4U);
+}
+
 TEST(G82Rules, EveryBrokenRuleIsReportedInTheOrderOfItsWord) {
   EXPECT_EQ(ending_of("G82 Q-1 X20 C1.5 Z-10 R-2 F0"),
             "alarm b1 value-sign not-an-integer retract-pair value-sign");

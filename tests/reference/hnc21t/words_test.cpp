@@ -59,7 +59,7 @@ TEST(HncWords, CodesWithoutEffectArePassedOver) {
     if (code.size() == 1) continue;
     EXPECT_EQ(path("G00 X2 " + std::string(code)), Lines{"rapid x1"}) << code;
   }
-  EXPECT_EQ(path("G00 X2 S300 T0101 H5 L3 A30 D1"), Lines{"rapid x1"});
+  EXPECT_EQ(path("G00 X2 S300 T0101"), Lines{"rapid x1"});
 }
 
 TEST(HncWords, OnlyThePlaneOfTheLatheIsAllowed) {

@@ -112,13 +112,29 @@ TEST(Lcyc75Rules, TheTypeIsOneOrTwo) {
 TEST(Lcyc75Rules, NeedsATool) {
   EXPECT_EQ(pocket_outcome("T0"), "no-tool T");
   EXPECT_EQ(pocket_outcome("D0"), "no-tool T");
-  EXPECT_EQ(pocket_outcome("T5"), "no-tool T");
   EXPECT_EQ(pocket_outcome("D0\nD2"), "end");
   EXPECT_EQ(pocket_outcome("D0\nT1 R118=90 R119=90"), "end");
   EXPECT_EQ(pocket_clause("T0"), "SIE-LC75-03");
+}
+
+// No alarm of the machine: it has the tool, and nobody has said how thick it is.
+TEST(Lcyc75Rules, AToolThatTheProfileDoesNotDescribeIsWhatTheProfileLacks) {
+  EXPECT_EQ(pocket_outcome("T5"), "not-covered profile");
   Profile blunt = s802();
   blunt.tools["4"] = 0;
-  EXPECT_EQ(pocket_outcome("", blunt), "no-tool T");
+  EXPECT_EQ(pocket_outcome("", blunt), "not-covered profile");
+  const std::vector<Item> items = expand(pocket_program("T5"), s802());
+  const auto& lacking = std::get<NotCovered>(items.back());
+  EXPECT_EQ(lacking.lacks, R"(tools = { "5" = { radius = "5" } })");
+  EXPECT_NE(lacking.message.find(lacking.lacks), std::string::npos);
+  // The line, written into a profile, is what was lacking.
+  const auto written = profile_from_toml("dialect = \"sinumerik802s\"\n" + lacking.lacks);
+  ASSERT_TRUE(std::holds_alternative<Profile>(written));
+  EXPECT_EQ(std::get<Profile>(written).tools.at("5"), Number(5));
+}
+
+TEST(Lcyc75Rules, WhatIsWrongWhateverTheToolIsAnAlarm) {
+  EXPECT_EQ(pocket_outcome("T5 R126=0"), "direction-parameter R126, no-tool T");
 }
 
 TEST(Lcyc75Rules, NeedsATurningSpindle) {
