@@ -19,7 +19,7 @@ struct Ngc {
       R"({"protocol":1,"subject":{"name":"gonogo-ngc","version":"0.1.0"},)"
       R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns"]},)"
       R"("features":["blocks","m","bytes"],)"
-      R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.001","chord":"0"},)"
+      R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
       R"("max_in_flight":1})";
 
   static ConfigurationResult read(std::string_view json, Configuration& configuration,
