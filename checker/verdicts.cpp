@@ -139,7 +139,8 @@ void Verdicts::check_words(const Json& line, const Vector& vector) {
 // Empty: they agree, or the case is left out.
 std::string Verdicts::stated_against(const std::string& verdict, const Derived& derived) {
   Decision stated = decision_of(verdict).value_or(Decision::undecided);
-  if (verdict == "xfail") stated = Decision::no_go;
+  // The motions of both depart; only what follows from that differs.
+  if (verdict == "xfail" || verdict == "advice") stated = Decision::no_go;
   if (verdict == "xpass") stated = Decision::go;
   switch (derived.kind) {
     case Derived::Kind::undecided:

@@ -25,7 +25,8 @@
  * @typedef {object} Subject
  * @property {string} name
  * @property {string} version
- * @property {Object<string, string[]>} dialects  the features of each dialect
+ * @property {Object<string, string[]>} [dialects]  the features of each dialect; left out, nothing is
+ *   declared, and what run() skips is not claimed
  * @property {string[]} [features]
  * @property {object} [numeric]  kind, resolution, feed_resolution, chord
  * @property {number} [maxInFlight]  how many runs the runner may send ahead

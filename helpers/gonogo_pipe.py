@@ -43,7 +43,8 @@ class Subject:
 
     name = "unnamed"
     version = "0"
-    #: {dialect: [feature, ...]}; `gonogo spec --features` prints the vocabulary.
+    #: {dialect: [feature, ...]}; `gonogo spec --features` prints the vocabulary. None: nothing is
+    #: declared, and what run() skips is not claimed.
     dialects = {}
     #: "blocks" (records carry b), "m" (M functions are records), "bytes" (any bytes as program).
     features = []
@@ -180,10 +181,13 @@ class Server:
         if not isinstance(offered, list) or PROTOCOL not in offered:
             return self._refuse("This subject speaks version %d of the protocol." % PROTOCOL)
         subject = self.subject
-        self.write({"protocol": PROTOCOL,
-                    "subject": {"name": subject.name, "version": subject.version},
-                    "dialects": subject.dialects, "features": subject.features,
-                    "numeric": subject.numeric, "max_in_flight": subject.max_in_flight})
+        reply = {"protocol": PROTOCOL,
+                 "subject": {"name": subject.name, "version": subject.version},
+                 "features": subject.features, "numeric": subject.numeric,
+                 "max_in_flight": subject.max_in_flight}
+        if subject.dialects is not None:
+            reply["dialects"] = subject.dialects
+        self.write(reply)
 
     def _configure(self, message):
         self.configured = False

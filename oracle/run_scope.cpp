@@ -75,7 +75,9 @@ void RunScope::add(const CaseHead& line, VerdictKind kind) {
   if (kind == VerdictKind::skip) {
     ++skipped_;
     // One that the gauge did not even ask for, or a reason of the subject's own.
-    const bool lacks = std::ranges::find(line.features, line.feature) != line.features.end();
+    const bool lacks = !line.feature.empty() &&
+                       (line.features.empty() ||
+                        std::ranges::find(line.features, line.feature) != line.features.end());
     const Skipped key{line.dialect, lacks ? line.feature : "", lacks ? "" : line.message};
     count(group_of(not_claimed_, key, Skipped{line.dialect, "", kOtherReasons}), line.id);
     if (lacks) return;

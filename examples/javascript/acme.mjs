@@ -74,7 +74,7 @@ class Machine {
 serve(() => ({
   name: 'acme-javascript',
   version: '1.0.0',
-  dialects: { rs274: ['basic'] },
+  // Of "basic" a part only: without `dialects` nothing is declared, and what is skipped is not claimed.
   features: ['blocks', 'bytes'],
   numeric: { kind: 'binary64' },
   run(program, emit) {

@@ -20,7 +20,7 @@ struct Ngc {
       R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
       R"("lines"]},)"
       R"("features":["blocks","m","bytes"],)"
-      R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.001","chord":"0"},)"
+      R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
       R"("max_in_flight":1})";
 
   static ConfigurationResult read(std::string_view json, Configuration& configuration,

@@ -91,7 +91,8 @@ bool CaseJudge::is_claimed(const Case& test, const RunEnd& end) const {
 // the declaration to skip (J-RUN-06).
 void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   Verdict& verdict = attempt.session.verdict;
-  if (attempt.end.kind == RunEnd::Kind::refused && profile_text_ == "{}") {
+  const bool refuses_defaults = attempt.end.kind == RunEnd::Kind::refused && profile_text_ == "{}";
+  if (refuses_defaults && !subject_->info().everything) {
     verdict.kind = VerdictKind::fail_declaration;
     verdict.message =
         fmt::format("The subject refuses the profile of defaults: {}", attempt.end.message);
@@ -259,9 +260,10 @@ CaseResult CaseJudge::judge(const Case& test) {
   if (attempt.session.verdict.kind == VerdictKind::timeout) {
     confirm_timeout(test, terms, attempt, result);
   }
-  // Three tries in fresh processes have confirmed a timeout.
+  // Three tries in fresh processes have confirmed a timeout, or what it comes from.
   const VerdictKind kind = attempt.session.verdict.kind;
-  if (decision(kind) == Decision::no_go && kind != VerdictKind::timeout) {
+  const bool is_confirmed = kind == VerdictKind::timeout || kind == VerdictKind::state_leak;
+  if (decision(kind) == Decision::no_go && !is_confirmed) {
     confirm(test, terms, attempt, result);
   }
   result.verdict = attempt.session.verdict;

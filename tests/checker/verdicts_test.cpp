@@ -60,20 +60,42 @@ TEST(CheckerVerdicts, ANoGoThatIsOneAgrees) {
   expect_said(shop, 0, "3 verdicts derived again (2 GO, 1 NO-GO, 0 not covered)");
 }
 
+// J-RUN-04: an advice departs, and changes no decision.
+TEST(CheckerVerdicts, AnAdviceDepartsAndIsNoNoGo) {
+  Workshop shop;
+  shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+  shop.set_verdict(kLineCase, "advice");
+  expect_said(shop, 0, "3 verdicts derived again (2 GO, 1 NO-GO, 0 not covered)");
+}
+
+TEST(CheckerVerdicts, AnAdviceThatDoesNotDepartIsNoticed) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "advice");
+  expect_said(shop, 1, "differs  " + kLineCase + ": The file says advice; derived: GO.");
+}
+
 TEST(CheckerVerdicts, AFeedOffByOneInTheLastPlaceIsADeparture) {
   expect_differs(kLineCase, R"("f":"100")", R"("f":"100.000000001")", "feed");
 }
 
-TEST(CheckerVerdicts, AFeedThatIsRoundedAsDeclaredIsNone) {
+TEST(CheckerVerdicts, AFeedThatIsRoundedAsGrantedIsNone) {
   Workshop shop;
   shop.change_vectors(R"("f":"100"})", R"("f":"100.04"})");
-  shop.change_results(R"("resolution":"0.001")", R"("resolution":"0.001","feed_resolution":"0.1")");
+  shop.change_results(R"("chord":null)", R"("chord":null,"feed_resolution":"0.1")");
   expect_said(shop, 0, "3 verdicts derived again");
 }
 
 TEST(CheckerVerdicts, AFeedThatIsRoundedTheOtherWayIsADeparture) {
   Workshop shop;
   shop.change_vectors(R"("f":"100"})", R"("f":"100.06"})");
+  shop.change_results(R"("chord":null)", R"("chord":null,"feed_resolution":"0.1")");
+  expect_said(shop, 1, "differs  " + kLineCase);
+}
+
+// J-RUN-02: declared, it counts up to the machine's 0.001 only.
+TEST(CheckerVerdicts, AFeedThatIsRoundedMoreCoarselyThanTheMachineIsADeparture) {
+  Workshop shop;
+  shop.change_vectors(R"("f":"100"})", R"("f":"100.04"})");
   shop.change_results(R"("resolution":"0.001")", R"("resolution":"0.001","feed_resolution":"0.1")");
   expect_said(shop, 1, "differs  " + kLineCase);
 }

@@ -16,8 +16,8 @@ function showHeadline() {
   if (headline.notClaimed > 0) parts.push(`${count(headline.notClaimed)} not claimed`);
   const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
   const words = el('div', { class: 'words' },
-    el('p', { class: 'subject' }, name), el('p', {}, parts.join(' \u00b7 ')),
-    el('p', { class: 'head', id: 'head-line' }, headline.head));
+    el('p', { class: 'subject' }, name), el('p', { class: 'head', id: 'head-line' }, headline.head),
+    el('p', { class: 'note' }, parts.join(' \u00b7 ')));
   if (headline.undecided > 0) {
     words.append(el('p', { class: 'note' },
       'Undecided: the gauge cannot say, so these cases count neither way.'));
@@ -116,7 +116,7 @@ function showMatrix() {
     body.append(row);
   }
   byId('matrix').append(el('p', { class: 'note' }, words.join(' ')),
-    el('p', { class: 'note' }, '\u2713 passed, \u2717 departed at this clause, ? undecided, + departed at another clause or failed as expected. Choose a cell to see its cases.'),
+    el('p', { class: 'note' }, '\u2713 passed, \u2717 departed at this clause, ? undecided, + departed at another clause, failed as expected, or an advice. Choose a cell to see its cases.'),
     el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Matrix' }, el('table', {},
       el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'Clause'), el('th', { scope: 'col' }, 'What it says'),
         ...summary.cycles.map((cycle) => el('th', { scope: 'col' }, cycle)))), body)));

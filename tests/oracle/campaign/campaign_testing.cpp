@@ -77,7 +77,9 @@ namespace {
 class Fake : public Subject {
  public:
   explicit Fake(FakeSubject fake) : fake_(std::move(fake)) {
+    if (fake_.info) info_ = *fake_.info;
     info_.name = "fake";
+    if (fake_.info) return;
     info_.everything = true;
     info_.features = {"blocks"};
     info_.max_in_flight = fake_.window;
@@ -96,7 +98,9 @@ class Fake : public Subject {
     while (const reference::Item* item = expander.next()) {
       if (auto* record = std::get_if<reference::Record>(item)) sink(*record);
     }
-    return RunEnd::of(fake_.end, {});
+    RunEnd end = RunEnd::of(fake_.end, {});
+    end.microseconds = fake_.microseconds;
+    return end;
   }
 
  private:

@@ -36,6 +36,9 @@ struct FakeSubject {
   // Called before each run with the id and how many runs this process has done.
   std::function<std::optional<RunEnd>(std::string_view id, int runs)> act;
   RunEnd::Kind end = RunEnd::Kind::ok;  // behind the records of the reference
+  std::int64_t microseconds = 0;        // of such a run
+  // What it says of itself; nothing: of everything, with source lines.
+  std::optional<SubjectInfo> info;
 };
 SubjectMaker fake_maker(FakeSubject fake);
 

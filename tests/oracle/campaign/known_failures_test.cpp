@@ -72,7 +72,7 @@ TEST(KnownFailures, AKnownFailureThatPassesIsAFinding) {
 
 TEST(KnownFailures, ACaseThatWasNotJudgedSaysNothing) {
   const KnownFailures failures = known(kOneEntry);
-  for (VerdictKind kind : {VerdictKind::skip, VerdictKind::oracle_gap}) {
+  for (VerdictKind kind : {VerdictKind::skip, VerdictKind::advice, VerdictKind::oracle_gap}) {
     EXPECT_EQ(after(failures, result("ngc.arc.000001", kind)), kind);
   }
 }

@@ -60,6 +60,47 @@ TEST(Tally, ADialectOfSkipsAloneIsUndecided) {
   EXPECT_EQ(answer({}).decision, "UNDECIDED");
 }
 
+CaseFacts of_feature(std::string id, VerdictKind verdict, const std::string& feature) {
+  CaseFacts made = facts(std::move(id), verdict);
+  made.head.id = made.id;
+  made.head.dialect = made.dialect;
+  made.head.features = {feature};
+  if (verdict == VerdictKind::skip) made.head.feature = feature;
+  return made;
+}
+
+// J-RUN-04, J-RUN-05.
+TEST(Tally, AdvicesAndSkipsChangeNothingButTheHeadLine) {
+  CaseFacts advice = of_feature("c", VerdictKind::advice, "g94");
+  advice.head.clause = "GSK-G94-02";
+  advice.head.departure = "fail.geometry";
+  const RunAnswer go = answer({of_feature("a", VerdictKind::pass_exact, "basic"),
+                               of_feature("b", VerdictKind::pass_exact, "g94"), advice,
+                               of_feature("d", VerdictKind::skip, "g110"),
+                               of_feature("e", VerdictKind::skip, "g90")});
+  EXPECT_EQ(go.exit_code, 0);
+  EXPECT_EQ(go.judged, 3U);
+  EXPECT_EQ(go.head,
+            "GO for basic, g94 of gsk988ta: 3 judged, 1 advice; not claimed: g90, g110 (2 cases)");
+  EXPECT_EQ(go.scope.short_head("GO"),
+            "GO \xC2\xB7 basic, g94 of gsk988ta \xC2\xB7 3 judged, 1 advice, 2 not claimed");
+  ASSERT_EQ(go.scope.advices().size(), 1U);
+  EXPECT_EQ(go.scope.advices().begin()->first.clause, "GSK-G94-02");
+  EXPECT_EQ(go.scope.advices().begin()->second.first, std::vector<std::string>{"c"});
+}
+
+// 5,243 skips and one pass read "5,244 GO" once.
+TEST(Tally, ThousandsOfSkipsAreNoneOfThemGo) {
+  Tally tally;
+  tally.add(of_feature("a", VerdictKind::pass_exact, "g94"));
+  for (int i = 0; i < 5'243; ++i) {
+    tally.add(of_feature("b" + std::to_string(i), VerdictKind::skip, "basic"));
+  }
+  const RunAnswer go = tally.finish({});
+  EXPECT_EQ(go.judged, 1U);
+  EXPECT_EQ(go.head, "GO for g94 of gsk988ta: 1 judged; not claimed: basic (5,243 cases)");
+}
+
 TEST(Tally, ACaseThatNoAssignmentExplainsWithThoseBeforeItFails) {
   Tally tally;
   EXPECT_EQ(tally.add(under("a", {"r=1", "r=2"})), VerdictKind::pass_exact);

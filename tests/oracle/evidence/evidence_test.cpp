@@ -119,12 +119,13 @@ TEST_F(Evidence, JunitSaysThatARunIsIncomplete) {
 
 TEST(Junit, EveryVerdictHasItsPlace) {
   const std::map<std::string, JunitMark> places = {
-      {"crash", JunitMark::error},          {"timeout", JunitMark::error},
-      {"out-of-memory", JunitMark::error},  {"protocol", JunitMark::error},
-      {"oracle-error", JunitMark::error},   {"skip", JunitMark::skipped},
-      {"oracle-gap", JunitMark::skipped},   {"xfail", JunitMark::skipped},
-      {"pass-exact", JunitMark::passed},    {"pass-rounded", JunitMark::passed},
-      {"pass-tolerance", JunitMark::passed}};
+      {"crash", JunitMark::error},           {"timeout", JunitMark::error},
+      {"out-of-memory", JunitMark::error},   {"protocol", JunitMark::error},
+      {"oracle-error", JunitMark::error},    {"skip", JunitMark::skipped},
+      {"oracle-gap", JunitMark::skipped},    {"xfail", JunitMark::skipped},
+      {"pass-exact", JunitMark::passed},     {"pass-rounded", JunitMark::passed},
+      {"pass-tolerance", JunitMark::passed}, {"pass-properties", JunitMark::passed},
+      {"advice", JunitMark::skipped}};
   for (std::string_view verdict : verdict_names()) {
     CaseRow row;
     row.kind = *verdict_kind(verdict);
@@ -200,12 +201,71 @@ TEST_F(Evidence, BadgeIsGreenForGoAndRedWithTheNumberForNoGo) {
   write(results_text({kPass}));
   json badge = json::parse(read("badge.json"));
   EXPECT_EQ(badge["schemaVersion"], 1);
-  EXPECT_EQ(badge["message"], "GO \u00b7 1 cases");
+  EXPECT_EQ(badge["message"], "GO \u00b7 1 judged");
   EXPECT_EQ(badge["color"], "brightgreen");
   write(all_kinds());
   badge = json::parse(read("badge.json"));
-  EXPECT_EQ(badge["message"], "NO-GO \u00b7 2 of 6 cases");
+  EXPECT_EQ(badge["message"], "NO-GO \u00b7 2 of 4 judged");
   EXPECT_EQ(badge["color"], "red");
+}
+
+const std::string kSkip =
+    R"({"id":"ngc.s.1","dialect":"rs274","cycle":"g2","features":["arc"],"clauses":[],"verdict":"skip",)"
+    R"("feature":"arc","message":"The subject does not declare arc in rs274."})";
+const std::string kAdvice =
+    R"({"id":"ngc.t.1","dialect":"rs274","cycle":"g1","features":["basic"],"clauses":[],"verdict":"advice",)"
+    R"("departure":"fail.alarm-missing","clause":"NGC-G0-01","basis":"silent","b":1,)"
+    R"("message":"No alarm came.","program":"G0 X1\n","trace":[]})";
+const std::string kDeclared =
+    R"({"id":"ngc.u.1","dialect":"rs274","cycle":"g1","features":["basic"],"clauses":[],)"
+    R"("verdict":"fail.declaration","message":"It declares basic, and skips it.","program":"G0 X1\n","trace":[]})";
+
+// J-RUN-01, J-RUN-05.
+TEST_F(Evidence, ASkipIsNotGreenAndIsToldEverywhere) {
+  write(results_text({kPass, kSkip}));
+  const json badge = json::parse(read("badge.json"));
+  EXPECT_EQ(badge["message"], "GO \u00b7 1 judged, 1 not claimed");
+  EXPECT_EQ(badge["color"], "yellowgreen");
+  const std::string summary = read("summary.md");
+  EXPECT_NE(summary.find("**GO: 1 judged; not claimed: arc (1 case)**"), std::string::npos)
+      << summary;
+  EXPECT_NE(summary.find("| skip | neither | 1 |"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("- arc: 1 case of rs274"), std::string::npos) << summary;
+  const std::string junit = read("junit.xml");
+  EXPECT_NE(
+      junit.find("<property name=\"head\" value=\"GO: 1 judged; not claimed: arc (1 case)\"/>"),
+      std::string::npos)
+      << junit;
+}
+
+// J-RUN-04: a note, a skipped test case, a group of its own; never a failure.
+TEST_F(Evidence, AnAdviceIsListedAndIsNoFailure) {
+  write(results_text({kPass, kAdvice}));
+  EXPECT_EQ(json::parse(read("badge.json"))["message"],
+            "GO \u00b7 basic of rs274 \u00b7 2 judged, 1 advice");
+  const std::string junit = read("junit.xml");
+  EXPECT_NE(junit.find("tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"1\""), std::string::npos);
+  EXPECT_NE(junit.find("<skipped message=\"advice (fail.alarm-missing): No alarm came.\"/>"),
+            std::string::npos)
+      << junit;
+  const json results = sarif()["results"];
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_EQ(results[0]["level"], "note");
+  EXPECT_EQ(results[0]["properties"]["departure"], "fail.alarm-missing");
+  EXPECT_EQ(results[0]["properties"]["basis"], "silent");
+  const std::string summary = read("summary.md");
+  EXPECT_NE(summary.find("- `NGC-G0-01`, would be fail.alarm-missing, 1 case: "), std::string::npos)
+      << summary;
+  EXPECT_EQ(summary.find("First failures"), std::string::npos);
+  EXPECT_EQ(read("programs/ngc.t.1.nc"), "G0 X1\n");
+}
+
+TEST_F(Evidence, WhatIsDeclaredAndSkippedIsListed) {
+  write(results_text({kPass, kDeclared}, "NO-GO"));
+  const std::string summary = read("summary.md");
+  EXPECT_NE(summary.find("declared, but skipped: g1 of rs274 (1 case)"), std::string::npos)
+      << summary;
+  EXPECT_NE(summary.find("## Declared, but skipped"), std::string::npos) << summary;
 }
 
 TEST_F(Evidence, SummaryHasDecisionTotalsFailuresAndCommands) {

@@ -40,7 +40,7 @@ const badge = new Ajv().compile({
   type: 'object',
   properties: {
     schemaVersion: { const: 1 }, label: { type: 'string' },
-    message: { type: 'string', minLength: 1 }, color: { enum: ['brightgreen', 'red', 'yellow'] },
+    message: { type: 'string', minLength: 1 }, color: { enum: ['brightgreen', 'yellowgreen', 'red', 'yellow'] },
   },
   required: ['schemaVersion', 'label', 'message'], additionalProperties: false,
 });
