@@ -43,7 +43,7 @@ TEST(DescribedMotions, ALiftAboveR101BetweenLevelsIsNoGo) {
   EXPECT_EQ(reference::clause_name(verdict.clause), "SIE-LC75-13");
 }
 
-Job contour_only() {
+Job wall_only() {
   Job job;
   job.ways = "R126=2 R127=2";
   job.allowance = "R124=0.75 R125=0";
@@ -51,7 +51,7 @@ Job contour_only() {
 }
 
 TEST(DescribedMotions, ContourOnlyThatClearsTheFloorIsNoGo) {
-  const Job job = contour_only();
+  const Job job = wall_only();
   Miller miller(job);
   miller.approach().plunge(-8).line(-10, 0).line(10, 0).round(17, 7, 0).round(25, 15, 3).home();
   miller.end();
@@ -62,7 +62,7 @@ TEST(DescribedMotions, ContourOnlyThatClearsTheFloorIsNoGo) {
 }
 
 TEST(DescribedMotions, TheContourAloneIsGo) {
-  const Job job = contour_only();
+  const Job job = wall_only();
   Miller miller(job);
   miller.approach().plunge(-8).round(25, 15, 3).home().end();
   const Verdict verdict = judge(miller, job);
