@@ -13,13 +13,13 @@ Verdict judge(const Miller& miller, const Job& job) {
   return judge_records(job.program(), miller.records(), {true, profile_802s({})});
 }
 
-// From the clearance plane up to Z100 and down again, at the feed of the plane.
+// From the clearance plane up to Z100 and down again, at a feed.
 TEST(DescribedMotions, AFeedFarAboveR101BeforeTheInfeedIsNoGo) {
   for (const char* ways : {"R126=2 R127=1", "R126=2 R127=2"}) {
     Job job;
     job.ways = ways;
     Miller miller(job);
-    miller.approach().ramp(0, 0, 100).ramp(0, 0, 2).plunge(-4).contour_parallel();
+    miller.approach().plunge(100).plunge(2).plunge(-4).contour_parallel();
     const Verdict verdict = judge(miller, job);
     EXPECT_EQ(verdict.kind, VerdictKind::fail_region) << verdict.message;
     EXPECT_FALSE(verdict.witness.empty());
