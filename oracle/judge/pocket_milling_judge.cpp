@@ -312,7 +312,8 @@ OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
 // J-CYC-01: of roughing the first infeed follows the approach, at the centre. Of finishing
 // (SIE-LC75-11) the tool may travel in what roughing left.
 OpenPathAnswer PocketMillingJudge::check_first(const Motion& motion) const {
-  if (item_.finishing || !first_ || milling_) return OpenPathAnswer::take();
+  const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
+  if (item_.finishing || !first_ || milling_ || below) return OpenPathAnswer::take();
   const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
   if (sinks && above_centre(motion.to())) return OpenPathAnswer::take();
   return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,

@@ -13,13 +13,13 @@ Verdict judge(const Miller& miller, const Job& job) {
   return judge_records(job.program(), miller.records(), {true, profile_802s({})});
 }
 
-// From the clearance plane up to Z100 and down again, at the feed of the plane.
+// From the clearance plane up to Z100 and down again, at a feed.
 TEST(DescribedMotions, AFeedFarAboveR101BeforeTheInfeedIsNoGo) {
   for (const char* ways : {"R126=2 R127=1", "R126=2 R127=2"}) {
     Job job;
     job.ways = ways;
     Miller miller(job);
-    miller.approach().ramp(0, 0, 100).ramp(0, 0, 2).plunge(-4).contour_parallel();
+    miller.approach().plunge(100).plunge(2).plunge(-4).contour_parallel();
     const Verdict verdict = judge(miller, job);
     EXPECT_EQ(verdict.kind, VerdictKind::fail_region) << verdict.message;
     EXPECT_FALSE(verdict.witness.empty());
@@ -43,7 +43,7 @@ TEST(DescribedMotions, ALiftAboveR101BetweenLevelsIsNoGo) {
   EXPECT_EQ(reference::clause_name(verdict.clause), "SIE-LC75-13");
 }
 
-Job contour_only() {
+Job wall_only() {
   Job job;
   job.ways = "R126=2 R127=2";
   job.allowance = "R124=0.75 R125=0";
@@ -51,7 +51,7 @@ Job contour_only() {
 }
 
 TEST(DescribedMotions, ContourOnlyThatClearsTheFloorIsNoGo) {
-  const Job job = contour_only();
+  const Job job = wall_only();
   Miller miller(job);
   miller.approach().plunge(-8).line(-10, 0).line(10, 0).round(17, 7, 0).round(25, 15, 3).home();
   miller.end();
@@ -62,7 +62,7 @@ TEST(DescribedMotions, ContourOnlyThatClearsTheFloorIsNoGo) {
 }
 
 TEST(DescribedMotions, TheContourAloneIsGo) {
-  const Job job = contour_only();
+  const Job job = wall_only();
   Miller miller(job);
   miller.approach().plunge(-8).round(25, 15, 3).home().end();
   const Verdict verdict = judge(miller, job);

@@ -10,7 +10,7 @@
 namespace gonogo::oracle::region {
 namespace {
 
-Pocket rectangle() {
+Pocket corner_8() {
   return pocket("60", "40", "8", "5", "0");
 }
 
@@ -54,7 +54,7 @@ Pocket in_pieces(const Pocket& whole, int chords, double longest) {
 
 // A quarter of radius 3 in eight chords: 3 (1 - cos 5.625 degrees) = 0.0144 inside.
 TEST(PocketChords, CornersOfChordsAreGoWhereTheyAreGranted) {
-  Pocket whole = rectangle();
+  Pocket whole = corner_8();
   contour_parallel(whole, 4);
   Pocket job = in_pieces(whole, 8, 100);
   EXPECT_TRUE(breaks(Rule::cover, job));
@@ -64,16 +64,16 @@ TEST(PocketChords, CornersOfChordsAreGoWhereTheyAreGranted) {
 
 TEST(PocketChords, TheOtherWayRoundIsNoGoInChordsAndPieces) {
   for (const double longest : {100.0, 0.5, 0.003}) {
-    Pocket whole = rectangle();
+    Pocket whole = corner_8();
     contour_parallel(whole, 4);
     go_round(whole, border_of(whole), -1);
     Pocket job = in_pieces(whole, 8, longest < 0.01 ? 2000 : 8);
     if (longest < 0.01) {
       // Only the last pass in tiny pieces.
-      Pocket right = rectangle();
+      Pocket right = corner_8();
       contour_parallel(right, 4);
       job = right;
-      Pocket last = rectangle();
+      Pocket last = corner_8();
       last.motions.clear();
       go_round(last, border_of(last), -1);
       for (const LevelMotion& motion : in_pieces(last, 2000, longest).motions) {
@@ -88,7 +88,7 @@ TEST(PocketChords, TheOtherWayRoundIsNoGoInChordsAndPieces) {
 }
 
 TEST(PocketChords, ChordsThatReachTwiceTheChordOutGouge) {
-  Pocket whole = rectangle();
+  Pocket whole = corner_8();
   contour_parallel(whole, 4);
   RoundedRectangle wide = border_of(whole);
   wide.radius += Number::parse("0.03").value();
