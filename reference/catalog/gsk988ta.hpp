@@ -280,12 +280,6 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Every other axis that is commanded but d is positioned with the centre.",
      "reference/gsk988ta/g114.cpp"},
 
-    {"GSK-CYC-01", derived, kG114,
-     "Inside the block of a cycle every motion is one that a clause of the cycle describes, within "
-     "what the clause leaves open.",
-     "reference/gsk988ta/g114.cpp", std::nullopt,
-     "a list of steps that a control carries out says what it does, and so what it does not"},
-
     {"GSK-COM-01", derived, kBasic, "A required word that is missing is an alarm.",
      "reference/gsk988ta/arc.cpp"},
     {"GSK-COM-02", derived, kBasic,
