@@ -172,12 +172,14 @@ std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
     const LevelMotion& motion = motions_[i];
     if (!motion.is_arc && motion.from == motion.to) continue;
     const BorderSense& border = is_chord(i) ? *along_chords_ : surely_;
-    if (motion.is_arc || !border.runs_along(make_line(motion.from, motion.to))) {
+    const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
+    // A longer one of those that are no chords is judged by itself.
+    const bool has_direction = !is_chord(i) && length.is_long_enough(motion.from, motion.to);
+    if (motion.is_arc || has_direction || !border.runs_along(make_line(motion.from, motion.to))) {
       start.reset();
       continue;
     }
     if (!start) start = motion.from;
-    const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
     if (!length.is_long_enough(*start, motion.to)) continue;
     if (length.goes_against(*start, motion.to)) {
       return broken(Rule::sense, motion.record, motion.from, Number());

@@ -63,7 +63,7 @@ TEST(PocketChords, CornersOfChordsAreGoWhereTheyAreGranted) {
 }
 
 TEST(PocketChords, TheOtherWayRoundIsNoGoInChordsAndPieces) {
-  for (const double longest : {100.0, 0.5, 0.003}) {
+  for (const double longest : {100.0, 0.5, 0.0039}) {
     Pocket whole = corner_8();
     contour_parallel(whole, 4);
     go_round(whole, border_of(whole), -1);
@@ -76,7 +76,7 @@ TEST(PocketChords, TheOtherWayRoundIsNoGoInChordsAndPieces) {
       Pocket last = corner_8();
       last.motions.clear();
       go_round(last, border_of(last), -1);
-      for (const LevelMotion& motion : in_pieces(last, 2000, longest).motions) {
+      for (const LevelMotion& motion : in_pieces(last, 500, longest).motions) {
         line_to(job, motion.to);
       }
     }
