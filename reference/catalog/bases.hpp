@@ -126,6 +126,8 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
      "The manual lists the codes and their words: one that is missing, or a code that is not "
      "there, says nothing to carry out; a cut without F has no speed."},
 
+    {"NGC-COM-06", kAsChosen},
+    {"NGC-ARC-06", kAsChosen},
     {"NGC-COM-01",
      "The language is a list of words, codes and groups, of which one of each may stand on a "
      "line."},

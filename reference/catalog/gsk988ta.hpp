@@ -257,8 +257,8 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "along p as rho_0 - J. Nothing is deeper than its pass; with J as long as the thread is deep "
      "the way back keeps off the material.",
      "reference/gsk988ta/thread_path.cpp", std::nullopt,
-     "from the steps of GSK-G114-06, each taken as it is written: back to the R plane, then along "
-     "the first axis to the safe position that J gives"},
+     "The steps of GSK-G114-06, each taken as it is written: back to the R plane, then along "
+     "the first axis to the safe position that J gives."},
     {"GSK-G114-11", open, kG114,
      "A pass ends with a run-out to the free side that gains J at K degrees; what K is measured "
      "from is open, one for a whole program. J = 0: none, and K is not needed. What neither the "
@@ -273,7 +273,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
     {"GSK-G114-14", derived, kG114,
      "Inside the block of a thread every motion is one of its steps (GSK-CYC-01).",
      "reference/gsk988ta/g114.cpp", std::nullopt,
-     "from GSK-CYC-01 and the list of steps, which is complete"},
+     "GSK-CYC-01 and the list of steps, which is complete."},
     {"GSK-G114-15", derived, kG114, "An internal thread needs a tool radius smaller than E/2.",
      "reference/gsk988ta/g114.cpp"},
     {"GSK-G114-16", derived, kG114,
@@ -302,7 +302,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "Every word of a block is used by its code, or passed over by a rule of the list below, or it "
      "ends the program as not covered: a control may chamfer or round by it.",
      "reference/gsk988ta/word_use.cpp", std::nullopt,
-     "a word that changes a path on some control, passed over, is a wrong path"},
+     "A word that changes a path on some control, passed over, is a wrong path."},
     {"GSK-COM-07", open, kBasic,
      "One address twice, and two codes of one group, are an alarm; a parameter of the machine can "
      "let the later one win.",
@@ -326,7 +326,7 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "what the clause leaves open; any other is none of the cycle.",
      "reference/gsk988ta/milling.hpp",
      {},
-     "the manual lists the motions of each cycle as its whole course"},
+     "The manual lists the motions of each cycle as its whole course."},
     {"GSK-CYC-02", must, kG110,
      "A level is cleared from the centre with the step L: the place first cut is the centre, and "
      "each place is cut from material already removed within L of it.",

@@ -140,7 +140,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "ends the program as not covered: a control may chamfer or round by it (C, R, RL= and RC= of "
      "G01).",
      "reference/hnc21t/word_use.cpp", std::nullopt,
-     "a word that changes a path on some control, passed over, is a wrong path"},
+     "A word that changes a path on some control, passed over, is a wrong path."},
 });
 
 }  // namespace gonogo::reference::catalog::hnc21t

@@ -138,7 +138,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "over by a rule of the list below. Names of own subprograms and variables, and addresses that "
      "only the machine gives a meaning, are not covered: no alarm of the machine.",
      "reference/sinumerik/word_use.cpp", std::nullopt,
-     "what a name of the machine's owner does stands in no manual"},
+     "What a name of the machine's owner does stands in no manual."},
 });
 
 }  // namespace gonogo::reference::catalog::sinumerik

@@ -58,7 +58,8 @@ TEST(Reading, EachDefaultIsOneOfItsChoices) {
                                         "hnc.missing-axis", "ngc.arc-words-alone",
                                         "ngc.bare-motion", "ngc.g80-beside", "ngc.line-number",
                                         "ngc.o-name", "sie.arc.correct", "sie.corner", "sie.g158",
-                                        "sie.infeed-from", "sie.rpl-equals"}));
+                                        "sie.infeed-from", "sie.lc75.r125-limit",
+                                        "sie.lcyc.unit", "sie.rpl-equals"}));
 }
 
 TEST(Reading, EachNamesItsDialectItsClauseAndItsChoice) {

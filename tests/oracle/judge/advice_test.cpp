@@ -19,6 +19,7 @@ struct Disputed {
   std::string trace;
   VerdictKind departure;
   std::string_view clause;
+  const char* reading = "";  // "k=v" where an open reading has to be settled first
 };
 
 std::string subject_alarm(int block, const char* name) {
@@ -75,12 +76,13 @@ std::vector<Disputed> disputed() {
        "\n",
        kMissing, "GSK-MOD-09"},
       {"two M functions, GSK", kGsk, "G00 X10\nM08 M03\nX20\n", lathe + rapid_x(3, "10"), kMissing,
-       "GSK-COM-11"},
+       "GSK-COM-11", "gsk.duplicate=alarm"},
       {"two M functions, HNC", kHnc, "G00 X10\nM08 M03\nX20\n", lathe + rapid_x(3, "10"), kMissing,
        "HNC-COM-02"},
       {"two M functions, SINUMERIK", kSie, "G0 X10\nM3 M8\nX20\n",
        sie + subject_alarm(2, "duplicate-word"), kSpurious, "SIE-COM-04"},
-      {"M30 M30, GSK", kGsk, "G00 X10\nM30 M30\n", lathe, kMissing, "GSK-COM-11"},
+      {"M30 M30, GSK", kGsk, "G00 X10\nM30 M30\n", lathe, kMissing, "GSK-COM-11",
+       "gsk.duplicate=alarm"},
       {"M30 M30, SINUMERIK", kSie, "G0 X10\nM30 M30\n", sie + subject_alarm(2, "duplicate-word"),
        kSpurious, "SIE-COM-04"},
       {"S-100, SINUMERIK", kSie, "G0 X10\nS-100\nX20\n", sie + rapid_x(3, "20"), kMissing,
@@ -116,9 +118,9 @@ std::vector<Disputed> disputed() {
        rapid_x(2, "5") + subject_alarm(4, "undefined-code"), kSpurious, "GSK-COM-13"},
       {"a sign of a word without effect", kGsk, "G00 X130 Z5\nG94 X120 Z-10 F300 K-1\n",
        kRapidToStart, kMissing, "GSK-COM-10"},
-      {"a word without effect, GSK", kGsk, "G00 X10\nG00 X20 J3\n",
+      {"a word without effect, GSK", kGsk, "G00 X10\nG94 X8 Z0 F100 K1\n",
        lathe + subject_alarm(2, "conflicting-words"), kSpurious, "GSK-COM-10"},
-      {"a word without effect, HNC", kHnc, "G00 X10\nG00 X20 I3\n",
+      {"a word without effect, HNC", kHnc, "G00 X10\nG80 X8 Z-5 F100 K1\n",
        lathe + subject_alarm(2, "conflicting-words"), kSpurious, "HNC-COM-07"},
       {"H1 H2", kSie, "G0 X10\nH1 H2\nX20\n", sie + subject_alarm(2, "duplicate-word"), kSpurious,
        "SIE-COM-04"},
@@ -131,13 +133,14 @@ class EveryDisputed : public testing::TestWithParam<Disputed> {};
 
 TEST_P(EveryDisputed, IsAnAdviceAndUnderStrictNoGo) {
   const Disputed& one = GetParam();
-  const Verdict verdict = judge_trace(one.program, one.trace, {.dialect = one.dialect});
+  const Verdict verdict =
+      judge_trace(one.program, one.trace, {.reading = one.reading, .dialect = one.dialect});
   EXPECT_EQ(name(verdict.kind), name(VerdictKind::advice)) << verdict.message;
   EXPECT_EQ(verdict.departure, one.departure) << name(verdict.departure.value_or(verdict.kind));
   EXPECT_EQ(reference::clause_name(verdict.clause), one.clause);
   EXPECT_EQ(decision(verdict.kind), Decision::neither);
-  const Verdict strict =
-      judge_trace(one.program, one.trace, {.dialect = one.dialect, .strict = true});
+  const Verdict strict = judge_trace(
+      one.program, one.trace, {.reading = one.reading, .dialect = one.dialect, .strict = true});
   EXPECT_EQ(name(strict.kind), name(one.departure)) << strict.message;
   EXPECT_EQ(reference::clause_name(strict.clause), one.clause);
   EXPECT_FALSE(strict.departure.has_value());
@@ -158,9 +161,9 @@ TEST(Advice, NeedsNoLineNumbers) {
                             "\n"
                             R"({"k":"alarm","class":"conflicting-words"})"
                             "\n";
-  EXPECT_EQ(judge_trace("G00 X10\nG00 X20 J3\n", trace, {.blocks = false}).kind,
+  EXPECT_EQ(judge_trace("G00 X10\nS-100\nG00 X20\n", trace, {.blocks = false}).kind,
             VerdictKind::advice);
-  EXPECT_EQ(judge_trace("G00 X10 J3\nG00 X20\n", trace, {.blocks = false}).kind,
+  EXPECT_EQ(judge_trace("S-100\nG00 X10\nG00 X20\n", trace, {.blocks = false}).kind,
             VerdictKind::fail_alarm_spurious);
 }
 
