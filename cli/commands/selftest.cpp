@@ -37,7 +37,8 @@ struct Trial {
 
 const std::vector<Trial>& trials() {
   static const std::vector<Trial> kTrials = {
-      {"reference", {VerdictKind::pass_exact, VerdictKind::pass_exact, VerdictKind::pass_exact}},
+      {"reference",
+       {VerdictKind::pass_exact, VerdictKind::pass_properties, VerdictKind::pass_exact}},
       {"empty",
        {VerdictKind::fail_geometry, VerdictKind::fail_geometry, VerdictKind::fail_geometry}},
       {"always-alarm",

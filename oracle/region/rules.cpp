@@ -199,6 +199,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   return broken(Rule::sense, motion.record, motion.from, Number());
 }
 
+// J-PKT-01
 std::optional<LevelVerdict> LevelJudge::gouge() {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LevelMotion& motion = motions_[i];
@@ -358,6 +359,7 @@ void LevelJudge::clear_with_ends(const LevelMotion& motion) {
   path_.points.push_back(motion.to - terms_.middle);
 }
 
+// J-PKT-02, J-PKT-03, by the arcs and the plunge that J-PKT-04 leaves of the path.
 std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle& area,
                                                const Number& reach) {
   const std::optional<RoundedRectangle> none;
@@ -372,6 +374,7 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
     doubt(coverage.why.c_str());
     return std::nullopt;
   }
+  // J-PKT-11
   const Number apart = coverage.excess + tolerance + terms_.slack;  // of the tool's own reach
   auto verdict = broken(rule, std::nullopt, coverage.witness + terms_.middle, apart);
   verdict.by_filter = coverage.by_filter;

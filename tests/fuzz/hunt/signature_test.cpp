@@ -37,7 +37,7 @@ TEST(Signature, AnotherKindOfVerdictIsAnotherDefect) {
 // G94 goes at rapid to B = C + R = Z-12; with the fault to Z-8, which lies on the way, and cuts on.
 TEST(Signature, NamesClauseRecordsAndCode) {
   EXPECT_EQ(signature("taper-sign", "G00 X100 Z5\nG94 X50 Z-10 R-2 F100\n").text(),
-            "fail.geometry GSK-G94-02 rapid/feed in G94");
+            "fail.geometry GSK-G94-02 rapid/rapid in G94");
 }
 
 TEST(Signature, HashesAreEightDigits) {

@@ -253,7 +253,7 @@ TEST(SampledJudge, WithdrawalsThatNoSampleShowsAreNotCalledGood) {
 
 // How long the machine stood before the first sample is not known.
 TEST(SampledJudge, ADwellThatBeginsTheProgramIsCheckedOnlyWhereSamplesShowIt) {
-  const SampledCase dwell{"G4 P10\nG1 X1 F600\n", "rs274"};
+  const SampledCase dwell{"G4 P10\nG1 X1 F600\nM2\n", "rs274"};
   SampledMachine at_once;
   at_once.line({1, 0, 0}, 600);
   const Verdict open = judge_samples(dwell, at_once.csv());
@@ -265,7 +265,7 @@ TEST(SampledJudge, ADwellThatBeginsTheProgramIsCheckedOnlyWhereSamplesShowIt) {
 
 // Logged on change: 9.6 s between two samples, of 10 s. What is granted is granted of feeds.
 TEST(SampledJudge, TheFeedToleranceShortensNoDwell) {
-  const SampledCase dwell{"G1 X1 F600\nG4 P10\nG1 X2\n", "rs274"};
+  const SampledCase dwell{"G1 X1 F600\nG4 P10\nG1 X2\nM2\n", "rs274"};
   const auto kind = [&](const char* leaves, const char* middle, const char* ends) {
     return judge_samples(dwell, fmt::format("t,x,y,z\n0.00,0,0,0\n0.05,0.5,0,0\n0.10,1,0,0\n"
                                             "{},1,0,0\n{},1.5,0,0\n{},2,0,0\n",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// No trace that is right in another way is NO-GO, advised against or left undecided.
+// J-PROP-09: no trace that is right in another way is NO-GO, advised against or left undecided.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
