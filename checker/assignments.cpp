@@ -16,10 +16,10 @@ Readings parse_assignment(const std::string& text) {
   return readings;
 }
 
-bool includes(const Readings& assignment, const Readings& when) {
+bool admits(const Readings& assignment, const Readings& when) {
   return std::ranges::all_of(when, [&](const auto& choice) {
     const auto found = assignment.find(choice.first);
-    return found != assignment.end() && found->second == choice.second;
+    return found == assignment.end() || found->second == choice.second;
   });
 }
 

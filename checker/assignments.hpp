@@ -13,8 +13,8 @@ namespace gonogo::checker {
 
 // "k=v k=v"
 Readings parse_assignment(const std::string& text);
-// Whether the assignment says all that `when` says.
-bool includes(const Readings& assignment, const Readings& when);
+// Whether the assignment says nothing else than `when`. What it does not name was not asked for.
+bool admits(const Readings& assignment, const Readings& when);
 
 class Assignments {
  public:

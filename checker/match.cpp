@@ -201,24 +201,24 @@ class Match {
   // lines they may be the last ones. At load the first of them will do.
   Finding find_functions(long alarm_block, bool at_load) const {
     if (!terms_.has_functions) return {};
+    // A program without an end alarms in its last line, whose functions have run (NGC-COM-08).
+    std::vector<Record> want = want_.functions;
+    std::erase_if(want,
+                  [&](const Record& due) { return alarm_block != 0 && due.block == alarm_block; });
     std::vector<Record> told;
     for (const Record& function : got_.functions) {
-      const bool may_be_of_alarm =
-          alarm_block != 0 && says_m_function(vector_.program, alarm_block, function.m) &&
-          (terms_.has_blocks ? function.block == alarm_block
-                             : told.size() == want_.functions.size() || at_load);
+      const bool may_be_of_alarm = alarm_block != 0 &&
+                                   says_m_function(vector_.program, alarm_block, function.m) &&
+                                   (terms_.has_blocks ? function.block == alarm_block
+                                                      : told.size() == want.size() || at_load);
       if (!may_be_of_alarm) told.push_back(function);
     }
-    const std::size_t due =
-        at_load ? std::min(told.size(), want_.functions.size()) : want_.functions.size();
-    const std::vector<Record> want(want_.functions.begin(),
-                                   want_.functions.begin() + static_cast<std::ptrdiff_t>(due));
+    if (at_load && told.size() < want.size()) want.resize(told.size());
     const bool same = std::ranges::equal(want, told, [&](const auto& x, const auto& y) {
       return x.m == y.m && (!terms_.has_blocks || x.block == y.block);
     });
     if (same) return find_places();
-    return {Answer::departs,
-            "The M functions are not " + list(want_.functions) + " but " + list(told) + "."};
+    return {Answer::departs, "The M functions are not " + list(want) + " but " + list(told) + "."};
   }
 
   // An M function stands before or after the motions of its block, not among those of another.

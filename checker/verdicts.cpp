@@ -182,7 +182,7 @@ void Verdicts::check_explaining(const Json& line, const Vector& vector, const De
     const Readings& when = vector.expect[i].when;
     if (when.empty() || derived.answers[i] == Answer::undecided) continue;
     const bool is_told = std::ranges::any_of(
-        explaining, [&](const Readings& assignment) { return includes(assignment, when); });
+        explaining, [&](const Readings& assignment) { return admits(assignment, when); });
     if (is_told == (derived.answers[i] == Answer::fits)) continue;
     std::string choice;
     for (const auto& [key, value] : when) choice += " " + key + "=" + value;
