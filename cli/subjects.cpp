@@ -53,9 +53,8 @@ oracle::SubjectMaker subject_maker(const std::string& text, const oracle::Limits
     return [rest = spec->rest, limits] { return oracle::make_oneshot_subject(rest, limits); };
   }
   if (spec && spec->kind == "capture") {
-    return [rest = spec->rest, limits] {
-      return oracle::make_capture_subject(rest, limits.capture);
-    };
+    return
+        [rest = spec->rest, limits] { return oracle::make_capture_subject(rest, limits.capture); };
   }
   if (spec && spec->kind == "lib") return library_maker(spec->rest, limits);
   throw UsageError(

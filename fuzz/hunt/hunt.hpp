@@ -20,7 +20,7 @@ struct HuntOptions {
   bool guided = true;                         // false: generated programs only
   std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
-  GeneratorSettings settings;  // of the programs that are generated
+  GeneratorSettings settings;      // of the programs that are generated
   std::size_t most_items = 3'000;  // of the reference, of one program
 };
 

@@ -49,9 +49,8 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const GeneratedProgram&
 
 oracle::JudgeTerms Trial::terms_for(const oracle::Subject& subject,
                                     const reference::Profile& profile) const {
-  oracle::JudgeTerms terms =
-      make_terms(subject.info(), profile,
-                 {options_.tolerance, options_.chord, options_.feed_resolution});
+  oracle::JudgeTerms terms = make_terms(
+      subject.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
   terms.strict = options_.strict;
   return terms;
 }

@@ -37,9 +37,8 @@ class Attributor {
   };
 
   oracle::JudgeTerms terms(const Profile& profile) const {
-    oracle::JudgeTerms terms =
-        make_terms(subject_.info(), profile,
-                   {options_.tolerance, options_.chord, options_.feed_resolution});
+    oracle::JudgeTerms terms = make_terms(
+        subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
     terms.strict = true;  // what it follows, not what a text states
     return terms;
   }

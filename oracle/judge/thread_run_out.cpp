@@ -162,7 +162,7 @@ RunOutSet ThreadRunOutJudge::ending_at(const Position& here) const {
       undecided = error;
     }
   }
-  if (ending.empty() && undecided) throw *undecided;
+  if (ending.empty() && undecided) throw exact::Undecided(*undecided);
   return ending;
 }
 

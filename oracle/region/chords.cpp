@@ -80,7 +80,7 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
                         int sense, const Number& shortest) {
   // Angles in doubles: a sum of so many is off by less than this; what is nearer stays undecided.
   constexpr double kMost = std::numbers::pi / 4;
-  constexpr double kUnsure = 1e-7;
+  constexpr double kUnsureTurn = 1e-7;
   const double least = enclose(shortest).hi;
   ChordTurning result;
   bool in_row = false;
@@ -109,8 +109,8 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
       turned += sense * std::atan2(dx * ny - dy * nx, dx * nx + dy * ny);
       most = std::max(most, turned);
       const double against = most - turned;
-      if (against > kMost + kUnsure) return {Turning::against, i};
-      if (against > kMost - kUnsure) result.kind = Turning::undecided;
+      if (against > kMost + kUnsureTurn) return {Turning::against, i};
+      if (against > kMost - kUnsureTurn) result.kind = Turning::undecided;
     }
     has_direction = true;
     dx = nx;

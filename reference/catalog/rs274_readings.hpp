@@ -9,6 +9,7 @@
 
 namespace gonogo::reference::catalog {
 
+// NOLINTNEXTLINE(readability-function-size): a table.
 inline std::vector<Reading> rs274_readings() {
   return {
       {ReadingKey::ngc_arc_tolerance,

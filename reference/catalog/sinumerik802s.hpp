@@ -63,7 +63,8 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "plane or from the clearance above it.",
      "reference/sinumerik/lcyc75_levels.cpp"},
     {"SIE-LC75-07", must, kPockets,
-     "Finishing takes the contour alone when R124 is above zero and R125 is zero: the floor is then "
+     "Finishing takes the contour alone when R124 is above zero and R125 is zero: the floor is "
+     "then "
      "not milled. Else it takes contour and floor; its last level is R104.",
      "reference/sinumerik/lcyc75.cpp"},
     {"SIE-LC75-08", derived, kPockets,

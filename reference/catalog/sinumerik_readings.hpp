@@ -10,6 +10,7 @@
 
 namespace gonogo::reference::catalog {
 
+// NOLINTNEXTLINE(readability-function-size): a table.
 inline std::vector<Reading> sinumerik_readings() {
   const auto reading = [](ReadingKey key, std::string_view name,
                           std::vector<std::string_view> alternatives, std::string_view fallback,

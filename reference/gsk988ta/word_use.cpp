@@ -11,8 +11,8 @@ namespace {
 // GSK-WRD-01. Beside every code stand the codes themselves, the feed, the tool and the spindle.
 constexpr std::string_view kEverywhere = "GMFST";
 constexpr std::string_view kAxes = "XUYVZWCH";
-// GSK-COM-06, GSK-COM-10: the words that the tables of the cycles give a range. One that a cycle does not use
-// is held to its range and passed over.
+// GSK-COM-06, GSK-COM-10: the words that the tables of the cycles give a range. One that a cycle
+// does not use is held to its range and passed over.
 constexpr std::string_view kOfCycles = "RILQDEJKP";
 
 bool holds(std::string_view set, char address) {

@@ -95,7 +95,7 @@ SubjectInfo declaring(std::map<std::string, std::set<std::string>> dialects) {
   return info;
 }
 
-FakeSubject skipping_all_but(const std::string& judged, std::string feature) {
+FakeSubject skipping_all_but(const std::string& judged, const std::string& feature) {
   FakeSubject skips;
   skips.act = [judged, feature](std::string_view id, int) -> std::optional<RunEnd> {
     if (id == judged) return std::nullopt;

@@ -49,6 +49,7 @@ constexpr std::string_view kHnc = "hnc21t";
 constexpr std::string_view kSie = "sinumerik840d";
 
 // X of the lathes is a diameter in the program and a radius in the trace.
+// NOLINTNEXTLINE(readability-function-size): a table.
 std::vector<Disputed> disputed() {
   const std::string sie = rapid_x(1, "10");
   const std::string lathe = rapid_x(1, "5");
@@ -220,8 +221,9 @@ TEST(Advice, IsNoCrash) {
   for (const RunEnd::Kind kind : {RunEnd::Kind::crash, RunEnd::Kind::timeout,
                                   RunEnd::Kind::protocol, RunEnd::Kind::out_of_memory}) {
     end.kind = kind;
-    const Verdict verdict =
-        judge_outcome(profile, std::string_view("S-100\n"), JudgeTerms{}, {}, end).verdict;
+    const Verdict verdict = judge_outcome(profile, std::string_view("S-100\n"), JudgeTerms{},
+                                          std::span<const Record>(), end)
+                                .verdict;
     EXPECT_EQ(decision(verdict.kind), Decision::no_go) << name(verdict.kind);
   }
 }

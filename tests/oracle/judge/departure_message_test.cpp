@@ -23,7 +23,7 @@ struct Expected {
   std::size_t record;
   std::string_view clause;
   std::string_view deviation;  // exact
-  std::string_view message = "";
+  std::string_view message = {};
 };
 
 void expect(const Verdict& verdict, const Expected& expected) {

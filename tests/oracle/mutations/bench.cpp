@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace gonogo::mutations {
 
@@ -39,7 +40,8 @@ void note(std::vector<Survivor>& all, const Specimen& specimen, const Operator& 
 
 void print_some(std::string_view title, std::vector<Survivor> all) {
   if (all.empty()) return;
-  std::ranges::stable_sort(all, {}, &Survivor::size);
+  std::ranges::sort(all, {},
+                    [](const Survivor& one) { return std::tie(one.size, one.id, one.op); });
   std::map<std::pair<std::string, std::string>, long> kinds;
   for (const Survivor& one : all) ++kinds[{one.op, one.why + " | " + one.verdict}];
   fmt::print("\n{}: {} of {} kinds\n", title, all.size(), kinds.size());

@@ -45,7 +45,8 @@ class OpenHelixPocket : public OpenPart {
     if (small) return "";
     const double due = 2 * pi * (pocket_.turns + (pocket_.flat ? 1 : 0) + 1);
     const double slack = 0.3 + 16 * margin.arc / radius_;
-    if (std::abs(turned - due) > slack * static_cast<double>(1 + strokes.size() / 8)) {
+    if (std::abs(turned - due) >
+        slack * (1 + std::floor(static_cast<double>(strokes.size()) / 8))) {
       return "more turns, or fewer, than L and the two semicircles (GSK-G112-05)";
     }
     return "";

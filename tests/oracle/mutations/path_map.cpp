@@ -267,9 +267,7 @@ class Mapping {
       if (is_first_of_open(state)) {
         if (const auto empty = read_open_part(state, j)) move_to(*empty);
       }
-      if (is_nil(want)) {
-        move_to({state.element + 1, 0, state.opened});
-      } else if (!want.is_dwell() && is_at_end(state, want, here)) {
+      if (is_nil(want) || (!want.is_dwell() && is_at_end(state, want, here))) {
         move_to({state.element + 1, 0, state.opened});
       }
     }

@@ -5,6 +5,8 @@
 // After GoogleTest, which it needs.
 #include <rapidcheck/gtest.h>
 
+#include <numbers>
+
 #include "tests/oracle/region/expectations.hpp"
 
 namespace gonogo::oracle::region {
@@ -118,7 +120,7 @@ Job in_pieces(const Job& whole, int pieces) {
     const Number c = (Number(1) - t * t) / below;
     const Number s = Number(2) * t / below;
     PlanePoint at = motion.from - motion.centre;
-    const int count = static_cast<int>(3.14159265 / 3 * pieces);
+    const int count = static_cast<int>(std::numbers::pi / 3 * pieces);
     for (int k = 1; k < count; ++k) {
       at = {c * at.p - s * at.q, s * at.p + c * at.q};
       at = {at.p, at.q};
