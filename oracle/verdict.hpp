@@ -70,9 +70,8 @@ struct Verdict {
   std::string deviation_exact;  // mm, as in a record; empty: none
   std::string deviation_mm;     // the same as a decimal
   std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
-  std::string
-      feature;  // skip, fail.declaration: what the subject skips; empty: it refused a profile
-  std::string message;  // a sentence for people
+  std::string feature;          // what the subject skips; empty: it refused a profile
+  std::string message;          // a sentence for people
 };
 
 }  // namespace gonogo::oracle
