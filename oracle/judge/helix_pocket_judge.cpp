@@ -254,6 +254,16 @@ void HelixPocketJudge::prepare_bottom(Phase phase) {
   match_.emplace(want_, terms_, open);
 }
 
+// What is left of a helix or circle that ended within the tolerance of its end: to a place that may
+// be that end, too (J-CMP-02, J-CYC-01).
+bool HelixPocketJudge::is_remainder(const Motion& motion) const {
+  return is_cut(motion.record.kind) && !nearly_full_turn(motion) &&
+         agree(motion.from, want_.from, terms_.tolerance * 2) &&
+         agree(motion.to(), want_.from, terms_.tolerance * 2) &&
+         agree(motion.to()[axes_.d], item_.bottom, terms_.tolerance) &&
+         helix_.front().starts().admits(shape_.to_end, shape_.from_axis(motion.to()));
+}
+
 OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
   const MatchResult result = match_->match(motion);
   if (result.departure == Departure::none) {
@@ -272,11 +282,7 @@ OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
       return OpenPathAnswer::end(motion.from);
     }
   }
-  // What is left of a helix or circle that ended within the tolerance of its end.
-  const bool remainder = is_cut(motion.record.kind) && !nearly_full_turn(motion) &&
-                         agree(motion.from, want_.from, terms_.tolerance * 2) &&
-                         agree(motion.to(), want_.from, terms_.tolerance * 2);
-  return remainder ? OpenPathAnswer{} : departs(result, motion);
+  return is_remainder(motion) ? OpenPathAnswer{} : departs(result, motion);
 }
 
 }  // namespace gonogo::oracle

@@ -35,6 +35,7 @@ class HelixPocketJudge {
   OpenPathAnswer take_helix(const Motion& motion);
   OpenPathAnswer end_helix(const Motion& motion);
   OpenPathAnswer take_at_bottom(const Motion& motion);
+  bool is_remainder(const Motion& motion) const;
   // The motions so far as a semicircle that ends where the last of them does.
   MatchResult match_entry(TurnedStart& starts) const;
   Motion semicircle(const Position& from, const Position& to) const;

@@ -57,6 +57,10 @@ OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
                  falls ? "The run-out goes down again." : "The run-out rises beyond the R plane.");
   }
+  // None of the run-outs turns in another plane, wherever such an arc leads.
+  if (motion.record.kind == RecordKind::arc && motion.record.plane != item_.plane) {
+    return no_run_out(motion);
+  }
   // A run-out that rises is judged by its part in the plane.
   Motion flat = motion;
   flat.from[axes_.d] = flat.record.to[axes_.d] = item_.bottom;

@@ -151,6 +151,22 @@ TEST(HelixPocketJudge, AnExitElsewhereIsNoGo) {
   expect_pocket_no_go(pocket, "GSK-G112-06");
 }
 
+// J-CYC-01. By hand, about X15.5 Y-5: at the bottom 0.002 outwards and back, twice the tolerance.
+TEST(HelixPocketJudge, ACutAsideAtTheEndOfTheHelixIsNoGo) {
+  const auto trace = [](bool aside) {
+    TraceText text(1, 300);
+    text.rapid({{'x', 8}, {'y', 6}, {'z', 20}}).block(2, 300).rapid({{'x', 15.5}, {'y', -5}});
+    text.arc("G17", {{'x', 16.5}, {'y', -5}}, 1, {{'x', 17.5}, {'y', -5}});
+    text.arc("G17", {{'x', 15.5}, {'y', -5}}, 1, {{'x', 17.5}, {'y', -5}, {'z', 15.5}});
+    if (aside) text.feed({{'x', 17.502}}).feed({{'x', 17.5}});
+    text.arc("G17", {{'x', 16.5}, {'y', -5}}, 1, {{'x', 15.5}, {'y', -5}});
+    return text.rapid({{'z', 20}}).text();
+  };
+  constexpr std::string_view kUpright = "G17 G00 X16 Y6 Z20\nG113 X31 Y-5 Z15.5 I6 L1 D4 F300\n";
+  EXPECT_EQ(decision(judge_trace(kUpright, trace(false)).kind), Decision::go);
+  EXPECT_EQ(judge_trace(kUpright, trace(true)).kind, VerdictKind::fail_geometry);
+}
+
 TEST(HelixPocketJudge, AMissingExitIsNoGo) {
   Pocket pocket;
   pocket.exit = false;

@@ -282,6 +282,17 @@ TEST(ThreadSteps, ARunOutOfAnotherLengthOrSideIsNoGo) {
   is_no_go({.words = "J2 K30", .run_out = out_to(18.732050808, 1)}, "another point");
 }
 
+// J-THR-05. A half circle about Y-5 Z18 in the plane of Y and Z: it ends where J and K lead to.
+TEST(ThreadSteps, ARunOutByAnArcInAnotherPlaneIsNoGo) {
+  for (const int sense : {1, -1}) {
+    is_no_go({.run_out =
+                  [sense](TraceText& t) {
+                    t.arc("G19", {{'y', -5}, {'z', 18}}, sense, {{'y', -5}, {'z', 19}});
+                  }},
+             "none of the run-outs");
+  }
+}
+
 TEST(ThreadSteps, ARunOutThatRisesIsJudgedByItsPartInThePlane) {
   is_go({.run_out = [](TraceText& t) { t.feed({{'z', 19}, {'y', 3}}); }});
   is_no_go({.run_out = [](TraceText& t) { t.feed({{'z', 20}, {'y', 3}}); }}, "run-out");

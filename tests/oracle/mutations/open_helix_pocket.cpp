@@ -37,7 +37,7 @@ class OpenHelixPocket : public OpenPart {
       }
       if (record.plane != pocket_.plane) return "another plane";
       if ((record.rot < 0) != (pocket_.sense < 0)) return "the other sense (GSK-G112-09)";
-      turned += std::abs(motion.sweep);
+      turned += sweep_of(motion, margin);
       if (small) continue;
       std::string broken = shape(motion, margin);
       if (!broken.empty()) return broken;
@@ -73,10 +73,9 @@ class OpenHelixPocket : public OpenPart {
                    : "a level turn (GSK-G112-05)";
       }
       const double lead = (bottom_ - top_) / pocket_.turns;
-      const double fall = std::abs(motion.sweep) / (2 * pi) * lead;
+      const double fall = sweep_of(motion, margin) / (2 * pi) * lead;
       if (std::abs(motion.to[d_] - motion.from[d_] - fall) >
-              wide + std::abs(lead) * wide / radius_ &&
-          !meets_itself(motion, margin)) {
+          wide + std::abs(lead) * wide / radius_) {
         return "another lead (GSK-G112-05)";
       }
       return "";
@@ -93,10 +92,25 @@ class OpenHelixPocket : public OpenPart {
     return "";
   }
 
-  bool meets_itself(const Stroke& motion, const Margin& margin) const {
-    return std::abs(along_p(motion.from) - along_p(motion.to)) <= 2 * margin.arc &&
-           std::abs(along_q(motion.from) - along_q(motion.to)) <= 2 * margin.arc &&
-           std::abs(motion.record->rot) < 2;
+  // Where both ends of a turn agree with one place, either of them off by the tolerance (J-CMP-02),
+  // the last turn may be nil or a full one, and the one that fits is meant: of the helix that of
+  // its height. A full one after other turns is what its record says (J-PATH-06).
+  double sweep_of(const Stroke& motion, const Margin& margin) const {
+    const double sweep = std::abs(motion.sweep);
+    if (motion.meets_itself || !ends_agree(motion, margin)) return sweep;
+    const bool nil = std::remainder(sweep, 2 * pi) >= 0;
+    if (!nil && sweep > 2 * pi) return sweep;
+    const double other = nil ? sweep + 2 * pi : sweep - 2 * pi;
+    const double height = std::abs(motion.to[d_] - motion.from[d_]);
+    const double due = height <= margin.place
+                           ? 2 * pi
+                           : 2 * pi * pocket_.turns * height / std::abs(bottom_ - top_);
+    return std::abs(other - due) < std::abs(sweep - due) ? other : sweep;
+  }
+
+  bool ends_agree(const Stroke& motion, const Margin& margin) const {
+    return std::abs(along_p(motion.from) - along_p(motion.to)) <= 2 * margin.place &&
+           std::abs(along_q(motion.from) - along_q(motion.to)) <= 2 * margin.place;
   }
 
   const HelixPocket pocket_;

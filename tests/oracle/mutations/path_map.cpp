@@ -114,7 +114,10 @@ bool arc_fits(const Stroke& got, const Stroke& want, double from, double to, con
     if (got.u[i] == 0 && got.v[i] == 0) continue;
     if (std::abs(got.centre[i] - want.centre[i]) > margin.place) return false;
   }
-  if ((got.sweep < 0) != (want.sweep < 0) && std::abs(want.sweep) * (to - from) > slack) {
+  // Of an arc too small to show its sense the other sense is not proved right: what turns nearly
+  // all the way round against it is no piece of it (J-PATH-05).
+  if ((got.sweep < 0) != (want.sweep < 0) &&
+      (margin.strict || std::abs(want.sweep) * (to - from) > slack)) {
     return false;
   }
   const double least = std::max(std::min(want.from_radius, want.to_radius), margin.arc);
@@ -232,9 +235,11 @@ class Mapping {
 
   MapResult run() {
     states_[0].insert(State{});
-    const Place nowhere{};
+    // Where the tool stands, in the names of the start.
+    Place here{};
+    if (!all_.empty()) here = all_[0]->unnamed(all_[0]->from);
     for (std::size_t j = 0; j <= got_.size(); ++j) {
-      const Place here = j > 0 ? got_[j - 1].to : got_.empty() ? nowhere : got_[0].from;
+      if (j > 0) here = got_[j - 1].unnamed(got_[j - 1].to);
       pass_on(j, here);
       if (states_[j].empty()) continue;
       result_.reached = j;
@@ -274,7 +279,7 @@ class Mapping {
   }
 
   bool is_at_end(const State& state, const Stroke& want, const Place& here) const {
-    if (apart(want.to, here) > margin_.place) return false;
+    if (apart(want.unnamed(want.to), here) > margin_.place) return false;
     if (!want.is_round) return true;
     const double radius = std::max(want.from_radius, want.to_radius);
     const double slack = (4 * margin_.arc + kRounding) / std::max(radius, margin_.arc);

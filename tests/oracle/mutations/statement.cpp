@@ -182,6 +182,19 @@ constexpr double kSurelyBeyond = 1.2;  // tolerances: what is farther off is wro
 constexpr double kBeyondTwo = 2.4;     // where a place may be off twice
 constexpr double kSurelyWithin = 0.98;
 
+// Where an arc begins or ends on its own centre, that end shows no direction (J-PATH-06): in an
+// open part the record does not tell what it sweeps. Not where the right trace has such an arc.
+bool hides_a_sweep(const Specimen& specimen, const Trace& mutant) {
+  constexpr double kNoRadius = 1e-9;
+  const auto is_open = [](const PathElement& element) { return element.open != nullptr; };
+  const auto has_one = [&](const Trace& trace) {
+    return std::ranges::any_of(specimen.strokes(trace), [](const Stroke& one) {
+      return one.is_round && std::min(one.from_radius, one.to_radius) < kNoRadius;
+    });
+  };
+  return std::ranges::any_of(specimen.path, is_open) && has_one(mutant) && !has_one(specimen.right);
+}
+
 // Motions as they stand and joined: what is dropped between two decides which.
 MapResult map_any_way(const Specimen& specimen, const Trace& mutant, const Margin& margin) {
   const std::vector<Stroke> strokes = specimen.strokes(mutant);
@@ -203,6 +216,7 @@ Statement state_path(const Specimen& specimen, const Trace& mutant) {
   const Margin wide{beyond, 4 * tau, beyond};
   const MapResult weak = map_any_way(specimen, mutant, wide);
   if (weak.fit == Fit::none) {
+    if (hides_a_sweep(specimen, mutant)) return {Answer::unsure, "a sweep that is not told"};
     return wrong(weak.broken.empty() ? "off the path" : weak.broken);
   }
   if (weak.fit == Fit::open) return {Answer::unsure, "the path is open there"};

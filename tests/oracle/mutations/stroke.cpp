@@ -137,6 +137,12 @@ double plane_radius(const PlaneAxes& axes, const Place& at, const std::array<dou
   return std::hypot(at[index(axes.p)] - centre[0], at[index(axes.q)] - centre[1]);
 }
 
+Place Stroke::unnamed(const Place& place) const {
+  Place first = place;
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] -= renamed[i];
+  return first;
+}
+
 Place Stroke::at(double part) const {
   Place place = from;
   for (std::size_t i = 0; i < place.size(); ++i) place[i] += (to[i] - from[i]) * part;
@@ -169,17 +175,22 @@ std::vector<Stroke> strokes_of(std::span<const Record> records, const Place& sta
   std::vector<Stroke> strokes;
   strokes.reserve(records.size());
   Place here = start;
+  Place renamed{};
   std::size_t named = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
     for (; named < names.size() && record.block > names[named].block; ++named) {
-      for (std::size_t a = 0; a < here.size(); ++a) here[a] += names[named].shift[a];
+      for (std::size_t a = 0; a < here.size(); ++a) {
+        here[a] += names[named].shift[a];
+        renamed[a] += names[named].shift[a];
+      }
     }
     if (!is_motion(record.kind) && record.kind != RecordKind::dwell) continue;
     Stroke stroke;
     stroke.record = &record;
     stroke.number = i;
     stroke.from = stroke.to = here;
+    stroke.renamed = renamed;
     if (record.kind != RecordKind::dwell) {
       for (const Axis axis : reference::kAllAxes) {
         if (record.axes.has(axis)) stroke.to[index(axis)] = value_of(record.to[axis]);

@@ -34,6 +34,7 @@ struct Stroke {
   std::size_t number = 0;  // of the record in its trace
   Place from{};
   Place to{};
+  Place renamed{};  // by how much its places are named otherwise than at the start
   bool is_round = false;
   bool meets_itself = false;  // round: the end is the start, so that it is a full turn for certain
   Vector centre{};            // round: in the plane of the circle; u, v span it
@@ -47,6 +48,8 @@ struct Stroke {
 
   RecordKind kind() const { return record->kind; }
   bool is_dwell() const { return record->kind == RecordKind::dwell; }
+  // A place in the names of the start: G50 and G92 move nothing.
+  Place unnamed(const Place& place) const;
   // 0 at the start, 1 at the end.
   Place at(double part) const;
   // Whether it may be meant as none: its ends agree within the tolerance, and it makes no turn, or
