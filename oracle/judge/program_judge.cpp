@@ -76,8 +76,9 @@ void ProgramJudge::decide_too_many(const Record& record) {
 // an open path a place where the tool has not been.
 bool ProgramJudge::makes_progress(const Motion& motion) {
   const ReferenceStep& step = reference_.behind_m_functions();
+  const RecordKind kind = motion.record.kind;
   const bool is_straight =
-      motion.record.kind == RecordKind::feed || motion.record.kind == RecordKind::rapid;
+      kind == RecordKind::feed || kind == RecordKind::rapid || kind == RecordKind::thread;
   if (const auto* want = std::get_if<Motion>(&step)) {
     if (!is_round(want->record.kind)) {
       return is_straight && comes_nearer(motion, want->to(), terms_.tolerance);
@@ -85,7 +86,8 @@ bool ProgramJudge::makes_progress(const Motion& motion) {
   } else if (const auto* level = std::get_if<reference::PocketLevel>(&step)) {
     if (!ends_in_pocket(motion, *level)) return false;
   } else if (!std::holds_alternative<reference::ThreadMilling>(step) &&
-             !std::holds_alternative<reference::HelixPocket>(step)) {
+             !std::holds_alternative<reference::HelixPocket>(step) &&
+             !std::holds_alternative<reference::PocketMilling>(step)) {
     return false;
   }
   return visited_.is_new(reference_.items(), motion.to(), terms_.tolerance);

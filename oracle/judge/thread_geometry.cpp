@@ -68,6 +68,10 @@ Clearance ThreadGeometry::clearance(const Motion& motion, const Number& radius) 
   return clearance_from(motion, {item_.external, radius, slack()});
 }
 
+Clearance ThreadGeometry::clearance_of_chord(const Motion& chord, const Number& radius) const {
+  return clearance_from(chord, {item_.external, radius, slack() + terms_.chord});
+}
+
 Clearance ThreadGeometry::within(const Motion& motion, const Number& radius) const {
   return clearance_from(motion, {false, radius, slack()});
 }

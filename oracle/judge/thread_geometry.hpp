@@ -42,6 +42,8 @@ class ThreadGeometry {
   // Whether a motion keeps off the material that begins at the circle. A traverse may go anywhere
   // within its box.
   Clearance clearance(const Motion& motion, const Number& radius) const;
+  // The same of a chord that the certifier grants, which may cut deeper by that much.
+  Clearance clearance_of_chord(const Motion& chord, const Number& radius) const;
   // Whether it stays within a circle about the axis.
   Clearance within(const Motion& motion, const Number& radius) const;
 

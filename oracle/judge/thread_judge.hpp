@@ -55,6 +55,7 @@ class ThreadJudge {
   MatchResult match_helix(const Motion& motion);
   RunOutSet allowed_run_outs(const RunOutSet& left) const;
   bool is_remainder(const Motion& motion) const;
+  bool is_chord_clear(const Motion& flat) const;
   bool is_back_unseen() const;
   std::optional<Verdict> finish_run_out(const Motion& motion);
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }

@@ -95,6 +95,13 @@ bool ThreadRunOutJudge::take(const Motion& flat) {
   return !left_.empty();
 }
 
+bool ThreadRunOutJudge::take_chord(const Motion& flat) {
+  left_.remove(ThreadRunOut::radial);
+  left_.remove(ThreadRunOut::tangent);
+  off_line_[place_of(ThreadRunOut::polar)] = true;
+  return take(flat);
+}
+
 bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
   const std::size_t place = place_of(run_out);
   if (off_line_[place] || flat.record.kind != RecordKind::feed) return false;

@@ -51,6 +51,8 @@ class ThreadRunOutJudge {
 
   // A cut in the plane, without its height. False: it belongs to none of the run-outs.
   bool take(const Motion& flat);
+  // A straight cut that is admissible as a chord of the polar arc alone (J-THR-08).
+  bool take_chord(const Motion& flat);
   // Those that end here. Throws exact::Undecided where that is not known of the only ones.
   RunOutSet ending_at(const Position& here) const;
   // For the evidence: whether one of them ends here, whatever led to it, or one that the passes

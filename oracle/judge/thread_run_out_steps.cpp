@@ -32,6 +32,12 @@ bool ThreadJudge::is_remainder(const Motion& motion) const {
          helix_.front().starts().admits(to_end_, geometry_.from_axis(motion.to()));
 }
 
+// J-THR-08: a chord cuts deeper than its arc, by no more than the certifier grants.
+bool ThreadJudge::is_chord_clear(const Motion& flat) const {
+  return flat.record.kind == RecordKind::feed && terms_.chord.sign() > 0 &&
+         geometry_.clearance_of_chord(flat, radius()).kind == Clearance::Kind::clear;
+}
+
 OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
   if (is_cut(motion.record.kind)) {
     if (is_remainder(motion)) return OpenPathAnswer::wait();
@@ -69,6 +75,8 @@ OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
     if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
       return OpenPathAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
     }
+    // J-THR-08
+    if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};
     return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
   }
   if (run_out_->take(flat)) return {};
