@@ -41,7 +41,7 @@ struct Thread {
   double feed = 900;
   double run_out_radius = 2;    // J, to the free side
   double run_out_degrees = 30;  // K
-  enum class RunOut { arc, line, radial, tangent, none } run_out = RunOut::arc;
+  enum class RunOut { arc, three_chords, line, radial, tangent, none } run_out = RunOut::arc;
   enum class Return { to_r_plane, to_initial, none, tilted } way_back = Return::to_r_plane;
   double start_radius = 18;  // rho_0
   double safe = 20;          // along p from the centre
@@ -137,12 +137,24 @@ struct Thread {
       case RunOut::tangent:
         to = straight(normal + turn * (90 - k));
         break;
-      case RunOut::arc: {
+      case RunOut::arc:
+      case RunOut::three_chords: {
         const double end = radius + side * run_out_radius;
         const double cosine = std::cos(k * std::numbers::pi / 180);
         const double a = end * cosine - radius;
         const double w = (radius * radius + end * end - 2 * radius * end * cosine) / (2 * a);
         const Point middle = at(radius + w, end_degrees);
+        if (run_out == RunOut::three_chords) {
+          const double begin = std::atan2(from.x - middle.x, from.z - middle.z);
+          const double turn_by = std::remainder(
+              std::atan2(to.x - middle.x, to.z - middle.z) - begin, 2 * std::numbers::pi);
+          for (int i = 1; i <= 3; ++i) {
+            const double angle = begin + turn_by * i / 3;
+            trace.feed({{'z', middle.z + std::abs(w) * std::cos(angle)},
+                        {'x', middle.x + std::abs(w) * std::sin(angle)}});
+          }
+          return to;
+        }
         trace.arc("G18", {{'z', middle.z}, {'x', middle.x}}, a < 0 ? sense : -sense,
                   {{'z', to.z}, {'x', to.x}});
         return to;

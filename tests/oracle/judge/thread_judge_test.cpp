@@ -258,6 +258,17 @@ TEST(ThreadJudge, APassTooManyIsNoGo) {
   expect_no_go(thread, "GSK-G114-04", "again");
 }
 
+// J-THR-08. The arc from 17 to 19 over 30 degrees has a radius of 83. A third of it is a chord of
+// 3.2, with a sagitta of 3.2^2 / (8 * 83) = 0.015, and slopes by 1.6 / 83 = 0.019 into the pass,
+// 17 * 0.019^2 / 2 = 0.003 deep.
+TEST(ThreadJudge, AChordOfTheRunOutMayCutDeeperByWhatIsGranted) {
+  Thread thread;
+  thread.run_out = Thread::RunOut::three_chords;
+  expect_go(thread, {.chord = "0.02"});
+  expect_no_go(thread, "GSK-G114-10", "deeper than its pass");
+  expect_no_go(thread, "GSK-G114-10", "deeper than its pass", {.chord = "0.001"});
+}
+
 TEST(ThreadJudge, ChordsAreGoWhenTheCertifierGrantsThem) {
   // 100 chords a turn: sagitta 17.5 (1 - cos 1.8 degrees) = 0.0086.
   auto trace = [](double tolerance_of_end) {

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <variant>
 
 #include "alternative.hpp"
 #include "bench.hpp"
@@ -20,6 +24,42 @@ struct Count {
   long accepted = 0;
   std::map<std::string, long> rejected;  // by what the judge says
 };
+
+constexpr double kDomain = 10'000;  // mm: no machine's axes are longer
+
+// J-PATH-06: of an arc that the tolerance all but swallows, or that has whole turns and hardly a
+// height, rounding decides which turn is meant.
+bool hangs_on_rounding(const Stroke& stroke, double tolerance) {
+  if (!stroke.is_round) return false;
+  const double least = 4 * tolerance;
+  if (std::min(stroke.from_radius, stroke.to_radius) < least) return true;
+  if (std::abs(stroke.sweep) < std::numbers::pi) return false;
+  return std::ranges::any_of(std::array{0, 1, 2}, [&](int axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const double height = std::abs(stroke.to[i] - stroke.from[i]);
+    return stroke.u[i] == 0 && stroke.v[i] == 0 && height > 0 && height < least;
+  });
+}
+
+// J-PROP-09: what no alternative is held against.
+bool is_outside(const Attempt& attempt) {
+  const double tolerance = value_of(attempt.terms.tolerance);
+  const std::vector<Stroke> strokes = attempt.specimen.strokes(attempt.specimen.right);
+  return std::ranges::any_of(strokes, [&](const Stroke& stroke) {
+    const bool is_far = std::ranges::any_of(std::array<std::size_t, 3>{0, 1, 2}, [&](auto axis) {
+      return std::abs(stroke.to[axis]) > kDomain;
+    });
+    return is_far || hangs_on_rounding(stroke, tolerance);
+  });
+}
+
+// J-THR-09: without block numbers it may not be told where a thread ends.
+bool is_untold_end(std::string_view name, const Specimen& specimen, const oracle::Verdict& said) {
+  const bool is_thread = std::ranges::any_of(specimen.items, [](const reference::Item& item) {
+    return std::holds_alternative<reference::ThreadMilling>(item);
+  });
+  return name == "no-blocks" && is_thread && said.kind == oracle::VerdictKind::oracle_gap;
+}
 
 class Alternatives {
  public:
@@ -38,6 +78,8 @@ class Alternatives {
     const std::vector<Alternative> wordings = wording_alternatives();
     const Alternative& other = trials_.one_of(wordings);
     if (other.name == one.name || one.name == "looser-tolerance") return;
+    // What is rounded coarsely first is no finer value rounded.
+    if (one.name.starts_with("rounded") && other.name.starts_with("rounded")) return;
     if (other.apply(attempt))
       judge("two-at-once", attempt, std::string(one.name) + " + " + std::string(other.name));
   }
@@ -73,10 +115,12 @@ class Alternatives {
 
  private:
   void judge(std::string_view name, const Attempt& attempt, std::string what = {}) {
+    if (is_outside(attempt)) return;
     const oracle::Verdict verdict =
         judge_outcome(attempt.profile, attempt.specimen.program, attempt.terms,
                       attempt.trace.records, attempt.trace.end)
             .verdict;
+    if (is_untold_end(name, attempt.specimen, verdict)) return;
     Count& count = counts_[std::string(name)];
     if (decision(verdict.kind) == Decision::go) {
       ++count.accepted;
