@@ -9,6 +9,7 @@
 #include <string.h>
 
 enum { NO_MOTION = -1, TRAVERSE = 0, STRAIGHT = 1 };
+enum { MOTION_GROUP = 1 }; /* of block.groups */
 
 typedef struct machine {
   const gonogo_sink_v1* sink;
@@ -71,6 +72,13 @@ static int read_number(const char** at, const char* end, double* value) {
   return any;
 }
 
+/* Whole digits; they have no meaning. */
+static int read_line_number(const char** at, const char* end) {
+  int any = 0;
+  for (char c; (c = next_of(at, end)) >= '0' && c <= '9'; ++*at) any = 1;
+  return any;
+}
+
 static int take_g(machine* m, block* b, double number) {
   static const double codes[] = {0, 1, 20, 21, 90, 91}; /* two a group */
   unsigned group;
@@ -94,9 +102,10 @@ static int take_g(machine* m, block* b, double number) {
 static int read_block(machine* m, block* b, const char* at, const char* end) {
   for (char letter; (letter = next_of(&at, end)) != 0;) {
     char name[2] = {letter, 0};
-    double number;
+    double number = 0;
     ++at;
-    if (strchr("NGXYZFM", letter) == NULL || !read_number(&at, end, &number))
+    if (strchr("NGXYZFM", letter) == NULL) return not_supported(m, name);
+    if (!(letter == 'N' ? read_line_number(&at, end) : read_number(&at, end, &number)))
       return not_supported(m, name);
     if (letter == 'G') {
       int answer = take_g(m, b, number);
@@ -134,11 +143,14 @@ static int move(machine* m, const block* b) {
 }
 
 static int execute(machine* m, const block* b) {
+  int moves;
   if (has(b, 'F')) m->feed = b->value['F' - 'A'] * b->feed_unit;
   if (m->feed < 0) return alarm_at(m, b, "value-sign", 'F');
-  if (!has(b, 'X') && !has(b, 'Y') && !has(b, 'Z')) return GONOGO_OK;
+  moves = has(b, 'X') || has(b, 'Y') || has(b, 'Z');
+  if (!moves && (b->groups & MOTION_GROUP) == 0) return GONOGO_OK;
   if (m->motion == NO_MOTION) return alarm_at(m, b, "missing-word", 'G');
   if (m->motion == STRAIGHT && m->feed == 0) return alarm_at(m, b, "feed-missing", 'F');
+  if (!moves) return GONOGO_OK;
   return move(m, b);
 }
 
@@ -179,20 +191,22 @@ static int run(void* handle, gonogo_text program) {
   machine* m = handle;
   const char* at = program.data;
   const char* end = program.data + program.size;
+  block b = {0};
+  b.line = 1;
   for (uint64_t line = 1; at < end; ++line) {
-    block b = {0};
     const char* stop = at;
     int answer;
     while (stop < end && *stop != '\n' && *stop != '\r') ++stop;
+    memset(&b, 0, sizeof b);
     b.line = line;
     b.feed_unit = m->unit;
     answer = read_block(m, &b, at, stop);
     if (answer == GONOGO_OK) answer = execute(m, &b);
     if (answer != GONOGO_OK) return answer;
-    if (has(&b, 'M')) break; /* M2 or M30: the end of the program */
+    if (has(&b, 'M')) return GONOGO_OK; /* M2 or M30: the end of the program */
     at = stop + (end - stop > 1 && stop[0] == '\r' && stop[1] == '\n' ? 2 : 1);
   }
-  return GONOGO_OK;
+  return alarm_at(m, &b, "program-end", 0);
 }
 
 static void destroy(void* handle) {

@@ -54,13 +54,14 @@ class Words {
   char letter() { return at_ < text_.size() ? text_[at_++] : '\0'; }
   // Its number in millionths.
   std::int64_t number(char letter) {
-    const bool negative = take('-');
-    if (!negative) take('+');
+    const bool is_whole = letter == 'N';  // digits alone
+    const bool negative = !is_whole && take('-');
+    if (!negative && !is_whole) take('+');
     std::int64_t value = 0;
     int digits = 0;
     int decimals = -1;  // no point yet
     for (; at_ < text_.size(); ++at_) {
-      if (text_[at_] == '.' && decimals < 0) {
+      if (text_[at_] == '.' && decimals < 0 && !is_whole) {
         decimals = 0;
       } else if (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0) {
         value = 10 * value + (text_[at_] - '0');
@@ -96,6 +97,9 @@ class Machine {
       program.remove_prefix(end);
       program.remove_prefix(program.substr(0, 2) == "\r\n" ? 2 : program.empty() ? 0 : 1);
     }
+    if (ended_) return;
+    line_ = line_ > 1 ? line_ - 1 : 1;  // the last one
+    throw Alarm{"program-end", 0};
   }
 
   void alarm(const Alarm& alarm) const {
@@ -124,7 +128,7 @@ class Machine {
         take(letter, value, values);
       }
     }
-    execute(values);
+    execute(values, groups[0]);
   }
 
   void take(char letter, std::int64_t value, Values& values) const {
@@ -170,14 +174,16 @@ class Machine {
     return millionths / 5 * 127;
   }
 
-  void execute(const Values& values) {
+  // `names_motion`: the block has a G0 or a G1.
+  void execute(const Values& values, bool names_motion) {
     ended_ = values.find('M') != values.end();
     if (auto f = values.find('F'); f != values.end()) feed_ = f->second;
     if (feed_ < 0) throw Alarm{"value-sign", 'F'};
-    if (values.count('X') + values.count('Y') + values.count('Z') == 0) return;
+    const bool moves = values.count('X') + values.count('Y') + values.count('Z') > 0;
+    if (!moves && !names_motion) return;
     if (!motion_) throw Alarm{"missing-word", 'G'};
     if (*motion_ == 1 && feed_ == 0) throw Alarm{"feed-missing", 'F'};
-    move(values);
+    if (moves) move(values);
   }
 
   void move(const Values& values) {

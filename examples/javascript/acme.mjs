@@ -21,7 +21,8 @@ function wordsOf(line) {
   for (kWord.lastIndex = 0; kWord.lastIndex < text.length;) {
     const at = kWord.lastIndex;
     const word = kWord.exec(text);
-    if (!word || !'NGXYZFM'.includes(word[1])) throw new NotSupported(text[at]);
+    const isRead = word && 'NGXYZFM'.includes(word[1]) && (word[1] !== 'N' || /^\d+$/.test(word[2]));
+    if (!isRead) throw new NotSupported(text[at]);
     words.push([word[1], Number(word[2])]);
   }
   return words;
@@ -49,18 +50,18 @@ class Machine {
     }
     Object.assign(this.modes, groups);
     if (values.F !== undefined) this.feed = values.F * feedUnit;
-    this.move(values, b, emit);
+    if (this.feed < 0) throw new Alarm('value-sign', 'F');
+    const axes = ['X', 'Y', 'Z'].filter((axis) => axis in values);
+    if (axes.length > 0 || 'motion' in groups) this.move(axes, values, b, emit);
     return values.M !== undefined;
   }
 
   unit() { return this.modes.unit === 20 ? 25.4 : 1; }
 
-  move(values, b, emit) {
-    if (this.feed < 0) throw new Alarm('value-sign', 'F');
-    const axes = ['X', 'Y', 'Z'].filter((axis) => axis in values);
-    if (axes.length === 0) return;
+  move(axes, values, b, emit) {
     if (this.modes.motion === null) throw new Alarm('missing-word', 'G');
     if (this.modes.motion === 1 && this.feed === 0) throw new Alarm('feed-missing', 'F');
+    if (axes.length === 0) return;
     const to = {};
     for (const axis of axes) {
       this.at[axis] = values[axis] * this.unit() + (this.modes.distance === 91 ? this.at[axis] : 0);
@@ -82,13 +83,15 @@ serve(() => ({
     const lines = program.toString('latin1').split(/\r\n|\r|\n/);
     for (let b = 1; b <= lines.length; ++b) {
       try {
-        if (machine.block(lines[b - 1], b, emit)) break;
+        if (machine.block(lines[b - 1], b, emit)) return undefined;
       } catch (found) {
         if (found instanceof Alarm) return alarm(found.cls, { cls: found.cls, b, word: found.word });
         if (found instanceof NotSupported) return skip(found.feature, 'Straight lines only.');
         throw found;
       }
     }
-    return undefined;
+    // A line feed ends a line and begins none.
+    const last = Math.max(1, lines.length - (lines.at(-1) === '' ? 1 : 0));
+    return alarm('program-end', { cls: 'program-end', b: last });
   },
 }));

@@ -25,7 +25,8 @@ def words_of(line):
     text, at, words = re.sub(rb"[ \t]", b"", line).upper(), 0, []
     while at < len(text):
         word = WORD.match(text, at)
-        if not word or word[1] not in b"NGXYZFM":
+        is_read = word and word[1] in b"NGXYZFM" and (word[1] != b"N" or word[2].isdigit())
+        if not is_read:
             raise NotSupported(text[at:at + 1].decode("latin-1"))
         words.append((word[1].decode(), Fraction(word[2].decode())))
         at = word.end()
@@ -41,15 +42,17 @@ class Acme(Subject):
     def run(self, program, emit):
         self.modes = {"motion": None, "unit": 21, "distance": 90}
         self.at, self.feed = {}, Fraction(0)
-        for b, line in enumerate(re.split(rb"\r\n|\r|\n", program), 1):
+        lines = re.split(rb"\r\n|\r|\n", program)
+        for b, line in enumerate(lines, 1):
             try:
                 if self.block(line, b, emit):
-                    break
+                    return None
             except Alarm as found:
                 return alarm(found.cls, cls=found.cls, b=b, word=found.word)
             except NotSupported as missing:
                 return skip(str(missing), "This example reads straight lines only.")
-        return None
+        last = max(1, len(lines) - (lines[-1] == b""))  # a line feed ends a line and begins none
+        return alarm("program-end", cls="program-end", b=last)
 
     def block(self, line, b, emit):
         """Executes one line; true at the end of the program."""
@@ -71,21 +74,23 @@ class Acme(Subject):
             seen.add(key) if seen is groups else seen.update({key: number})
         if "F" in values:
             self.feed = values["F"] * feed_unit
-        self.move({k: v for k, v in values.items() if k in "XYZ"}, b, emit)
+        if self.feed < 0:
+            raise Alarm("value-sign", "F")
+        axes = {k: v for k, v in values.items() if k in "XYZ"}
+        if axes or "motion" in groups:
+            self.move(axes, b, emit)
         return "M" in values
 
     def unit(self):
         return Fraction("25.4") if self.modes["unit"] == 20 else 1
 
     def move(self, axes, b, emit):
-        if self.feed < 0:
-            raise Alarm("value-sign", "F")
-        if not axes:
-            return
         if self.modes["motion"] is None:
             raise Alarm("missing-word", "G")
         if self.modes["motion"] == 1 and self.feed == 0:
             raise Alarm("feed-missing", "F")
+        if not axes:
+            return
         for axis, way in axes.items():
             begin = self.at.get(axis, 0) if self.modes["distance"] == 91 else 0
             self.at[axis] = begin + way * self.unit()

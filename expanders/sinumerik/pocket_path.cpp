@@ -12,7 +12,12 @@ namespace {
 // In radii of the tool.
 constexpr double kStep = 1.6;        // between lines
 constexpr double kOff = 0.1;         // of the lines from the border
+constexpr double kMostOff = 0.5;     // of a small tool's
 constexpr double kSecondPass = 1.3;  // from the border to the inner pass over a wide strip
+
+// What the lines keep off the border at least, so that none of them is a pass along it: five least
+// increments of 0.001 mm.
+constexpr double kLeastOff = 5'000'000;
 
 Area inset(Area area, double by) {
   area.half_length = std::max(area.half_length - by, 0.);
@@ -116,7 +121,8 @@ bool PocketPath::middle_line(const Area& area) {
 bool PocketPath::lines(const Area& whole) {
   const double radius = pocket_.radius;
   if (whole.half_width <= radius) return true;
-  const Area area = inset(whole, kOff * radius);
+  const double off = std::min(std::max(kOff * radius, kLeastOff), kMostOff * radius);
+  const Area area = inset(whole, off);
   const double span = 2 * area.half_width;
   const bool islands = machine_.has(Fault::kStepTooWide);
   const double count = islands ? std::max(std::floor(span / (2.4 * radius)), 1.)

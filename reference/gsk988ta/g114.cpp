@@ -2,8 +2,11 @@
 //
 // G114 to G117, thread milling: external and internal, clockwise and counterclockwise.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
+#include <string_view>
+#include <vector>
 
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
@@ -99,26 +102,21 @@ RunOutWords take_run_out(const BlockContext& block) {
 
 // What the machine does then only its parameters say: no alarm of it, and nothing is assumed.
 bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
-  const int code = block.machine.milling.code;
-  if (!words.length && words.lacks_angle()) {
-    block.not_covered(code, 'J',
-                      "The run-out needs J and K, which the block does not give, and the profile "
-                      "lacks the machine's parameters 5921 (distance, mm) and 5920 (angle, "
-                      "degrees). Write into the profile, with the machine's own values: parameters "
-                      "= { \"5920\" = \"30\", \"5921\" = \"2\" }");
-  } else if (!words.length) {
-    block.not_covered(code, 'J',
-                      "The run-out needs J, which the block does not give, and the profile lacks "
-                      "the machine's parameter 5921 (distance, mm). Write into the profile, with "
-                      "the machine's own value: parameters = { \"5921\" = \"2\" }");
-  } else if (words.lacks_angle()) {
-    block.not_covered(code, 'K',
-                      "The run-out needs K, which the block does not give, and the profile lacks "
-                      "the machine's parameter 5920 (angle, degrees). Write into the profile, with "
-                      "the machine's own value: parameters = { \"5920\" = \"30\" }");
-  } else {
-    return false;
+  std::vector<std::string_view> what;
+  std::vector<std::string_view> line;
+  if (words.lacks_angle()) {
+    what.emplace_back("5920 (for K, the angle of the run-out, degrees)");
+    line.emplace_back(R"("5920" = "30")");
   }
+  if (!words.length) {
+    what.emplace_back("5921 (for J, the length of the run-out, mm)");
+    line.emplace_back(R"("5921" = "2")");
+  }
+  if (line.empty()) return false;
+  block.out.not_covered = lacking_in_profile(
+      fmt::format("The machine's parameter {}", fmt::join(what, ", and its parameter ")),
+      fmt::format("parameters = {{ {} }}", fmt::join(line, ", ")),
+      block.places.behind(), block.line);
   return true;
 }
 
