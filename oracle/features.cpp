@@ -36,6 +36,7 @@ std::span<const Feature> feature_vocabulary() {
       {"rs274", "turns", "G2 and G3 with P turns"},
       {"rs274", "lines",
        "the form of lines, words that nothing uses, and the end of a program, as documented"},
+      {"rs274", "g81", "the drilling cycles G81 and G82"},
       {"sinumerik840d", "basic", "G0, G1, G4, units, G90 and G91, AC and IC, G94 and G95"},
       {"sinumerik840d", "arc", "G2 and G3 by their centre in the plane in force"},
       {"sinumerik840d", "cr", "G2 and G3 by CR="},

@@ -13,6 +13,7 @@
 #include "reference/catalog/gsk988ta.hpp"
 #include "reference/catalog/hnc21t.hpp"
 #include "reference/catalog/rs274.hpp"
+#include "reference/catalog/rs274_cycles.hpp"
 #include "reference/catalog/silent_rules.hpp"
 #include "reference/catalog/sinumerik.hpp"
 #include "reference/catalog/sinumerik802s.hpp"
@@ -44,7 +45,7 @@ consteval Catalog resting(Catalog all) {
 
 inline constexpr auto kAll =
     resting(joined(kGsk988ta, silent::kGsk988ta, hnc21t::kClauses, silent::kHnc21t, rs274::kClauses,
-                   sinumerik::kPathClauses, silent::kSinumerikPath, sinumerik::kCycleClauses,
+                   rs274::kCycleClauses, sinumerik::kPathClauses, silent::kSinumerikPath, sinumerik::kCycleClauses,
                    silent::kSinumerikCycles));
 
 }  // namespace catalog

@@ -38,6 +38,7 @@ void BlockOutput::clear() {
   cycle = {};
   after.clear();
   alarms.clear();
+  before_alarm.clear();
   warnings.clear();
   not_covered.reset();
   beyond_range.reset();
@@ -136,8 +137,9 @@ const Item* Expander::next() {
     }
     if (!out_.alarms.empty() || out_.not_covered) {
       out_.accepted.clear();
-      // None of the motion of the alarming block.
+      // None of the motion of the alarming block, but what a reading says.
       out_.items.clear();
+      if (!out_.alarms.empty()) out_.items.swap(out_.before_alarm);
       out_.after.clear();
       out_.cycle = {};
     }

@@ -25,6 +25,8 @@ struct BlockOutput {
   Generator<Item> cycle;
   std::vector<Item> after;
   std::vector<Alarm> alarms;
+  // Motions of a block that alarms, by a control that finds the fault on the way.
+  std::vector<Item> before_alarm;
   std::vector<Warning> warnings;
   std::optional<NotCovered> not_covered;
   std::optional<grammar::Span> beyond_range;  // a value that an expression has, reference/range.hpp

@@ -5,6 +5,7 @@
 
 #include "reference/catalog/gsk988ta_readings.hpp"
 #include "reference/catalog/hnc21t_readings.hpp"
+#include "reference/catalog/rs274_cycle_readings.hpp"
 #include "reference/catalog/rs274_readings.hpp"
 #include "reference/catalog/sinumerik_readings.hpp"
 
@@ -15,7 +16,8 @@ const std::vector<Reading>& table() {
   static const std::vector<Reading> kTable = [] {
     std::vector<Reading> all = catalog::gsk988ta_readings();
     for (const auto& more :
-         {catalog::hnc21t_readings(), catalog::rs274_readings(), catalog::sinumerik_readings()}) {
+         {catalog::hnc21t_readings(), catalog::rs274_readings(), catalog::rs274_cycle_readings(),
+          catalog::sinumerik_readings()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;

@@ -77,6 +77,14 @@ enum class ReadingKey : std::uint8_t {
   ngc_program_end,
   ngc_bare_motion,
   ngc_arc_words_alone,
+  ngc_cycle_initial,
+  ngc_cycle_g91_r,
+  ngc_cycle_sticky,
+  ngc_cycle_approach,
+  ngc_cycle_initial_kept,
+  ngc_cycle_retract_start,
+  ngc_cycle_feed,
+  ngc_cycle_alarm_at,
   sie_arc_correct,
   sie_cr_tolerance,
   sie_spindle,
@@ -93,7 +101,7 @@ enum class ReadingKey : std::uint8_t {
   sie_lcyc_unit,
   sie_lc75_r125_limit,
 };
-inline constexpr std::size_t kReadings = 73;
+inline constexpr std::size_t kReadings = 81;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

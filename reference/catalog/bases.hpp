@@ -128,6 +128,17 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
 
     {"NGC-COM-06", kAsChosen},
     {"NGC-ARC-06", kAsChosen},
+    {"NGC-CYC-09", kAsChosen},
+    {"NGC-CYC-17", kNotExpected},
+    {"NGC-CYC-20", "The feeds of a cycle are cuts, and a cut without F has no speed."},
+    {"NGC-CYC-25", "The codes of motion are named that cancel a cycle; no other code does."},
+    {"NGC-CYC-26", "The steps of the cycle end there, and axis words go on from where the tool is."},
+    {"NGC-CYC-27", "The order in which the words of a block act: a dwell before motion."},
+    {"NGC-CYC-28",
+     "The steps of the cycle in the order of the text, with spindle stops and starts between "
+     "motions; speed and M functions act before motion."},
+    {"NGC-CYC-29", kAsChosen},
+    {"NGC-CYC-30", "The table of modal groups: one code of each in a block."},
     {"NGC-COM-01",
      "The language is a list of words, codes and groups, of which one of each may stand on a "
      "line."},

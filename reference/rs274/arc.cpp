@@ -31,10 +31,6 @@ bool is_linuxcnc(const BlockContext& block) {
   return block.readings.is(ReadingKey::ngc_arc_tolerance, "linuxcnc");
 }
 
-constexpr char axis_address(Axis axis) {
-  return "XYZAC"[index(axis)];
-}
-
 // NGC-ARC-05: how many turns are begun. Nothing when the rules are broken.
 std::optional<std::int32_t> turns_of(BlockContext& block) {
   if (!block.p_is_turns) return 1;
@@ -62,7 +58,7 @@ std::optional<std::int32_t> turns_of(BlockContext& block) {
 Centre centre_by_radius(BlockContext& block, const Arc& arc) {
   const ClauseId clause = "NGC-ARC-04"_clause;
   if (!arc.names_plane()) {
-    block.missing(clause, axis_address(arc.axes.p));
+    block.missing(clause, address_of(arc.axes.p));
     return std::nullopt;
   }
   if (arc.ends.closed()) {
@@ -139,7 +135,7 @@ std::optional<OffsetCentre> offset_centre(BlockContext& block, const Arc& arc) {
 // NGC-ARC-02. Nothing when the rules are broken.
 Centre centre_by_offsets(BlockContext& block, const Arc& arc) {
   if (!arc.names_plane() && block.readings.is(ReadingKey::ngc_full_circle_words, "needed")) {
-    block.missing("NGC-ARC-04"_clause, axis_address(arc.axes.p));
+    block.missing("NGC-ARC-04"_clause, address_of(arc.axes.p));
   }
   const std::optional<OffsetCentre> found = offset_centre(block, arc);
   if (!found) return std::nullopt;

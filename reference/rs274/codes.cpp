@@ -14,7 +14,8 @@ using enum Treatment;
 using Code = GCode<Group>;
 
 // In ascending order. NGC-COM-01 for those that are read or have no effect; the others are codes
-// that the language has and the gauge does not read.
+// that the language has and the gauge does not read. NGC-CYC-30: one code of a group in a block.
+// NGC-CYC-21: what forbids a cycle is among the codes that are not read.
 constexpr auto kCodes = std::to_array<Code>({
     {0, Group::motion, read, "traverse"},
     {10, Group::motion, read, "straight feed"},
@@ -74,7 +75,7 @@ constexpr auto kCodes = std::to_array<Code>({
     {730, Group::motion, outside, "drilling with chip breaking"},
     {760, Group::motion, outside, "compound threading"},
     {800, Group::motion, read, "no motion"},
-    {810, Group::motion, outside, "drilling"},
+    {810, Group::motion, read, "drilling"},
     {820, Group::motion, outside, "drilling with a dwell"},
     {830, Group::motion, outside, "deep drilling"},
     {840, Group::motion, outside, "right-hand tapping"},
@@ -96,8 +97,8 @@ constexpr auto kCodes = std::to_array<Code>({
     {950, Group::feed_mode, outside, "feed per revolution"},
     {960, Group::speed, outside, "constant surface speed"},
     {970, Group::speed, without_effect, "constant spindle speed"},
-    {980, Group::retract, without_effect, "return to the initial level"},
-    {990, Group::retract, without_effect, "return to the R level"},
+    {980, Group::retract, read, "return to the initial level"},
+    {990, Group::retract, read, "return to the R level"},
 });
 static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
 
@@ -165,7 +166,8 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
                    .units = reading.of(Group::units),
                    .path_mode = reading.of(Group::path_mode),
                    .distance = reading.of(Group::distance),
-                   .arc_distance = reading.of(Group::arc_distance)};
+                   .arc_distance = reading.of(Group::arc_distance),
+                   .retract = reading.of(Group::retract)};
 }
 
 std::span<const OutsideCode> outside_codes() {
@@ -175,8 +177,24 @@ std::span<const OutsideCode> outside_codes() {
 
 std::span<const std::string_view> codes_without_effect() {
   static constexpr auto kNames = std::to_array<std::string_view>(
-      {"G40", "G49", "G54", "G61", "G61.1", "G64", "G94", "G97", "G98", "G99", "M", "S", "T"});
+      {"G40", "G49", "G54", "G61", "G61.1", "G64", "G94", "G97", "M", "S", "T"});
   return kNames;
+}
+
+bool is_hole_cycle(int motion) {
+  return motion == 81;
+}
+
+std::string_view words_of_motion(int motion) {
+  switch (motion) {
+    case 2:
+    case 3:
+      return "IJKPR";
+    case 81:
+      return "LR";
+    default:
+      return "";
+  }
 }
 
 MFunction m_function(std::int64_t number) {

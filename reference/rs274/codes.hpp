@@ -34,12 +34,13 @@ enum class Group : std::uint8_t {
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
   int once = -1;          // 4
-  int motion = -1;        // 0, 1, 2, 3, 80
+  int motion = -1;        // 0, 1, 2, 3, 80, 81
   int plane = -1;         // 17, 18, 19
   int units = -1;         // 20, 21
   int path_mode = -1;     // 61, 64
   int distance = -1;      // 90, 91
   int arc_distance = -1;  // 90, 91: G90.1, G91.1
+  int retract = -1;       // 98, 99
 };
 
 struct CodeReading : GCodeReading {
@@ -50,6 +51,11 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
 // The codes that the gauge does not read, and those that it passes over.
 std::span<const OutsideCode> outside_codes();
 std::span<const std::string_view> codes_without_effect();
+
+// NGC-CYC-01: whether the motion is a cycle of holes.
+bool is_hole_cycle(int motion);
+// NGC-CYC-23, NGC-COM-02: the words that the motion takes beside those of the axes and F.
+std::string_view words_of_motion(int motion);
 
 // What the gauge makes of M functions.
 enum class MFunction : std::uint8_t {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One block. NGC-MOD-01: whatever their order on the line, its words act in this one: feed, M
-// functions, dwell, plane, units, distance, motion, and the M functions that stop the program.
+// One block. NGC-MOD-01, NGC-CYC-01: whatever their order on the line, its words act in this one:
+// feed, M functions, dwell, plane, units, distance, return of cycles, motion, and the M functions
+// that stop the program.
 #include "reference/rs274/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +30,9 @@ class Interpreter : public BlockInterpreter {
 
  private:
   void take_feed(const BlockWords& words);
+  void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes);
+  void take_motion(int code);
   void run_block(BlockContext& block) const;
   void run_motion(BlockContext& block) const;
 
@@ -46,7 +49,15 @@ Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
   machine_.feed = machine_.rotary_feed = profile.initial.feed;
   machine_.plane = profile.initial.plane;
   machine_.motion = profile.initial.motion;
+  machine_.spindle = profile.initial.spindle;
   machine_.modes.inch = profile.units == Units::inch;
+}
+
+// NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
+std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
+  const NearWhole number(to_number(word.value));
+  if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
+  return number.nearest().to_int64();
 }
 
 // NGC-MOD-01: the feed comes before the units of its own block.
@@ -56,17 +67,41 @@ void Interpreter::take_feed(const BlockWords& words) {
   machine_.feed = *words.length('F');
 }
 
+// NGC-CYC-28: M3, M4 and M5 come before the cycle of their block.
+void Interpreter::take_spindle(const grammar::Block& block) {
+  for (const grammar::Word& word : block.words) {
+    const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
+    if (number >= 3 && number <= 5) machine_.spindle = static_cast<int>(number);
+  }
+}
+
+// NGC-CYC-24, NGC-CYC-25: any code of motion but a cycle ends a series of cycles, and no other code
+// does.
+void Interpreter::take_motion(int code) {
+  const int motion = code == 80 ? kNoMotion : code;
+  if (motion != machine_.motion) machine_.cycle.forget_words();
+  if (!is_hole_cycle(motion)) machine_.cycle.series.reset();
+  machine_.motion = motion;
+}
+
 void Interpreter::take_modes(const BlockCodes& codes) {
   WordModes& modes = machine_.modes;
-  if (codes.plane >= 0) machine_.plane = static_cast<Plane>(codes.plane - 17);
+  if (codes.plane >= 0) {
+    const auto plane = static_cast<Plane>(codes.plane - 17);
+    if (plane != machine_.plane) machine_.cycle.leave_plane();
+    machine_.plane = plane;
+  }
   if (codes.units >= 0) modes.inch = codes.units == 20;  // NGC-UNI-01
   // NGC-DIS-01
   if (codes.distance >= 0) modes.incremental = codes.distance == 91;
   if (codes.arc_distance >= 0) modes.absolute_centre = codes.arc_distance == 90;
-  if (codes.motion >= 0) machine_.motion = codes.motion == 80 ? kNoMotion : codes.motion;
+  // NGC-CYC-10
+  if (codes.retract == 98) machine_.retract = Retract::initial_level;
+  if (codes.retract == 99) machine_.retract = Retract::r_plane;
+  if (codes.motion >= 0) take_motion(codes.motion);
 }
 
-// NGC-COM-01: the axes that the records do not have.
+// NGC-COM-01, NGC-CYC-17: the axes that the records do not have.
 void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& out) {
   for (const grammar::Word& word : block.words) {
     const char address = word.address;
@@ -76,13 +111,6 @@ void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& ou
         fmt::format("The axis {} is one that the gauge does not read.", address), word.where};
     return;
   }
-}
-
-// NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
-std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
-  const NearWhole number(to_number(word.value));
-  if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
-  return number.nearest().to_int64();
 }
 
 // NGC-COM-01
@@ -137,12 +165,17 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
-// An arc is asked for by its code or an axis word; NGC-ARC-06: or by I J K alone.
-bool runs_arc(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
-              const ReadingsInUse& readings) {
-  if (machine.motion != 2 && machine.motion != 3) return false;
+bool is_arc(int motion) {
+  return motion == 2 || motion == 3;
+}
+
+// A motion is asked for by its code or an axis word; NGC-ARC-06: an arc by I J K alone, too.
+bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
+                 const ReadingsInUse& readings) {
+  if (machine.motion == kNoMotion) return false;
   if (codes.motion >= 0 || words.has_axis_word()) return true;
-  return words.has_offset() && readings.is(ReadingKey::ngc_arc_words_alone, "arc");
+  return is_arc(machine.motion) && words.has_offset() &&
+         readings.is(ReadingKey::ngc_arc_words_alone, "arc");
 }
 
 // The codes of a block that take words beside those of the axes.
@@ -159,23 +192,12 @@ struct WordTakers {
     });
   }
   bool take(char address) const {
-    switch (address) {
-      case 'I':
-      case 'J':
-      case 'K':
-      case 'R':
-        return block.runs_arc;
-      case 'P':
-        return block.runs_arc || beside_motion(address);
-      case 'D':
-      case 'E':
-      case 'H':
-      case 'L':
-      case 'Q':
-        return beside_motion(address);
-      default:
-        return true;  // codes, axes, and what is passed on: F M S T
-    }
+    constexpr std::string_view kOfSomeCode = "DEHIJKLPQR";
+    // Else codes, axes, and what is passed on: F M S T.
+    if (kOfSomeCode.find(address) == std::string_view::npos) return true;
+    if (beside_motion(address)) return true;
+    const std::string_view words = words_of_motion(block.machine.motion);
+    return block.runs_motion && words.find(address) != std::string_view::npos;
   }
 };
 
@@ -200,7 +222,10 @@ void Interpreter::run_motion(BlockContext& block) const {
       return run_straight_feed(block);
     case 2:
     case 3:
-      if (block.runs_arc) run_arc(block, machine_.motion == 2 ? -1 : +1);
+      if (block.runs_motion) run_arc(block, machine_.motion == 2 ? -1 : +1);
+      return;
+    case 81:
+      if (block.runs_motion) run_g81(block);
       return;
     default:
       if (block.words.has_axis_word()) block.missing("NGC-MOD-01"_clause, 'G');
@@ -213,7 +238,7 @@ void Interpreter::run_block(BlockContext& block) const {
   check_m_groups(block.words.block(), block.readings, block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
   check_unused_words(block);
-  if (block.codes.once == 4) run_dwell(block);
+  if (block.codes.once == 4) run_dwell(block);  // NGC-CYC-27: before all motion
   run_motion(block);
 }
 
@@ -259,14 +284,15 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
   const BlockWords words(block, machine_.modes);
   take_feed(words);
+  take_spindle(block);
   take_modes(codes);
   BlockContext context{{machine_, words, profile_, readings_, line, out},
                        machine_,
                        words,
                        codes,
-                       runs_arc(machine_, words, codes, readings_)};
-  context.p_is_turns =
-      context.runs_arc && words.has('P') && !WordTakers{context}.beside_motion('P');
+                       runs_motion(machine_, words, codes, readings_)};
+  context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
+                       !WordTakers{context}.beside_motion('P');
   run_block(context);
   sort_by_place(out.alarms);
 }

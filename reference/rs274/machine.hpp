@@ -5,14 +5,23 @@
 
 #include "reference/block_base.hpp"
 #include "reference/rs274/codes.hpp"
+#include "reference/rs274/cycle_state.hpp"
 #include "reference/rs274/words.hpp"
 
 namespace gonogo::reference::rs274 {
 
+// NGC-CYC-10: what G98 and G99 say; `unsaid` before either was given.
+enum class Retract : std::uint8_t { unsaid, initial_level, r_plane };
+
 struct Machine : MotionState {
   WordModes modes;
-  int motion = kNoMotion;  // 0, 1, 2, 3; kNoMotion also after G80
+  int motion = kNoMotion;  // as BlockCodes has it; kNoMotion also after G80
   Number rotary_feed;      // F as written: degrees per minute where rotary axes move alone
+  Retract retract = Retract::unsaid;
+  int spindle = 5;  // M3, M4 or M5
+  CycleState cycle;
+
+  bool spindle_turns() const { return spindle != 5; }
 };
 
 // One block in the hands of the file that carries its code.
@@ -20,8 +29,8 @@ struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
-  bool runs_arc = false;    // G2 or G3 acts in the block
-  bool p_is_turns = false;  // of the arc: P is there, and no other code of the block takes it
+  bool runs_motion = false;  // the motion in force acts in the block
+  bool p_is_turns = false;   // of an arc: P is there, and no other code of the block takes it
 };
 
 // The axis words of the block as an end point; the axes that it names.
@@ -32,5 +41,8 @@ void run_dwell(BlockContext& block);
 void run_traverse(BlockContext& block);
 void run_straight_feed(BlockContext& block);
 void run_arc(BlockContext& block, int sense);
+
+// Cycles of holes, each in a file of its own.
+void run_g81(BlockContext& block);
 
 }  // namespace gonogo::reference::rs274

@@ -7,9 +7,10 @@ namespace {
 // NISTIR 6556, 3.3.2.1: close enough is "within 0.0001 of an integer".
 const Number kOfNist = Number::millionths(100);
 
-// As measured: LinuxCNC keeps to it for M functions alone.
+// As measured: LinuxCNC keeps to it for M functions and counts of holes and passes.
 Number limit_of_linuxcnc(Whole what) {
-  return what == Whole::m_function ? kOfNist : Number::millionths(1000);
+  const bool is_strict = what == Whole::m_function || what == Whole::repeats;
+  return is_strict ? kOfNist : Number::millionths(1000);
 }
 
 }  // namespace

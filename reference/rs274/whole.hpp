@@ -11,7 +11,7 @@ namespace gonogo::reference::rs274 {
 using exact::Number;
 
 // What the number is; interpreters are not equally strict with all of them.
-enum class Whole { g_tenths, m_function, turns };
+enum class Whole { g_tenths, m_function, turns, repeats };
 
 class NearWhole {
  public:

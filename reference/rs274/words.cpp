@@ -5,10 +5,9 @@
 
 namespace gonogo::reference::rs274 {
 
-// NGC-UNI-01
 std::optional<Number> BlockWords::length(char address) const {
   if (!has(address)) return std::nullopt;
-  return modes_.inch ? inches(written(address)) : written(address);
+  return modes_.length_of(written(address));
 }
 
 // NGC-UNI-01: degrees have no units.

@@ -16,12 +16,19 @@ struct AxisLetter {
 };
 inline constexpr std::array<AxisLetter, kAxes> kAxisLetters = {
     {{Axis::x, 'X'}, {Axis::y, 'Y'}, {Axis::z, 'Z'}, {Axis::a, 'A'}, {Axis::c, 'C'}}};
+constexpr char address_of(Axis axis) {
+  return kAxisLetters[index(axis)].address;
+}
 
 // How words are meant: G20, G91, G90.1.
 struct WordModes {
   bool inch = false;
   bool incremental = false;
   bool absolute_centre = false;
+
+  // NGC-UNI-01: mm of a number of the program, and the number of so many mm.
+  Number length_of(const Number& number) const { return inch ? inches(number) : number; }
+  Number number_of(const Number& length) const { return inch ? length / inches(1) : length; }
 };
 
 class BlockWords : public WordTable {
@@ -35,6 +42,8 @@ class BlockWords : public WordTable {
   // As an axis word: mm, or degrees as written.
   std::optional<Number> along(const AxisLetter& axis) const;
   bool has_axis_word() const;
+  bool has_linear_axis_word() const { return has('X') || has('Y') || has('Z'); }
+  bool has_rotary_axis_word() const { return has('A') || has('C'); }
   bool has_offset() const { return has('I') || has('J') || has('K'); }
   const WordModes& modes() const { return modes_; }
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the documents of LinuxCNC say of the canned cycles of RS274/NGC; the interpreter of NIST has
+// most of them.
+#pragma once
+
+#include <array>
+
+#include "reference/catalog/clause.hpp"
+
+namespace gonogo::reference::catalog::rs274 {
+
+inline constexpr std::string_view kCycles =
+    "LinuxCNC 2.9, G codes: canned cycles, what all of them share";
+inline constexpr std::string_view kDrilling = "LinuxCNC 2.9, G codes: G81 and G82, drilling";
+
+inline constexpr auto kCycleClauses = std::to_array<Clause>({
+    {"NGC-CYC-01", must, kCycles,
+     "G73, G74 and G81 to G89 are modal, of the group of G0 to G3, G33, G76 and G80: a block with "
+     "an axis word and no code of motion runs the cycle in force again. Feed, speed, M functions "
+     "before motion, G4, plane, units, distance mode, G98 and G99 act before the cycle, wherever "
+     "they stand; M0, M1, M2, M30 and M60 after it.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-CYC-02", must, kCycles,
+     "The first block of a cycle, where another motion or none was in force, needs R and the word "
+     "of the third axis; G82, G86 and G89 need P, G73 and G83 need Q. An axis of the plane may be "
+     "left out: under G90 it stays, under G91 it does not step.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-03", must, kCycles,
+     "R, the word of the third axis, P and Q keep their numbers while the same cycle is in force, "
+     "until they are written anew; L and D count for their block. Another code forgets them.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-04", must, kCycles,
+     "A block that names a cycle has a word of a linear axis. Without a code of motion and an axis "
+     "word no cycle runs: R, L, P or Q alone are words that nothing uses.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-05", must, kCycles,
+     "Under G90 the words of the plane are the place of the hole, R and the word of the third axis "
+     "the R level and the bottom, as coordinates.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-06", must, kCycles,
+     "Under G91 the words of the plane are steps, R counts from where the tool is and the word of "
+     "the third axis from R. Both levels hold for all holes of the block.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-07", must, kCycles,
+     "An R below the bottom is an alarm, in every plane; R at the bottom is allowed and feeds "
+     "nowhere.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-08", must, kCycles,
+     "The initial level is where the tool was along the third axis before the series: cycles one "
+     "behind the other, also different ones. Another code of motion, or G80, ends the series.",
+     "reference/rs274/initial_level.cpp"},
+    {"NGC-CYC-09", open, kCycles,
+     "The initial level is a place: it stays there when the units change, and a change of plane "
+     "begins a new series.",
+     "reference/rs274/initial_level.cpp"},
+    {"NGC-CYC-10", must, kCycles,
+     "The tool leaves a hole to R under G99, under G98 to the initial level where that is above R. "
+     "Both are modal, count in their own block, and may change within a series.",
+     "reference/rs274/approach.cpp"},
+    {"NGC-CYC-11", must, kCycles,
+     "First, once a block, a tool below R is lifted to R by a traverse, where it stands.",
+     "reference/rs274/approach.cpp"},
+    {"NGC-CYC-12", must, kCycles,
+     "Then a traverse to the hole at the level where the tool is, and another one along the third "
+     "axis to R.",
+     "reference/rs274/approach.cpp"},
+    {"NGC-CYC-13", must, kCycles,
+     "Under G91 L makes so many holes, each one step further; the tool crosses from one to the "
+     "next at the level to which it left the hole.",
+     "reference/rs274/holes.cpp"},
+    {"NGC-CYC-14", must, kCycles,
+     "Under G90 L makes the same hole so many times; between two of them the tool goes to R.",
+     "reference/rs274/holes.cpp"},
+    {"NGC-CYC-15", must, kCycles, "L is a whole number above zero; left out it is 1.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-16", must, kCycles,
+     "In G18 and G19 a cycle is as in G17, with the axes of that plane in their order. A plane of "
+     "the same block counts; a number that is in force is that of the third axis in force.",
+     "reference/rs274/holes.hpp"},
+    {"NGC-CYC-17", must, kCycles,
+     "G17.1, G18.1 and G19.1, the axes B U V W, and the polar words @ and ^ are not read.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-CYC-18", must, kCycles,
+     "A word of a rotary axis in a block that runs a cycle is an alarm. Where a rotary axis stands "
+     "is free.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-19", must, kCycles,
+     "Under G20 axis words, R, Q and D are inches, P is seconds. Numbers in force are read in the "
+     "units of the block that uses them.",
+     "reference/rs274/hole_block.hpp"},
+    {"NGC-CYC-20", derived, kCycles, "A cycle cuts: it needs a feed above zero.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-21", must, kCycles,
+     "A cycle under G93 or G41 to G42.1 is an alarm. The gauge does not read these codes: the "
+     "program ends before it.",
+     "reference/rs274/codes.cpp"},
+    {"NGC-CYC-22", must, kCycles,
+     "P below zero and Q not above zero are alarms, also in a block that repeats a cycle.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-23", must, kCycles,
+     "Beside the words of all motions a cycle has R and L; P has G74, G82, G84, G86 and G89, Q has "
+     "G73 and G83. Any other one is a word that nothing uses.",
+     "reference/rs274/codes.cpp"},
+    {"NGC-CYC-24", must, kCycles,
+     "Another code of motion cancels a cycle, also without G80. Behind G80 an axis word has no "
+     "motion. The next cycle is a first one, and begins a series.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-CYC-25", derived, kCycles,
+     "Blocks without a code of motion neither cancel a cycle nor end a series.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-CYC-26", derived, kCycles,
+     "Behind the block the tool is at the last hole, at the level to which it left it: from there "
+     "steps go on.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-27", derived, kCycles,
+     "G4 in the block of a cycle dwells before all motion. One P serves both, where the cycle "
+     "takes "
+     "P; else it belongs to G4.",
+     "reference/rs274/interpreter.cpp"},
+    {"NGC-CYC-28", derived, kCycles,
+     "Where a cycle stops or starts the spindle, M5, M3 or M4 is passed on, between the motions "
+     "round it. M3, M4 and M5 of the same block come before.",
+     "reference/rs274/holes.cpp"},
+    {"NGC-CYC-29", open, kCycles,
+     "Of a block that alarms nothing is moved. LinuxCNC and NIST's interpreter find some faults "
+     "only on the way to the first hole.",
+     "reference/rs274/hole_block.cpp"},
+    {"NGC-CYC-30", derived, kCycles,
+     "Two codes of motion in a block, and G98 with G99, are alarms.", "reference/rs274/codes.cpp"},
+    {"NGC-G81-01", must, kDrilling, "G81 feeds to the bottom and leaves the hole by a traverse.",
+     "reference/rs274/g81.cpp"},
+});
+
+}  // namespace gonogo::reference::catalog::rs274

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/holes.hpp"
+
+namespace gonogo::reference::rs274 {
+
+std::array<Number, 2> Holes::place(const Number& k) const {
+  return {first[0] + (k - 1) * step[0], first[1] + (k - 1) * step[1]};
+}
+
+Record Holes::along(RecordKind kind, ClauseId clause, const Number& level) const {
+  Record record;
+  record.kind = kind;
+  record.block = line;
+  record.clause = clause;
+  record.axes.add(axes.d);
+  record.to[axes.d] = level;
+  return record;
+}
+
+Record Holes::rapid(ClauseId clause, const Number& level) const {
+  return along(RecordKind::rapid, clause, level);
+}
+
+Record Holes::feed(ClauseId clause, const Number& level) const {
+  Record record = along(RecordKind::feed, clause, level);
+  record.feed = feed_in_force;
+  return record;
+}
+
+Record Holes::dwell(ClauseId clause) const {
+  Record record;
+  record.kind = RecordKind::dwell;
+  record.block = line;
+  record.clause = clause;
+  record.seconds = dwell_time;
+  return record;
+}
+
+Record Holes::spindle_function(ClauseId clause, int m) const {
+  Record record;
+  record.kind = RecordKind::m;
+  record.block = line;
+  record.clause = clause;
+  record.m = m;
+  record.among_motions = true;
+  return record;
+}
+
+namespace {
+
+// Whether the record makes the tool move, or anything else happen.
+bool does_something(const Record& record, const Position& at) {
+  if (record.kind == RecordKind::dwell) return record.seconds.sign() != 0;
+  if (!is_motion(record.kind)) return true;
+  for (const Axis axis : kLinearAxes) {
+    if (record.axes.has(axis) && record.to[axis] != at[axis]) return true;
+  }
+  return false;
+}
+
+Generator<Item> without_idle(Generator<Item> items, Position at) {
+  while (const Item* item = items.next()) {
+    const Record& record = std::get<Record>(*item);
+    if (!does_something(record, at)) continue;
+    for (const Axis axis : kLinearAxes) {
+      if (record.axes.has(axis)) at[axis] = record.to[axis];
+    }
+    co_yield *item;
+  }
+}
+
+// NGC-CYC-13, NGC-CYC-14: from one hole to the next, at the level on which the tool is.
+Record across(const Holes& holes, const Number& k) {
+  Record record;
+  record.kind = RecordKind::rapid;
+  record.block = holes.line;
+  record.clause = "NGC-CYC-13"_clause;
+  const std::array<Number, 2> place = holes.place(k);
+  record.axes = {holes.axes.p, holes.axes.q};
+  record.to[holes.axes.p] = place[0];
+  record.to[holes.axes.q] = place[1];
+  return record;
+}
+
+Generator<Item> all_holes(Holes holes, Hole hole) {
+  for (const Record& traverse : holes.approach) co_yield traverse;
+  for (Number k = 1; k <= holes.count; k += 1) {
+    if (k > 1) {
+      co_yield across(holes, k);
+      co_yield holes.rapid("NGC-CYC-14"_clause, holes.r_plane);
+    }
+    Generator<Item> records = hole(holes);
+    while (const Item* item = records.next()) co_yield *item;
+  }
+}
+
+}  // namespace
+
+Generator<Item> run_holes(Holes holes, Hole hole) {
+  const Position start = holes.start;
+  return without_idle(all_holes(std::move(holes), std::move(hole)), start);
+}
+
+}  // namespace gonogo::reference::rs274
