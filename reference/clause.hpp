@@ -14,6 +14,7 @@
 #include "reference/catalog/hnc21t.hpp"
 #include "reference/catalog/rs274.hpp"
 #include "reference/catalog/rs274_cycles.hpp"
+#include "reference/catalog/rs274_threads.hpp"
 #include "reference/catalog/silent_rules.hpp"
 #include "reference/catalog/sinumerik.hpp"
 #include "reference/catalog/sinumerik802s.hpp"
@@ -45,8 +46,8 @@ consteval Catalog resting(Catalog all) {
 
 inline constexpr auto kAll =
     resting(joined(kGsk988ta, silent::kGsk988ta, hnc21t::kClauses, silent::kHnc21t, rs274::kClauses,
-                   rs274::kCycleClauses, sinumerik::kPathClauses, silent::kSinumerikPath, sinumerik::kCycleClauses,
-                   silent::kSinumerikCycles));
+                   rs274::kCycleClauses, rs274::kThreadClauses, sinumerik::kPathClauses,
+                   silent::kSinumerikPath, sinumerik::kCycleClauses, silent::kSinumerikCycles));
 
 }  // namespace catalog
 

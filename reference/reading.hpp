@@ -85,6 +85,19 @@ enum class ReadingKey : std::uint8_t {
   ngc_cycle_retract_start,
   ngc_cycle_feed,
   ngc_cycle_alarm_at,
+  ngc_g83_retract,
+  ngc_g83_return,
+  ngc_peck_clearance,
+  ngc_peck_d,
+  ngc_peck_dwell,
+  ngc_g73_end,
+  ngc_g85_out,
+  ngc_tap_p,
+  ngc_g74_l,
+  ngc_g33_k,
+  ngc_g76_checks,
+  ngc_g76_slide,
+  ngc_g76_entry,
   sie_arc_correct,
   sie_cr_tolerance,
   sie_spindle,
@@ -101,7 +114,7 @@ enum class ReadingKey : std::uint8_t {
   sie_lcyc_unit,
   sie_lc75_r125_limit,
 };
-inline constexpr std::size_t kReadings = 81;
+inline constexpr std::size_t kReadings = 94;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

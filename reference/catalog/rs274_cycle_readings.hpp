@@ -60,6 +60,67 @@ inline std::vector<Reading> rs274_cycle_readings() {
                    "what is moved of a block that alarms: nothing; or, as LinuxCNC and NIST's "
                    "interpreter have it, the lift to R where P or Q is missing, and the way to the "
                    "first hole where Q is not above zero or the spindle does not turn as it must"),
+      of_ngc_cycle(ReadingKey::ngc_g83_retract, "ngc.g83.retract", {"r-plane", "clear"},
+                   "NGC-G83-02"_clause,
+                   "the way out between two pecks of G83: to R, also under G98, as the documents, "
+                   "LinuxCNC and FreeCAD have it; or to the level to which the hole is left, as "
+                   "NIST's interpreter and grblHAL have it. Asked for only where the two differ"),
+      of_ngc_cycle(ReadingKey::ngc_g83_return, "ngc.g83.return", {"rapid", "feed"},
+                   "NGC-G83-03"_clause,
+                   "the way back into the hole of G83: a traverse to the clearance above the last "
+                   "peck; or none, so that the next peck feeds all the way, as grblHAL has it"),
+      of_ngc_cycle(ReadingKey::ngc_peck_clearance, "ngc.peck.clearance",
+                   {"ten-thou", "one-mm", "tenth-mm", "twentieth"}, "NGC-G83-04"_clause,
+                   "how far above the last peck G73 withdraws and G83 comes back: 0.010 inch, as "
+                   "the documents, LinuxCNC and NIST's interpreter have it; the number 1 of a "
+                   "metric machine or 0.05 of an inch machine, in the units in force, as LinuxCNC "
+                   "2.10 has it; 0.1 mm, as grblHAL has it for G73; or a twentieth of Q, as "
+                   "FreeCAD has it"),
+      of_ngc_cycle(ReadingKey::ngc_peck_d, "ngc.peck.d", {"barred", "clearance"},
+                   "NGC-G83-08"_clause,
+                   "D of G73 and G83: a word that nothing uses; or that clearance, as LinuxCNC "
+                   "2.10 has it"),
+      of_ngc_cycle(ReadingKey::ngc_peck_dwell, "ngc.peck.dwell", {"none", "quarter"},
+                   "NGC-G83-01"_clause,
+                   "a dwell at the bottom of every peck of G73 and G83: none; or of a quarter of a "
+                   "second, as grblHAL has it"),
+      of_ngc_cycle(ReadingKey::ngc_g73_end, "ngc.g73.end", {"r-plane", "clear", "both"},
+                   "NGC-G73-02"_clause,
+                   "where G73 leaves the hole: to R, also under G98, as its page in the documents "
+                   "has it; to the level that G98 and G99 say, as LinuxCNC and grblHAL have it; or "
+                   "to the one and then to the other, as FreeCAD has it. Asked for only where the "
+                   "two differ"),
+      of_ngc_cycle(ReadingKey::ngc_g85_out, "ngc.g85.out", {"r-plane", "clear"},
+                   "NGC-G85-01"_clause,
+                   "how far G85 feeds out of the hole: to R, as the documents and LinuxCNC have "
+                   "it; or to the level that G98 and G99 say, as NIST's interpreter and CAMotics "
+                   "have it. Asked for only where the two differ"),
+      of_ngc_cycle(ReadingKey::ngc_tap_p, "ngc.tap.p", {"optional", "last", "needed", "barred"},
+                   "NGC-G84-04"_clause,
+                   "P of G84 and G74: a dwell where it stands; left out, that of the last cycle "
+                   "that had one, as LinuxCNC has it; an alarm where a first block lacks it, as "
+                   "grblHAL has it; or a word that nothing uses, as NIST's interpreter has it"),
+      of_ngc_cycle(ReadingKey::ngc_g74_l, "ngc.g74.l", {"allowed", "barred"}, "NGC-G74-01"_clause,
+                   "L of G74: the number of holes, as its page in the documents has it; or a word "
+                   "that nothing uses, as LinuxCNC has it"),
+      of_ngc_cycle(ReadingKey::ngc_g33_k, "ngc.g33.k", {"positive", "any"}, "NGC-G33-05"_clause,
+                   "K of G33 and G33.1 that is not above zero: an alarm; or taken, as LinuxCNC has "
+                   "it"),
+      of_ngc_cycle(ReadingKey::ngc_g76_checks, "ngc.g76.checks", {"text", "linuxcnc"},
+                   "NGC-G76-03"_clause,
+                   "what of a G76 alarms: all that the documents forbid; or what LinuxCNC looks "
+                   "at, which takes any plane, X and Y for its last traverse, no Z for the place "
+                   "where it is, any P, R below 1 for 1, H-1 for no full pass, E below zero for 0 "
+                   "and any other, the last two bits of L, and Q-1 for 0"),
+      of_ngc_cycle(ReadingKey::ngc_g76_slide, "ngc.g76.slide", {"start", "end"},
+                   "NGC-G76-08"_clause,
+                   "where the passes of a G76 with Q begin: the later the deeper, as LinuxCNC has "
+                   "it; or all of one length, the last where the block begins, as grblHAL has it"),
+      of_ngc_cycle(ReadingKey::ngc_g76_entry, "ngc.g76.entry", {"thread", "feed", "rapid"},
+                   "NGC-G76-09"_clause,
+                   "how G76 goes in to a taper at its start: in step with the spindle, as LinuxCNC "
+                   "has it; at the feed, as the documents have it; or by a traverse, as grblHAL "
+                   "has it"),
   };
 }
 

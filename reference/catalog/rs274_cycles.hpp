@@ -13,6 +13,11 @@ namespace gonogo::reference::catalog::rs274 {
 inline constexpr std::string_view kCycles =
     "LinuxCNC 2.9, G codes: canned cycles, what all of them share";
 inline constexpr std::string_view kDrilling = "LinuxCNC 2.9, G codes: G81 and G82, drilling";
+inline constexpr std::string_view kPecking =
+    "LinuxCNC 2.9, G codes: G83 and G73, drilling in pecks";
+inline constexpr std::string_view kBoring = "LinuxCNC 2.9, G codes: G85, G86 and G89, boring";
+inline constexpr std::string_view kTapping =
+    "LinuxCNC 2.9, G codes: G84 and G74, tapping with a floating chuck";
 
 inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-01", must, kCycles,
@@ -130,6 +135,83 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "Two codes of motion in a block, and G98 with G99, are alarms.", "reference/rs274/codes.cpp"},
     {"NGC-G81-01", must, kDrilling, "G81 feeds to the bottom and leaves the hole by a traverse.",
      "reference/rs274/g81.cpp"},
+    {"NGC-G82-01", must, kDrilling,
+     "G82 feeds to the bottom, dwells for P seconds, which may be 0, and leaves the hole by a "
+     "traverse.",
+     "reference/rs274/g82.cpp"},
+    {"NGC-G83-01", must, kPecking,
+     "Peck k of G83 ends at R - k Q while that is above the bottom, and the last one on the "
+     "bottom: there are as few as reach it, one at least, and what remains is the last.",
+     "reference/rs274/pecking.cpp"},
+    {"NGC-G83-02", must, kPecking, "After each peck but the last a traverse to R, also under G98.",
+     "reference/rs274/g83.cpp"},
+    {"NGC-G83-03", must, kPecking,
+     "Then a traverse back into the hole, to the clearance above the last peck, and on by the "
+     "feed.",
+     "reference/rs274/g83.cpp"},
+    {"NGC-G83-04", must, kPecking, "The clearance is 0.010 inch: 0.254 mm, in both units.",
+     "reference/rs274/pecking.cpp"},
+    {"NGC-G83-05", derived, kPecking,
+     "That level has no limit: where the peck is not as deep as the clearance it is above R.",
+     "reference/rs274/g83.cpp"},
+    {"NGC-G83-06", must, kPecking,
+     "After the last peck the hole is left by a traverse to the level that G98 and G99 say, in "
+     "one.",
+     "reference/rs274/g83.cpp"},
+    {"NGC-G83-07", must, kPecking,
+     "Q is a length along the third axis, downwards, the same under G90 and G91.",
+     "reference/rs274/pecking.cpp"},
+    {"NGC-G83-08", open, kPecking,
+     "LinuxCNC 2.10 has D for the clearance of the block, not below zero; 2.9 has no such word.",
+     "reference/rs274/pecking.cpp"},
+    {"NGC-G73-01", must, kPecking,
+     "G73 makes the pecks of G83; after each but the last there is only a traverse up to the "
+     "clearance above it.",
+     "reference/rs274/g73.cpp"},
+    {"NGC-G73-02", must, kPecking, "At the end a traverse to R; G98 is not spoken of.",
+     "reference/rs274/g73.cpp"},
+    {"NGC-G73-03", must, kPecking, "Clearance, Q and D are those of G83; L is allowed.",
+     "reference/rs274/g73.cpp"},
+    {"NGC-G73-04", derived, kPecking, "The traverse between two pecks is not limited by R.",
+     "reference/rs274/g73.cpp"},
+    {"NGC-G85-01", must, kBoring,
+     "G85 feeds to the bottom and out to R, and goes on by a traverse to the level that G98 and "
+     "G99 say.",
+     "reference/rs274/g85.cpp"},
+    {"NGC-G86-01", must, kBoring, "G86 needs a spindle that turns, whatever its speed.",
+     "reference/rs274/g86.cpp"},
+    {"NGC-G86-02", must, kBoring,
+     "G86 feeds to the bottom, dwells for P seconds, stops the spindle, leaves the hole by a "
+     "traverse and starts the spindle as it turned before.",
+     "reference/rs274/g86.cpp"},
+    {"NGC-G89-01", must, kBoring,
+     "G89 feeds to the bottom, dwells for P seconds, and feeds out to the level that G98 and G99 "
+     "say.",
+     "reference/rs274/g89.cpp"},
+    {"NGC-G84-01", must, kTapping,
+     "G84, right-hand, needs a spindle that turns clockwise, G74, left-hand, one that turns "
+     "counterclockwise.",
+     "reference/rs274/tapping.cpp"},
+    {"NGC-G84-02", must, kTapping,
+     "Both feed to the bottom, stop the spindle, start it the other way, dwell for P seconds and "
+     "feed out to the level that G98 and G99 say; at the feed in force, not in step with the "
+     "spindle.",
+     "reference/rs274/tapping.cpp"},
+    {"NGC-G84-03", derived, kTapping, "Then the spindle stops, and turns as it did at first.",
+     "reference/rs274/tapping.cpp"},
+    {"NGC-G84-04", open, kTapping, "P is the dwell, and may be left out.",
+     "reference/rs274/tapping.cpp"},
+    {"NGC-G84-05", derived, kTapping,
+     "In G18 and G19 both go along the third axis like all cycles.", "reference/rs274/tapping.cpp"},
+    {"NGC-G74-01", open, kTapping,
+     "The documents list L with the words of G74; LinuxCNC does not take it.",
+     "reference/rs274/interpreter.cpp", Basis::text},
+    {"NGC-G87-01", must, kCycles,
+     "G87, back boring, is not read: the documents accept it and leave what it does undefined.",
+     "reference/rs274/codes.cpp"},
+    {"NGC-G88-01", must, kCycles,
+     "G88, boring with the way out by hand, is not read: the documents leave it undefined.",
+     "reference/rs274/codes.cpp"},
 });
 
 }  // namespace gonogo::reference::catalog::rs274

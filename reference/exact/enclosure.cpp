@@ -101,6 +101,8 @@ Interval evaluate(Operation operation, Operand x, Operand y, mpfr_prec_t bits) {
       return divide(x.interval(), y.interval(), bits);
     case Operation::sqrt:
       return sqrt_of(x.interval(), bits);
+    case Operation::root:
+      return root_of(x.interval(), mpfr_get_ui(y.interval().low(), MPFR_RNDD), bits);
     case Operation::cos_degrees:
       return cos_of_degrees(x.interval(), bits);
     case Operation::sin_degrees:

@@ -20,6 +20,7 @@ enum class Operation : std::uint8_t {
   multiply,
   divide,
   sqrt,
+  root,  // of the degree `right`, a whole number
   cos_degrees,
   sin_degrees,
   atan_degrees,  // the angle in (-90, 90) whose tangent is `left`

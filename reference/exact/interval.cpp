@@ -233,6 +233,13 @@ Interval sqrt_of(const Interval& x, mpfr_prec_t bits) {
   return result;
 }
 
+Interval root_of(const Interval& x, unsigned long degree, mpfr_prec_t bits) {
+  Interval result(bits);
+  mpfr_rootn_ui(result.low(), x.low(), degree, MPFR_RNDD);
+  mpfr_rootn_ui(result.high(), x.high(), degree, MPFR_RNDU);
+  return result;
+}
+
 Interval cos_of_degrees(const Interval& x, mpfr_prec_t bits) {
   return wave_of_degrees(mpfr_cos, x, bits);
 }

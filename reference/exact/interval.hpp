@@ -51,6 +51,8 @@ Interval multiply(const Interval& x, const Interval& y, mpfr_prec_t bits);
 Interval divide(const Interval& x, const Interval& y, mpfr_prec_t bits);
 // Of the part that is not negative: the value is known to lie there.
 Interval sqrt_of(const Interval& x, mpfr_prec_t bits);
+// REQUIRES: x is above zero.
+Interval root_of(const Interval& x, unsigned long degree, mpfr_prec_t bits);
 Interval cos_of_degrees(const Interval& x, mpfr_prec_t bits);
 Interval sin_of_degrees(const Interval& x, mpfr_prec_t bits);
 Interval atan_in_degrees(const Interval& x, mpfr_prec_t bits);

@@ -123,6 +123,10 @@ const Number& max(const Number& a, const Number& b);
 // Exact where the result is rational or one root; else an enclosure. REQUIRES: value >= 0, else
 // std::domain_error; an enclosure that may be below zero counts as one that is not.
 Number sqrt(const Number& value);
+// base^(numerator/denominator): exact where that is rational or has one square root, else an
+// enclosure. REQUIRES: a rational base, else std::invalid_argument; base > 0 and denominator > 0,
+// else std::domain_error.
+Number power(const Number& base, unsigned long numerator, unsigned long denominator = 1);
 // cos and sin of an angle in degrees: exact at multiples of 30 and 45 degrees, else enclosures.
 std::array<Number, 2> cos_sin_degrees(const Number& degrees);
 // The same, where only one of them is wanted.

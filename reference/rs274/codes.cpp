@@ -15,7 +15,8 @@ using Code = GCode<Group>;
 
 // In ascending order. NGC-COM-01 for those that are read or have no effect; the others are codes
 // that the language has and the gauge does not read. NGC-CYC-30: one code of a group in a block.
-// NGC-CYC-21: what forbids a cycle is among the codes that are not read.
+// NGC-CYC-21: what forbids a cycle is among the codes that are not read. NGC-G87-01, NGC-G88-01: so
+// are two cycles whose path the documents leave undefined.
 constexpr auto kCodes = std::to_array<Code>({
     {0, Group::motion, read, "traverse"},
     {10, Group::motion, read, "straight feed"},
@@ -41,8 +42,8 @@ constexpr auto kCodes = std::to_array<Code>({
     {281, Group::once, outside, "setting of the first reference point"},
     {300, Group::once, outside, "return to the second reference point"},
     {301, Group::once, outside, "setting of the second reference point"},
-    {330, Group::motion, outside, "spindle-synchronous motion"},
-    {331, Group::motion, outside, "rigid tapping"},
+    {330, Group::motion, read, "spindle-synchronous motion"},
+    {331, Group::motion, read, "rigid tapping"},
     {382, Group::motion, outside, "probing towards the part, with an error"},
     {383, Group::motion, outside, "probing towards the part"},
     {384, Group::motion, outside, "probing away from the part, with an error"},
@@ -72,18 +73,19 @@ constexpr auto kCodes = std::to_array<Code>({
     {610, Group::path_mode, without_effect, "exact path"},
     {611, Group::path_mode, without_effect, "exact stop"},
     {640, Group::path_mode, without_effect, "continuous path"},
-    {730, Group::motion, outside, "drilling with chip breaking"},
-    {760, Group::motion, outside, "compound threading"},
+    {730, Group::motion, read, "drilling with chip breaking"},
+    {740, Group::motion, read, "left-hand tapping"},
+    {760, Group::motion, read, "compound threading"},
     {800, Group::motion, read, "no motion"},
     {810, Group::motion, read, "drilling"},
-    {820, Group::motion, outside, "drilling with a dwell"},
-    {830, Group::motion, outside, "deep drilling"},
-    {840, Group::motion, outside, "right-hand tapping"},
-    {850, Group::motion, outside, "boring, feed out"},
-    {860, Group::motion, outside, "boring, spindle stop, traverse out"},
+    {820, Group::motion, read, "drilling with a dwell"},
+    {830, Group::motion, read, "deep drilling"},
+    {840, Group::motion, read, "right-hand tapping"},
+    {850, Group::motion, read, "boring, feed out"},
+    {860, Group::motion, read, "boring, spindle stop, traverse out"},
     {870, Group::motion, outside, "back boring"},
     {880, Group::motion, outside, "boring, spindle stop, out by hand"},
-    {890, Group::motion, outside, "boring with a dwell, feed out"},
+    {890, Group::motion, read, "boring with a dwell, feed out"},
     {900, Group::distance, read, "absolute"},
     {901, Group::arc_distance, read, "absolute centres"},
     {910, Group::distance, read, "incremental"},
@@ -159,6 +161,9 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
       if (code->tenths == kG80 && (beside.others > 0 || motions > 1)) continue;
     }
     kTable.take(word, code, false, reading);
+    if (code != nullptr && code->tenths == kG33Point1) {
+      reading.by_group[static_cast<std::size_t>(Group::motion)] = kG33Point1;
+    }
   }
   reading.codes = {.once = reading.of(Group::once),
                    .motion = reading.of(Group::motion),
@@ -182,7 +187,7 @@ std::span<const std::string_view> codes_without_effect() {
 }
 
 bool is_hole_cycle(int motion) {
-  return motion == 81;
+  return motion == 73 || motion == 74 || (motion >= 81 && motion <= 89);
 }
 
 std::string_view words_of_motion(int motion) {
@@ -190,8 +195,24 @@ std::string_view words_of_motion(int motion) {
     case 2:
     case 3:
       return "IJKPR";
+    case 33:
+      return "K";
+    case kG33Point1:
+      return "IK";
+    case 73:
+    case 83:
+      return "DLQR";
+    case 76:
+      return "EHIJKLPQR";
     case 81:
+    case 85:
       return "LR";
+    case 74:
+    case 82:
+    case 84:
+    case 86:
+    case 89:
+      return "LPR";
     default:
       return "";
   }

@@ -31,10 +31,12 @@ enum class Group : std::uint8_t {
   retract,
 };
 
+inline constexpr int kG33Point1 = 331;
+
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
   int once = -1;          // 4
-  int motion = -1;        // 0, 1, 2, 3, 80, 81
+  int motion = -1;        // 0 to 3, 33, kG33Point1, 73, 74, 76, 80 to 86, 89
   int plane = -1;         // 17, 18, 19
   int units = -1;         // 20, 21
   int path_mode = -1;     // 61, 64

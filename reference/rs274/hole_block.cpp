@@ -168,7 +168,7 @@ void HoleBlock::alarm_at_hole(AlarmClass alarm, ClauseId clause, WordName word,
 }
 
 // NGC-CYC-29: what a control has moved when it finds what is wrong, unless something else is.
-void HoleBlock::move_before_alarm() {
+void HoleBlock::stop() {
   if (late_ != block_.out.alarms.size() || !levels_) return;
   const HoleAhead hole = ahead();
   const bool at_place = found_ == Found::above_the_place;
@@ -182,7 +182,7 @@ void HoleBlock::move_before_alarm() {
 }
 
 void HoleBlock::run(Hole hole) {
-  if (!is_sound()) return move_before_alarm();
+  if (!is_sound()) return stop();
   Machine& machine = block_.machine;
   const HoleAhead first = ahead();
   Holes holes{.line = block_.line,

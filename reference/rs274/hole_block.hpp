@@ -35,8 +35,9 @@ class HoleBlock {
   void end_at_r_plane() { ends_at_r_plane_ = true; }
   void dwell_for(const Number& seconds) { dwell_ = seconds; }
 
-  // Makes the holes, if no rule is broken.
+  // Makes the holes; where a rule is broken, what a control has moved when it finds that.
   void run(Hole hole);
+  void stop();
 
  private:
   // How far a control may have moved when it finds a broken rule.
@@ -46,7 +47,6 @@ class HoleBlock {
   void take_own_word();
   void check_axes();
   void note_late(Found found);
-  void move_before_alarm();
   Number repeats();
   Number r_base() const;
   CycleLevels levels_from(const Number& base) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/holes.hpp"
 
+#include "reference/rs274/idle.hpp"
+
 namespace gonogo::reference::rs274 {
 
 std::array<Number, 2> Holes::place(const Number& k) const {
@@ -47,27 +49,6 @@ Record Holes::spindle_function(ClauseId clause, int m) const {
 }
 
 namespace {
-
-// Whether the record makes the tool move, or anything else happen.
-bool does_something(const Record& record, const Position& at) {
-  if (record.kind == RecordKind::dwell) return record.seconds.sign() != 0;
-  if (!is_motion(record.kind)) return true;
-  for (const Axis axis : kLinearAxes) {
-    if (record.axes.has(axis) && record.to[axis] != at[axis]) return true;
-  }
-  return false;
-}
-
-Generator<Item> without_idle(Generator<Item> items, Position at) {
-  while (const Item* item = items.next()) {
-    const Record& record = std::get<Record>(*item);
-    if (!does_something(record, at)) continue;
-    for (const Axis axis : kLinearAxes) {
-      if (record.axes.has(axis)) at[axis] = record.to[axis];
-    }
-    co_yield *item;
-  }
-}
 
 // NGC-CYC-13, NGC-CYC-14: from one hole to the next, at the level on which the tool is.
 Record across(const Holes& holes, const Number& k) {

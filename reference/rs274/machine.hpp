@@ -42,7 +42,18 @@ void run_traverse(BlockContext& block);
 void run_straight_feed(BlockContext& block);
 void run_arc(BlockContext& block, int sense);
 
-// Cycles of holes, each in a file of its own.
+// Cycles and threads, each in a file of its own.
+void run_g33(BlockContext& block);
+void run_g33_1(BlockContext& block);
+void run_g73(BlockContext& block);
+void run_g74(BlockContext& block);
+void run_g76(BlockContext& block);
 void run_g81(BlockContext& block);
+void run_g82(BlockContext& block);
+void run_g83(BlockContext& block);
+void run_g84(BlockContext& block);
+void run_g85(BlockContext& block);
+void run_g86(BlockContext& block);
+void run_g89(BlockContext& block);
 
 }  // namespace gonogo::reference::rs274

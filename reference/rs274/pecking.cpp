@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/pecking.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+// NGC-G83-08: whether the block has a D that counts.
+bool has_clearance_word(const BlockContext& block) {
+  return block.words.has('D') && block.readings.is(ReadingKey::ngc_peck_d, "clearance");
+}
+
+const Number kQuarter = Number::millionths(250'000);  // of a second
+
+}  // namespace
+
+PeckBlock::PeckBlock(BlockContext& block) : holes_(block, OwnWord::needs_q) {
+  if (has_clearance_word(block) && block.words.written('D').sign() < 0) {
+    block.alarm(AlarmClass::value_sign, "NGC-G83-08"_clause, 'D',
+                "The clearance above the last peck is below zero.");
+  }
+  if (holes_.is_sound() && block.readings.is(ReadingKey::ngc_peck_dwell, "quarter")) {
+    holes_.dwell_for(kQuarter);
+  }
+}
+
+// NGC-G83-07
+Number PeckBlock::depth() const {
+  return holes_.length_of(*holes_.words().q);
+}
+
+// NGC-G83-01: the least whole number with R - N q <= B, and one at least.
+Number PeckBlock::count() const {
+  const auto& [r_plane, bottom] = holes_.levels();
+  return max(1, ((r_plane - bottom) / depth()).ceil());
+}
+
+// NGC-G83-04, NGC-G83-08
+Number PeckBlock::clearance() const {
+  const BlockContext& block = holes_.block();
+  if (has_clearance_word(block)) return holes_.length_of(block.words.written('D'));
+  const auto reads = [&](std::string_view alternative) {
+    return block.readings.is(ReadingKey::ngc_peck_clearance, alternative);
+  };
+  if (reads("one-mm")) {
+    // The number of the machine's units, in those of the program.
+    const bool is_inch_machine = block.profile.units == Units::inch;
+    return holes_.length_of(is_inch_machine ? Number::millionths(50'000) : 1);
+  }
+  if (reads("tenth-mm")) return Number::millionths(100'000);
+  if (reads("twentieth")) return depth() / 20;
+  return inches(Number::millionths(10'000));
+}
+
+Number end_of_peck(const Holes& holes, const Number& depth, const Number& k) {
+  return holes.r_plane - k * depth;
+}
+
+}  // namespace gonogo::reference::rs274

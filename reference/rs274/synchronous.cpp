@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/synchronous.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+// NGC-G33-06
+bool leaves_out_rotary_axis(BlockContext& block, std::string_view code) {
+  if (!block.words.has_rotary_axis_word()) return false;
+  const char address = block.words.has('A') ? 'A' : 'C';
+  block.out.not_covered =
+      NotCovered{block.line, std::string(code),
+                 fmt::format("The gauge does not read {} with the rotary axis {}.", code, address),
+                 block.words.word(address)->where};
+  return true;
+}
+
+// NGC-G33-02, NGC-G33-05
+void check_lead(BlockContext& block) {
+  if (!block.words.has('K')) {
+    block.alarm(AlarmClass::lead_missing, "NGC-G33-02"_clause, 'K',
+                "K, the lead, is needed in every block.");
+  } else if (block.words.written('K').sign() <= 0 &&
+             block.readings.is(ReadingKey::ngc_g33_k, "positive")) {
+    block.alarm(AlarmClass::value_sign, "NGC-G33-05"_clause, 'K', "The lead is not above zero.");
+  }
+}
+
+}  // namespace
+
+Number lead_of(const Number& path_lead, const Position& from, const Position& to) {
+  Number squares;
+  Number longest;
+  for (const Axis axis : kLinearAxes) {
+    const Number way = abs(to[axis] - from[axis]);
+    squares += way * way;
+    longest = max(longest, way);
+  }
+  return path_lead * longest / sqrt(squares);
+}
+
+std::optional<SynchronousMotion> synchronous_motion(BlockContext& block, std::string_view code) {
+  if (leaves_out_rotary_axis(block, code)) return std::nullopt;
+  // NGC-G33-01
+  if (!block.words.has_linear_axis_word()) block.missing("NGC-G33-01"_clause, 'X');
+  check_lead(block);
+  // NGC-G33-03
+  if (block.words.has('F')) {
+    block.alarm(AlarmClass::conflicting_words, "NGC-G33-03"_clause, 'F',
+                fmt::format("{} has its feed from the spindle, and F stands beside it.", code));
+  }
+  // NGC-G33-04
+  if (!block.machine.spindle_turns()) {
+    block.alarm(AlarmClass::spindle_stopped, "NGC-G33-04"_clause, 'M',
+                fmt::format("{} needs a spindle that turns.", code));
+  }
+  if (!block.out.alarms.empty()) return std::nullopt;
+  SynchronousMotion motion;
+  motion.named = commanded_end_point(block, motion.to);
+  motion.path_lead = *block.words.length('K');
+  return motion;
+}
+
+Record thread_to(BlockContext& block, ClauseId clause, const SynchronousMotion& motion) {
+  const Number lead = lead_of(motion.path_lead, block.machine.position, motion.to);
+  Record record = block.motion_to(RecordKind::thread, clause, motion.named, motion.to);
+  record.lead = lead;
+  return record;
+}
+
+}  // namespace gonogo::reference::rs274

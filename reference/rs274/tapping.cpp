@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/tapping.hpp"
+
+#include <fmt/format.h>
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+// NGC-G84-02: not synchronous; NGC-G84-05: along the third axis in every plane.
+Generator<Item> tap_hole(const Holes& holes, Tap tap) {
+  const ClauseId clause = "NGC-G84-02"_clause;
+  co_yield holes.feed(clause, holes.bottom);
+  co_yield holes.spindle_function(clause, 5);
+  co_yield holes.spindle_function(clause, tap.backward);
+  co_yield holes.dwell(clause);
+  co_yield holes.feed(clause, holes.clear);
+  // NGC-G84-03: so that the next hole finds the spindle as this one did.
+  co_yield holes.spindle_function("NGC-G84-03"_clause, 5);
+  co_yield holes.spindle_function("NGC-G84-03"_clause, tap.forward);
+}
+
+// NGC-G84-01
+void check_spindle(HoleBlock& holes, const Tap& tap) {
+  const Machine& machine = holes.block().machine;
+  const ClauseId clause = "NGC-G84-01"_clause;
+  if (!machine.spindle_turns()) {
+    holes.alarm_at_hole(AlarmClass::spindle_stopped, clause, 'M',
+                        fmt::format("A {} tap needs a spindle that turns.", tap.hand));
+  } else if (machine.spindle != tap.forward) {
+    holes.alarm_at_hole(AlarmClass::direction_conflict, clause, 'M',
+                        fmt::format("A {} tap needs M{}, and the spindle turns the other way.",
+                                    tap.hand, tap.forward));
+  }
+}
+
+// NGC-G84-04: P.
+void take_dwell(BlockContext& block, HoleBlock& holes) {
+  CycleState& cycle = block.machine.cycle;
+  const auto reads = [&](std::string_view alternative) {
+    return block.readings.is(ReadingKey::ngc_tap_p, alternative);
+  };
+  if (block.words.has('P')) {
+    if (!reads("barred")) return;
+    // That of G4, or none.
+    cycle.words.p.reset();
+    holes.dwell_for(0);
+  } else if (!cycle.words.p) {
+    if (reads("needed")) block.missing("NGC-G84-04"_clause, 'P');
+    if (reads("last")) holes.dwell_for(cycle.last_p.value_or(0));
+  }
+}
+
+}  // namespace
+
+void run_tap(BlockContext& block, const Tap& tap) {
+  HoleBlock holes(block, OwnWord::takes_p);
+  take_dwell(block, holes);
+  check_spindle(holes, tap);
+  holes.run([tap](const Holes& ready) { return tap_hole(ready, tap); });
+}
+
+}  // namespace gonogo::reference::rs274

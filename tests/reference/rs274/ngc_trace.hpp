@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traces of cycles and threads as one line of text, and the readings that known machines follow.
+#pragma once
+
+#include "ngc_expanding.hpp"
+
+namespace gonogo::reference::testing::ngc {
+
+// Everything that a program does, each with its place where it ends:
+//   R1,2,3 a traverse to X1 Y2 Z3 | F1,2,3 a feed | T1,2,3@2 a thread of lead 2
+//   D0.5 a dwell | M3 an M function | !b4:missing-word,value-sign the alarm of block 4
+//   ?b4:G87 what is not covered
+// Left out is what moves nothing, and M2.
+std::string trace(std::string_view program, const Profile& profile = ngc());
+
+// The columns of the specification: what these machines follow.
+Profile column_linuxcnc();
+Profile column_nist();
+Profile column_grblhal();
+Profile column_camotics();
+Profile column_freecad();
+
+}  // namespace gonogo::reference::testing::ngc
