@@ -103,7 +103,7 @@ inline std::vector<Reading> rs274_cycle_readings() {
       of_ngc_cycle(ReadingKey::ngc_g74_l, "ngc.g74.l", {"allowed", "barred"}, "NGC-G74-01"_clause,
                    "L of G74: the number of holes, as its page in the documents has it; or a word "
                    "that nothing uses, as LinuxCNC has it"),
-      of_ngc_cycle(ReadingKey::ngc_g33_k, "ngc.g33.k", {"positive", "any"}, "NGC-G33-05"_clause,
+      of_ngc_cycle(ReadingKey::ngc_g33_k, "ngc.g33.k", {"positive", "free"}, "NGC-G33-05"_clause,
                    "K of G33 and G33.1 that is not above zero: an alarm; or taken, as LinuxCNC has "
                    "it"),
       of_ngc_cycle(ReadingKey::ngc_g76_checks, "ngc.g76.checks", {"text", "linuxcnc"},

@@ -118,6 +118,11 @@ const Code* code_of(const grammar::Word& word, const ReadingsInUse& readings) {
   return code != nullptr && tenths.counts_as_whole(Whole::g_tenths, readings) ? code : nullptr;
 }
 
+// As BlockCodes has it.
+int motion_of(const Code& code) {
+  return code.tenths == kG33Point1 ? kG33Point1 : code.tenths / 10;
+}
+
 constexpr int kG80 = 800;  // tenths
 
 // NGC-COM-03: how the G80 of a block stand beside the other codes of the motion group.
@@ -152,6 +157,7 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
   const bool is_beside = beside.matters();
   const bool alarms = is_beside && !readings.is(ReadingKey::ngc_g80_beside, "ignored");
   int motions = 0;
+  int acting = 0;  // of them
   for (const grammar::Word& word : block.words) {
     if (word.address != 'G') continue;
     const Code* const code = code_of(word, readings);
@@ -160,9 +166,10 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
       // Of two G80 one is left.
       if (code->tenths == kG80 && (beside.others > 0 || motions > 1)) continue;
     }
+    if (code != nullptr && code->group == Group::motion) ++acting;
     kTable.take(word, code, false, reading);
-    if (code != nullptr && code->tenths == kG33Point1) {
-      reading.by_group[static_cast<std::size_t>(Group::motion)] = kG33Point1;
+    if (code != nullptr && code->group == Group::motion) {
+      reading.by_group[static_cast<std::size_t>(Group::motion)] = motion_of(*code);
     }
   }
   reading.codes = {.once = reading.of(Group::once),
@@ -172,7 +179,8 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
                    .path_mode = reading.of(Group::path_mode),
                    .distance = reading.of(Group::distance),
                    .arc_distance = reading.of(Group::arc_distance),
-                   .retract = reading.of(Group::retract)};
+                   .retract = reading.of(Group::retract),
+                   .repeats_motion = acting > 1};
 }
 
 std::span<const OutsideCode> outside_codes() {
@@ -216,6 +224,14 @@ std::string_view words_of_motion(int motion) {
     default:
       return "";
   }
+}
+
+bool has_motion_with(const grammar::Block& block, const ReadingsInUse& readings, char address) {
+  return std::ranges::any_of(block.words, [&](const grammar::Word& word) {
+    const Code* const code = word.address == 'G' ? code_of(word, readings) : nullptr;
+    return code != nullptr && code->group == Group::motion &&
+           words_of_motion(motion_of(*code)).find(address) != std::string_view::npos;
+  });
 }
 
 MFunction m_function(std::int64_t number) {

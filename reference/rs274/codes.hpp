@@ -43,6 +43,8 @@ struct BlockCodes {
   int distance = -1;      // 90, 91
   int arc_distance = -1;  // 90, 91: G90.1, G91.1
   int retract = -1;       // 98, 99
+  // Two codes of motion stand in the block, and the words of either are its own.
+  bool repeats_motion = false;
 };
 
 struct CodeReading : GCodeReading {
@@ -58,6 +60,8 @@ std::span<const std::string_view> codes_without_effect();
 bool is_hole_cycle(int motion);
 // NGC-CYC-23, NGC-COM-02: the words that the motion takes beside those of the axes and F.
 std::string_view words_of_motion(int motion);
+// The same of every code of motion in the block.
+bool has_motion_with(const grammar::Block& block, const ReadingsInUse& readings, char address);
 
 // What the gauge makes of M functions.
 enum class MFunction : std::uint8_t {

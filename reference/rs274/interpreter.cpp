@@ -196,6 +196,10 @@ struct WordTakers {
     // Else codes, axes, and what is passed on: F M S T.
     if (kOfSomeCode.find(address) == std::string_view::npos) return true;
     if (beside_motion(address)) return true;
+    if (block.codes.repeats_motion &&
+        has_motion_with(block.words.block(), block.readings, address)) {
+      return true;
+    }
     const std::string_view words = words_of_motion(block.machine.motion);
     return block.runs_motion && words.find(address) != std::string_view::npos &&
            by_reading(block.machine.motion, address);

@@ -80,7 +80,7 @@ Profile column_linuxcnc() {
               {"ngc.g85.out", "r-plane"},
               {"ngc.tap.p", "last"},
               {"ngc.g74.l", "barred"},
-              {"ngc.g33.k", "any"},
+              {"ngc.g33.k", "free"},
               {"ngc.g76.checks", "linuxcnc"},
               {"ngc.g76.slide", "start"},
               {"ngc.g76.entry", "thread"},
