@@ -7,6 +7,17 @@
 
 namespace gonogo::reference::testing::ngc {
 
+// One thing that a program does: R a traverse, F a feed, T a thread, D a dwell, M an M function, !
+// an alarm, ? what is not covered; where the tool stands then, along X Y Z.
+struct TraceStep {
+  char kind = 0;
+  std::array<Number, 3> at;
+  Number value;      // of F the feed, of T the lead, of D the time, of M its number
+  std::string text;  // of ! and ?
+  friend bool operator==(const TraceStep&, const TraceStep&) = default;
+};
+std::vector<TraceStep> trace_steps(std::string_view program, const Profile& profile = ngc());
+
 // Everything that a program does, each with its place where it ends:
 //   R1,2,3 a traverse to X1 Y2 Z3 | F1,2,3 a feed | T1,2,3@2 a thread of lead 2
 //   D0.5 a dwell | M3 an M function | !b4:missing-word,value-sign the alarm of block 4
