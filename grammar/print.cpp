@@ -17,7 +17,8 @@ struct StandIn {
 constexpr StandIn kStandIns[] = {
     {"variable", "X#1"},    {"expression", "X[1]"}, {"control-statement", "GOTO 1"},
     {"file-name", "P[T1]"}, {"o-word", "O1 SUB"},   {"comma-word", ",C1"},
-    {"RL=", "RL=1"},        {"RC=", "RC=1"}};
+    {"RL=", "RL=1"},        {"RC=", "RC=1"},        {"polar-word", "@1"},
+    {"spindle-word", "$1"}};
 constexpr StandIn kSinumerikStandIns[] = {{"variable", "X=$A"},
                                           {"expression", "X=POT(1)"},
                                           {"control-statement", "GOTOF A"},

@@ -95,8 +95,9 @@ std::span<const Dialect> dialects() {
        {},
        {},
        mills_finely,
-       "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, O words, "
-       "variables (#) and expressions ([ ])"},
+       "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, polar "
+       "words "
+       "(@ ^), other spindles ($), O words, variables (#) and expressions ([ ])"},
       {"sinumerik840d",
        grammar::Dialect::sinumerik,
        kClauses840d,

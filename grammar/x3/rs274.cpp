@@ -7,7 +7,9 @@
 //   tape-mark = '%'
 //   name      = O whole comment* [';' text]
 //   block     = ['/'] [N whole ['.' whole]] comment* item* [construct] [';' text]
-//   construct = '#' rest | O rest | address [sign] ('#' | '[' | function) rest
+//   construct = '#' rest | O rest | ('@' | '^' | '$') value rest
+//             | address [sign] ('#' | '[' | function) rest
+//   value     = [sign] (digit | '.' | '#' | '[' | function)
 //
 // The rest of the block is that of all letter-address programs.
 #include "grammar/x3/rs274.hpp"
@@ -24,6 +26,8 @@ using namespace x3;  // the vocabulary of the dialect grammars
 
 constexpr Letters kCase = Letters::any_case;
 constexpr char kOWord[] = "o-word";
+constexpr char kPolarWord[] = "polar-word";
+constexpr char kSpindleWord[] = "spindle-word";
 // Functions whose value may stand for a number without brackets round it.
 constexpr std::array<std::string_view, 14> kFunctions{"ABS", "ACOS", "ASIN", "ATAN",  "COS",
                                                       "EXP", "FIX",  "FUP",  "LN",    "ROUND",
@@ -112,9 +116,22 @@ constexpr auto item = word_but<kCase>(macro_value | function_value);
 // A subroutine, a call or a control statement.
 constexpr auto o_word = outside<kOWord>[letter<'O', kCase> >> macro_rest<kCase>];
 
+constexpr auto value_ahead =
+    &(-sign >> (digit | sole<'.'> | sole<'#'> | sole<'['> | Keyword<kFunctions, kCase>{}));
+
+// NGC-CYC-17: radius and angle of a point.
+constexpr auto polar_word =
+    outside<kPolarWord>[(sole<'@'> | sole<'^'>) >> value_ahead >> macro_rest<kCase>];
+
+// NGC-G76-13: which of several spindles.
+constexpr auto spindle_word =
+    outside<kSpindleWord>[sole<'$'> >> value_ahead >> macro_rest<kCase>];
+
 constexpr auto construct =
       assignment<kCase>
     | o_word
+    | polar_word
+    | spindle_word
     | macro_word<kCase>
     | outside<kExpression>[address<kCase> >> blanks >> function_value >> macro_rest<kCase>];
 

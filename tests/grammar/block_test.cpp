@@ -232,6 +232,14 @@ TEST(Outside, OfRs274AreOWordsAndFunctionsAndNames) {
                                   {"G0 X[1+exists[#<q>]]", "expression", 1, {3, 20}}});
 }
 
+TEST(Outside, OfRs274ArePolarWordsAndSpindles) {
+  expect_outside(Dialect::rs274, {{"G0 @5 ^30", "polar-word", 1, {3, 9}},
+                                  {"g81 ^ - 3 0 z-1 (c)", "polar-word", 1, {4, 19}},
+                                  {"G1 @#<r> F5", "polar-word", 1, {3, 11}},
+                                  {"@[1+2]", "polar-word", 0, {0, 6}},
+                                  {"G33 K1 Z-5 $1", "spindle-word", 3, {11, 13}}});
+}
+
 // NGC-COM-04: LinuxCNC and NIST's interpreter take `X 1 5` as X15 and `N 1 0` as N10.
 TEST(Block, InRs274BlanksMeanNothingOutsideComments) {
   Block want = block_of({word('G', 1), word('X', -155, 1)});

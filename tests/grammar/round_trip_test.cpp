@@ -82,6 +82,8 @@ rc::Gen<Block> any_block(Dialect dialect) {
     std::vector<std::string> constructs{"", "", "", "variable", "expression"};
     constructs.push_back(dialect == Dialect::rs274 ? "o-word" : "control-statement");
     if (dialect == Dialect::gsk988ta) constructs.push_back("file-name");
+    if (dialect == Dialect::rs274)
+      constructs.insert(constructs.end(), {"polar-word", "spindle-word"});
     const std::string outside = *rc::gen::elementOf(constructs);
     if (!outside.empty()) block.outside = OutsideConstruct{outside, {}};
     const std::string tail = *rc::gen::arbitrary<std::string>();
