@@ -167,7 +167,9 @@ void ProgramJudge::judge_ok_end() {
     } else if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
       rename(*renaming);
     } else if (auto* record = std::get_if<Record>(&step)) {
-      if (record->kind == RecordKind::m) {
+      if (placed_m_function(step) != nullptr) {
+        m_function_is_due(*record, nullptr, records_);
+      } else if (record->kind == RecordKind::m) {
         take_m_functions();
       } else if (record->kind == RecordKind::end) {
         compare_end(*record);
@@ -314,7 +316,7 @@ void ProgramJudge::judge_alarm_end(const SubjectAlarm& alarm) {
     if (at_load || unfinished) {
       if (at_load && is_m_function(step)) want_m_.push_back(*record);
       reference_.advance();
-    } else if (record != nullptr && record->kind == RecordKind::m) {
+    } else if (is_m_function(step) && placed_m_function(step) == nullptr) {
       take_m_functions();
     } else if (motion != nullptr && is_of_block(alarm, *motion) &&
                hangs_on_rounding(*motion, terms_.tolerance)) {

@@ -65,6 +65,8 @@ void ProgramJudge::take_dwell(const Record& record) {
       continue;
     }
     const Record* want = std::get_if<Record>(&step);
+    if (const Record* due = placed_m_function(step))
+      return m_function_is_due(*due, &record, records_ - 1);
     if (want != nullptr && want->kind == RecordKind::m) {
       take_m_functions();
       continue;
@@ -130,8 +132,48 @@ void ProgramJudge::take_m_function(const Record& record) {
     return;
   }
   m_block_ = record.block;
+  if (take_placed_m_function(record)) return;
   got_m_.push_back({record, record.block != 0 && record.block == cut_block_});
   settle_m_functions(false);
+}
+
+// J-CMP-05: where a cycle has one among its motions. False where none is due now: then the M
+// function is one of those that stand anywhere, or comes too early for one that does not.
+bool ProgramJudge::take_placed_m_function(const Record& record) {
+  if (!reference_.placed_m_function_ahead()) return false;
+  flush_pending();
+  while (!verdict_) {
+    const ReferenceStep& step = reference_.current();
+    // A motion too small to see, which the subject has passed without one of its own.
+    auto* motion = std::get_if<Motion>(&step);
+    if (motion != nullptr && reached(*motion, position_)) {
+      match_.reset();
+      reference_.advance();
+      continue;
+    }
+    if (!is_m_function(step)) return false;
+    const Record* want = placed_m_function(step);
+    if (want == nullptr) {
+      take_m_functions();
+      continue;
+    }
+    if (!want_m_.empty() || !got_m_.empty()) return false;  // those come first
+    const bool same_block = !terms_.compare_blocks || want->block == record.block;
+    if (want->m == record.m && same_block) {
+      reference_.advance();
+      return true;
+    }
+    m_function_is_due(*want, &record, records_ - 1);
+  }
+  return true;
+}
+
+// J-CMP-05: the subject goes on by something else, or ends. `number`: its record.
+void ProgramJudge::m_function_is_due(const Record& want, const Record* got, std::size_t number) {
+  Verdict verdict = m_verdict(
+      &want, got, "An M function of the cycle is due here, between its motions and dwells.");
+  verdict.record = number;
+  decide(std::move(verdict));
 }
 
 // A motion or a dwell of the subject's that is to be seen.

@@ -48,6 +48,10 @@ bool ProgramJudge::process_step(Motion& motion) {
   if (after_alarm_) return true;
   const ReferenceStep& step = reference_.current();
   if (auto* want = std::get_if<Motion>(&step)) return match_motion(motion, *want);
+  if (const Record* due = placed_m_function(step)) {
+    if (!means_nothing(motion, step)) m_function_is_due(*due, &motion.record, motion.number);
+    return true;
+  }
   if (is_m_function(step)) {
     take_m_functions();
     return false;
@@ -180,7 +184,10 @@ MatchResult ProgramJudge::try_motion(const Motion& motion, const Motion& want) {
 bool ProgramJudge::is_due(const Motion& motion) {
   if (agree(motion.from, motion.to(), 0)) return false;
   flush_pending();
-  while (!verdict_ && is_m_function(reference_.current())) take_m_functions();
+  while (!verdict_ && is_m_function(reference_.current())) {
+    if (placed_m_function(reference_.current()) != nullptr) return false;
+    take_m_functions();
+  }
   auto* want = std::get_if<Motion>(&reference_.current());
   if (verdict_ || want == nullptr || !is_rather(motion, *want)) return false;
   if (!same_place(motion.from, want->from, terms_) ||

@@ -91,6 +91,8 @@ class ProgramJudge {
   void follow_renamings(std::uint64_t block);
   void rename(const reference::Renaming& renaming);
   void take_m_function(const Record& record);
+  bool take_placed_m_function(const Record& record);
+  void m_function_is_due(const Record& want, const Record* got, std::size_t number);
   void note_block(const Record& record);
   void m_out_of_place(const Record& record);
   void settle_m_functions(bool at_end);

@@ -19,7 +19,9 @@ ReferenceStream::ReferenceStream(const reference::Profile& profile, grammar::Lin
 void ReferenceStream::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
   if (record != nullptr && record->kind == RecordKind::m) {
-    if (terms_.compare_m) ready_.push_back(*record);
+    if (!terms_.compare_m) return;
+    if (record->among_motions) flush();
+    ready_.push_back(*record);
     return;
   }
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
@@ -105,6 +107,17 @@ void ReferenceStream::stand_at(const Position& position) {
 bool is_m_function(const ReferenceStep& step) {
   const Record* record = std::get_if<Record>(&step);
   return record != nullptr && record->kind == RecordKind::m;
+}
+
+const Record* placed_m_function(const ReferenceStep& step) {
+  return is_m_function(step) && std::get<Record>(step).among_motions ? &std::get<Record>(step)
+                                                                     : nullptr;
+}
+
+bool ReferenceStream::placed_m_function_ahead() {
+  current();
+  return std::ranges::any_of(
+      ready_, [](const ReferenceStep& step) { return placed_m_function(step) != nullptr; });
 }
 
 // Until a step is ready that is no M function: those do not hold up the motions round them.

@@ -24,6 +24,8 @@ using ReferenceStep =
                  reference::AlarmReport, reference::NotCovered>;
 
 bool is_m_function(const ReferenceStep& step);
+// The M function that a cycle has among its motions (J-CMP-05); null: another step.
+const Record* placed_m_function(const ReferenceStep& step);
 
 class ReferenceStream {
  public:
@@ -64,6 +66,9 @@ class ReferenceStream {
   // What was dropped since the last motion that was kept. Of the current step, unless that is a
   // motion, which says it itself.
   const Dropped& dropped() const { return dropped_; }
+  // Whether an M function that has a place among motions is due now, or right after the current
+  // step.
+  bool placed_m_function_ahead();
   // Whether the position gets a new name now, or right after the current step.
   bool renaming_ahead();
   // The place of the last motion that was left behind, as `Motion::number`; 0: none.

@@ -89,17 +89,12 @@ bool returns_above_r(const HoleAhead& ahead) {
   return block.readings.is(ReadingKey::ngc_cycle_retract_start, "initial");
 }
 
-template <typename Holds>
-bool always_at_initial_level(const HoleAhead& ahead, Holds holds) {
-  const Number& r = ahead.r_plane();
-  const Retract said = ahead.block.machine.retract;
-  return ahead.initial.always([&](const Number& initial) {
-    const bool under_g98 =
-        said == Retract::r_plane || holds(at_initial_level(ahead, initial, max(initial, r)));
-    const bool under_g99 =
-        said == Retract::initial_level || holds(at_initial_level(ahead, initial, r));
-    return under_g98 && under_g99;
-  });
+// The way of ngc.cycle.approach = initial-level as a function of I0.
+auto by_initial_level(const HoleAhead& ahead) {
+  return [&ahead, rises = returns_above_r(ahead)](const Number& initial) {
+    const Number& r = ahead.r_plane();
+    return at_initial_level(ahead, initial, rises ? max(initial, r) : r);
+  };
 }
 
 }  // namespace
@@ -118,20 +113,19 @@ Number clear_level(const HoleAhead& ahead) {
 
 Approach approach(const HoleAhead& ahead) {
   Approach usual = at_current_level(ahead);
-  const auto is_usual = [&](const Approach& other) { return other == usual; };
-  if (always_at_initial_level(ahead, is_usual) ||
-      !ahead.block.readings.is(ReadingKey::ngc_cycle_approach, "initial-level")) {
+  const auto other = by_initial_level(ahead);
+  const bool alike =
+      ahead.initial.always([&](const Number& initial) { return other(initial) == usual; });
+  if (alike || !ahead.block.readings.is(ReadingKey::ngc_cycle_approach, "initial-level")) {
     return usual;
   }
-  const bool rises = returns_above_r(ahead);
-  return ahead.initial.of([&](const Number& initial) {
-    const Number& r = ahead.r_plane();
-    return at_initial_level(ahead, initial, rises ? max(initial, r) : r);
-  });
+  return ahead.initial.of(other);
 }
 
 bool always_approached(const HoleAhead& ahead, bool (*holds)(const Approach&)) {
-  return holds(at_current_level(ahead)) && always_at_initial_level(ahead, holds);
+  if (!holds(at_current_level(ahead))) return false;
+  const auto other = by_initial_level(ahead);
+  return ahead.initial.always([&](const Number& initial) { return holds(other(initial)); });
 }
 
 }  // namespace gonogo::reference::rs274

@@ -150,7 +150,8 @@ bool other_m(Attempt& attempt) {
 bool m_elsewhere_in_its_block(Attempt& attempt) {
   std::vector<Record>& records = attempt.trace.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (records[i].kind != RecordKind::m || records[i].before_cut) continue;
+    const Record& record = records[i];
+    if (record.kind != RecordKind::m || record.before_cut || record.among_motions) continue;
     std::size_t to = i;
     while (to > 0 && records[to - 1].block == records[i].block && is_motion(records[to - 1].kind)) {
       --to;
