@@ -24,8 +24,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "G0 is a traverse to the point; G1 a feed to it, which needs a feed above zero.",
      "reference/rs274/basic_motion.cpp"},
     {"NGC-MOD-01", must, kModes,
-     "G0 G1 G2 G3 and G80 are modal: a block with axis words alone repeats the motion. The words "
-     "of a block act in a fixed order, whatever their order on the line.",
+     "G0 to G3, G33, G33.1, G73, G74, G76 and G80 to G89 are modal and of one group: a block with "
+     "axis words alone repeats the motion. The words of a block act in a fixed order, whatever "
+     "their order on the line.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-DIS-01", must, kModes,
      "G90 and G91 choose absolute and incremental axis words; G90.1 and G91.1 the same for I J K.",
@@ -61,8 +62,10 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-02", must, kGroups,
      "A word that no code of the block uses is an alarm, also in a block without a motion: I J K "
-     "and R belong to an arc; P to G4, an arc, G64, M50 to M53 and M62 to M66; Q to G64, M61 and "
-     "M66 to M68; E to M66 to M68; L to M66; D and H to codes that the gauge does not read.",
+     "belong to an arc, K to G33, I and K to G33.1, all to G76; R to an arc, a canned cycle and "
+     "G76; L to these cycles, G76 and M66; P to G4, an arc, G64, a cycle that has it, G76, M50 to "
+     "M53 and M62 to M66; Q to G64, G73, G83, G76, M61 and M66 to M68; E and H to G76, E to M66 to "
+     "M68; D to no code that the gauge reads.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-03", open, kGroups,
      "Two codes of a modal group in a block are an alarm. LinuxCNC forgets G80 beside another code "
