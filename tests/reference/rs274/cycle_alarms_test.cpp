@@ -27,10 +27,10 @@ void expect_rows(const std::vector<Row>& rows, const std::string& head = "F100\n
       return machine == kSame ? std::string_view(row.want) : machine;
     };
     if (row.linuxcnc != kUnknown) {
-      EXPECT_EQ(trace(program, column_linuxcnc()), known(row.linuxcnc)) << row.blocks;
+      EXPECT_EQ(trace(program, column("linuxcnc")), known(row.linuxcnc)) << row.blocks;
     }
     if (row.nist != kUnknown) {
-      EXPECT_EQ(trace(program, column_nist()), known(row.nist)) << row.blocks;
+      EXPECT_EQ(trace(program, column("nist")), known(row.nist)) << row.blocks;
     }
   }
 }

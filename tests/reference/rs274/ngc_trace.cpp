@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
 namespace gonogo::reference::testing::ngc {
 namespace {
 
@@ -82,88 +86,15 @@ std::string trace(std::string_view program, const Profile& profile) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-Profile column_linuxcnc() {
-  return ngc({{"ngc.cycle.initial", "series"},
-              {"ngc.cycle.g91-r", "initial"},
-              {"ngc.cycle.sticky", "number"},
-              {"ngc.cycle.approach", "initial-level"},
-              {"ngc.cycle.initial-kept", "number"},
-              {"ngc.cycle.retract-start", "r-plane"},
-              {"ngc.cycle.feed", "needed"},
-              {"ngc.cycle.alarm-at", "late"},
-              {"ngc.g83.retract", "r-plane"},
-              {"ngc.g83.return", "rapid"},
-              {"ngc.peck.clearance", "ten-thou"},
-              {"ngc.peck.d", "barred"},
-              {"ngc.peck.dwell", "none"},
-              {"ngc.g73.end", "clear"},
-              {"ngc.g85.out", "r-plane"},
-              {"ngc.tap.p", "last"},
-              {"ngc.g74.l", "barred"},
-              {"ngc.g33.k", "free"},
-              {"ngc.g76.checks", "linuxcnc"},
-              {"ngc.g76.slide", "start"},
-              {"ngc.g76.entry", "thread"},
-              {"ngc.g80-beside", "ignored"},
-              {"ngc.bare-motion", "nothing"},
-              {"ngc.program-end", "needed"}});
-}
-
-Profile column_nist() {
-  return ngc({{"ngc.cycle.initial", "block"},
-              {"ngc.cycle.g91-r", "current"},
-              {"ngc.cycle.sticky", "number"},
-              {"ngc.cycle.approach", "current-level"},
-              {"ngc.cycle.retract-start", "r-plane"},
-              {"ngc.cycle.feed", "free"},
-              {"ngc.cycle.alarm-at", "late"},
-              {"ngc.g83.retract", "clear"},
-              {"ngc.g83.return", "rapid"},
-              {"ngc.peck.clearance", "ten-thou"},
-              {"ngc.peck.d", "barred"},
-              {"ngc.peck.dwell", "none"},
-              {"ngc.g85.out", "clear"},
-              {"ngc.tap.p", "barred"},
-              {"ngc.g80-beside", "alarm"},
-              {"ngc.bare-motion", "missing-word"},
-              {"ngc.program-end", "needed"}});
-}
-
-Profile column_grblhal() {
-  return ngc({{"ngc.cycle.initial", "block"},
-              {"ngc.cycle.g91-r", "current"},
-              {"ngc.cycle.sticky", "level"},
-              {"ngc.cycle.approach", "current-level"},
-              {"ngc.cycle.retract-start", "initial"},
-              {"ngc.cycle.feed", "needed"},
-              {"ngc.cycle.alarm-at", "block"},
-              {"ngc.g83.retract", "clear"},
-              {"ngc.g83.return", "feed"},
-              {"ngc.peck.clearance", "tenth-mm"},
-              {"ngc.peck.dwell", "quarter"},
-              {"ngc.g73.end", "clear"},
-              {"ngc.tap.p", "needed"},
-              {"ngc.g76.checks", "text"},
-              {"ngc.g76.slide", "end"},
-              {"ngc.g76.entry", "rapid"}});
-}
-
-Profile column_camotics() {
-  return ngc({{"ngc.cycle.initial", "block"},
-              {"ngc.cycle.g91-r", "absolute"},
-              {"ngc.cycle.retract-start", "r-plane"},
-              {"ngc.cycle.feed", "free"},
-              {"ngc.g85.out", "clear"},
-              {"ngc.unused-words", "ignored"}});
-}
-
-Profile column_freecad() {
-  return ngc({{"ngc.cycle.initial", "block"},
-              {"ngc.g83.retract", "r-plane"},
-              {"ngc.g83.return", "rapid"},
-              {"ngc.peck.clearance", "twentieth"},
-              {"ngc.g73.end", "both"},
-              {"ngc.unused-words", "ignored"}});
+Profile column(std::string_view machine) {
+  std::ifstream file(fmt::format("{}/examples/profiles/rs274-{}.toml", GONOGO_SOURCE_DIR, machine));
+  std::ostringstream text;
+  text << file.rdbuf();
+  auto profile = profile_from_toml(text.str());
+  if (auto* error = std::get_if<ProfileError>(&profile)) {
+    throw std::invalid_argument(error->key + ": " + error->message);
+  }
+  return std::get<Profile>(profile);
 }
 
 }  // namespace gonogo::reference::testing::ngc

@@ -25,11 +25,7 @@ std::vector<TraceStep> trace_steps(std::string_view program, const Profile& prof
 // Left out is what moves nothing, and M2.
 std::string trace(std::string_view program, const Profile& profile = ngc());
 
-// The columns of the specification: what these machines follow.
-Profile column_linuxcnc();
-Profile column_nist();
-Profile column_grblhal();
-Profile column_camotics();
-Profile column_freecad();
+// What a machine follows, of examples/profiles: linuxcnc, nist, grblhal, camotics, freecad.
+Profile column(std::string_view machine);
 
 }  // namespace gonogo::reference::testing::ngc

@@ -24,7 +24,7 @@ TEST(NgcWorkedHoles, AreAsLinuxcncHasThemUnderItsReadings) {
   for (const WorkedHoles& worked : worked_holes()) {
     if (worked.linuxcnc == kOther) continue;
     ++measured;
-    EXPECT_EQ(trace(worked.program, column_linuxcnc()), known(worked.linuxcnc, worked))
+    EXPECT_EQ(trace(worked.program, column("linuxcnc")), known(worked.linuxcnc, worked))
         << worked.name << ": " << worked.title;
   }
   EXPECT_EQ(measured, 38);
@@ -35,10 +35,29 @@ TEST(NgcWorkedHoles, AreAsTheInterpreterOfNistHasThemUnderItsReadings) {
   for (const WorkedHoles& worked : worked_holes()) {
     if (worked.nist == kOther) continue;
     ++measured;
-    EXPECT_EQ(trace(worked.program, column_nist()), known(worked.nist, worked))
+    EXPECT_EQ(trace(worked.program, column("nist")), known(worked.nist, worked))
         << worked.name << ": " << worked.title;
   }
   EXPECT_EQ(measured, 35);
+}
+
+// Read in their sources, and worked out by hand.
+TEST(NgcWorkedHoles, AreAsOtherMachinesHaveThemUnderTheirReadings) {
+  const std::string_view pecks = "G98 F100\nG0 Z10\nG83 X1 Z-7 R2 Q3\nM2";
+  EXPECT_EQ(trace(pecks, column("grblhal")),
+            "R0,0,10 R1,0,10 R1,0,2 F1,0,-1 D0.25 R1,0,10 F1,0,-4 D0.25 R1,0,10 F1,0,-7 D0.25 "
+            "R1,0,10");
+  EXPECT_EQ(trace(pecks, column("freecad")),
+            "R0,0,10 R1,0,10 R1,0,2 F1,0,-1 R1,0,2 R1,0,-0.85 F1,0,-4 R1,0,2 R1,0,-3.85 F1,0,-7 "
+            "R1,0,10");
+  EXPECT_EQ(trace("G98 F100\nG0 Z10\nG73 X1 Z-1 R2 Q2\nM2", column("freecad")),
+            "R0,0,10 R1,0,10 R1,0,2 F1,0,0 R1,0,0.1 F1,0,-1 R1,0,2 R1,0,10");
+  EXPECT_EQ(trace("F100\nG0 Z10\nG98 G85 X1 Z-7 R2\nM2", column("camotics")),
+            "R0,0,10 R1,0,10 R1,0,2 F1,0,-7 F1,0,10");
+  EXPECT_EQ(trace("F100\nG0 Z5\nG91 G99 G81 X1 Z-2 R3 L2\nM2", column("camotics")),
+            "R0,0,5 R1,0,5 R1,0,3 F1,0,1 R1,0,3 R2,0,3 F2,0,1 R2,0,3");
+  EXPECT_EQ(trace("F100\nG0 Z5\nG98 G81 X1 Z-1 R7\nX2 R3\nM2", column("grblhal")),
+            "R0,0,5 R0,0,7 R1,0,7 F1,0,-1 R1,0,7 R2,0,7 R2,0,3 F2,0,-1 R2,0,7");
 }
 
 }  // namespace

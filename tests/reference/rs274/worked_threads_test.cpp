@@ -30,7 +30,7 @@ TEST(NgcWorkedThreads, EqualDepthsUpToTheFullOne) {
       "M3 R20,0,2 R21,0,2 R18.5,0,2 T18.5,0,-20@2 R21,0,-20 R20.5,0,2 R18,0,2 T18,0,-20@2 "
       "R20.5,0,-20 R20,0,2 R17.5,0,2 T17.5,0,-20@2 R20,0,-20";
   EXPECT_EQ(threads("G76 P2 Z-20 I-1 J0.5 K1.5"), want);
-  EXPECT_EQ(threads("G76 P2 Z-20 I-1 J0.5 K1.5", column_linuxcnc()), want);
+  EXPECT_EQ(threads("G76 P2 Z-20 I-1 J0.5 K1.5", column("linuxcnc")), want);
 }
 
 // W42: d = 0.5 sqrt n while n < (K/J)^2 = 4, so 0.5, sqrt(2)/2, sqrt(3)/2; then 1 twice.
@@ -62,7 +62,7 @@ TEST(NgcWorkedThreads, TapersAtBothEnds) {
       "M3 R20,0,2 R19.5,0,2 T20.5,0,2@sqrt(5) T21.5,0,0@2 T21.5,0,-18@2 T20.5,0,-20@2 "
       "R19.5,0,-20 R20,0,2 T21,0,2@sqrt(5) T22,0,0@2 T22,0,-18@2 T21,0,-20@2 R20,0,-20";
   EXPECT_EQ(threads("G76 P2 Z-20 I1 J0.5 K1 L3 E2"), want);
-  EXPECT_EQ(threads("G76 P2 Z-20 I1 J0.5 K1 L3 E2", column_linuxcnc()), want);
+  EXPECT_EQ(threads("G76 P2 Z-20 I1 J0.5 K1 L3 E2", column("linuxcnc")), want);
 }
 
 // W44: E < K, so that X is the longer axis of the taper: P K/E = 4.
