@@ -17,11 +17,13 @@ namespace {
 
 using namespace gonogo;
 
-// A line that cannot be read stays as it is.
+// A line that cannot be read stays as it is, and so does one of comments alone: empty lines may
+// stand before the % of rs274, comments may not (NGC-COM-07).
 std::string printed(grammar::Dialect dialect, std::string line) {
   grammar::Block block;
   if (grammar::parse_block(dialect, line, block)) return line;
-  return grammar::print(dialect, block);
+  std::string text = grammar::print(dialect, block);
+  return text.empty() ? line : text;
 }
 
 std::string spelled(grammar::Dialect dialect, std::string_view program, std::uint32_t spelling) {
