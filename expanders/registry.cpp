@@ -35,9 +35,9 @@ constexpr std::array<Maker, 4> kMakers = {{
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
      }},
-    {"sinumerik", &sinumerik::fault_descriptions,
+    {"sinumerik", [] { return std::span<const FaultDescription>(sinumerik::kFaults); },
      [](std::size_t fault) -> const gonogo_subject_v1& {
-       return sinumerik::subject(static_cast<sinumerik::Fault>(fault));
+       return sinumerik::subject(static_cast<Fault>(fault));
      }},
 }};
 

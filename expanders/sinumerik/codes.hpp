@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-
-#include "expanders/common/fixed.hpp"
+#include "expanders/common/codes.hpp"
 #include "expanders/sinumerik/names.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
 /// Codes of one group exclude each other.
-enum class Group : std::uint8_t {
+enum class Group : GroupNumber {
   kMotion,  // G0 to G3, CIP, CT
   kOnce,    // G4, G110 to G112
   kPlane,
@@ -25,35 +21,16 @@ enum class Group : std::uint8_t {
   kControl,
   kWindow,
   kProgrammedFrame,  // G158, G258, G259
-  kCycle,            // LCYC75, LCYC82
-  kOther
-};
-inline constexpr std::size_t kGroups = static_cast<std::size_t>(Group::kOther) + 1;
-
-enum class Support : std::uint8_t {
-  kFull,
-  kNoEffect,  ///< on the path
-  kOutside    ///< the control has it, this expander does not
+  kCycle             // LCYC75, LCYC82
 };
 
-struct Code {
-  std::uint16_t number;
-  Group group;
-  Support support;
-};
+// Codes that have names; no G code is as high.
+inline constexpr Code kThroughPointCode{10'001, static_cast<GroupNumber>(Group::kMotion)};  // CIP
+inline constexpr Code kTangentCode{10'002, static_cast<GroupNumber>(Group::kMotion)};       // CT
+inline constexpr Code kPocketCode{10'075, static_cast<GroupNumber>(Group::kCycle)};    // LCYC75
+inline constexpr Code kDrillingCode{10'082, static_cast<GroupNumber>(Group::kCycle)};  // LCYC82
 
-/// Numbers that stand for the two motions that have names.
-inline constexpr std::uint16_t kThroughPointCode = 1001;  // CIP
-inline constexpr std::uint16_t kTangentCode = 1002;       // CT
-/// And for the cycles.
-inline constexpr std::uint16_t kPocketCode = 1075;    // LCYC75
-inline constexpr std::uint16_t kDrillingCode = 1082;  // LCYC82
-
-/// The G code `number`, a whole number; null when the control lacks it.
-const Code* find_code(Fixed number, Control control);
-const Code& through_point_code();
-const Code& tangent_code();
-/// `name`: of a cycle.
-const Code& cycle_code(std::string_view name);
+/// Null: the control lacks it.
+const Code* find_code(const Decimal& number, Control control);
 
 }  // namespace gonogo::expanders::sinumerik

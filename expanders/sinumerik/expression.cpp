@@ -8,18 +8,6 @@
 #include <string_view>
 
 namespace gonogo::expanders::sinumerik {
-namespace {
-
-// A result of cancellation that is smaller than this part of its operands is zero.
-constexpr Real kZeroPart = 4 * std::numeric_limits<Real>::epsilon();
-
-Real without_residue(Real value, Real left, Real right) {
-  const Real size = std::fmax(std::fabs(left), std::fabs(right));
-  return std::fabs(value) <= kZeroPart * size ? 0 : value;
-}
-
-}  // namespace
-
 void skip_blanks(const char*& cursor, const char* end) {
   while (cursor != end && (*cursor == ' ' || *cursor == '\t')) ++cursor;
 }
@@ -71,10 +59,6 @@ bool at_exponent(const char* cursor, const char* end) {
   return is_digit(c) || c == '-' || c == '+';
 }
 
-Scan Expression::read() {
-  return sum(value_);
-}
-
 // The operator that follows, or 0.
 char Expression::next_operator() {
   skip_blanks(cursor_, end_);
@@ -86,9 +70,9 @@ char Expression::next_operator() {
 Real Expression::apply(char sign, Real left, Real right) {
   switch (sign) {
     case '+':
-      return without_residue(left + right, left, right);
+      return left + right;
     case '-':
-      return without_residue(left - right, left, right);
+      return left - right;
     case '*':
       return left * right;
     default:
@@ -157,7 +141,8 @@ Scan Expression::number(Real& value) {
 }
 
 Scan Expression::brackets(Real& value) {
-  if (++depth_ > kDeepestBrackets) return Scan::kSyntax;
+  constexpr int kDeepest = 64;
+  if (++depth_ > kDeepest) return Scan::kSyntax;
   ++cursor_;
   const Scan step = sum(value);
   --depth_;
@@ -183,6 +168,19 @@ Scan Expression::parameter(Real& value) {
   return Scan::kRead;
 }
 
+Real Expression::called(std::string_view name, Real value) {
+  if (name == "ABS") return std::fabs(value);
+  if (name == "SQRT") {
+    undefined_ = undefined_ || value < 0;
+    return value < 0 ? 0 : std::sqrt(value);
+  }
+  constexpr Real kNothing = 1e-15L;
+  const Vector direction = direction_of(value);
+  if (name == "SIN") return direction.q;
+  if (name == "COS") return direction.p;
+  return apply('/', direction.q, std::fabs(direction.p) < kNothing ? 0 : direction.p);
+}
+
 Scan Expression::named(Real& value) {
   const char* stop = cursor_;
   char name[5] = {};
@@ -201,17 +199,7 @@ Scan Expression::named(Real& value) {
   if (cursor_ == end_ || *cursor_ != '(') return Scan::kSyntax;
   const Scan step = brackets(value);
   if (step != Scan::kRead) return step;
-  if (text == "ABS") {
-    value = std::fabs(value);
-  } else if (text == "SQRT") {
-    undefined_ = undefined_ || value < 0;
-    value = value < 0 ? 0 : std::sqrt(value);
-  } else {
-    const Direction2 direction = direction_of(value);
-    if (text == "SIN") value = direction.sine;
-    if (text == "COS") value = direction.cosine;
-    if (text == "TAN") value = apply('/', direction.sine, direction.cosine);
-  }
+  value = called(text, value);
   return step;
 }
 

@@ -41,8 +41,10 @@ enum class Address : std::uint8_t {
 };
 inline constexpr std::size_t kAddresses = static_cast<std::size_t>(Address::kRotation) + 1;
 
-/// Its letter; 0: a name of several.
-char letter_of(Address address);
+/// Its letter, in the order of Address; 0: a name of several.
+inline constexpr char letter_of(Address address) {
+  return "XYZACIJKIJK\0\0\0\0\0FSTD"[static_cast<std::size_t>(address)];
+}
 
 /// A set of addresses.
 using Addresses = std::uint32_t;
@@ -65,39 +67,27 @@ inline constexpr Address intermediate_address(std::size_t axis) {
   return static_cast<Address>(static_cast<std::size_t>(Address::kI1) + axis);
 }
 
-/// What a word of one letter is.
-enum class LetterKind : std::uint8_t {
-  kAddress,
-  kCode,
-  kFunction,
-  kPassedOver,
-  kOutside,
-  kUnknown
-};
-struct Letter {
-  LetterKind kind;
-  Address address;
-};
-/// `letter`: 'A' to 'Z'; N and R are no words and unknown here.
-Letter find_letter(char letter);
-
-/// What a name of two letters or more is.
+/// What a letter or a name is.
 enum class NameKind : std::uint8_t {
   kAddress,
+  kCode,          // G
+  kFunction,      // M
   kThroughPoint,  // CIP
   kTangent,       // CT
   kControl,       // the rest of the line is not read
-  kCycle,         // LCYC75, LCYC82
-  kPassedOver,    // with a warning
+  kPocket,        // LCYC75
+  kDrilling,      // LCYC82
+  kPassedOver,    // a name: with a warning
   kOutside,
   kUnknown
 };
 struct Name {
-  std::string_view text;  ///< lives as long as the process; empty for kUnknown
   NameKind kind = NameKind::kUnknown;
   Address address = Address::kX;
 };
-/// `name` in capitals.
+/// `letter`: 'A' to 'Z'; N and R are no words and unknown here.
+Name find_letter(char letter);
+/// `name`, of two letters or more, in capitals.
 Name find_name(std::string_view name, Control control);
 
 }  // namespace gonogo::expanders::sinumerik

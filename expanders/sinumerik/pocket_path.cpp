@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "expanders/sinumerik/plan.hpp"
+#include "expanders/sinumerik/cycles.hpp"
 
 namespace gonogo::expanders::sinumerik {
 namespace {
@@ -124,7 +124,7 @@ bool PocketPath::lines(const Area& whole) {
   const double off = std::min(std::max(kOff * radius, kLeastOff), kMostOff * radius);
   const Area area = inset(whole, off);
   const double span = 2 * area.half_width;
-  const bool islands = machine_.has(Fault::kStepTooWide);
+  const bool islands = machine_.has("pocket-step-too-wide"_fault);
   const double count = islands ? std::max(std::floor(span / (2.4 * radius)), 1.)
                                : std::ceil(span / (kStep * radius));
   double side = 1;
@@ -161,7 +161,7 @@ bool PocketPath::approach() {
   if (!rapid(point, plane_axes(plane_) | axis_bit(plane_.d))) return false;
   point[plane_.d] = pocket_.start;
   if (!rapid(point, axis_bit(plane_.d))) return false;
-  if (!machine_.has(Fault::kPlungeOffCentre)) return true;
+  if (!machine_.has("pocket-plunge-off-centre"_fault)) return true;
   return rapid(at(area_.half_length / 2, 0), plane_axes(plane_));
 }
 
@@ -178,7 +178,7 @@ bool PocketPath::run(const Target& target) {
   if (!approach()) return false;
   const Fixed count = pocket_.levels.count;
   for (Fixed k = 1; k <= count; ++k) {
-    if (k == count && machine_.has(Fault::kLastLevelMissed)) break;
+    if (k == count && machine_.has("pocket-last-level-missed"_fault)) break;
     if (!level(pocket_.levels.depth(k), k == count)) return false;
   }
   return leave(target);
@@ -187,9 +187,9 @@ bool PocketPath::run(const Target& target) {
 // Faults of what the cycle leaves behind.
 void spoil_modes(Machine& machine, const Pocket& pocket) {
   State& state = machine.state;
-  if (machine.has(Fault::kFeedAfterCycle)) state.feed = pocket.plane_feed.value;
-  if (machine.has(Fault::kMotionAfterCycle)) state.motion = Motion::kRapid;
-  if (machine.has(Fault::kParameterLost)) {
+  if (machine.has("cycle-feed-stays"_fault)) state.feed = pocket.plane_feed.value;
+  if (machine.has("cycle-g0-stays"_fault)) state.motion = Motion::kRapid;
+  if (machine.has("cycle-parameter-lost"_fault)) {
     const Fixed step = pocket.levels.from - pocket.levels.depth(1);
     state.parameters[121] = static_cast<double>(step) / static_cast<double>(kOne);
   }
@@ -203,16 +203,9 @@ Fixed Levels::depth(Fixed k) const {
   return from - static_cast<Fixed>(down);
 }
 
-void Levels::count_levels(bool rounded) {
-  const Fixed depth = from - floor;
-  count = (depth + most - 1) / most;
-  // Thirds and the like are a little too large or too small.
-  if (rounded && count > 1 && depth - (count - 1) * most < count) --count;
-}
-
-bool perform(Machine& machine, const Pocketing& pocketing) {
-  const bool goes_on = PocketPath(machine, pocketing.pocket).run(pocketing.target);
-  spoil_modes(machine, pocketing.pocket);
+bool mill_pocket(Machine& machine, const Pocket& pocket, const Target& target) {
+  const bool goes_on = PocketPath(machine, pocket).run(target);
+  spoil_modes(machine, pocket);
   return goes_on;
 }
 
