@@ -23,13 +23,13 @@ struct Maker {
 };
 
 constexpr std::array<Maker, 4> kMakers = {{
-    {"gsk", &gsk::fault_descriptions,
+    {"gsk", [] { return std::span<const FaultDescription>(gsk::kFaults); },
      [](std::size_t fault) -> const gonogo_subject_v1& {
-       return gsk::subject(static_cast<gsk::Fault>(fault));
+       return gsk::subject(static_cast<Fault>(fault));
      }},
-    {"hnc", &hnc::fault_descriptions,
+    {"hnc", [] { return std::span<const FaultDescription>(hnc::kFaults); },
      [](std::size_t fault) -> const gonogo_subject_v1& {
-       return hnc::subject(static_cast<hnc::Fault>(fault));
+       return hnc::subject(static_cast<Fault>(fault));
      }},
     {"ngc", &ngc::fault_descriptions,
      [](std::size_t fault) -> const gonogo_subject_v1& {

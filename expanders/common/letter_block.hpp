@@ -29,7 +29,7 @@ class LetterBlock {
     const CodeTable& codes;
     GroupNumber free_group = kMostGroups;  ///< its codes exclude nothing
     /// Words of the macro language that begin a statement or a function; none: no such language.
-    std::span<const std::string_view> macro_words;
+    std::span<const std::string_view> macro_words = {};
     bool named_by_tape_mark = false;  ///< `%1` begins a program
     bool block_skip = false;
     bool later_wins = false;  ///< of one address or one group given twice the later holds

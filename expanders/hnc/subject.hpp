@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "expanders/hnc/faults.hpp"
+#include "expanders/faults.hpp"
 #include "gonogo/subject.h"
 
 namespace gonogo::expanders::hnc {
 
-/// The expander with one planted fault or Fault::kNone, behind the C interface.
+/// The expander with one planted fault or none, behind the C interface.
 const gonogo_subject_v1& subject(Fault fault);
 
 }  // namespace gonogo::expanders::hnc
