@@ -71,14 +71,15 @@ void LetterInterpreter::check_outside() {
 void LetterInterpreter::check_block() {
   if (block_.unknown_code()) return machine().complain(AlarmKind::kUndefinedCode, 'G', 0);
   if (block_.duplicate() != 0) {
-    machine().complain(AlarmKind::kDuplicateWord, block_.duplicate(), block_.duplicate_position());
+    return machine().complain(AlarmKind::kDuplicateWord, block_.duplicate(),
+                              block_.duplicate_position());
   }
   if (block_.has('M')) {
     const Decimal& m = block_.number('M');
-    if (m.overflow || m.value < 0 || m.value / kOne > kLargestFunction) {
-      machine().complain(AlarmKind::kValueOutOfRange, 'M', block_);
-    } else if (block_.has_fraction('M')) {
+    if (!m.overflow && block_.has_fraction('M')) {
       machine().complain(AlarmKind::kNotAnInteger, 'M', block_);
+    } else if (m.overflow || m.value < 0 || m.value / kOne > kLargestFunction) {
+      machine().complain(AlarmKind::kValueOutOfRange, 'M', block_);
     }
   }
   check_words();

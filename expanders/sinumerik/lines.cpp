@@ -49,7 +49,7 @@ void prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
     return machine.complain(AlarmKind::kValueOutOfRange, word, block);
   }
   if (seconds < 0) return machine.complain(AlarmKind::kValueSign, word, block);
-  if (in_turns && !machine.has("dwell-revolutions-as-seconds"_fault)) {
+  if (!in_seconds && !machine.has("dwell-revolutions-as-seconds"_fault)) {
     if (state.speed == 0) return machine.complain(AlarmKind::kSpindleStopped, word, block);
     const Wide time = (static_cast<Wide>(seconds) * 60 * kOne + state.speed / 2) / state.speed;
     if (!in_reach(time)) return machine.complain(AlarmKind::kValueOutOfRange, word, block);
