@@ -18,21 +18,20 @@ Real centre_along(const Machine& machine, const Block& block, std::size_t axis) 
   const Address address = centre_address(axis);
   if (!block.has(address)) return 0;
   const Value& value = block.value(address);
-  const Fixed length = machine.has("inch-centre-unscaled"_fault)
-                           ? value.number.value
-                           : length_of(machine, block, address);
+  const Real length =
+      machine.has("inch-centre-unscaled"_fault) ? value.counts : length_of(machine, block, address);
   bool absolute = value.mode == Value::Mode::kAbsolute && !machine.has("centre-ac-ignored"_fault);
   if (value.mode == Value::Mode::kPlain) {
     absolute = machine.has("centre-absolute"_fault) && !machine.state.incremental;
   }
-  return static_cast<Real>(absolute ? length - machine.state.position[axis] : length);
+  return absolute ? length - machine.state.position[axis] : length;
 }
 
 // Less than a count, but not nothing.
 bool is_trace(const Block& block, std::size_t axis) {
   if (!block.has(centre_address(axis))) return false;
   const Value& value = block.value(centre_address(axis));
-  return value.number.value == 0 && (value.number.finer || value.real != 0);
+  return value.number.value == 0 && (value.number.finer || value.counts != 0);
 }
 
 // False: there is no centre to go on with.
@@ -54,9 +53,9 @@ bool read_centre(Machine& machine, const Block& block, Arc& arc) {
 void move_end_onto_circle(const Machine& machine, Arc& arc) {
   const Vector end = arc.chord - arc.centre;
   const Real ratio = arc.centre.length() / end.length();
-  const Point& from = machine.state.position;
-  arc.target.to[arc.plane.p] = from[arc.plane.p] + rounded(arc.centre.p + end.p * ratio);
-  arc.target.to[arc.plane.q] = from[arc.plane.q] + rounded(arc.centre.q + end.q * ratio);
+  const Place& from = machine.state.position;
+  arc.target.to[arc.plane.p] = from[arc.plane.p] + arc.centre.p + end.p * ratio;
+  arc.target.to[arc.plane.q] = from[arc.plane.q] + arc.centre.q + end.q * ratio;
 }
 
 // SIE-ARC-08: by at most sqrt(0.001) rad, seen from the start.
@@ -113,15 +112,15 @@ void take_centre(Machine& machine, const Block& block, Arc& arc) {
   take_circle(machine, block, (arc.chord - arc.centre).length(), arc);
 }
 
-void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, Arc& arc) {
+void take_centre_and_angle(Machine& machine, const Block& block, Real angle, Arc& arc) {
   if (!read_centre(machine, block, arc)) return;
   if (machine.has("ar-complement"_fault)) angle = kFullTurn - angle;
-  const Vector turn = direction_of(static_cast<Real>(arc.counterclockwise ? angle : -angle) / kOne);
+  const Vector turn = direction_of((arc.counterclockwise ? angle : -angle) / kOne);
   const Vector end = turned(Vector{} - arc.centre, turn) - (Vector{} - arc.centre);
-  const Point& from = machine.state.position;
+  const Place& from = machine.state.position;
   Target target = arc.target;
-  target.to[arc.plane.p] = from[arc.plane.p] + rounded(end.p);
-  target.to[arc.plane.q] = from[arc.plane.q] + rounded(end.q);
+  target.to[arc.plane.p] = from[arc.plane.p] + end.p;
+  target.to[arc.plane.q] = from[arc.plane.q] + end.q;
   if (!in_reach(target.to[arc.plane.p]) || !in_reach(target.to[arc.plane.q])) {
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
@@ -131,13 +130,12 @@ void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, Ar
 // SIE-ARC-06: RP is the radius at the end.
 void take_pole_circle(Machine& machine, const Block& block, Arc& arc) {
   const State& state = machine.state;
-  const Point& from = state.position;
-  arc.centre = {static_cast<Real>(state.pole.p - from[arc.plane.p]),
-                static_cast<Real>(state.pole.q - from[arc.plane.q])};
+  const Place& from = state.position;
+  arc.centre = {state.pole.p - from[arc.plane.p], state.pole.q - from[arc.plane.q]};
   if (arc.centre.is_nothing()) {
     return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
-  take_circle(machine, block, static_cast<Real>(state.polar.radius), arc);
+  take_circle(machine, block, state.polar.radius, arc);
 }
 
 }  // namespace gonogo::expanders::sinumerik

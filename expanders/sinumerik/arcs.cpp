@@ -58,20 +58,20 @@ bool check_forms(Machine& machine, const Block& block, const Plane& plane) {
 
 // SIE-ARC-04
 void take_radius(Machine& machine, const Block& block, Arc& arc) {
-  const bool unscaled = machine.has("inch-centre-unscaled"_fault);
-  const Fixed given =
-      unscaled ? block.number(Address::kRadius).value : length_of(machine, block, Address::kRadius);
+  const Real given = machine.has("inch-centre-unscaled"_fault)
+                         ? block.value(Address::kRadius).counts
+                         : length_of(machine, block, Address::kRadius);
   if (given == 0) return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
   if (arc.chord.is_nothing()) {
     return machine.complain(AlarmKind::kArcEndPoint, Address::kRadius, block);
   }
   const bool forgives = machine.follows("sie.cr.tolerance=const"_reading);
   const Fixed tolerance = forgives ? machine.profile.parameters[kCircleErrorConstant] : 0;
-  const Real radius = std::fabs(static_cast<Real>(given));
+  const Real radius = std::fabs(given);
   const Real above = arc.chord.length() - 2 * radius;
   const bool half = above >= -kRounding;
   const bool refused = half && machine.has("cr-semicircle-refused"_fault);
-  if (above > static_cast<Real>(tolerance + kRounding) || refused) {
+  if (above > static_cast<Real>(tolerance) + kRounding || refused) {
     return machine.complain(AlarmKind::kArcRadius, Address::kRadius, block);
   }
   const bool long_way = (given < 0) != machine.has("cr-sign-swapped"_fault);
@@ -81,7 +81,7 @@ void take_radius(Machine& machine, const Block& block, Arc& arc) {
 
 // SIE-ARC-05: above 0 and below 360 degrees.
 bool check_angle(Machine& machine, const Block& block) {
-  const Fixed angle = block.number(Address::kOpeningAngle).value;
+  const Real angle = block.value(Address::kOpeningAngle).counts;
   if (angle == kFullTurn && machine.has("ar-360-accepted"_fault)) return true;
   if (angle > 0 && angle < kFullTurn) return true;
   machine.complain(AlarmKind::kValueOutOfRange, Address::kOpeningAngle, block);
@@ -95,15 +95,14 @@ void take_angle_and_end(Machine& machine, const Block& block, Arc& arc) {
   }
   if (!in_range || machine.in_alarm()) return;
   // The centre sees half the chord under half the angle.
-  const Vector half =
-      direction_of(static_cast<Real>(block.number(Address::kOpeningAngle).value) / (2 * kOne));
+  const Vector half = direction_of(block.value(Address::kOpeningAngle).counts / (2 * kOne));
   const bool left = arc.counterclockwise != machine.has("ar-centre-other-side"_fault);
   arc.centre = on_bisector(arc.chord, (left ? half.p : -half.p) / half.q);
 }
 
 // Faults of the axes that move along with the circle.
 void spoil_helix(const Machine& machine, const Plane& plane, Target& target) {
-  const Point& from = machine.state.position;
+  const Place& from = machine.state.position;
   if (machine.has("helix-flat"_fault)) target.to[plane.d] = from[plane.d];
   if (machine.has("helix-third-axis-z"_fault) && plane.number == 18 &&
       (target.axes & axis_bit(GONOGO_Y)) != 0) {
@@ -125,10 +124,10 @@ Real side_of_radius(const Vector& chord, Real radius) {
 }
 
 void take_end(const Machine& machine, const Target& target, Arc& arc) {
-  const Point& from = machine.state.position;
+  const Place& from = machine.state.position;
   arc.target = target;
-  arc.chord = {static_cast<Real>(target.to[arc.plane.p] - from[arc.plane.p]),
-               static_cast<Real>(target.to[arc.plane.q] - from[arc.plane.q])};
+  arc.chord = {target.to[arc.plane.p] - from[arc.plane.p],
+               target.to[arc.plane.q] - from[arc.plane.q]};
   // A place that was reckoned twice is the same place.
   if (arc.chord.is_nothing()) arc.chord = {};
 }
@@ -158,12 +157,12 @@ void plan_arc(Machine& machine, const Arc& arc, int rot, const Direction& headin
   if (std::fabs(arc.centre.p) > kMost || std::fabs(arc.centre.q) > kMost) {
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
-  Point centre = machine.state.position;
-  centre[plane.p] += rounded(arc.centre.p);
-  centre[plane.q] += rounded(arc.centre.q);
+  Place centre = machine.state.position;
+  centre[plane.p] += arc.centre.p;
+  centre[plane.q] += arc.centre.q;
   plan = [&machine, &plane, centre, rot, target = arc.target, feed = arc.feed, heading] {
-    const Point middle = machine.frame.to_machine(centre);
-    const Point to = machine.frame.to_machine(target.to);
+    const Point middle = machine.output(centre);
+    const Point to = machine.output(target.to);
     const Axes axes = machine.frame.to_machine(target.axes);
     arrive(machine, target, heading);
     return machine.tracer.arc(plane, middle[plane.p], middle[plane.q], rot, to, axes, feed);
@@ -188,7 +187,7 @@ void prepare_arc(Machine& machine, const Block& block, bool counterclockwise, Pl
     take_angle_and_end(machine, block, arc);
   } else if (block.has(Address::kOpeningAngle)) {
     if (check_angle(machine, block)) {
-      take_centre_and_angle(machine, block, block.number(Address::kOpeningAngle).value, arc);
+      take_centre_and_angle(machine, block, block.value(Address::kOpeningAngle).counts, arc);
     }
   } else {
     take_centre(machine, block, arc);

@@ -55,6 +55,7 @@ class BlockReader {
   Block::Reading read_items();
   Scan item();
   Scan letter();
+  bool decimal(Value& value);
   Scan assignment();
   Scan name();
   Scan loose_rotation();
@@ -170,8 +171,14 @@ Scan BlockReader::letter() {
     }
     cursor_ = digits;
   }
-  if (!read_decimal(cursor_, end_, number.number)) return Scan::kSyntax;
+  if (!decimal(number)) return Scan::kSyntax;
   return at_exponent(cursor_, end_) ? Scan::kOutside : take_letter(letter, number);
+}
+
+bool BlockReader::decimal(Value& value) {
+  const bool read = read_decimal(cursor_, end_, value.number);
+  value.counts = static_cast<Real>(value.number.value);
+  return read;
 }
 
 Scan BlockReader::assignment() {
@@ -187,9 +194,9 @@ Scan BlockReader::assignment() {
   if (index >= parameter_count(machine_.control())) {
     block_.undefined_.note(position(), 'R');
   } else if (machine_.has("assignment-late"_fault)) {
-    late_.push_back({index, number.real});
+    late_.push_back({index, number.counts / kOne});
   } else {
-    machine_.state.parameters[index] = number.real;
+    machine_.state.parameters[index] = number.counts / kOne;
   }
   return Scan::kRead;
 }
@@ -235,7 +242,7 @@ Scan BlockReader::name() {
 Scan BlockReader::loose_rotation() {
   const char* from = cursor_;
   Value number;
-  const bool read = read_decimal(cursor_, end_, number.number);
+  const bool read = decimal(number);
   if (!read) cursor_ = from;
   // 840D has no RPL, with or without a value.
   if (machine_.control() == Control::k840D) return take_name({NameKind::kOutside}, "RPL", number);
@@ -292,8 +299,8 @@ Scan BlockReader::expression(char letter, Value& value) {
   Expression expression(cursor_, end_, std::span(machine_.state.parameters).first(count),
                         machine_.has("left-to-right"_fault));
   const Scan scan = expression.read();
-  value.real = expression.value();
-  value.number = to_counts(value.real);
+  value.number = to_counts(expression.value());
+  value.counts = expression.value() * kOne;
   if (expression.undefined()) block_.undefined_.note(position(), letter);
   return scan;
 }

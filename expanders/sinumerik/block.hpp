@@ -17,8 +17,8 @@ class Machine;
 /// A value and how it is to be taken.
 struct Value {
   enum class Mode { kPlain, kAbsolute, kIncremental };  // as G90 or G91 say, AC( ), IC( )
-  Decimal number;
-  Real real = 0;
+  Decimal number;                                       ///< to the nearest count
+  Real counts = 0;                                      ///< as it was reckoned
   Mode mode = Mode::kPlain;
 };
 

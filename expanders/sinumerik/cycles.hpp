@@ -51,8 +51,8 @@ struct Levels {
 
 struct Pocket {
   int plane = 17;
-  Fixed centre_p = 0;
-  Fixed centre_q = 0;
+  Real centre_p = 0;
+  Real centre_q = 0;
   Fixed retract = 0;
   Fixed start = 0;  ///< down to it there is no material
   Levels levels;

@@ -21,7 +21,7 @@ Fixed CycleParameters::operator()(int number) {
   const Decimal value = to_counts(machine_.state.parameters[static_cast<std::size_t>(number)]);
   const bool inches = machine_.follows("sie.lcyc.unit=inch"_reading) && machine_.state.inch;
   const Wide length = inches && is_measured(number) ? scaled(value.value, 254, 10) : value.value;
-  if (!value.overflow && in_reach(length)) return static_cast<Fixed>(length);
+  if (!value.overflow && in_reach(static_cast<Real>(length))) return static_cast<Fixed>(length);
   complain(AlarmKind::kValueOutOfRange, number);
   return 0;
 }
@@ -67,20 +67,20 @@ void prepare_drilling(Machine& machine, const Block& block, Plan& plan) {
   Fixed seconds = r(105);
   if (machine.has("drill-dwell-ms"_fault)) seconds /= 1000;
   if (machine.has("drill-dwell-forgotten"_fault)) seconds = 0;
-  Point start = machine.state.position;
-  Point bottom = start;
+  Place start = machine.state.position;
+  Place bottom = start;
   Target target{start, axis_bit(plane.d)};
-  start[plane.d] = clearance;
-  bottom[plane.d] = r(104);
-  target.to[plane.d] = machine.has("drill-retract-to-clearance"_fault) ? clearance : r(101);
+  start[plane.d] = static_cast<Real>(clearance);
+  bottom[plane.d] = static_cast<Real>(r(104));
+  const bool short_way = machine.has("drill-retract-to-clearance"_fault);
+  target.to[plane.d] = static_cast<Real>(short_way ? clearance : r(101));
   const Feed feed = cutting_feed(machine, bottom, true);
   plan = [&machine, &plane, target, start, bottom, seconds, feed] {
     Tracer& tracer = machine.tracer;
-    const Frame& frame = machine.frame;
     arrive(machine, target, heading_along_depth(plane));
-    return tracer.rapid(frame.to_machine(start), target.axes) &&
-           tracer.feed(frame.to_machine(bottom), target.axes, feed) && tracer.dwell(seconds) &&
-           tracer.rapid(frame.to_machine(target.to), target.axes);
+    return tracer.rapid(machine.output(start), target.axes) &&
+           tracer.feed(machine.output(bottom), target.axes, feed) && tracer.dwell(seconds) &&
+           tracer.rapid(machine.output(target.to), target.axes);
   };
 }
 

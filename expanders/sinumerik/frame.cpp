@@ -4,7 +4,7 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-Point sum(Point a, const Point& b, Fixed sign) {
+Place sum(Place a, const Place& b, Real sign) {
   for (std::size_t axis = 0; axis < a.size(); ++axis) a[axis] += sign * b[axis];
   return a;
 }
@@ -19,12 +19,12 @@ Direction in_plane(Direction direction, const Plane& plane, const Vector& turn) 
 }  // namespace
 
 // SIE-FRM-02: about the shifted zero.
-Point Frame::to_machine(const Point& workpiece) const {
+Place Frame::to_machine(const Place& workpiece) const {
   if (about_machine_zero_) return turned(sum(workpiece, shift_, 1), false);
   return sum(turned(workpiece, false), shift_, 1);
 }
 
-Point Frame::to_workpiece(const Point& machine) const {
+Place Frame::to_workpiece(const Place& machine) const {
   if (about_machine_zero_) return sum(turned(machine, true), shift_, -1);
   return turned(sum(machine, shift_, -1), true);
 }
@@ -43,25 +43,23 @@ Direction Frame::to_workpiece(const Direction& machine) const {
   return in_plane(machine, plane_of(plane_), turn(true));
 }
 
-void Frame::turn_by(Fixed degrees, int plane) {
+void Frame::turn_by(Real degrees, int plane) {
   plane_ = plane;
   const bool flipped = flipped_in_g18_ && plane == 18;
-  angle_ = (angle_ + (flipped ? -degrees : degrees) % kFullTurn + kFullTurn) % kFullTurn;
+  angle_ = std::fmod(angle_ + (flipped ? -degrees : degrees), Real{kFullTurn});
 }
 
 Vector Frame::turn(bool back) const {
-  const Real degrees = static_cast<Real>(angle_) / kOne;
-  return direction_of(back ? -degrees : degrees);
+  return direction_of((back ? -angle_ : angle_) / kOne);
 }
 
-Point Frame::turned(Point point, bool back) const {
-  if (!is_turned()) return point;
+Place Frame::turned(Place place, bool back) const {
+  if (!is_turned()) return place;
   const Plane& plane = plane_of(plane_);
-  const Vector place{static_cast<Real>(point[plane.p]), static_cast<Real>(point[plane.q])};
-  const Vector result = sinumerik::turned(place, turn(back));
-  point[plane.p] = rounded(result.p);
-  point[plane.q] = rounded(result.q);
-  return point;
+  const Vector result = sinumerik::turned({place[plane.p], place[plane.q]}, turn(back));
+  place[plane.p] = result.p;
+  place[plane.q] = result.q;
+  return place;
 }
 
 }  // namespace gonogo::expanders::sinumerik

@@ -10,17 +10,17 @@ namespace gonogo::expanders::sinumerik {
 /// leaves the controller goes through here. 840D has no programmable frames: both are the same.
 class Frame {
  public:
-  Point to_machine(const Point& workpiece) const;
-  Point to_workpiece(const Point& machine) const;
+  Place to_machine(const Place& workpiece) const;
+  Place to_workpiece(const Place& machine) const;
   /// The machine axes that move when `axes` of the workpiece are named.
   Axes to_machine(Axes axes) const;
   Direction to_machine(const Direction& workpiece) const;
   Direction to_workpiece(const Direction& machine) const;
 
-  const Point& shift() const { return shift_; }
-  void shift_to(const Point& place) { shift_ = place; }
+  const Place& shift() const { return shift_; }
+  void shift_to(const Place& place) { shift_ = place; }
   /// Turns by `degrees` more, in counts, from the first axis of the plane toward the second.
-  void turn_by(Fixed degrees, int plane);
+  void turn_by(Real degrees, int plane);
   void clear_rotation() { angle_ = 0; }
 
   bool is_turned() const { return angle_ != 0; }
@@ -34,11 +34,11 @@ class Frame {
 
  private:
   Vector turn(bool back) const;
-  Point turned(Point point, bool back) const;
+  Place turned(Place place, bool back) const;
 
-  Point shift_{};
+  Place shift_{};
   int plane_ = 17;
-  Fixed angle_ = 0;  // degrees, 0 to below 360
+  Real angle_ = 0;  // degrees, in counts
   bool about_machine_zero_ = false;
   bool flipped_in_g18_ = false;
 };

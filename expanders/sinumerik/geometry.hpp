@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places in whole counts, and what is reckoned between them.
+// Places, and what is reckoned between them: in counts, with what is left beside whole ones.
 #pragma once
 
 #include <array>
@@ -11,14 +11,19 @@
 namespace gonogo::expanders::sinumerik {
 
 using Real = long double;
+/// A coordinate of each axis, in the order of gonogo_axis.
+using Place = std::array<Real, GONOGO_AXES>;
 /// Along X, Y, Z.
 using Direction = std::array<Real, 3>;
 
-/// Lengths differ when they differ by more: what angles and roots gave is right to some counts.
-inline constexpr Fixed kRounding = 10;
+/// Lengths differ when they differ by more: what angles and roots gave is as good as that.
+inline constexpr Real kRounding = 1e-3L;
 
-inline Fixed rounded(Real value) {
-  return std::llround(value);
+/// To whole counts, as they are put out.
+inline Point rounded(const Place& place) {
+  Point point{};
+  for (std::size_t axis = 0; axis < point.size(); ++axis) point[axis] = std::llround(place[axis]);
+  return point;
 }
 
 /// A place or direction in the plane, counts.
@@ -60,12 +65,12 @@ inline Real length(const Direction& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 /// The way from one place to another; none at all where it is within rounding.
-inline Direction way_between(const Point& from, const Point& to) {
+inline Direction way_between(const Place& from, const Place& to) {
   Direction way{};
   bool moves = false;
   for (std::size_t axis = 0; axis < way.size(); ++axis) {
-    way[axis] = static_cast<Real>(to[axis] - from[axis]);
-    moves = moves || magnitude(to[axis] - from[axis]) > kRounding;
+    way[axis] = to[axis] - from[axis];
+    moves = moves || std::fabs(way[axis]) > kRounding;
   }
   return moves ? way : Direction{};
 }

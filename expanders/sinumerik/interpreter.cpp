@@ -34,7 +34,7 @@ Motion motion_of(const Code& code) {
 
 Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Fault planted)
     : expanders::Machine(machine_profile, sink, output_position_, planted), frame(plain_frame()) {
-  state.position = profile.position;
+  std::copy(profile.position.begin(), profile.position.end(), state.position.begin());
   state.inch = profile.inch;
   state.plane = profile.plane;
   state.feed = profile.feed;
@@ -43,7 +43,7 @@ Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& si
                  : rapid             ? Motion::kRapid
                                      : Motion::kLine;
   state.spindle_turns = state.speed_given = profile.spindle_turns;
-  output_position_ = frame.to_machine(state.position);
+  output_position_ = output(state.position);
 }
 
 Control Machine::control() const {

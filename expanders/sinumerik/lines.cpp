@@ -18,7 +18,7 @@ void plan_line(Machine& machine, const Target& target, const std::optional<Feed>
   const bool kept = !feed && machine.has("ct-skips-rapids"_fault);
   const Direction way = kept ? Direction{} : way_between(machine.state.position, target.to);
   plan = [&machine, target, feed, way] {
-    const Point to = machine.frame.to_machine(target.to);
+    const Point to = machine.output(target.to);
     const Axes axes = machine.frame.to_machine(target.axes);
     arrive(machine, target, way);
     return feed ? machine.tracer.feed(to, axes, *feed) : machine.tracer.rapid(to, axes);
@@ -45,14 +45,15 @@ void prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
   const Address word = in_seconds ? Address::kFeed : Address::kSpindle;
   const Decimal& number = block.number(word);
   Fixed seconds = number.value;
-  if (number.overflow || !in_reach(seconds)) {
+  if (number.overflow || !in_reach(static_cast<Real>(seconds))) {
     return machine.complain(AlarmKind::kValueOutOfRange, word, block);
   }
   if (seconds < 0) return machine.complain(AlarmKind::kValueSign, word, block);
   if (!in_seconds && !machine.has("dwell-revolutions-as-seconds"_fault)) {
     if (state.speed == 0) return machine.complain(AlarmKind::kSpindleStopped, word, block);
     const Wide time = (static_cast<Wide>(seconds) * 60 * kOne + state.speed / 2) / state.speed;
-    if (!in_reach(time)) return machine.complain(AlarmKind::kValueOutOfRange, word, block);
+    if (!in_reach(static_cast<Real>(time)))
+      return machine.complain(AlarmKind::kValueOutOfRange, word, block);
     seconds = static_cast<Fixed>(time);
   }
   if (in_seconds && machine.has("dwell-feed-kept"_fault)) state.feed = seconds;

@@ -18,20 +18,20 @@ enum class Motion { kRapid, kLine, kClockwise, kCounterclockwise, kThroughPoint,
 /// AP and RP in force.
 struct Polar {
   bool has_angle = false;
-  Fixed angle = 0;  ///< degrees, 0 to below 360
+  Real angle = 0;  ///< degrees, in counts
   bool has_radius = false;
-  Fixed radius = 0;  ///< mm
+  Real radius = 0;
 };
 
 /// What AP and RP count from, along the axes of the plane.
 struct Pole {
-  Fixed p = 0;
-  Fixed q = 0;
+  Real p = 0;
+  Real q = 0;
 };
 
 /// All that one block hands to the next; places are those of the workpiece.
 struct State {
-  Point position{};
+  Place position{};
   bool inch = false;
   bool incremental = false;
   int plane = 17;
@@ -61,6 +61,8 @@ class Machine : public expanders::Machine {
   /// Without translation and rotation.
   Frame plain_frame() const;
   const Plane& plane() const { return plane_of(state.plane); }
+  /// A place of the workpiece as it is put out.
+  Point output(const Place& place) const { return rounded(frame.to_machine(place)); }
 
   using expanders::Machine::complain;
   void complain(AlarmKind kind, Address address, const Block& block) {
@@ -75,13 +77,13 @@ inline constexpr Axes kLinearAxes = axis_bit(GONOGO_X) | axis_bit(GONOGO_Y) | ax
 inline constexpr Axes plane_axes(const Plane& plane) {
   return axis_bit(plane.p) | axis_bit(plane.q);
 }
-inline constexpr bool in_reach(Wide value) {
-  return value <= kReach && value >= -kReach;
+inline bool in_reach(Real value) {
+  return std::fabs(value) <= static_cast<Real>(kReach);
 }
 
 /// Where a motion ends.
 struct Target {
-  Point to{};
+  Place to{};
   Axes axes = 0;  ///< those with a word, of a polar target both of the plane
 };
 
@@ -89,8 +91,8 @@ struct Target {
 
 /// The axes with a word in the block.
 Axes axes_of(const Block& block);
-/// The length of `address` in mm, by the units in force; the word must be there.
-Fixed length_of(const Machine& machine, const Block& block, Address address);
+/// The length of `address`, by the units in force; the word must be there.
+Real length_of(const Machine& machine, const Block& block, Address address);
 /// Whether a word counts from the position: as G90 or G91 say, or its brackets.
 bool is_incremental(const State& state, Value::Mode mode);
 /// The point that the words command, polar ones or those of axes. Complains when it is out of
@@ -100,7 +102,7 @@ Target cartesian_target(Machine& machine, const Block& block);
 /// Complains about numbers that are too large to reckon with.
 void check_sizes(Machine& machine, const Block& block);
 /// The feed of a cut to `to`. Complains when there is none or the spindle stands.
-Feed cutting_feed(Machine& machine, const Point& to, bool curved);
+Feed cutting_feed(Machine& machine, const Place& to, bool curved);
 /// Complains about the words of `unwanted` that the block has.
 void refuse(Machine& machine, const Block& block, Addresses unwanted);
 

@@ -50,11 +50,11 @@ class PocketPath {
   bool contour(const Area& area);
   bool middle_line(const Area& area);
   bool leave(const Target& target);
-  Point at(double x, double y) const;
+  Place at(double x, double y) const;
   bool go(double x, double y);
   bool turn(double centre_x, double centre_y, double x, double y);
   bool plunge(Fixed depth);
-  bool rapid(const Point& to, Axes axes);
+  bool rapid(const Place& to, Axes axes);
 
   Axes in_plane() const { return machine_.frame.to_machine(plane_axes(plane_)); }
 
@@ -63,39 +63,39 @@ class PocketPath {
   const Plane& plane_;
   bool upright_;
   Area area_;
-  Point place_;
+  Place place_;
 };
 
-Point PocketPath::at(double x, double y) const {
-  Point point = place_;
-  point[plane_.p] = pocket_.centre_p + std::llround(upright_ ? -y : x);
-  point[plane_.q] = pocket_.centre_q + std::llround(upright_ ? x : y);
+Place PocketPath::at(double x, double y) const {
+  Place point = place_;
+  point[plane_.p] = pocket_.centre_p + (upright_ ? -y : x);
+  point[plane_.q] = pocket_.centre_q + (upright_ ? x : y);
   return point;
 }
 
-bool PocketPath::rapid(const Point& to, Axes axes) {
+bool PocketPath::rapid(const Place& to, Axes axes) {
   place_ = to;
-  return machine_.tracer.rapid(machine_.frame.to_machine(to), machine_.frame.to_machine(axes));
+  return machine_.tracer.rapid(machine_.output(to), machine_.frame.to_machine(axes));
 }
 
 bool PocketPath::go(double x, double y) {
   place_ = at(x, y);
-  const Point to = machine_.frame.to_machine(place_);
+  const Point to = machine_.output(place_);
   return machine_.tracer.feed(to, in_plane(), pocket_.plane_feed);
 }
 
 // A quarter of a circle.
 bool PocketPath::turn(double centre_x, double centre_y, double x, double y) {
-  if (area_.corner == 0 || at(x, y) == place_) return go(x, y);
-  const Point centre = machine_.frame.to_machine(at(centre_x, centre_y));
+  if (area_.corner == 0 || machine_.output(at(x, y)) == machine_.output(place_)) return go(x, y);
+  const Point centre = machine_.output(at(centre_x, centre_y));
   place_ = at(x, y);
   return machine_.tracer.arc(plane_, centre[plane_.p], centre[plane_.q], pocket_.sense,
-                             machine_.frame.to_machine(place_), in_plane(), pocket_.plane_feed);
+                             machine_.output(place_), in_plane(), pocket_.plane_feed);
 }
 
 bool PocketPath::plunge(Fixed depth) {
-  place_[plane_.d] = depth;
-  const Point to = machine_.frame.to_machine(place_);
+  place_[plane_.d] = static_cast<Real>(depth);
+  const Point to = machine_.output(place_);
   return machine_.tracer.feed(to, axis_bit(plane_.d), pocket_.depth_feed);
 }
 
@@ -156,19 +156,19 @@ bool PocketPath::level(Fixed depth, bool last) {
 
 // SIE-LC75-13
 bool PocketPath::approach() {
-  Point point = at(0, 0);
-  point[plane_.d] = pocket_.retract;
+  Place point = at(0, 0);
+  point[plane_.d] = static_cast<Real>(pocket_.retract);
   if (!rapid(point, plane_axes(plane_) | axis_bit(plane_.d))) return false;
-  point[plane_.d] = pocket_.start;
+  point[plane_.d] = static_cast<Real>(pocket_.start);
   if (!rapid(point, axis_bit(plane_.d))) return false;
   if (!machine_.has("pocket-plunge-off-centre"_fault)) return true;
   return rapid(at(area_.half_length / 2, 0), plane_axes(plane_));
 }
 
 bool PocketPath::leave(const Target& target) {
-  Point point = target.to;
+  Place point = target.to;
   point[plane_.d] = place_[plane_.d];
-  const Point to = machine_.frame.to_machine(point);
+  const Point to = machine_.output(point);
   if (!machine_.tracer.feed(to, in_plane(), pocket_.plane_feed)) return false;
   return rapid(target.to, axis_bit(plane_.d));
 }

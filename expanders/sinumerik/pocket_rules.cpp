@@ -120,7 +120,8 @@ void take_levels(const Machine& machine, CycleParameters& r, int type, Levels& l
   levels.most = r(121);
   levels.equal = !machine.follows("sie.infeed=max-rest"_reading);
   // Thirds and the like are a little too large or too small.
-  levels.count = (levels.from - levels.floor - kRounding + levels.most - 1) / levels.most;
+  constexpr Fixed kRest = 10;
+  levels.count = (levels.from - levels.floor - kRest + levels.most - 1) / levels.most;
   if (machine.has("pocket-infeeds-rounded-down"_fault)) {
     levels.count = std::max<Fixed>(1, (levels.from - levels.floor) / levels.most);
   }
@@ -135,12 +136,12 @@ int sense_of(const Machine& machine, CycleParameters& r, int type) {
 
 void take_centre(const Machine& machine, CycleParameters& r, Pocket& pocket) {
   const Plane& plane = plane_of(pocket.plane);
-  pocket.centre_p = r(116);
-  pocket.centre_q = r(117);
+  pocket.centre_p = static_cast<Real>(r(116));
+  pocket.centre_q = static_cast<Real>(r(117));
   if (!machine.has("pocket-centre-in-base"_fault)) return;
-  Point place = machine.frame.to_machine(machine.state.position);
-  place[plane.p] = r(116);
-  place[plane.q] = r(117);
+  Place place = machine.frame.to_machine(machine.state.position);
+  place[plane.p] = pocket.centre_p;
+  place[plane.q] = pocket.centre_q;
   place = machine.frame.to_workpiece(place);
   pocket.centre_p = place[plane.p];
   pocket.centre_q = place[plane.q];
@@ -151,10 +152,10 @@ Target end_of(const Machine& machine, const Pocket& pocket) {
   Target target{machine.state.position, plane_axes(plane) | axis_bit(plane.d)};
   target.to[plane.p] = pocket.centre_p;
   target.to[plane.q] = pocket.centre_q;
-  target.to[plane.d] =
-      machine.has("pocket-retract-to-clearance"_fault) ? pocket.start : pocket.retract;
+  const bool short_way = machine.has("pocket-retract-to-clearance"_fault);
+  target.to[plane.d] = static_cast<Real>(short_way ? pocket.start : pocket.retract);
   if (machine.has("pocket-ends-off-centre"_fault)) {
-    target.to[plane.q] += static_cast<Fixed>(pocket.area.half_width);
+    target.to[plane.q] += pocket.area.half_width;
   }
   return target;
 }

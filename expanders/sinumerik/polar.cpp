@@ -8,8 +8,7 @@ namespace {
 // SIE-POL-02: absolute whatever G90 and G91 say. IC adds to the angle in force, but for a pole.
 void take_angle(Machine& machine, const Block& block, bool for_pole, Polar& polar) {
   const Value& value = block.value(Address::kPolarAngle);
-  const Fixed written = value.number.value;
-  if (magnitude(written) > kFullTurn) {
+  if (std::fabs(value.counts) > kFullTurn) {
     return machine.complain(AlarmKind::kValueOutOfRange, Address::kPolarAngle, block);
   }
   const bool by_g91 = machine.has("ap-follows-g91"_fault) && machine.state.incremental &&
@@ -18,7 +17,7 @@ void take_angle(Machine& machine, const Block& block, bool for_pole, Polar& pola
   if (adds && !polar.has_angle) {
     return machine.complain(AlarmKind::kMissingWord, Address::kPolarAngle, block);
   }
-  polar.angle = ((adds ? polar.angle : 0) + written + kFullTurn) % kFullTurn;
+  polar.angle = (adds ? polar.angle : 0) + value.counts;
   polar.has_angle = true;
 }
 
@@ -39,12 +38,11 @@ Polar take_polar(Machine& machine, const Block& block, bool for_pole, Polar pola
 
 // The place at `polar` from `base`.
 Pole place_of(Machine& machine, const Pole& base, const Polar& polar) {
-  Vector direction = direction_of(static_cast<Real>(polar.angle) / kOne);
+  Vector direction = direction_of(polar.angle / kOne);
   if (machine.has("ap-swapped-in-g18"_fault) && machine.state.plane == 18) {
     std::swap(direction.p, direction.q);
   }
-  const auto radius = static_cast<Real>(polar.radius);
-  const Pole place{base.p + rounded(radius * direction.p), base.q + rounded(radius * direction.q)};
+  const Pole place{base.p + polar.radius * direction.p, base.q + polar.radius * direction.q};
   if (in_reach(place.p) && in_reach(place.q)) return place;
   machine.complain(AlarmKind::kValueOutOfRange);
   return base;

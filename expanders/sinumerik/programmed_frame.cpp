@@ -22,7 +22,7 @@ void take_shift(Machine& machine, const Block& block, Frame& frame) {
   const bool adds = machine.follows("sie.g158=additive"_reading) || machine.has("g158-adds"_fault);
   const bool clears = !block.has_any(kShiftWords) || !adds;
   if (clears) frame = machine.plain_frame();
-  Point step{};
+  Place step{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = axis_address(axis);
     if (block.has(address)) step[axis] = length_of(machine, block, address);
@@ -41,13 +41,13 @@ void take_rotation(Machine& machine, const Block& block, bool adds, Frame& frame
     frame = machine.plain_frame();
   }
   if (!block.has(Address::kRotation)) return;
-  frame.turn_by(block.number(Address::kRotation).value, machine.state.plane);
+  frame.turn_by(block.value(Address::kRotation).counts, machine.state.plane);
 }
 
 // SIE-FRM-04: the tool stays where it is; its place is reckoned anew.
 void put_frame(Machine& machine, const Frame& frame) {
   State& state = machine.state;
-  const Point position = frame.to_workpiece(machine.frame.to_machine(state.position));
+  const Place position = frame.to_workpiece(machine.frame.to_machine(state.position));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!in_reach(position[axis]) || !in_reach(frame.shift()[axis])) {
       return machine.complain(AlarmKind::kValueOutOfRange);

@@ -19,33 +19,33 @@ Direction heading_at_end(const Direction& to_start, const Direction& to_via) {
 
 // The fault that goes round the other way: the far end of the line from the intermediate point
 // through the middle of the chord.
-void take_other_side(const Point& from, const Point& to, Point& via) {
+void take_other_side(const Place& from, const Place& to, Place& via) {
   const Direction chord = way_between(from, to);
   Direction out = way_between(from, via);
   for (std::size_t axis = 0; axis < 3; ++axis) out[axis] -= chord[axis] / 2;
   const Real ratio = dot(chord, chord) / (4 * dot(out, out));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    via[axis] = from[axis] + rounded(chord[axis] / 2 - out[axis] * ratio);
+    via[axis] = from[axis] + chord[axis] / 2 - out[axis] * ratio;
   }
 }
 
 // SIE-CIP-02: what has no word is that of the start.
-Point intermediate_point(Machine& machine, const Block& block) {
+Place intermediate_point(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Point via = state.position;
+  Place via = state.position;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = intermediate_address(axis);
     if (!block.has(address)) continue;
     const Value::Mode mode = block.value(address).mode;
     const bool fixed =
         machine.has("cip-intermediate-absolute"_fault) && mode == Value::Mode::kPlain;
-    Wide place = length_of(machine, block, address);
+    Real place = length_of(machine, block, address);
     if (is_incremental(state, mode) && !fixed) place += state.position[axis];
     if (!in_reach(place)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
       continue;
     }
-    via[axis] = static_cast<Fixed>(place);
+    via[axis] = place;
   }
   return via;
 }
@@ -62,9 +62,9 @@ Address first_intermediate_word(const Block& block) {
 void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
   refuse(machine, block, kArcWords | kPolarWords | bit(Address::kTurn));
   if (!block.has_any(kIntermediateWords)) machine.complain(AlarmKind::kMissingWord);
-  const Point from = machine.state.position;
+  const Place from = machine.state.position;
   Target target = cartesian_target(machine, block);
-  Point via = intermediate_point(machine, block);
+  Place via = intermediate_point(machine, block);
   const Feed feed = cutting_feed(machine, target.to, true);
   if (machine.in_alarm()) return;
   const Direction to_via = way_between(from, via);
@@ -88,8 +88,8 @@ void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
       heading_at_end(way_between(target.to, from), way_between(target.to, via));
   if (machine.has("cip-sense-flipped"_fault)) take_other_side(from, target.to, via);
   plan = [&machine, target, feed, via, heading] {
-    const Point middle = machine.frame.to_machine(via);
-    const Point to = machine.frame.to_machine(target.to);
+    const Point middle = machine.output(via);
+    const Point to = machine.output(target.to);
     const Axes axes = machine.frame.to_machine(target.axes);
     arrive(machine, target, heading);
     return machine.tracer.space_arc(middle, to, axes, feed);

@@ -11,8 +11,9 @@ namespace {
 constexpr Addresses kMeasured = ~addresses(Address::kTurn, Address::kTool, Address::kCuttingEdge,
                                            Address::kSpindle, Address::kRotation);
 
-Fixed to_millimetres(Fixed inches) {
-  return static_cast<Fixed>(scaled(inches, 254, 10));
+// Exact where it comes out whole.
+Real to_millimetres(Real inches) {
+  return inches * 254 / 10;
 }
 
 }  // namespace
@@ -22,8 +23,8 @@ bool is_incremental(const State& state, Value::Mode mode) {
   return mode == Value::Mode::kPlain ? state.incremental : mode == Value::Mode::kIncremental;
 }
 
-Fixed length_of(const Machine& machine, const Block& block, Address address) {
-  const Fixed written = block.number(address).value;
+Real length_of(const Machine& machine, const Block& block, Address address) {
+  const Real written = block.value(address).counts;
   return machine.state.inch ? to_millimetres(written) : written;
 }
 
@@ -50,10 +51,10 @@ Target cartesian_target(Machine& machine, const Block& block) {
     // SIE-MOD-04
     const bool rotary = (kLinearAxes & axis_bit(axis)) == 0;
     const bool scaled = !rotary || machine.has("inch-rotary-scaled"_fault);
-    Wide place = scaled ? length_of(machine, block, address) : value.number.value;
+    Real place = scaled ? length_of(machine, block, address) : value.counts;
     if (is_incremental(state, value.mode)) place += state.position[axis];
     if (in_reach(place)) {
-      target.to[axis] = static_cast<Fixed>(place);
+      target.to[axis] = place;
     } else {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
@@ -67,13 +68,14 @@ void check_sizes(Machine& machine, const Block& block) {
   for (Addresses bits = block.words() & kMeasured; bits != 0; bits &= bits - 1) {
     const auto address = static_cast<Address>(std::countr_zero(bits));
     const Decimal& number = block.number(address);
-    if (number.overflow || !in_reach(inch ? scaled(number.value, 254, 10) : number.value)) {
+    const Real counts = block.value(address).counts;
+    if (number.overflow || !in_reach(inch ? to_millimetres(counts) : counts)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }
 }
 
-Feed cutting_feed(Machine& machine, const Point& to, bool curved) {
+Feed cutting_feed(Machine& machine, const Place& to, bool curved) {
   const State& state = machine.state;
   if (state.feed == 0) machine.complain(AlarmKind::kFeedMissing);
   // SIE-G1-02
@@ -81,14 +83,12 @@ Feed cutting_feed(Machine& machine, const Point& to, bool curved) {
   if (machine.follows("sie.spindle=alarm"_reading) && !turning) {
     machine.complain(AlarmKind::kSpindleStopped);
   }
-  const Point& from = state.position;
-  const bool linear = curved || from[GONOGO_X] != to[GONOGO_X] || from[GONOGO_Y] != to[GONOGO_Y] ||
-                      from[GONOGO_Z] != to[GONOGO_Z];
+  const bool linear = curved || !is_nothing(way_between(state.position, to));
   const bool inches =
       linear ? machine.follows("sie.g70.f=inch"_reading) || machine.has("inch-feed-scaled"_fault)
              : machine.has("rotary-feed-scaled"_fault);
-  return {inches && state.inch ? to_millimetres(state.feed) : state.feed,
-          state.feed_per_revolution};
+  const Fixed in_mm = static_cast<Fixed>(scaled(state.feed, 254, 10));
+  return {inches && state.inch ? in_mm : state.feed, state.feed_per_revolution};
 }
 
 void refuse(Machine& machine, const Block& block, Addresses unwanted) {
