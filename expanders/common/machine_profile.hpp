@@ -103,8 +103,8 @@ struct ProfileTable {
   Fixed reach = kLargest;  ///< no length is larger
 };
 
-/// A decimal with an optional exponent; nothing else can be a machine parameter, and nothing that is
-/// finer than a count.
+/// A decimal with an optional exponent; nothing else can be a machine parameter, and nothing that
+/// is finer than a count.
 std::optional<Fixed> fixed_of(const std::string& text);
 
 enum class ProfileResult { kRead, kUnsupported, kMalformed };

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "expanders/common/machine_profile.hpp"
 
@@ -54,7 +53,5 @@ inline constexpr std::size_t kRadiusTolerance = 0;
 inline constexpr std::size_t kRunOutAngle = 1;
 inline constexpr std::size_t kRunOutDistance = 2;
 inline constexpr std::size_t kDuplicatesAlarm = 3;
-
-std::span<const ProfileTable> profiles();
 
 }  // namespace gonogo::expanders::gsk

@@ -56,8 +56,8 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
     centre_from_words(machine, block, chord, centre);
   }
   if (machine.in_alarm()) return;
-  const Wide p = static_cast<Wide>(from[plane.p]) + centre.p;
-  const Wide q = static_cast<Wide>(from[plane.q]) + centre.q;
+  const Fixed p = from[plane.p] + centre.p;
+  const Fixed q = from[plane.q] + centre.q;
   if (!fits(p) || !fits(q)) return machine.complain(AlarmKind::kValueOutOfRange);
   // Reading hnc.arc.zero-radius = none: a circle of no size.
   if (centre.square() == 0 && chord.square() == 0) return;

@@ -9,9 +9,24 @@ namespace gonogo::expanders::hnc {
 /// Reads a block, sets the modal codes, checks, moves.
 class Interpreter final : public LetterInterpreter {
  public:
+  using Memory = Fixed;  // the last feed, for the fault that lets it survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-hnc","version":"0.1.0"},)"
+      R"("dialects":{"hnc21t":["basic","arc","g32","g74","g75","g80","g81","g82"]},)"
+      R"("features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
+      R"("max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
+
   Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
 
-  State& state() { return machine_.state; }
+  void recall(Fixed feed) {
+    if (feed != 0) machine_.state.feed = feed;
+  }
+  Memory memory() const {
+    return machine_.has("feed-survives-reset"_fault) ? machine_.state.feed : 0;
+  }
 
  private:
   Lines lines() const override;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "expanders/common/machine_profile.hpp"
 
@@ -33,7 +32,5 @@ consteval Reading operator""_reading(const char* name, std::size_t size) {
 
 /// Of the machine parameters: how far radii may differ, mm; below 0 it is not looked at.
 inline constexpr std::size_t kRadiusTolerance = 0;
-
-std::span<const ProfileTable> profiles();
 
 }  // namespace gonogo::expanders::hnc

@@ -52,6 +52,7 @@ bool read_centre(Machine& machine, const Block& block, Arc& arc) {
 // The fault that lets the machine follow the radius of the start.
 void move_end_onto_circle(const Machine& machine, Arc& arc) {
   const Vector end = arc.chord - arc.centre;
+  if (end.is_nothing()) return;
   const Real ratio = arc.centre.length() / end.length();
   const Place& from = machine.state.position;
   arc.target.to[arc.plane.p] = from[arc.plane.p] + arc.centre.p + end.p * ratio;

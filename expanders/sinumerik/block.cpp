@@ -62,9 +62,7 @@ class BlockReader {
   bool skip_call();
   Scan value(char letter, Value& value);
   Scan expression(char letter, Value& value);
-  Scan take_letter(char letter, const Value& value);
-  Scan take_indexed(char letter, std::size_t index, const Value& value);
-  Scan take_name(const Name& name, std::string_view text, const Value& value);
+  Scan take(const Name& name, std::string_view text, const Value& value);
   Scan take_word(Address address, char letter, const Value& value);
   void take_code(const Decimal& number);
   void put_code(const Code& code, char letter);
@@ -154,25 +152,33 @@ Scan BlockReader::letter() {
   skip();
   if (letter == 'R') return assignment();
   if (letter == 'N') return Scan::kSyntax;
-  Value number;
-  if (at('=')) {
-    if (letter == 'G' || letter == 'L') return Scan::kSyntax;
-    const Scan scan = value(letter, number);
-    return scan == Scan::kRead ? take_letter(letter, number) : scan;
-  }
+  Name name = find_letter(letter);
+  bool may_assign = letter != 'G' && letter != 'L';
   const char* digits = cursor_;
   std::size_t index = 0;
-  if (read_index(cursor_, end_, kLargestIndex, index)) {
+  if (!at('=') && read_index(cursor_, end_, kLargestIndex, index)) {
     skip();
+    // I1=3, S2=500: a letter with a number of its own.
     if (at('=')) {
-      if (letter == 'G') return Scan::kSyntax;
-      const Scan scan = value(letter, number);
-      return scan == Scan::kRead ? take_indexed(letter, index, number) : scan;
+      const bool intermediate = index == 1 && letter >= 'I' && letter <= 'K';
+      name = {letter == 'H' ? NameKind::kPassedOver : NameKind::kOutside};
+      if (intermediate) {
+        const auto axis = static_cast<std::size_t>(letter - 'I');
+        name = {NameKind::kAddress, intermediate_address(axis)};
+      }
+      may_assign = letter != 'G';
+    } else {
+      cursor_ = digits;
     }
-    cursor_ = digits;
   }
-  if (!decimal(number)) return Scan::kSyntax;
-  return at_exponent(cursor_, end_) ? Scan::kOutside : take_letter(letter, number);
+  Value number;
+  Scan scan = Scan::kSyntax;
+  if (at('=')) {
+    if (may_assign) scan = value(letter, number);
+  } else if (decimal(number)) {
+    scan = at_exponent(cursor_, end_) ? Scan::kOutside : Scan::kRead;
+  }
+  return scan == Scan::kRead ? take(name, {&letter, 1}, number) : scan;
 }
 
 bool BlockReader::decimal(Value& value) {
@@ -222,8 +228,7 @@ Scan BlockReader::name() {
   const Name name = find_name(text, machine_.control());
   if (name.kind == NameKind::kControl) return Scan::kOutside;
   skip();
-  const bool bare = name.kind == NameKind::kThroughPoint || name.kind == NameKind::kTangent ||
-                    name.kind == NameKind::kPocket || name.kind == NameKind::kDrilling;
+  const bool bare = name.kind == NameKind::kCode;
   const bool address = name.kind == NameKind::kAddress;
   if (at('[')) return Scan::kOutside;
   if (rotation && !at('=') && !at('(')) return loose_rotation();
@@ -235,7 +240,7 @@ Scan BlockReader::name() {
   } else if (at('(') ? bare || address || !skip_call() : address) {
     return Scan::kSyntax;
   }
-  return take_name(name, text, number);
+  return take(name, text, number);
 }
 
 // SIE-FRM-03: `RPL45`.
@@ -245,7 +250,7 @@ Scan BlockReader::loose_rotation() {
   const bool read = decimal(number);
   if (!read) cursor_ = from;
   // 840D has no RPL, with or without a value.
-  if (machine_.control() == Control::k840D) return take_name({NameKind::kOutside}, "RPL", number);
+  if (machine_.control() == Control::k840D) return take({NameKind::kOutside}, "RPL", number);
   if (!read || machine_.follows("sie.rpl-equals=required"_reading)) return Scan::kSyntax;
   warn("RPL stands without its =.");
   return take_word(Address::kRotation, 'R', number);
@@ -305,46 +310,23 @@ Scan BlockReader::expression(char letter, Value& value) {
   return scan;
 }
 
-Scan BlockReader::take_letter(char letter, const Value& value) {
-  const Name name = find_letter(letter);
-  if (name.kind == NameKind::kAddress) return take_word(name.address, letter, value);
-  const bool axis = name.kind == NameKind::kOutside && is_axis(letter);
-  if (value.mode != Value::Mode::kPlain && !axis) return Scan::kSyntax;
-  if (name.kind == NameKind::kCode) take_code(value.number);
-  if (name.kind == NameKind::kFunction) block_.functions_.push_back({value.number, position()});
-  if (name.kind == NameKind::kOutside) note_outside({&letter, 1});
-  if (name.kind == NameKind::kUnknown) block_.unknown_.note(position(), letter);
-  return Scan::kRead;
-}
-
-Scan BlockReader::take_indexed(char letter, std::size_t index, const Value& value) {
-  if (index == 1 && letter >= 'I' && letter <= 'K') {
-    const auto axis = static_cast<std::size_t>(letter - 'I');
-    return take_word(intermediate_address(axis), letter, value);
-  }
-  if (value.mode != Value::Mode::kPlain && !is_axis(letter)) return Scan::kSyntax;
-  if (letter != 'H') note_outside({&letter, 1});
-  return Scan::kRead;
-}
-
-Scan BlockReader::take_name(const Name& name, std::string_view text, const Value& value) {
+// AC( ) and IC( ) may stand with further axes, too.
+Scan BlockReader::take(const Name& name, std::string_view text, const Value& value) {
   if (name.kind == NameKind::kAddress) return take_word(name.address, text[0], value);
-  if (value.mode != Value::Mode::kPlain) return Scan::kSyntax;
+  const bool axis = text.size() == 1 && is_axis(text[0]);
+  if (value.mode != Value::Mode::kPlain && !axis) return Scan::kSyntax;
   switch (name.kind) {
-    case NameKind::kThroughPoint:
-      put_code(kThroughPointCode, 'C');
+    case NameKind::kGCode:
+      take_code(value.number);
       break;
-    case NameKind::kTangent:
-      put_code(kTangentCode, 'C');
+    case NameKind::kFunction:
+      block_.functions_.push_back({value.number, position()});
       break;
-    case NameKind::kPocket:
-      put_code(kPocketCode, 'L');
-      break;
-    case NameKind::kDrilling:
-      put_code(kDrillingCode, 'L');
+    case NameKind::kCode:
+      put_code(*name.code, text[0]);
       break;
     case NameKind::kPassedOver:
-      warn(std::string(text) + " is passed over.");
+      if (text.size() > 1) warn(std::string(text) + " is passed over.");
       break;
     case NameKind::kOutside:
       note_outside(text);
@@ -387,17 +369,13 @@ void BlockReader::note_outside(std::string_view what) {
   if (block_.outside_.empty()) block_.outside_ = what;
 }
 
-void Block::clear() {
+Block::Reading Block::read(std::string_view line, Machine& machine) {
   words_ = 0;
   codes_.fill(nullptr);
   functions_.clear();
   items_ = 0;
   outside_.clear();
   unknown_ = duplicate_ = undefined_ = Defect{};
-}
-
-Block::Reading Block::read(std::string_view line, Machine& machine) {
-  clear();
   if (line.size() > kLongestLine) return Reading::kSyntax;
   return BlockReader(line, *this, machine).read();
 }

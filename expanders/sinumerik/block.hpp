@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "expanders/common/complaints.hpp"
-#include "expanders/sinumerik/codes.hpp"
 #include "expanders/sinumerik/expression.hpp"
+#include "expanders/sinumerik/names.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
@@ -79,7 +79,6 @@ class Block {
  private:
   friend class BlockReader;
   static std::size_t index_of(Address address) { return static_cast<std::size_t>(address); }
-  void clear();
 
   Addresses words_ = 0;
   std::array<Value, kAddresses> values_;  // valid where words_ has the address

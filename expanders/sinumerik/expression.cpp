@@ -82,31 +82,22 @@ Real Expression::apply(char sign, Real left, Real right) {
   }
 }
 
-Scan Expression::sum(Real& value) {
-  Scan step = product(value);
-  while (step == Scan::kRead) {
+// Sums of products; fault: all operators bind alike.
+Scan Expression::chain(Real& value, bool of_products) {
+  const auto operand = [&](Real& one) {
+    return of_products && !left_to_right_ ? chain(one, false) : signed_operand(one);
+  };
+  Scan scan = operand(value);
+  while (scan == Scan::kRead) {
     const char sign = next_operator();
-    // Fault: all operators bind alike, so that here products are met as well.
-    if (sign == 0 || (!left_to_right_ && sign != '+' && sign != '-')) break;
+    const bool adds = sign == '+' || sign == '-';
+    if (sign == 0 || (!left_to_right_ && adds != of_products)) break;
     ++cursor_;
     Real right = 0;
-    step = product(right);
-    if (step == Scan::kRead) value = apply(sign, value, right);
+    scan = operand(right);
+    if (scan == Scan::kRead) value = apply(sign, value, right);
   }
-  return step;
-}
-
-Scan Expression::product(Real& value) {
-  Scan step = signed_operand(value);
-  while (step == Scan::kRead && !left_to_right_) {
-    const char sign = next_operator();
-    if (sign != '*' && sign != '/') break;
-    ++cursor_;
-    Real right = 0;
-    step = signed_operand(right);
-    if (step == Scan::kRead) value = apply(sign, value, right);
-  }
-  return step;
+  return scan;
 }
 
 Scan Expression::signed_operand(Real& value) {
@@ -144,7 +135,7 @@ Scan Expression::brackets(Real& value) {
   constexpr int kDeepest = 64;
   if (++depth_ > kDeepest) return Scan::kSyntax;
   ++cursor_;
-  const Scan step = sum(value);
+  const Scan step = chain(value, true);
   --depth_;
   if (step != Scan::kRead) return step;
   skip_blanks(cursor_, end_);

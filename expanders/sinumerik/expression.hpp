@@ -38,14 +38,13 @@ class Expression {
              bool left_to_right)
       : cursor_(cursor), end_(end), parameters_(parameters), left_to_right_(left_to_right) {}
 
-  Scan read() { return sum(value_); }
+  Scan read() { return chain(value_, true); }
   Real value() const { return value_; }
   /// Whether it has no value: a division by zero, a root of less than 0, a parameter that is none.
   bool undefined() const { return undefined_; }
 
  private:
-  Scan sum(Real& value);
-  Scan product(Real& value);
+  Scan chain(Real& value, bool of_products);
   Scan signed_operand(Real& value);
   Scan operand(Real& value);
   Scan number(Real& value);

@@ -10,9 +10,25 @@ namespace gonogo::expanders::sinumerik {
 /// moves.
 class Interpreter final : public expanders::Interpreter {
  public:
+  using Memory = Parameters;  // of the last run, for the fault that lets them survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-sinumerik","version":"0.1.0"},)"
+      R"("dialects":{"sinumerik840d":["basic","arc","cr","ar","polar","planes","helix","cip","ct",)"
+      R"("expressions","rotary"],)"
+      R"("sinumerik802s":["basic","arc","cr","ar","polar","planes","helix","cip","ct",)"
+      R"("expressions","rotary","frames","lcyc82","lcyc75"]},"features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
+      R"("max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
+
   Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
 
-  State& state() { return machine_.state; }
+  void recall(const Memory& parameters) { machine_.state.parameters = parameters; }
+  Memory memory() const {
+    const bool survive = machine_.has("parameters-survive-reset"_fault);
+    return survive ? machine_.state.parameters : Memory{};
+  }
 
  private:
   Lines lines() const override;

@@ -7,6 +7,30 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
+constexpr CodeRow kRows[] = {
+    {Group::kMotion, Support::kFull, "0 1 2 3"},
+    {Group::kOnce, Support::kFull, "4 110 111 112"},
+    {Group::kPlane, Support::kFull, "17 18 19"},
+    {Group::kUnits, Support::kFull, "70 71"},
+    {Group::kDimension, Support::kFull, "90 91"},
+    {Group::kFeedMode, Support::kFull, "94 95"},
+    {Group::kExactStop, Support::kNoEffect, "9"},
+    {Group::kCutter, Support::kNoEffect, "40"},
+    {Group::kSuppress, Support::kNoEffect, "53"},
+    {Group::kFrame, Support::kNoEffect, "54 55 56 57 500"},
+    {Group::kControl, Support::kNoEffect, "60 64"},
+    {Group::kWindow, Support::kNoEffect, "601 602"},
+    {Group::kProgrammedFrame, Support::kFull, "158 258 259"},
+    // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference
+    // points, soft approach, tapping, corner behaviour, further frames, units of the feed.
+    {Group::kControl, Support::kOutside,
+     "25 26 33 34 35 41 42 62 63 74 75 93 96 97 147 148 153 247 248 290 291 331 332 340 341 347 "
+     "348 "
+     "450 451 603 641 642 700 710 961 962 971"},
+};
+constexpr CodeTable kCodes{kRows};
+constexpr Code kFurtherFrame{0, static_cast<GroupNumber>(Group::kFrame), Support::kOutside};
+
 struct KnownName {
   std::string_view text;
   Name name;
@@ -18,15 +42,15 @@ constexpr KnownName kNames[] = {
     {"AP", {NameKind::kAddress, Address::kPolarAngle}},
     {"RP", {NameKind::kAddress, Address::kPolarRadius}},
     {"TURN", {NameKind::kAddress, Address::kTurn}},
-    {"CIP", {NameKind::kThroughPoint}},
-    {"CT", {NameKind::kTangent}},
+    {"CIP", {NameKind::kCode, Address::kX, &kThroughPointCode}},
+    {"CT", {NameKind::kCode, Address::kX, &kTangentCode}},
 };
 
 // Of 802S only.
 constexpr KnownName kCycleNames[] = {
     {"RPL", {NameKind::kAddress, Address::kRotation}},
-    {"LCYC75", {NameKind::kPocket}},
-    {"LCYC82", {NameKind::kDrilling}},
+    {"LCYC75", {NameKind::kCode, Address::kX, &kPocketCode}},
+    {"LCYC82", {NameKind::kCode, Address::kX, &kDrillingCode}},
 };
 
 constexpr std::string_view kControl =
@@ -75,27 +99,28 @@ Name find_letter(char letter) {
   constexpr std::string_view kWords = "XYZACIJK";
   const std::size_t index = kWords.find(letter);
   if (index != std::string_view::npos) return {NameKind::kAddress, static_cast<Address>(index)};
-  switch (letter) {
-    case 'F':
-      return {NameKind::kAddress, Address::kFeed};
-    case 'S':
-      return {NameKind::kAddress, Address::kSpindle};
-    case 'T':
-      return {NameKind::kAddress, Address::kTool};
-    case 'D':
-      return {NameKind::kAddress, Address::kCuttingEdge};
-    case 'G':
-      return {NameKind::kCode};
-    case 'M':
-      return {NameKind::kFunction};
-    case 'H':
-      return {NameKind::kPassedOver};
-    default:
-      break;
-  }
+  constexpr std::string_view kMore = "FSTD";
+  constexpr Address kAddressesOfMore[] = {Address::kFeed, Address::kSpindle, Address::kTool,
+                                          Address::kCuttingEdge};
+  const std::size_t more = kMore.find(letter);
+  if (more != std::string_view::npos) return {NameKind::kAddress, kAddressesOfMore[more]};
+  if (letter == 'G') return {NameKind::kGCode};
+  if (letter == 'M') return {NameKind::kFunction};
+  if (letter == 'H') return {NameKind::kPassedOver};
   // Further axes; subprograms and how often they run.
   const bool outside = std::string_view("BEOQUVWLP").find(letter) != std::string_view::npos;
   return {outside ? NameKind::kOutside : NameKind::kUnknown};
+}
+
+const Code* find_code(const Decimal& number, Control control) {
+  const Code* code = kCodes.find(number);
+  if (code == nullptr) {
+    const bool whole = !number.overflow && !number.finer && number.value % kOne == 0;
+    const bool frame = whole && number.value >= 505 * kOne && number.value <= 599 * kOne;
+    return frame ? &kFurtherFrame : nullptr;
+  }
+  const bool frame = code->group == static_cast<GroupNumber>(Group::kProgrammedFrame);
+  return frame && control == Control::k840D ? nullptr : code;
 }
 
 }  // namespace gonogo::expanders::sinumerik

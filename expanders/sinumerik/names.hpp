@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "expanders/common/codes.hpp"
+
 namespace gonogo::expanders::sinumerik {
 
 /// The controls: 802S has the path commands of 840D, and frames and cycles on top.
@@ -67,23 +69,48 @@ inline constexpr Address intermediate_address(std::size_t axis) {
   return static_cast<Address>(static_cast<std::size_t>(Address::kI1) + axis);
 }
 
+/// Codes of one group exclude each other.
+enum class Group : GroupNumber {
+  kMotion,  // G0 to G3, CIP, CT
+  kOnce,    // G4, G110 to G112
+  kPlane,
+  kUnits,
+  kDimension,  // G90, G91
+  kFeedMode,
+  kExactStop,  // G9
+  kCutter,
+  kSuppress,
+  kFrame,
+  kControl,
+  kWindow,
+  kProgrammedFrame,  // G158, G258, G259
+  kCycle             // LCYC75, LCYC82
+};
+
+// Codes that have names; no G code is as high.
+inline constexpr Code kThroughPointCode{10'001, static_cast<GroupNumber>(Group::kMotion)};  // CIP
+inline constexpr Code kTangentCode{10'002, static_cast<GroupNumber>(Group::kMotion)};       // CT
+inline constexpr Code kPocketCode{10'075, static_cast<GroupNumber>(Group::kCycle)};    // LCYC75
+inline constexpr Code kDrillingCode{10'082, static_cast<GroupNumber>(Group::kCycle)};  // LCYC82
+
+/// Null: the control lacks it.
+const Code* find_code(const Decimal& number, Control control);
+
 /// What a letter or a name is.
 enum class NameKind : std::uint8_t {
   kAddress,
-  kCode,          // G
-  kFunction,      // M
-  kThroughPoint,  // CIP
-  kTangent,       // CT
-  kControl,       // the rest of the line is not read
-  kPocket,        // LCYC75
-  kDrilling,      // LCYC82
-  kPassedOver,    // a name: with a warning
+  kGCode,
+  kFunction,    // M
+  kCode,        // CIP, CT, LCYC75, LCYC82
+  kControl,     // the rest of the line is not read
+  kPassedOver,  // a name: with a warning
   kOutside,
   kUnknown
 };
 struct Name {
   NameKind kind = NameKind::kUnknown;
   Address address = Address::kX;
+  const Code* code = nullptr;  ///< of kCode
 };
 /// `letter`: 'A' to 'Z'; N and R are no words and unknown here.
 Name find_letter(char letter);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "expanders/common/machine_profile.hpp"
 
@@ -39,7 +38,5 @@ inline constexpr std::size_t kCircleErrorFactor = 1;
 
 /// No coordinate or length is larger: a rotation and a translation leave it within Fixed.
 inline constexpr Fixed kReach = 1'000'000'000 * kOne;
-
-std::span<const ProfileTable> profiles();
 
 }  // namespace gonogo::expanders::sinumerik

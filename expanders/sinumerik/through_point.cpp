@@ -23,6 +23,7 @@ void take_other_side(const Place& from, const Place& to, Place& via) {
   const Direction chord = way_between(from, to);
   Direction out = way_between(from, via);
   for (std::size_t axis = 0; axis < 3; ++axis) out[axis] -= chord[axis] / 2;
+  if (is_nothing(out)) return;
   const Real ratio = dot(chord, chord) / (4 * dot(out, out));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     via[axis] = from[axis] + chord[axis] / 2 - out[axis] * ratio;
