@@ -46,7 +46,8 @@ std::string_view take_digits(std::string_view& text) {
 // Follows a program, item by item.
 class DomainCheck {
  public:
-  explicit DomainCheck(const Position& start) : at_(start) {}
+  explicit DomainCheck(const reference::Profile& profile)
+      : at_(profile.initial.at), least_circle_(4 * approximate(profile.resolution())) {}
 
   // The rule that the item breaks; empty: none.
   std::string_view take(const Record& record) {
@@ -116,8 +117,11 @@ class DomainCheck {
     const double radius = std::hypot(p, q);
     if (radius > kLargestRadius) return "D-DOM-03";
     if (!at_) return {};
-    return flat(radius, std::hypot(approximate(record.to[axes.p] - (*at_)[axes.p]),
-                                   approximate(record.to[axes.q] - (*at_)[axes.q])));
+    const double chord = std::hypot(approximate(record.to[axes.p] - (*at_)[axes.p]),
+                                    approximate(record.to[axes.q] - (*at_)[axes.q]));
+    const bool goes_round = chord < radius || record.rot > 1 || record.rot < -1;
+    if (goes_round && radius < least_circle_) return "D-DOM-08";
+    return flat(radius, chord);
   }
 
   // Of the circle through start, intermediate point and end.
@@ -149,6 +153,7 @@ class DomainCheck {
   }
 
   std::optional<Position> at_;  // nothing: behind a path that is open
+  double least_circle_;         // its radius, mm
 };
 
 }  // namespace
@@ -174,7 +179,7 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
   if (!has_short_numbers(program)) return "D-DOM-01";
   oracle::ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
-  DomainCheck check(profile.initial.at);
+  DomainCheck check(profile);
   try {
     while (const reference::Item* item = expander.next()) {
       const auto broken = std::visit([&](const auto& each) { return check.take(each); }, *item);
@@ -182,7 +187,7 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
       if (most_items-- == 0) break;
     }
   } catch (const exact::Undecided&) {
-    return "D-DOM-08";
+    return "D-DOM-09";
   }
   return {};
 }
@@ -191,7 +196,7 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
                                 const oracle::Verdict& verdict) {
   const bool undecided = verdict.kind == oracle::VerdictKind::oracle_gap &&
                          verdict.message.find("could not be decided") != std::string::npos;
-  return undecided ? "D-DOM-08" : outside_domain(profile, program);
+  return undecided ? "D-DOM-09" : outside_domain(profile, program);
 }
 
 }  // namespace gonogo::fuzz

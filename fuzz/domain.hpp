@@ -21,7 +21,7 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
                                 std::size_t most_items = 100'000);
 
 // The same of a program on which a subject came to this: what the gauge cannot decide is outside,
-// too (D-DOM-08).
+// too (D-DOM-09).
 std::string_view outside_domain(const reference::Profile& profile, std::string_view program,
                                 const oracle::Verdict& verdict);
 

@@ -94,13 +94,23 @@ TEST(Domain, HasNoPocketsHardlyWiderThanTheTool) {
   EXPECT_EQ(outside_with_pocket("R118=6.02 R119=6.02"), "");
 }
 
-// D-DOM-08
+// D-DOM-08: four increments of 0.001 and of 0.0001 mm.
+TEST(Domain, HasCirclesOfFourIncrementsToGoRound) {
+  EXPECT_EQ(outside_840d("G2 I0.004 F100"), "");
+  EXPECT_EQ(outside_840d("G2 I0.003 F100"), "D-DOM-08");
+  EXPECT_EQ(outside_840d("G2 X0.004 I0.002 TURN=1 F100"), "D-DOM-08");
+  EXPECT_EQ(outside_840d("G2 X0.004 I0.002 F100"), "");  // half a turn
+  EXPECT_EQ(outside("rs274", "F100\nG2 I0.0004\nM2"), "");
+  EXPECT_EQ(outside("rs274", "F100\nG2 I0.0003\nM2"), "D-DOM-08");
+}
+
+// D-DOM-09
 TEST(Domain, LeavesOutWhatCannotBeDecided) {
   const auto profile = std::get<reference::Profile>(reference::default_profile("rs274"));
   oracle::Verdict verdict;
   verdict.kind = oracle::VerdictKind::oracle_gap;
   verdict.message = "A comparison could not be decided: it is too close.";
-  EXPECT_EQ(outside_domain(profile, "M2", verdict), "D-DOM-08");
+  EXPECT_EQ(outside_domain(profile, "M2", verdict), "D-DOM-09");
   verdict.message = "The gauge does not read G55.";
   EXPECT_EQ(outside_domain(profile, "M2", verdict), "");
   verdict.kind = oracle::VerdictKind::fail_geometry;
