@@ -75,8 +75,10 @@ void take_radii(const Machine& machine, const Words& words, Mode mode, ThreadMil
   thread.angle = words.angle % (360 * kOne);
 }
 
-// All of the path lies within this distance of the centre.
+// All of the path lies within this distance of the centre, and a record counts its turns.
 bool in_reach(const Machine& machine, const ThreadMilling& thread) {
+  constexpr Fixed kMostTurns = 1'000'000'000;
+  if (magnitude(thread.site.depth) / std::max<Fixed>(thread.lead, 1) > kMostTurns) return false;
   const Wide extent = static_cast<Wide>(magnitude(thread.surface)) + thread.height + thread.run_out;
   for (const std::size_t axis : {machine.plane().p, machine.plane().q}) {
     if (!fits(extent + magnitude(thread.site.centre[axis]))) return false;

@@ -140,7 +140,7 @@ void Interpreter::check_coverage() {
   for (const char address : {'R', 'E', 'P', 'C', 'Q', 'K', 'I'}) {
     if (!block().has(address)) continue;
     const Decimal& number = block().number(address);
-    if (number.value != 0 || number.finer) machine_.lacking = "This G32";
+    if (number.value != 0 || number.finer) machine_.lacking = "G32";
   }
 }
 

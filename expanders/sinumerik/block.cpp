@@ -21,15 +21,6 @@ bool is_axis(char letter) {
   return std::string_view("XYZABCEOQUVW").find(letter) != std::string_view::npos;
 }
 
-// Names begin with two of these.
-bool is_name_start(char c) {
-  return is_letter(c) || c == '_';
-}
-
-bool are_digits(const char* from, const char* to) {
-  return std::all_of(from, to, &is_digit);
-}
-
 }  // namespace
 
 /// Cuts a line into items, reckons their values and sorts them into the block. `;` ends the block;
@@ -49,9 +40,7 @@ class BlockReader {
 
   bool at(char c) const { return cursor_ != end_ && *cursor_ == c; }
   void skip() { skip_blanks(cursor_, end_); }
-  bool is_program_name() const;
   bool skip_number();
-  void skip_label();
   Block::Reading read_items();
   Scan item();
   Scan letter();
@@ -59,7 +48,6 @@ class BlockReader {
   Scan assignment();
   Scan name();
   Scan loose_rotation();
-  bool skip_call();
   Scan value(char letter, Value& value);
   Scan expression(char letter, Value& value);
   Scan take(const Name& name, std::string_view text, const Value& value);
@@ -79,7 +67,8 @@ class BlockReader {
 
 Block::Reading BlockReader::read() {
   skip();
-  if (at('%')) return is_program_name() ? Block::Reading::kWords : Block::Reading::kSyntax;
+  if (at('%'))
+    return is_program_name(cursor_, end_) ? Block::Reading::kWords : Block::Reading::kSyntax;
   const bool slash = at('/');
   if (slash) {
     ++cursor_;
@@ -87,19 +76,13 @@ Block::Reading BlockReader::read() {
     skip();
   }
   const bool numbered = skip_number();
-  skip_label();
+  skip_label(cursor_, end_);
   // SIE-MOD-05
   const bool skips = machine_.profile.block_skip || machine_.has("block-skip-always"_fault);
   if (slash && skips) return Block::Reading::kSkipped;
   const Block::Reading reading = numbered ? read_items() : Block::Reading::kSyntax;
   for (const Late& late : late_) machine_.state.parameters[late.index] = late.value;
   return reading;
-}
-
-// What the name of a program is written in, up to a comment.
-bool BlockReader::is_program_name() const {
-  const char* const stop = std::find(cursor_, end_, ';');
-  return std::all_of(cursor_, stop, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; });
 }
 
 // `N10` or `:10`; false when the number is none.
@@ -114,13 +97,6 @@ bool BlockReader::skip_number() {
   while (cursor_ != end_ && is_digit(*cursor_)) ++cursor_;
   skip();
   return true;
-}
-
-void BlockReader::skip_label() {
-  const char* stop = cursor_;
-  if (end_ - stop < 2 || !is_name_start(stop[0]) || !is_name_start(stop[1])) return;
-  while (stop != end_ && is_name_part(*stop)) ++stop;
-  if (stop != end_ && *stop == ':') cursor_ = stop + 1;
 }
 
 Block::Reading BlockReader::read_items() {
@@ -237,7 +213,7 @@ Scan BlockReader::name() {
     if (bare) return Scan::kSyntax;
     const Scan scan = value(text[0], number);
     if (scan != Scan::kRead) return scan;
-  } else if (at('(') ? bare || address || !skip_call() : address) {
+  } else if (at('(') ? bare || address || !skip_call(cursor_, end_) : address) {
     return Scan::kSyntax;
   }
   return take(name, text, number);
@@ -254,25 +230,6 @@ Scan BlockReader::loose_rotation() {
   if (!read || machine_.follows("sie.rpl-equals=required"_reading)) return Scan::kSyntax;
   warn("RPL stands without its =.");
   return take_word(Address::kRotation, 'R', number);
-}
-
-// The arguments of a call; false when the brackets do not close.
-bool BlockReader::skip_call() {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (; cursor_ != end_; ++cursor_) {
-    const char c = *cursor_;
-    if (c == '"') in_string = !in_string;
-    if (in_string) continue;
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte > 126 || (byte < 32 && c != '\t') || c == ';') return false;
-    if (c == '(') ++depth;
-    if (c == ')' && --depth == 0) {
-      ++cursor_;
-      return true;
-    }
-  }
-  return false;
 }
 
 // At the `=`.

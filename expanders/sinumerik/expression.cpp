@@ -8,25 +8,6 @@
 #include <string_view>
 
 namespace gonogo::expanders::sinumerik {
-void skip_blanks(const char*& cursor, const char* end) {
-  while (cursor != end && (*cursor == ' ' || *cursor == '\t')) ++cursor;
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-bool is_name_part(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
-}
-
-char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 Decimal to_counts(Real value) {
   Decimal number;
@@ -41,22 +22,6 @@ Decimal to_counts(Real value) {
   const Real rest = std::fabs(counts - static_cast<Real>(number.value));
   number.finer = rest > 1e-3L + 1e-18L * std::fabs(counts);
   return number;
-}
-
-bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index) {
-  if (cursor == end || !is_digit(*cursor)) return false;
-  index = 0;
-  for (; cursor != end && is_digit(*cursor); ++cursor) {
-    if (index < most) index = index * 10 + static_cast<std::size_t>(*cursor - '0');
-  }
-  index = std::min(index, most);
-  return true;
-}
-
-bool at_exponent(const char* cursor, const char* end) {
-  if (end - cursor < 3 || capital(cursor[0]) != 'E' || capital(cursor[1]) != 'X') return false;
-  const char c = cursor[2];
-  return is_digit(c) || c == '-' || c == '+';
 }
 
 // The operator that follows, or 0.

@@ -7,25 +7,12 @@
 #include <span>
 
 #include "expanders/sinumerik/geometry.hpp"
+#include "expanders/sinumerik/scan.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
 /// The R parameters, R0 to R999.
 using Parameters = std::array<Real, 1000>;
-
-/// Blanks and tabs.
-void skip_blanks(const char*& cursor, const char* end);
-bool is_digit(char c);
-bool is_letter(char c);
-/// Letters, digits and the underscore.
-bool is_name_part(char c);
-char capital(char c);
-
-enum class Scan {
-  kRead,
-  kSyntax,
-  kOutside  ///< something that the control has and this expander does not
-};
 
 /// `value` in counts. One that is no whole number of them is marked as finer.
 Decimal to_counts(Real value);
@@ -63,11 +50,5 @@ class Expression {
   Real value_ = 0;
   bool undefined_ = false;
 };
-
-/// Reads a whole number without sign at `cursor`; too large ones become `most`.
-bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index);
-
-/// Whether an exponent (`EX3`, `EX-3`) follows.
-bool at_exponent(const char* cursor, const char* end);
 
 }  // namespace gonogo::expanders::sinumerik
