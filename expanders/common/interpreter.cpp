@@ -85,16 +85,15 @@ void LetterInterpreter::check_block() {
   check_words();
 }
 
-bool LetterInterpreter::is_late(Fixed m, bool&) const {
-  return runs_after_motion(m);
+LetterInterpreter::Moment LetterInterpreter::moment_of(Fixed m) const {
+  return runs_after_motion(m) ? Moment::kBehind : Moment::kBefore;
 }
 
 // The M function of the block: passed on before or after its motion, and the end of the program.
 Flow LetterInterpreter::run_function(bool before) {
   if (!block_.has('M')) return Flow::kContinue;
   const Fixed m = block_.number('M').value / kOne;
-  bool passed = true;
-  if (is_late(m, passed) == before || !passed) return Flow::kContinue;
+  if (moment_of(m) != (before ? Moment::kBefore : Moment::kBehind)) return Flow::kContinue;
   if (!machine().tracer.function(static_cast<int>(m))) return Flow::kStopped;
   return ends_program(m) ? Flow::kEnd : Flow::kContinue;
 }

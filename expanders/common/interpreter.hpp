@@ -63,8 +63,9 @@ class LetterInterpreter : public Interpreter {
   virtual void check_words() = 0;
   /// Takes the codes of the block in and prepares its motion.
   virtual void prepare(Plan& plan) = 0;
-  /// Whether the M function comes behind the motion; false in `passed`: it is not put out.
-  virtual bool is_late(Fixed m, bool& passed) const;
+  enum class Moment { kBefore, kBehind, kNever };
+  /// When the M function is put out, seen from the motion.
+  virtual Moment moment_of(Fixed m) const;
 
   const LetterBlock& block() const { return block_; }
 
@@ -82,7 +83,7 @@ class LetterInterpreter : public Interpreter {
 /// The G or M code of this number, for a message: "G7.1".
 std::string code_name(char letter, Fixed tenths);
 
-/// Letters of the block's words that are in neither set; 0: none.
+/// Letter of the first of the block's words that are in neither set; 0: none.
 char stray_word(const LetterBlock& block, AddressSet known, AddressSet anywhere);
 
 }  // namespace gonogo::expanders

@@ -291,10 +291,11 @@ void Interpreter::prepare_cycle(bool mills, Plan& plan) {
 }
 
 // GSK-G112-01
-bool Interpreter::is_late(Fixed m, bool& passed) const {
+LetterInterpreter::Moment Interpreter::moment_of(Fixed m) const {
   const bool clamp = m == 35 && machine_.state.cycle != Cycle::kNone;
-  passed = !(clamp && machine_.has("clamp-dropped"_fault));
-  return runs_after_motion(m) || (clamp && machine_.has("clamp-late"_fault));
+  if (clamp && machine_.has("clamp-dropped"_fault)) return Moment::kNever;
+  if (clamp && machine_.has("clamp-late"_fault)) return Moment::kBehind;
+  return LetterInterpreter::moment_of(m);
 }
 
 }  // namespace gonogo::expanders::gsk

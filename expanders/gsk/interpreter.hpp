@@ -33,7 +33,7 @@ class Interpreter final : public LetterInterpreter {
   LetterBlock::Manner manner() const override;
   void check_words() override;
   void prepare(Plan& plan) override;
-  bool is_late(Fixed m, bool& passed) const override;
+  Moment moment_of(Fixed m) const override;
   void take_codes();
   void take_feed(bool repeats_cycle);
   void take_motion_code();
