@@ -185,7 +185,7 @@ void ProgramWriter::spoil(Words& words) {
       break;
     case Fault::far:
       count("fault: far out");
-      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, "1000000");
+      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, far_out());
       break;
   }
 }

@@ -46,6 +46,8 @@ class ProgramWriter {
   // The word with the sign of its value turned, or with another value.
   virtual std::string negated(const std::string& word) const;
   virtual std::string with_value(const std::string& word, const char* value) const;
+  // A length far out, but in the domain (D-DOM-02), or beyond what the word may have.
+  virtual const char* far_out() const { return "9000"; }
 
   void count(const std::string& name) {
     if (distribution_ != nullptr) ++(*distribution_)[name];
