@@ -249,19 +249,20 @@ void append_outside(PageDraft& page, const reference::Dialect& dialect) {
       "<a id=\"outside\"></a>\n## Not covered\n\nCodes that the control has and the gauge does not "
       "read. A program is judged up to the first of them, and then counts as not covered.\n\n"
       "| code | what it is |\n|---|---|\n";
-  for (const reference::OutsideCode& code : dialect.outside_codes()) {
+  for (const reference::OutsideCode& code : reference::outside_codes(*dialect.descriptor)) {
     page.text += fmt::format("| {} | {} |\n", code.code, escaped(code.title));
   }
   page.text += fmt::format("\nAlso: {}.\n\n## Passed over\n\nCodes without effect on the path:",
                            escaped(dialect.outside_constructs));
-  for (std::string_view code : dialect.codes_without_effect())
+  for (const std::string& code : reference::codes_without_effect(*dialect.descriptor))
     page.text += fmt::format(" {}", code);
   page.text += ".\n";
-  if (dialect.passed_words().empty()) return;
+  const std::vector<reference::PassedWords> rules = reference::passed_words(*dialect.descriptor);
+  if (rules.empty()) return;
   page.text +=
       "\nWords beside codes that do not use them. Every other word is used, breaks a rule, or ends "
       "the program as not covered.\n\n| beside | words | rule | clause |\n|---|---|---|---|\n";
-  for (const reference::PassedWords& rule : dialect.passed_words()) {
+  for (const reference::PassedWords& rule : rules) {
     page.text += fmt::format("| {} | {} | {} | {} |\n", rule.codes, escaped(rule.words),
                              escaped(rule.why), clause_link(rule.clause));
   }

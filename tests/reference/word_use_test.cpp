@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -50,48 +51,20 @@ Said said_of(const std::string& program, const Profile& profile) {
   return said;
 }
 
-// The number behind a G, also with blanks between: "G114" is 114.
-std::optional<int> code_number(const std::string& token) {
-  if (token.size() < 2 || token[0] != 'G') return std::nullopt;
-  int number = 0;
-  for (std::size_t i = 1; i < token.size() && token[i] >= '0' && token[i] <= '9'; ++i) {
-    number = number * 10 + (token[i] - '0');
-  }
-  return number;
-}
-
-std::vector<std::string> tokens_of(std::string_view text) {
-  std::istringstream in{std::string(text)};
-  std::vector<std::string> tokens;
-  for (std::string token; in >> token;) {
-    while (!token.empty() && token.back() == ',') token.pop_back();
-    tokens.push_back(token);
-  }
-  return tokens;
-}
-
-// Whether a rule is about the code: "G02, G03 with R", "G114 to G117", "every block".
-bool is_about(const PassedWords& rule, int code) {
-  const std::vector<std::string> tokens = tokens_of(rule.codes);
-  if (tokens.front() == "every") return true;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const std::optional<int> first = code_number(tokens[i]);
-    if (!first) continue;
-    const bool is_range = i + 2 < tokens.size() && tokens[i + 1] == "to";
-    const int last = is_range ? *code_number(tokens[i + 2]) : *first;
-    if (*first <= code && code <= last) return true;
+// Whether the words of a rule hold the address: "K R E", "I J K", "H<n>=".
+bool names(std::string_view words, const std::string& address) {
+  std::istringstream in{std::string(words)};
+  for (std::string word; in >> word;) {
+    if (word == address || (word == "H<n>=" && address == "H3=")) return true;
   }
   return false;
 }
 
 bool is_passed_over(const Dialect& dialect, int code, const std::string& address) {
-  for (const PassedWords& rule : dialect.passed_words()) {
-    if (!is_about(rule, code)) continue;
-    for (const std::string& token : tokens_of(rule.words)) {
-      if (token == address || (token == "H<n>=" && address == "H3=")) return true;
-    }
-  }
-  return false;
+  const auto holds = [&](const PassedOver& rule) { return names(rule.words, address); };
+  const Descriptor& known = *dialect.descriptor;
+  return std::ranges::any_of(known.passed_everywhere, holds) ||
+         std::ranges::any_of(known.find(fmt::format("G{}", code))->passed, holds);
 }
 
 // A block of one code: its words, and what stands before and behind it.
@@ -283,7 +256,7 @@ TEST(WordUse, NoneIsDroppedInSilenceByTheSinumerik802s) {
 // The lists are not empty, say why, and stand on clauses of their own dialect.
 TEST(WordUse, EveryRuleSaysWhyAndUnderWhichClause) {
   for (const Dialect& dialect : dialects()) {
-    for (const PassedWords& rule : dialect.passed_words()) {
+    for (const PassedWords& rule : passed_words(*dialect.descriptor)) {
       EXPECT_FALSE(rule.codes.empty() || rule.words.empty() || rule.why.empty()) << dialect.name;
       const std::string_view id = clause_name(rule.clause);
       EXPECT_EQ(id.substr(0, 3), clause_name(dialect.syntax_clause).substr(0, 3)) << id;

@@ -61,8 +61,8 @@ bool is_of_family(std::string_view code) {
 TEST(Dictionary, HasEveryCodeOfTheCatalog) {
   for (const reference::Dialect& dialect : reference::dialects()) {
     std::vector<std::string> codes;
-    for (const auto& outside : dialect.outside_codes()) codes.emplace_back(outside.code);
-    for (const std::string_view code : dialect.codes_without_effect()) codes.emplace_back(code);
+    for (const auto& outside : reference::outside_codes(*dialect.descriptor)) codes.emplace_back(outside.code);
+    for (const std::string& code : reference::codes_without_effect(*dialect.descriptor)) codes.emplace_back(code);
     for (const std::string& code : codes) {
       if (is_of_family(code)) continue;
       const std::string wanted = code_of({"", code});
