@@ -65,7 +65,7 @@ const Code* Descriptor::find(std::string_view name) const {
   const int tenths = tenths_of_name(name);
   const auto found = std::ranges::find_if(codes, [&](const Code& code) {
     if (code.name == name || is_numbered(code.name, name)) return true;
-    const bool is_family = code.last > 0 && code.name.front() == name.front();
+    const bool is_family = code.last > 0 && code.name.front() == name.front() && tenths % 10 == 0;
     return is_family && code.tenths <= tenths && tenths <= code.last;
   });
   return found == codes.end() ? nullptr : &*found;
@@ -82,6 +82,14 @@ const CodeWord* Descriptor::find_word(const Code* code, std::string_view address
 const Code* Descriptor::find(Setting setting) const {
   const auto found = std::ranges::find(codes, setting, &Code::setting);
   return found == codes.end() ? nullptr : &*found;
+}
+
+const Code* opposite_of(const Descriptor& descriptor, const Code& code) {
+  const auto found = std::ranges::find_if(descriptor.codes, [&](const Code& other) {
+    const bool is_kin = other.kind == code.kind && other.feature == code.feature;
+    return is_kin && code.sense != 0 && other.sense == -code.sense;
+  });
+  return found == descriptor.codes.end() ? nullptr : &*found;
 }
 
 std::vector<OutsideCode> outside_codes(const Descriptor& descriptor) {

@@ -36,6 +36,9 @@ struct Descriptor {
   const Code* find(Setting setting) const;
 };
 
+// The other code of its pair, which turns the other way; null: it turns no way.
+const Code* opposite_of(const Descriptor& descriptor, const Code& code);
+
 // Whether the address is one that the word stands for: R105 is one of R<n>.
 bool stands_for(const CodeWord& word, std::string_view address);
 

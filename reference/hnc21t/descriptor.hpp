@@ -16,8 +16,6 @@ inline constexpr auto kEnds = std::to_array<CodeWord>({
     {"U", way, "way along X"},
     {"W", way, "way along Z"},
 });
-// HNC-MOD-01: what a cycle retains.
-inline constexpr auto kKeptEnds = kept(kEnds);
 
 inline constexpr auto kArc = std::to_array<CodeWord>({
     {"R", radius, "radius of the arc"},
@@ -28,6 +26,7 @@ inline constexpr auto kDwell = std::to_array<CodeWord>({
     {"P", time, "dwell, ms"},
 });
 
+// HNC-MOD-01: the words of a cycle, but not its end point, are modal.
 // The lead goes with every thread, the run-out and the starts with G82 alone.
 inline constexpr auto kLead = std::to_array<CodeWord>({
     {"F", lead, "lead, mm", Life::modal},
@@ -46,8 +45,8 @@ inline constexpr auto kPlainThread = std::to_array<CodeWord>({
 });
 
 inline constexpr auto kHole = std::to_array<CodeWord>({
-    {"Z", place, "bottom of the hole", Life::modal},
-    {"W", way, "way to the bottom", Life::modal},
+    {"Z", place, "bottom of the hole"},
+    {"W", way, "way to the bottom"},
 });
 inline constexpr auto kPecks = std::to_array<CodeWord>({
     {"R", size, "withdrawal of a peck", Life::modal},
@@ -110,16 +109,16 @@ inline constexpr Code kG74 =
     does(Kind::cycle, Group::motion, "HNC-G74-01"_clause, "g74", {kHole, kPecks})
         .passing(kDrilling);
 inline constexpr Code kG75 =
-    does(Kind::cycle, Group::motion, "HNC-G75-01"_clause, "g75", {kKeptEnds, kPecks, kGrooves})
+    does(Kind::cycle, Group::motion, "HNC-G75-01"_clause, "g75", {kEnds, kPecks, kGrooves})
         .passing(kGrooving);
 inline constexpr Code kG80 =
-    does(Kind::cycle, Group::motion, "HNC-G80-01"_clause, "g80", {kKeptEnds, kTaperI})
+    does(Kind::cycle, Group::motion, "HNC-G80-01"_clause, "g80", {kEnds, kTaperI})
         .passing(kCutting);
 inline constexpr Code kG81 =
-    does(Kind::cycle, Group::motion, "HNC-G81-01"_clause, "g81", {kKeptEnds, kTaperK})
+    does(Kind::cycle, Group::motion, "HNC-G81-01"_clause, "g81", {kEnds, kTaperK})
         .passing(kCutting);
 inline constexpr Code kG82 = does(Kind::cycle, Group::motion, "HNC-G82-01"_clause, "g82",
-                                  {kKeptEnds, kTaperI, kLead, kOfThreads})
+                                  {kEnds, kTaperI, kLead, kOfThreads})
                                  .passing(kThreading);
 
 inline constexpr auto kCodes = std::to_array<Code>({

@@ -49,6 +49,11 @@ inline constexpr auto kToolNumber = std::to_array<CodeWord>({
     {"Q", number, "tool"},
 });
 
+// Any other word that its block does not use is an alarm (NGC-COM-02).
+inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+    {"", "S T", "NGC-COM-01"_clause, "the spindle and the tool do not shape the path"},
+});
+
 inline constexpr ClauseId kLines = "NGC-G0-01"_clause;
 inline constexpr Code kTraverse = does(Kind::traverse, Group::motion, kLines, "basic", {kEnds});
 inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds});
@@ -201,7 +206,7 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
 
 }  // namespace table
 
-// A word that its block does not use is an alarm: none is passed over.
-inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere, {}};
+inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere,
+                                           table::kAnyBlock};
 
 }  // namespace gonogo::reference::rs274

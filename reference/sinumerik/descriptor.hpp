@@ -16,6 +16,8 @@ inline constexpr auto kEnds = std::to_array<CodeWord>({
     {"Z", place, "end point"},
     {"A", place, "end point, degrees", Life::block, "rotary"},
     {"C", place, "end point, degrees", Life::block, "rotary"},
+});
+inline constexpr auto kPolar = std::to_array<CodeWord>({
     {"AP", polar_angle, "end point's angle about the pole", Life::modal, "polar"},
     {"RP", polar_radius, "end point's distance from the pole", Life::modal, "polar"},
 });
@@ -48,8 +50,6 @@ inline constexpr auto kShift = std::to_array<CodeWord>({
     {"X", place, "translation"},
     {"Y", place, "translation"},
     {"Z", place, "translation"},
-    {"A", place, "translation, degrees", Life::block, "rotary"},
-    {"C", place, "translation, degrees", Life::block, "rotary"},
 });
 inline constexpr auto kTurn = std::to_array<CodeWord>({
     {"RPL", angle, "angle of the rotation"},
@@ -94,14 +94,14 @@ inline constexpr auto kNoFeed = std::to_array<PassedOver>({
 
 inline constexpr ClauseId kLines = "SIE-G1-01"_clause;
 inline constexpr Code kTraverse =
-    does(Kind::traverse, Group::motion, kLines, "basic", {kEnds}).passing(kNoFeed);
-inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds});
+    does(Kind::traverse, Group::motion, kLines, "basic", {kEnds, kPolar}).passing(kNoFeed);
+inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds, kPolar});
 inline constexpr Code kRound =
-    does(Kind::arc, Group::motion, "SIE-ARC-01"_clause, "arc", {kEnds, kArc});
+    does(Kind::arc, Group::motion, "SIE-ARC-01"_clause, "arc", {kEnds, kPolar, kArc});
 inline constexpr Code kThroughPoint =
     does(Kind::circle, Group::motion, "SIE-CIP-01"_clause, "cip", {kEnds, kIntermediate});
 inline constexpr Code kTangent =
-    does(Kind::circle, Group::motion, "SIE-CT-01"_clause, "ct", {kEnds});
+    does(Kind::circle, Group::motion, "SIE-CT-01"_clause, "ct", {kEnds, kPolar});
 inline constexpr Code kPause =
     does(Kind::dwell, Group::once, "SIE-MOD-03"_clause, "basic", {kDwell});
 inline constexpr Code kPole =
