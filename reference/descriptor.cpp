@@ -84,6 +84,13 @@ const Code* Descriptor::find(Setting setting) const {
   return found == codes.end() ? nullptr : &*found;
 }
 
+const Code* Descriptor::find(Kind kind) const {
+  const auto found = std::ranges::find_if(codes, [&](const Code& code) {
+    return code.kind == kind && code.treatment == Treatment::read;
+  });
+  return found == codes.end() ? nullptr : &*found;
+}
+
 const Code* opposite_of(const Descriptor& descriptor, const Code& code) {
   const auto found = std::ranges::find_if(descriptor.codes, [&](const Code& other) {
     const bool is_kin = other.kind == code.kind && other.feature == code.feature;

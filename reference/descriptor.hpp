@@ -32,8 +32,9 @@ struct Descriptor {
   const Code* find(std::string_view name) const;
   // The word as the code takes it, or any code; null: neither. `code` may be null.
   const CodeWord* find_word(const Code* code, std::string_view address) const;
-  // The code that puts it in force; null: there is none.
+  // The code that puts it in force, the first one of the kind that is read; null: there is none.
   const Code* find(Setting setting) const;
+  const Code* find(Kind kind) const;
 };
 
 // The other code of its pair, which turns the other way; null: it turns no way.
