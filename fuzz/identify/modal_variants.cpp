@@ -187,11 +187,15 @@ Named named_in(const ProgramText& program) {
   return named;
 }
 
-void add_leaks(const std::set<std::string>& addresses, Variants& out) {
+void add_leaks(const reference::Descriptor& table, const std::set<std::string>& addresses,
+               Variants& out) {
   std::vector<std::set<std::string>> sets;
   for (const std::string& address : addresses) sets.push_back({address});
-  if (addresses.contains("R") && addresses.contains("Q")) sets.push_back({"R", "Q"});
-  if (addresses.contains("I") && addresses.contains("K")) sets.push_back({"I", "K"});
+  for (const std::set<std::string>& kin : kin_addresses(table)) {
+    std::set<std::string> present;
+    std::ranges::set_intersection(kin, addresses, std::inserter(present, present.end()));
+    if (present.size() > 1) sets.push_back(std::move(present));
+  }
   for (const std::set<std::string>& set : sets) {
     std::string names;
     for (const std::string& address : set) names += (names.empty() ? "" : " ") + address;
@@ -295,7 +299,7 @@ std::optional<Trial> with_end_ignored(const Observation& seen) {
 void add_modal_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
   const Named named = named_in(program);
-  add_leaks(named.addresses, out);
+  add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
   add_mode_slips(out);
   add_late_words(named.addresses, out);

@@ -110,9 +110,12 @@ Number withdrawal_at(const ProgramText& program, std::size_t line) {
   Number withdrawal;
   for (std::size_t i = 0; i < line; ++i) {
     const TextBlock& block = program.blocks[i];
-    const TextWord* word = block.find("R");
-    const auto written = word == nullptr ? std::nullopt : exact_value_of(*word);
-    if (written) withdrawal = in_mm(block, *written);
+    for (const TextWord& word : block.words) {
+      const reference::CodeWord* const role = block.role_of(word, *program.table);
+      const bool is_withdrawal = role != nullptr && role->role == reference::Role::size;
+      const auto written = is_withdrawal ? exact_value_of(word) : std::nullopt;
+      if (written) withdrawal = in_mm(block, *written);
+    }
   }
   return withdrawal;
 }

@@ -19,6 +19,34 @@ bool is_parameter(const std::string& name) {
   return name.size() > 1 && name[0] == 'R' && name[1] >= '0' && name[1] <= '9';
 }
 
+// std::set<std::string> of words that are read alike; of places those of one sort of axis.
+std::set<std::string> addresses_with(const reference::Descriptor& table,
+                                     std::initializer_list<reference::Role> roles, bool rotary) {
+  std::set<std::string> addresses;
+  for (const reference::Code& code : table.codes) {
+    for (const auto& list : code.words) {
+      for (const reference::CodeWord& word : list) {
+        const bool is_asked = std::ranges::find(roles, word.role) != roles.end();
+        const bool turns = word.address == "A" || word.address == "C";
+        if (is_asked && turns == rotary) addresses.emplace(word.address);
+      }
+    }
+  }
+  std::erase_if(addresses,
+                [](const std::string& address) { return address.find(' ') != std::string::npos; });
+  return addresses;
+}
+
+std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table) {
+  using reference::Role;
+  return {addresses_with(table, {Role::centre}),
+          addresses_with(table, {Role::centre, Role::radius}),
+          addresses_with(table, {Role::place}, true),
+          addresses_with(table, {Role::size, Role::step}),
+          addresses_with(table, {Role::way}),
+          addresses_with(table, {Role::place})};
+}
+
 std::vector<Motions> motions_concerned(const Observation& departure) {
   const ProgramText program(departure.profile, departure.program);
   const reference::Code* const code = program.table->find(program.code_at(departure.verdict.block));

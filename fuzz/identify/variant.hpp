@@ -66,6 +66,12 @@ using Motions = std::set<std::string, std::less<>>;
 std::vector<Motions> motions_concerned(const Observation& departure);
 // Whether the two are programmed with the same words.
 bool has_same_words(const reference::Code& a, const reference::Code& b);
+// Addresses of the dialect with words of these roles; of places those of rotary axes or the others.
+std::set<std::string> addresses_with(const reference::Descriptor& table,
+                                     std::initializer_list<reference::Role> roles,
+                                     bool rotary = false);
+// Addresses whose words one mistake is likely to meet together.
+std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
 // R105 and its like.
 bool is_parameter(const std::string& name);
 // "G110 G111"

@@ -157,24 +157,6 @@ Addresses addresses_of(const ProgramText& program) {
   return addresses;
 }
 
-// Addresses of the dialect whose words are read alike; of places those of one sort of axis.
-Addresses addresses_with(const reference::Descriptor& table, std::initializer_list<Role> roles,
-                         bool rotary = false) {
-  Addresses addresses;
-  for (const reference::Code& code : table.codes) {
-    for (const auto& list : code.words) {
-      for (const reference::CodeWord& word : list) {
-        const bool is_asked = std::ranges::find(roles, word.role) != roles.end();
-        const bool turns = word.address == "A" || word.address == "C";
-        if (is_asked && turns == rotary) addresses.emplace(word.address);
-      }
-    }
-  }
-  std::erase_if(addresses,
-                [](const std::string& address) { return address.find(' ') != std::string::npos; });
-  return addresses;
-}
-
 // What a cycle's own words are called where it is called by its name.
 bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string& name) {
   return is_parameter(name) && std::ranges::any_of(table.codes, [&](const reference::Code& code) {
@@ -248,10 +230,7 @@ void add_word_variants(const Observation& departure, Variants& out) {
   const Plane plane = known ? program.blocks[line - 1].modes.plane : Plane::g17;
   std::vector<Addresses> sets;
   for (const std::string& address : addresses) sets.push_back({address});
-  for (const Addresses& kin :
-       {addresses_with(table, {Role::centre}), addresses_with(table, {Role::centre, Role::radius}),
-        addresses_with(table, {Role::place}, true), addresses_with(table, {Role::size, Role::step}),
-        addresses_with(table, {Role::way}), addresses_with(table, {Role::place})}) {
+  for (const Addresses& kin : kin_addresses(table)) {
     const auto present = std::ranges::count_if(
         kin, [&](const std::string& address) { return addresses.contains(address); });
     if (present > 1 && std::ranges::find(sets, kin) == sets.end()) sets.push_back(kin);

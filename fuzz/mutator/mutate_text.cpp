@@ -40,6 +40,12 @@ const std::string& letters() {
   return kLetters;
 }
 
+// What ends a program in some dialect.
+std::string program_end() {
+  const reference::Descriptor& table = *reference::dialects().front().descriptor;
+  return std::string(table.find(reference::Kind::program_end)->name);
+}
+
 class TextMutator {
  public:
   TextMutator(Dice& dice, const std::string& text, const std::string& other)
@@ -90,7 +96,7 @@ class TextMutator {
 
   void insert_line() {
     Lines& from = other_.empty() || dice_.one_in(3) ? lines_ : other_;
-    if (from.empty()) return lines_.push_back({{{"", "M30"}}, "", "\n"});
+    if (from.empty()) return lines_.push_back({{{"", program_end()}}, "", "\n"});
     TextLine line = dice_.pick(from);
     if (line.end.empty()) line.end = "\n";
     if (!lines_.empty() && lines_.back().end.empty()) lines_.back().end = "\n";
