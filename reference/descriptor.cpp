@@ -119,6 +119,25 @@ std::vector<std::string> codes_without_effect(const Descriptor& descriptor) {
   return found;
 }
 
+std::string words_text(const Code& code) {
+  std::string text;
+  const CodeWord* before = nullptr;
+  const auto end_of = [](const CodeWord& word) {
+    return fmt::format(" {}{}", word.title, word.life == Life::modal ? " (modal)" : "");
+  };
+  for (const WordLists::List& list : code.words) {
+    for (const CodeWord& word : list) {
+      if (before != nullptr) {
+        const bool goes_on = before->title == word.title && before->life == word.life;
+        text += goes_on ? " " : end_of(*before) + "; ";
+      }
+      text += word.address;
+      before = &word;
+    }
+  }
+  return before == nullptr ? text : text + end_of(*before);
+}
+
 std::vector<PassedWords> passed_words(const Descriptor& descriptor) {
   std::vector<PassedWords> rules;
   for (const PassedOver& rule : descriptor.passed_everywhere) {

@@ -55,6 +55,9 @@ std::vector<OutsideCode> outside_codes(const Descriptor& descriptor);
 // Those without effect on the path, and the letters of the words that have none.
 std::vector<std::string> codes_without_effect(const Descriptor& descriptor);
 
+// What a code is programmed with: "X Z end point; R taper (modal)"; "" without words.
+std::string words_text(const Code& code);
+
 // Words that are passed over beside codes, as they are printed; rules of codes that stand one after
 // the other are one.
 struct PassedWords {

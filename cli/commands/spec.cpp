@@ -64,6 +64,20 @@ void append_readings(std::string_view dialect, std::string& out) {
   }
 }
 
+void append_codes(const reference::Dialect& dialect, std::string& out) {
+  out += "\nCodes that are read, and their words (modal: they stay in force)\n";
+  for (const reference::Code& code : dialect.descriptor->codes) {
+    if (code.treatment != reference::Treatment::read || code.is_m()) continue;
+    out += fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
+    if (code.clause != reference::kNoClause) {
+      out += fmt::format(" ({})", reference::clause_name(code.clause));
+    }
+    out += '\n';
+    const std::string words = reference::words_text(code);
+    if (!words.empty()) out += fmt::format("{:9}{}\n", "", words);
+  }
+}
+
 void append_outside(const reference::Dialect& dialect, std::string& out) {
   out += "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
   for (const reference::OutsideCode& code : reference::outside_codes(*dialect.descriptor)) {
@@ -115,6 +129,7 @@ int spec(const SpecOptions& options) {
     output.text() += fmt::format("Dialect {}\n", dialect.name);
     append_clauses(dialect, output.text());
     append_readings(dialect.name, output.text());
+    append_codes(dialect, output.text());
     append_outside(dialect, output.text());
   }
   output.flush();

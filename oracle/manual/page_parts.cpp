@@ -244,6 +244,25 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
   page.text += '\n';
 }
 
+void append_codes(PageDraft& page, const reference::Dialect& dialect) {
+  page.text +=
+      "<a id=\"codes\"></a>\n## Codes and words\n\nThe codes that the gauge reads and the words "
+      "that each takes. A modal word stays in force; any other one holds for its block. Beside "
+      "them stand";
+  for (const reference::CodeWord& word : dialect.descriptor->everywhere) {
+    page.text +=
+        fmt::format("{} {} ({})", &word == dialect.descriptor->everywhere.data() ? "" : ",",
+                    escaped(word.address), word.title);
+  }
+  page.text += ".\n\n| code | what it is | feature | words | clause |\n|---|---|---|---|---|\n";
+  for (const reference::Code& code : dialect.descriptor->codes) {
+    if (code.treatment != reference::Treatment::read || code.is_m()) continue;
+    page.text += fmt::format("| {} | {} | {} | {} | {} |\n", code.text(), code.title, code.feature,
+                             escaped(reference::words_text(code)), clause_link(code.clause));
+  }
+  page.text += '\n';
+}
+
 void append_outside(PageDraft& page, const reference::Dialect& dialect) {
   page.text +=
       "<a id=\"outside\"></a>\n## Not covered\n\nCodes that the control has and the gauge does not "

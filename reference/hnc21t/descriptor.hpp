@@ -11,7 +11,7 @@ namespace table {
 using enum Role;
 
 inline constexpr auto kEnds = std::to_array<CodeWord>({
-    {"X", place, "end point; a diameter under G36"},
+    {"X", place, "end point, a diameter under G36"},
     {"Z", place, "end point"},
     {"U", way, "way along X"},
     {"W", way, "way along Z"},
