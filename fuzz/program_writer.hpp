@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/generator.hpp"
+#include "reference/code.hpp"
 
 namespace gonogo::fuzz {
 
@@ -22,6 +23,7 @@ class ProgramWriter {
 
  protected:
   using Words = std::vector<std::string>;
+  using Treatment = reference::Treatment;
 
   // `settings` must outlive the writer; `distribution` may be null.
   ProgramWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
@@ -73,6 +75,8 @@ class ProgramWriter {
   bool meets_limit(std::uint32_t one_in) {
     return program_kind_ == ProgramKind::boundary && choices_.one_in(one_in);
   }
+  // A code or name of the dialect's table, as it stands alone.
+  std::string code_that_is(reference::Treatment treatment);
   // Any alternative of any reading; now and then of several.
   void choose_readings();
 

@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace gonogo::fuzz {
+#include "reference/exact/number.hpp"
+
+namespace gonogo::program {
 
 // "X-12.5", "CR=5.2", "R101=R1+2", "(comment)", "%", with the blanks before it.
 struct TextWord {
@@ -35,6 +37,10 @@ std::size_t count_blocks(std::string_view program);
 
 // The letters that a word begins with, in capitals: "X", "CR"; empty for others.
 std::string address_of(const TextWord& word);
+// The same with the number that belongs to it: "R105" of R105=2, "I1" of I1=AC(3).
+std::string name_of(const TextWord& word);
+// Whether it is an address or a code, and not the number of a block or a program, nor a comment.
+bool is_word(const TextWord& word);
 // The same with its number where it is a code: "G1" of g01, "G90.1", "M30", "LCYC75", "CIP"; else
 // empty.
 std::string code_of(const TextWord& word);
@@ -57,6 +63,10 @@ struct NumberPlace {
 std::vector<NumberPlace> numbers_of(const TextWord& word);
 // The first of them.
 std::optional<SmallDecimal> value_of(const TextWord& word);
+// The value of a word that is one number: 2.5 of X2.5, CR=2.5, X=AC(2.5).
+std::optional<exact::Number> exact_value_of(const TextWord& word);
+// The word with another value in the place of that. REQUIRES: it has one.
+std::string with_value(const TextWord& word, const exact::Number& value);
 
 // Both with the larger scale of the two.
 struct SameScale {
@@ -65,4 +75,4 @@ struct SameScale {
 };
 SameScale same_scale(const SmallDecimal& a, const SmallDecimal& b);
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::program

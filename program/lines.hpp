@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gonogo::fuzz {
+namespace gonogo::program {
 
 struct ProgramLine {
   std::string_view text;
@@ -16,4 +16,4 @@ struct ProgramLine {
 // Lines end as the grammar ends them, so that line n is block n. They are parts of `program`.
 std::vector<ProgramLine> program_lines(std::string_view program);
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::program

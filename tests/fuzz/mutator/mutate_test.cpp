@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/hunt/mutate.hpp"
+#include "fuzz/mutator/mutate.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

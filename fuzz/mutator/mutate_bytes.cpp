@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fuzz/hunt/mutate.hpp"
+#include "fuzz/mutator/mutate.hpp"
 
 namespace gonogo::fuzz {
 namespace {

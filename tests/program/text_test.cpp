@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "grammar/line_source.hpp"
 
-namespace gonogo::fuzz {
+namespace gonogo::program {
 namespace {
 
 std::vector<std::string> words_of(std::string_view line) {
@@ -86,4 +86,4 @@ TEST(ProgramText, NumbersTooLongAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::program

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/program_lines.hpp"
+#include "program/lines.hpp"
 
 #include <algorithm>
 
-namespace gonogo::fuzz {
+namespace gonogo::program {
 
 std::vector<ProgramLine> program_lines(std::string_view program) {
   std::vector<ProgramLine> lines;
@@ -17,4 +17,4 @@ std::vector<ProgramLine> program_lines(std::string_view program) {
   return lines;
 }
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::program

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <set>
 
-#include "fuzz/hunt/mutate.hpp"
+#include "fuzz/mutator/mutate.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::fuzz {
 namespace {
+
+using program::SmallDecimal;
+using program::TextLine;
+using program::TextWord;
 
 constexpr std::size_t kMostLines = 24;
 constexpr std::int64_t kLargest = 9'999'999;
@@ -16,10 +22,34 @@ using Offset = Lines::difference_type;
 constexpr std::array<std::int64_t, 16> kLimits = {
     0, 1, 2, -1, 45, 90, 180, 360, 1000, 3937, 4000, 9999, 10'000, 99'999, 100'000, 1'000'000};
 
+// The addresses of one letter that a dialect has.
+const std::string& letters() {
+  static const std::string kLetters = [] {
+    std::set<char> all;
+    const auto take = [&](const reference::CodeWord& word) {
+      if (word.address.size() == 1) all.insert(word.address.front());
+    };
+    for (const reference::Dialect& dialect : reference::dialects()) {
+      std::ranges::for_each(dialect.descriptor->everywhere, take);
+      for (const reference::Code& code : dialect.descriptor->codes) {
+        for (const auto& list : code.words) std::ranges::for_each(list, take);
+      }
+    }
+    return std::string(all.begin(), all.end());
+  }();
+  return kLetters;
+}
+
+// What ends a program in some dialect.
+std::string program_end() {
+  const reference::Descriptor& table = *reference::dialects().front().descriptor;
+  return std::string(table.find(reference::Kind::program_end)->name);
+}
+
 class TextMutator {
  public:
   TextMutator(Dice& dice, const std::string& text, const std::string& other)
-      : dice_(dice), lines_(lines_of(text)), other_(lines_of(other)) {}
+      : dice_(dice), lines_(program::lines_of(text)), other_(program::lines_of(other)) {}
 
   void step() {
     if (lines_.empty()) return insert_line();
@@ -66,7 +96,7 @@ class TextMutator {
 
   void insert_line() {
     Lines& from = other_.empty() || dice_.one_in(3) ? lines_ : other_;
-    if (from.empty()) return lines_.push_back({{{"", "M30"}}, "", "\n"});
+    if (from.empty()) return lines_.push_back({{{"", program_end()}}, "", "\n"});
     TextLine line = dice_.pick(from);
     if (line.end.empty()) line.end = "\n";
     if (!lines_.empty() && lines_.back().end.empty()) lines_.back().end = "\n";
@@ -112,8 +142,7 @@ class TextMutator {
     TextWord& word = dice_.pick(line->words);
     const std::string address = address_of(word);
     if (address.size() != 1 || !code_of(word).empty()) return;
-    constexpr std::string_view kLetters = "XYZUVWACIJKRPQFSLDEHTN";
-    word.text.front() = kLetters[dice_.below(kLetters.size())];
+    word.text.front() = dice_.pick(letters());
   }
 
   // A code becomes another one that the two programs have, or a neighbour.
@@ -149,8 +178,8 @@ class TextMutator {
     TextLine* line = line_with_words(lines_);
     TextWord* word = line == nullptr ? nullptr : word_with_value(*line);
     if (word == nullptr) return;
-    const std::vector<NumberPlace> places = numbers_of(*word);
-    const NumberPlace& place = dice_.pick(places);
+    const std::vector<program::NumberPlace> places = numbers_of(*word);
+    const program::NumberPlace& place = dice_.pick(places);
     const SmallDecimal next = other_value(place.number, *line);
     if (next.value > kLargest * 10'000 || next.value < -kLargest * 10'000) return;
     word->text.replace(place.begin, place.end - place.begin, next.text());

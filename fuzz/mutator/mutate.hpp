@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/hunt/dice.hpp"
-#include "fuzz/hunt/program_text.hpp"
+#include "fuzz/dice.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::fuzz {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 
 #include <algorithm>
 
-#include "fuzz/program_lines.hpp"
+#include "program/lines.hpp"
 
-namespace gonogo::fuzz {
+namespace gonogo::program {
 namespace {
 
 constexpr std::size_t kMostDigits = 15;
@@ -36,6 +36,17 @@ std::size_t close_of(std::string_view line, std::size_t at) {
   return line.size();
 }
 
+// Where the number of an address begins that blanks part from it: G 01, X -5. `at`: no blanks, or
+// no number behind them.
+std::size_t number_behind_blanks(std::string_view line, std::size_t at) {
+  const std::size_t next = line.find_first_not_of(" \t", at);
+  if (next == at || next == std::string_view::npos) return at;
+  const bool has_sign = line[next] == '-' || line[next] == '+';
+  const std::size_t digit = has_sign ? next + 1 : next;
+  if (digit == line.size() || (!is_digit(line[digit]) && line[digit] != '.')) return at;
+  return next;
+}
+
 // One past the word that begins at `at`. A letter begins a new word after a digit, but not after
 // what needs an operand: R1=R2+SIN(30).
 std::size_t word_end(std::string_view line, std::size_t at) {
@@ -46,6 +57,7 @@ std::size_t word_end(std::string_view line, std::size_t at) {
     return at;
   }
   while (at < line.size() && is_letter(line[at])) ++at;
+  at = number_behind_blanks(line, at);
   while (at < line.size() && !is_blank(line[at]) && line[at] != ';') {
     const char before = line[at - 1];
     const bool takes_operand = before == '=' || before == '+' || before == '-' || before == '*' ||
@@ -108,9 +120,24 @@ std::string address_of(const TextWord& word) {
   return address;
 }
 
+std::string name_of(const TextWord& word) {
+  std::string name = address_of(word);
+  const std::size_t end = word.text.find_first_not_of("0123456789", name.size());
+  if (!name.empty() && end != std::string::npos && word.text[end] == '=') {
+    name += word.text.substr(name.size(), end - name.size());
+  }
+  return name;
+}
+
+bool is_word(const TextWord& word) {
+  const std::string address = address_of(word);
+  return !address.empty() && address != "N" && address != "O";
+}
+
 std::string code_of(const TextWord& word) {
   std::string code = address_of(word);
-  const std::string_view rest = std::string_view(word.text).substr(code.size());
+  std::string_view rest = std::string_view(word.text).substr(code.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
   const bool is_number = rest.find_first_not_of("0123456789.") == std::string_view::npos;
   if (!is_number || code.empty()) return {};
   if (code.size() == 1 && (code != "G" && code != "M")) return {};
@@ -190,6 +217,56 @@ std::optional<SmallDecimal> value_of(const TextWord& word) {
   return places.front().number;
 }
 
+namespace {
+
+// Where the value of a word stands that is one number.
+std::optional<std::pair<std::size_t, std::size_t>> place_of_value(const TextWord& word) {
+  const std::string& text = word.text;
+  std::size_t begin = name_of(word).size();
+  if (begin == 0) return std::nullopt;
+  std::size_t end = text.size();
+  if (begin < end && text[begin] == '=') ++begin;
+  const auto is_capital = [&](std::size_t at, char letter) {
+    return at < end && capital(text[at]) == letter;
+  };
+  const bool is_bracketed = (is_capital(begin, 'A') || is_capital(begin, 'I')) &&
+                            is_capital(begin + 1, 'C') && begin + 2 < end &&
+                            text[begin + 2] == '(' && text.back() == ')';
+  if (is_bracketed) {
+    begin += 3;
+    --end;
+  }
+  while (begin < end && is_blank(text[begin])) ++begin;
+  while (end > begin && is_blank(text[end - 1])) --end;
+  if (begin == end) return std::nullopt;
+  return std::pair(begin, end);
+}
+
+}  // namespace
+
+std::optional<exact::Number> exact_value_of(const TextWord& word) {
+  const auto place = place_of_value(word);
+  if (!place) return std::nullopt;
+  std::string digits;
+  for (const char c : word.text.substr(place->first, place->second - place->first)) {
+    if (!is_blank(c) && c != '+') digits += c;
+  }
+  if (digits.starts_with('.')) digits.insert(0, "0");
+  if (digits.starts_with("-.")) digits.insert(1, "0");
+  if (digits.ends_with('.')) digits.pop_back();
+  if (digits.find_first_not_of("-.0123456789") != std::string::npos) return std::nullopt;
+  return exact::Number::parse(digits);
+}
+
+std::string with_value(const TextWord& word, const exact::Number& value) {
+  const auto [begin, end] = place_of_value(word).value();
+  // Quotients by 25.4 have no last decimal.
+  const std::string text = value.text();
+  const bool is_decimal = text.find('/') == std::string::npos;
+  return word.text.substr(0, begin) + (is_decimal ? text : value.decimal_text(15)) +
+         word.text.substr(end);
+}
+
 SameScale same_scale(const SmallDecimal& a, const SmallDecimal& b) {
   auto scaled = [](const SmallDecimal& number, int scale) {
     std::int64_t value = number.value;
@@ -204,4 +281,4 @@ SameScale same_scale(const SmallDecimal& a, const SmallDecimal& b) {
   return {scaled(a, scale), scaled(b, scale)};
 }
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::program
