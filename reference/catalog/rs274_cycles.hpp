@@ -82,7 +82,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-16", must, kCycles,
      "In G18 and G19 a cycle is as in G17, with the axes of that plane in their order. A plane of "
      "the same block counts; a number that is in force is that of the third axis in force.",
-     "reference/rs274/holes.hpp"},
+     "reference/rs274/hole_block.cpp"},
     {"NGC-CYC-17", must, kCycles,
      "G17.1, G18.1 and G19.1, the axes B U V W, and the polar words @ and ^ are not read.",
      "reference/rs274/interpreter.cpp"},
@@ -93,7 +93,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-19", must, kCycles,
      "Under G20 axis words, R, Q and D are inches, P is seconds. Numbers in force are read in the "
      "units of the block that uses them.",
-     "reference/rs274/hole_block.hpp"},
+     "reference/rs274/cycle_state.hpp"},
     {"NGC-CYC-20", derived, kCycles, "A cycle cuts: it needs a feed above zero.",
      "reference/rs274/hole_block.cpp"},
     {"NGC-CYC-21", must, kCycles,
@@ -106,7 +106,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-23", must, kCycles,
      "Beside the words of all motions a cycle has R and L; P has G74, G82, G84, G86 and G89, Q has "
      "G73 and G83. Any other one is a word that nothing uses.",
-     "reference/rs274/codes.cpp"},
+     "reference/rs274/interpreter.cpp"},
     {"NGC-CYC-24", must, kCycles,
      "Another code of motion cancels a cycle, also without G80. Behind G80 an axis word has no "
      "motion. The next cycle is a first one, and begins a series.",
@@ -120,13 +120,12 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "reference/rs274/hole_block.cpp"},
     {"NGC-CYC-27", derived, kCycles,
      "G4 in the block of a cycle dwells before all motion. One P serves both, where the cycle "
-     "takes "
-     "P; else it belongs to G4.",
+     "takes P; else it belongs to G4.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-CYC-28", derived, kCycles,
      "Where a cycle stops or starts the spindle, M5, M3 or M4 is passed on, between the motions "
      "round it. M3, M4 and M5 of the same block come before.",
-     "reference/rs274/holes.cpp"},
+     "reference/rs274/holes.hpp"},
     {"NGC-CYC-29", open, kCycles,
      "Of a block that alarms nothing is moved. LinuxCNC and NIST's interpreter find some faults "
      "only on the way to the first hole.",

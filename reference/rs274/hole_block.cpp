@@ -9,6 +9,7 @@
 
 namespace gonogo::reference::rs274 {
 
+// NGC-CYC-16: all that follows is along the axes of the plane in force.
 HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
     : block_(block), axes_(axes_of(block.machine.plane)), own_(own), initial_(block) {
   take_words();

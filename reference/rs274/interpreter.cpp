@@ -124,16 +124,15 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
     return;
   }
   const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large
-  const MFunction function = number ? m_function(*number) : MFunction::undefined;
-  if (function == MFunction::undefined) {
+  const Code* const function = number ? m_function(*number) : nullptr;
+  if (function == nullptr) {
     out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
                           fmt::format("The control has no function {}.", text_of(word))});
     return;
   }
-  if (function == MFunction::outside) {
+  if (function->treatment == Treatment::outside) {
     if (!out.not_covered) {
-      out.not_covered = m_function_outside(
-          *number, *number >= 100 ? "program of the user" : "subprogram", word, line);
+      out.not_covered = m_function_outside(*number, function->title, word, line);
     }
     return;
   }
@@ -142,9 +141,9 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   record.clause = clause;
   record.block = line;
   record.m = static_cast<std::int32_t>(*number);
-  const bool before = function == MFunction::before_motion;
+  const bool before = function->kind == Kind::machine;
   (before ? out.items : out.after).emplace_back(std::move(record));
-  if (function == MFunction::ends_program) out.program_end = true;
+  if (function->kind == Kind::program_end) out.program_end = true;
 }
 
 // NGC-COM-01
@@ -154,8 +153,9 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
     const std::optional<std::int64_t> number = m_number(word, readings);
-    if (!number || m_function(*number) == MFunction::undefined) continue;
-    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(m_group(*number));
+    const Code* const function = number ? m_function(*number) : nullptr;
+    if (function == nullptr) continue;
+    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(function->group);
     if ((seen & group) != 0) {
       alarms.push_back(
           {AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
@@ -178,35 +178,33 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
          readings.is(ReadingKey::ngc_arc_words_alone, "arc");
 }
 
-// The codes of a block that take words beside those of the axes.
-struct WordTakers {
-  const BlockContext& block;
+// The words that the codes of a block take.
+class WordTakers {
+ public:
+  explicit WordTakers(const BlockContext& block)
+      : block_(block), own_(block.letters) {
+    for (const grammar::Word& word : block.words.block().words) {
+      if (word.address != 'M') continue;
+      const Code* const function = m_function(m_number(word, block.readings).value_or(-1));
+      if (function != nullptr) own_ |= function->letters;
+    }
+    if (block.runs_motion) motion_ = words_of_motion(block.machine.motion);
+  }
 
   // P belongs to the motion where no other code of the block takes it.
-  bool beside_motion(char address) const {
-    const BlockCodes& codes = block.codes;
-    if (address == 'P' && (codes.once == 4 || codes.path_mode == 64)) return true;
-    if (address == 'Q' && codes.path_mode == 64) return true;
-    return std::ranges::any_of(block.words.block().words, [&](const grammar::Word& word) {
-      return word.address == 'M' && takes(m_number(word, block.readings).value_or(0), address);
-    });
-  }
+  bool beside_motion(char address) const { return (own_ & letter_bit(address)) != 0; }
   bool take(char address) const {
-    constexpr std::string_view kOfSomeCode = "DEHIJKLPQR";
-    // Else codes, axes, and what is passed on: F M S T.
-    if (kOfSomeCode.find(address) == std::string_view::npos) return true;
-    if (beside_motion(address)) return true;
-    if (block.codes.repeats_motion &&
-        has_motion_with(block.words.block(), block.readings, address)) {
-      return true;
-    }
-    const std::string_view words = words_of_motion(block.machine.motion);
-    return block.runs_motion && words.find(address) != std::string_view::npos &&
-           by_reading(block.machine.motion, address);
+    // Codes, axes, and what is passed on.
+    constexpr Letters kAlways = letters_of("A C F G M S T X Y Z");
+    if (((kAlways | own_ | block_.codes.of_motions) & letter_bit(address)) != 0) return true;
+    return (motion_ & letter_bit(address)) != 0 && by_reading(address);
   }
-  // Whether a word that a cycle may have is read, where that is a reading.
-  bool by_reading(int motion, char address) const {
-    const ReadingsInUse& readings = block.readings;
+
+ private:
+  // NGC-CYC-23: whether a word that a cycle may have is read, where that is a reading.
+  bool by_reading(char address) const {
+    const int motion = block_.machine.motion;
+    const ReadingsInUse& readings = block_.readings;
     // NGC-G83-08
     if (address == 'D') return readings.is(ReadingKey::ngc_peck_d, "clearance");
     // NGC-G84-04
@@ -216,6 +214,10 @@ struct WordTakers {
     if (address == 'L' && motion == 74) return readings.is(ReadingKey::ngc_g74_l, "allowed");
     return true;
   }
+
+  const BlockContext& block_;
+  Letters own_;
+  Letters motion_ = 0;
 };
 
 // NGC-COM-02
@@ -331,6 +333,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
                        machine_,
                        words,
                        codes,
+                       reading_.letters,
                        runs_motion(machine_, words, codes, readings_)};
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
                        !WordTakers{context}.beside_motion('P');

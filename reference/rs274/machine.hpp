@@ -29,6 +29,7 @@ struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
+  Letters letters = 0;       // of the words that its codes take, but for the motion
   bool runs_motion = false;  // the motion in force acts in the block
   bool p_is_turns = false;   // of an arc: P is there, and no other code of the block takes it
 };

@@ -12,7 +12,7 @@ bool leaves_out_rotary_axis(BlockContext& block, std::string_view code) {
   const char address = block.words.has('A') ? 'A' : 'C';
   block.out.not_covered =
       NotCovered{block.line, std::string(code),
-                 fmt::format("The gauge does not read {} with the rotary axis {}.", code, address),
+                 fmt::format("The gauge does not read {} with the word {} of a rotary axis.", code, address),
                  block.words.word(address)->where};
   return true;
 }
