@@ -32,10 +32,13 @@ class Interpreter {
   bool check_functions();
   void prepare(Plan& plan);
   void take_feed();
+  void take_spindle();
   void take_modes();
   void take_distance();
   void take_motion();
-  bool moves_in_arc() const;
+  void take_retract();
+  void remember_steps();
+  bool runs_motion() const;
   void check_uses();
   void prepare_motion(Plan& plan);
   Flow perform_plan(const Plan& plan);

@@ -18,7 +18,8 @@ struct Ngc {
   static constexpr std::string_view kDescription =
       R"({"protocol":1,"subject":{"name":"gonogo-ngc","version":"0.1.0"},)"
       R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
-      R"("lines"]},)"
+      R"("lines",)"
+      R"("g81","g82","g83","g73","g85","g86","g89","g84","g74","g33","g33.1","g76"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
       R"("max_in_flight":1})";
@@ -32,9 +33,10 @@ struct Ngc {
                            Fault fault, Memory& last_feed, std::string_view program) {
     Interpreter interpreter(configuration, sink, fault);
     State& state = interpreter.machine().state;
-    if (last_feed.linear != 0) state.feed = last_feed;
+    state.feed = interpreter.machine().alters("feed-survives-reset"_fault, state.feed,
+                                              last_feed.linear != 0 ? last_feed : state.feed);
     const gonogo_answer answer = interpreter.run(program);
-    if (fault == Fault::kFeedSurvivesReset) last_feed = state.feed;
+    last_feed = state.feed;
     return answer;
   }
 };

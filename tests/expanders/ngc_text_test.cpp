@@ -45,7 +45,7 @@ TEST(NgcText, LineNumbers) {
     EXPECT_EQ(run_ngc(number + " G0 X1\n"s).motions(), "rapid x=1\n") << number;
     EXPECT_EQ(run_ngc(number + " G0 X1\n"s, kWholeNumbers).alarm, "syntax") << number;
     EXPECT_EQ(run_ngc(number + "\n"s, kWholeNumbers).alarm, "syntax") << number;
-    EXPECT_EQ(run_ngc(number + " G81 X1\n"s, kWholeNumbers).answer, GONOGO_UNSUPPORTED) << number;
+    EXPECT_EQ(run_ngc(number + " G87 X1\n"s, kWholeNumbers).answer, GONOGO_UNSUPPORTED) << number;
   }
   EXPECT_EQ(run_ngc("N99999 G0 X1\n", kWholeNumbers).motions(), "rapid x=1\n");
 }
