@@ -44,7 +44,7 @@ constexpr Reading kReadings[] = {
     {"ngc.g85.out", &Configuration::g85_to_clear, {"r-plane", "clear"}},
     {"ngc.tap.p", &Configuration::tap_dwell, {"optional", "last", "needed", "barred"}},
     {"ngc.g74.l", &Configuration::g74_without_l, {"allowed", "barred"}},
-    {"ngc.g33.k", &Configuration::any_lead, {"positive", "any"}},
+    {"ngc.g33.k", &Configuration::any_lead, {"positive", "free"}},
     {"ngc.g76.checks", &Configuration::lenient_g76, {"text", "linuxcnc"}},
     {"ngc.g76.slide", &Configuration::slide_at_start, {"start", "end"}},
     {"ngc.g76.entry", &Configuration::g76_entry, {"thread", "feed", "rapid"}},
