@@ -78,7 +78,7 @@ bool jumps_into(Machine& machine, const Cycle& cycle) {
 
 // NGC-CYC-13, 14
 bool perform(Machine& machine, const Cycle& planned) {
-  if (jumps_into(machine, planned)) return true;
+  if (planned.count == 0 || jumps_into(machine, planned)) return true;
   Cycle cycle = planned;
   const Hole hole{machine, cycle};
   if (!lift(hole)) return false;

@@ -105,11 +105,13 @@ TEST(PlantedNgcFaults, EachHasItsProgram) {
   for (const ProfiledExhibit& exhibit : kNgcReadingExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
-    known.insert(fault.name);
+    // Those of the cycles are shown in a file of their own.
+    const bool of_cycle = fault.clause.starts_with("NGC-CYC") ||
+                          (fault.clause.starts_with("NGC-G") && fault.clause != "NGC-G4-01");
+    if (!of_cycle) known.insert(fault.name);
     EXPECT_FALSE(fault.what.empty() || fault.clause.empty() || fault.models.empty());
   }
   EXPECT_EQ(shown, known);
-  EXPECT_EQ(known.size(), faults("ngc").size());
 }
 
 }  // namespace

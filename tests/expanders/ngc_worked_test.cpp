@@ -3,12 +3,13 @@
 // 2.9 and NIST's interpreter, version 3, were measured to do instead.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <map>
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <vector>
 
 #include "harness.hpp"
+#include "short_form.hpp"
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -22,7 +23,7 @@ struct Departure {
 constexpr Departure kSame{};
 constexpr std::size_t kLacks = 1'000;  // the machine lacks the code
 
-// R rapid, F feed, T thread: to x,y,z; D dwell; M function; @ lead.
+// Records in their short form; M2 is left out.
 struct Worked {
   const char* name;
   const char* program;  // '/' stands for the end of a line; M2 follows
@@ -283,41 +284,7 @@ const Worked kThreads[] = {
 };
 #undef GONOGO_DRIVE_LINE
 
-std::string number_after(const std::string& record, const std::string& key, std::string otherwise) {
-  const std::size_t at = record.find(" " + key + "=");
-  if (at == std::string::npos) return otherwise;
-  const std::size_t begin = at + key.size() + 2;
-  return record.substr(begin, record.find(' ', begin) - begin);
-}
-
-// The records of an outcome, but M2, in the form of the examples.
-std::vector<std::string> short_form(const Outcome& outcome) {
-  std::vector<std::string> texts;
-  std::map<std::string, std::string> place{{"x", "0"}, {"y", "0"}, {"z", "0"}};
-  for (const std::string& record : outcome.records) {
-    if (record.starts_with("end") || record == "m 2") continue;
-    if (record.starts_with("m ")) {
-      texts.push_back("M" + record.substr(2));
-    } else if (record.starts_with("dwell ")) {
-      texts.push_back("D" + record.substr(6));
-    } else {
-      for (auto& [axis, at] : place) at = number_after(record, axis, at);
-      std::string text = (record[0] == 'r'   ? "R"
-                          : record[0] == 'f' ? "F"
-                                             : "T") +
-                         place["x"] + "," + place["y"] + "," + place["z"];
-      if (record[0] == 't') text += "@" + number_after(record, "lead", "");
-      texts.push_back(text);
-    }
-  }
-  if (outcome.alarms != 0) {
-    texts.emplace_back("alarm");
-    texts.push_back(outcome.alarm);
-  }
-  return texts;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
+std::vector<std::string> split(const std::string& text) {
   std::istringstream in(text);
   return {std::istream_iterator<std::string>(in), {}};
 }
@@ -326,10 +293,10 @@ void expect_records(const Worked& worked, const Departure& departure, const char
   if (departure.from == kLacks) return;
   std::string program = worked.program;
   std::replace(program.begin(), program.end(), '/', '\n');
-  std::vector<std::string> want = words_of(worked.records);
+  std::vector<std::string> want = split(worked.records);
   if (departure.from != 0) {
     want.resize(departure.from - 1);
-    for (const std::string& record : words_of(departure.records)) want.push_back(record);
+    for (const std::string& record : split(departure.records)) want.push_back(record);
   }
   EXPECT_EQ(short_form(run_ngc(program + "\nM2\n", profile, departure.fault)), want);
 }
