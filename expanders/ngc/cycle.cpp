@@ -246,7 +246,8 @@ void CycleBlock::take_count(Plan& plan) {
   // The fault takes the levels of each hole from where the one before has ended.
   const bool more = state_.incremental && cycle_.count > 1;
   const Fixed drift = more ? cycle_.clear - state_.position[plane_.d] : 0;
-  cycle_.drift = machine_.alters<Fixed>("levels-drift"_fault, 0, drift);
+  const bool stays = fits(Wide{drift} * cycle_.count);
+  cycle_.drift = machine_.alters<Fixed>("levels-drift"_fault, 0, stays ? drift : 0);
 }
 
 // Reading ngc.tap.p: without P a tap has the dwell of the cycle before.

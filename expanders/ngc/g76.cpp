@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// G76, in G18 along Z. Depths count from the peak of the thread, away from the drive line.
+// The words of G76, in G18 along Z.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,19 +10,19 @@ namespace gonogo::expanders::ngc {
 namespace {
 
 constexpr Fixed kRightAngle = 90 * kOne;
-constexpr long double kClose = 1e-15L;  // of a depth: beyond what a block can say
-
-Fixed rounded(long double value) {
-  return static_cast<Fixed>(std::llround(value));
-}
+// No length or lead of a thread is larger, mm.
+constexpr long double kFarthest = 1e8L * kOne;
 
 /// One block of G76 on its way to the plan.
 class ThreadingBlock {
  public:
-  ThreadingBlock(Machine& machine, const Block& block)
-      : machine_(machine), block_(block), lenient_(machine.configuration.lenient_g76 != 0) {}
+  ThreadingBlock(Machine& machine, const Block& block, Plan& plan)
+      : machine_(machine),
+        block_(block),
+        plan_(plan),
+        lenient_(machine.configuration.lenient_g76 != 0) {}
 
-  void prepare(Plan& plan);
+  void prepare();
 
  private:
   void check_axes();
@@ -31,8 +31,9 @@ class ThreadingBlock {
   void take_degression();
   void take_springs();
   void take_tapers();
-  void take_slide(Plan& plan);
+  void take_slide();
   void take_end();
+  Fixed within_reach(long double length);
   // The length of a word, 0 without it.
   Fixed length(char address) const {
     return block_.has(address) ? length_of(machine_, block_, address) : 0;
@@ -44,11 +45,12 @@ class ThreadingBlock {
 
   Machine& machine_;
   const Block& block_;
+  Plan& plan_;
   bool lenient_;  // reading ngc.g76.checks
   Threading thread_;
 };
 
-void ThreadingBlock::prepare(Plan& plan) {
+void ThreadingBlock::prepare() {
   const State& state = machine_.state;
   check_sizes(machine_, block_, AddressSet{"EHLQ"});
   check_axes();
@@ -60,10 +62,14 @@ void ThreadingBlock::prepare(Plan& plan) {
   take_springs();
   take_lead();
   take_tapers();
-  take_slide(plan);
+  take_slide();
   if (state.spindle == 5) machine_.complain(AlarmKind::kSpindleStopped);  // NGC-G76-04
   thread_.feed.value = state.feed.linear;
-  plan.motion = thread_;
+  for (const Fixed place : {thread_.x, thread_.z_start, thread_.z_end, thread_.peak, thread_.depth,
+                            thread_.taper, thread_.lead}) {
+    within_reach(static_cast<long double>(place));
+  }
+  plan_.motion = thread_;
 }
 
 // NGC-G76-02
@@ -119,8 +125,6 @@ void ThreadingBlock::take_depths() {
                       thread_.depth < thread_.infeed)) {
     complain(AlarmKind::kValueOutOfRange, 'K');
   }
-  const Wide reach = Wide{magnitude(thread_.x)} + magnitude(peak) + magnitude(thread_.depth);
-  reached(machine_, block_, reach, 'K');
 }
 
 // NGC-G76-03, 05
@@ -138,8 +142,8 @@ void ThreadingBlock::take_springs() {
   const std::optional<Fixed> count = machine_.whole.repeats(written);
   if (!count && !written.overflow) complain(AlarmKind::kNotAnInteger, 'H');
   thread_.springs = count.value_or(0);
-  if (count ? *count < (lenient_ ? -1 : 0) : written.value < 0)
-    complain(AlarmKind::kValueSign, 'H');
+  const Fixed least = lenient_ ? -1 : 0;
+  if (written.value < 0 && count.value_or(-2) < least) complain(AlarmKind::kValueSign, 'H');
   const Fixed less = std::max<Fixed>(0, thread_.springs - 1);
   thread_.springs = machine_.alters("g76-h-total"_fault, thread_.springs, less);
 }
@@ -165,13 +169,10 @@ void ThreadingBlock::take_tapers() {
   thread_.tapers_out = (ends & (swapped ? 1 : 2)) != 0;
   const auto taper = static_cast<long double>(thread_.taper);
   const auto depth = static_cast<long double>(thread_.depth);
-  const bool steep = thread_.taper < thread_.depth;
-  const Wide steeper = scaled(thread_.lead, thread_.depth, thread_.taper);
-  const Fixed axial = steep ? reached(machine_, block_, steeper, 'E') : thread_.lead;
+  const auto lead = static_cast<long double>(thread_.lead);
+  const Fixed axial = within_reach(lead * std::max(taper, depth) / taper);
   thread_.taper_lead = machine_.alters("g76-taper-lead-plain"_fault, axial, thread_.lead);
-  const long double path = std::sqrt(taper * taper + depth * depth) / taper;
-  const auto entry = static_cast<Wide>(static_cast<long double>(thread_.lead) * path + 0.5L);
-  thread_.entry_lead = reached(machine_, block_, entry, 'E');
+  thread_.entry_lead = within_reach(lead * std::hypot(taper, depth) / taper);
   // Reading ngc.g76.entry
   const bool by_feed = machine_.configuration.g76_entry == kEnterByFeed;
   if (thread_.tapers_in && by_feed && machine_.state.feed.linear == 0) {
@@ -180,132 +181,29 @@ void ThreadingBlock::take_tapers() {
 }
 
 // NGC-G76-08
-void ThreadingBlock::take_slide(Plan& plan) {
+void ThreadingBlock::take_slide() {
   const Fixed written = number('Q');
   if (written == 0 || (lenient_ && written == -kOne)) return;
   if (magnitude(written) >= kRightAngle) {
-    plan.outside = "G76 with Q of 90 degrees";
+    plan_.outside = "G76 with Q of 90 degrees";
     return;
   }
   const long double degrees = static_cast<long double>(written) / kOne;
   thread_.slide = std::tan(degrees * std::numbers::pi_v<long double> / 180);
-  const auto farthest = static_cast<Wide>(thread_.slide * static_cast<long double>(thread_.depth));
-  reached(machine_, block_, farthest, 'Q');
+  within_reach(thread_.slide * static_cast<long double>(thread_.depth));
 }
 
-/// The passes of one block.
-class Passes {
- public:
-  Passes(Machine& machine, const Threading& thread) : machine_(machine), thread_(thread) {}
-  bool run();
-
- private:
-  long double depth_of(Fixed pass) const;
-  bool is_full(Fixed pass);
-  bool cut(Fixed depth);
-  bool enter(Fixed to, Fixed z);
-  Fixed slid(Fixed depth) const { return rounded(thread_.slide * static_cast<long double>(depth)); }
-  bool rapid(Fixed x, Fixed z);
-  bool thread(Fixed x, Fixed z, Fixed lead);
-  Point at(Fixed x, Fixed z) const;
-
-  static constexpr Axes kBoth = axis_bit(GONOGO_X) | axis_bit(GONOGO_Z);
-  Machine& machine_;
-  const Threading& thread_;
-  double sum_ = 0;
-};
-
-// NGC-G76-05
-long double Passes::depth_of(Fixed pass) const {
-  const auto infeed = static_cast<long double>(thread_.infeed);
-  return infeed * std::pow(static_cast<long double>(pass), 1 / thread_.degression);
-}
-
-bool Passes::is_full(Fixed pass) {
-  const auto full = static_cast<long double>(thread_.depth);
-  const bool right = depth_of(pass) >= full - full * kClose;
-  if (thread_.degression != 1) return right;
-  constexpr auto kScale = static_cast<double>(kOne);
-  sum_ += static_cast<double>(thread_.infeed) / kScale;
-  return machine_.alters("g76-binary-sum"_fault, right,
-                         sum_ >= static_cast<double>(thread_.depth) / kScale);
-}
-
-bool Passes::run() {
-  for (Fixed pass = 1; !is_full(pass); ++pass) {
-    if (!cut(rounded(depth_of(pass)))) return false;
-  }
-  for (Fixed pass = 0; pass <= thread_.springs; ++pass) {
-    if (!cut(thread_.depth)) return false;
-  }
-  return machine_.tracer.rapid(thread_.end, thread_.end_axes);
-}
-
-Point Passes::at(Fixed x, Fixed z) const {
-  Point point = machine_.state.position;
-  point[GONOGO_X] = x;
-  point[GONOGO_Z] = z;
-  return point;
-}
-
-bool Passes::rapid(Fixed x, Fixed z) {
-  return machine_.tracer.rapid(at(x, z), kBoth);
-}
-
-bool Passes::thread(Fixed x, Fixed z, Fixed lead) {
-  return machine_.tracer.thread(at(x, z), kBoth, lead);
-}
-
-// NGC-G76-09
-bool Passes::enter(Fixed to, Fixed z) {
-  switch (machine_.configuration.g76_entry) {
-    case kEnterByFeed:
-      return machine_.tracer.feed(at(to, z), kBoth, thread_.feed);
-    case kEnterByRapid:
-      return rapid(to, z);
-    default:
-      return thread(to, z, thread_.entry_lead);
-  }
-}
-
-// NGC-G76-06 to 12: one pass, from beside the drive line and back.
-bool Passes::cut(Fixed depth) {
-  const Fixed left = thread_.depth - depth;
-  const Fixed x = thread_.x + thread_.side * (thread_.peak + depth);
-  const Fixed out = x - thread_.side * thread_.depth;
-  const Fixed beside =
-      machine_.alters("g76-plain-withdrawal"_fault, thread_.x - thread_.side * left, thread_.x);
-  const int way = thread_.way;
-  const int slide_way = machine_.alters("g76-slide-backwards"_fault, way, -1);
-  const bool from_start = machine_.configuration.slide_at_start == 0;
-  const Fixed start =
-      thread_.z_start + (from_start ? slide_way * slid(depth) : -slide_way * slid(left));
-  const Fixed end = thread_.z_end - slide_way * slid(left);
-  if (!rapid(beside, start)) return false;
-  if (thread_.tapers_in) {
-    if (!enter(out, start) || !thread(x, start + way * thread_.taper, thread_.taper_lead))
-      return false;
-  } else if (!rapid(x, start)) {
-    return false;
-  }
-  if (thread_.tapers_out) {
-    if (!thread(x, end - way * thread_.taper, thread_.lead) ||
-        !thread(out, end, thread_.taper_lead))
-      return false;
-  } else if (!thread(x, end, thread_.lead)) {
-    return false;
-  }
-  return rapid(beside, end);
+// To the nearest count; what is larger is not implemented.
+Fixed ThreadingBlock::within_reach(long double length) {
+  if (std::abs(length) <= kFarthest) return static_cast<Fixed>(std::llround(length));
+  plan_.outside = "G76 of that size";
+  return 0;
 }
 
 }  // namespace
 
 void prepare_threading(Machine& machine, const Block& block, Plan& plan) {
-  ThreadingBlock(machine, block).prepare(plan);
-}
-
-bool perform(Machine& machine, const Threading& motion) {
-  return Passes(machine, motion).run();
+  ThreadingBlock(machine, block, plan).prepare();
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -9,6 +9,7 @@ namespace {
 
 constexpr Fixed kHundredth = kOne / 100;
 constexpr Fixed kEndless = 1'000'000'000;
+constexpr Fixed kMostSummed = 1'000'000;  // a sum of more takes too long
 constexpr Fixed kQuarter = kOne / 4;
 
 /// Peck k of all but the last ends at top - k * infeed.
@@ -28,12 +29,10 @@ Fixed count_of(Fixed depth, Fixed infeed) {
 // The same by a sum of binary64 numbers, which may end just short of the depth.
 Fixed count_by_sum(Fixed top, Fixed bottom, Fixed infeed) {
   constexpr auto kScale = static_cast<double>(kOne);
-  constexpr Fixed kMost = 1'000'000;  // a sum of more takes too long
   const double step = static_cast<double>(infeed) / kScale;
   const double end = static_cast<double>(bottom) / kScale;
   Fixed count = 1;
-  for (double level = static_cast<double>(top) / kScale - step; level > end && count < kMost;
-       level -= step) {
+  for (double level = static_cast<double>(top) / kScale - step; level > end; level -= step) {
     ++count;
   }
   return count;
@@ -46,7 +45,7 @@ void spoil(const Machine& machine, const Cycle& cycle, Pecks& pecks) {
   Fixed& count = pecks.count;
   count = machine.alters<Fixed>("g83-without-pecks"_fault, count, 1);
   count = machine.alters("empty-last-peck"_fault, count, count + (rest == 0 && depth > 0 ? 1 : 0));
-  if (machine.has("peck-binary-sum"_fault)) {
+  if (count < kMostSummed && machine.has("peck-binary-sum"_fault)) {
     count = machine.alters("peck-binary-sum"_fault, count,
                            count_by_sum(pecks.top, pecks.bottom, pecks.infeed));
   }
