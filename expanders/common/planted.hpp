@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "expanders/faults.hpp"
 
@@ -28,7 +29,7 @@ class Planted {
   /// What the line of the fault answers: `right`, or, where it is planted, `wrong`. It is triggered
   /// when they differ.
   template <typename Value>
-  Value alters(Fault fault, Value right, Value wrong) const {
+  Value alters(Fault fault, Value right, std::type_identity_t<Value> wrong) const {
     if (!has(fault)) return right;
     if (right != wrong) counter(fault).triggered.fetch_add(1, std::memory_order_relaxed);
     return wrong;

@@ -80,9 +80,9 @@ bool Reader::reading(const std::string& key, const Json& json) {
     if (key != reading.key) continue;
     if (is_any(json)) return true;
     const std::string outcome = text_of(json);
-    for (Option option = 0; option < reading.outcomes.size(); ++option) {
-      if (outcome.empty() || outcome != reading.outcomes[option]) continue;
-      configuration_.*reading.option = option;
+    for (std::size_t i = 0; i < reading.outcomes.size(); ++i) {
+      if (outcome.empty() || outcome != reading.outcomes[i]) continue;
+      configuration_.*reading.option = static_cast<Option>(i);
       return true;
     }
   }

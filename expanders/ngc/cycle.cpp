@@ -127,7 +127,7 @@ void CycleBlock::take_words() {
     store_.r = machine_.alters("r-not-sticky"_fault, store_.r, kNothing);
     store_.q = machine_.alters("q-not-sticky"_fault, store_.q, kNothing);
     if (store_.p) {
-      store_.p = machine_.alters("p-not-sticky"_fault, store_.p, std::optional<Fixed>(0));
+      store_.p = machine_.alters("p-not-sticky"_fault, store_.p, 0);
     }
   }
   check_sizes(machine_, block_, AddressSet{"QDL"});
@@ -213,7 +213,7 @@ void CycleBlock::take_places() {
           written ? length
                   : machine_.alters<Fixed>("stale-step"_fault, 0, state_.leftovers.steps[axis]);
       cycle_.first[axis] = reached(machine_, block_, Wide{tool} + step, address);
-      cycle_.step[axis] = machine_.alters<Fixed>("l-in-place"_fault, step, 0);
+      cycle_.step[axis] = machine_.alters("l-in-place"_fault, step, 0);
     } else {
       const Wide place = written ? Wide{offset(axis)} + length : tool;
       cycle_.first[axis] = reached(machine_, block_, place, address);
@@ -238,7 +238,7 @@ void CycleBlock::take_count(Plan& plan) {
   last = count;
   if (!count || cycle_.count == 0) return;
   if (*count > kMostHoles) plan.outside = "L above 1000000";
-  cycle_.count = machine_.alters<Fixed>("l-ignored"_fault, *count, 1);
+  cycle_.count = machine_.alters("l-ignored"_fault, *count, 1);
   for (const std::size_t axis : {plane_.p, plane_.q}) {
     const Wide end = cycle_.first[axis] + Wide{cycle_.count} * cycle_.step[axis];
     reached(machine_, block_, end, 'L');

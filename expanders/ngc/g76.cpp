@@ -114,7 +114,7 @@ void ThreadingBlock::take_depths() {
   }
   const Fixed peak = length('I');
   thread_.side = machine_.alters("g76-inside-out"_fault, peak > 0 ? 1 : -1, -1);
-  thread_.peak = machine_.alters<Fixed>("g76-from-drive-line"_fault, magnitude(peak), 0);
+  thread_.peak = machine_.alters("g76-from-drive-line"_fault, magnitude(peak), 0);
   thread_.infeed = length('J');
   thread_.depth = length('K');
   if (block_.has('I') && peak == 0) complain(AlarmKind::kValueOutOfRange, 'I');

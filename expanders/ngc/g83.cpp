@@ -43,7 +43,7 @@ void spoil(const Machine& machine, const Cycle& cycle, Pecks& pecks) {
   const Fixed depth = pecks.top - pecks.bottom;
   const Fixed rest = depth % pecks.infeed;
   Fixed& count = pecks.count;
-  count = machine.alters<Fixed>("g83-without-pecks"_fault, count, 1);
+  count = machine.alters("g83-without-pecks"_fault, count, 1);
   count = machine.alters("empty-last-peck"_fault, count, count + (rest == 0 && depth > 0 ? 1 : 0));
   if (count < kMostSummed && machine.has("peck-binary-sum"_fault)) {
     count = machine.alters("peck-binary-sum"_fault, count,
@@ -73,8 +73,7 @@ Pecks pecks_of(const Machine& machine, const Cycle& cycle) {
 bool withdraw(const Hole& hole, Fixed bottom) {
   Machine& machine = hole.machine;
   const Cycle& cycle = hole.cycle;
-  const Fixed clearance =
-      machine.alters<Fixed>("return-without-clearance"_fault, cycle.clearance, 0);
+  const Fixed clearance = machine.alters("return-without-clearance"_fault, cycle.clearance, 0);
   Fixed back = bottom + clearance;  // NGC-G83-05, NGC-G73-04: also above R
   back = machine.alters("return-not-above-r"_fault, back, std::min(back, cycle.r));
   const bool chip_breaking = cycle.code == Motion::kG73;

@@ -101,7 +101,6 @@ TEST(NgcCycleReading, PecksOfGrblhal) {
 }
 
 TEST(NgcCycleReading, EndOfG73) {
-  const std::string end = "feed z=-1 f=100\n";
   const std::string program = "G0 Z5\nG98 G73 Z-1 R0 Q2\n";
   const std::string first = "rapid z=5\nrapid z=0\nfeed z=-1 f=100\n";
   EXPECT_EQ(with("", program), first + "rapid z=0\n");
