@@ -34,14 +34,17 @@ bool is_function(std::string_view rest) {
 // The construct at the start of `rest`, where no word could be read; empty: none.
 std::string_view macro_at(std::string_view rest) {
   if (rest.empty()) return {};
-  // NGC-CYC-17: @ and ^, polar words; NGC-G76-13: $, another spindle.
-  if (std::string_view("#[Oo@^$").find(rest[0]) != std::string_view::npos) return rest.substr(0, 1);
-  if (!is_letter(rest[0])) return {};
+  if (std::string_view("#[Oo").find(rest[0]) != std::string_view::npos) return rest.substr(0, 1);
+  // NGC-CYC-17, NGC-G76-13: words of polar places and of another spindle.
+  const bool special = rest[0] == '@' || rest[0] == '^' || rest[0] == '$';
+  if (!is_letter(rest[0]) && !special) return {};
   rest.remove_prefix(1);
   while (!rest.empty() && is_blank(rest[0])) rest.remove_prefix(1);
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.remove_prefix(1);
-  const bool begins = !rest.empty() && (rest[0] == '#' || rest[0] == '[' || is_function(rest));
-  return begins ? rest.substr(0, 1) : std::string_view{};
+  const std::string_view begins = special ? "#[.0123456789" : "#[";
+  const bool macro =
+      !rest.empty() && (begins.find(rest[0]) != std::string_view::npos || is_function(rest));
+  return macro ? rest.substr(0, 1) : std::string_view{};
 }
 
 // NGC-COM-07: `%` with nothing but blanks beside it.

@@ -271,7 +271,7 @@ void CycleBlock::take_pecks() {
   cycle_.clearance = choice == kOneMillimetre ? length_of(machine_, one) : kOne / 1000 * 254;
   cycle_.clearance = machine_.alters("clearance-in-program-unit"_fault, cycle_.clearance,
                                      length_of(machine_, kOne / 100));
-  if (choice == kTenth && cycle_.code == Motion::kG73) cycle_.clearance = kOne / 10;
+  if (choice == kTenth) cycle_.clearance = kOne / 10;
   if (choice == kTwentieth) cycle_.clearance = static_cast<Fixed>(scaled(cycle_.infeed, 1, 20));
   if (!machine_.configuration.clearance_word || !block_.has('D')) return;
   cycle_.clearance = length_of(machine_, block_, 'D');

@@ -119,8 +119,8 @@ void ThreadingBlock::take_depths() {
   thread_.depth = length('K');
   if (block_.has('I') && peak == 0) complain(AlarmKind::kValueOutOfRange, 'I');
   if (block_.has('J') && thread_.infeed <= 0) complain(AlarmKind::kValueSign, 'J');
-  if (!block_.has('K')) return;
   if (thread_.depth < 0 && !lenient_) complain(AlarmKind::kValueSign, 'K');
+  if (!block_.has('J') || !block_.has('K')) return;
   if (machine_.alters("g76-equal-k-passed"_fault, thread_.depth <= thread_.infeed,
                       thread_.depth < thread_.infeed)) {
     complain(AlarmKind::kValueOutOfRange, 'K');
@@ -160,7 +160,7 @@ void ThreadingBlock::take_tapers() {
   thread_.taper = length('E');
   if (thread_.taper < 0 && !lenient_) complain(AlarmKind::kValueSign, 'E');
   const Wide way = magnitude(thread_.z_end - thread_.z_start);
-  if (!lenient_ && ends != 0 && 2 * Wide{thread_.taper} > way) {
+  if (!lenient_ && ends != 0 && block_.has('Z') && 2 * Wide{thread_.taper} > way) {
     complain(AlarmKind::kValueOutOfRange, 'E');
   }
   if (thread_.taper <= 0) return;
@@ -184,8 +184,8 @@ void ThreadingBlock::take_tapers() {
 void ThreadingBlock::take_slide() {
   const Fixed written = number('Q');
   if (written == 0 || (lenient_ && written == -kOne)) return;
-  if (magnitude(written) >= kRightAngle) {
-    plan_.outside = "G76 with Q of 90 degrees";
+  if (magnitude(written) % (2 * kRightAngle) == kRightAngle) {
+    plan_.outside = "G76 with Q of a right angle";
     return;
   }
   const long double degrees = static_cast<long double>(written) / kOne;

@@ -154,6 +154,8 @@ TEST(NgcCycleAlarm, OfG76) {
       {"G76 P2 Z-20 J0.5 K1", "missing-word", "missing-word"},
       {"G76 P2 Z-20 I-1 K1", "missing-word", "missing-word"},
       {"G76 P2 Z-20 I-1 J0.5", "missing-word", "missing-word"},
+      {"G76 P2 Z-20 I-1 K0", "missing-word", "missing-word"},
+      {"G76 P2 I-1 J0.5 K1 E1 L3", "missing-word", "missing-word"},
       {"G76 Z-20 I-1 J0.5 K1", "lead-missing", "lead-missing"},
       {"G76 P2 Z-20 I-1 J0.5 K1 A5", "axis-not-in-plane", "axis-not-in-plane"},
       {"M5\nG76 P2 Z-20 I-1 J0.5 K1", "spindle-stopped", "spindle-stopped"},

@@ -78,7 +78,7 @@ TEST(NgcCycleReading, ClearanceOfPecks) {
   EXPECT_EQ(back(R"("ngc.peck.clearance":"one-mm")", "G83"), "rapid z=-1");
   EXPECT_EQ(back(R"("ngc.peck.clearance":"one-mm")", "G73", R"("units":"inch",)"), "rapid z=-1.95");
   EXPECT_EQ(back(R"("ngc.peck.clearance":"tenth-mm")", "G73"), "rapid z=-1.9");
-  EXPECT_EQ(back(R"("ngc.peck.clearance":"tenth-mm")", "G83"), "rapid z=-1.746");
+  EXPECT_EQ(back(R"("ngc.peck.clearance":"tenth-mm")", "G83"), "rapid z=-1.9");
   EXPECT_EQ(back(R"("ngc.peck.clearance":"twentieth")", "G83"), "rapid z=-1.9");
   EXPECT_EQ(back(R"("ngc.peck.d":"clearance")", "G83 D0.5"), "rapid z=-1.5");
   EXPECT_EQ(run_ngc("F9\nG83 Z-4 R0 Q2 D-1\n", R"({"readings":{"ngc.peck.d":"clearance"}})").alarm,
