@@ -36,7 +36,7 @@ constexpr std::array<Maker, 4> kMakers = {{
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
      },
-     [](std::size_t fault) { return ngc::Faults::count(static_cast<ngc::Fault>(fault)); }},
+     [](std::size_t fault) { return ngc::count(static_cast<ngc::Fault>(fault)); }},
     {"sinumerik", &sinumerik::fault_descriptions,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return sinumerik::subject(static_cast<sinumerik::Fault>(fault));

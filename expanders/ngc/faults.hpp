@@ -268,6 +268,6 @@ consteval Fault operator""_fault(const char* name, std::size_t size) {
   return static_cast<Fault>(place + 1);
 }
 
-using Faults = Planted<Fault, kFaults>;
+using Faults = Planted<Fault>;
 
 }  // namespace gonogo::expanders::ngc

@@ -11,8 +11,8 @@ namespace gonogo::expanders::ngc {
 /// the order of their action, checks, moves. Uses no memory that grows with the program.
 class Interpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, Fault fault)
-      : machine_(configuration, sink, fault) {}
+  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, const Faults& planted)
+      : machine_(configuration, sink, planted) {}
 
   /// What `run` of the C interface answers.
   gonogo_answer run(std::string_view program);

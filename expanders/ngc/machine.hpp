@@ -14,7 +14,8 @@ namespace gonogo::expanders::ngc {
 /// What every code works on.
 class Machine : public Complaints<AlarmText>, public Faults {
  public:
-  Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink, Fault planted)
+  Machine(const Configuration& machine_configuration, const gonogo_sink_v1& sink,
+          const Faults& planted)
       : Faults(planted),
         configuration(machine_configuration),
         state(machine_configuration),

@@ -30,8 +30,8 @@ struct Ngc {
   }
 
   static gonogo_answer run(const Configuration& configuration, const gonogo_sink_v1& sink,
-                           Fault fault, Memory& last_feed, std::string_view program) {
-    Interpreter interpreter(configuration, sink, fault);
+                           const Faults& planted, Memory& last_feed, std::string_view program) {
+    Interpreter interpreter(configuration, sink, planted);
     State& state = interpreter.machine().state;
     state.feed = interpreter.machine().alters("feed-survives-reset"_fault, state.feed,
                                               last_feed.linear != 0 ? last_feed : state.feed);
@@ -45,6 +45,10 @@ struct Ngc {
 
 const gonogo_subject_v1& subject(Fault fault) {
   return SubjectGlue<Ngc>::subject(fault);
+}
+
+FaultCount count(Fault fault) {
+  return SubjectGlue<Ngc>::count(fault);
 }
 
 }  // namespace gonogo::expanders::ngc
