@@ -7,8 +7,6 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
-constexpr Fixed kMostHoles = 1'000'000;  // of a block
-
 bool is_peck(Motion code) {
   return code == Motion::kG73 || code == Motion::kG83;
 }
@@ -50,7 +48,8 @@ class CycleBlock {
   void take_initial();
   void take_levels();
   void take_places();
-  void take_count(Plan& plan);
+  void take_count();
+  bool stands_still() const;
   void take_dwell();
   void take_pecks();
   void check_late(Plan& plan);
@@ -75,9 +74,10 @@ void CycleBlock::prepare(Plan& plan) {
   take_initial();
   if (store_.r && store_.depth) take_levels();
   take_places();
-  take_count(plan);
+  take_count();
   take_dwell();
   take_pecks();
+  if (stands_still()) cycle_.count = std::min<Fixed>(cycle_.count, 1);
   cycle_.spindle = state_.spindle;
   cycle_.feed.value = state_.feed.linear;
   // NGC-CYC-20
@@ -224,7 +224,7 @@ void CycleBlock::take_places() {
 }
 
 // NGC-CYC-13, 14, 15
-void CycleBlock::take_count(Plan& plan) {
+void CycleBlock::take_count() {
   std::optional<Fixed>& last = state_.leftovers.count;
   std::optional<Fixed> count = block_.has('L') ? machine_.whole.repeats(block_.number('L')) : 1;
   if (!block_.has('L')) count = machine_.alters("l-sticky"_fault, count, last ? last : count);
@@ -237,7 +237,6 @@ void CycleBlock::take_count(Plan& plan) {
   }
   last = count;
   if (!count || cycle_.count == 0) return;
-  if (*count > kMostHoles) plan.outside = "L above 1000000";
   cycle_.count = machine_.alters("l-ignored"_fault, *count, 1);
   for (const std::size_t axis : {plane_.p, plane_.q}) {
     const Wide end = cycle_.first[axis] + Wide{cycle_.count} * cycle_.step[axis];
@@ -248,6 +247,14 @@ void CycleBlock::take_count(Plan& plan) {
   const Fixed drift = more ? cycle_.clear - state_.position[plane_.d] : 0;
   const bool stays = fits(Wide{drift} * cycle_.count);
   cycle_.drift = machine_.alters<Fixed>("levels-drift"_fault, 0, stays ? drift : 0);
+}
+
+// Whether a repeat would put nothing out: no loop may run on without a record.
+bool CycleBlock::stands_still() const {
+  const bool turns = is_tap(cycle_.code) || cycle_.code == Motion::kG86;
+  const bool dwells = cycle_.dwell != 0 || machine_.configuration.pecks_dwell;
+  return !turns && !dwells && cycle_.r == cycle_.bottom && cycle_.r == cycle_.clear &&
+         cycle_.drift == 0 && cycle_.step[plane_.p] == 0 && cycle_.step[plane_.q] == 0;
 }
 
 // Reading ngc.tap.p: without P a tap has the dwell of the cycle before.

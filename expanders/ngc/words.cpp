@@ -41,8 +41,8 @@ void check_sizes(Machine& machine, const Block& block, AddressSet words) {
   for (std::uint32_t bits = block.words().bits() & words.bits(); bits != 0; bits &= bits - 1) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));
     const Decimal& number = block.number(address);
-    // In inches no number grows by more than that; turns and seconds do not grow.
-    const bool fixed = address == 'P';
+    // In inches no number grows by more than that; turns, seconds and counts do not grow.
+    const bool fixed = address == 'P' || address == 'L' || address == 'H';
     if (number.overflow || !(fixed || fits(scaled(number.value, 254, 10)))) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }

@@ -173,6 +173,11 @@ TEST(NgcCycleReading, DegressionOfAPerfectPower) {
   EXPECT_EQ(cuts, 8u);
 }
 
+TEST(NgcCycle, RepeatsThatDoNothingAreNotRun) {
+  EXPECT_EQ(run_ngc("F9\nG81 X1 Z2 R2 L999999999\nM2\n").motions(),
+            "rapid z=2\nrapid x=1 y=0\nm 2\n");
+}
+
 TEST(NgcCycle, EndlessRepeatsStream) {
   const Outcome outcome = Session("{}", {}, "ngc").run("F9\nG83 Z-9000 R0 Q0.000001\n", 1'000);
   EXPECT_EQ(outcome.answer, GONOGO_STOPPED);
