@@ -71,8 +71,8 @@ TEST_P(TwoHandles, KnowNothingOfEachOther) {
   Probe two(subject_);
   ASSERT_EQ(one.created(), GONOGO_OK);
   ASSERT_EQ(two.created(), GONOGO_OK);
-  EXPECT_EQ(one.run("G91 G0 X1\nX1\n"), GONOGO_OK);
-  EXPECT_EQ(two.run("G0 X5\nX7\n"), GONOGO_OK);
+  EXPECT_EQ(one.run("G91 G0 X1\nX1\nM2\n"), GONOGO_OK);
+  EXPECT_EQ(two.run("G0 X5\nX7\nM2\n"), GONOGO_OK);
   EXPECT_EQ(one.take(), (std::vector<double>{1, 2}));
   EXPECT_EQ(two.take(), (std::vector<double>{5, 7}));
 }
@@ -104,10 +104,10 @@ TEST_P(TwoHandles, ASinkThatStopsEndsTheRun) {
 
 TEST_P(TwoHandles, ResetForgetsEverything) {
   Probe probe(subject_);
-  probe.run("G20 G91 G0 X1\n");
+  probe.run("G20 G91 G0 X1\nM2\n");
   probe.take();
   ASSERT_EQ(probe.reset(), GONOGO_OK);
-  EXPECT_EQ(probe.run("G0 X5\nX5\n"), GONOGO_OK);
+  EXPECT_EQ(probe.run("G0 X5\nX5\nM2\n"), GONOGO_OK);
   EXPECT_EQ(probe.take(), (std::vector<double>{5, 5}));
 }
 
@@ -116,7 +116,7 @@ TEST_P(TwoHandles, AnAlarmIsAnAnswerAndTheHandleGoesOn) {
   EXPECT_EQ(probe.run("G1 X5\n"), GONOGO_ALARM);
   EXPECT_EQ(probe.last_class(), "feed-missing");
   ASSERT_EQ(probe.reset(), GONOGO_OK);
-  EXPECT_EQ(probe.run("G1 X5 F100\n"), GONOGO_OK);
+  EXPECT_EQ(probe.run("G1 X5 F100\nM2\n"), GONOGO_OK);
 }
 
 TEST_P(TwoHandles, TheVersionIsNegotiated) {
