@@ -211,13 +211,12 @@ void Block::settle_motion(const Manner& manner) {
   const Motions& found = motions_;
   const Code*& motion = codes_[static_cast<std::size_t>(Group::kMotion)];
   motion = found.code != nullptr ? found.code : found.off;
-  const bool forgiven = manner.forgets_g80 && found.codes <= 1;
   if (found.codes + found.offs <= 1) return;
-  if (manner.faults.alters("last-motion-wins"_fault, forgiven, true)) {
-    if (!forgiven) motion = found.last;
-    return;
+  motion = manner.faults.alters("last-motion-wins"_fault, motion, found.last);
+  const bool forgiven = manner.forgets_g80 && found.codes <= 1;
+  if (!forgiven && manner.faults.spares("last-motion-wins"_fault)) {
+    note_duplicate('G', found.second);
   }
-  note_duplicate('G', found.second);
 }
 
 void Block::note_duplicate(char address, Position position) {

@@ -14,9 +14,8 @@ void Interpreter::prepare(Plan& plan) {
   State& state = machine_.state;
   const int plane = state.plane;
   const FeedRate feed = state.feed;
-  take_feed();
-  const FeedRate coming_feed = state.feed;
-  if (machine_.adds("feed-after-motion"_fault, coming_feed != feed)) state.feed = feed;
+  const bool feed_last = machine_.adds("feed-after-motion"_fault, block_.has('F'));
+  if (!feed_last) take_feed();
   take_spindle();
   if (block_.has_dwell()) prepare_dwell(machine_, block_, plan);
   take_modes();
@@ -28,8 +27,8 @@ void Interpreter::prepare(Plan& plan) {
   prepare_motion(plan);
   remember_steps();
   state.plane = coming;
-  state.feed = coming_feed;
-  if (is_cycle(state.motion) && machine_.adds("cycle-feed-lost"_fault, coming_feed != feed)) {
+  if (feed_last) take_feed();
+  if (is_cycle(state.motion) && machine_.adds("cycle-feed-lost"_fault, state.feed != feed)) {
     state.feed = feed;
   }
   if (block_.has_dwell() &&
