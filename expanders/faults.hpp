@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -27,5 +28,11 @@ consteval Fault find_fault(std::span<const FaultDescription> table, std::string_
   }
   throw std::invalid_argument("no planted fault has this name");
 }
+
+/// How often runs of this process have met a planted fault.
+struct FaultCount {
+  std::uint64_t reached = 0;               ///< its line ran
+  std::optional<std::uint64_t> triggered;  ///< and answered wrongly; nothing: not told
+};
 
 }  // namespace gonogo::expanders

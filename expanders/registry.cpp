@@ -18,6 +18,7 @@ struct Maker {
   std::string_view name;
   std::span<const FaultDescription> (*descriptions)();
   const gonogo_subject_v1& (*subject)(std::size_t fault);
+  FaultCount (*count)(std::size_t fault) = nullptr;  ///< null: does not count
 };
 
 template <typename Interpreter>
@@ -33,10 +34,11 @@ std::span<const FaultDescription> listed() {
 constexpr std::array<Maker, 4> kMakers = {{
     {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>},
     {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>},
-    {"ngc", &ngc::fault_descriptions,
+    {"ngc", &listed<ngc::kFaultTable>,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
-     }},
+     },
+     [](std::size_t fault) { return ngc::count(static_cast<ngc::Fault>(fault)); }},
     {"sinumerik", &listed<sinumerik::kFaults>, &subject_of<sinumerik::Interpreter>},
 }};
 
@@ -45,6 +47,16 @@ const Maker* maker_of(std::string_view name) {
     if (maker.name == name) return &maker;
   }
   return nullptr;
+}
+
+// The number of a maker's fault, 0: of none; nothing: there is no such fault.
+std::optional<std::size_t> number_of(const Maker& maker, std::string_view fault) {
+  if (fault.empty()) return 0;
+  const std::span<const FaultDescription> known = maker.descriptions();
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i].name == fault) return i + 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -57,13 +69,16 @@ std::span<const std::string_view> names() {
 
 const gonogo_subject_v1* find(std::string_view name, std::string_view fault) {
   const Maker* maker = maker_of(name);
-  if (maker == nullptr) return nullptr;
-  if (fault.empty()) return &maker->subject(0);
-  const std::span<const FaultDescription> known = maker->descriptions();
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i].name == fault) return &maker->subject(i + 1);
-  }
-  return nullptr;
+  const std::optional<std::size_t> number =
+      maker != nullptr ? number_of(*maker, fault) : std::nullopt;
+  return number ? &maker->subject(*number) : nullptr;
+}
+
+std::optional<FaultCount> count(std::string_view name, std::string_view fault) {
+  const Maker* maker = maker_of(name);
+  if (maker == nullptr || maker->count == nullptr) return std::nullopt;
+  const std::optional<std::size_t> number = number_of(*maker, fault);
+  return number ? std::optional(maker->count(*number)) : std::nullopt;
 }
 
 std::span<const FaultDescription> faults(std::string_view name) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "expanders/common/planted.hpp"
 #include "expanders/common/profile_reader.hpp"
 #include "expanders/faults.hpp"
 #include "gonogo/subject.h"
@@ -21,8 +22,8 @@ namespace gonogo::expanders {
 ///   kDescription (the reply of `describe`),
 ///   Memory (what a planted fault may carry from one run to the next),
 ///   static ConfigurationResult read(std::string_view json, Configuration&, std::string& message),
-///   static gonogo_answer run(const Configuration&, const gonogo_sink_v1&, Fault, Memory&,
-///                            std::string_view program).
+///   static gonogo_answer run(const Configuration&, const gonogo_sink_v1&, Planted<Fault> or Fault,
+///                            Memory&, std::string_view program).
 template <typename Maker>
 class SubjectGlue {
  public:
@@ -32,6 +33,9 @@ class SubjectGlue {
     static constexpr auto kSubjects = make_subjects(std::make_index_sequence<Maker::kFaults + 1>{});
     return *kSubjects[static_cast<std::size_t>(fault)];
   }
+
+  /// How often runs of this process have met the fault.
+  static FaultCount count(Fault fault) { return counter(fault).count(); }
 
  private:
   struct Handle {
@@ -87,9 +91,18 @@ class SubjectGlue {
     if (handle == nullptr) return GONOGO_ERROR;
     auto& subject = *static_cast<Handle*>(handle);
     return guarded(subject.sink, [&]() -> int {
-      return Maker::run(subject.configuration, *subject.sink, subject.fault, subject.memory,
-                        {program.data, program.size});
+      Met met;
+      const Planted<Fault> planted(subject.fault, met);
+      const int answer = Maker::run(subject.configuration, *subject.sink, planted, subject.memory,
+                                    {program.data, program.size});
+      if (met.reached != 0) counter(subject.fault).add(met);
+      return answer;
     });
+  }
+
+  static MetCounter& counter(Fault fault) {
+    static std::array<MetCounter, Maker::kFaults + 1> all;
+    return all[static_cast<std::size_t>(fault)];
   }
 
   // Every run starts from power-on: nothing is left to reset.

@@ -31,27 +31,27 @@ char offset_of(std::size_t axis) {
 // NGC-ARC-01
 int sense_of(const Machine& machine, bool counterclockwise) {
   int sense = counterclockwise ? 1 : -1;
-  if (machine.has(Fault::kG18SenseFlipped) && machine.state.plane == 18) sense = -sense;
-  if (machine.has(Fault::kG3Clockwise)) sense = -1;
-  return sense;
+  if (machine.state.plane == 18) sense = machine.alters("g18-sense-flipped"_fault, sense, -sense);
+  return machine.alters("g3-clockwise"_fault, sense, -1);
 }
 
 // NGC-ARC-05
 int turns_of(Machine& machine, const Block& block) {
-  if (!block.has('P') || block.uses('P') || machine.has(Fault::kTurnsIgnored)) return 1;
+  if (!block.has('P') || block.uses('P') || machine.adds("turns-ignored"_fault)) return 1;
   const Decimal& written = block.number('P');
-  const std::optional<Fixed> whole = whole_turns(written, machine.whole);
+  const std::optional<Fixed> whole = machine.whole.turns(written);
   const Fixed count = whole.value_or(written.value / kOne);
-  const bool unchecked = machine.has(Fault::kTurnsUnchecked);
-  if ((whole ? *whole <= 0 : written.value < 0) && !unchecked) {
+  const bool negative = whole ? *whole <= 0 : written.value < 0;
+  const bool checked = (!negative && whole) || machine.spares("turns-unchecked"_fault);
+  if (negative && checked) {
     machine.complain(AlarmKind::kValueSign, 'P', block);
-  } else if (!whole && !unchecked) {
+  } else if (!whole && checked) {
     machine.complain(AlarmKind::kNotAnInteger, 'P', block);
   } else if (count > std::numeric_limits<std::int32_t>::max() - 1) {
     machine.complain(AlarmKind::kValueOutOfRange, 'P', block);
   } else {
     const int turns = count < 1 ? 1 : static_cast<int>(count);
-    return machine.has(Fault::kTurnExtra) ? turns + 1 : turns;
+    return machine.alters("turn-extra"_fault, turns, turns + 1);
   }
   return 1;
 }
@@ -68,11 +68,10 @@ void put_centre(Machine& machine, const Block& block, const Chord& from_start, S
 void take_radius(Machine& machine, const Block& block, Sketch& sketch) {
   const Fixed radius = length_of(machine, block, 'R');
   if (!sketch.to_plane_axis) return machine.complain(AlarmKind::kMissingWord, 'X', kNowhere);
-  const bool long_way = radius < 0 && !machine.has(Fault::kRadiusSignIgnored);
-  const bool left_always = machine.has(Fault::kRadiusCentreLeft);
+  const bool long_way = machine.spares("radius-sign-ignored"_fault, radius < 0);
+  const bool left = machine.alters("radius-centre-left"_fault, sketch.counterclockwise, true);
   Chord centre;
-  switch (centre_from_radius(sketch.chord, radius, sketch.counterclockwise || left_always, long_way,
-                             centre)) {
+  switch (centre_from_radius(sketch.chord, radius, left, long_way, centre)) {
     case CircleDefect::kNoChord:
       return machine.complain(AlarmKind::kArcEndPoint, 'R', block);
     case CircleDefect::kRadiusTooShort: {
@@ -80,7 +79,7 @@ void take_radius(Machine& machine, const Block& block, Sketch& sketch) {
       const Wide reach = 2 * (static_cast<Wide>(magnitude(radius)) + kSmallestRadius);
       const bool forgiven =
           machine.configuration.forgiving_arcs && sketch.chord.square() <= reach * reach;
-      if (!forgiven && !machine.has(Fault::kShortRadiusForgiven)) {
+      if (!machine.alters("short-radius-forgiven"_fault, forgiven, true)) {
         return machine.complain(AlarmKind::kArcRadius, 'R', block);
       }
       centre = {sketch.chord.p / 2, sketch.chord.q / 2};
@@ -95,12 +94,13 @@ void take_radius(Machine& machine, const Block& block, Sketch& sketch) {
 // One coordinate of the centre. NGC-DIS-01: G91.1 counts from the start, G90.1 is absolute.
 Fixed centre_along(Machine& machine, const Block& block, std::size_t axis, char address) {
   const Fixed start = machine.state.position[axis];
-  const bool absolute = (machine.state.absolute_centre || machine.has(Fault::kOffsetsAbsolute)) &&
-                        !machine.has(Fault::kAbsoluteCentreIgnored);
   if (!block.has(address)) return start;
-  const Fixed length = machine.has(Fault::kInchOffsetsUnscaled)
-                           ? block.number(address).value
-                           : length_of(machine, block, address);
+  const bool absolute =
+      machine.spares("absolute-centre-ignored"_fault,
+                     machine.alters("offsets-absolute"_fault, machine.state.absolute_centre, true));
+  const Fixed length =
+      machine.alters("inch-offsets-unscaled"_fault, length_of(machine, block, address),
+                     block.number(address).value);
   const Wide place = absolute ? Wide{length} : Wide{start} + length;
   if (fits(place)) return static_cast<Fixed>(place);
   machine.complain(AlarmKind::kValueOutOfRange, address, block);
@@ -130,7 +130,7 @@ bool check_centre_words(Machine& machine, const Block& block, const Sketch& sket
 // 0.08 and 0.000008 in2 of the other.
 RadiusTolerance tolerance_of(const Machine& machine) {
   constexpr Wide kSquareMillimetre = static_cast<Wide>(kOne) * kOne;
-  const bool inch = machine.state.inch && !machine.has(Fault::kInchToleranceMillimetres);
+  const bool inch = machine.spares("inch-tolerance-millimetres"_fault, machine.state.inch);
   if (!machine.configuration.forgiving_arcs) return {squared(inch ? 5'080'000 : 2'000'000), -1};
   const Wide always = inch ? kSquareMillimetre * 516'128 / 10'000 : 8 * kSquareMillimetre;
   const Wide relative =
@@ -163,12 +163,14 @@ void check_radii(Machine& machine, const Block& block, Sketch& sketch) {
                              ? start_square < smallest || end_square < smallest
                              : start_square == 0;
   if (no_circle) machine.complain(AlarmKind::kArcRadius, word, block);
-  const bool strict = machine.has(Fault::kEndPointEqualityRefused);
-  if (!machine.has(Fault::kEndPointUnchecked) &&
-      too_far_apart(start_square, end_square, tolerance_of(machine), strict)) {
+  const RadiusTolerance tolerance = tolerance_of(machine);
+  const bool apart = machine.alters("end-point-equality-refused"_fault,
+                                    too_far_apart(start_square, end_square, tolerance, false),
+                                    too_far_apart(start_square, end_square, tolerance, true));
+  if (machine.spares("end-point-unchecked"_fault, apart)) {
     machine.complain(AlarmKind::kArcEndPoint, word, block);
   }
-  if (machine.has(Fault::kEndOntoCircle)) {
+  if (machine.adds("end-onto-circle"_fault, start_square != end_square)) {
     move_end_onto_circle(sketch, end, start_square, end_square);
   }
 }
@@ -176,7 +178,7 @@ void check_radii(Machine& machine, const Block& block, Sketch& sketch) {
 // NGC-ARC-02
 void take_centre(Machine& machine, const Block& block, Sketch& sketch) {
   if (!check_centre_words(machine, block, sketch)) return;
-  const bool swapped = machine.has(Fault::kG18OffsetsSwapped) && sketch.plane.number == 18;
+  const bool swapped = machine.adds("g18-offsets-swapped"_fault, sketch.plane.number == 18);
   const char first = offset_of(swapped ? sketch.plane.q : sketch.plane.p);
   const char second = offset_of(swapped ? sketch.plane.p : sketch.plane.q);
   sketch.arc.centre_p = centre_along(machine, block, sketch.plane.p, first);
@@ -188,13 +190,13 @@ void take_centre(Machine& machine, const Block& block, Sketch& sketch) {
 void spoil_helix(const Machine& machine, Sketch& sketch) {
   Point& to = sketch.arc.to;
   const std::size_t third = sketch.plane.d;
-  if (machine.has(Fault::kHelixFlat)) to[third] = sketch.from[third];
-  if (machine.has(Fault::kHelixZInG18) && third == GONOGO_Y &&
-      (sketch.arc.axes & axis_bit(third)) != 0) {
+  to[third] = machine.alters("helix-flat"_fault, to[third], sketch.from[third]);
+  const bool along_y = third == GONOGO_Y && (sketch.arc.axes & axis_bit(third)) != 0;
+  if (machine.adds("helix-z-in-g18"_fault, along_y)) {
     to[GONOGO_Z] = to[third];
     to[third] = sketch.from[third];
   }
-  if (machine.has(Fault::kArcRotaryDropped)) {
+  if (machine.adds("arc-rotary-dropped"_fault, (sketch.arc.axes & ~kLinearAxes) != 0)) {
     sketch.arc.axes &= kLinearAxes;
     to[GONOGO_A] = sketch.from[GONOGO_A];
     to[GONOGO_C] = sketch.from[GONOGO_C];
@@ -227,7 +229,7 @@ void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
     machine.complain(AlarmKind::kMissingWord, 'R', kNowhere);
   }
   if (machine.in_alarm()) return;
-  if (machine.has(Fault::kFullCircleDropped) && chord.square() == 0) return;
+  if (machine.adds("full-circle-dropped"_fault, chord.square() == 0)) return;
   spoil_helix(machine, sketch);
   plan.motion = sketch.arc;
 }

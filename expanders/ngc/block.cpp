@@ -34,14 +34,17 @@ bool is_function(std::string_view rest) {
 // The construct at the start of `rest`, where no word could be read; empty: none.
 std::string_view macro_at(std::string_view rest) {
   if (rest.empty()) return {};
-  if (rest[0] == '#' || rest[0] == '[' || rest[0] == 'O' || rest[0] == 'o')
-    return rest.substr(0, 1);
-  if (!is_letter(rest[0])) return {};
+  if (std::string_view("#[Oo").find(rest[0]) != std::string_view::npos) return rest.substr(0, 1);
+  // NGC-CYC-17, NGC-G76-13: words of polar places and of another spindle.
+  const bool special = rest[0] == '@' || rest[0] == '^' || rest[0] == '$';
+  if (!is_letter(rest[0]) && !special) return {};
   rest.remove_prefix(1);
   while (!rest.empty() && is_blank(rest[0])) rest.remove_prefix(1);
   if (!rest.empty() && (rest[0] == '-' || rest[0] == '+')) rest.remove_prefix(1);
-  const bool begins = !rest.empty() && (rest[0] == '#' || rest[0] == '[' || is_function(rest));
-  return begins ? rest.substr(0, 1) : std::string_view{};
+  const std::string_view begins = special ? "#[.0123456789" : "#[";
+  const bool macro =
+      !rest.empty() && (begins.find(rest[0]) != std::string_view::npos || is_function(rest));
+  return macro ? rest.substr(0, 1) : std::string_view{};
 }
 
 // NGC-COM-07: `%` with nothing but blanks beside it.
@@ -102,12 +105,14 @@ Block::Reading Block::unreadable(std::string_view rest) {
   return macro_.empty() ? Reading::kSyntax : Reading::kMacro;
 }
 
-Block::Reading Block::read(std::string_view line, Manner manner) {
+Block::Reading Block::read(std::string_view line, const Manner& manner) {
   clear();
   if (line.size() > kLongestLine) return Reading::kSyntax;
   copy_without_blanks(line, line_);
   if (line_.empty()) return Reading::kBlank;
-  const Reading reading = read_words(manner.blanks_end_numbers ? line : line_, manner);
+  const std::string_view text =
+      manner.faults.alters("blanks-end-numbers"_fault, std::string_view(line_), line);
+  const Reading reading = read_words(text, manner);
   if (reading == Reading::kWords) settle_motion(manner);
   return reading;
 }
@@ -126,7 +131,9 @@ Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
         return is_alone(line) ? Reading::kTapeMark : Reading::kSyntax;
       case Token::kSkip:
         if (position != 0 || follows_comment(line, tokens.from_token())) return Reading::kSyntax;
-        if (manner.block_delete) return Reading::kSkipped;
+        if (manner.faults.alters("block-delete-always"_fault, manner.block_delete, true)) {
+          return Reading::kSkipped;
+        }
         break;
       case Token::kWord:
         if (word.address == 'O') {
@@ -137,7 +144,9 @@ Block::Reading Block::read_words(std::string_view line, const Manner& manner) {
           return unreadable(rest);
         }
         last_address_ = word.address;
-        if (manner.capitals_only && is_small(tokens.from_token())) return Reading::kSyntax;
+        if (is_small(tokens.from_token()) && manner.faults.adds("capitals-only"_fault)) {
+          return Reading::kSyntax;
+        }
         if (word.address != 'N') {
           take(word, position, manner.whole);
         } else if (!first_word || !take_line_number(tokens, word, manner) ||
@@ -159,13 +168,14 @@ bool Block::take_line_number(const Tokenizer& tokens, const Word& word, const Ma
   long_number_ = text.size() > whole || word.number.overflow || word.number.value > 99'999 * kOne;
   if (text.size() == whole) return true;
   const std::size_t decimals = digits_at(text, whole + 1);
-  return (decimals > 0 || manner.open_line_numbers) && whole + 1 + decimals == text.size();
+  return (decimals > 0 || manner.faults.adds("open-line-numbers"_fault)) &&
+         whole + 1 + decimals == text.size();
 }
 
-void Block::take(const Word& word, Position position, const WholeRule& whole) {
-  if (word.address == 'G') return take_code(whole_tenths(word.number, whole), position);
+void Block::take(const Word& word, Position position, const WholeNumbers& whole) {
+  if (word.address == 'G') return take_code(whole.tenths(word.number), position);
   if (word.address == 'M') {
-    functions_.push_back({whole_function(word.number, whole), word.number.overflow, position});
+    functions_.push_back({whole.function(word.number), word.number.overflow, position});
     return;
   }
   if (words_.has(word.address)) return note_duplicate(word.address, position);
@@ -201,12 +211,12 @@ void Block::settle_motion(const Manner& manner) {
   const Motions& found = motions_;
   const Code*& motion = codes_[static_cast<std::size_t>(Group::kMotion)];
   motion = found.code != nullptr ? found.code : found.off;
-  if (manner.last_motion_wins) {
-    motion = found.last;
-    return;
-  }
+  if (found.codes + found.offs <= 1) return;
+  motion = manner.faults.alters("last-motion-wins"_fault, motion, found.last);
   const bool forgiven = manner.forgets_g80 && found.codes <= 1;
-  if (found.codes + found.offs > 1 && !forgiven) note_duplicate('G', found.second);
+  if (!forgiven && manner.faults.spares("last-motion-wins"_fault)) {
+    note_duplicate('G', found.second);
+  }
 }
 
 void Block::note_duplicate(char address, Position position) {

@@ -37,18 +37,15 @@ class Block {
     kSyntax
   };
 
-  /// How lines are read, faults included.
+  /// How lines are read.
   struct Manner {
     bool block_delete = false;
-    bool capitals_only = false;
     bool forgets_g80 = false;
-    bool last_motion_wins = false;
-    bool blanks_end_numbers = false;
-    bool open_line_numbers = false;  // 10. is one
-    const WholeRule& whole;
+    const WholeNumbers& whole;
+    const Faults& faults;
   };
 
-  Reading read(std::string_view line, Manner manner);
+  Reading read(std::string_view line, const Manner& manner);
 
   bool has(char address) const { return words_.has(address); }
   bool has_any(AddressSet addresses) const { return words_.any_of(addresses); }
@@ -100,7 +97,7 @@ class Block {
   bool take_line_number(const Tokenizer& tokens, const Word& word, const Manner& manner);
   void take_motion(const Code& code, Position position);
   void settle_motion(const Manner& manner);
-  void take(const Word& word, Position position, const WholeRule& whole);
+  void take(const Word& word, Position position, const WholeNumbers& whole);
   void take_code(std::optional<Fixed> tenths, Position position);
   void note_duplicate(char address, Position position);
 

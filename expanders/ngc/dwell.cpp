@@ -8,7 +8,7 @@ void prepare_dwell(Machine& machine, const Block& block, Plan& plan) {
   if (!block.has('P')) return machine.complain(AlarmKind::kMissingWord, 'P', kNowhere);
   const Fixed seconds = block.number('P').value;
   if (seconds < 0) return machine.complain(AlarmKind::kValueSign, 'P', block);
-  const Fixed parts = machine.has(Fault::kDwellInMilliseconds) ? 1000 : 1;
+  const auto parts = machine.alters<Fixed>("dwell-in-milliseconds"_fault, 1, 1000);
   plan.dwell = static_cast<Fixed>(scaled(seconds, 1, parts));
 }
 

@@ -9,8 +9,8 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
-constexpr AddressSet kAxisWords{"XYZAC"};
-constexpr AddressSet kCentreWords{"IJK"};
+// Words whose size matters to the path; of the others any number of digits will do.
+constexpr AddressSet kMeasured{"XYZACIJKRPF"};
 
 bool is_end(Fixed m) {
   return m == 2 || m == 30;
@@ -24,15 +24,16 @@ bool is_after_motion(Fixed m) {
 }  // namespace
 
 gonogo_answer Interpreter::run(std::string_view program) {
-  const bool pairs_twice = machine_.has(Fault::kCrLfCountedTwice);
-  const Counting counting = pairs_twice ? Counting::kPairTwice : Counting::kAll;
+  const bool pairs = program.find("\r\n") != std::string_view::npos;
+  const Counting counting =
+      machine_.adds("cr-lf-counted-twice"_fault, pairs) ? Counting::kPairTwice : Counting::kAll;
   std::uint64_t& line = machine_.state.line;
   Flow flow =
       run_lines(program, counting, line, [this](std::string_view text) { return run_line(text); });
   if (flow == Flow::kContinue) flow = check_end();
-  const unsigned late = machine_.has(Fault::kAlarmNextBlock) ? 1 : 0;
   auto send_alarm = [&] {
-    machine_.tracer.alarm(text_of(machine_.alarm().kind), machine_.alarm().word, line + late);
+    const std::uint64_t block = machine_.alters("alarm-next-block"_fault, line, line + 1);
+    machine_.tracer.alarm(machine_.alarm().kind, machine_.alarm().word, block);
   };
   return close_program(flow, send_alarm, [this] { return machine_.tracer.end(); });
 }
@@ -40,23 +41,18 @@ gonogo_answer Interpreter::run(std::string_view program) {
 // NGC-COM-08
 Flow Interpreter::check_end() {
   machine_.state.line = std::max<std::uint64_t>(machine_.state.line, 1);
-  const bool closed = opened_ && machine_.has(Fault::kSecondTapeMarkOptional);
-  if (ended_ || closed || machine_.configuration.needs_no_end) return Flow::kContinue;
+  if (ended_ || machine_.configuration.needs_no_end) return Flow::kContinue;
+  if (opened_ && machine_.adds("second-tape-mark-optional"_fault)) return Flow::kContinue;
   machine_.complain(AlarmKind::kProgramEnd);
   return Flow::kAlarm;
 }
 
 Block::Manner Interpreter::manner() const {
-  return {
-      .block_delete =
-          machine_.configuration.block_delete || machine_.has(Fault::kBlockDeleteAlways),
-      .capitals_only = machine_.has(Fault::kCapitalsOnly),
-      .forgets_g80 = machine_.configuration.forgets_g80,
-      .last_motion_wins = machine_.has(Fault::kLastMotionWins),
-      .blanks_end_numbers = machine_.has(Fault::kBlanksEndNumbers),
-      .open_line_numbers = machine_.has(Fault::kOpenLineNumbers),
-      .whole = machine_.whole,
-  };
+  const Configuration& configuration = machine_.configuration;
+  return {.block_delete = configuration.block_delete,
+          .forgets_g80 = configuration.forgets_g80 != 0,
+          .whole = machine_.whole,
+          .faults = machine_};
 }
 
 Flow Interpreter::refuse_line() {
@@ -69,7 +65,7 @@ Flow Interpreter::run_line(std::string_view line) {
   if (reading == Block::Reading::kBlank) return Flow::kContinue;
   const bool first = !any_line_;
   const bool comment = reading == Block::Reading::kWords && block_.empty();
-  if (!(comment && machine_.has(Fault::kTapeMarkAfterComment))) any_line_ = true;
+  if (!comment || machine_.spares("tape-mark-after-comment"_fault)) any_line_ = true;
   switch (reading) {
     case Block::Reading::kSyntax:
       return refuse_line();
@@ -79,7 +75,7 @@ Flow Interpreter::run_line(std::string_view line) {
       return run_tape_mark(first);
     case Block::Reading::kName:
       if (machine_.configuration.refuses_names) return refuse_line();
-      return machine_.has(Fault::kNameEndsProgram) ? Flow::kEnd : Flow::kContinue;
+      return machine_.alters("name-ends-program"_fault, Flow::kContinue, Flow::kEnd);
     case Block::Reading::kBlank:
     case Block::Reading::kSkipped:
       return Flow::kContinue;
@@ -96,9 +92,9 @@ Flow Interpreter::run_tape_mark(bool first) {
     opened_ = true;
     return Flow::kContinue;
   }
-  if (!opened_ && !machine_.has(Fault::kTapeMarkAnywhere)) return refuse_line();
+  if (!opened_ && machine_.spares("tape-mark-anywhere"_fault)) return refuse_line();
   ended_ = true;
-  return machine_.has(Fault::kTapeMarkIgnored) ? Flow::kContinue : Flow::kEnd;
+  return machine_.alters("tape-mark-ignored"_fault, Flow::kEnd, Flow::kContinue);
 }
 
 // NGC-COM-05
@@ -114,7 +110,8 @@ Flow Interpreter::run_block() {
   if (machine_.in_alarm()) return Flow::kAlarm;
   Plan plan;
   prepare(plan);
-  return machine_.in_alarm() ? Flow::kAlarm : perform_plan(plan);
+  if (machine_.in_alarm() && !plan.alarms_late) return Flow::kAlarm;
+  return plan.outside.empty() ? perform_plan(plan) : unsupported(plan.outside);
 }
 
 Flow Interpreter::unsupported(std::string_view what) {
@@ -134,6 +131,10 @@ Flow Interpreter::check_coverage() {
   for (const char address : {'B', 'U', 'V', 'W'}) {
     if (block_.has(address)) return unsupported({&address, 1});
   }
+  const Code* code = block_.code(Group::kMotion);
+  const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : machine_.state.motion;
+  const bool synchronous = motion == Motion::kG33 || motion == Motion::kG331;
+  if (synchronous && block_.has_any(kRotaryWords)) return unsupported("G33 with a rotary axis");
   for (const FunctionWord& word : block_.functions()) {
     if (word.number && find_function(*word.number) == Function::kOutside) {
       return unsupported('M', static_cast<unsigned>(*word.number * 10));
@@ -150,7 +151,7 @@ void Interpreter::check_block() {
     return machine_.complain(AlarmKind::kDuplicateWord, block_.duplicate(),
                              block_.duplicate_position());
   }
-  check_sizes(machine_, block_);
+  check_sizes(machine_, block_, kMeasured);
 }
 
 bool Interpreter::check_functions() {
@@ -173,113 +174,14 @@ bool Interpreter::check_functions() {
   return true;
 }
 
-// NGC-MOD-01: in a fixed order, whatever that of the line.
-void Interpreter::prepare(Plan& plan) {
-  const bool feed_last = machine_.has(Fault::kFeedAfterMotion);
-  const bool plane_last = machine_.has(Fault::kPlaneAfterMotion);
-  const int plane = machine_.state.plane;
-  if (!feed_last) take_feed();
-  if (block_.has_dwell()) prepare_dwell(machine_, block_, plan);
-  take_modes();
-  const int coming = machine_.state.plane;
-  if (plane_last) machine_.state.plane = plane;
-  take_distance();
-  take_motion();
-  prepare_motion(plan);
-  machine_.state.plane = coming;
-  if (feed_last) take_feed();
-  if (machine_.has(Fault::kMotionLostAfterDwell) && block_.has_dwell()) {
-    machine_.state.motion = Motion::kNone;
-  }
-}
-
-// F counts in the units of the block before: G20 and G21 act later.
-void Interpreter::take_feed() {
-  if (!block_.has('F')) return;
-  const Fixed written = block_.number('F').value;
-  if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
-  const bool unscaled = machine_.has(Fault::kInchFeedUnscaled);
-  machine_.state.feed.linear = unscaled ? written : length_of(machine_, block_, 'F');
-  machine_.state.feed.rotary = written;
-}
-
-void Interpreter::take_modes() {
-  State& state = machine_.state;
-  if (const Code* code = block_.code(Group::kPlane)) state.plane = code->tenths / 10;
-  if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 200;
-}
-
-void Interpreter::take_distance() {
-  State& state = machine_.state;
-  if (const Code* code = block_.code(Group::kDistance)) {
-    const bool latched = machine_.has(Fault::kG91IgnoredAfterG90) && state.seen_absolute;
-    state.incremental = code->tenths == 910 && !latched;
-    state.seen_absolute = state.seen_absolute || code->tenths == 900;
-  }
-  if (const Code* code = block_.code(Group::kArcDistance)) {
-    state.absolute_centre = code->tenths == 901;
-  }
-}
-
-void Interpreter::take_motion() {
-  const Code* code = block_.code(Group::kMotion);
-  if (code == nullptr) return;
-  const Motion motion = motion_of(code->tenths / 10);
-  if (motion == Motion::kNone && machine_.has(Fault::kG80KeepsMotion)) return;
-  machine_.state.motion = motion;
-}
-
-// An arc by its code, by an axis word or, alone, by I J K (NGC-ARC-06).
-bool Interpreter::moves_in_arc() const {
-  const Motion motion = machine_.state.motion;
-  if (motion != Motion::kArcClockwise && motion != Motion::kArcCounterclockwise) return false;
-  if (block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords)) return true;
-  const bool alone = block_.has_any(kCentreWords) && !machine_.has(Fault::kArcWordsNeedCode);
-  return alone && !machine_.configuration.arc_needs_axis;
-}
-
-// NGC-COM-02
-void Interpreter::check_uses() {
-  static constexpr AddressSet kOfArcs{"IJKRP"};
-  static constexpr AddressSet kOfCodes{"DEHIJKLPQR"};
-  if (machine_.configuration.passes_over_words || machine_.has(Fault::kUnusedWordPassed)) return;
-  const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);
-  if (!moves && machine_.has(Fault::kUnusedAlonePassed)) return;
-  const bool arc = moves_in_arc();
-  const Motion motion = machine_.state.motion;
-  const bool of_arc = motion == Motion::kArcClockwise || motion == Motion::kArcCounterclockwise;
-  const bool forgets = of_arc && !moves && machine_.has(Fault::kArcWordsNeedCode);
-  for (char address = 'A'; address <= 'Z'; ++address) {
-    if (!block_.has(address) || !kOfCodes.has(address)) continue;
-    if ((arc && kOfArcs.has(address)) || block_.uses(address)) continue;
-    if (forgets && kCentreWords.has(address)) continue;
-    machine_.complain(AlarmKind::kUnusedWord, address, block_);
-  }
-}
-
-void Interpreter::prepare_motion(Plan& plan) {
-  check_uses();
-  switch (machine_.state.motion) {
-    case Motion::kNone:
-      if (block_.has_any(kAxisWords)) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);
-      return;
-    case Motion::kRapid:
-    case Motion::kLine:
-      return prepare_line(machine_, block_, plan);
-    case Motion::kArcClockwise:
-    case Motion::kArcCounterclockwise:
-      if (moves_in_arc()) prepare_arc(machine_, block_, plan);
-      return;
-  }
-}
-
 Flow Interpreter::perform_plan(const Plan& plan) {
   const Flow before = run_functions(true);
   if (before != Flow::kContinue) return before;
   if (!machine_.tracer.dwell(plan.dwell)) return Flow::kStopped;
   const bool goes_on =
       std::visit([&](const auto& motion) { return perform(machine_, motion); }, plan.motion);
-  return goes_on ? run_functions(false) : Flow::kStopped;
+  if (!goes_on) return Flow::kStopped;
+  return plan.alarms_late ? Flow::kAlarm : run_functions(false);
 }
 
 // The M functions of the block that run before or after its motion, and the end of the program.
@@ -290,7 +192,7 @@ Flow Interpreter::run_functions(bool before) {
     if (!machine_.tracer.function(static_cast<int>(m))) return Flow::kStopped;
     if (!is_end(m)) continue;
     ended_ = true;
-    if (!machine_.has(Fault::kEndIgnored)) return Flow::kEnd;
+    if (machine_.spares("end-ignored"_fault)) return Flow::kEnd;
   }
   return Flow::kContinue;
 }

@@ -11,8 +11,8 @@ namespace gonogo::expanders::ngc {
 /// the order of their action, checks, moves. Uses no memory that grows with the program.
 class Interpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, Fault fault)
-      : machine_(configuration, sink, fault) {}
+  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, const Faults& planted)
+      : machine_(configuration, sink, planted) {}
 
   /// What `run` of the C interface answers.
   gonogo_answer run(std::string_view program);
@@ -32,10 +32,13 @@ class Interpreter {
   bool check_functions();
   void prepare(Plan& plan);
   void take_feed();
+  void take_spindle();
   void take_modes();
   void take_distance();
   void take_motion();
-  bool moves_in_arc() const;
+  void take_retract();
+  void remember_steps();
+  bool runs_motion() const;
   void check_uses();
   void prepare_motion(Plan& plan);
   Flow perform_plan(const Plan& plan);

@@ -14,7 +14,7 @@ void check_bare(Machine& machine, const Block& block, bool cut) {
   if (block.code(Group::kMotion) == nullptr) return;
   if (machine.configuration.motion_needs_axis) {
     machine.complain(AlarmKind::kMissingWord, 'X', kNowhere);
-  } else if (cut && machine.state.feed.linear == 0 && !machine.has(Fault::kBareFeedUnchecked)) {
+  } else if (cut && machine.spares("bare-feed-unchecked"_fault, machine.state.feed.linear == 0)) {
     machine.complain(AlarmKind::kFeedMissing);
   }
 }
@@ -30,7 +30,7 @@ void prepare_line(Machine& machine, const Block& block, Plan& plan) {
   if (line.axes == 0) return check_bare(machine, block, line.cut);
   if (line.cut && state.feed.linear == 0) machine.complain(AlarmKind::kFeedMissing);
   const bool linear =
-      moves_straight(state.position, line.to) || machine.has(Fault::kRotaryFeedScaled);
+      machine.alters("rotary-feed-scaled"_fault, moves_straight(state.position, line.to), true);
   line.feed.value = linear ? state.feed.linear : state.feed.rotary;
   plan.motion = line;
 }

@@ -2,23 +2,68 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "expanders/ngc/configuration.hpp"
 
 namespace gonogo::expanders::ngc {
 
-/// Modal code of the motion group.
-enum class Motion { kNone, kRapid, kLine, kArcClockwise, kArcCounterclockwise };
+/// Code of the motion group in force, in tenths.
+enum class Motion : std::uint16_t {
+  kRapid = 0,
+  kLine = 10,
+  kArcClockwise = 20,
+  kArcCounterclockwise = 30,
+  kG33 = 330,
+  kG331 = 331,
+  kG73 = 730,
+  kG74 = 740,
+  kG76 = 760,
+  kNone = 800,
+  kG81 = 810,
+  kG82 = 820,
+  kG83 = 830,
+  kG84 = 840,
+  kG85 = 850,
+  kG86 = 860,
+  kG89 = 890
+};
 
-/// `code`: 0 to 3; any other (G80, a negative number) is none.
-inline constexpr Motion motion_of(int code) {
-  return code >= 0 && code <= 3 ? static_cast<Motion>(code + 1) : Motion::kNone;
+inline constexpr bool is_arc(Motion motion) {
+  return motion == Motion::kArcClockwise || motion == Motion::kArcCounterclockwise;
+}
+
+/// G73, G74 and G81 to G89.
+inline constexpr bool is_cycle(Motion motion) {
+  return motion > Motion::kNone || motion == Motion::kG73 || motion == Motion::kG74;
 }
 
 /// F in force; 0: none.
 struct FeedRate {
   Fixed linear = 0;  ///< mm a minute
   Fixed rotary = 0;  ///< degrees a minute: the number as it was written
+  bool operator==(const FeedRate&) const = default;
+};
+
+/// What one block of a hole cycle hands to the next (NGC-CYC-03, 08).
+struct CycleStore {
+  // Numbers as they were written; nothing: not yet.
+  std::optional<Fixed> r;
+  std::optional<Fixed> depth;  // of the third axis
+  std::optional<Fixed> p;
+  std::optional<Fixed> q;
+  // The same two as places, for the reading ngc.cycle.sticky.
+  Fixed r_level = 0;
+  Fixed bottom = 0;
+};
+
+/// What some planted faults remember.
+struct Leftovers {
+  bool absolute = false;         // there was a G90
+  Point steps{};                 // the last word of each axis
+  std::optional<Fixed> count;    // L
+  std::optional<Fixed> lead;     // K
+  std::optional<FeedRate> feed;  // before a cycle
 };
 
 /// All that one block hands to the next.
@@ -28,7 +73,10 @@ struct State {
         inch(configuration.inch),
         plane(configuration.plane),
         feed{configuration.feed, configuration.feed},
-        motion(motion_of(configuration.motion)) {}
+        motion(configuration.motion < 0 ? Motion::kNone
+                                        : static_cast<Motion>(configuration.motion * 10)),
+        to_initial(configuration.starts_with_g98 != 0),
+        spindle(configuration.spindle) {}
 
   Point position;
   bool inch;
@@ -37,8 +85,17 @@ struct State {
   int plane;
   FeedRate feed;
   Motion motion;
-  bool seen_absolute = false;  // a G90, for the fault that latches it
+  bool first = true;  // the block before had another motion code in force
+  bool to_initial;    // G98
+  int spindle;        // M3, M4 or M5
   std::uint64_t line = 0;
+
+  CycleStore cycle;
+  Fixed dwell = 0;  // the last P of a cycle (reading ngc.tap.p)
+  bool in_series = false;
+  Fixed initial = 0;             // initial level of the series, mm
+  bool initial_in_inch = false;  // units in which it was taken
+  Leftovers leftovers;
 };
 
 }  // namespace gonogo::expanders::ngc

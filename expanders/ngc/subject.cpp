@@ -18,7 +18,9 @@ struct Ngc {
   static constexpr std::string_view kDescription =
       R"({"protocol":1,"subject":{"name":"gonogo-ngc","version":"0.1.0"},)"
       R"("dialects":{"rs274":["basic","arc","arc-r","planes","helix","arc-distance","turns",)"
-      R"("lines"]},)"
+      R"("lines",)"
+      R"("g81","g73","g83","g84","g74","g85","g86","cycle-modal","cycle-steps","cycle-planes",)"
+      R"("g33","g33.1","g76"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
       R"("max_in_flight":1})";
@@ -29,12 +31,13 @@ struct Ngc {
   }
 
   static gonogo_answer run(const Configuration& configuration, const gonogo_sink_v1& sink,
-                           Fault fault, Memory& last_feed, std::string_view program) {
-    Interpreter interpreter(configuration, sink, fault);
+                           const Faults& planted, Memory& last_feed, std::string_view program) {
+    Interpreter interpreter(configuration, sink, planted);
     State& state = interpreter.machine().state;
-    if (last_feed.linear != 0) state.feed = last_feed;
+    state.feed = interpreter.machine().alters("feed-survives-reset"_fault, state.feed,
+                                              last_feed.linear != 0 ? last_feed : state.feed);
     const gonogo_answer answer = interpreter.run(program);
-    if (fault == Fault::kFeedSurvivesReset) last_feed = state.feed;
+    last_feed = state.feed;
     return answer;
   }
 };
@@ -43,6 +46,10 @@ struct Ngc {
 
 const gonogo_subject_v1& subject(Fault fault) {
   return SubjectGlue<Ngc>::subject(fault);
+}
+
+FaultCount count(Fault fault) {
+  return SubjectGlue<Ngc>::count(fault);
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -4,6 +4,12 @@
 namespace gonogo::expanders::ngc {
 namespace {
 
+// In counts of the number as it is written, by the outcomes of ngc.whole. A G code is whole in
+// tenths: as it is written, its limit is a tenth.
+constexpr Fixed kCodeLimits[] = {0, kOne / 100'000, kOne / 10'000};
+constexpr Fixed kFunctionLimits[] = {0, kOne / 10'000, kOne / 10'000};
+constexpr Fixed kTurnLimits[] = {0, kOne / 10'000, kOne / 1'000};
+
 // Of a number that lies `rest` counts beside a whole step, to the nearest count: whether what was
 // written lies further away than `rest` says.
 bool lies_beyond(const Decimal& number, Fixed rest) {
@@ -13,9 +19,24 @@ bool lies_beyond(const Decimal& number, Fixed rest) {
   return points_away_from_0 != number.rounded_up;
 }
 
+}  // namespace
+
+std::optional<Fixed> WholeNumbers::tenths(const Decimal& code) const {
+  const Fixed limit =
+      faults_.alters("code-limit-unscaled"_fault, kCodeLimits[reading_], kFunctionLimits[reading_]);
+  return steps(code, kOne / 10, limit);
+}
+
+std::optional<Fixed> WholeNumbers::function(const Decimal& number) const {
+  return steps(number, kOne, kFunctionLimits[reading_]);
+}
+
+std::optional<Fixed> WholeNumbers::turns(const Decimal& number) const {
+  return steps(number, kOne, kTurnLimits[reading_]);
+}
+
 // How many steps of `step` counts; `limit` is less than half a step.
-std::optional<Fixed> whole_steps(const Decimal& number, Fixed step, Fixed limit,
-                                 const WholeRule& rule) {
+std::optional<Fixed> WholeNumbers::steps(const Decimal& number, Fixed step, Fixed limit) const {
   if (number.overflow) return std::nullopt;
   Fixed steps = number.value / step;
   Fixed rest = number.value % step;
@@ -25,23 +46,10 @@ std::optional<Fixed> whole_steps(const Decimal& number, Fixed step, Fixed limit,
   }
   if (magnitude(rest) > limit) return std::nullopt;
   if (magnitude(rest) == limit) {
-    if (lies_beyond(number, rest) || (limit != 0 && rule.limit_refused)) return std::nullopt;
+    if (lies_beyond(number, rest)) return std::nullopt;
+    if (limit != 0 && faults_.adds("whole-limit-refused"_fault)) return std::nullopt;
   }
-  return rule.cut && rest < 0 ? steps - 1 : steps;
-}
-
-}  // namespace
-
-std::optional<Fixed> whole_tenths(const Decimal& code, const WholeRule& rule) {
-  return whole_steps(code, kOne / 10, rule.code, rule);
-}
-
-std::optional<Fixed> whole_function(const Decimal& number, const WholeRule& rule) {
-  return whole_steps(number, kOne, rule.function, rule);
-}
-
-std::optional<Fixed> whole_turns(const Decimal& number, const WholeRule& rule) {
-  return whole_steps(number, kOne, rule.turns, rule);
+  return faults_.alters("near-whole-cut"_fault, steps, steps - (rest < 0 ? 1 : 0));
 }
 
 }  // namespace gonogo::expanders::ngc

@@ -4,23 +4,30 @@
 #include <optional>
 
 #include "expanders/common/fixed.hpp"
+#include "expanders/ngc/configuration.hpp"
+#include "expanders/ngc/faults.hpp"
 
 namespace gonogo::expanders::ngc {
 
-/// How far a number that has to be whole may lie beside a whole one, in counts of the number as it
-/// is written; nil is the standard machine. And the faults of it.
-struct WholeRule {
-  Fixed code = 0;      ///< G, whole in tenths
-  Fixed function = 0;  ///< M
-  Fixed turns = 0;     ///< P of an arc
-  bool limit_refused = false;
-  bool cut = false;
-};
+/// Numbers that have to be whole (NGC-COM-01): how far one may lie beside a whole one is the
+/// reading ngc.whole.
+class WholeNumbers {
+ public:
+  WholeNumbers(Option reading, const Faults& faults) : reading_(reading), faults_(faults) {}
 
-// NGC-COM-01: the whole number that is meant; of a G code, of tenths. Nothing when the number lies
-// too far beside one or is too large.
-std::optional<Fixed> whole_tenths(const Decimal& code, const WholeRule& rule);
-std::optional<Fixed> whole_function(const Decimal& number, const WholeRule& rule);
-std::optional<Fixed> whole_turns(const Decimal& number, const WholeRule& rule);
+  // The whole number that is meant; of a G code, of tenths. Nothing when the number lies too far
+  // beside one or is too large.
+  std::optional<Fixed> tenths(const Decimal& code) const;
+  std::optional<Fixed> function(const Decimal& number) const;
+  std::optional<Fixed> turns(const Decimal& number) const;
+  /// L, and H of G76.
+  std::optional<Fixed> repeats(const Decimal& number) const { return function(number); }
+
+ private:
+  std::optional<Fixed> steps(const Decimal& number, Fixed step, Fixed limit) const;
+
+  Option reading_;
+  const Faults& faults_;
+};
 
 }  // namespace gonogo::expanders::ngc

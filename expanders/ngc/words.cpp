@@ -4,17 +4,6 @@
 #include "expanders/ngc/machine.hpp"
 
 namespace gonogo::expanders::ngc {
-namespace {
-
-// Words whose size matters to the path; of the others any number of digits will do.
-constexpr AddressSet kMeasured{"XYZACIJKRPF"};
-
-// NGC-UNI-01
-Fixed to_millimetres(Fixed value) {
-  return static_cast<Fixed>(scaled(value, 254, 10));
-}
-
-}  // namespace
 
 Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
   const State& state = machine.state;
@@ -24,31 +13,36 @@ Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
     const char address = kAxisAddress[axis];
     if (!block.has(address)) continue;
     axes |= axis_bit(axis);
-    const bool is_length =
-        (kLinearAxes & axis_bit(axis)) != 0 || machine.has(Fault::kInchRotaryScaled);
-    Wide place = is_length ? length_of(machine, block, address) : block.number(address).value;
+    const Fixed length = length_of(machine, block, address);
+    const Fixed degrees = block.number(address).value;
+    const bool linear = (kLinearAxes & axis_bit(axis)) != 0;
+    Wide place = linear ? length : machine.alters("inch-rotary-scaled"_fault, degrees, length);
     if (state.incremental) place += state.position[axis];
-    if (fits(place)) {
-      to[axis] = static_cast<Fixed>(place);
-    } else {
-      machine.complain(AlarmKind::kValueOutOfRange, address, block);
-    }
+    to[axis] = reached(machine, block, place, address);
   }
   return to;
 }
 
-Fixed length_of(const Machine& machine, const Block& block, char address) {
-  const Fixed written = block.number(address).value;
-  return machine.state.inch ? to_millimetres(written) : written;
+Fixed length_of(const Machine& machine, Fixed number) {
+  return machine.state.inch ? static_cast<Fixed>(scaled(number, 254, 10)) : number;
 }
 
-void check_sizes(Machine& machine, const Block& block) {
-  for (std::uint32_t bits = block.words().bits(); bits != 0; bits &= bits - 1) {
+Fixed length_of(const Machine& machine, const Block& block, char address) {
+  return length_of(machine, block.number(address).value);
+}
+
+Fixed reached(Machine& machine, const Block& block, Wide place, char address) {
+  if (fits(place)) return static_cast<Fixed>(place);
+  machine.complain(AlarmKind::kValueOutOfRange, address, block);
+  return 0;
+}
+
+void check_sizes(Machine& machine, const Block& block, AddressSet words) {
+  for (std::uint32_t bits = block.words().bits() & words.bits(); bits != 0; bits &= bits - 1) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));
-    if (!kMeasured.has(address)) continue;
     const Decimal& number = block.number(address);
-    // In inches no number grows by more than that; turns and seconds do not grow.
-    const bool fixed = address == 'P';
+    // In inches no number grows by more than that; turns, seconds and counts do not grow.
+    const bool fixed = address == 'P' || address == 'L' || address == 'H';
     if (number.overflow || !(fixed || fits(scaled(number.value, 254, 10)))) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }

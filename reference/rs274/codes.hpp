@@ -14,14 +14,14 @@ inline constexpr int kG33Point1 = 331;
 
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
-  int once = -1;          // 4
-  int motion = -1;        // 0 to 3, 33, kG33Point1, 73, 74, 76, 80 to 86, 89
-  int plane = -1;         // 17, 18, 19
-  int units = -1;         // 20, 21
-  int path_mode = -1;     // 61, 64
-  int distance = -1;      // 90, 91
-  int arc_distance = -1;  // 90, 91: G90.1, G91.1
-  int retract = -1;       // 98, 99
+  int once = -1;           // 4
+  int motion = -1;         // 0 to 3, 33, kG33Point1, 73, 74, 76, 80 to 86, 89
+  int plane = -1;          // 17, 18, 19
+  int units = -1;          // 20, 21
+  int path_mode = -1;      // 61, 64
+  int distance = -1;       // 90, 91
+  int arc_distance = -1;   // 90, 91: G90.1, G91.1
+  int retract = -1;        // 98, 99
   Letters of_motions = 0;  // of the words of the codes of motion, where there are several
 };
 

@@ -112,11 +112,10 @@ inline constexpr Code kRound =
     does(Kind::arc, Group::motion, "NGC-ARC-01"_clause, "arc", {kEnds, kArc}).used(kArcUse);
 inline constexpr Code kPause =
     does(Kind::dwell, Group::once, "NGC-G4-01"_clause, "basic", {kDwell});
+
 constexpr Code drills(std::string_view name, std::string_view title, ClauseId clause,
                       std::string_view feature, const WordLists& words) {
-  return does(Kind::cycle, Group::motion, clause, feature, words)
-      .used(kHoleUse)
-      .named(name, title);
+  return does(Kind::cycle, Group::motion, clause, feature, words).used(kHoleUse).named(name, title);
 }
 inline constexpr WordLists kPlain = {kHole};
 inline constexpr WordLists kDwelling = {kHole, kHoleDwell};

@@ -181,8 +181,7 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
 // The words that the codes of a block take.
 class WordTakers {
  public:
-  explicit WordTakers(const BlockContext& block)
-      : block_(block), own_(block.letters) {
+  explicit WordTakers(const BlockContext& block) : block_(block), own_(block.letters) {
     for (const grammar::Word& word : block.words.block().words) {
       if (word.address != 'M') continue;
       const Code* const function = m_function(m_number(word, block.readings).value_or(-1));
@@ -329,12 +328,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   take_feed(words);
   take_spindle(block);
   take_modes(codes);
-  BlockContext context{{machine_, words, profile_, readings_, line, out},
-                       machine_,
-                       words,
-                       codes,
-                       reading_.letters,
-                       runs_motion(machine_, words, codes, readings_)};
+  BlockContext context{
+      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
+      runs_motion(machine_, words, codes, readings_)};
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
                        !WordTakers{context}.beside_motion('P');
   run_block(context);

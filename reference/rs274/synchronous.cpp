@@ -10,10 +10,10 @@ namespace {
 bool leaves_out_rotary_axis(BlockContext& block, std::string_view code) {
   if (!block.words.has_rotary_axis_word()) return false;
   const char address = block.words.has('A') ? 'A' : 'C';
-  block.out.not_covered =
-      NotCovered{block.line, std::string(code),
-                 fmt::format("The gauge does not read {} with the word {} of a rotary axis.", code, address),
-                 block.words.word(address)->where};
+  block.out.not_covered = NotCovered{
+      block.line, std::string(code),
+      fmt::format("The gauge does not read {} with the word {} of a rotary axis.", code, address),
+      block.words.word(address)->where};
   return true;
 }
 

@@ -130,9 +130,9 @@ TEST(NgcAlarm, NothingOfTheBlockMoves) {
 
 TEST(NgcCoverage, OutsideGoesBeforeAlarms) {
   for (const char* block :
-       {"G5 X1",     "G33 Z1", "G38.2 Z1", "G81 X1 X2", "G17.1", "G93",      "G95",   "G41",
+       {"G5 X1",     "G87 Z1", "G38.2 Z1", "G88 X1 X2", "G17.1", "G93",      "G95",   "G41",
         "G42.1",     "G43 H1", "G55",      "G59.3",     "G96",   "G10 L2",   "G28",   "G30.1",
-        "G53 G0 X1", "G92 X0", "G92.2",    "G51",       "G7",    "G73 G999", "G0 B1", "U1",
+        "G53 G0 X1", "G92 X0", "G92.2",    "G51",       "G7",    "G55 G999", "G0 B1", "U1",
         "V1 F-1",    "W1",     "M98 P1",   "M99",       "M100",  "M199"}) {
     const Outcome outcome = run_ngc(std::string("G0 X1\n") + block + "\n");
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << block;
@@ -143,7 +143,7 @@ TEST(NgcCoverage, OutsideGoesBeforeAlarms) {
 
 TEST(NgcCoverage, NamesTheCode) {
   EXPECT_EQ(run_ngc("G38.2\n").note, "G38.2 is not implemented.");
-  EXPECT_EQ(run_ngc("G81\n").note, "G81 is not implemented.");
+  EXPECT_EQ(run_ngc("G87\n").note, "G87 is not implemented.");
   EXPECT_EQ(run_ngc("B1\n").note, "B is not implemented.");
   EXPECT_EQ(run_ngc("M98\n").note, "M98 is not implemented.");
 }

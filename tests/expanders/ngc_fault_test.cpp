@@ -77,11 +77,21 @@ const ProfiledExhibit kNgcReadingExhibits[] = {
     {"code-limit-unscaled", "G0.0001 X1\n", kNearIsWhole},
 };
 
+// The same, and that what the expander says of it tells so.
+template <typename AnyExhibit>
+void expect_shown_and_counted(const AnyExhibit& exhibit, const char* after_reset) {
+  const FaultCount before = count("ngc", exhibit.fault).value();
+  expect_shown(exhibit, "ngc", after_reset);
+  const FaultCount after = count("ngc", exhibit.fault).value();
+  EXPECT_GT(after.reached, before.reached);
+  EXPECT_GT(*after.triggered, *before.triggered);
+}
+
 class PlantedNgcFault : public ::testing::TestWithParam<Exhibit> {};
 class PlantedNgcReadingFault : public ::testing::TestWithParam<ProfiledExhibit> {};
 
 TEST_P(PlantedNgcReadingFault, Shows) {
-  expect_shown(GetParam(), "ngc", "G0 X1\n");
+  expect_shown_and_counted(GetParam(), "G0 X1\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcReadingFault, ::testing::ValuesIn(kNgcReadingExhibits),
@@ -89,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Ngc, PlantedNgcReadingFault, ::testing::ValuesIn(kNgcRe
 
 TEST_P(PlantedNgcFault, Shows) {
   // After the reset without a feed of its own.
-  expect_shown(GetParam(), "ngc", "G1 Z1\n");
+  expect_shown_and_counted(GetParam(), "G1 Z1\n");
 }
 
 TEST_P(PlantedNgcFault, IsTheOneThatItsNameSays) {
@@ -105,11 +115,13 @@ TEST(PlantedNgcFaults, EachHasItsProgram) {
   for (const ProfiledExhibit& exhibit : kNgcReadingExhibits) shown.insert(exhibit.fault);
   std::set<std::string_view> known;
   for (const FaultDescription& fault : faults("ngc")) {
-    known.insert(fault.name);
+    // Those of the cycles are shown in a file of their own.
+    const bool of_cycle = fault.clause.starts_with("NGC-CYC") ||
+                          (fault.clause.starts_with("NGC-G") && fault.clause != "NGC-G4-01");
+    if (!of_cycle) known.insert(fault.name);
     EXPECT_FALSE(fault.what.empty() || fault.clause.empty() || fault.models.empty());
   }
   EXPECT_EQ(shown, known);
-  EXPECT_EQ(known.size(), faults("ngc").size());
 }
 
 }  // namespace

@@ -42,9 +42,22 @@ TEST(ProgramFeatures, ThreeAxesOfAnArcAreAHelix) {
   EXPECT_EQ(features_of("rs274", "G1 X1 Y2 Z3\n"), (Features{"basic"}));
 }
 
+TEST(ProgramFeatures, AUseOfACodeMayNeedAFeature) {
+  EXPECT_EQ(features_of("rs274", "G81 X1 Z-1 R2\n"), (Features{"basic", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G81 X1 Z-1 R2\nX2\n"), (Features{"basic", "cycle-modal", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G81 X1 Z-1 R2\nF100\nG80\nG0 X2\n"), (Features{"basic", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G91 G81 X1 Z-1 R2\n"), (Features{"basic", "cycle-steps", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G81 X1 Z-1 R2 L2\n"), (Features{"basic", "cycle-steps", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G18 G81 Z1 Y-1 R2\n"),
+            (Features{"basic", "cycle-planes", "g81"}));
+  EXPECT_EQ(features_of("rs274", "G18 G2 X1 I1\n"), (Features{"arc", "basic", "planes"}));
+  EXPECT_EQ(features_of("rs274", "G18 G76 P1 Z-5 I-1 J1 K2\n"), (Features{"basic", "g76"}));
+}
+
 TEST(ProgramFeatures, OnlyFeaturesOfTheVocabularyAreNeeded) {
   constexpr const char* kAll =
-      "G2 G3 G18 G32 G74 G75 G80 G81 G82 G90 G90.1 G92 G94 G110 G112 G114 G116 G158\nG2 X1 Y1 Z1 "
+      "G2 G3 G18 G32 G33 G33.1 G73 G74 G75 G76 G83 G84 G85 G86 G80 G81 G82 G90 G90.1 G92 G94 G110 "
+      "G112 G114 G116 G158\nG2 X1 Y1 Z1 "
       "R1 "
       "P1 CR=1 AR=1 AP=1 TURN=1 A1 RPL=1\nCIP CT LCYC82\nLCYC75\n";
   for (const char* dialect : {"gsk988ta", "hnc21t", "rs274", "sinumerik802s"}) {

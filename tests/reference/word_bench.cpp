@@ -67,8 +67,8 @@ Bench ngc_bench(std::string_view code) {
     bench.behind = "G1 X37 Y-7\nM2";
   }
   if (code == "G4") bench.words = {{"P", "1"}};
-  // Holes: from above the R plane, with a spindle that turns as G74 or the others have it. The thread
-  // has few passes whatever its degression.
+  // Holes: from above the R plane, with a spindle that turns as G74 or the others have it. The
+  // thread has few passes whatever its degression.
   const Words hole = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}};
   const Words dwelling = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}, {"P", "1"}};
   const Words pecks = {{"X", "40"}, {"Y", "-5"}, {"Z", "-4"}, {"R", "3"}, {"Q", "3"}};
@@ -98,7 +98,10 @@ Bench ngc_bench(std::string_view code) {
     bench.before += code == "G74" ? " M4" : " M3";
     bench.behind = "G1 X37 Y-7\nM2";
   }
-  if (code == "G76") bench.before.replace(0, 3, "G18");
+  if (code == "G76") {
+    bench.before.replace(0, 3, "G18");
+    bench.before += " G91";  // the next thread begins where this one ends
+  }
   if (code == "G80") {
     bench.words.clear();
     bench.behind = "G1 X37 Y-7\nM2";

@@ -60,5 +60,21 @@ TEST(NgcWorkedHoles, AreAsOtherMachinesHaveThemUnderTheirReadings) {
             "R0,0,5 R0,0,7 R1,0,7 F1,0,-1 R1,0,7 R2,0,7 R2,0,3 F2,0,-1 R2,0,7");
 }
 
+// By hand: a traverse to the place, one to R where the tool is not there, the feed to the bottom,
+// and the traverse to R (G99 is the default).
+TEST(NgcWorkedHoles, OfMistakesThatControlsMake) {
+  Profile elsewhere = ngc();
+  elsewhere.initial.at[Axis::x] = 3;
+  EXPECT_EQ(trace("F9\nG99 G81 X1 Z-1 R0\nM2", elsewhere), "R1,0,0 F1,0,-1 R1,0,0");
+  EXPECT_EQ(trace("F9\nG0 Z5\nG99 G81 X1 Z2 R2\nM2"), "R0,0,5 R1,0,5 R1,0,2");
+  EXPECT_EQ(trace("F9\nG99 G0 Z5\nG81 X1 Z-1 R2\nM2"), "R0,0,5 R1,0,5 R1,0,2 F1,0,-1 R1,0,2");
+  EXPECT_EQ(trace("G0 Z5\nG99 G81 X1 Z-1 R0 F9\nG1 X2\nM2"),
+            "R0,0,5 R1,0,5 R1,0,0 F1,0,-1 R1,0,0 F2,0,0");
+  // Pecks to -k 0.005; back in to -k 0.005 + 0.254, which is above R: the rapid goes up.
+  EXPECT_EQ(trace("F9\nG83 X1 Z-0.02 R0 Q0.005\nM2"),
+            "R1,0,0 F1,0,-0.005 R1,0,0 R1,0,0.249 F1,0,-0.01 R1,0,0 R1,0,0.244 F1,0,-0.015 R1,0,0 "
+            "R1,0,0.239 F1,0,-0.02 R1,0,0");
+}
+
 }  // namespace
 }  // namespace gonogo::reference::testing::ngc

@@ -122,6 +122,7 @@ TEST(NgcWorkedThreads, UnderG91ZIsAStep) {
 // W48: a line of 5 whose longer axis is Z: 1.5 * 4/5.
 TEST(NgcWorkedThreads, TheLeadIsAlongThePath) {
   EXPECT_EQ(trace("S300 M3\nG0 X3 Z4\nG33 X6 Z0 K1.5\nM2"), "M3 R3,0,4 T6,0,0@1.2");
+  EXPECT_EQ(trace("S300 M3\nG33 X4 Z3 K1.5\nM2"), "M3 T4,0,3@1.2");  // and X: the same
 }
 
 // W49: 2 * 22/sqrt(485) = 44/sqrt(485) = 44 sqrt(485)/485.

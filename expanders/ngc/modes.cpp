@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the words of a block put in force, and the motion that they ask for.
+#include "expanders/ngc/interpreter.hpp"
+
+namespace gonogo::expanders::ngc {
+namespace {
+
+constexpr AddressSet kCentreWords{"IJK"};
+
+}  // namespace
+
+// NGC-MOD-01, NGC-CYC-01: in a fixed order, whatever that of the line.
+void Interpreter::prepare(Plan& plan) {
+  State& state = machine_.state;
+  const int plane = state.plane;
+  const FeedRate feed = state.feed;
+  const bool feed_last = machine_.adds("feed-after-motion"_fault, block_.has('F'));
+  if (!feed_last) take_feed();
+  take_spindle();
+  if (block_.has_dwell()) prepare_dwell(machine_, block_, plan);
+  take_modes();
+  const int coming = state.plane;
+  if (machine_.adds("plane-after-motion"_fault, coming != plane)) state.plane = plane;
+  take_distance();
+  take_motion();
+  take_retract();
+  prepare_motion(plan);
+  remember_steps();
+  state.plane = coming;
+  if (feed_last) take_feed();
+  if (is_cycle(state.motion) && machine_.adds("cycle-feed-lost"_fault, state.feed != feed)) {
+    state.feed = feed;
+  }
+  if (block_.has_dwell() &&
+      machine_.adds("motion-lost-after-dwell"_fault, state.motion != Motion::kNone)) {
+    state.motion = Motion::kNone;
+  }
+}
+
+// F counts in the units of the block before: G20 and G21 act later.
+void Interpreter::take_feed() {
+  if (!block_.has('F')) return;
+  const Fixed written = block_.number('F').value;
+  if (written < 0) return machine_.complain(AlarmKind::kValueSign, 'F', block_);
+  machine_.state.feed = {
+      machine_.alters("inch-feed-unscaled"_fault, length_of(machine_, written), written), written};
+}
+
+void Interpreter::take_spindle() {
+  for (const FunctionWord& word : block_.functions()) {
+    const Fixed m = word.number.value_or(0);
+    if (m >= 3 && m <= 5) machine_.state.spindle = static_cast<int>(m);
+  }
+}
+
+void Interpreter::take_modes() {
+  State& state = machine_.state;
+  if (const Code* code = block_.code(Group::kPlane)) {
+    const int plane = code->tenths / 10;
+    // NGC-CYC-09
+    if (plane != state.plane && !machine_.configuration.initial_is_number) state.in_series = false;
+    state.plane = plane;
+  }
+  if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 200;
+}
+
+void Interpreter::take_distance() {
+  State& state = machine_.state;
+  if (const Code* code = block_.code(Group::kDistance)) {
+    const bool increments = code->tenths == 910;
+    bool& absolute = state.leftovers.absolute;
+    state.incremental =
+        absolute ? machine_.spares("g91-ignored-after-g90"_fault, increments) : increments;
+    absolute = absolute || !increments;
+  }
+  if (const Code* code = block_.code(Group::kArcDistance)) {
+    state.absolute_centre = code->tenths == 901;
+  }
+}
+
+void Interpreter::take_motion() {
+  State& state = machine_.state;
+  const Code* code = block_.code(Group::kMotion);
+  state.first = false;
+  if (code == nullptr) return;
+  const auto motion = static_cast<Motion>(code->tenths);
+  if (motion == Motion::kNone && machine_.adds("g80-keeps-motion"_fault)) return;
+  // NGC-CYC-08
+  const bool ends_series = !is_cycle(motion);
+  if (motion == Motion::kNone ? machine_.spares("initial-survives-g80"_fault) : ends_series) {
+    state.in_series = false;
+  }
+  state.first = motion != state.motion;
+  state.motion = motion;
+}
+
+// NGC-CYC-10
+void Interpreter::take_retract() {
+  const Code* code = block_.code(Group::kReturn);
+  if (code == nullptr) return;
+  bool& to_initial = machine_.state.to_initial;
+  to_initial = code->tenths == 980;
+  to_initial = machine_.alters("g98-g99-swapped"_fault, to_initial, !to_initial);
+  if (is_cycle(machine_.state.motion)) return;
+  to_initial = machine_.alters("g99-lost-outside-cycles"_fault, to_initial, true);
+}
+
+void Interpreter::remember_steps() {
+  for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
+    const char address = kAxisAddress[axis];
+    if (!block_.has(address)) continue;
+    machine_.state.leftovers.steps[axis] = length_of(machine_, block_, address);
+  }
+}
+
+// Whether the block runs the motion code in force: by the code, by an axis word or, an arc, by
+// I J K alone (NGC-ARC-06).
+bool Interpreter::runs_motion() const {
+  if (block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords)) return true;
+  if (!is_arc(machine_.state.motion) || !block_.has_any(kCentreWords)) return false;
+  return !machine_.configuration.arc_needs_axis && machine_.spares("arc-words-need-code"_fault);
+}
+
+// NGC-COM-02
+void Interpreter::check_uses() {
+  static constexpr AddressSet kOfCodes{"DEHIJKLPQR"};
+  if (machine_.configuration.passes_over_words) return;
+  const Motion motion = machine_.state.motion;
+  const bool runs = runs_motion();
+  const bool moves = block_.code(Group::kMotion) != nullptr || block_.has_any(kAxisWords);
+  const AddressSet taken = runs ? words_of(machine_, motion) : AddressSet{};
+  for (char address = 'D'; address <= 'R'; ++address) {
+    if (!block_.has(address) || !kOfCodes.has(address)) continue;
+    if (taken.has(address) || block_.uses(address)) continue;
+    const bool of_another = is_cycle(motion) && (address == 'P' || address == 'Q');
+    if (machine_.adds("cycle-takes-any-word"_fault, of_another)) continue;
+    if (machine_.adds("unused-word-passed"_fault)) continue;
+    if (!moves && machine_.adds("unused-alone-passed"_fault)) continue;
+    if (!moves && is_arc(motion) && kCentreWords.has(address) &&
+        machine_.has("arc-words-need-code"_fault)) {
+      continue;
+    }
+    machine_.complain(AlarmKind::kUnusedWord, address, block_);
+  }
+}
+
+void Interpreter::prepare_motion(Plan& plan) {
+  check_uses();
+  switch (machine_.state.motion) {
+    case Motion::kNone:
+      if (block_.has_any(kAxisWords)) machine_.complain(AlarmKind::kMissingWord, 'G', kNowhere);
+      return;
+    case Motion::kRapid:
+    case Motion::kLine:
+      return prepare_line(machine_, block_, plan);
+    default:
+      break;
+  }
+  if (!runs_motion()) return;
+  switch (machine_.state.motion) {
+    case Motion::kArcClockwise:
+    case Motion::kArcCounterclockwise:
+      return prepare_arc(machine_, block_, plan);
+    case Motion::kG33:
+    case Motion::kG331:
+      return prepare_synchronous(machine_, block_, plan);
+    case Motion::kG76:
+      return prepare_threading(machine_, block_, plan);
+    default:
+      return prepare_cycle(machine_, block_, plan);
+  }
+}
+
+}  // namespace gonogo::expanders::ngc
