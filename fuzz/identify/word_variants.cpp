@@ -127,14 +127,18 @@ std::string renamed(const TextWord& word, const std::string& address) {
   return address + word.text.substr(name_of(word).size());
 }
 
+// Where they are what they are said to be: K is a centre beside an arc, and a lead beside a thread.
+// No role: anywhere.
 void add_exchange(const std::string& a, const std::string& b, std::optional<Plane> plane,
-                  Variants& out) {
+                  std::optional<Role> role, const reference::Descriptor& table, Variants& out) {
   const Scope scope{{a, b}, {}, plane};
   add_edit(
       fmt::format("{} and {} change places{}", a, b,
                   plane ? fmt::format(" in G{}", plane_code(*plane)) : ""),
-      [=](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+      [=, &table](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
         if (!scope.has(block, word)) return std::nullopt;
+        const reference::CodeWord* const known = block.role_of(word, table);
+        if (role && known != nullptr && known->role != *role) return std::nullopt;
         return renamed(word, name_of(word) == a ? b : a);
       },
       out);
@@ -166,22 +170,22 @@ bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string
 
 void add_exchanges(const reference::Descriptor& table, const Addresses& addresses, Plane plane,
                    Variants& out) {
-  const auto add_pair = [&](const std::string& a, const std::string& b) {
-    add_exchange(a, b, std::nullopt, out);
-    add_exchange(a, b, plane, out);
+  const auto add_pair = [&](const std::string& a, const std::string& b, std::optional<Role> role) {
+    add_exchange(a, b, std::nullopt, role, table, out);
+    add_exchange(a, b, plane, role, table, out);
   };
   for (const Role role : {Role::place, Role::centre}) {
     const Addresses kin = addresses_with(table, {role});
     for (const std::string& a : kin) {
       for (const std::string& b : kin) {
-        if (a < b && (addresses.contains(a) || addresses.contains(b))) add_pair(a, b);
+        if (a < b && (addresses.contains(a) || addresses.contains(b))) add_pair(a, b, role);
       }
     }
   }
   for (const std::string& a : addresses) {
     for (const std::string& b : addresses) {
       if (a < b && is_parameter_of_cycle(table, a) && is_parameter_of_cycle(table, b)) {
-        add_pair(a, b);
+        add_pair(a, b, std::nullopt);
       }
     }
   }
