@@ -2,10 +2,13 @@
 //
 // Models of RS274/NGC: arcs by their centre and by their radius, lines, and what comes one after
 // the other.
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "fuzz/cover/arcs.hpp"
 #include "fuzz/cover/model.hpp"
+#include "fuzz/cover/ngc_cycles.hpp"
 
 namespace gonogo::fuzz::cover {
 namespace {
@@ -186,10 +189,8 @@ no: second=circle,helix,off third=bare
 no: first=circle,helix,off second=dwell,plane,inch,modal,point,centre,offset,passed third=bare
 )";
 
-}  // namespace
-
-std::span<const Model> ngc_models() {
-  static const std::array kModels = {
+std::vector<Model> path_models() {
+  return {
       Model{"ngc.line",
             1,
             "rs274",
@@ -228,6 +229,16 @@ std::span<const Model> ngc_models() {
           joined({"first: ", kNgcSteps, "second: ", kNgcSteps, "third: ", kNgcSteps, kNgcSequence}),
           draw_ngc_sequence},
   };
+}
+
+}  // namespace
+
+std::span<const Model> ngc_models() {
+  static const std::vector<Model> kModels = [] {
+    std::vector<Model> all = path_models();
+    std::ranges::move(ngc_cycle_models(), std::back_inserter(all));
+    return all;
+  }();
   return kModels;
 }
 
