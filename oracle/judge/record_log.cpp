@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/judge/told_records.hpp"
+#include "oracle/judge/record_log.hpp"
+
+#include <optional>
 
 #include "reference/expander.hpp"
 
@@ -7,14 +9,13 @@ namespace gonogo::oracle {
 
 using reference::Record;
 
-void ToldRecords::add_own(std::size_t item, const Record* named) {
+void RecordLog::add_own(std::size_t item) {
   Run* run = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.back());
-  if (run == nullptr || run->last + 1 != item) {
-    run = &std::get<Run>(parts_.emplace_back(Run{item, item, std::nullopt}));
+  if (run != nullptr && run->last + 1 == item) {
+    run->last = item;
+  } else {
+    parts_.emplace_back(Run{item, item});
   }
-  run->last = item;
-  run->named.reset();
-  if (named != nullptr) run->named = *named;
 }
 
 namespace {
@@ -39,7 +40,7 @@ class Items {
 
 }  // namespace
 
-void ToldRecords::tell(const reference::Profile& profile, const ProgramText& program,
+void RecordLog::replay(const reference::Profile& profile, const ProgramText& program,
                        const std::function<void(const Record&)>& take) const {
   std::optional<Items> items;
   for (const auto& part : parts_) {
@@ -49,14 +50,7 @@ void ToldRecords::tell(const reference::Profile& profile, const ProgramText& pro
     }
     if (!items) items.emplace(profile, program);
     const Run& run = std::get<Run>(part);
-    for (std::size_t i = run.first; i < run.last; ++i) take(items->record(i));
-    if (run.named) {
-      take(*run.named);
-      continue;
-    }
-    Record last = items->record(run.last);
-    last.clause = reference::kNoClause;
-    take(last);
+    for (std::size_t i = run.first; i <= run.last; ++i) take(items->record(i));
   }
 }
 
