@@ -395,6 +395,10 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
   if (terms_.compare_blocks && motion.record.block > block_of(step.what)) {
     return meet_behind_open_step(std::move(from), std::move(motion), stage);
   }
+  if (from.waiting && join(*from.waiting, motion)) {
+    from.at = from.anchor = motion.to();
+    return keep(std::move(from), stage.reached);
+  }
   const bool is_begun = from.open != nullptr;
   if (!is_begun) begin_open_step(from);
   const bool is_earlier = terms_.compare_blocks && motion.record.block < block_of(step.what);
@@ -406,15 +410,15 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
     if (!is_begun) from.open.reset();
     return stay(std::move(from), motion, stage);
   }
-  if (from.waiting && !join(*from.waiting, motion)) {
+  if (from.waiting) {
     std::vector<Hypothesis> beyond;
     if (!take_waiting(from, beyond)) {
       for (Hypothesis& each : beyond) walk(std::move(each), motion, stage);
       return;
     }
   }
-  if (!from.waiting) from.waiting = motion;
   from.at = from.anchor = motion.to();
+  from.waiting = std::move(motion);
   keep(std::move(from), stage.reached);
 }
 

@@ -26,6 +26,7 @@ struct ProgramJudge::Ending {
   std::size_t step = 0;
   std::uint64_t block = 0;  // that alarms
   bool at_load = false;
+  std::size_t item = 0;  // of the reference, where it departs; 0: that of the hypothesis
 
   // The less the better: a pass by its grade, a gap, an advice, a departure (J-ALM-08).
   int rank() const {
@@ -174,7 +175,9 @@ void ProgramJudge::settle(Ending ending) {
       decide(m_functions_.end_of_earlier(ending.block));
       break;
   }
-  if (ending.verdict) departed_at_ = reference_.at(ending.from.step).item;
+  if (ending.verdict) {
+    departed_at_ = ending.item != 0 ? ending.item : reference_.at(ending.from.step).item;
+  }
   decide(std::move(ending.verdict));
 }
 
@@ -327,8 +330,10 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm
   const std::uint64_t block = is_early ? alarm.block : report->block;
   if (departure && !is_advice(*departure, terms_)) return {from, std::move(departure)};
   if (unfinished && (!departure || block_of(unfinished->step.what) < block)) {
-    return {unfinished->from, ends_early(unfinished->from, unfinished->step.what, records_,
-                                         alarm_text(alarm))};
+    Ending ending{unfinished->from, ends_early(unfinished->from, unfinished->step.what, records_,
+                                               alarm_text(alarm))};
+    ending.item = unfinished->step.item;
+    return ending;
   }
   // Past what is undone no M function has been come to, but for a control that checks at load.
   const std::size_t step = unfinished && !at_load ? unfinished->from.step : from.step;
