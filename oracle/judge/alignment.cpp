@@ -149,7 +149,13 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
     if (passed > kMostPassed) {
       return doubt(from.step, gap_verdict("More than 100,000 motions in a row are too small to see."));
     }
-    if (!meet(from, motion, stage)) return;
+    // A way that cannot be told is given up; what was found before it stands.
+    const std::size_t here = from.step;
+    try {
+      if (!meet(from, motion, stage)) return;
+    } catch (const exact::Undecided& undecided) {
+      return doubt(here, undecided_verdict(undecided));
+    }
   }
 }
 
@@ -162,13 +168,19 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
   if (std::holds_alternative<Motion>(what)) return meet_motion(from, motion, stage);
   if (std::holds_alternative<Renaming>(what)) return meet_renaming(from, motion, stage);
   if (auto* outside = std::get_if<NotCovered>(&what)) {
-    doubt(from.step, not_covered_verdict(*outside));
+    meet_outside(std::move(from), motion, *outside, stage);
   } else if (std::holds_alternative<Record>(what) || std::holds_alternative<AlarmReport>(what)) {
     meet_last(std::move(from), motion, stage);
   } else {
     meet_open_step(std::move(from), std::move(motion), stage);
   }
   return false;
+}
+
+void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCovered& outside,
+                             Stage& stage) {
+  if (leads_nowhere(from, motion, step_of(from).place)) return stay(std::move(from), motion, stage);
+  doubt(from.step, not_covered_verdict(outside));
 }
 
 // J-CMP-03: it keeps to where the reference stands, and to where the subject's last motion that led
@@ -379,7 +391,10 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
 void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (leads_nowhere(from, motion, step.place)) return stay(std::move(from), motion, stage);
-  if (std::holds_alternative<AlarmReport>(step.what)) {
+  auto* report = std::get_if<AlarmReport>(&step.what);
+  const bool is_earlier =
+      report != nullptr && terms_.compare_blocks && motion.record.block < report->block;
+  if (report != nullptr && !is_earlier) {
     from.after_alarm = motion;
     return stay(std::move(from), motion, stage);
   }
@@ -428,6 +443,10 @@ void Alignment::meet_behind_open_step(Hypothesis from, Motion motion, Stage& sta
   if (!from.waiting || take_waiting(from, reached)) {
     const Passing passing = pass(from);
     if (!passing.passed) {
+      const bool is_nil = motion.record.kind != RecordKind::arc &&
+                          stays_at(from.anchor, motion, terms_) &&
+                          !from.open->is_judged_when_left();
+      if (is_nil) return stay(std::move(from), motion, stage);
       if (passing.why_not) refute(from, motion, *passing.why_not);
       return;
     }

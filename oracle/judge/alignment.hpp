@@ -125,6 +125,8 @@ class Alignment {
   bool take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached);
   bool leave_open_step(Hypothesis& from, const Position& here);
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
+  void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
+                    Stage& stage);
   void meet_last(Hypothesis from, const Motion& motion, Stage& stage);
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 

@@ -236,7 +236,7 @@ CurveAnswer Curve::nil_or_full(const CurveProgress& from, const Motion& subject,
   CurveAnswer full = end_of_piece(from, subject, before + small + 1);
   const bool exactly_whole = part == 1.0 && !turns_unseen(reference_, axes, terms_.tolerance);
   const bool is_full = (closes && exactly_whole) || (before > 0 && part >= 0.5);
-  if (is_full) return full;
+  if (is_full || (!full.departs() && full.ways.front().done)) return full;
   return joined(std::move(full), end_of_piece(from, subject, before + small));
 }
 

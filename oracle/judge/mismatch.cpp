@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/mismatch.hpp"
 
+#include <fmt/format.h>
+
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/places.hpp"
@@ -14,6 +16,14 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
   verdict.kind = VerdictKind::oracle_gap;
   verdict.block = outside.block;
   verdict.message = outside.message;
+  return verdict;
+}
+
+// J-CONST-01.
+Verdict undecided_verdict(const exact::Undecided& undecided) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.message = fmt::format("A comparison could not be decided: {}.", undecided.what());
   return verdict;
 }
 
@@ -116,20 +126,24 @@ Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
 
 Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps& steps,
                         const JudgeTerms& terms) {
-  const auto& record = std::get<Record>(steps.at(number).what);
+  const ReferenceStep& step = steps.at(number).what;
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
   verdict.message = "The subject moves after the end of the program.";
   verdict.block = motion.record.block;
-  verdict.clause = record.clause;
+  verdict.clause = clause_of(step);
   verdict.record = motion.number;
-  verdict.want = record_text(record);
+  verdict.want = step_text(step);
   verdict.got = record_text(motion.record);
   verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
-  if (record.kind != RecordKind::dwell) return verdict;
-  verdict.message = "The subject moves where a dwell is due.";
-  verdict.kind = fits_later(motion, number + 1, steps, terms) ? VerdictKind::fail_order
-                                                              : VerdictKind::fail_geometry;
+  if (std::holds_alternative<reference::AlarmReport>(step)) {
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.message = "The subject moves before the block that alarms, and no motion is due.";
+  } else if (std::get<Record>(step).kind == RecordKind::dwell) {
+    verdict.kind = fits_later(motion, number + 1, steps, terms) ? VerdictKind::fail_order
+                                                                : VerdictKind::fail_geometry;
+    verdict.message = "The subject moves where a dwell is due.";
+  }
   return verdict;
 }
 

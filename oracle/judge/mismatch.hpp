@@ -19,7 +19,8 @@ Verdict short_of(const Motion& want, const Motion& piece);
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got);
 
-// A motion where none is due: before a renaming of the position; before a dwell, or the end.
+// A motion where none is due: before a renaming of the position; before a dwell, in an earlier block
+// than an alarm, or behind the end.
 Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
 Verdict motion_too_many(const Motion& motion, std::size_t step, ReferenceSteps& steps,
                         const JudgeTerms& terms);
@@ -30,6 +31,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
                     ReferenceSteps& steps);
 
 Verdict not_covered_verdict(const reference::NotCovered& outside);
+Verdict undecided_verdict(const exact::Undecided& undecided);
 
 // J-ALM-07: an arc with a centre that a control works out itself, off by no more than twice the
 // tolerance, and its end where it should be.

@@ -150,10 +150,7 @@ ProgramJudge::Ending ProgramJudge::end_of(Hypothesis from, const RunEnd& end) {
   try {
     return end.kind == RunEnd::Kind::ok ? ok_end(from) : alarm_end(from, end.alarm);
   } catch (const exact::Undecided& undecided) {
-    Verdict verdict;
-    verdict.kind = VerdictKind::oracle_gap;
-    verdict.message = fmt::format("A comparison could not be decided: {}.", undecided.what());
-    return {std::move(from), std::move(verdict)};
+    return {std::move(from), undecided_verdict(undecided)};
   }
 }
 
@@ -328,12 +325,14 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm
   const bool is_early =
       report == nullptr || (departure && departure->kind == VerdictKind::fail_alarm_spurious);
   const std::uint64_t block = is_early ? alarm.block : report->block;
-  if (departure && !is_advice(*departure, terms_)) return {from, std::move(departure)};
+  const std::size_t item = unfinished ? unfinished->step.item : 0;
+  if (departure && !is_advice(*departure, terms_)) {
+    return {from, std::move(departure), Settle::none, 0, 0, false, item};
+  }
   if (unfinished && (!departure || block_of(unfinished->step.what) < block)) {
-    Ending ending{unfinished->from, ends_early(unfinished->from, unfinished->step.what, records_,
-                                               alarm_text(alarm))};
-    ending.item = unfinished->step.item;
-    return ending;
+    Verdict verdict =
+        ends_early(unfinished->from, unfinished->step.what, records_, alarm_text(alarm));
+    return {unfinished->from, std::move(verdict), Settle::none, 0, 0, false, item};
   }
   // Past what is undone no M function has been come to, but for a control that checks at load.
   const std::size_t step = unfinished && !at_load ? unfinished->from.step : from.step;

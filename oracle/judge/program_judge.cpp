@@ -30,12 +30,8 @@ void ProgramJudge::decide(std::optional<Verdict> verdict) {
   if (verdict) decide(*std::move(verdict));
 }
 
-// J-CONST-01.
 void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = fmt::format("A comparison could not be decided: {}.", undecided.what());
-  decide(std::move(verdict));
+  decide(undecided_verdict(undecided));
 }
 
 void ProgramJudge::decide_departure() {
