@@ -137,7 +137,7 @@ bool JudgeSession::record_unsettled(const Record& record) {
   ProgramJudge& judge = *only_judge_;
   const bool undecided = judge.record(record);
   if (undecided && judge.is_in_step()) {
-    unsettled_->taken.add_own(judge.progress());
+    unsettled_->taken.add_own(judge.progress(), &record);
   } else {
     unsettled_->taken.add(record);
   }
@@ -156,7 +156,7 @@ bool JudgeSession::line(std::string_view line) {
   if (!unsettled_) return judge.line(line);
   // Else it has to be kept as a record.
   if (!judge.is_in_step() || !judge.line(line) || judge.is_decided()) return false;
-  unsettled_->taken.add_own(judge.progress());
+  unsettled_->taken.add_own(judge.progress(), nullptr);
   if (touches_open()) settle();
   return true;
 }

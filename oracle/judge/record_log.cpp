@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/record_log.hpp"
 
-#include <optional>
-
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
 
 using reference::Record;
 
-void RecordLog::add_own(std::size_t item) {
+void RecordLog::add_own(std::size_t item, const Record* named) {
   Run* run = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.back());
-  if (run != nullptr && run->last + 1 == item) {
-    run->last = item;
-  } else {
-    parts_.emplace_back(Run{item, item});
+  if (run == nullptr || run->last + 1 != item) {
+    run = &std::get<Run>(parts_.emplace_back(Run{item, item, std::nullopt}));
   }
+  run->last = item;
+  run->named.reset();
+  if (named != nullptr) run->named = *named;
 }
 
 namespace {
@@ -50,7 +49,14 @@ void RecordLog::replay(const reference::Profile& profile, const ProgramText& pro
     }
     if (!items) items.emplace(profile, program);
     const Run& run = std::get<Run>(part);
-    for (std::size_t i = run.first; i <= run.last; ++i) take(items->record(i));
+    for (std::size_t i = run.first; i < run.last; ++i) take(items->record(i));
+    if (run.named) {
+      take(*run.named);
+      continue;
+    }
+    Record last = items->record(run.last);
+    last.clause = reference::kNoClause;
+    take(last);
   }
 }
 

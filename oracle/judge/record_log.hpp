@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -18,8 +19,9 @@ namespace gonogo::oracle {
 class RecordLog {
  public:
   void add(const reference::Record& record) { parts_.emplace_back(record); }
-  // The reference's own item of that number, counted from 1, to which no open path leads.
-  void add_own(std::size_t item);
+  // The reference's own item of that number, counted from 1, to which no open path leads. `named`:
+  // as the subject put it; null: not known, and without a clause.
+  void add_own(std::size_t item, const reference::Record* named);
 
   // What takes memory: records of others, and runs of the reference's own.
   std::size_t parts() const { return parts_.size(); }
@@ -29,10 +31,11 @@ class RecordLog {
               const std::function<void(const reference::Record&)>& take) const;
 
  private:
-  // Items one behind the other.
+  // Items one behind the other. Only of the last does it matter how the subject put it.
   struct Run {
     std::size_t first;
     std::size_t last;
+    std::optional<reference::Record> named;
   };
   std::vector<std::variant<Run, reference::Record>> parts_;
 };
