@@ -25,6 +25,22 @@ bool renames_position(std::string program) {
   return program.find("G50") != std::string::npos || program.find("G92") != std::string::npos;
 }
 
+// J-PROP-10: layers of a pocket so close that a motion between them is hardly one.
+bool has_close_levels(const fuzz::GeneratedProgram& program, const Number& tolerance) {
+  grammar::MemorySource bytes(program.text);
+  grammar::LineSource lines(bytes);
+  reference::Expander expander(program.profile, lines, reference::OpenPaths::judged);
+  std::optional<reference::PocketLevel> last;
+  while (const reference::Item* item = expander.next()) {
+    const auto* level = std::get_if<reference::PocketLevel>(item);
+    if (level == nullptr) continue;
+    const bool same_pocket = last && last->block == level->block && last->depth != level->depth;
+    if (same_pocket && agree(last->depth, level->depth, tolerance * 4)) return true;
+    last = *level;
+  }
+  return false;
+}
+
 struct Tried {
   GeneratedOutcome of;
   VerdictKind kind;
@@ -65,6 +81,7 @@ Tried drawn(Of of, Trials& trials) {
                               : generated_outcome(generator, {}, trials),
               VerdictKind::skip};
   RC_PRE(!renames_position(tried.of.program.text));
+  RC_PRE(!has_close_levels(tried.of.program, tried.of.terms.tolerance));
   tried.kind = judge(tried, tried.of.outcome, tried.of.terms).kind;
   RC_PRE(tried.kind != VerdictKind::skip);
   return tried;
@@ -156,6 +173,7 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
     }
     const reference::Profile& profile = of.program.profile;
     const JudgeTerms terms = exact_terms(profile, "0.001");
+    RC_PRE(!has_close_levels(of.program, terms.tolerance));
     const Outcome exact{own.records, own.end};
     RC_PRE(terms.resolution == terms.tolerance);
     Outcome changed;
@@ -197,6 +215,7 @@ TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
     RC_PRE(decision(tried.kind) == Decision::go);
     JudgeTerms wider = tried.of.terms;
     wider.tolerance = wider.granted = wider.tolerance * trials.one_of(std::to_array({2, 3, 10}));
+    RC_PRE(!has_close_levels(tried.of.program, wider.tolerance));
     const Verdict verdict = judge(tried, tried.of.outcome, wider);
     if (decision(verdict.kind) != Decision::no_go) return;
     RC_FAIL(fmt::format("{}: {}\nwant {}\ngot {}\nwithin {}\n{}", name(verdict.kind),
