@@ -12,7 +12,7 @@
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
 #include "fuzz/hunt/finding_files.hpp"
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::cli {
 
@@ -78,9 +78,9 @@ std::string finding_text(const fuzz::Finding& finding) {
   std::string text = verdict_text(finding.verdict);
   auto put_program = [&](const std::string& program) {
     std::size_t number = 0;
-    for (const fuzz::TextLine& line : fuzz::lines_of(program)) {
+    for (const program::TextLine& line : program::lines_of(program)) {
       std::string shown;
-      for (const fuzz::TextWord& word : line.words) shown += word.gap + word.text;
+      for (const program::TextWord& word : line.words) shown += word.gap + word.text;
       text += fmt::format("  {:>4}  {}\n", ++number, shown);
     }
   };

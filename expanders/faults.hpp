@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
 #include <string_view>
 
 namespace gonogo::expanders {
@@ -12,5 +16,16 @@ struct FaultDescription {
   std::string_view clause;  ///< the clause that it breaks
   std::string_view models;  ///< the mistake of real controllers that it stands for
 };
+
+/// The place of a planted fault in its maker's table, from 1.
+enum class Fault : std::uint16_t { kNone };
+
+/// The fault of that name; the build fails where there is none. A maker's `"name"_fault`.
+consteval Fault find_fault(std::span<const FaultDescription> table, std::string_view name) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table[i].name == name) return static_cast<Fault>(i + 1);
+  }
+  throw std::invalid_argument("no planted fault has this name");
+}
 
 }  // namespace gonogo::expanders

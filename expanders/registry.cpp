@@ -3,14 +3,12 @@
 
 #include <array>
 
-#include "expanders/gsk/faults.hpp"
-#include "expanders/gsk/subject.hpp"
-#include "expanders/hnc/faults.hpp"
-#include "expanders/hnc/subject.hpp"
+#include "expanders/common/subject_glue.hpp"
+#include "expanders/gsk/interpreter.hpp"
+#include "expanders/hnc/interpreter.hpp"
 #include "expanders/ngc/faults.hpp"
 #include "expanders/ngc/subject.hpp"
-#include "expanders/sinumerik/faults.hpp"
-#include "expanders/sinumerik/subject.hpp"
+#include "expanders/sinumerik/interpreter.hpp"
 
 namespace gonogo::expanders {
 namespace {
@@ -22,23 +20,24 @@ struct Maker {
   const gonogo_subject_v1& (*subject)(std::size_t fault);
 };
 
+template <typename Interpreter>
+const gonogo_subject_v1& subject_of(std::size_t fault) {
+  return SubjectGlue<MakerOf<Interpreter>>::subject(static_cast<Fault>(fault));
+}
+
+template <const auto& kFaults>
+std::span<const FaultDescription> listed() {
+  return kFaults;
+}
+
 constexpr std::array<Maker, 4> kMakers = {{
-    {"gsk", &gsk::fault_descriptions,
-     [](std::size_t fault) -> const gonogo_subject_v1& {
-       return gsk::subject(static_cast<gsk::Fault>(fault));
-     }},
-    {"hnc", &hnc::fault_descriptions,
-     [](std::size_t fault) -> const gonogo_subject_v1& {
-       return hnc::subject(static_cast<hnc::Fault>(fault));
-     }},
+    {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>},
+    {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>},
     {"ngc", &ngc::fault_descriptions,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
      }},
-    {"sinumerik", &sinumerik::fault_descriptions,
-     [](std::size_t fault) -> const gonogo_subject_v1& {
-       return sinumerik::subject(static_cast<sinumerik::Fault>(fault));
-     }},
+    {"sinumerik", &listed<sinumerik::kFaults>, &subject_of<sinumerik::Interpreter>},
 }};
 
 const Maker* maker_of(std::string_view name) {

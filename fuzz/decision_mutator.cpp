@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fuzz/hunt/dice.hpp"
+#include "fuzz/dice.hpp"
 
 namespace gonogo::fuzz {
 namespace {

@@ -33,8 +33,7 @@ struct KindWeights {
   std::uint32_t valid = 0;
   std::uint32_t near_invalid = 1;
   std::uint32_t boundary = 0;
-  // Not by default: on numbers beyond its range an expander of fixed point departs
-  // (docs/fuzzing.md).
+  // Not by default: numbers may be out of domain (D-DOM-01).
   std::uint32_t raw = 0;
   std::uint32_t tiny = 0;
 };

@@ -50,6 +50,8 @@ class GskWriter final : ProgramWriter {
   // D is a radius here, L a step.
   std::string_view letters_of_codes() const override { return "GMNFSTOHC"; }
   bool may_have(Fault fault, const std::string& word) const override;
+  // The words of cycles have a range.
+  const char* far_out() const override { return mode_ == Mode::basic ? "9000" : "1000000"; }
   std::array<std::size_t, 3> plane_axes() const;
   // A word of axis 0 is a diameter where X is: twice the length.
   std::int64_t scaled(std::size_t axis, std::int64_t value) const {

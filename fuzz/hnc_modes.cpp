@@ -82,9 +82,8 @@ void HncWriter::setting_block() {
 // Where a program ends.
 void HncWriter::outside_block() {
   count("undefined or outside");
-  const char* code = choices_.pick(
-      {"G05", "G83", "G33", "G81.1", "G17", "G19", "G71", "G76", "G41", "G28", "G98", "M98"});
-  Words words = {code};
+  Words words = {choices_.one_in(2) ? code_that_is(Treatment::outside)
+                                    : choices_.pick({"G05", "G83", "G33", "G81.1", "G17", "G19"})};
   if (choices_.one_in(2)) words.push_back(axis_word(z, 20));
   if (choices_.one_in(8)) words.push_back("X#1");
   write(std::move(words));
@@ -108,8 +107,8 @@ void HncWriter::mode_block() {
       return write({"G04", fmt::format("P{}", choices_.below(5000))});
     case 8:
       if (puts_wrong(4)) return outside_block();
-      return write({choices_.pick(
-          {"M03", "M08", "G18", "G40", "G61", "G64", "G96", "G97", "S800", "T0101", "F120"})});
+      if (choices_.one_in(2)) return write({code_that_is(Treatment::without_effect)});
+      return write({choices_.pick({"M03", "M08", "S800", "T0101", "F120"})});
     default:
       count("no motion");
       text_ += choices_.pick({"\n", "(only a comment)\n", ";\n", "N77\n", "O55\n"});

@@ -18,7 +18,8 @@ void NgcWriter::mode_words(Words& words) {
   if (choices_.one_in(2)) {
     set_incremental(words, choices_.one_in(2));
   } else {
-    words.push_back(choices_.pick({"G40", "G49", "G54", "G61", "G94", "G97", "G98", "S300", "T2"}));
+    words.push_back(choices_.one_in(4) ? choices_.pick({"S300", "T2"})
+                                       : code_that_is(Treatment::without_effect));
   }
 }
 
@@ -94,8 +95,8 @@ void NgcWriter::dwell_block() {
 // Where a program ends.
 void NgcWriter::outside_block() {
   count("undefined or outside");
-  Words words = {choices_.pick({"G6", "G999", "G21.1", "G43", "G41", "G28", "G92", "G55", "G81",
-                                "G38.2", "G93", "G53", "M98", "M150", "M10"})};
+  Words words = {choices_.one_in(3) ? choices_.pick({"G6", "G999", "G21.1", "M150", "M10"})
+                                    : code_that_is(Treatment::outside)};
   if (choices_.one_in(2)) words.push_back(axis_word(z, 20));
   if (choices_.one_in(8)) words.push_back(choices_.pick({"X#1", "Y[1+2]", "B20"}));
   write(std::move(words));
@@ -116,10 +117,10 @@ void NgcWriter::mode_block() {
       if (puts_wrong(4)) return outside_block();
       return write({choices_.one_in(4) ? "F0" : feed_word()});
     case 8:
-      return write({choices_.pick(
-          {"M3",        "M5",        "M8",     "M9",     "M0",     "M1",           "M60",  "M48",
-           "G40",       "G49",       "G61.1",  "G64",    "G97",    "G99",          "S800", "T4",
-           "M66 P0 L0", "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0", "G64 P0.1 Q0.1"})});
+      if (choices_.one_in(3)) return write({code_that_is(Treatment::without_effect)});
+      return write({choices_.pick({"M3", "M5", "M8", "M9", "M0", "M1", "M60", "M48", "S800", "T4",
+                                   "M66 P0 L0", "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0",
+                                   "G64 P0.1 Q0.1"})});
     default:
       count("no motion");
       text_ += choices_.pick(

@@ -112,7 +112,7 @@ bool NgcWriter::may_have(Fault fault, const std::string& word) const {
 }
 
 // A number that must be whole, near one of the limits within which interpreters take it as that:
-// 0.0001 and 0.001, of a G code a tenth of them. Digits beyond the sixth decimal may follow.
+// 0.0001 and 0.001, of a G code a tenth of them. A seventh decimal may follow.
 std::string NgcWriter::beside_whole(const std::string& word) {
   const bool must_be_whole =
       word[0] == 'G' || word[0] == 'M' || (word[0] == 'P' && !dwells_ && word[1] != '-');
@@ -128,14 +128,14 @@ std::string NgcWriter::beside_whole(const std::string& word) {
   const std::int64_t millionths = tenths * 100'000 + any_sign(off);
   const std::int64_t size = std::abs(millionths);
   return fmt::format("{}{}{}.{:06}{}", word[0], millionths < 0 ? "-" : "", size / 1'000'000,
-                     size % 1'000'000, choices_.pick({"", "", "0000001", "9999999"}));
+                     size % 1'000'000, choices_.pick({"", "", "1", "9"}));
 }
 
 // Now and then a number with decimals, or one that is too large for some.
 std::string NgcWriter::head() {
   if (!choices_.one_in(60)) return ProgramWriter::head();
   count("line number of one reading");
-  return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789012345678901 "});
+  return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789 "});
 }
 
 // Letters in either case; blanks may stand between all of it.

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "reference/dialect.hpp"
+
 namespace gonogo::fuzz {
 namespace {
 
@@ -124,6 +126,20 @@ void ProgramWriter::put(Words words) {
   if (choices_.one_in(30)) text_ += "\n";
 }
 
+std::string ProgramWriter::code_that_is(reference::Treatment treatment) {
+  const auto codes = reference::find_dialect(profile_.dialect)->descriptor->codes;
+  const auto is_it = [&](const reference::Code& code) {
+    // Addresses need a value, and patterns stand for what the table does not list.
+    const bool stands_alone = code.name.size() > 1 && code.name.find('<') == std::string_view::npos;
+    return code.treatment == treatment && stands_alone;
+  };
+  const auto count = std::ranges::count_if(codes, is_it);
+  auto left = choices_.below(static_cast<std::uint32_t>(count));
+  const auto found = std::ranges::find_if(
+      codes, [&](const reference::Code& code) { return is_it(code) && left-- == 0; });
+  return std::string(found->name);
+}
+
 void ProgramWriter::choose_readings() {
   while (choices_.one_in(2) && !choices_.exhausted()) {
     count("reading " + choose_reading(choices_, profile_));
@@ -185,7 +201,7 @@ void ProgramWriter::spoil(Words& words) {
       break;
     case Fault::far:
       count("fault: far out");
-      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, "1000000");
+      if (!is_code(victim) && victim[0] != 'F') victim = with_value(victim, far_out());
       break;
   }
 }

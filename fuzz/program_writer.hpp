@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/generator.hpp"
+#include "reference/code.hpp"
 
 namespace gonogo::fuzz {
 
@@ -22,6 +23,7 @@ class ProgramWriter {
 
  protected:
   using Words = std::vector<std::string>;
+  using Treatment = reference::Treatment;
 
   // `settings` must outlive the writer; `distribution` may be null.
   ProgramWriter(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
@@ -46,6 +48,8 @@ class ProgramWriter {
   // The word with the sign of its value turned, or with another value.
   virtual std::string negated(const std::string& word) const;
   virtual std::string with_value(const std::string& word, const char* value) const;
+  // A length far out, but in the domain (D-DOM-02), or beyond what the word may have.
+  virtual const char* far_out() const { return "9000"; }
 
   void count(const std::string& name) {
     if (distribution_ != nullptr) ++(*distribution_)[name];
@@ -71,6 +75,8 @@ class ProgramWriter {
   bool meets_limit(std::uint32_t one_in) {
     return program_kind_ == ProgramKind::boundary && choices_.one_in(one_in);
   }
+  // A code or name of the dialect's table, as it stands alone.
+  std::string code_that_is(reference::Treatment treatment);
   // Any alternative of any reading; now and then of several.
   void choose_readings();
 

@@ -24,9 +24,12 @@ bool is_shallow(const Values& values) {
   return values.at(103) - values.at(104) < kTold;
 }
 
+// D-DOM-07: hardly more than none, or enough to be told from the tolerance.
 std::int64_t told_apart(std::int64_t room, const Values& values, const SinumerikFrame& frame) {
+  constexpr std::int64_t kNone = 3;
   const bool turned = frame.angle % 90'000 != 0;
-  return room > 0 && (turned || is_shallow(values)) ? std::max(room, kTold) : room;
+  const std::int64_t most = turned || is_shallow(values) ? 0 : kNone;
+  return room > most ? std::max(room, kTold) : room;
 }
 
 }  // namespace
@@ -116,7 +119,7 @@ void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
   std::int64_t longer = choices_.one_in(4)   ? 0
                         : choices_.one_in(6) ? choices_.between(1, 3)
                                              : length(25);
-  if (width == least) longer = told_apart(longer, values, state_.frame);
+  const std::int64_t longest = least + told_apart(width + longer - least, values, state_.frame);
   std::int64_t corner = 0;
   switch (choices_.below(8)) {
     case 0:
@@ -141,13 +144,13 @@ void SinumerikWriter::choose_pocket(Values& values, std::int64_t radius) {
   const bool upright = choices_.one_in(3);
   values[116] = any_sign(length(40));
   values[117] = any_sign(length(40));
-  values[118] = upright ? width : width + longer;
-  values[119] = upright ? width + longer : width;
+  values[118] = upright ? width : longest;
+  values[119] = upright ? longest : width;
   values[120] = corner;
   values[124] = allowance;
-  count(longer == 0 && 2 * corner == width ? "pocket: circle"
-        : 2 * corner == width              ? "pocket: slot"
-                                           : "pocket: rectangle");
+  count(longest == width && 2 * corner == width ? "pocket: circle"
+        : 2 * corner == width                   ? "pocket: slot"
+                                                : "pocket: rectangle");
 }
 
 // R121 and R125: few levels, and the boundaries between one number and the next.

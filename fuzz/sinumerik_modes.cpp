@@ -50,8 +50,8 @@ void SinumerikWriter::mode_words(Words& words) {
       if (words.back() == "G94") words.push_back(feed_word());
       break;
     default:
-      words.push_back(choices_.pick({"G9", "G40", "G53", "G54", "G57", "G60", "G64", "G500", "G601",
-                                     "G602", "T2", "D1", "SOFT", "CFC"}));
+      words.push_back(choices_.one_in(4) ? choices_.pick({"T2", "D1"})
+                                         : code_that_is(Treatment::without_effect));
   }
 }
 
@@ -111,26 +111,25 @@ void SinumerikWriter::dwell_block() {
 
 // Where a program ends: outside, undefined, or out of its range.
 void SinumerikWriter::outside_block() {
-  static constexpr const char* kOutside[] = {"G33",           "G35",
-                                             "G41",           "G74",
-                                             "G96",           "G247",
-                                             "G331",          "G347",
-                                             "G450",          "G508",
-                                             "G603",          "G641",
-                                             "G710",          "G962",
-                                             "SUPA",          "TRANS",
-                                             "ROT",           "AMIRROR",
-                                             "RPL=45",        "DIAMON",
-                                             "CYCLE800(1,2)", "CYCLE81(5,0,2,-3)",
-                                             "POCKET3(5)",    "HOLES1(1)",
-                                             "LCYC60",        "LCYC840",
-                                             "X1=5",          "B20",
-                                             "S2=500",        "L10",
-                                             "TURN=R[1]",     "GOTOB ANFANG",
-                                             "T=\"MILL\"",    "X=R[1]",
-                                             "X=$AA_IM[X]",   "Z=ROUND(5)",
-                                             "DEF REAL A1",   "IF R1>5 GOTOF ENDE",
-                                             "ANG=30",        "CHF=2"};
+  static constexpr const char* kOutside[] = {"RPL=45",
+                                             "CYCLE800(1,2)",
+                                             "CYCLE81(5,0,2,-3)",
+                                             "POCKET3(5)",
+                                             "HOLES1(1)",
+                                             "X1=5",
+                                             "B20",
+                                             "S2=500",
+                                             "L10",
+                                             "TURN=R[1]",
+                                             "T=\"MILL\"",
+                                             "GOTOB ANFANG",
+                                             "X=R[1]",
+                                             "X=$AA_IM[X]",
+                                             "Z=ROUND(5)",
+                                             "ANG=30",
+                                             "DEF REAL A1",
+                                             "CHF=2",
+                                             "IF R1>5 GOTOF ENDE"};
   static constexpr const char* kAlarm[] = {
       "G5",         "G21",       "G28",         "G43",     "G81",
       "G158",       "G259",      "G999",        "G1.5",    "LCYC75",
@@ -141,8 +140,9 @@ void SinumerikWriter::outside_block() {
       "K1=3",       "CR=5",      "AR=90",       "F-20",    "G110 X5 Y5 F10"};
   const bool outside = choices_.one_in(3);
   count(outside ? "outside" : "alarm of its own");
-  Words words = {outside ? kOutside[choices_.below(std::size(kOutside))]
-                         : kAlarm[choices_.below(std::size(kAlarm))]};
+  Words words = {!outside             ? kAlarm[choices_.below(std::size(kAlarm))]
+                 : choices_.one_in(2) ? code_that_is(Treatment::outside)
+                                      : kOutside[choices_.below(std::size(kOutside))]};
   // Where no frame code is, what it means is undecided.
   if (is_802s() && words[0] == "RPL=45") words[0] = "ROT";
   // The words of lines: an arc would ask for its own.
@@ -163,9 +163,9 @@ void SinumerikWriter::syntax_line() {
 
 void SinumerikWriter::passed_over_block() {
   count("passed over");
-  write({choices_.pick({"MSG(\"CUT (1; \xE5\x88\x80\")", "MSG()", "STOPRE", "SOFT", "BRISK",
-                        "DRIVE", "FFWON", "FFWOF", "CFTCP", "CFIN", "COMPOF", "DIAMOF", "LIMS=2000",
-                        "SPOS=90", "msg(\"\")"})},
+  if (choices_.one_in(2)) return write({code_that_is(Treatment::without_effect)}, Kind::other);
+  write({choices_.pick(
+            {"MSG(\"CUT (1; \xE5\x88\x80\")", "MSG()", "msg(\"\")", "LIMS=2000", "SPOS=90"})},
         Kind::other);
 }
 
@@ -190,9 +190,10 @@ void SinumerikWriter::mode_block() {
     case 9:
       return passed_over_block();
     case 10:
-      return write({choices_.pick({"M8", "M9", "M0", "M1", "M6", "M41", "G9", "G40", "G54", "G56",
-                                   "G64", "G500", "T4", "D2", "H5=3", "T1 D1 M6"})},
-                   Kind::other);
+      if (choices_.one_in(3)) return passed_over_block();
+      return write(
+          {choices_.pick({"M8", "M9", "M0", "M1", "M6", "M41", "T4", "D2", "H5=3", "T1 D1 M6"})},
+          Kind::other);
     default:
       count("no motion");
       text_ += choices_.pick({"\n", ";only a comment\n", "N77\n", "/\n", " \t\n", ":5\n",

@@ -5,10 +5,12 @@
 //               [--distribution]
 //   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
 // LIST is as fuzz/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution prints
-// what the programs hold and reach: kinds, machines, records, planes, clauses, alarms, verdicts.
-// An expander of several dialects gets programs of the first one where none is named. --input tries
-// the one program that a fuzzer's input decides, and prints it first: also one that never ends.
-// Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2 wrong use.
+// what the programs hold and reach: kinds, machines, records, planes, clauses, alarms, verdicts,
+// and what lies outside of the domain (docs/domain.md); a departure there is counted, and no
+// failure. An expander of several dialects gets programs of the first one where none is named.
+// --input tries the one program that a fuzzer's input decides, and prints it first: also one that
+// never ends. Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2
+// wrong use.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -24,6 +26,7 @@
 
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
+#include "fuzz/domain.hpp"
 #include "fuzz/generator.hpp"
 #include "fuzz/program_report.hpp"
 
@@ -136,13 +139,22 @@ int soak(const SoakOptions& options) {
     fuzz::Choices choices(options.seed + i);
     const fuzz::GeneratedProgram program = generator->generate(
         choices, options.settings, options.distribution ? &distribution : nullptr);
-    if (options.distribution) fuzz::count_program(program, distribution);
+    if (options.distribution) {
+      fuzz::count_program(program, distribution);
+      const std::string_view rule = fuzz::outside_domain(program.profile, program.text);
+      if (!rule.empty()) ++distribution[fmt::format("out of domain: {}", rule)];
+    }
     const auto verdict = judged(*subject, program, options.seed + i);
     ++distribution[verdict ? fmt::format("verdict {}", name(verdict->kind)) : "too long"];
     // What the expander does not implement it says: neither right nor wrong.
     if (!verdict || verdict->kind == oracle::VerdictKind::skip) continue;
     if (decision(verdict->kind) == oracle::Decision::go) continue;
     if (is_out_of_reach(*verdict)) continue;
+    const auto rule = fuzz::outside_domain(program.profile, program.text, *verdict);
+    if (!rule.empty()) {
+      ++distribution[fmt::format("out of domain, and no failure: {}", rule)];
+      continue;
+    }
     fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", options.seed + i,
                fuzz::failure_text(*verdict, program.profile, program.text),
                fuzz::trace_text(*subject, program.profile, program.text));

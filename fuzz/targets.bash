@@ -25,14 +25,8 @@ target_most_bytes() {
   fi
 }
 
-# write_dictionary DIALECT FILE
-write_dictionary() {
-  if [ "$1" = any ]; then
-    cat "$fuzz_folder"/dictionaries/*.dict >"$2"
-  else
-    cp "$fuzz_folder/dictionaries/$1.dict" "$2"
-  fi
-}
+# write_dictionary TARGET BUILD FILE: of a target that reads NC text, as the target itself writes it.
+write_dictionary() { GONOGO_FUZZ_DICTIONARY=1 "$2/fuzz/$1" >"$3"; }
 
 # engine_options TARGET BUILD FOLDER: libFuzzer's options of the target, one a line; its dictionary is
 # written into FOLDER. Where an input is decisions, it is long from the beginning (a program of four bytes is
@@ -47,7 +41,7 @@ engine_options() {
     return
   fi
   mkdir -p "$3"
-  write_dictionary "$dialect" "$3/$1.dict"
+  write_dictionary "$1" "$2" "$3/$1.dict"
   printf '%s\n' "-dict=$3/$1.dict"
 }
 

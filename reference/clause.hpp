@@ -60,12 +60,6 @@ std::string_view name(ClauseLevel level);
 std::string_view name(Basis basis);
 std::optional<Basis> basis(std::string_view name);
 
-// A code of the maker that the gauge does not read.
-struct OutsideCode {
-  std::string_view code;   // "G71"
-  std::string_view title;  // what the maker calls it
-};
-
 // "GSK-G94-02"_clause: the place of a clause in the catalog, checked when compiling.
 consteval ClauseId operator""_clause(const char* id, std::size_t size) {
   for (std::size_t i = 0; i < catalog::kAll.size(); ++i) {

@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <array>
 
-#include "reference/gsk988ta/codes.hpp"
+#include "reference/gsk988ta/descriptor.hpp"
 #include "reference/gsk988ta/interpreter.hpp"
-#include "reference/gsk988ta/word_use.hpp"
-#include "reference/hnc21t/codes.hpp"
+#include "reference/hnc21t/descriptor.hpp"
 #include "reference/hnc21t/interpreter.hpp"
-#include "reference/hnc21t/word_use.hpp"
-#include "reference/rs274/codes.hpp"
+#include "reference/rs274/descriptor.hpp"
 #include "reference/rs274/interpreter.hpp"
-#include "reference/sinumerik/codes.hpp"
+#include "reference/sinumerik/descriptor.hpp"
 #include "reference/sinumerik/interpreter.hpp"
-#include "reference/sinumerik/word_use.hpp"
 
 namespace gonogo::reference {
 
@@ -47,11 +44,6 @@ constexpr std::span<const Clause> kClauses802s = clauses_of("SIE-");
 constexpr std::span<const Clause> kClauses840d = kClauses802s.first(
     catalog::sinumerik::kPathClauses.size() + catalog::silent::kSinumerikPath.size());
 
-// The language of rs274 has none: a word that its block does not use is an alarm.
-std::span<const PassedWords> no_passed_words() {
-  return {};
-}
-
 void keeps_defaults(Profile&) {}
 
 void mills(Profile& profile) {
@@ -71,14 +63,13 @@ void mills_finely(Profile& profile) {
 std::span<const Dialect> dialects() {
   static const auto kDialects = std::to_array<Dialect>({
       {"gsk988ta", grammar::Dialect::gsk988ta, clauses_of("GSK-"), "GSK-COM-02"_clause,
-       "GSK-COM-02"_clause, true, gsk988ta::make_interpreter, gsk988ta::outside_codes,
-       gsk988ta::codes_without_effect, gsk988ta::passed_words, kOffsets, kGskParameters,
-       keeps_defaults,
+       "GSK-COM-02"_clause, true, gsk988ta::make_interpreter, &gsk988ta::kDescriptor, kOffsets,
+       kGskParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, variables "
        "(#), expressions ([ ]), words behind a comma and control statements"},
       {"hnc21t", grammar::Dialect::hnc21t, clauses_of("HNC-"), "HNC-COM-01"_clause,
-       "HNC-COM-01"_clause, true, hnc21t::make_interpreter, hnc21t::outside_codes,
-       hnc21t::codes_without_effect, hnc21t::passed_words, kOffsets, kHncParameters, keeps_defaults,
+       "HNC-COM-01"_clause, true, hnc21t::make_interpreter, &hnc21t::kDescriptor, kOffsets,
+       kHncParameters, keeps_defaults,
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
        "outside the cycles (programs "
        "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements"},
@@ -89,9 +80,7 @@ std::span<const Dialect> dialects() {
        "NGC-COM-01"_clause,
        false,
        rs274::make_interpreter,
-       rs274::outside_codes,
-       rs274::codes_without_effect,
-       no_passed_words,
+       &rs274::kDescriptor,
        {},
        {},
        mills_finely,
@@ -104,9 +93,7 @@ std::span<const Dialect> dialects() {
        "SIE-LEX-02"_clause,
        false,
        sinumerik::make_interpreter_840d,
-       sinumerik::outside_codes,
-       sinumerik::codes_without_effect,
-       sinumerik::passed_words,
+       &sinumerik::kDescriptor840d,
        {},
        kSinumerikParameters,
        mills,
@@ -120,9 +107,7 @@ std::span<const Dialect> dialects() {
        "SIE-LEX-02"_clause,
        false,
        sinumerik::make_interpreter_802s,
-       sinumerik::outside_codes,
-       sinumerik::codes_without_effect,
-       sinumerik::passed_words,
+       &sinumerik::kDescriptor802s,
        {},
        kSinumerikParameters,
        mills,

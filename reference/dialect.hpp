@@ -10,8 +10,8 @@
 
 #include "grammar/ast.hpp"
 #include "reference/clause.hpp"
+#include "reference/descriptor.hpp"
 #include "reference/expander.hpp"
-#include "reference/passed_words.hpp"
 
 namespace gonogo::reference {
 
@@ -26,11 +26,7 @@ struct Dialect {
   std::unique_ptr<BlockInterpreter> (*make_interpreter)(const Profile& profile,
                                                         const ReadingsInUse& readings,
                                                         OpenPaths open_paths);
-  std::span<const OutsideCode> (*outside_codes)();
-  // Modal codes without effect on the path, passed over.
-  std::span<const std::string_view> (*codes_without_effect)();
-  // The words that are passed over, by which rule.
-  std::span<const PassedWords> (*passed_words)();
+  const Descriptor* descriptor;                  // its codes and words
   std::span<const std::string_view> offsets;     // names of work offsets that a profile may give
   std::span<const std::string_view> parameters;  // and of machine parameters
   void (*power_on)(Profile& profile);            // sets what is not Profile's own default

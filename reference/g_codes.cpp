@@ -6,13 +6,9 @@
 #include <string_view>
 
 #include "grammar/parser.hpp"
+#include "reference/descriptor.hpp"
 
 namespace gonogo::reference {
-
-std::string code_name(int tenths) {
-  return tenths % 10 == 0 ? fmt::format("G{:02}", tenths / 10)
-                          : fmt::format("G{}.{}", tenths / 10, tenths % 10);
-}
 
 std::optional<int> tenths_of_long(const grammar::Decimal& value) {
   if (value.negative) return std::nullopt;  // not 0: such digits begin with another
@@ -32,16 +28,52 @@ Alarm undefined_code(const grammar::Word& word, ClauseId clause) {
           fmt::format("The control has no code {}.", written)};
 }
 
-Alarm second_of_group(int tenths, const grammar::Word& word, ClauseId clause) {
+Alarm second_of_group(const Code& code, const grammar::Word& word, ClauseId clause) {
   return {AlarmClass::duplicate_word, clause, 'G', word.where,
-          fmt::format("{} is the second code of its group in the block.", code_name(tenths))};
+          fmt::format("{} is the second code of its group in the block.", code_name(code.tenths))};
 }
 
-NotCovered code_outside(int tenths, std::string_view title, const grammar::Word& word) {
-  return {0, code_name(tenths),
-          fmt::format("{} ({}) is a code of the control that the gauge does not read.",
-                      code_name(tenths), title),
+NotCovered code_outside(const Code& code, const grammar::Word& word) {
+  // Of a family the one that is written.
+  const std::string name = code_name(tenths_of(word.value).value_or(code.tenths));
+  return {0, name,
+          fmt::format("{} ({}) is a code of the control that the gauge does not read.", name,
+                      code.title),
           word.where};
+}
+
+bool GCodeTable::repeats_group(const grammar::Block& block) const {
+  std::uint32_t seen = 0;
+  for (const grammar::Word& word : block.words) {
+    const Code* code = word.address == 'G' ? find(word.value) : nullptr;
+    if (code == nullptr) continue;
+    if ((seen & bit_of(*code)) != 0) return true;
+    seen |= bit_of(*code);
+  }
+  return false;
+}
+
+void GCodeTable::read(const grammar::Block& block, bool last_wins, GCodeReading& reading) const {
+  reading.clear();
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'G') read_word(word, last_wins, reading);
+  }
+}
+
+void GCodeTable::take(const grammar::Word& word, const Code* code, bool last_wins,
+                      GCodeReading& reading) const {
+  if (code == nullptr) {
+    reading.alarms.push_back(undefined_code(word, undefined_));
+    return;
+  }
+  if (!reading.is_first_of(code->group) && !last_wins) {
+    reading.alarms.push_back(second_of_group(*code, word, repeated_));
+  }
+  if (code->treatment == Treatment::outside && !reading.not_covered) {
+    reading.not_covered = code_outside(*code, word);
+  }
+  if (code->group != Group::motion) reading.letters |= code->letters;
+  reading.by_group[static_cast<std::size_t>(code->group)] = code->tenths / 10;
 }
 
 }  // namespace gonogo::reference

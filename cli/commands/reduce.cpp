@@ -8,7 +8,7 @@
 #include "cli/output.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -36,8 +36,8 @@ int reduce(const ReduceWords& words) {
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
   const fuzz::GeneratedProgram& reduced = finding->exhibit.program;
   complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n", verdict_text(finding->verdict),
-           reference::profile_json(reduced.profile), fuzz::count_blocks(reduced.text),
-           fuzz::count_blocks(program.text), finding->reduce_runs,
+           reference::profile_json(reduced.profile), program::count_blocks(reduced.text),
+           program::count_blocks(program.text), finding->reduce_runs,
            finding->is_reduced ? "" : "; it may become smaller still",
            id.empty() ? "" : fmt::format("; {}/findings/{}", words.trial.out, id));
   Output output;

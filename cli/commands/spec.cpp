@@ -64,20 +64,35 @@ void append_readings(std::string_view dialect, std::string& out) {
   }
 }
 
+void append_codes(const reference::Dialect& dialect, std::string& out) {
+  out += "\nCodes that are read, and their words (modal: they stay in force)\n";
+  for (const reference::Code& code : dialect.descriptor->codes) {
+    if (code.treatment != reference::Treatment::read || code.is_m()) continue;
+    out += fmt::format("  {:<6} {} [{}]", code.text(), code.title, code.feature);
+    if (code.clause != reference::kNoClause) {
+      out += fmt::format(" ({})", reference::clause_name(code.clause));
+    }
+    out += '\n';
+    const std::string words = reference::words_text(code);
+    if (!words.empty()) out += fmt::format("{:9}{}\n", "", words);
+  }
+}
+
 void append_outside(const reference::Dialect& dialect, std::string& out) {
   out += "\nOutside: codes of the control that the gauge does not read (not-covered)\n";
-  for (const reference::OutsideCode& code : dialect.outside_codes()) {
+  for (const reference::OutsideCode& code : reference::outside_codes(*dialect.descriptor)) {
     out += fmt::format("  {:<6} {}\n", code.code, code.title);
   }
   out += fmt::format("  {}\n", dialect.outside_constructs);
   out += "\nPassed over: codes without effect on the path\n ";
-  for (std::string_view code : dialect.codes_without_effect()) {
+  for (const std::string& code : reference::codes_without_effect(*dialect.descriptor)) {
     out += fmt::format(" {}", code);
   }
   out += '\n';
-  if (dialect.passed_words().empty()) return;
+  const std::vector<reference::PassedWords> rules = reference::passed_words(*dialect.descriptor);
+  if (rules.empty()) return;
   out += "\nPassed over: words beside codes that do not use them\n";
-  for (const reference::PassedWords& rule : dialect.passed_words()) {
+  for (const reference::PassedWords& rule : rules) {
     out += fmt::format("  {}: {}\n{:8}{} ({})\n", rule.codes, rule.words, "", rule.why,
                        reference::clause_name(rule.clause));
   }
@@ -114,6 +129,7 @@ int spec(const SpecOptions& options) {
     output.text() += fmt::format("Dialect {}\n", dialect.name);
     append_clauses(dialect, output.text());
     append_readings(dialect.name, output.text());
+    append_codes(dialect, output.text());
     append_outside(dialect, output.text());
   }
   output.flush();

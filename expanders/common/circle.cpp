@@ -22,9 +22,11 @@ CircleDefect centre_from_radius(const Chord& chord, Fixed radius, bool countercl
 }
 
 bool radii_agree(Wide start_square, Wide end_square, Fixed tolerance) {
-  if (tolerance == 0) return start_square == end_square;
-  const Wide difference = floor_root(start_square) - floor_root(end_square);
-  return (difference < 0 ? -difference : difference) <= tolerance;
+  if (tolerance == 0 || start_square == end_square) return start_square == end_square;
+  constexpr long double kRounding = 1e-3L;
+  const long double start = std::sqrt(static_cast<long double>(start_square));
+  const long double end = std::sqrt(static_cast<long double>(end_square));
+  return std::fabs(start - end) <= static_cast<long double>(tolerance) + kRounding;
 }
 
 }  // namespace gonogo::expanders

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 namespace gonogo::expanders {
 namespace {
@@ -35,24 +34,6 @@ Fixed read_fraction(const char*& cursor, const char* end, Decimal& number) {
   return fraction + (round_up ? 1 : 0);
 }
 
-unsigned __int128 magnitude_of(Wide value) {
-  const auto bits = static_cast<unsigned __int128>(value);
-  return value < 0 ? -bits : bits;
-}
-
-// In pieces that std::to_chars takes.
-char* write_whole(unsigned __int128 value, char* out) {
-  constexpr std::uint64_t kPiece = 1'000'000'000'000'000'000;
-  constexpr int kDigits = 18;
-  if (value < kPiece)
-    return std::to_chars(out, out + kDigits, static_cast<std::uint64_t>(value)).ptr;
-  out = write_whole(value / kPiece, out);
-  auto rest = static_cast<std::uint64_t>(value % kPiece);
-  for (int digit = kDigits; digit-- > 0; rest /= 10)
-    out[digit] = static_cast<char>('0' + rest % 10);
-  return out + kDigits;
-}
-
 }  // namespace
 
 bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
@@ -80,16 +61,12 @@ bool read_decimal(const char*& cursor, const char* end, Decimal& number) {
   return true;
 }
 
-std::size_t write_decimal(Wide value, char* text) {
+std::size_t write_decimal(Fixed value, char* text) {
   char* out = text;
   if (value < 0) *out++ = '-';
-  const unsigned __int128 size = magnitude_of(value);
-  // Most numbers are short, and divisions of 128 bits slow.
-  const bool is_short = (size >> 63) == 0;
-  const auto count = static_cast<Fixed>(size);
-  out = is_short ? std::to_chars(out, text + kTextSize, count / kOne).ptr
-                 : write_whole(size / kOne, out);
-  Fixed fraction = is_short ? count % kOne : static_cast<Fixed>(size % kOne);
+  const Fixed size = magnitude(value);
+  out = std::to_chars(out, text + kTextSize, size / kOne).ptr;
+  Fixed fraction = size % kOne;
   if (fraction != 0) {
     *out++ = '.';
     while (fraction != 0) {
@@ -105,17 +82,6 @@ Wide scaled(Fixed value, Fixed numerator, Fixed denominator) {
   const Wide product = static_cast<Wide>(value) * numerator;
   const Wide half = denominator / 2;
   return (product < 0 ? product - half : product + half) / denominator;
-}
-
-Wide floor_root(Wide square) {
-  if (square == 0) return 0;
-  // The double is right to some 2^-53 of the root; one Newton step and a walk make it exact.
-  auto root = static_cast<Wide>(std::sqrt(static_cast<double>(square)));
-  if (root == 0) root = 1;
-  root = (root + square / root) / 2;
-  while (root * root > square) --root;
-  while ((root + 1) * (root + 1) <= square) ++root;
-  return root;
 }
 
 }  // namespace gonogo::expanders

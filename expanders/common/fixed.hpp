@@ -30,15 +30,12 @@ struct Decimal {
 /// the point. False when there is none: `cursor` is then unspecified.
 bool read_decimal(const char*& cursor, const char* end, Decimal& number);
 
-inline constexpr std::size_t kTextSize = 48;
+inline constexpr std::size_t kTextSize = 24;
 /// Writes `value` as the shortest decimal ("-12.5") and returns its length, at most kTextSize.
-std::size_t write_decimal(Wide value, char* text);
+std::size_t write_decimal(Fixed value, char* text);
 
 /// `value` * numerator / denominator to the nearest count, halves away from zero.
 Wide scaled(Fixed value, Fixed numerator, Fixed denominator);
-
-/// Largest r with r * r <= square; square from 0 to 8 * kLargest^2.
-Wide floor_root(Wide square);
 
 inline Fixed magnitude(Fixed value) {
   return value < 0 ? -value : value;

@@ -31,26 +31,4 @@ constexpr Product multiply(Wide a, Wide b) {
           (middle << 64) | (low & kMask)};
 }
 
-/// a * b / c to the nearest whole number, halves upward; a, b not negative, c > 0. False: it is
-/// too large for Wide.
-inline bool divide_product(Wide a, Wide b, Wide c, Wide& quotient) {
-  using Unsigned = unsigned __int128;
-  const Product product = multiply(a, b);
-  const auto divisor = static_cast<Unsigned>(c);
-  if (product.high >= divisor) return false;
-  // A bit a step; the rest stays below the divisor, which leaves room for one more bit.
-  Unsigned rest = product.high;
-  Unsigned result = 0;
-  for (int bit = 127; bit >= 0; --bit) {
-    rest = (rest << 1) | ((product.low >> bit) & 1);
-    result <<= 1;
-    if (rest < divisor) continue;
-    rest -= divisor;
-    result |= 1;
-  }
-  if (rest >= divisor - rest) ++result;
-  quotient = static_cast<Wide>(result);
-  return quotient >= 0;
-}
-
 }  // namespace gonogo::expanders

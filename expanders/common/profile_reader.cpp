@@ -6,35 +6,6 @@
 #include <optional>
 
 namespace gonogo::expanders {
-namespace {
-
-// A decimal with an optional exponent; nothing else can be a machine parameter.
-std::optional<Fixed> fixed_of(const std::string& text) {
-  const char* cursor = text.data();
-  const char* end = cursor + text.size();
-  Decimal number;
-  if (!read_decimal(cursor, end, number) || number.overflow) return std::nullopt;
-  Wide value = number.value;
-  if (cursor != end && (*cursor == 'e' || *cursor == 'E')) {
-    ++cursor;
-    if (cursor != end && *cursor == '+') ++cursor;
-    int exponent = 0;
-    const auto [stop, error] = std::from_chars(cursor, end, exponent);
-    if (error != std::errc{} || exponent < -18 || exponent > 18) return std::nullopt;
-    cursor = stop;
-    for (; exponent > 0; --exponent) value *= 10;
-    // A profile's numbers are exact: what is finer than a count is refused.
-    for (; exponent < 0; ++exponent) {
-      if (value % 10 != 0) return std::nullopt;
-      value /= 10;
-    }
-  }
-  if (cursor != end || number.finer || !fits(value)) return std::nullopt;
-  return static_cast<Fixed>(value);
-}
-
-}  // namespace
-
 ConfigurationResult ProfileReader::read(std::string_view text) {
   const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
   if (json.is_discarded() || !json.is_object()) {

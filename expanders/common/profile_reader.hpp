@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "expanders/common/axes.hpp"
+#include "expanders/common/machine_profile.hpp"
 
 namespace gonogo::expanders {
 
@@ -20,7 +20,7 @@ struct Choice {
   bool Configuration::*option;
 };
 
-enum class ConfigurationResult { kRead, kUnsupported, kMalformed };
+using ConfigurationResult = ProfileResult;
 
 /// Reads {"dialect", "profile"} as `create` gets it; a maker's reader gives the keys. Every
 /// function returns false, and has then put a message, when a value is not implemented.

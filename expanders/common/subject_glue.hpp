@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "expanders/common/profile_reader.hpp"
+#include "expanders/faults.hpp"
 #include "gonogo/subject.h"
 
 namespace gonogo::expanders {
@@ -109,6 +110,31 @@ class SubjectGlue {
   static constexpr std::array<const gonogo_subject_v1*, sizeof...(kIndex)> make_subjects(
       std::index_sequence<kIndex...>) {
     return {&kSubject<static_cast<Fault>(kIndex)>...};
+  }
+};
+
+/// The maker of an interpreter that gives kFaultCount, kDescription, `static profiles()`, and
+/// Memory with `recall(memory)` and `memory()`.
+template <typename Interpreter>
+struct MakerOf {
+  using Configuration = MachineProfile;
+  using Fault = expanders::Fault;
+  using Memory = typename Interpreter::Memory;
+
+  static constexpr std::size_t kFaults = Interpreter::kFaultCount;
+  static constexpr std::string_view kDescription = Interpreter::kDescription;
+
+  static ProfileResult read(std::string_view json, MachineProfile& profile, std::string& message) {
+    return read_profile(json, Interpreter::profiles(), profile, message);
+  }
+
+  static gonogo_answer run(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault,
+                           Memory& memory, std::string_view program) {
+    Interpreter interpreter(profile, sink, fault);
+    interpreter.recall(memory);
+    const gonogo_answer answer = interpreter.run(program);
+    memory = interpreter.memory();
+    return answer;
   }
 };
 

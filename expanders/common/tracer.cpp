@@ -18,7 +18,7 @@ gonogo_record_v1 Tracer::make(gonogo_record_kind kind) const {
 }
 
 // The text lives until the record is sent.
-gonogo_number Tracer::number(Wide value) {
+gonogo_number Tracer::number(Fixed value) {
   char* text = text_.data() + used_;
   const std::size_t size = write_decimal(value, text);
   used_ += size;
@@ -72,7 +72,7 @@ bool Tracer::thread(const Point& to, Axes axes, Fixed lead, Fixed start) {
   return send(record);
 }
 
-bool Tracer::arc(const Plane& plane, Wide centre_p, Wide centre_q, int rot, const Point& to,
+bool Tracer::arc(const Plane& plane, Fixed centre_p, Fixed centre_q, int rot, const Point& to,
                  Axes axes, const Feed& feed) {
   gonogo_record_v1 record = make(GONOGO_ARC);
   record.plane = static_cast<std::uint32_t>(plane.number);

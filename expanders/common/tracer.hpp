@@ -47,7 +47,7 @@ class Tracer {
   /// Arc or helix in `plane` about (centre_p, centre_q), a full turn when it ends where it began;
   /// `rot` +n counterclockwise, -n clockwise: n - 1 full turns and the one to the end. Names both
   /// plane axes and `axes`.
-  bool arc(const Plane& plane, Wide centre_p, Wide centre_q, int rot, const Point& to, Axes axes,
+  bool arc(const Plane& plane, Fixed centre_p, Fixed centre_q, int rot, const Point& to, Axes axes,
            const Feed& feed);
   /// Arc in space through `via`, by X, Y and Z; `axes` are named in the record.
   bool space_arc(const Point& via, const Point& to, Axes axes, const Feed& feed);
@@ -62,7 +62,7 @@ class Tracer {
  private:
   Point along(std::size_t axis, Fixed to) const;
   gonogo_record_v1 make(gonogo_record_kind kind) const;
-  gonogo_number number(Wide value);
+  gonogo_number number(Fixed value);
   void put_point(gonogo_record_v1& record, const Point& to, Axes axes);
   void put_feed(gonogo_record_v1& record, const Feed& feed);
   bool send(const gonogo_record_v1& record);

@@ -4,39 +4,39 @@
 
 namespace gonogo::expanders::gsk {
 
-Flow prepare_turn_cycle(Machine& machine, const Block& block, Plan& plan) {
-  const Plane& plane = *machine.state.plane;
-  TurningWords words;
-  const bool mistaken = machine.has(Fault::kTurnAsFace);
-  const Flow flow = take_turning_words(machine, block, mistaken ? plane.p : plane.q, words);
-  if (flow != Flow::kContinue || !words.runs) return flow;
-  Fixed taper = words.taper;
-  if (machine.has(Fault::kTurnTaperSign)) taper = -taper;
-  if (machine.has(Fault::kTurnTaperDiameter)) taper /= 2;
-  if (!close_path(words.path, taper)) return machine.raise(AlarmKind::kValueOutOfRange, 0);
-  if (machine.state.feed == 0) return machine.raise(AlarmKind::kFeedMissing, 0);  // GSK-COM-04
-  if (mistaken) {
-    plan = FaceCycle{words.path};
-  } else {
-    plan = TurnCycle{words.path};
-  }
-  return Flow::kContinue;
+namespace {
+
+bool cut_along(Machine& machine, const TurningPath& path) {
+  Tracer& tracer = machine.tracer;
+  const Plane& plane = machine.plane();
+  const Point start = machine.state.position;
+  if (!tracer.rapid_axis(plane.q, path.b)) return false;  // A to B
+  Point to = start;
+  to[plane.p] = path.c_p;
+  to[plane.q] = path.c_q;
+  if (!machine.cut(to, axis_bit(plane.p) | axis_bit(plane.q))) return false;  // B to C
+  // C to D.
+  const bool left = machine.has("g90-rapid-retract"_fault)
+                        ? tracer.rapid_axis(plane.q, start[plane.q])
+                        : machine.cut_axis(plane.q, start[plane.q]);
+  return left && tracer.rapid_axis(plane.p, start[plane.p]);  // D to A
 }
 
-bool perform(Machine& machine, const TurnCycle& cycle) {
-  Trace& trace = machine.trace;
-  const Plane& plane = *machine.state.plane;
-  const Point start = machine.state.position;
-  if (!trace.rapid_axis(plane.q, cycle.path.b)) return false;  // A to B
-  Point to = start;
-  to[plane.p] = cycle.path.c_p;
-  to[plane.q] = cycle.path.c_q;
-  if (!trace.feed(to, axis_bit(plane.p) | axis_bit(plane.q))) return false;  // B to C
-  // C to D.
-  const bool left = machine.has(Fault::kTurnRapidRetract)
-                        ? trace.rapid_axis(plane.q, start[plane.q])
-                        : trace.feed_axis(plane.q, start[plane.q]);
-  return left && trace.rapid_axis(plane.p, start[plane.p]);  // D to A
+}  // namespace
+
+void prepare_turn_cycle(Machine& machine, const Block& block, Plan& plan) {
+  const Plane& plane = machine.plane();
+  const bool mistaken = machine.has("g90-as-g94"_fault);
+  TurningWords words = take_turning_words(machine, block, mistaken ? plane.p : plane.q);
+  if (!words.runs) return;
+  Fixed taper = words.taper;
+  if (machine.has("g90-taper-sign"_fault)) taper = -taper;
+  if (machine.has("g90-taper-diameter"_fault)) taper /= 2;
+  close_path(machine, words.path, taper);
+  machine.check_feed();
+  plan = [&machine, path = words.path, mistaken] {
+    return mistaken ? cut_face(machine, path) : cut_along(machine, path);
+  };
 }
 
 }  // namespace gonogo::expanders::gsk

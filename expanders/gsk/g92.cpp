@@ -16,48 +16,40 @@ bool changes_thread(const Block& block) {
   return block.has('L') && block.number('L').value != kOne;
 }
 
-}  // namespace
-
-Flow prepare_thread_cycle(Machine& machine, const Block& block, Plan& plan) {
-  TurningWords words;
-  const Flow flow = take_turning_words(machine, block, machine.state.plane->q, words);
-  if (flow != Flow::kContinue) return flow;
-  if (changes_thread(block)) {
-    machine.trace.note(GONOGO_NOTE_ERROR, "G92 with this J, K, P, Q, I or L is not implemented.");
-    return Flow::kUnsupported;
-  }
-  if (!words.runs) return Flow::kContinue;
-  if (!close_path(words.path, words.taper)) {
-    return machine.raise(AlarmKind::kValueOutOfRange, 0);
-  }
-  // F is the lead in mm a revolution, whatever the feed mode.
-  const Fixed lead = machine.configuration.lead_is_feed ? machine.state.feed : machine.state.lead;
-  if (lead == 0) return machine.raise(AlarmKind::kLeadMissing, 0);
-  ThreadCycle cycle{words.path, lead};
-  if (machine.has(Fault::kLeadInInches) && machine.state.inch) {
-    cycle.lead = static_cast<Fixed>(scaled(cycle.lead, 10, 254));
-  }
-  plan = cycle;
-  return Flow::kContinue;
-}
-
-bool perform(Machine& machine, const ThreadCycle& cycle) {
-  Trace& trace = machine.trace;
-  const Plane& plane = *machine.state.plane;
+bool cut_thread(Machine& machine, const TurningPath& path, Fixed lead) {
+  Tracer& tracer = machine.tracer;
+  const Plane& plane = machine.plane();
   const Point start = machine.state.position;
-  if (!trace.rapid_axis(plane.q, cycle.path.b)) return false;  // A to B
+  if (!tracer.rapid_axis(plane.q, path.b)) return false;  // A to B
   Point to = start;
-  to[plane.p] = cycle.path.c_p;
-  to[plane.q] = cycle.path.c_q;
+  to[plane.p] = path.c_p;
+  to[plane.q] = path.c_q;
   const Axes axes = axis_bit(plane.p) | axis_bit(plane.q);
   const bool cut =
-      machine.has(Fault::kThreadAtFeed) ? trace.feed(to, axes) : trace.thread(to, axes, cycle.lead);
+      machine.has("g92-cuts-at-feed"_fault) ? machine.cut(to, axes) : tracer.thread(to, axes, lead);
   if (!cut) return false;  // B to C
   // C to D.
-  const bool left = machine.has(Fault::kThreadFeedRetract)
-                        ? trace.thread_axis(plane.q, start[plane.q], cycle.lead)
-                        : trace.rapid_axis(plane.q, start[plane.q]);
-  return left && trace.rapid_axis(plane.p, start[plane.p]);  // D to A
+  const bool left = machine.has("g92-threads-retract"_fault)
+                        ? tracer.thread_axis(plane.q, start[plane.q], lead)
+                        : tracer.rapid_axis(plane.q, start[plane.q]);
+  return left && tracer.rapid_axis(plane.p, start[plane.p]);  // D to A
+}
+
+}  // namespace
+
+void prepare_thread_cycle(Machine& machine, const Block& block, Plan& plan) {
+  TurningWords words = take_turning_words(machine, block, machine.plane().q);
+  if (changes_thread(block)) machine.lacking = "G92 with this J, K, P, Q, I or L";
+  if (!words.runs) return;
+  close_path(machine, words.path, words.taper);
+  // F is the lead in mm a revolution, whatever the feed mode.
+  const bool is_feed = machine.follows("gsk.g92.lead=feed"_reading);
+  Fixed lead = is_feed ? machine.state.feed : machine.state.lead;
+  if (lead == 0) return machine.raise(AlarmKind::kLeadMissing);
+  if (machine.has("g92-lead-in-inches"_fault) && machine.state.inch) {
+    lead = static_cast<Fixed>(scaled(lead, 10, 254));
+  }
+  plan = [&machine, path = words.path, lead] { return cut_thread(machine, path, lead); };
 }
 
 }  // namespace gonogo::expanders::gsk

@@ -4,44 +4,42 @@
 
 namespace gonogo::expanders::gsk {
 
-Flow prepare_face_cycle(Machine& machine, const Block& block, Plan& plan) {
-  TurningWords words;
-  const Flow flow = take_turning_words(machine, block, machine.state.plane->p, words);
-  if (flow != Flow::kContinue || !words.runs) return flow;
+void prepare_face_cycle(Machine& machine, const Block& block, Plan& plan) {
+  TurningWords words = take_turning_words(machine, block, machine.plane().p);
+  if (!words.runs) return;
   Fixed taper = words.taper;
-  if (machine.has(Fault::kTaperSign)) taper = -taper;
-  if (machine.has(Fault::kTaperDiameter)) taper /= 2;
-  if (!close_path(words.path, taper)) return machine.raise(AlarmKind::kValueOutOfRange, 0);
-  if (machine.state.feed == 0) return machine.raise(AlarmKind::kFeedMissing, 0);  // GSK-COM-04
-  plan = FaceCycle{words.path};
-  return Flow::kContinue;
+  if (machine.has("taper-sign"_fault)) taper = -taper;
+  if (machine.has("taper-diameter"_fault)) taper /= 2;
+  close_path(machine, words.path, taper);
+  machine.check_feed();
+  plan = [&machine, path = words.path] { return cut_face(machine, path); };
 }
 
-bool perform(Machine& machine, const FaceCycle& cycle) {
-  Trace& trace = machine.trace;
-  const std::size_t p = machine.state.plane->p;
-  const std::size_t q = machine.state.plane->q;
+bool cut_face(Machine& machine, const TurningPath& path) {
+  Tracer& tracer = machine.tracer;
+  const std::size_t p = machine.plane().p;
+  const std::size_t q = machine.plane().q;
   const Point start = machine.state.position;
   Point to = start;
   Axes axes = axis_bit(p);
-  to[p] = cycle.path.b;
-  if (machine.has(Fault::kApproachTakesEnd)) {
-    to[q] = cycle.path.c_q;
+  to[p] = path.b;
+  if (machine.has("approach-takes-end"_fault)) {
+    to[q] = path.c_q;
     axes |= axis_bit(q);
   }
-  if (!trace.rapid(to, axes)) return false;  // GSK-G94-02: A to B
-  to[p] = cycle.path.c_p;
-  to[q] = cycle.path.c_q;
-  if (!trace.feed(to, axis_bit(p) | axis_bit(q))) return false;  // GSK-G94-03: B to C
+  if (!tracer.rapid(to, axes)) return false;  // GSK-G94-02: A to B
+  to[p] = path.c_p;
+  to[q] = path.c_q;
+  if (!machine.cut(to, axis_bit(p) | axis_bit(q))) return false;  // GSK-G94-03: B to C
   // GSK-G94-04: C to D.
-  const bool left = machine.has(Fault::kRapidRetract) ? trace.rapid_axis(p, start[p])
-                                                      : trace.feed_axis(p, start[p]);
+  const bool left = machine.has("rapid-retract"_fault) ? tracer.rapid_axis(p, start[p])
+                                                       : machine.cut_axis(p, start[p]);
   if (!left) return false;
   // GSK-G94-05: D to A.
-  const bool back = machine.has(Fault::kFeedReturn) ? trace.feed_axis(q, start[q])
-                                                    : trace.rapid_axis(q, start[q]);
+  const bool back = machine.has("feed-return"_fault) ? machine.cut_axis(q, start[q])
+                                                     : tracer.rapid_axis(q, start[q]);
   if (!back) return false;
-  return !machine.has(Fault::kEndsAtB) || trace.rapid_axis(p, cycle.path.b);
+  return !machine.has("ends-at-b"_fault) || tracer.rapid_axis(p, path.b);
 }
 
 }  // namespace gonogo::expanders::gsk

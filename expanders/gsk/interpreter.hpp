@@ -1,47 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
-
-#include "expanders/gsk/plan.hpp"
+#include "expanders/common/interpreter.hpp"
+#include "expanders/gsk/machine.hpp"
 
 namespace gonogo::expanders::gsk {
 
-/// Runs one program from the state of power-on, block by block: reads a block, sets the modal
-/// codes, checks, moves. Uses no memory that grows with the program.
-class Interpreter {
+/// Reads a block, sets the modal codes, checks, moves.
+class Interpreter final : public LetterInterpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, Fault fault)
-      : machine_(configuration, sink, fault) {}
+  using Memory = Fixed;  // the last feed, for the fault that lets it survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-gsk","version":"0.1.0"},)"
+      R"("dialects":{"gsk988ta":["basic","arc","g90","g92","g94","g110","g112","g114","g116"]},)"
+      R"("features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
+      R"("max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
 
-  /// What `run` of the C interface answers.
-  gonogo_answer run(std::string_view program);
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
 
-  Machine& machine() { return machine_; }
+  void recall(Fixed feed) {
+    if (feed != 0) machine_.state.feed = feed;
+  }
+  Memory memory() const {
+    return machine_.has("feed-survives-reset"_fault) ? machine_.state.feed : 0;
+  }
 
  private:
-  Flow run_line(std::string_view line);
-  Flow run_block();
-  Flow check_codes();
-  Flow take_modal_codes();
-  Flow take_feed(bool repeats_cycle);
+  Lines lines() const override;
+  LetterBlock::Manner manner() const override;
+  void check_words() override;
+  void prepare(Plan& plan) override;
+  Moment moment_of(Fixed m) const override;
+  void take_codes();
+  void take_feed(bool repeats_cycle);
   void take_motion_code();
   void take_cycle_code();
   void enter_cycle(Cycle cycle);
   void cancel_cycles();
   AddressSet known_words() const;
-  Flow check_stray_words();
-  Flow prepare(Plan& plan);
-  Flow prepare_cycle(bool mills, Plan& plan);
-  Flow run_functions(bool before);
-  bool is_dwell() const { return block_.has_code(Group::kNonModal, 40); }
-  Flow unsupported(std::string_view what);
-  Flow unsupported(char letter, unsigned tenths);
+  void prepare_motion(Plan& plan);
+  void prepare_cycle(bool mills, Plan& plan);
+  bool is_dwell() const;
+  bool is_once() const;
 
   Machine machine_;
-  Block block_;
   bool entering_ = false;  // the block's code enters a mode of G110 to G117
-  bool any_block_ = false;
 };
 
 }  // namespace gonogo::expanders::gsk

@@ -19,11 +19,11 @@ constexpr char kIncremental[] = {'U', 'V', 'W', 0, 'H'};
 // The least input increment: ISB 0.001 mm or 0.0001 in, ISC a tenth of it.
 Fixed increment(const Machine& machine) {
   const Fixed coarse = machine.state.inch ? kOne / 10'000 : kOne / 1'000;
-  return machine.configuration.fine ? coarse / 10 : coarse;
+  return machine.profile.fine ? coarse / 10 : coarse;
 }
 
 Fixed written(const Machine& machine, const Decimal& number) {
-  if (machine.configuration.decimals != Decimals::kNearest) return number.value;
+  if (!machine.follows("gsk.decimals=nearest"_reading)) return number.value;
   const Fixed unit = increment(machine);
   return static_cast<Fixed>(scaled(number.value, 1, unit)) * unit;
 }
@@ -36,32 +36,31 @@ Wide to_millimetres(const Machine& machine, const Decimal& number, Fixed share) 
 }
 
 template <typename Visit>
-Flow for_each(AddressSet addresses, Visit visit) {
+void for_each(AddressSet addresses, Visit visit) {
   for (std::uint32_t bits = addresses.bits(); bits != 0; bits &= bits - 1) {
-    const Flow flow = visit(static_cast<char>('A' + std::countr_zero(bits)));
-    if (flow != Flow::kContinue) return flow;
+    visit(static_cast<char>('A' + std::countr_zero(bits)));
   }
-  return Flow::kContinue;
 }
 
-Flow check_decimals(Machine& machine, const Block& block) {
+void check_decimals(Machine& machine, const Block& block) {
   const Fixed unit = increment(machine);
-  return for_each(block.words(), [&](char address) {
+  for_each(block.words(), [&](char address) {
     const Decimal& number = block.number(address);
     const bool too_fine = number.finer || number.value % unit != 0;
-    return kLengths.has(address) && too_fine ? machine.raise(AlarmKind::kValueOutOfRange, address)
-                                             : Flow::kContinue;
+    if (!kLengths.has(address) || !too_fine) return;
+    machine.complain(AlarmKind::kValueOutOfRange, address, block);
   });
 }
 
 // GSK-G112-01: L is a whole number of turns, 1 to 99999.
-Flow check_turns(Machine& machine, const Decimal& number) {
+void check_turns(Machine& machine, const Block& block) {
   constexpr Fixed kMost = 99'999 * kOne;
-  if (number.value < kOne || number.value > kMost) {
-    return machine.raise(AlarmKind::kValueOutOfRange, 'L');
+  const Fixed turns = block.number('L').value;
+  if (turns < kOne || turns > kMost) {
+    machine.complain(AlarmKind::kValueOutOfRange, 'L', block);
+  } else if (block.has_fraction('L')) {
+    machine.complain(AlarmKind::kNotAnInteger, 'L', block);
   }
-  const bool whole = number.value % kOne == 0 && !number.finer;
-  return whole ? Flow::kContinue : machine.raise(AlarmKind::kNotAnInteger, 'L');
 }
 
 }  // namespace
@@ -74,10 +73,8 @@ Fixed angle_of(const Machine& machine, const Block& block, char address) {
   return written(machine, block.number(address));
 }
 
-bool take(const Machine& machine, const Block& block, char address, Retained& store) {
-  if (!block.has(address)) return false;
-  store = {true, false, length_of(machine, block, address)};
-  return true;
+void take(const Machine& machine, const Block& block, char address, Retained& store) {
+  if (block.has(address)) store = {true, false, length_of(machine, block, address)};
 }
 
 AxisWord axis_word(const Machine& machine, const Block& block, std::size_t axis, bool as_diameter) {
@@ -91,61 +88,59 @@ AxisWord axis_word(const Machine& machine, const Block& block, std::size_t axis,
     word.value = number.value;
     return word;
   }
-  bool halved = axis == GONOGO_X && as_diameter && machine.configuration.x_diameter;
-  if (machine.has(Fault::kIncrementAsRadius) && word.incremental) halved = false;
+  bool halved = axis == GONOGO_X && as_diameter && machine.profile.x_diameter;
+  if (machine.has("increment-as-radius"_fault) && word.incremental) halved = false;
   word.value = static_cast<Fixed>(to_millimetres(machine, number, halved ? 2 : 1));
   return word;
 }
 
-Flow commanded_point(Machine& machine, const Block& block, Point& to, Axes& axes) {
-  to = machine.state.position;
+Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
+  Point to = machine.state.position;
   axes = 0;
-  if (!block.has_any(kAxisAddresses)) return Flow::kContinue;
   for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z, GONOGO_C}) {
     const AxisWord word = axis_word(machine, block, axis);
     if (!word.present) continue;
     to[axis] = target_of(word, to[axis]);
-    if (!fits(to[axis])) return machine.raise(AlarmKind::kValueOutOfRange, word.address);
+    if (!fits(to[axis])) machine.complain(AlarmKind::kValueOutOfRange, word.address, block);
     axes |= axis_bit(axis);
   }
-  return Flow::kContinue;
+  return to;
 }
 
-Flow check_words(Machine& machine, const Block& block) {
-  const Flow sizes = for_each(block.words(), [&](char address) {
-    if (!kMeasured.has(address)) return Flow::kContinue;
+void check_words(Machine& machine, const Block& block) {
+  for_each(block.words(), [&](char address) {
+    if (!kMeasured.has(address)) return;
     const Decimal& number = block.number(address);
-    const bool fit = !number.overflow && fits(to_millimetres(machine, number, 1));
-    return fit ? Flow::kContinue : machine.raise(AlarmKind::kValueOutOfRange, address);
+    if (!number.overflow && fits(to_millimetres(machine, number, 1))) return;
+    machine.complain(AlarmKind::kValueOutOfRange, address, block);
   });
-  if (sizes != Flow::kContinue) return sizes;
   for (const std::size_t axis : {GONOGO_X, GONOGO_Y, GONOGO_Z, GONOGO_C}) {
     if (block.has(kAbsolute[axis]) && block.has(kIncremental[axis])) {
-      return machine.raise(AlarmKind::kConflictingWords, kIncremental[axis]);
+      machine.complain(AlarmKind::kConflictingWords, kIncremental[axis], block);
     }
   }
-  if (machine.configuration.decimals == Decimals::kAlarm) return check_decimals(machine, block);
-  return Flow::kContinue;
+  if (machine.follows("gsk.decimals=alarm"_reading)) check_decimals(machine, block);
 }
 
-Flow check_ranges(Machine& machine, const Block& block) {
+void check_ranges(Machine& machine, const Block& block) {
   const Mode mode = mode_of(machine.state.cycle);
   const bool threads = is_thread_milling(mode);
-  const bool full_circle = threads && !machine.configuration.thread_angle_unlimited;
-  const bool inch = machine.state.inch && !machine.has(Fault::kRangeInMillimetres);
+  const bool full_circle = threads && !machine.follows("gsk.thread.k-range=table"_reading);
+  const bool inch = machine.state.inch && !machine.has("range-in-millimetres"_fault);
   // ISB 999999.999 mm or 99999.9999 in; ISC has one whole digit less and one decimal more.
   const Fixed coarse = inch ? 99'999'999'900'000 : 999'999'999'000'000;
-  const Fixed highest = machine.configuration.fine ? coarse / 10 : coarse;
-  return for_each(block.words(), [&](char address) {
-    if (!kSigned.has(address) && !kUnsigned.has(address)) return Flow::kContinue;
-    if (address == 'L' && mode == Mode::kHelix) return check_turns(machine, block.number('L'));
+  const Fixed highest = machine.profile.fine ? coarse / 10 : coarse;
+  for_each(block.words(), [&](char address) {
+    if (!kSigned.has(address) && !kUnsigned.has(address)) return;
+    if (address == 'L' && mode == Mode::kHelix) return check_turns(machine, block);
     const Decimal& number = block.number(address);
     const bool positive = kUnsigned.has(address) || (address == 'P' && threads);
     // GSK-G114-13
-    const Fixed most = address == 'K' && full_circle ? 360 * kOne : highest;
+    const Fixed most = address == 'K' && full_circle ? kFullTurn : highest;
     const bool too_low = positive ? number.minus : number.value < -highest;
-    return too_low || number.value > most ? machine.raise(AlarmKind::kValueOutOfRange, address)
-                                          : Flow::kContinue;
+    if (too_low || number.value > most) {
+      machine.complain(AlarmKind::kValueOutOfRange, address, block);
+    }
   });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G02 and G03, in the plane of Z and X.
 #include "expanders/common/circle.hpp"
-#include "expanders/hnc/motion.hpp"
+#include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
 namespace {
@@ -25,13 +25,13 @@ void centre_from_words(Machine& machine, const Block& block, const Chord& chord,
   if (!block.has(first)) return machine.complain(AlarmKind::kMissingWord, 'R', kNowhere);
   centre.p = block.has('K') ? length_of(machine, block, 'K') : 0;
   centre.q = block.has('I') ? length_of(machine, block, 'I') : 0;
-  if (machine.has(Fault::kCentreAsDiameter) && machine.state.diameter) centre.q /= 2;
+  if (machine.has("centre-as-diameter"_fault) && machine.state.diameter) centre.q /= 2;
   const Wide start_square = centre.square();
   const Wide end_square = Chord{chord.p - centre.p, chord.q - centre.q}.square();
-  if (start_square == 0 && !machine.configuration.zero_radius_allowed) {
+  if (start_square == 0 && !machine.follows("hnc.arc.zero-radius=none"_reading)) {
     machine.complain(AlarmKind::kArcRadius, first, block);
   }
-  const Fixed tolerance = machine.configuration.radius_tolerance;
+  const Fixed tolerance = machine.profile.parameters[kRadiusTolerance];
   if (tolerance >= 0 && !radii_agree(start_square, end_square, tolerance)) {
     machine.complain(AlarmKind::kArcEndPoint, first, block);
   }
@@ -41,34 +41,29 @@ void centre_from_words(Machine& machine, const Block& block, const Chord& chord,
 
 void prepare_arc(Machine& machine, const Block& block, Plan& plan) {
   static constexpr AddressSet kShape{"RIK"};
-  Arc arc;
-  arc.rot = machine.state.motion == Motion::kArcClockwise ? -1 : 1;
-  arc.to = commanded_point(machine, block, arc.axes);
-  if (arc.axes == 0 && !block.has_any(kShape)) return;
+  Axes axes = 0;
+  const Point to = commanded_point(machine, block, axes);
+  if (axes == 0 && !block.has_any(kShape)) return;
   const Plane& plane = plane_of(18);
   const Point& from = machine.state.position;
-  const Chord chord{arc.to[plane.p] - from[plane.p], arc.to[plane.q] - from[plane.q]};
+  const Chord chord{to[plane.p] - from[plane.p], to[plane.q] - from[plane.q]};
   if (machine.state.feed == 0) machine.complain(AlarmKind::kFeedMissing);
+  const int rot = machine.state.motion == Motion::kArcClockwise ? -1 : 1;
   Chord centre;
   if (block.has('R')) {
-    centre_from_r(machine, block, chord, arc.rot > 0, centre);
+    centre_from_r(machine, block, chord, rot > 0, centre);
   } else {
     centre_from_words(machine, block, chord, centre);
   }
   if (machine.in_alarm()) return;
-  const Wide p = static_cast<Wide>(from[plane.p]) + centre.p;
-  const Wide q = static_cast<Wide>(from[plane.q]) + centre.q;
+  const Fixed p = from[plane.p] + centre.p;
+  const Fixed q = from[plane.q] + centre.q;
   if (!fits(p) || !fits(q)) return machine.complain(AlarmKind::kValueOutOfRange);
   // Reading hnc.arc.zero-radius = none: a circle of no size.
   if (centre.square() == 0 && chord.square() == 0) return;
-  arc.centre_p = static_cast<Fixed>(p);
-  arc.centre_q = static_cast<Fixed>(q);
-  plan = arc;
-}
-
-bool perform(Machine& machine, const Arc& arc) {
-  return machine.tracer.arc(plane_of(18), arc.centre_p, arc.centre_q, arc.rot, arc.to, arc.axes,
-                            feed_in_force(machine));
+  plan = [&machine, p, q, rot, to, axes] {
+    return machine.tracer.arc(plane_of(18), p, q, rot, to, axes, feed_in_force(machine));
+  };
 }
 
 }  // namespace gonogo::expanders::hnc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expanders/hnc/cycle.hpp"
+#include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
 namespace {
@@ -9,16 +9,8 @@ Fixed coordinate(Machine& machine, const Block& block, std::size_t axis) {
   if (axis_word(machine, block, axis).present) return target(machine, block, axis);
   const bool is_x = axis == GONOGO_X;
   const Retained& kept = is_x ? machine.state.store.end_x : machine.state.store.end_z;
-  switch (machine.configuration.missing_axis) {
-    case MissingAxis::kNone:
-      return machine.state.position[axis];
-    case MissingAxis::kKeep:
-      if (kept.present) return kept.value;
-      break;
-    case MissingAxis::kReject:
-    case MissingAxis::kNothing:  // is_idle
-      break;
-  }
+  if (machine.follows("hnc.missing-axis=none"_reading)) return machine.state.position[axis];
+  if (machine.follows("hnc.missing-axis=keep"_reading) && kept.present) return kept.value;
   machine.complain(AlarmKind::kMissingWord, is_x ? 'X' : 'Z', kNowhere);
   return machine.state.position[axis];
 }
@@ -27,7 +19,7 @@ Fixed coordinate(Machine& machine, const Block& block, std::size_t axis) {
 
 bool is_idle(const Machine& machine, const Block& block, bool needs_x, bool needs_z) {
   if (!block.has_any(kAxisAddresses)) return true;
-  if (machine.configuration.missing_axis != MissingAxis::kNothing) return false;
+  if (!machine.follows("hnc.missing-axis=nothing"_reading)) return false;
   return (needs_x && !axis_word(machine, block, GONOGO_X).present) ||
          (needs_z && !axis_word(machine, block, GONOGO_Z).present);
 }
@@ -46,9 +38,9 @@ void keep_end(Machine& machine, const CycleEnd& end) {
 
 Feed cycle_feed(Machine& machine) {
   const State& state = machine.state;
-  const bool own = machine.configuration.cycle_feed_forgotten;
+  const bool own = machine.follows("hnc.modal.f=forgotten"_reading);
   const Feed feed{own ? state.store.feed : state.feed,
-                  state.per_revolution && !machine.has(Fault::kRevolutionIgnored)};
+                  state.per_revolution && !machine.has("revolution-ignored"_fault)};
   if (feed.value == 0) machine.complain(AlarmKind::kFeedMissing);
   return feed;
 }
@@ -58,6 +50,21 @@ Fixed moved(Machine& machine, Fixed from, Fixed by) {
   if (fits(place)) return static_cast<Fixed>(place);
   machine.complain(AlarmKind::kValueOutOfRange);
   return from;
+}
+
+bool cut_around(Machine& machine, std::size_t first, Fixed b, const CycleEnd& end, const Feed& feed,
+                bool rapid_out) {
+  Tracer& tracer = machine.tracer;
+  const Point start = machine.state.position;
+  const std::size_t second = first == GONOGO_X ? GONOGO_Z : GONOGO_X;
+  if (!tracer.rapid_axis(first, b)) return false;  // A to B
+  Point to = start;
+  to[GONOGO_X] = end.x;
+  to[GONOGO_Z] = end.z;
+  if (!tracer.feed(to, kBothAxes, feed)) return false;  // B to C
+  const bool out = rapid_out ? tracer.rapid_axis(first, start[first])
+                             : tracer.feed_axis(first, start[first], feed);
+  return out && tracer.rapid_axis(second, start[second]);  // C to D, D to A
 }
 
 }  // namespace gonogo::expanders::hnc

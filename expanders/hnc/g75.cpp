@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G75: grooving along X, at one place or at several along Z.
-#include "expanders/hnc/cycle.hpp"
+#include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
 namespace {
+
+struct Groove {
+  Pecks pecks;
+  bool approached = false;  ///< rapid down to `approach` first
+  Fixed approach = 0;
+  Fixed width = 0;  ///< signed
+  Fixed steps = 0;  ///< the count; 0: a single groove
+};
 
 // HNC-G75-04: I (reading hnc.g75.i: P) is a positive whole number.
 void take_count(Machine& machine, const Block& block, char address) {
   if (!block.has(address)) return;
   Retained& steps = machine.state.store.steps;
   take_number(block, address, steps);
-  if (machine.has(Fault::kGrooveCountUnchecked) && steps.value >= kOne) {
+  if (machine.has("groove-count-unchecked"_fault) && steps.value >= kOne) {
     steps.value -= steps.value % kOne;
-  } else if (steps.value <= 0 || has_fraction(block, address)) {
+  } else if (steps.value <= 0 || block.has_fraction(address)) {
     machine.complain(AlarmKind::kNotAnInteger, address, block);
   }
 }
@@ -33,7 +41,7 @@ void prepare_width(Machine& machine, const Block& block, char address, const Cyc
 void prepare_approach(Machine& machine, const CycleEnd& end, Groove& groove) {
   const CycleStore& store = machine.state.store;
   const bool straight = groove.pecks.withdrawal == 0;
-  if (!machine.configuration.approach_mode || !straight || !store.infeed.present) return;
+  if (!machine.follows("hnc.g75.mode3=on"_reading) || !straight || !store.infeed.present) return;
   const int inwards = sign_of(end.x - machine.state.position[GONOGO_X]);
   if (inwards == 0) return machine.complain(AlarmKind::kDirectionConflict);
   groove.approached = true;
@@ -49,13 +57,13 @@ class Places {
         start_(start),
         intervals_(groove.steps),
         last_(groove.steps),
-        summed_(machine.has(Fault::kGrooveRunningSum)) {
+        summed_(machine.has("groove-running-sum"_fault)) {
     if (groove.steps == 0) return;
-    if (machine.configuration.one_place_less) {
+    if (machine.follows("hnc.g75.steps=i"_reading)) {
       --last_;
       intervals_ = last_;
     }
-    if (machine.has(Fault::kGrooveStepShort) && last_ > 0) --last_;
+    if (machine.has("groove-step-short"_fault) && last_ > 0) --last_;
   }
 
   /// Number of the last place; the first is 0.
@@ -87,12 +95,26 @@ bool plunge(Machine& machine, const Groove& groove) {
   return perform_pecks(machine, groove.pecks) && machine.tracer.rapid_axis(GONOGO_X, out);
 }
 
+bool perform(Machine& machine, const Groove& groove) {
+  const Fixed start = machine.state.position[GONOGO_Z];
+  if (groove.steps == 0) return plunge(machine, groove);
+  const Places places(machine, groove, start);
+  for (Fixed n = 0; n <= places.last(); ++n) {
+    if (!machine.tracer.rapid_axis(GONOGO_Z, places.at(n))) return false;
+    if (!plunge(machine, groove)) return false;
+  }
+  const bool stays =
+      machine.follows("hnc.g75.end=last"_reading) || machine.has("groove-ends-at-last"_fault);
+  return stays || machine.tracer.rapid_axis(GONOGO_Z, start);
+}
+
 }  // namespace
 
 void prepare_groove(Machine& machine, const Block& block, Plan& plan) {
-  const bool by_reading = machine.configuration.groove_depth_diameter && machine.state.diameter;
-  const char count = machine.configuration.count_in_p ? 'P' : 'I';
-  take_pecks(machine, block, by_reading != machine.has(Fault::kGrooveDepthDiameter));
+  const bool by_reading =
+      machine.follows("hnc.g75.depth-scale=diameter"_reading) && machine.state.diameter;
+  const char count = machine.follows("hnc.g75.i=P"_reading) ? 'P' : 'I';
+  take_pecks(machine, block, by_reading != machine.has("groove-depth-diameter"_fault));
   take_count(machine, block, count);
   if (is_idle(machine, block, true, false)) return;
   const bool wide = block.has('Z') || block.has('W');
@@ -106,20 +128,7 @@ void prepare_groove(Machine& machine, const Block& block, Plan& plan) {
   prepare_approach(machine, end, groove);
   if (machine.in_alarm()) return;
   keep_end(machine, end);
-  plan = groove;
-}
-
-bool perform(Machine& machine, const Groove& groove) {
-  const Fixed start = machine.state.position[GONOGO_Z];
-  if (groove.steps == 0) return plunge(machine, groove);
-  const Places places(machine, groove, start);
-  for (Fixed n = 0; n <= places.last(); ++n) {
-    if (!machine.tracer.rapid_axis(GONOGO_Z, places.at(n))) return false;
-    if (!plunge(machine, groove)) return false;
-  }
-  const bool stays =
-      machine.configuration.groove_ends_at_last || machine.has(Fault::kGrooveEndsAtLast);
-  return stays || machine.tracer.rapid_axis(GONOGO_Z, start);
+  plan = [&machine, groove] { return perform(machine, groove); };
 }
 
 }  // namespace gonogo::expanders::hnc

@@ -1,50 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
-
-#include "expanders/hnc/plan.hpp"
+#include "expanders/common/interpreter.hpp"
+#include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
 
-/// Runs one program from the state of power-on, block by block: reads a block, sets the modal
-/// codes, checks, moves. Uses no memory that grows with the program.
-class Interpreter {
+/// Reads a block, sets the modal codes, checks, moves.
+class Interpreter final : public LetterInterpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, Fault fault)
-      : machine_(configuration, sink, fault) {}
+  using Memory = Fixed;  // the last feed, for the fault that lets it survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-hnc","version":"0.1.0"},)"
+      R"("dialects":{"hnc21t":["basic","arc","g32","g74","g75","g80","g81","g82"]},)"
+      R"("features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
+      R"("max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
 
-  /// What `run` of the C interface answers.
-  gonogo_answer run(std::string_view program);
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
 
-  Machine& machine() { return machine_; }
+  void recall(Fixed feed) {
+    if (feed != 0) machine_.state.feed = feed;
+  }
+  Memory memory() const {
+    return machine_.has("feed-survives-reset"_fault) ? machine_.state.feed : 0;
+  }
 
  private:
-  Flow run_line(std::string_view line);
-  Flow run_block();
-  Flow check_coverage();
-  void check_block();
-  void check_function();
+  Lines lines() const override;
+  LetterBlock::Manner manner() const override;
+  void check_coverage() override;
+  void check_words() override;
+  void prepare(Plan& plan) override;
   void take_modal_codes();
   void take_motion();
   void take_speed();
   void take_feed();
   void take_lead(char address, bool in_inches);
-  void prepare(Plan& plan);
-  Flow run_function(bool before);
-  Flow unsupported(std::string_view what);
-  Flow unsupported(char letter, unsigned number);
+  void take_thread_count();
   Motion coming_motion() const;
   /// G04 or G92: the axis words of the block are not the motion code's.
-  bool is_apart() const { return block_.code(Group::kOnce) != nullptr; }
-  void take_thread_count();
+  bool is_apart() const;
   AddressSet words_of(Motion motion) const;
-  char stray_word(Motion motion) const;
 
   Machine machine_;
-  Block block_;
-  bool any_block_ = false;
-  bool repeats_ = false;  // the block repeats the command in force
 };
 
 }  // namespace gonogo::expanders::hnc

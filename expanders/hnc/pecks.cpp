@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "expanders/hnc/cycle.hpp"
+#include "expanders/hnc/machine.hpp"
 
 namespace gonogo::expanders::hnc {
 namespace {
@@ -36,7 +36,7 @@ class Descent {
 
 // From one peck to the next it gets deeper by this much.
 Fixed net_infeed(const Machine& machine, const Pecks& pecks) {
-  const bool net = machine.configuration.peck_from_withdrawn;
+  const bool net = machine.follows("hnc.peck.from=withdrawn"_reading);
   return net ? pecks.infeed - pecks.withdrawal : pecks.infeed;
 }
 
@@ -45,7 +45,7 @@ Wide Descent::count() const {
   if (depth_ == 0) return 0;
   const Wide net = net_infeed(machine_, pecks_);
   const Wide after_first = static_cast<Wide>(depth_) - pecks_.infeed;
-  if (machine_.has(Fault::kExtraPeckAtMultiple)) return 2 + std::max<Wide>(after_first, 0) / net;
+  if (machine_.has("extra-peck-at-multiple"_fault)) return 2 + std::max<Wide>(after_first, 0) / net;
   if (after_first <= 0) return 1;
   return 1 + (after_first + net - 1) / net;
 }
@@ -53,9 +53,9 @@ Wide Descent::count() const {
 Wide Descent::depth_of(Wide peck) const {
   constexpr Fixed kHundredth = kOne / 100;
   const Wide net = net_infeed(machine_, pecks_);
-  const bool stuck = machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kHundredth;
+  const bool stuck = machine_.has("endless-pecks"_fault) && pecks_.infeed < kHundredth;
   const Wide depth = pecks_.infeed + (stuck ? 0 : (peck - 1) * net);
-  if (machine_.has(Fault::kLastPeckOvershoots)) return depth;
+  if (machine_.has("last-peck-overshoots"_fault)) return depth;
   return std::min<Wide>(depth, depth_);
 }
 
@@ -66,10 +66,10 @@ bool Descent::feed_to(Wide depth) {
 
 bool Descent::withdraw_from(Wide depth) {
   Wide left = depth - pecks_.withdrawal;
-  if (machine_.has(Fault::kWithdrawalTwice)) left -= pecks_.withdrawal;
-  if (machine_.configuration.withdrawal_clamped && left < 0) left = 0;  // HNC-G74-04
-  const bool at_feed =
-      machine_.configuration.withdraw_at_feed != machine_.has(Fault::kWithdrawalAtFeed);
+  if (machine_.has("withdrawal-twice"_fault)) left -= pecks_.withdrawal;
+  if (machine_.follows("hnc.peck.clamp=start"_reading) && left < 0) left = 0;  // HNC-G74-04
+  const bool at_feed = machine_.follows("hnc.peck.withdraw=feed"_reading) !=
+                       machine_.has("withdrawal-at-feed"_fault);
   if (at_feed) return feed_to(left);
   return machine_.tracer.rapid_axis(pecks_.axis, static_cast<Fixed>(start_ + down_ * left));
 }
@@ -78,12 +78,12 @@ bool Descent::run() {
   const Wide pecks = count();
   // Not without depth: what stands still puts out nothing, and nothing could stop it.
   const bool endless =
-      machine_.has(Fault::kEndlessPecks) && pecks_.infeed < kOne / 100 && depth_ != 0;
+      machine_.has("endless-pecks"_fault) && pecks_.infeed < kOne / 100 && depth_ != 0;
   for (Wide peck = 1; peck <= pecks || endless; ++peck) {
     const Wide depth = depth_of(peck);
     if (!feed_to(depth)) return false;
     const bool last = peck == pecks && !endless;
-    if (last && !machine_.has(Fault::kWithdrawalAtBottom)) break;
+    if (last && !machine_.has("withdrawal-at-bottom"_fault)) break;
     if (!withdraw_from(depth)) return false;
   }
   return true;
@@ -117,7 +117,7 @@ void take_pecks(Machine& machine, const Block& block, bool halved) {
   if (block.has('R')) {
     take_length(machine, block, 'R', store.withdrawal);
     halve(halved, store.withdrawal);
-    if (machine.has(Fault::kWithdrawalSignUnchecked)) {
+    if (machine.has("withdrawal-sign-unchecked"_fault)) {
       store.withdrawal.value = magnitude(store.withdrawal.value);
     }
     if (store.withdrawal.value < 0) machine.complain(AlarmKind::kValueSign, 'R', block);
@@ -139,8 +139,8 @@ void prepare_pecks(Machine& machine, const Block& block, Pecks& pecks) {
   // Reading hnc.peck.from: what one peck does not reach is never reached.
   const Fixed depth = magnitude(pecks.bottom - machine.state.position[pecks.axis]);
   const bool is_peck = pecks.infeed > 0;  // else HNC-G74-01
-  if (machine.configuration.peck_from_withdrawn && is_peck && pecks.withdrawal >= pecks.infeed &&
-      depth > pecks.infeed) {
+  if (machine.follows("hnc.peck.from=withdrawn"_reading) && is_peck &&
+      pecks.withdrawal >= pecks.infeed && depth > pecks.infeed) {
     machine.complain(AlarmKind::kValueOutOfRange, 'R', block);
   }
 }
@@ -150,7 +150,7 @@ bool perform_pecks(Machine& machine, const Pecks& pecks) {
     return machine.tracer.feed_axis(pecks.axis, pecks.bottom, pecks.feed);
   }
   Descent descent(machine, pecks);
-  return machine.has(Fault::kPeckRunningSum) ? descent.run_summed() : descent.run();
+  return machine.has("peck-running-sum"_fault) ? descent.run_summed() : descent.run();
 }
 
 }  // namespace gonogo::expanders::hnc

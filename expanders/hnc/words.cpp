@@ -28,12 +28,12 @@ AxisWord axis_word(const Machine& machine, const Block& block, std::size_t axis)
   word.present = block.has(word.address);
   if (!word.present) return word;
   word.incremental = by_increment || machine.state.incremental;
-  if (machine.has(Fault::kIncrementalZIgnored) && in_cycle && !is_x) {
+  if (machine.has("incremental-z-ignored"_fault) && in_cycle && !is_x) {
     word.incremental = by_increment;
   }
   bool halved = is_x && machine.state.diameter;
-  if (machine.has(Fault::kIncrementAsRadius) && by_increment) halved = false;
-  if (machine.has(Fault::kIncrementAsDiameter) && is_x && by_increment) halved = true;
+  if (machine.has("increment-as-radius"_fault) && by_increment) halved = false;
+  if (machine.has("increment-as-diameter"_fault) && is_x && by_increment) halved = true;
   word.value =
       static_cast<Fixed>(to_millimetres(machine, block.number(word.address), halved ? 2 : 1));
   return word;
@@ -44,7 +44,7 @@ Fixed target(Machine& machine, const Block& block, std::size_t axis) {
   const State& state = machine.state;
   if (!word.present) return state.position[axis];
   Wide place = word.value;
-  const bool frame_lost = machine.has(Fault::kOffsetIgnoredInCycle) && is_cycle(state.motion);
+  const bool frame_lost = machine.has("offset-ignored-in-cycle"_fault) && is_cycle(state.motion);
   if (word.incremental) {
     place += state.position[axis];
   } else if (state.frame != nullptr && !frame_lost) {
@@ -69,12 +69,6 @@ void take_number(const Block& block, char address, Retained& store) {
   if (block.has(address)) store = {true, block.number(address).value};
 }
 
-bool has_fraction(const Block& block, char address) {
-  if (!block.has(address)) return false;
-  const Decimal& number = block.number(address);
-  return number.finer || number.value % kOne != 0;
-}
-
 void check_words(Machine& machine, const Block& block) {
   for (std::uint32_t bits = block.words().bits(); bits != 0; bits &= bits - 1) {
     const char address = static_cast<char>('A' + std::countr_zero(bits));
@@ -91,6 +85,22 @@ void check_words(Machine& machine, const Block& block) {
       machine.complain(AlarmKind::kConflictingWords, increment, block);
     }
   }
+}
+
+Point commanded_point(Machine& machine, const Block& block, Axes& axes) {
+  Point to = machine.state.position;
+  axes = 0;
+  for (const std::size_t axis : {GONOGO_X, GONOGO_Z}) {
+    if (!axis_word(machine, block, axis).present) continue;
+    to[axis] = target(machine, block, axis);
+    axes |= axis_bit(axis);
+  }
+  return to;
+}
+
+Feed feed_in_force(const Machine& machine) {
+  const State& state = machine.state;
+  return {state.feed, state.per_revolution && !machine.has("revolution-ignored"_fault)};
 }
 
 }  // namespace gonogo::expanders::hnc

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs whose centre is given: by I J K or by the pole.
-#include <cmath>
-
-#include "expanders/sinumerik/arc_sketch.hpp"
+#include "expanders/sinumerik/arcs.hpp"
 
 namespace gonogo::expanders::sinumerik {
 namespace {
@@ -15,236 +13,130 @@ Address first_centre_word(const Block& block) {
   return Address::kPolarRadius;
 }
 
-/// A centre as it is given, counted from the start.
-struct GivenCentre {
-  Chord whole;
-  Vector place;  ///< with what rounding took from start and pole
-};
-
-/// At start and end, and their squares where places are whole.
-struct Radii {
-  Wide start_square = 0;
-  Wide end_square = 0;
-  Real start = 0;
-  Real end = 0;
-  bool exact = false;  // the squares are
-};
-
-bool is_absolute(const Machine& machine, Value::Mode mode) {
-  if (mode == Value::Mode::kPlain) {
-    return machine.has(Fault::kCentreAbsolute) && !machine.state.incremental;
-  }
-  return mode == Value::Mode::kAbsolute && !machine.has(Fault::kCentreAbsoluteIgnored);
-}
-
-// SIE-ARC-02: from the start, whatever G90 and G91 say; AC( ) from the workpiece zero. `rest` is
-// what rounding took from the result.
-Fixed centre_along(Machine& machine, const Block& block, std::size_t axis, Real& rest) {
+// SIE-ARC-02: from the start, whatever G90 and G91 say; AC( ) from the workpiece zero.
+Real centre_along(const Machine& machine, const Block& block, std::size_t axis) {
   const Address address = centre_address(axis);
   if (!block.has(address)) return 0;
   const Value& value = block.value(address);
-  const Fixed length = machine.has(Fault::kInchCentreUnscaled) ? value.number.value
-                                                               : length_of(machine, block, address);
-  if (!is_absolute(machine, value.mode)) return length;
-  rest = -machine.state.remainder[axis];
-  return length - machine.state.position[axis];
+  const Real length =
+      machine.has("inch-centre-unscaled"_fault) ? value.counts : length_of(machine, block, address);
+  bool absolute = value.mode == Value::Mode::kAbsolute && !machine.has("centre-ac-ignored"_fault);
+  if (value.mode == Value::Mode::kPlain) {
+    absolute = machine.has("centre-absolute"_fault) && !machine.state.incremental;
+  }
+  return absolute ? length - machine.state.position[axis] : length;
 }
 
-// No length but what the processor rounds.
-bool is_none(const Vector& way) {
-  return way.square() < Real{1e-12L};
+// Less than a count, but not nothing.
+bool is_trace(const Block& block, std::size_t axis) {
+  if (!block.has(centre_address(axis))) return false;
+  const Value& value = block.value(centre_address(axis));
+  return value.number.value == 0 && (value.number.finer || value.counts != 0);
 }
 
 // False: there is no centre to go on with.
-bool read_centre(Machine& machine, const Block& block, ArcSketch& sketch, GivenCentre& centre) {
-  const Plane& plane = sketch.plane;
+bool read_centre(Machine& machine, const Block& block, Arc& arc) {
+  const Plane& plane = arc.plane;
   if (block.has(centre_address(plane.d))) {
     machine.complain(AlarmKind::kAxisNotInPlane, centre_address(plane.d), block);
   }
   if (!block.has(centre_address(plane.p)) && !block.has(centre_address(plane.q))) return false;
-  bool finer = false;
-  for (const std::size_t axis : {plane.p, plane.q}) {
-    const Address address = centre_address(axis);
-    finer = finer || (block.has(address) && block.value(address).number.finer);
+  arc.centre = {centre_along(machine, block, plane.p), centre_along(machine, block, plane.q)};
+  const bool trace = is_trace(block, plane.p) || is_trace(block, plane.q);
+  if (arc.centre.is_nothing() && !trace) {
+    machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
-  sketch.rounded = sketch.rounded || finer;
-  sketch.known = sketch.known && !finer;
-  Vector rest;
-  centre.whole = {centre_along(machine, block, plane.p, rest.p),
-                  centre_along(machine, block, plane.q, rest.q)};
-  centre.place = vector_of(centre.whole);
-  centre.place.p += rest.p;
-  centre.place.q += rest.q;
-  // What is less than a count from the start is not the start.
-  if (finer || !is_none(centre.place)) return true;
-  machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
-  return false;
-}
-
-void put_exact_centre(Machine& machine, const GivenCentre& centre, ArcSketch& sketch) {
-  put_centre(machine, centre.place, sketch);
-  const Chord& whole = centre.whole;
-  sketch.exact_centre = magnitude(whole.p) < kLargestWhole && magnitude(whole.q) < kLargestWhole;
+  return !machine.in_alarm();
 }
 
 // The fault that lets the machine follow the radius of the start.
-void move_end_onto_circle(const Machine& machine, const GivenCentre& centre, ArcSketch& sketch) {
-  const Vector end = sketch.way - centre.place;
-  const Real ratio = std::sqrt(centre.place.square() / end.square());
-  Point& to = sketch.arc.target.to;
-  const Point& from = machine.state.position;
-  to[sketch.plane.p] = from[sketch.plane.p] + centre.whole.p + std::llround(end.p * ratio);
-  to[sketch.plane.q] = from[sketch.plane.q] + centre.whole.q + std::llround(end.q * ratio);
-  take_end(machine.state, sketch);
+void move_end_onto_circle(const Machine& machine, Arc& arc) {
+  const Vector end = arc.chord - arc.centre;
+  if (end.is_nothing()) return;
+  const Real ratio = arc.centre.length() / end.length();
+  const Place& from = machine.state.position;
+  arc.target.to[arc.plane.p] = from[arc.plane.p] + arc.centre.p + end.p * ratio;
+  arc.target.to[arc.plane.q] = from[arc.plane.q] + arc.centre.q + end.q * ratio;
 }
 
-// SIE-ARC-08: at most half a turn about a centre on the chord itself.
-bool lies_left(const ArcSketch& sketch, const GivenCentre& centre) {
-  const Wide whole = cross(sketch.chord, centre.whole);
-  const Real across = cross(sketch.way, centre.place);
-  const bool on_chord =
-      sketch.rounded ? std::fabs(across) <= kRounding * std::sqrt(sketch.way.square()) : whole == 0;
-  if (on_chord) return sketch.counterclockwise;
-  return sketch.rounded ? across > 0 : whole > 0;
+// SIE-ARC-08: by at most sqrt(0.001) rad, seen from the start.
+bool turns_too_far(const Vector& given, const Vector& corrected) {
+  const Real turn = std::atan2(std::fabs(cross(given, corrected)), dot(given, corrected));
+  return turn > std::sqrt(Real{1} / 1000);
 }
 
 // SIE-ARC-08
-void correct_centre(Machine& machine, const Block& block, const GivenCentre& centre,
-                    const Radii& radii, ArcSketch& sketch) {
-  Real side = 0;
-  if (machine.configuration.correction == Correction::kProject) {
-    side = side_of_projection(sketch.way, centre.place);
-  } else {
-    const bool of_end = machine.has(Fault::kCorrectionEndRadius);
-    const Wide whole = of_end ? radii.end_square : radii.start_square;
-    const Real radius = of_end ? radii.end : radii.start;
-    side = sketch.rounded ? side_of_radius(sketch.way, radius * radius)
-                          : side_of_radius(sketch.chord, whole);
-    if (!lies_left(sketch, centre)) side = -side;
+void correct_centre(Machine& machine, const Block& block, Real end_radius, Arc& arc) {
+  const Vector given = arc.centre;
+  const Real off_chord = cross(arc.chord, given) / arc.chord.length();
+  Real side = 2 * off_chord / arc.chord.length();
+  if (!machine.follows("sie.arc.correct=project"_reading)) {
+    const bool of_end = machine.has("correction-keeps-end-radius"_fault);
+    side = side_of_radius(arc.chord, of_end ? end_radius : given.length());
+    // At most half a turn about a centre on the chord itself.
+    const bool left = std::fabs(off_chord) <= kRounding ? arc.counterclockwise : off_chord > 0;
+    if (!left) side = -side;
   }
-  const Vector corrected = on_bisector(sketch.way, side);
-  sketch.centre_doubt =
-      doubt_on_bisector(sketch, side, sketch.doubt(), std::sqrt(corrected.square()));
-  const bool no_direction = centre.place.square() == 0;
-  if (no_direction || too_far_turned(centre.place, corrected)) {
+  arc.centre = on_bisector(arc.chord, side);
+  if (turns_too_far(given, arc.centre)) {
+    machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
+  }
+}
+
+// SIE-ARC-07: the circle about the centre, with this radius at its end.
+void take_circle(Machine& machine, const Block& block, Real end_radius, Arc& arc) {
+  if (arc.chord.is_nothing()) return;
+  const Real start_radius = arc.centre.length();
+  const Real difference = std::fabs(start_radius - end_radius);
+  const auto& parameters = machine.profile.parameters;
+  const Real share = machine.has("tolerance-constant-only"_fault)
+                         ? 0
+                         : static_cast<Real>(parameters[kCircleErrorFactor]) / kOne;
+  const bool of_end = machine.has("tolerance-of-end-radius"_fault);
+  const Real limit = std::fmax(static_cast<Real>(parameters[kCircleErrorConstant]),
+                               share * (of_end ? end_radius : start_radius));
+  const bool strict = machine.has("tolerance-equality-refused"_fault);
+  const bool equal = difference <= kRounding;
+  const bool apart = difference > limit + (strict ? -kRounding : kRounding);
+  if (apart && !equal && !machine.has("end-point-unchecked"_fault)) {
     return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
   }
-  put_centre(machine, corrected, sketch);
-}
-
-// SIE-ARC-07
-Agreement compare(const Machine& machine, const Radii& radii, const ArcSketch& sketch) {
-  const Configuration& configuration = machine.configuration;
-  const bool constant_only = machine.has(Fault::kConstantToleranceOnly);
-  const RadiusTolerance tolerance{configuration.circle_error_constant,
-                                  constant_only ? 0 : configuration.circle_error_factor,
-                                  machine.has(Fault::kEqualityRefused)};
-  const bool of_end = machine.has(Fault::kEndRadiusTolerance);
-  if (sketch.rounded && !radii.exact) {
-    const Real fine = fine_rounding(std::fmax(radii.start, radii.end));
-    return compare_radii(radii.start, radii.end, of_end ? radii.end : radii.start, tolerance,
-                         sketch.known ? fine : Real{kRounding});
-  }
-  return compare_radii(radii.start_square, radii.end_square,
-                       of_end ? radii.end_square : radii.start_square, tolerance);
-}
-
-// SIE-ARC-08: whether radii that are one but for rounding may be two all the same, and so far above
-// the chord that it would be seen.
-bool hides_correction(const Machine& machine, const Radii& radii, const ArcSketch& sketch) {
-  if (machine.configuration.correction == Correction::kProgrammed) return false;
-  if (!sketch.rounded || radii.exact) return false;
-  const Real radius = std::fmax(radii.start, radii.end);
-  return fine_rounding(radius) * radius > kSharp * std::sqrt(sketch.way.square());
-}
-
-// The circle about `centre`.
-void take_circle(Machine& machine, const Block& block, const GivenCentre& centre,
-                 const Radii& radii, ArcSketch& sketch) {
-  if (sketch.chord.square() == 0) return put_exact_centre(machine, centre, sketch);
-  const Agreement agreement = compare(machine, radii, sketch);
-  if (agreement == Agreement::kApart && !machine.has(Fault::kEndPointUnchecked)) {
-    return machine.complain(AlarmKind::kArcEndPoint, first_centre_word(block), block);
-  }
-  if (machine.has(Fault::kEndOntoCircle)) {
-    move_end_onto_circle(machine, centre, sketch);
-    return put_exact_centre(machine, centre, sketch);
-  }
-  sketch.unclear = agreement == Agreement::kUnclear ||
-                   (agreement == Agreement::kEqual && hides_correction(machine, radii, sketch));
-  const bool kept = agreement != Agreement::kWithin ||
-                    machine.configuration.correction == Correction::kProgrammed;
-  if (kept) return put_exact_centre(machine, centre, sketch);
-  correct_centre(machine, block, centre, radii, sketch);
-}
-
-// `step` from the start; false: out of reach.
-bool put_end(const State& state, std::size_t axis, Real step, Target& target) {
-  step += state.remainder[axis];
-  const Wide whole = to_whole(step);
-  const Wide to = state.position[axis] + whole;
-  if (!in_reach(to)) return false;
-  target.to[axis] = static_cast<Fixed>(to);
-  target.remainder[axis] = step - static_cast<Real>(whole);
-  return true;
+  if (machine.has("end-onto-circle"_fault)) return move_end_onto_circle(machine, arc);
+  if (equal || apart || machine.follows("sie.arc.correct=programmed"_reading)) return;
+  correct_centre(machine, block, end_radius, arc);
 }
 
 }  // namespace
 
-void take_centre(Machine& machine, const Block& block, ArcSketch& sketch) {
-  GivenCentre centre;
-  if (!read_centre(machine, block, sketch, centre) || machine.in_alarm()) return;
-  const Chord end{sketch.chord.p - centre.whole.p, sketch.chord.q - centre.whole.q};
-  const Radii radii{centre.whole.square(), end.square(), std::sqrt(centre.place.square()),
-                    std::sqrt((sketch.way - centre.place).square())};
-  take_circle(machine, block, centre, radii, sketch);
+void take_centre(Machine& machine, const Block& block, Arc& arc) {
+  if (!read_centre(machine, block, arc)) return;
+  take_circle(machine, block, (arc.chord - arc.centre).length(), arc);
 }
 
-void take_centre_and_angle(Machine& machine, const Block& block, Fixed angle, ArcSketch& sketch) {
-  GivenCentre centre;
-  if (!read_centre(machine, block, sketch, centre) || machine.in_alarm()) return;
-  if (machine.has(Fault::kOpeningAngleComplement)) angle = 360 * kOne - angle;
-  const Direction2 turn =
-      direction_of(static_cast<Real>(sketch.counterclockwise ? angle : -angle) / kOne);
-  const Vector c = centre.place;
-  // The start seen from the centre is -c.
-  const Vector end{c.p - c.p * turn.cosine + c.q * turn.sine,
-                   c.q - c.p * turn.sine - c.q * turn.cosine};
-  const Plane& plane = sketch.plane;
-  Target& target = sketch.arc.target;
-  if (!put_end(machine.state, plane.p, end.p, target) ||
-      !put_end(machine.state, plane.q, end.q, target)) {
+void take_centre_and_angle(Machine& machine, const Block& block, Real angle, Arc& arc) {
+  if (!read_centre(machine, block, arc)) return;
+  if (machine.has("ar-complement"_fault)) angle = kFullTurn - angle;
+  const Vector turn = direction_of((arc.counterclockwise ? angle : -angle) / kOne);
+  const Vector end = turned(Vector{} - arc.centre, turn) - (Vector{} - arc.centre);
+  const Place& from = machine.state.position;
+  Target target = arc.target;
+  target.to[arc.plane.p] = from[arc.plane.p] + end.p;
+  target.to[arc.plane.q] = from[arc.plane.q] + end.q;
+  if (!in_reach(target.to[arc.plane.p]) || !in_reach(target.to[arc.plane.q])) {
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
-  if (turn.cosine != 0 && turn.sine != 0) target.rounded |= plane_axes(plane);
-  const bool finer = block.value(Address::kOpeningAngle).number.finer;
-  if (!sketch.known || finer) target.coarse |= plane_axes(plane);
-  if (finer) machine.check_turn(kAngleDoubt, std::sqrt(c.square()));
-  take_end(machine.state, sketch);
-  put_exact_centre(machine, centre, sketch);
+  take_end(machine, target, arc);
 }
 
 // SIE-ARC-06: RP is the radius at the end.
-void take_pole_circle(Machine& machine, const Block& block, ArcSketch& sketch) {
+void take_pole_circle(Machine& machine, const Block& block, Arc& arc) {
   const State& state = machine.state;
-  const Pole& pole = state.pole;
-  const Plane& plane = sketch.plane;
-  GivenCentre centre;
-  centre.whole = {pole.p - state.position[plane.p], pole.q - state.position[plane.q]};
-  centre.place = vector_of(centre.whole);
-  centre.place.p += pole.rest_p - state.remainder[plane.p];
-  centre.place.q += pole.rest_q - state.remainder[plane.q];
-  if (!pole.coarse && is_none(centre.place)) {
+  const Place& from = state.position;
+  arc.centre = {state.pole.p - from[arc.plane.p], state.pole.q - from[arc.plane.q]};
+  if (arc.centre.is_nothing()) {
     return machine.complain(AlarmKind::kArcRadius, first_centre_word(block), block);
   }
-  sketch.rounded = sketch.rounded || pole.rounded;
-  sketch.known = sketch.known && !pole.coarse && !state.polar.radius_rounded;
-  const Fixed radius = state.polar.radius;
-  const bool exact = ((state.rounded | state.coarse) & plane_axes(plane)) == 0 && !pole.rounded &&
-                     !pole.coarse && !state.polar.radius_rounded;
-  const Radii radii{centre.whole.square(), squared(radius), std::sqrt(centre.place.square()),
-                    static_cast<Real>(radius), exact};
-  take_circle(machine, block, centre, radii, sketch);
+  take_circle(machine, block, state.polar.radius, arc);
 }
 
 }  // namespace gonogo::expanders::sinumerik

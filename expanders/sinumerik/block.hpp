@@ -2,18 +2,29 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "expanders/common/complaints.hpp"
-#include "expanders/sinumerik/codes.hpp"
-#include "expanders/sinumerik/tokenizer.hpp"
+#include "expanders/sinumerik/expression.hpp"
+#include "expanders/sinumerik/names.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
+class Machine;
+
+/// A value and how it is to be taken.
+struct Value {
+  enum class Mode { kPlain, kAbsolute, kIncremental };  // as G90 or G91 say, AC( ), IC( )
+  Decimal number;                                       ///< to the nearest count
+  Real counts = 0;                                      ///< as it was reckoned
+  Mode mode = Mode::kPlain;
+};
+
 /// An M word.
 struct FunctionWord {
-  Value value;
+  Decimal number;
   Position position = 0;
 };
 
@@ -23,14 +34,12 @@ struct Defect {
   char letter = 0;
   bool found() const { return position != kNowhere; }
   void note(Position place, char word) {
-    if (found()) return;
-    position = place;
-    letter = word;
+    if (!found()) *this = {place, word};
   }
 };
 
-/// One block, its words sorted by address. Reading one allocates nothing but room for M words and
-/// warnings, which is kept.
+/// One block, its words sorted by address. Reading one allocates nothing but room for M words,
+/// which is kept.
 class Block {
  public:
   enum class Reading {
@@ -40,19 +49,14 @@ class Block {
     kSyntax
   };
 
-  /// How lines are read, faults included.
-  struct Manner {
-    bool skips = false;
-    bool assigns_late = false;
-    Tokenizer::Manner tokens;
-  };
+  /// Reckons the values with the parameters of the machine; assignments to them act at once.
+  Reading read(std::string_view line, Machine& machine);
 
-  /// Assignments to R parameters act at once.
-  Reading read(std::string_view line, const Manner& manner, Parameters& parameters);
-
-  bool has(Address address) const { return (words_ & bit(address)) != 0; }
+  bool has(Address address) const { return has_any(bit(address)); }
   bool has_any(Addresses addresses) const { return (words_ & addresses) != 0; }
+  /// Of a word that is there.
   const Value& value(Address address) const { return values_[index_of(address)]; }
+  const Decimal& number(Address address) const { return value(address).number; }
   Position position(Address address) const {
     return has(address) ? positions_[index_of(address)] : kNowhere;
   }
@@ -60,12 +64,10 @@ class Block {
   const Code* code(Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   /// In the order of the line.
   const std::vector<FunctionWord>& functions() const { return functions_; }
-  /// Names that are passed over.
-  const std::vector<std::string_view>& warnings() const { return warnings_; }
-  /// RPL stands without its `=`.
-  bool has_loose_rotation() const { return loose_rotation_; }
   /// Of everything but N and the label.
   std::size_t items() const { return items_; }
+  /// Whether the block consists of a code and of words of these addresses alone.
+  bool has_only(Addresses addresses) const;
 
   /// The first thing that is not implemented; empty: none.
   std::string_view outside() const { return outside_; }
@@ -75,35 +77,16 @@ class Block {
   const Defect& undefined() const { return undefined_; }
 
  private:
-  struct Late {
-    std::size_t index;
-    Real value;
-  };
-
+  friend class BlockReader;
   static std::size_t index_of(Address address) { return static_cast<std::size_t>(address); }
-  void clear();
-  Reading read_items(Tokenizer& tokens, const Manner& manner, Parameters& parameters);
-  bool take(const Item& item, const Manner& manner, Parameters& parameters);
-  bool take_letter(const Item& item);
-  bool take_indexed(const Item& item);
-  bool take_name(const Item& item);
-  bool take_word(Address address, const Item& item);
-  void take_code(const Value& value);
-  void put_code(const Code& code, char letter);
-  void note_outside(std::string_view what);
 
   Addresses words_ = 0;
   std::array<Value, kAddresses> values_;  // valid where words_ has the address
   std::array<Position, kAddresses> positions_{};
-  std::array<const Code*, kGroups> codes_{};
+  std::array<const Code*, kMostGroups> codes_{};
   std::vector<FunctionWord> functions_;
-  std::vector<std::string_view> warnings_;
-  std::vector<Late> late_;
   std::size_t items_ = 0;
-  Control control_ = Control::k840D;
-  bool loose_rotation_ = false;
-  std::array<char, 24> text_{};
-  std::string_view outside_;
+  std::string outside_;
   Defect unknown_;
   Defect duplicate_;
   Defect undefined_;

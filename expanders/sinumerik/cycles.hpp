@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames and cycles of 802S. As in plan.hpp: preparing checks and complains, performing cannot
-// fail.
+// What LCYC75 and LCYC82 have in common, and a pocket as its rules have left it. Lengths in counts.
 #pragma once
 
-#include "expanders/sinumerik/plan.hpp"
+#include "expanders/sinumerik/machine.hpp"
 
 namespace gonogo::expanders::sinumerik {
-
-/// A frame block: G158, G258, G259.
-void take_frame(Machine& machine, const Block& block, int code);
-
-void prepare_drilling(Machine& machine, const Block& block, Plan& plan);
-void prepare_pocket(Machine& machine, const Block& block, Plan& plan);
 
 /// The R parameters of a cycle in counts; what none can be is complained of.
 class CycleParameters {
@@ -19,8 +12,6 @@ class CycleParameters {
   explicit CycleParameters(Machine& machine) : machine_(machine) {}
 
   Fixed operator()(int number);
-  /// Whether one that was read is no whole number of counts.
-  bool rounded() const { return rounded_; }
 
   /// Complains of R`number`.
   void complain(AlarmKind kind, int number);
@@ -31,13 +22,51 @@ class CycleParameters {
 
  private:
   Machine& machine_;
-  bool rounded_ = false;
 };
 
 /// Whether the cycle stands alone in its block; complains if not.
 bool stands_alone(Machine& machine, const Block& block);
 
 /// Way straight along the third axis, for what goes on from the cycle.
-Heading heading_along_depth(const Plane& plane);
+Direction heading_along_depth(const Plane& plane);
+
+/// Where the middle of the tool may be, about the middle of the pocket: a rectangle, its corners
+/// rounded.
+struct Area {
+  double half_length = 0;  ///< along the first axis of the plane
+  double half_width = 0;   ///< along the second
+  double corner = 0;
+};
+
+/// The depths of the levels.
+struct Levels {
+  Fixed from = 0;
+  Fixed floor = 0;
+  Fixed most = 0;   ///< the largest infeed
+  Fixed count = 1;  ///< of levels
+  bool equal = true;
+  /// Depth of level `k`, from 1.
+  Fixed depth(Fixed k) const;
+};
+
+struct Pocket {
+  int plane = 17;
+  Real centre_p = 0;
+  Real centre_q = 0;
+  Fixed retract = 0;
+  Fixed start = 0;  ///< down to it there is no material
+  Levels levels;
+  Area area;
+  double radius = 0;          ///< of the tool
+  bool strip_only = false;    ///< above the last level only the rest that roughing has left is cut
+  bool contour_only = false;  ///< at the last level too
+  bool wide_strip = false;    ///< that rest is more than one pass takes
+  int sense = 1;              ///< of the contour: 1 counterclockwise, -1 clockwise
+  Feed depth_feed;
+  Feed plane_feed;
+};
+
+/// The way of the tool, from where it is to `target`; false when the sink has asked to stop.
+bool mill_pocket(Machine& machine, const Pocket& pocket, const Target& target);
 
 }  // namespace gonogo::expanders::sinumerik

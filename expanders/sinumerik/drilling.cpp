@@ -19,20 +19,11 @@ bool is_measured(int number) {
 
 Fixed CycleParameters::operator()(int number) {
   const Decimal value = to_counts(machine_.state.parameters[static_cast<std::size_t>(number)]);
-  if (value.overflow || !in_reach(value.value)) {
-    complain(AlarmKind::kValueOutOfRange, number);
-    return 0;
-  }
-  rounded_ = rounded_ || value.finer;
-  const bool inches = machine_.configuration.cycles_in_inches && machine_.state.inch;
-  if (!inches || !is_measured(number)) return value.value;
-  const Wide length = scaled(value.value, 254, 10);
-  if (!in_reach(length)) {
-    complain(AlarmKind::kValueOutOfRange, number);
-    return 0;
-  }
-  rounded_ = rounded_ || value.value % 5 != 0;  // of 127/5
-  return static_cast<Fixed>(length);
+  const bool inches = machine_.follows("sie.lcyc.unit=inch"_reading) && machine_.state.inch;
+  const Wide length = inches && is_measured(number) ? scaled(value.value, 254, 10) : value.value;
+  if (!value.overflow && in_reach(static_cast<Real>(length))) return static_cast<Fixed>(length);
+  complain(AlarmKind::kValueOutOfRange, number);
+  return 0;
 }
 
 void CycleParameters::complain(AlarmKind kind, int number) {
@@ -42,7 +33,7 @@ void CycleParameters::complain(AlarmKind kind, int number) {
 void CycleParameters::check_planes() {
   CycleParameters& r = *this;
   const Fixed start = r(103) + r(102);
-  const bool strict = machine_.has(Fault::kPlaneEqualityRefused);
+  const bool strict = machine_.has("cycle-plane-equality-refused"_fault);
   if (r(101) < start || (strict && r(101) == start)) complain(AlarmKind::kReferencePlane, 101);
   if (r(104) >= r(103)) complain(AlarmKind::kReferencePlane, 104);
   check_not_negative(102);
@@ -59,55 +50,38 @@ bool stands_alone(Machine& machine, const Block& block) {
   return false;
 }
 
-Heading heading_along_depth(const Plane& plane) {
-  Heading heading;
-  heading.along[plane.d] = 1;
-  heading.exact = true;
+Direction heading_along_depth(const Plane& plane) {
+  Direction heading{};
+  heading[plane.d] = 1;
   return heading;
 }
 
 // SIE-LC82-01
 void prepare_drilling(Machine& machine, const Block& block, Plan& plan) {
   if (!stands_alone(machine, block)) return;
-  const State& state = machine.state;
-  const Plane& plane = plane_of(state.plane);
+  const Plane& plane = machine.plane();
   CycleParameters r(machine);
   r.check_planes();
   r.check_not_negative(105);
-  Drilling drilling;
-  drilling.axis = plane.d;
-  drilling.start = r(103) + r(102);
-  drilling.depth = r(104);
-  drilling.seconds = r(105);
-  if (machine.has(Fault::kDrillDwellMilliseconds)) drilling.seconds /= 1000;
-  if (machine.has(Fault::kDrillDwellForgotten)) drilling.seconds = 0;
-  Target& target = drilling.target;
-  const Axes others = ~axis_bit(plane.d);
-  target = {state.position, axis_bit(plane.d), state.rounded & others, state.remainder,
-            state.coarse & others};
-  target.remainder[plane.d] = 0;
-  target.to[plane.d] = machine.has(Fault::kDrillRetractToClearance) ? drilling.start : r(101);
-  if (r.rounded()) {
-    target.rounded |= axis_bit(plane.d);
-    target.coarse |= axis_bit(plane.d);
-  }
-  Point bottom = target.to;
-  bottom[plane.d] = drilling.depth;
-  drilling.feed = cutting_feed(machine, bottom, true);
-  plan.heading = heading_along_depth(plane);
-  plan.motion = drilling;
-}
-
-bool perform(Machine& machine, const Drilling& drilling) {
-  Tracer& tracer = machine.tracer;
-  const Axes axes = axis_bit(drilling.axis);
-  Point place = machine.state.position;
-  place[drilling.axis] = drilling.start;
-  if (!tracer.rapid(machine.frame.to_machine(place), axes)) return false;
-  place[drilling.axis] = drilling.depth;
-  if (!tracer.feed(machine.frame.to_machine(place), axes, drilling.feed)) return false;
-  if (!tracer.dwell(drilling.seconds)) return false;
-  return tracer.rapid(machine.frame.to_machine(drilling.target.to), axes);
+  const Fixed clearance = r(103) + r(102);
+  Fixed seconds = r(105);
+  if (machine.has("drill-dwell-ms"_fault)) seconds /= 1000;
+  if (machine.has("drill-dwell-forgotten"_fault)) seconds = 0;
+  Place start = machine.state.position;
+  Place bottom = start;
+  Target target{start, axis_bit(plane.d)};
+  start[plane.d] = static_cast<Real>(clearance);
+  bottom[plane.d] = static_cast<Real>(r(104));
+  const bool short_way = machine.has("drill-retract-to-clearance"_fault);
+  target.to[plane.d] = static_cast<Real>(short_way ? clearance : r(101));
+  const Feed feed = cutting_feed(machine, bottom, true);
+  plan = [&machine, &plane, target, start, bottom, seconds, feed] {
+    Tracer& tracer = machine.tracer;
+    arrive(machine, target, heading_along_depth(plane));
+    return tracer.rapid(machine.output(start), target.axes) &&
+           tracer.feed(machine.output(bottom), target.axes, feed) && tracer.dwell(seconds) &&
+           tracer.rapid(machine.output(target.to), target.axes);
+  };
 }
 
 }  // namespace gonogo::expanders::sinumerik

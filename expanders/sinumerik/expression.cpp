@@ -8,37 +8,6 @@
 #include <string_view>
 
 namespace gonogo::expanders::sinumerik {
-namespace {
-
-// A result of cancellation that is smaller than this part of its operands is zero.
-constexpr Real kZeroPart = 4 * std::numeric_limits<Real>::epsilon();
-
-Real without_residue(Real value, Real left, Real right) {
-  const Real size = std::fmax(std::fabs(left), std::fabs(right));
-  return std::fabs(value) <= kZeroPart * size ? 0 : value;
-}
-
-}  // namespace
-
-void skip_blanks(const char*& cursor, const char* end) {
-  while (cursor != end && (*cursor == ' ' || *cursor == '\t')) ++cursor;
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-bool is_name_part(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
-}
-
-char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 Decimal to_counts(Real value) {
   Decimal number;
@@ -55,26 +24,6 @@ Decimal to_counts(Real value) {
   return number;
 }
 
-bool read_index(const char*& cursor, const char* end, std::size_t most, std::size_t& index) {
-  if (cursor == end || !is_digit(*cursor)) return false;
-  index = 0;
-  for (; cursor != end && is_digit(*cursor); ++cursor) {
-    if (index < most) index = index * 10 + static_cast<std::size_t>(*cursor - '0');
-  }
-  index = std::min(index, most);
-  return true;
-}
-
-bool at_exponent(const char* cursor, const char* end) {
-  if (end - cursor < 3 || capital(cursor[0]) != 'E' || capital(cursor[1]) != 'X') return false;
-  const char c = cursor[2];
-  return is_digit(c) || c == '-' || c == '+';
-}
-
-Scan Expression::read() {
-  return sum(value_);
-}
-
 // The operator that follows, or 0.
 char Expression::next_operator() {
   skip_blanks(cursor_, end_);
@@ -86,9 +35,9 @@ char Expression::next_operator() {
 Real Expression::apply(char sign, Real left, Real right) {
   switch (sign) {
     case '+':
-      return without_residue(left + right, left, right);
+      return left + right;
     case '-':
-      return without_residue(left - right, left, right);
+      return left - right;
     case '*':
       return left * right;
     default:
@@ -98,31 +47,22 @@ Real Expression::apply(char sign, Real left, Real right) {
   }
 }
 
-Scan Expression::sum(Real& value) {
-  Scan step = product(value);
-  while (step == Scan::kRead) {
+// Sums of products; fault: all operators bind alike.
+Scan Expression::chain(Real& value, bool of_products) {
+  const auto operand = [&](Real& one) {
+    return of_products && !left_to_right_ ? chain(one, false) : signed_operand(one);
+  };
+  Scan scan = operand(value);
+  while (scan == Scan::kRead) {
     const char sign = next_operator();
-    // Fault: all operators bind alike, so that here products are met as well.
-    if (sign == 0 || (!left_to_right_ && sign != '+' && sign != '-')) break;
+    const bool adds = sign == '+' || sign == '-';
+    if (sign == 0 || (!left_to_right_ && adds != of_products)) break;
     ++cursor_;
     Real right = 0;
-    step = product(right);
-    if (step == Scan::kRead) value = apply(sign, value, right);
+    scan = operand(right);
+    if (scan == Scan::kRead) value = apply(sign, value, right);
   }
-  return step;
-}
-
-Scan Expression::product(Real& value) {
-  Scan step = signed_operand(value);
-  while (step == Scan::kRead && !left_to_right_) {
-    const char sign = next_operator();
-    if (sign != '*' && sign != '/') break;
-    ++cursor_;
-    Real right = 0;
-    step = signed_operand(right);
-    if (step == Scan::kRead) value = apply(sign, value, right);
-  }
-  return step;
+  return scan;
 }
 
 Scan Expression::signed_operand(Real& value) {
@@ -157,9 +97,10 @@ Scan Expression::number(Real& value) {
 }
 
 Scan Expression::brackets(Real& value) {
-  if (++depth_ > kDeepestBrackets) return Scan::kSyntax;
+  constexpr int kDeepest = 64;
+  if (++depth_ > kDeepest) return Scan::kSyntax;
   ++cursor_;
-  const Scan step = sum(value);
+  const Scan step = chain(value, true);
   --depth_;
   if (step != Scan::kRead) return step;
   skip_blanks(cursor_, end_);
@@ -183,6 +124,19 @@ Scan Expression::parameter(Real& value) {
   return Scan::kRead;
 }
 
+Real Expression::called(std::string_view name, Real value) {
+  if (name == "ABS") return std::fabs(value);
+  if (name == "SQRT") {
+    undefined_ = undefined_ || value < 0;
+    return value < 0 ? 0 : std::sqrt(value);
+  }
+  constexpr Real kNothing = 1e-15L;
+  const Vector direction = direction_of(value);
+  if (name == "SIN") return direction.q;
+  if (name == "COS") return direction.p;
+  return apply('/', direction.q, std::fabs(direction.p) < kNothing ? 0 : direction.p);
+}
+
 Scan Expression::named(Real& value) {
   const char* stop = cursor_;
   char name[5] = {};
@@ -201,17 +155,7 @@ Scan Expression::named(Real& value) {
   if (cursor_ == end_ || *cursor_ != '(') return Scan::kSyntax;
   const Scan step = brackets(value);
   if (step != Scan::kRead) return step;
-  if (text == "ABS") {
-    value = std::fabs(value);
-  } else if (text == "SQRT") {
-    undefined_ = undefined_ || value < 0;
-    value = value < 0 ? 0 : std::sqrt(value);
-  } else {
-    const Direction2 direction = direction_of(value);
-    if (text == "SIN") value = direction.sine;
-    if (text == "COS") value = direction.cosine;
-    if (text == "TAN") value = apply('/', direction.sine, direction.cosine);
-  }
+  value = called(text, value);
   return step;
 }
 

@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string_view>
-
-#include "expanders/sinumerik/plan.hpp"
+#include "expanders/common/interpreter.hpp"
+#include "expanders/sinumerik/machine.hpp"
 
 namespace gonogo::expanders::sinumerik {
 
-/// Runs one program from the state of power-on, block by block: reads a block and reckons its
-/// values, takes its words in the order of their action, checks, moves. Uses no memory that grows
-/// with the program.
-class Interpreter {
+/// Reads a block and reckons its values, takes its words in the order of their action, checks,
+/// moves.
+class Interpreter final : public expanders::Interpreter {
  public:
-  Interpreter(const Configuration& configuration, const gonogo_sink_v1& sink, Fault fault)
-      : machine_(configuration, sink, fault) {}
+  using Memory = Parameters;  // of the last run, for the fault that lets them survive
+  static constexpr std::size_t kFaultCount = kFaults.size();
+  static constexpr std::string_view kDescription =
+      R"({"protocol":1,"subject":{"name":"gonogo-sinumerik","version":"0.1.0"},)"
+      R"("dialects":{"sinumerik840d":["basic","arc","cr","ar","polar","planes","helix","cip","ct",)"
+      R"("expressions","rotary"],)"
+      R"("sinumerik802s":["basic","arc","cr","ar","polar","planes","helix","cip","ct",)"
+      R"("expressions","rotary","frames","lcyc82","lcyc75"]},"features":["blocks","m","bytes"],)"
+      R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
+      R"("max_in_flight":1})";
+  static std::span<const ProfileTable> profiles();
 
-  /// What `run` of the C interface answers.
-  gonogo_answer run(std::string_view program);
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
 
-  Machine& machine() { return machine_; }
+  void recall(const Memory& parameters) { machine_.state.parameters = parameters; }
+  Memory memory() const {
+    const bool survive = machine_.has("parameters-survive-reset"_fault);
+    return survive ? machine_.state.parameters : Memory{};
+  }
 
  private:
-  Block::Manner manner() const;
-  Flow run_line(std::string_view line);
+  Lines lines() const override;
+  Flow run_line(std::string_view line) override;
   Flow run_block();
-  Flow unsupported();
-  void warn();
   void check_block();
   void check_functions();
   bool has_large_function() const;
   void prepare(Plan& plan);
+  bool prepare_alone(Plan& plan);
+  void take_modes();
   void take_feed();
   void take_spindle();
   void take_tool();
-  bool prepare_alone(Plan& plan);
-  void take_modes();
   void prepare_motion(Plan& plan);
-  Flow perform_plan(const Plan& plan);
-  void take_position(const Plan& plan);
   Flow run_functions(bool before);
 
   Machine machine_;

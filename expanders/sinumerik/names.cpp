@@ -2,122 +2,125 @@
 #include "expanders/sinumerik/names.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <string>
 
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-constexpr Name kAddressNames[] = {
-    {"CR", NameKind::kAddress, Address::kRadius},
-    {"AR", NameKind::kAddress, Address::kOpeningAngle},
-    {"AP", NameKind::kAddress, Address::kPolarAngle},
-    {"RP", NameKind::kAddress, Address::kPolarRadius},
-    {"TURN", NameKind::kAddress, Address::kTurn},
-    {"CIP", NameKind::kThroughPoint},
-    {"CT", NameKind::kTangent},
+constexpr CodeRow kRows[] = {
+    {Group::kMotion, Support::kFull, "0 1 2 3"},
+    {Group::kOnce, Support::kFull, "4 110 111 112"},
+    {Group::kPlane, Support::kFull, "17 18 19"},
+    {Group::kUnits, Support::kFull, "70 71"},
+    {Group::kDimension, Support::kFull, "90 91"},
+    {Group::kFeedMode, Support::kFull, "94 95"},
+    {Group::kExactStop, Support::kNoEffect, "9"},
+    {Group::kCutter, Support::kNoEffect, "40"},
+    {Group::kSuppress, Support::kNoEffect, "53"},
+    {Group::kFrame, Support::kNoEffect, "54 55 56 57 500"},
+    {Group::kControl, Support::kNoEffect, "60 64"},
+    {Group::kWindow, Support::kNoEffect, "601 602"},
+    {Group::kProgrammedFrame, Support::kFull, "158 258 259"},
+    // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference
+    // points, soft approach, tapping, corner behaviour, further frames, units of the feed.
+    {Group::kControl, Support::kOutside,
+     "25 26 33 34 35 41 42 62 63 74 75 93 96 97 147 148 153 247 248 290 291 331 332 340 341 347 "
+     "348 "
+     "450 451 603 641 642 700 710 961 962 971"},
+};
+constexpr CodeTable kCodes{kRows};
+constexpr Code kFurtherFrame{0, static_cast<GroupNumber>(Group::kFrame), Support::kOutside};
+
+struct KnownName {
+  std::string_view text;
+  Name name;
+};
+
+constexpr KnownName kNames[] = {
+    {"CR", {NameKind::kAddress, Address::kRadius}},
+    {"AR", {NameKind::kAddress, Address::kOpeningAngle}},
+    {"AP", {NameKind::kAddress, Address::kPolarAngle}},
+    {"RP", {NameKind::kAddress, Address::kPolarRadius}},
+    {"TURN", {NameKind::kAddress, Address::kTurn}},
+    {"CIP", {NameKind::kCode, Address::kX, &kThroughPointCode}},
+    {"CT", {NameKind::kCode, Address::kX, &kTangentCode}},
 };
 
 // Of 802S only.
-constexpr Name kCycleNames[] = {
-    {"RPL", NameKind::kAddress, Address::kRotation},
-    {"LCYC75", NameKind::kCycle},
-    {"LCYC82", NameKind::kCycle},
+constexpr KnownName kCycleNames[] = {
+    {"RPL", {NameKind::kAddress, Address::kRotation}},
+    {"LCYC75", {NameKind::kCode, Address::kX, &kPocketCode}},
+    {"LCYC82", {NameKind::kCode, Address::kX, &kDrillingCode}},
 };
 
-constexpr std::string_view kControl[] = {
-    "IF",      "ELSE",   "ENDIF", "WHILE",  "ENDWHILE", "FOR",   "ENDFOR", "LOOP",
-    "ENDLOOP", "REPEAT", "UNTIL", "CASE",   "GOTO",     "GOTOF", "GOTOB",  "GOTOC",
-    "GOTOS",   "DEF",    "PROC",  "EXTERN", "CALL",     "PCALL", "MCALL",  "RET"};
+constexpr std::string_view kControl =
+    " IF ELSE ENDIF WHILE ENDWHILE FOR ENDFOR LOOP ENDLOOP REPEAT UNTIL CASE GOTO GOTOF GOTOB "
+    "GOTOC "
+    "GOTOS DEF PROC EXTERN CALL PCALL MCALL RET ";
 
-constexpr std::string_view kPassedOver[] = {"MSG",    "STOPRE", "SOFT", "BRISK", "DRIVE",
-                                            "FFWON",  "FFWOF",  "CFC",  "CFTCP", "CFIN",
-                                            "COMPOF", "DIAMOF", "LIMS", "SPOS"};
+constexpr std::string_view kPassedOver =
+    " MSG STOPRE SOFT BRISK DRIVE FFWON FFWOF CFC CFTCP CFIN COMPOF DIAMOF LIMS SPOS ";
 
-constexpr std::string_view kOutsideNames[] = {
-    "SUPA",    "TRANS",    "ATRANS",   "ROT",    "AROT",   "SCALE",    "ASCALE",  "MIRROR",
-    "AMIRROR", "ROTS",     "AROTS",    "RPL",    "DIAMON", "DIAM90",   "INVCW",   "INVCCW",
-    "ASPLINE", "BSPLINE",  "CSPLINE",  "POLY",   "COMPON", "COMPCURV", "COMPCAD", "TRAORI",
-    "TRAFOOF", "TRACYL",   "TRANSMIT", "KONT",   "NORM",   "OFFN",     "CHF",     "CHR",
-    "RND",     "RNDM",     "ANG",      "WAITM",  "START",  "INIT",     "FXS",     "SPCON",
-    "SPCOF",   "PUTFTOC",  "OVR",      "ACC",    "FGROUP", "FL",       "FB",      "FRC",
-    "FRCM",    "HOLES1",   "HOLES2",   "SLOT1",  "SLOT2",  "POCKET1",  "POCKET2", "POCKET3",
-    "POCKET4", "LONGHOLE", "LCYC60",   "LCYC61", "LCYC83", "LCYC84",   "LCYC85",  "LCYC93",
-    "LCYC94",  "LCYC95",   "LCYC96",   "LCYC97", "LCYC840"};
+constexpr std::string_view kOutside =
+    " LCYC60 LCYC61 LCYC83 LCYC84 LCYC85 LCYC93 LCYC94 LCYC95 LCYC96 LCYC97 LCYC840 ";
 
-constexpr std::string_view kCycle = "CYCLE";
-
-template <std::size_t kSize>
-bool find_in(const std::string_view (&list)[kSize], std::string_view name, NameKind kind,
-             Name& found) {
-  const auto place = std::find(std::begin(list), std::end(list), name);
-  if (place == std::end(list)) return false;
-  found = {*place, kind};
-  return true;
+bool contains(std::string_view list, std::string_view name) {
+  return list.find(' ' + std::string(name) + ' ') != std::string_view::npos;
 }
 
-bool is_numbered(std::string_view name, std::string_view family) {
-  if (!name.starts_with(family) || name.size() == family.size()) return false;
-  name.remove_prefix(family.size());
-  return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+bool is_cycle(std::string_view name) {
+  return name.starts_with("LCYC") && name.size() > 4 &&
+         name.find_first_not_of("0123456789", 4) == std::string_view::npos;
+}
+
+template <std::size_t kSize>
+const Name* find_in(const KnownName (&list)[kSize], std::string_view name) {
+  const auto* found = std::find_if(std::begin(list), std::end(list),
+                                   [&](const KnownName& known) { return known.text == name; });
+  return found == std::end(list) ? nullptr : &found->name;
 }
 
 }  // namespace
 
 Name find_name(std::string_view name, Control control) {
-  for (const Name& known : kAddressNames) {
-    if (known.text == name) return known;
-  }
+  if (const Name* found = find_in(kNames, name)) return *found;
   if (control == Control::k802S) {
-    for (const Name& known : kCycleNames) {
-      if (known.text == name) return known;
-    }
+    if (const Name* found = find_in(kCycleNames, name)) return *found;
   }
-  Name found;
-  if (find_in(kControl, name, NameKind::kControl, found)) return found;
-  if (find_in(kPassedOver, name, NameKind::kPassedOver, found)) return found;
-  if (find_in(kOutsideNames, name, NameKind::kOutside, found)) return found;
-  if (is_numbered(name, kCycle)) return {kCycle, NameKind::kOutside};
-  // LCYC is the maker's prefix; any other name may be a subprogram or a variable of the owner.
-  if (is_numbered(name, "LCYC")) return {};
-  return {"A name of the owner's", NameKind::kOutside};
+  if (contains(kControl, name)) return {NameKind::kControl};
+  if (contains(kPassedOver, name)) return {NameKind::kPassedOver};
+  // LCYC is the maker's prefix; any other name is one of the control's that this expander lacks, or
+  // may be a subprogram or a variable of the owner.
+  if (is_cycle(name) && !contains(kOutside, name)) return {};
+  return {NameKind::kOutside};
 }
 
-Letter find_letter(char letter) {
-  constexpr std::string_view kWords = "XYZACIJKFSTD";
-  constexpr Address kWordAddresses[] = {Address::kX,       Address::kY,    Address::kZ,
-                                        Address::kA,       Address::kC,    Address::kI,
-                                        Address::kJ,       Address::kK,    Address::kFeed,
-                                        Address::kSpindle, Address::kTool, Address::kCuttingEdge};
+Name find_letter(char letter) {
+  constexpr std::string_view kWords = "XYZACIJK";
   const std::size_t index = kWords.find(letter);
-  if (index != std::string_view::npos) return {LetterKind::kAddress, kWordAddresses[index]};
-  switch (letter) {
-    case 'G':
-      return {LetterKind::kCode, Address::kX};
-    case 'M':
-      return {LetterKind::kFunction, Address::kX};
-    case 'H':
-      return {LetterKind::kPassedOver, Address::kX};
-    // Further axes; subprograms and how often they run.
-    case 'B':
-    case 'E':
-    case 'O':
-    case 'Q':
-    case 'U':
-    case 'V':
-    case 'W':
-    case 'L':
-    case 'P':
-      return {LetterKind::kOutside, Address::kX};
-    default:
-      return {LetterKind::kUnknown, Address::kX};
-  }
+  if (index != std::string_view::npos) return {NameKind::kAddress, static_cast<Address>(index)};
+  constexpr std::string_view kMore = "FSTD";
+  constexpr Address kAddressesOfMore[] = {Address::kFeed, Address::kSpindle, Address::kTool,
+                                          Address::kCuttingEdge};
+  const std::size_t more = kMore.find(letter);
+  if (more != std::string_view::npos) return {NameKind::kAddress, kAddressesOfMore[more]};
+  if (letter == 'G') return {NameKind::kGCode};
+  if (letter == 'M') return {NameKind::kFunction};
+  if (letter == 'H') return {NameKind::kPassedOver};
+  // Further axes; subprograms and how often they run.
+  const bool outside = std::string_view("BEOQUVWLP").find(letter) != std::string_view::npos;
+  return {outside ? NameKind::kOutside : NameKind::kUnknown};
 }
 
-char letter_of(Address address) {
-  // In the order of Address.
-  constexpr char kLetters[kAddresses] = {'X', 'Y', 'Z', 'A', 'C', 'I', 'J', 'K', 'I', 'J', 'K',
-                                         0,   0,   0,   0,   0,   'F', 'S', 'T', 'D', 0};
-  return kLetters[static_cast<std::size_t>(address)];
+const Code* find_code(const Decimal& number, Control control) {
+  const Code* code = kCodes.find(number);
+  if (code == nullptr) {
+    const bool whole = !number.overflow && !number.finer && number.value % kOne == 0;
+    const bool frame = whole && number.value >= 505 * kOne && number.value <= 599 * kOne;
+    return frame ? &kFurtherFrame : nullptr;
+  }
+  const bool frame = code->group == static_cast<GroupNumber>(Group::kProgrammedFrame);
+  return frame && control == Control::k840D ? nullptr : code;
 }
 
 }  // namespace gonogo::expanders::sinumerik

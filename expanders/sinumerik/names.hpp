@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "expanders/common/codes.hpp"
+
 namespace gonogo::expanders::sinumerik {
 
 /// The controls: 802S has the path commands of 840D, and frames and cycles on top.
@@ -41,8 +43,10 @@ enum class Address : std::uint8_t {
 };
 inline constexpr std::size_t kAddresses = static_cast<std::size_t>(Address::kRotation) + 1;
 
-/// Its letter; 0: a name of several.
-char letter_of(Address address);
+/// Its letter, in the order of Address; 0: a name of several.
+inline constexpr char letter_of(Address address) {
+  return "XYZACIJKIJK\0\0\0\0\0FSTD"[static_cast<std::size_t>(address)];
+}
 
 /// A set of addresses.
 using Addresses = std::uint32_t;
@@ -65,39 +69,52 @@ inline constexpr Address intermediate_address(std::size_t axis) {
   return static_cast<Address>(static_cast<std::size_t>(Address::kI1) + axis);
 }
 
-/// What a word of one letter is.
-enum class LetterKind : std::uint8_t {
-  kAddress,
-  kCode,
-  kFunction,
-  kPassedOver,
-  kOutside,
-  kUnknown
+/// Codes of one group exclude each other.
+enum class Group : GroupNumber {
+  kMotion,  // G0 to G3, CIP, CT
+  kOnce,    // G4, G110 to G112
+  kPlane,
+  kUnits,
+  kDimension,  // G90, G91
+  kFeedMode,
+  kExactStop,  // G9
+  kCutter,
+  kSuppress,
+  kFrame,
+  kControl,
+  kWindow,
+  kProgrammedFrame,  // G158, G258, G259
+  kCycle             // LCYC75, LCYC82
 };
-struct Letter {
-  LetterKind kind;
-  Address address;
-};
-/// `letter`: 'A' to 'Z'; N and R are no words and unknown here.
-Letter find_letter(char letter);
 
-/// What a name of two letters or more is.
+// Codes that have names; no G code is as high.
+inline constexpr Code kThroughPointCode{10'001, static_cast<GroupNumber>(Group::kMotion)};  // CIP
+inline constexpr Code kTangentCode{10'002, static_cast<GroupNumber>(Group::kMotion)};       // CT
+inline constexpr Code kPocketCode{10'075, static_cast<GroupNumber>(Group::kCycle)};    // LCYC75
+inline constexpr Code kDrillingCode{10'082, static_cast<GroupNumber>(Group::kCycle)};  // LCYC82
+
+/// Null: the control lacks it.
+const Code* find_code(const Decimal& number, Control control);
+
+/// What a letter or a name is.
 enum class NameKind : std::uint8_t {
   kAddress,
-  kThroughPoint,  // CIP
-  kTangent,       // CT
-  kControl,       // the rest of the line is not read
-  kCycle,         // LCYC75, LCYC82
-  kPassedOver,    // with a warning
+  kGCode,
+  kFunction,    // M
+  kCode,        // CIP, CT, LCYC75, LCYC82
+  kControl,     // the rest of the line is not read
+  kPassedOver,  // a name: with a warning
   kOutside,
   kUnknown
 };
 struct Name {
-  std::string_view text;  ///< lives as long as the process; empty for kUnknown
   NameKind kind = NameKind::kUnknown;
   Address address = Address::kX;
+  const Code* code = nullptr;  ///< of kCode
 };
-/// `name` in capitals.
+/// `letter`: 'A' to 'Z'; N and R are no words and unknown here.
+Name find_letter(char letter);
+/// `name`, of two letters or more, in capitals.
 Name find_name(std::string_view name, Control control);
 
 }  // namespace gonogo::expanders::sinumerik

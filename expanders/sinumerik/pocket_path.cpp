@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "expanders/sinumerik/plan.hpp"
+#include "expanders/sinumerik/cycles.hpp"
 
 namespace gonogo::expanders::sinumerik {
 namespace {
@@ -50,11 +50,11 @@ class PocketPath {
   bool contour(const Area& area);
   bool middle_line(const Area& area);
   bool leave(const Target& target);
-  Point at(double x, double y) const;
+  Place at(double x, double y) const;
   bool go(double x, double y);
   bool turn(double centre_x, double centre_y, double x, double y);
   bool plunge(Fixed depth);
-  bool rapid(const Point& to, Axes axes);
+  bool rapid(const Place& to, Axes axes);
 
   Axes in_plane() const { return machine_.frame.to_machine(plane_axes(plane_)); }
 
@@ -63,39 +63,39 @@ class PocketPath {
   const Plane& plane_;
   bool upright_;
   Area area_;
-  Point place_;
+  Place place_;
 };
 
-Point PocketPath::at(double x, double y) const {
-  Point point = place_;
-  point[plane_.p] = pocket_.centre_p + std::llround(upright_ ? -y : x);
-  point[plane_.q] = pocket_.centre_q + std::llround(upright_ ? x : y);
+Place PocketPath::at(double x, double y) const {
+  Place point = place_;
+  point[plane_.p] = pocket_.centre_p + (upright_ ? -y : x);
+  point[plane_.q] = pocket_.centre_q + (upright_ ? x : y);
   return point;
 }
 
-bool PocketPath::rapid(const Point& to, Axes axes) {
+bool PocketPath::rapid(const Place& to, Axes axes) {
   place_ = to;
-  return machine_.tracer.rapid(machine_.frame.to_machine(to), machine_.frame.to_machine(axes));
+  return machine_.tracer.rapid(machine_.output(to), machine_.frame.to_machine(axes));
 }
 
 bool PocketPath::go(double x, double y) {
   place_ = at(x, y);
-  const Point to = machine_.frame.to_machine(place_);
+  const Point to = machine_.output(place_);
   return machine_.tracer.feed(to, in_plane(), pocket_.plane_feed);
 }
 
 // A quarter of a circle.
 bool PocketPath::turn(double centre_x, double centre_y, double x, double y) {
-  if (area_.corner == 0 || at(x, y) == place_) return go(x, y);
-  const Point centre = machine_.frame.to_machine(at(centre_x, centre_y));
+  if (area_.corner == 0 || machine_.output(at(x, y)) == machine_.output(place_)) return go(x, y);
+  const Point centre = machine_.output(at(centre_x, centre_y));
   place_ = at(x, y);
   return machine_.tracer.arc(plane_, centre[plane_.p], centre[plane_.q], pocket_.sense,
-                             machine_.frame.to_machine(place_), in_plane(), pocket_.plane_feed);
+                             machine_.output(place_), in_plane(), pocket_.plane_feed);
 }
 
 bool PocketPath::plunge(Fixed depth) {
-  place_[plane_.d] = depth;
-  const Point to = machine_.frame.to_machine(place_);
+  place_[plane_.d] = static_cast<Real>(depth);
+  const Point to = machine_.output(place_);
   return machine_.tracer.feed(to, axis_bit(plane_.d), pocket_.depth_feed);
 }
 
@@ -124,7 +124,7 @@ bool PocketPath::lines(const Area& whole) {
   const double off = std::min(std::max(kOff * radius, kLeastOff), kMostOff * radius);
   const Area area = inset(whole, off);
   const double span = 2 * area.half_width;
-  const bool islands = machine_.has(Fault::kStepTooWide);
+  const bool islands = machine_.has("pocket-step-too-wide"_fault);
   const double count = islands ? std::max(std::floor(span / (2.4 * radius)), 1.)
                                : std::ceil(span / (kStep * radius));
   double side = 1;
@@ -156,19 +156,19 @@ bool PocketPath::level(Fixed depth, bool last) {
 
 // SIE-LC75-13
 bool PocketPath::approach() {
-  Point point = at(0, 0);
-  point[plane_.d] = pocket_.retract;
+  Place point = at(0, 0);
+  point[plane_.d] = static_cast<Real>(pocket_.retract);
   if (!rapid(point, plane_axes(plane_) | axis_bit(plane_.d))) return false;
-  point[plane_.d] = pocket_.start;
+  point[plane_.d] = static_cast<Real>(pocket_.start);
   if (!rapid(point, axis_bit(plane_.d))) return false;
-  if (!machine_.has(Fault::kPlungeOffCentre)) return true;
+  if (!machine_.has("pocket-plunge-off-centre"_fault)) return true;
   return rapid(at(area_.half_length / 2, 0), plane_axes(plane_));
 }
 
 bool PocketPath::leave(const Target& target) {
-  Point point = target.to;
+  Place point = target.to;
   point[plane_.d] = place_[plane_.d];
-  const Point to = machine_.frame.to_machine(point);
+  const Point to = machine_.output(point);
   if (!machine_.tracer.feed(to, in_plane(), pocket_.plane_feed)) return false;
   return rapid(target.to, axis_bit(plane_.d));
 }
@@ -178,7 +178,7 @@ bool PocketPath::run(const Target& target) {
   if (!approach()) return false;
   const Fixed count = pocket_.levels.count;
   for (Fixed k = 1; k <= count; ++k) {
-    if (k == count && machine_.has(Fault::kLastLevelMissed)) break;
+    if (k == count && machine_.has("pocket-last-level-missed"_fault)) break;
     if (!level(pocket_.levels.depth(k), k == count)) return false;
   }
   return leave(target);
@@ -187,9 +187,9 @@ bool PocketPath::run(const Target& target) {
 // Faults of what the cycle leaves behind.
 void spoil_modes(Machine& machine, const Pocket& pocket) {
   State& state = machine.state;
-  if (machine.has(Fault::kFeedAfterCycle)) state.feed = pocket.plane_feed.value;
-  if (machine.has(Fault::kMotionAfterCycle)) state.motion = Motion::kRapid;
-  if (machine.has(Fault::kParameterLost)) {
+  if (machine.has("cycle-feed-stays"_fault)) state.feed = pocket.plane_feed.value;
+  if (machine.has("cycle-g0-stays"_fault)) state.motion = Motion::kRapid;
+  if (machine.has("cycle-parameter-lost"_fault)) {
     const Fixed step = pocket.levels.from - pocket.levels.depth(1);
     state.parameters[121] = static_cast<double>(step) / static_cast<double>(kOne);
   }
@@ -203,16 +203,9 @@ Fixed Levels::depth(Fixed k) const {
   return from - static_cast<Fixed>(down);
 }
 
-void Levels::count_levels(bool rounded) {
-  const Fixed depth = from - floor;
-  count = (depth + most - 1) / most;
-  // Thirds and the like are a little too large or too small.
-  if (rounded && count > 1 && depth - (count - 1) * most < count) --count;
-}
-
-bool perform(Machine& machine, const Pocketing& pocketing) {
-  const bool goes_on = PocketPath(machine, pocketing.pocket).run(pocketing.target);
-  spoil_modes(machine, pocketing.pocket);
+bool mill_pocket(Machine& machine, const Pocket& pocket, const Target& target) {
+  const bool goes_on = PocketPath(machine, pocket).run(target);
+  spoil_modes(machine, pocket);
   return goes_on;
 }
 

@@ -13,7 +13,7 @@ constexpr int kFinishing = 2;
 // A radius of the tool in force; 0: none.
 Fixed tool_radius(const Machine& machine) {
   const State& state = machine.state;
-  const auto& tools = machine.configuration.tools;
+  const auto& tools = machine.profile.tools;
   const auto tool = state.has_edge ? tools.find(state.tool) : tools.end();
   return tool == tools.end() || state.tool == 0 ? 0 : tool->second;
 }
@@ -31,7 +31,7 @@ struct Sides {
 };
 
 Sides sides_of(const Machine& machine, CycleParameters& r) {
-  const bool swapped = machine.has(Fault::kLengthWidthSwapped) && machine.state.plane != 17;
+  const bool swapped = machine.has("pocket-sides-swapped"_fault) && machine.state.plane != 17;
   return swapped ? Sides{r(119), r(118)} : Sides{r(118), r(119)};
 }
 
@@ -55,11 +55,11 @@ void check_tool(Machine& machine, CycleParameters& r, int type) {
   const Fixed radius = tool_radius(machine);
   if (radius == 0) return machine.complain(AlarmKind::kNoTool, 'T', kBehindParameters);
   if (r(124) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 124);
-  const bool limited = machine.configuration.depth_allowance_limited;
+  const bool limited = machine.follows("sie.lc75.r125-limit=alarm"_reading);
   if (limited && r(125) >= 2 * radius) r.complain(AlarmKind::kAllowanceTooLarge, 125);
-  if (type == 0 || machine.has(Fault::kToolUnchecked)) return;
+  if (type == 0 || machine.has("pocket-tool-unchecked"_fault)) return;
   const Fixed reach = radius + (type == kRoughing ? r(124) : 0);
-  const Fixed room = machine.has(Fault::kToolEqualityRefused) ? 2 * reach + 1 : 2 * reach;
+  const Fixed room = machine.has("pocket-tool-equality-refused"_fault) ? 2 * reach + 1 : 2 * reach;
   for (const int number : {118, 119}) {
     if (room > r(number)) r.complain(AlarmKind::kToolTooLarge, number);
   }
@@ -77,7 +77,7 @@ void check_pocket(Machine& machine, CycleParameters& r, int type) {
   if (type == kRoughing && r(125) >= r(103) - r(104)) {
     r.complain(AlarmKind::kAllowanceTooLarge, 125);
   }
-  const bool refused = machine.configuration.large_corners_refused;
+  const bool refused = machine.follows("sie.corner=reject"_reading);
   if (refused && 2 * r(120) > std::min(r(118), r(119))) {
     r.complain(AlarmKind::kPocketSize, 120);
   }
@@ -87,8 +87,8 @@ void check_pocket(Machine& machine, CycleParameters& r, int type) {
 void take_area(const Machine& machine, CycleParameters& r, int type, Pocket& pocket) {
   const Sides sides = sides_of(machine, r);
   const bool rough = type == kRoughing;
-  const bool keeps_off =
-      (rough && !machine.has(Fault::kPlaneAllowanceForgotten)) || machine.has(Fault::kStripLeft);
+  const bool keeps_off = (rough && !machine.has("pocket-plane-allowance-forgotten"_fault)) ||
+                         machine.has("pocket-strip-left"_fault);
   const auto allowance = static_cast<double>(keeps_off ? r(124) : 0);
   const double off = allowance + pocket.radius;
   const auto length = static_cast<double>(sides.length);
@@ -98,8 +98,8 @@ void take_area(const Machine& machine, CycleParameters& r, int type, Pocket& poc
   area.half_length = std::max(length / 2 - off, 0.);
   area.half_width = std::max(width / 2 - off, 0.);
   double less = off;
-  if (machine.has(Fault::kCornerGouged)) less += pocket.radius;
-  if (machine.has(Fault::kCornerLeft)) less -= pocket.radius;
+  if (machine.has("pocket-corner-gouged"_fault)) less += pocket.radius;
+  if (machine.has("pocket-corner-left"_fault)) less -= pocket.radius;
   const double most = std::min(area.half_length, area.half_width);
   area.corner = std::clamp(corner - less, 0., most);
   if (area.corner < static_cast<double>(kOne) * 1e-6) area.corner = 0;
@@ -112,16 +112,17 @@ void take_area(const Machine& machine, CycleParameters& r, int type, Pocket& poc
 
 // SIE-LC75-05, SIE-LC75-06, SIE-LC75-11
 void take_levels(const Machine& machine, CycleParameters& r, int type, Levels& levels) {
-  const Configuration& configuration = machine.configuration;
-  const bool from_clearance =
-      configuration.infeeds_from_clearance || machine.has(Fault::kDepthFromClearance);
-  const bool rough = type == kRoughing && !machine.has(Fault::kDepthAllowanceForgotten);
+  const bool from_clearance = machine.follows("sie.infeed-from=clearance"_reading) ||
+                              machine.has("pocket-depth-from-clearance"_fault);
+  const bool rough = type == kRoughing && !machine.has("pocket-depth-allowance-forgotten"_fault);
   levels.from = r(103) + (from_clearance ? r(102) : 0);
   levels.floor = r(104) + (rough ? r(125) : 0);
   levels.most = r(121);
-  levels.equal = !configuration.infeeds_with_rest;
-  levels.count_levels(r.rounded());
-  if (machine.has(Fault::kInfeedsRoundedDown)) {
+  levels.equal = !machine.follows("sie.infeed=max-rest"_reading);
+  // Thirds and the like are a little too large or too small.
+  constexpr Fixed kRest = 10;
+  levels.count = (levels.from - levels.floor - kRest + levels.most - 1) / levels.most;
+  if (machine.has("pocket-infeeds-rounded-down"_fault)) {
     levels.count = std::max<Fixed>(1, (levels.from - levels.floor) / levels.most);
   }
 }
@@ -129,38 +130,32 @@ void take_levels(const Machine& machine, CycleParameters& r, int type, Levels& l
 // SIE-LC75-12
 int sense_of(const Machine& machine, CycleParameters& r, int type) {
   const int sense = selected(r, 126, 2, 3) == 2 ? -1 : 1;
-  if (type == kFinishing && machine.has(Fault::kFinishingSenseIgnored)) return 1;
-  return machine.has(Fault::kPocketSenseFlipped) ? -sense : sense;
+  if (type == kFinishing && machine.has("pocket-finishing-sense-ignored"_fault)) return 1;
+  return machine.has("pocket-sense-flipped"_fault) ? -sense : sense;
 }
 
 void take_centre(const Machine& machine, CycleParameters& r, Pocket& pocket) {
   const Plane& plane = plane_of(pocket.plane);
-  pocket.centre_p = r(116);
-  pocket.centre_q = r(117);
-  if (!machine.has(Fault::kCentreInBase)) return;
-  Point place = machine.frame.to_machine(machine.state.position);
-  place[plane.p] = r(116);
-  place[plane.q] = r(117);
+  pocket.centre_p = static_cast<Real>(r(116));
+  pocket.centre_q = static_cast<Real>(r(117));
+  if (!machine.has("pocket-centre-in-base"_fault)) return;
+  Place place = machine.frame.to_machine(machine.state.position);
+  place[plane.p] = pocket.centre_p;
+  place[plane.q] = pocket.centre_q;
   place = machine.frame.to_workpiece(place);
   pocket.centre_p = place[plane.p];
   pocket.centre_q = place[plane.q];
 }
 
-Target end_of(const Machine& machine, const Pocket& pocket, bool rounded) {
+Target end_of(const Machine& machine, const Pocket& pocket) {
   const Plane& plane = plane_of(pocket.plane);
-  const Axes axes = plane_axes(plane) | axis_bit(plane.d);
-  const State& state = machine.state;
-  Target target{state.position, axes, state.rounded & ~axes, {}, state.coarse & ~axes};
-  if (rounded) {
-    target.rounded |= axes;
-    target.coarse |= axes;
-  }
+  Target target{machine.state.position, plane_axes(plane) | axis_bit(plane.d)};
   target.to[plane.p] = pocket.centre_p;
   target.to[plane.q] = pocket.centre_q;
-  target.to[plane.d] =
-      machine.has(Fault::kPocketRetractToClearance) ? pocket.start : pocket.retract;
-  if (machine.has(Fault::kEndsOffCentre)) {
-    target.to[plane.q] += static_cast<Fixed>(pocket.area.half_width);
+  const bool short_way = machine.has("pocket-retract-to-clearance"_fault);
+  target.to[plane.d] = static_cast<Real>(short_way ? pocket.start : pocket.retract);
+  if (machine.has("pocket-ends-off-centre"_fault)) {
+    target.to[plane.q] += pocket.area.half_width;
   }
   return target;
 }
@@ -184,15 +179,18 @@ void prepare_pocket(Machine& machine, const Block& block, Plan& plan) {
   take_levels(machine, r, type, pocket.levels);
   pocket.strip_only = type == kFinishing;
   // SIE-LC75-07
-  const bool walls = r(124) > 0 || machine.has(Fault::kContourOnlyByDepth);
+  const bool walls = r(124) > 0 || machine.has("pocket-contour-only-by-r125"_fault);
   pocket.contour_only = type == kFinishing && walls && r(125) == 0;
   pocket.sense = sense_of(machine, r, type);
   const bool per_revolution = machine.state.feed_per_revolution;
   pocket.depth_feed = {r(122), per_revolution};
   pocket.plane_feed = {r(123), per_revolution};
-  if (machine.has(Fault::kCycleFeedsSwapped)) std::swap(pocket.depth_feed, pocket.plane_feed);
-  plan.heading = heading_along_depth(plane_of(pocket.plane));
-  plan.motion = Pocketing{pocket, end_of(machine, pocket, r.rounded())};
+  if (machine.has("pocket-feeds-swapped"_fault)) std::swap(pocket.depth_feed, pocket.plane_feed);
+  plan = [&machine, pocket, target = end_of(machine, pocket)] {
+    const bool goes_on = mill_pocket(machine, pocket, target);
+    arrive(machine, target, heading_along_depth(plane_of(pocket.plane)));
+    return goes_on;
+  };
 }
 
 }  // namespace gonogo::expanders::sinumerik

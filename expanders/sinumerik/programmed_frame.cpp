@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // G158, G258, G259: translation and rotation of the workpiece coordinates.
-#include "expanders/sinumerik/cycles.hpp"
+#include "expanders/sinumerik/machine.hpp"
 
 namespace gonogo::expanders::sinumerik {
 namespace {
@@ -10,96 +10,65 @@ constexpr Addresses kShiftWords = addresses(Address::kX, Address::kY, Address::k
 // SIE-FRM-04: frames stand alone in their blocks.
 void check_words(Machine& machine, const Block& block, Addresses own) {
   refuse(machine, block, ~own);
-  const auto known = static_cast<std::size_t>(__builtin_popcount(block.words() & own));
-  bool plain = true;
+  bool plain = block.has_only(own);
   for (const Address word : {Address::kX, Address::kY, Address::kZ}) {
     if (block.has(word) && block.value(word).mode != Value::Mode::kPlain) plain = false;
   }
-  if (block.items() != known + 1 || !plain) machine.complain(AlarmKind::kConflictingWords);
+  if (!plain) machine.complain(AlarmKind::kConflictingWords);
 }
 
 // SIE-FRM-01
 void take_shift(Machine& machine, const Block& block, Frame& frame) {
-  const Configuration& configuration = machine.configuration;
-  const bool adds = configuration.shifts_add || machine.has(Fault::kShiftAdds);
+  const bool adds = machine.follows("sie.g158=additive"_reading) || machine.has("g158-adds"_fault);
   const bool clears = !block.has_any(kShiftWords) || !adds;
   if (clears) frame = machine.plain_frame();
-  Point step{};
-  Axes rounded = frame.rounded();
+  Place step{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Address address = axis_address(axis);
-    if (!block.has(address)) continue;
-    step[axis] = length_of(machine, block, address);
-    if (block.value(address).number.finer) rounded |= frame.to_machine(axis_bit(axis));
+    if (block.has(address)) step[axis] = length_of(machine, block, address);
   }
   // The words count along the axes as they are turned.
-  frame.shift_to(frame.to_machine(step), rounded);
-  if (clears && machine.has(Fault::kShiftKeepsRotation)) frame.turn_as(machine.frame);
+  frame.shift_to(frame.to_machine(step));
+  if (clears && machine.has("g158-keeps-rotation"_fault)) frame.turn_as(machine.frame);
 }
 
 // SIE-FRM-02, SIE-FRM-03
 void take_rotation(Machine& machine, const Block& block, bool adds, Frame& frame) {
-  const bool replaces = !adds || machine.has(Fault::kRotationReplaces);
-  if (replaces && (machine.configuration.rotation_only || adds)) {
+  const bool replaces = !adds || machine.has("g259-replaces"_fault);
+  if (replaces && (machine.follows("sie.g258=rotation-only"_reading) || adds)) {
     frame.clear_rotation();
   } else if (replaces) {
     frame = machine.plain_frame();
   }
   if (!block.has(Address::kRotation)) return;
-  const Decimal& angle = block.value(Address::kRotation).number;
-  frame.turn_by(angle.value, machine.state.plane, angle.finer ? kAngleDoubt : 0);
-}
-
-// What rounding takes from the place of the tool, which is `position` in `frame`.
-Remainder remainder_in(const Machine& machine, const Frame& frame, const Point& position) {
-  const State& state = machine.state;
-  Frame::Direction place{};
-  for (std::size_t axis = 0; axis < place.size(); ++axis) {
-    place[axis] = static_cast<Real>(state.position[axis]) + state.remainder[axis];
-  }
-  place = frame.place_to_workpiece(machine.frame.place_to_machine(place));
-  Remainder remainder{};
-  for (std::size_t axis = 0; axis < place.size(); ++axis) {
-    remainder[axis] = place[axis] - static_cast<Real>(position[axis]);
-  }
-  return remainder;
+  frame.turn_by(block.value(Address::kRotation).counts, machine.state.plane);
 }
 
 // SIE-FRM-04: the tool stays where it is; its place is reckoned anew.
 void put_frame(Machine& machine, const Frame& frame) {
   State& state = machine.state;
-  const Point place = machine.frame.to_machine(state.position);
-  const Point position = frame.to_workpiece(place);
+  const Place position = frame.to_workpiece(machine.frame.to_machine(state.position));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!in_reach(position[axis]) || !in_reach(frame.shift()[axis])) {
       return machine.complain(AlarmKind::kValueOutOfRange);
     }
   }
-  const Axes machine_rounded = machine.frame.to_machine(state.rounded) | machine.frame.rounded();
-  state.rounded = frame.to_machine(machine_rounded) | frame.rounded();
-  state.coarse = state.rounded;  // whatever is known of it goes through sums and turns
-  state.heading.along =
-      frame.direction_to_workpiece(machine.frame.direction_to_machine(state.heading.along));
-  const Axes inexact = machine.frame.rounded() | frame.rounded();
-  state.heading.exact = state.heading.exact && (inexact & kLinearAxes) == 0;
-  state.remainder = remainder_in(machine, frame, position);
+  state.heading = frame.to_workpiece(machine.frame.to_machine(state.heading));
   state.position = position;
   machine.frame = frame;
-  check_place(machine, position);
 }
 
 }  // namespace
 
-void take_frame(Machine& machine, const Block& block, int code) {
+void take_frame(Machine& machine, const Block& block, unsigned code) {
   const bool shifts = code == 158;
   check_words(machine, block, shifts ? kShiftWords : bit(Address::kRotation));
   if (machine.in_alarm()) return;
-  if (block.has(Address::kRotation) && block.value(Address::kRotation).number.overflow) {
+  const bool turns = block.has(Address::kRotation);
+  if (turns && block.number(Address::kRotation).overflow) {
     return machine.complain(AlarmKind::kValueOutOfRange);
   }
-  if (code == 259 && !block.has(Address::kRotation)) {
-    return machine.complain(AlarmKind::kMissingWord);
-  }
+  if (code == 259 && !turns) return machine.complain(AlarmKind::kMissingWord);
   Frame frame = machine.frame;
   if (shifts) {
     take_shift(machine, block, frame);

@@ -11,14 +11,9 @@ namespace {
 constexpr Addresses kMeasured = ~addresses(Address::kTurn, Address::kTool, Address::kCuttingEdge,
                                            Address::kSpindle, Address::kRotation);
 
-Fixed to_millimetres(Fixed inches) {
-  return static_cast<Fixed>(scaled(inches, 254, 10));
-}
-
-// SIE-MOD-04
-bool is_scaled(const Machine& machine, std::size_t axis) {
-  const bool rotary = (kLinearAxes & axis_bit(axis)) == 0;
-  return !rotary || machine.has(Fault::kInchRotaryScaled);
+// Exact where it comes out whole.
+Real to_millimetres(Real inches) {
+  return inches * 254 / 10;
 }
 
 }  // namespace
@@ -28,14 +23,9 @@ bool is_incremental(const State& state, Value::Mode mode) {
   return mode == Value::Mode::kPlain ? state.incremental : mode == Value::Mode::kIncremental;
 }
 
-Fixed length_of(const Machine& machine, const Block& block, Address address) {
-  const Fixed written = block.value(address).number.value;
+Real length_of(const Machine& machine, const Block& block, Address address) {
+  const Real written = block.value(address).counts;
   return machine.state.inch ? to_millimetres(written) : written;
-}
-
-bool has_fraction(const Block& block, Address address) {
-  const Decimal& number = block.value(address).number;
-  return number.finer || number.value % kOne != 0;
 }
 
 Axes axes_of(const Block& block) {
@@ -46,69 +36,59 @@ Axes axes_of(const Block& block) {
   return axes;
 }
 
-void check_place(Machine& machine, const Point& place) {
-  const Plane& plane = plane_of(machine.state.plane);
-  machine.check_distance(static_cast<Real>(place[plane.p]), static_cast<Real>(place[plane.q]));
+Target target_of(Machine& machine, const Block& block) {
+  return is_polar(block) ? polar_target(machine, block) : cartesian_target(machine, block);
 }
 
 // SIE-G1-01, SIE-G1-03
 Target cartesian_target(Machine& machine, const Block& block) {
   const State& state = machine.state;
-  Target target{state.position, axes_of(block), state.rounded, state.remainder, state.coarse};
+  Target target{state.position, axes_of(block)};
   for (std::size_t axis = 0; axis < GONOGO_AXES; ++axis) {
     const Address address = axis_address(axis);
     if (!block.has(address)) continue;
     const Value& value = block.value(address);
-    Wide place = is_scaled(machine, axis) ? length_of(machine, block, address) : value.number.value;
-    const bool incremental = is_incremental(state, value.mode);
-    if (incremental) place += state.position[axis];
-    if (!incremental) {
-      target.rounded &= ~axis_bit(axis);
-      target.coarse &= ~axis_bit(axis);
-      target.remainder[axis] = 0;
-    }
-    if (value.number.finer) {
-      target.rounded |= axis_bit(axis);
-      target.coarse |= axis_bit(axis);
-    }
+    // SIE-MOD-04
+    const bool rotary = (kLinearAxes & axis_bit(axis)) == 0;
+    const bool scaled = !rotary || machine.has("inch-rotary-scaled"_fault);
+    Real place = scaled ? length_of(machine, block, address) : value.counts;
+    if (is_incremental(state, value.mode)) place += state.position[axis];
     if (in_reach(place)) {
-      target.to[axis] = static_cast<Fixed>(place);
+      target.to[axis] = place;
     } else {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }
-  check_place(machine, target.to);
   return target;
 }
 
 void check_sizes(Machine& machine, const Block& block) {
   const Code* units = block.code(Group::kUnits);
-  const bool inch = units != nullptr ? units->number == 70 : machine.state.inch;
+  const bool inch = units != nullptr ? units->tenths == 700 : machine.state.inch;
   for (Addresses bits = block.words() & kMeasured; bits != 0; bits &= bits - 1) {
     const auto address = static_cast<Address>(std::countr_zero(bits));
-    const Decimal& number = block.value(address).number;
-    if (number.overflow || !in_reach(inch ? scaled(number.value, 254, 10) : number.value)) {
+    const Decimal& number = block.number(address);
+    const Real counts = block.value(address).counts;
+    if (number.overflow || !in_reach(inch ? to_millimetres(counts) : counts)) {
       machine.complain(AlarmKind::kValueOutOfRange, address, block);
     }
   }
 }
 
-Feed cutting_feed(Machine& machine, const Point& to, bool curved) {
+Feed cutting_feed(Machine& machine, const Place& to, bool curved) {
   const State& state = machine.state;
   if (state.feed == 0) machine.complain(AlarmKind::kFeedMissing);
   // SIE-G1-02
   const bool turning = state.spindle_turns && state.speed_given;
-  if (machine.configuration.spindle_checked && !turning) {
+  if (machine.follows("sie.spindle=alarm"_reading) && !turning) {
     machine.complain(AlarmKind::kSpindleStopped);
   }
-  const Point& from = state.position;
-  const bool linear = curved || from[GONOGO_X] != to[GONOGO_X] || from[GONOGO_Y] != to[GONOGO_Y] ||
-                      from[GONOGO_Z] != to[GONOGO_Z];
+  const bool linear = curved || !is_nothing(way_between(state.position, to));
   const bool inches =
-      linear ? machine.configuration.feed_in_inches || machine.has(Fault::kInchFeedScaled)
-             : machine.has(Fault::kRotaryFeedScaled);
-  const Fixed speed = inches && state.inch ? to_millimetres(state.feed) : state.feed;
-  return {speed, state.feed_per_revolution};
+      linear ? machine.follows("sie.g70.f=inch"_reading) || machine.has("inch-feed-scaled"_fault)
+             : machine.has("rotary-feed-scaled"_fault);
+  const Fixed in_mm = static_cast<Fixed>(scaled(state.feed, 254, 10));
+  return {inches && state.inch ? in_mm : state.feed, state.feed_per_revolution};
 }
 
 void refuse(Machine& machine, const Block& block, Addresses unwanted) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "reference/dialect.hpp"
+
 namespace gonogo::fuzz::cover {
 
 using reference::Increment;
@@ -41,8 +43,8 @@ Drawing::Drawing(const Pick& pick, std::string_view dialect)
     : profile(std::get<Profile>(reference::default_profile(dialect))),
       pick_(pick),
       dialect_(dialect),
-      lathe_(dialect == "gsk988ta" || dialect == "hnc21t"),
-      sinumerik_(dialect.starts_with("sinumerik")),
+      table_(*reference::find_dialect(dialect)->descriptor),
+      lathe_(reference::find_dialect(dialect)->lathe),
       plane_(lathe_ ? 18 : 17),
       decimals_(dialect == "rs274" || pick.is("units", "inch") ? 4 : 3) {
   if (pick.has("plane")) plane_ = std::atoi(pick["plane"].c_str() + 1);
@@ -73,22 +75,24 @@ Length Drawing::scaled(Role role, Length way) const {
 
 std::string Drawing::unit_code() const {
   if (!pick_.is("units", "inch")) return "";
-  return sinumerik_ ? "G70" : "G20";
+  return std::string(table_.find(reference::Setting::inch)->name);
 }
 
 void Drawing::stand(Length p, Length q, Length d, std::string_view more) {
   at_ = {p, q, d};
   std::vector<std::string> words = {unit_code()};
   if (pick_.has("plane")) words.push_back(fmt::format("G{}", plane_));
-  words.push_back(sinumerik_ || dialect_ == "rs274" ? "G0" : "G00");
+  const reference::Code& traverse = *table_.find(reference::Kind::traverse);
+  words.push_back(lathe_ ? traverse.text() : std::string(traverse.name));
   for (const Role role : {Role::p, Role::q, Role::d}) {
-    // HNC's lathe has two axes.
-    if (dialect_ == "hnc21t" && role == Role::d) continue;
+    if (!traverse.takes(letter(role))) continue;  // of two axes
     words.push_back(absolute(role, {}));
   }
   words.emplace_back(more);
   put(words);
-  if (pick_.is("distance", "modal") || pick_.is("distance", "AC")) put({"G91"});
+  if (pick_.is("distance", "modal") || pick_.is("distance", "AC")) {
+    put({std::string(table_.find(reference::Setting::incremental)->name)});
+  }
 }
 
 void Drawing::put(const std::vector<std::string>& words) {

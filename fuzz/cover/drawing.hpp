@@ -10,6 +10,7 @@
 
 #include "fuzz/cover/length.hpp"
 #include "fuzz/cover/parameters.hpp"
+#include "reference/descriptor.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::fuzz::cover {
@@ -83,8 +84,8 @@ class Drawing {
 
   const Pick& pick_;
   std::string_view dialect_;
+  const reference::Descriptor& table_;
   bool lathe_;
-  bool sinumerik_;
   int plane_;
   int decimals_;
   std::size_t lines_ = 0;

@@ -99,7 +99,6 @@ void draw_gsk_arc(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view kGskArc = R"(
-code: G02 G03
 plane: G18 G17 G19
 x: diameter radius
 units: mm inch
@@ -221,7 +220,7 @@ std::span<const Model> gsk_models() {
             {3, 3},
             "basic arc",
             "GSK-COM-05 GSK-COM-04",
-            std::string(kGskArc),
+            joined({codes_of("gsk988ta", {"arc"}), kGskArc}),
             draw_gsk_arc},
       Model{"gsk.sequence",
             1,

@@ -74,7 +74,6 @@ void draw_gsk_thread(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr const char* kPocketParameters = R"(
-code: G110 G111
 plane: G18 G17 G19
 x: diameter radius
 units: mm inch
@@ -106,7 +105,6 @@ no: I=just D=zero
 )";
 
 constexpr const char* kHelixParameters = R"(
-code: G112 G113
 plane: G18 G17 G19
 x: diameter radius
 units: mm inch
@@ -132,7 +130,6 @@ no: site=no-p,no-d D=zero
 )";
 
 constexpr const char* kThreadParameters = R"(
-code: G114 G115 G116 G117
 plane: G18 G17 G19
 x: diameter radius
 units: mm inch
@@ -179,7 +176,7 @@ Model gsk_g110_model() {
           {3, 2},
           "basic g110",
           "GSK-G110-01..04 GSK-G110-06..18 GSK-COM-01 GSK-COM-06",
-          kPocketParameters,
+          joined({codes_of("gsk988ta", {"g110"}), kPocketParameters}),
           draw_gsk_pocket};
 }
 
@@ -191,7 +188,7 @@ Model gsk_g112_model() {
           {3, 2},
           "basic g112",
           "GSK-G112-01..09 GSK-G110-16..18 GSK-COM-01 GSK-COM-06",
-          kHelixParameters,
+          joined({codes_of("gsk988ta", {"g112"}), kHelixParameters}),
           draw_gsk_helix};
 }
 
@@ -203,7 +200,7 @@ Model gsk_g114_model() {
           {3, 2},
           "basic g114 g116",
           "GSK-G114-01..13 GSK-COM-01 GSK-COM-06",
-          kThreadParameters,
+          joined({codes_of("gsk988ta", {"g114", "g116"}), kThreadParameters}),
           draw_gsk_thread};
 }
 

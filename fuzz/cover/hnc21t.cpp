@@ -200,7 +200,6 @@ void draw_hnc_arc(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view kHncArc = R"(
-code: G02 G03
 form: centre R=10 large=-10 !short=10-e@arc-radius !none@missing-word
 centre: along-p along-q both
 end: opposite left right full
@@ -286,7 +285,7 @@ std::span<const Model> hnc_models() {
             {3, 3},
             "basic arc",
             "HNC-COM-01",
-            joined({kHncHead, kHncArc}),
+            joined({kHncHead, codes_of("hnc21t", {"arc"}), kHncArc}),
             draw_hnc_arc},
       hnc_sequence_model(),
   };

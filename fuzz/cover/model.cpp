@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/cover/model.hpp"
 
+#include <algorithm>
+
+#include "reference/dialect.hpp"
+
 namespace gonogo::fuzz::cover {
+
+std::string codes_of(std::string_view dialect, std::initializer_list<std::string_view> features) {
+  const reference::Dialect& known = *reference::find_dialect(dialect);
+  std::string line = "code:";
+  for (const reference::Code& code : known.descriptor->codes) {
+    const bool acts =
+        code.treatment == reference::Treatment::read && code.clause != reference::kNoClause;
+    if (!acts || std::ranges::find(features, code.feature) == features.end()) continue;
+    // Lathes are programmed with two digits.
+    line += " " + (known.lathe ? code.text() : std::string(code.name));
+  }
+  return line + "\n";
+}
 
 std::string joined(std::initializer_list<std::string_view> texts) {
   std::string all;

@@ -33,6 +33,8 @@ std::span<const Model> ngc_models();
 std::span<const Model> sinumerik840d_models();
 std::span<const Model> sinumerik802s_models();
 
+// The parameter `code`: what the dialect's table has under these features, as its maker writes it.
+std::string codes_of(std::string_view dialect, std::initializer_list<std::string_view> features);
 // Texts of parameters, one after the other.
 std::string joined(std::initializer_list<std::string_view> texts);
 

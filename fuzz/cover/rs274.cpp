@@ -59,7 +59,6 @@ void draw_ngc_centre(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view kNgcHead = R"(
-code: G2 G3
 plane: G17 G18 G19
 units: mm inch
 distance: absolute modal
@@ -207,7 +206,7 @@ std::span<const Model> ngc_models() {
             {3, 3},
             "basic arc",
             "NGC-ARC-01 NGC-ARC-02 NGC-ARC-03 NGC-ARC-05",
-            joined({kNgcHead, kNgcCentre}),
+            joined({codes_of("rs274", {"arc"}), kNgcHead, kNgcCentre}),
             draw_ngc_centre},
       Model{"ngc.radius",
             1,
@@ -216,7 +215,7 @@ std::span<const Model> ngc_models() {
             {3, 3},
             "basic arc-r",
             "NGC-ARC-01 NGC-ARC-04 NGC-ARC-05",
-            joined({kNgcHead, kNgcRadius}),
+            joined({codes_of("rs274", {"arc"}), kNgcHead, kNgcRadius}),
             draw_ngc_radius},
       Model{
           "ngc.sequence",

@@ -84,7 +84,6 @@ void draw_840d_centre(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view k840dCentre = R"(
-code: G2 G3
 centre: along-p along-q both
 end: opposite left right full
 full: omitted written
@@ -109,7 +108,6 @@ void draw_840d_radius(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view k840dRadius = R"(
-code: G2 G3
 centre: along-p along-q both
 end: opposite left right !full@arc-end-point
 CR: short=10 long=-10 larger=12.5 !less=10-e@arc-radius !zero=0@arc-radius !none@missing-word
@@ -130,7 +128,6 @@ void draw_angle(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view kAngle = R"(
-code: G2 G3
 centre: along-p along-q both
 end: opposite left right
 with: centre end !both@conflicting-words
@@ -285,7 +282,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic arc",
             "SIE-ARC-01..03 SIE-ARC-07..09 SIE-ARC-13",
-            joined({k840dHead, kHelix, k840dCentre}),
+            joined({k840dHead, kHelix, codes_of("sinumerik840d", {"arc"}), k840dCentre}),
             draw_840d_centre},
       Model{"s840.radius",
             1,
@@ -294,7 +291,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-ARC-04 SIE-ARC-09 SIE-ARC-11",
-            joined({k840dHead, kHelix, k840dRadius}),
+            joined({k840dHead, kHelix, codes_of("sinumerik840d", {"arc"}), k840dRadius}),
             draw_840d_radius},
       Model{"s840.angle",
             1,
@@ -303,7 +300,7 @@ std::span<const Model> sinumerik840d_models() {
             {3, 3},
             "basic",
             "SIE-ARC-05 SIE-ARC-09 SIE-ARC-11",
-            joined({k840dHead, kHelix, kAngle}),
+            joined({k840dHead, kHelix, codes_of("sinumerik840d", {"arc"}), kAngle}),
             draw_angle},
       Model{"s840.polar",
             1,

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "fuzz/hunt/program_codes.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "program/modes.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::fuzz {
@@ -45,7 +45,7 @@ int sign_of(std::int64_t value) {
 }
 
 // How two words of a block compare, by their sizes and by their signs.
-std::uint64_t relation(const SmallDecimal& x, const SmallDecimal& y) {
+std::uint64_t relation(const program::SmallDecimal& x, const program::SmallDecimal& y) {
   const auto [a, b] = same_scale(x, y);
   const std::int64_t size_a = std::abs(a);
   const std::int64_t size_b = std::abs(b);
@@ -64,8 +64,7 @@ class Collector {
  public:
   Collector(const GeneratedProgram& program, CoverageDetail detail)
       : detail_(detail),
-        lines_(lines_of(program.text)),
-        codes_(codes_in_force(program.profile.dialect, lines_)),
+        text_(program.profile, program.text),
         at_(program.profile.initial.at),
         machine_(hash_of(machine_text(program.profile))) {}
 
@@ -136,8 +135,8 @@ class Collector {
     const bool all = detail_ == CoverageDetail::all;
     if (all) add(Part::machine, what, machine_);
     add(Part::clause_before, what, clause_before_);
-    if (line < lines_.size()) {
-      add(Part::code, what, hash_of(codes_[line]));
+    if (line < text_.blocks.size()) {
+      add(Part::code, what, hash_of(text_.code_at(block)));
       if (all && block != block_) enter(line);
       if (all && clause != clause_before_) {
         for (const std::uint64_t code : earlier_codes_) add(Part::earlier_code, clause, code);
@@ -151,8 +150,7 @@ class Collector {
   // A block begins: the codes of the lines up to it have been written.
   void enter(std::size_t line) {
     for (; next_line_ <= line; ++next_line_) {
-      for (const TextWord& word : lines_[next_line_].words) {
-        const std::string code = code_of(word);
+      for (const std::string& code : text_.blocks[next_line_].codes) {
         if (!code.empty()) earlier_codes_.push_back(hash_of(code));
       }
     }
@@ -163,9 +161,9 @@ class Collector {
 
   void compare_words(std::size_t line, reference::ClauseId clause) {
     constexpr std::size_t kMostWords = 10;
-    const std::vector<TextWord>& words = lines_[line].words;
+    const std::vector<program::TextWord>& words = text_.blocks[line].words;
     const std::size_t count = std::min(words.size(), kMostWords);
-    const std::uint64_t what = mix(clause, hash_of(codes_[line]));
+    const std::uint64_t what = mix(clause, hash_of(text_.blocks[line].modes.code_name()));
     for (std::size_t i = 0; i < count; ++i) {
       const auto a = value_of(words[i]);
       if (!a || !code_of(words[i]).empty()) continue;
@@ -180,8 +178,7 @@ class Collector {
   }
 
   CoverageDetail detail_;
-  std::vector<TextLine> lines_;
-  std::vector<std::string> codes_;
+  program::ProgramText text_;
   reference::Position at_;
   std::uint64_t machine_;
   std::vector<std::uint64_t> earlier_codes_;

@@ -5,9 +5,9 @@
 
 #include "fuzz/differential.hpp"
 #include "fuzz/hunt/coverage.hpp"
-#include "fuzz/hunt/mutate.hpp"
 #include "fuzz/hunt/profile_parts.hpp"
-#include "fuzz/hunt/program_codes.hpp"
+#include "fuzz/mutator/mutate.hpp"
+#include "program/features.hpp"
 
 namespace gonogo::fuzz {
 
@@ -88,7 +88,7 @@ void Hunt::settle(Specimen& specimen) const {
 // A program that needs what the subject does not declare is none of the subject's concern.
 bool Hunt::is_declared(const GeneratedProgram& program) const {
   const oracle::SubjectInfo& info = trial_.info();
-  const auto needed = features_needed(options_.dialect, lines_of(program.text));
+  const auto needed = program::features_needed({program.profile, program.text});
   return std::ranges::all_of(
       needed, [&](const std::string& feature) { return info.declares(options_.dialect, feature); });
 }

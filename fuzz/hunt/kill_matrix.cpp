@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <ctime>
 
-#include "fuzz/hunt/program_text.hpp"
 #include "fuzz/hunt/property_hunt.hpp"
 #include "oracle/campaign/campaign.hpp"
 #include "oracle/campaign/reading_tally.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::fuzz {
 namespace {
+
+using program::count_blocks;
 
 // Seconds of processor time: others may use the machine meanwhile.
 class Stopwatch {

@@ -5,7 +5,7 @@
 
 #include <unordered_set>
 
-#include "fuzz/hunt/dice.hpp"
+#include "fuzz/dice.hpp"
 #include "fuzz/hunt/specimen.hpp"
 
 namespace gonogo::fuzz {

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "fuzz/hunt/dice.hpp"
+#include "fuzz/dice.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::fuzz {

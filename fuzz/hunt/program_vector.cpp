@@ -4,25 +4,15 @@
 #include <algorithm>
 #include <set>
 
-#include "fuzz/hunt/program_codes.hpp"
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "program/features.hpp"
+#include "reference/dialect.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::fuzz {
 namespace {
-
-std::string_view first_clause_of(std::string_view dialect) {
-  const std::string_view prefix = dialect == "gsk988ta" ? "GSK-"
-                                  : dialect == "hnc21t" ? "HNC-"
-                                  : dialect == "rs274"  ? "NGC-"
-                                                        : "SIE-";
-  const auto all = reference::clauses();
-  return std::ranges::find_if(
-             all, [&](const reference::Clause& clause) { return clause.id.starts_with(prefix); })
-      ->id;
-}
 
 // Those of its records and of its alarm.
 std::vector<std::string> clauses_of(const GeneratedProgram& program) {
@@ -37,7 +27,9 @@ std::vector<std::string> clauses_of(const GeneratedProgram& program) {
     }
   }
   names.erase("");
-  if (names.empty()) names.emplace(first_clause_of(program.profile.dialect));
+  if (names.empty()) {
+    names.emplace(reference::find_dialect(program.profile.dialect)->clauses.front().id);
+  }
   return {names.begin(), names.end()};
 }
 
@@ -66,7 +58,7 @@ oracle::Case vector_of(const GeneratedProgram& program, std::string_view cycle) 
   test.cycle = cycle;
   test.program = program.text;
   test.profile = program.profile;
-  const std::set<std::string> features = features_needed(test.dialect, lines_of(test.program));
+  const std::set<std::string> features = program::features_needed({test.profile, test.program});
   test.features.assign(features.begin(), features.end());
   test.clauses = clauses_of(program);
   test.expect = expectations_of(program);

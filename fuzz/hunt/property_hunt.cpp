@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "fuzz/hunt/program_codes.hpp"
+#include "program/modes.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -94,10 +94,7 @@ std::optional<PropertyFinding> PropertyHunt::compare(const Relation& relation, s
   if (!difference || options_.blind) return std::nullopt;
   PropertyFinding finding{&relation,   variant, program,        std::move(related->program),
                           *difference, {},      count_.programs};
-  const auto codes = codes_in_force(options_.dialect, lines_of(program.text));
-  if (difference->block != 0 && difference->block <= codes.size()) {
-    finding.code = codes[static_cast<std::size_t>(difference->block) - 1];
-  }
+  finding.code = program::ProgramText(program.profile, program.text).code_at(difference->block);
   return finding;
 }
 

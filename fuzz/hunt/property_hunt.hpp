@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "fuzz/hunt/dice.hpp"
+#include "fuzz/dice.hpp"
 #include "fuzz/hunt/reduce.hpp"
 #include "fuzz/hunt/trial.hpp"
 #include "fuzz/relations/trace.hpp"

@@ -6,10 +6,14 @@
 
 #include "fuzz/differential.hpp"
 #include "fuzz/hunt/profile_parts.hpp"
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::fuzz {
 namespace {
+
+using program::lines_of;
+using program::SmallDecimal;
+using program::TextLine;
 
 using Clock = std::chrono::steady_clock;
 using Lines = std::vector<TextLine>;
@@ -149,10 +153,10 @@ class Reducer {
   void shorten_numbers(std::size_t i) {
     Lines lines = lines_of(program(best_, i).text);
     for (TextLine& line : lines) {
-      for (TextWord& word : line.words) {
+      for (program::TextWord& word : line.words) {
         if (!code_of(word).empty()) continue;
         // Back to front, so that the places before stay.
-        const std::vector<NumberPlace> places = numbers_of(word);
+        const std::vector<program::NumberPlace> places = numbers_of(word);
         for (auto place = places.rbegin(); place != places.rend(); ++place) {
           shorten(i, lines, word, *place);
         }
@@ -160,7 +164,8 @@ class Reducer {
     }
   }
 
-  void shorten(std::size_t i, const Lines& lines, TextWord& word, const NumberPlace& place) {
+  void shorten(std::size_t i, const Lines& lines, program::TextWord& word,
+               const program::NumberPlace& place) {
     const std::string whole = word.text;
     for (const SmallDecimal& value : simpler_values(place.number)) {
       word.text = whole;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "fuzz/hunt/program_codes.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "program/modes.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -74,10 +74,7 @@ Signature signature_of(const oracle::Verdict& verdict, const GeneratedProgram& p
     return signature;
   }
   signature.what = fmt::format("{}/{}", about(verdict.want), about(verdict.got));
-  const auto codes = codes_in_force(program.profile.dialect, lines_of(program.text));
-  if (verdict.block != 0 && verdict.block <= codes.size()) {
-    signature.code = codes[static_cast<std::size_t>(verdict.block) - 1];
-  }
+  signature.code = program::ProgramText(program.profile, program.text).code_at(verdict.block);
   return signature;
 }
 

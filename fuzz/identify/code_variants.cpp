@@ -10,19 +10,25 @@
 namespace gonogo::identify {
 namespace {
 
-using reference::Number;
+using reference::Code;
+using reference::Kind;
+using reference::Plane;
+using reference::Setting;
 
-// Codes of a maker that one may be taken for another.
-std::vector<std::string> codes_of(std::string_view dialect) {
-  if (dialect == "gsk988ta") {
-    return {"G0",   "G1",   "G2",   "G3",   "G90",  "G92",  "G94", "G110",
-            "G111", "G112", "G113", "G114", "G115", "G116", "G117"};
+// Codes that one may be taken for another.
+bool is_confusable(const Code& code) {
+  switch (code.kind) {
+    case Kind::traverse:
+    case Kind::line:
+    case Kind::thread:
+    case Kind::arc:
+    case Kind::cycle:
+    case Kind::pole:
+    case Kind::frame:
+      return code.is_g() && code.treatment == reference::Treatment::read;
+    default:
+      return false;
   }
-  if (dialect == "hnc21t") {
-    return {"G0", "G1", "G2", "G3", "G32", "G74", "G75", "G80", "G81", "G82"};
-  }
-  if (dialect == "rs274") return {"G0", "G1", "G2", "G3"};
-  return {"G0", "G1", "G2", "G3", "G110", "G111", "G112", "G158", "G258", "G259"};
 }
 
 using CodeMap = std::function<std::optional<std::string>(const TextBlock&, const std::string&)>;
@@ -32,8 +38,8 @@ void add_codes(std::string name, const CodeMap& map, Variants& out) {
                    auto text = edited(ProgramText(seen.profile, seen.program),
                                       [&](const TextBlock& block,
                                           const TextWord& word) -> std::optional<std::string> {
-                                        if (!word.is_code()) return std::nullopt;
-                                        return map(block, word.code());
+                                        const std::string& code = block.code_of(word);
+                                        return code.empty() ? std::nullopt : map(block, code);
                                       });
                    if (!text) return std::nullopt;
                    return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
@@ -50,52 +56,102 @@ void add_taken_for(const std::string& code, const std::string& other, Variants& 
 }
 
 // Sense: the two codes change places, in every plane or in one.
-void add_exchanged(const std::string& a, const std::string& b, int plane, Variants& out) {
+void add_exchanged(std::string_view a, std::string_view b, std::optional<Plane> plane,
+                   Variants& out) {
   add_codes(
       fmt::format("{} and {} change places{}", a, b,
-                  plane == 0 ? "" : fmt::format(" in G{}", plane)),
+                  plane ? fmt::format(" in G{}", plane_code(*plane)) : ""),
       [=](const TextBlock& block, const std::string& word) -> std::optional<std::string> {
-        if (plane != 0 && block.plane != plane) return std::nullopt;
-        if (word == a) return b;
-        if (word == b) return a;
+        if (plane && block.modes.plane != *plane) return std::nullopt;
+        if (word == a) return std::string(b);
+        if (word == b) return std::string(a);
         return std::nullopt;
       },
       out);
 }
 
 // Two pairs of codes, the second of each as the first.
-void add_right_as_left(const std::string& left, const std::string& right,
-                       const std::string& other_left, const std::string& other_right,
-                       Variants& out) {
+void add_second_as_first(std::string_view first, std::string_view second,
+                         std::string_view other_first, std::string_view other_second,
+                         Variants& out) {
   add_codes(
-      fmt::format("{} and {} do what {} and {} do", right, other_right, left, other_left),
+      fmt::format("{} and {} do what {} and {} do", second, other_second, first, other_first),
       [=](const TextBlock&, const std::string& word) -> std::optional<std::string> {
-        if (word == right) return left;
-        if (word == other_right) return other_left;
+        if (word == second) return std::string(first);
+        if (word == other_second) return std::string(other_first);
         return std::nullopt;
       },
       out);
 }
 
-// Two cycles with one table of axes, the taper word of each read as that of the other.
-void add_facing(Variants& out) {
-  for (const auto& [code, taper, other, other_taper] :
-       {std::tuple("G80", "I", "G81", "K"), std::tuple("G81", "K", "G80", "I")}) {
-    out.push_back(
-        {fmt::format("{} does what {} does, {} as {}", code, other, taper, other_taper),
-         [=](const Observation& seen) -> std::optional<Trial> {
-           auto text = edited(
-               ProgramText(seen.profile, seen.program),
-               [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                 if (block.motion != code) return std::nullopt;
-                 if (word.code() == code) return other;
-                 if (word.address != taper) return std::nullopt;
-                 return other_taper + block.text.substr(word.where.begin + 1,
-                                                        word.where.end - word.where.begin - 1);
-               });
-           if (!text) return std::nullopt;
-           return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
-         }});
+// Codes that turn, exchanged with those that turn the other way; of cycles with the same words each
+// read as the other, senses alike or not.
+void add_senses(const reference::Descriptor& table, const std::set<std::string>& present,
+                Variants& out) {
+  for (const Code& code : table.codes) {
+    if (code.sense >= 0) continue;
+    const std::string_view opposite = opposite_of(table, code)->name;
+    const bool stands =
+        present.contains(std::string(code.name)) || present.contains(std::string(opposite));
+    if (code.kind == Kind::arc || stands) add_exchanged(code.name, opposite, std::nullopt, out);
+    if (code.kind == Kind::arc) {
+      for (const Plane plane : {Plane::g17, Plane::g18, Plane::g19}) {
+        add_exchanged(code.name, opposite, plane, out);
+      }
+    }
+    for (const Code& other : table.codes) {
+      if (&other <= &code || other.sense >= 0 || !has_same_words(code, other)) continue;
+      if (other.feature == code.feature) continue;
+      const std::string_view other_opposite = opposite_of(table, other)->name;
+      add_second_as_first(code.name, opposite, other.name, other_opposite, out);
+      add_second_as_first(code.name, other.name, opposite, other_opposite, out);
+      add_exchanged(code.name, other.name, std::nullopt, out);
+    }
+  }
+}
+
+// The word of a cycle's taper, where it has but one length with a sign.
+const reference::CodeWord* taper_of(const Code& code) {
+  const reference::CodeWord* taper = nullptr;
+  if (code.kind != Kind::cycle) return nullptr;
+  for (const auto& list : code.words) {
+    for (const reference::CodeWord& word : list) {
+      if (word.role < reference::Role::along_p || word.role > reference::Role::along_d) continue;
+      if (taper != nullptr) return nullptr;
+      taper = &word;
+    }
+  }
+  return taper;
+}
+
+void add_facing(const Code& code, const Code& other, Variants& out) {
+  const std::string taper(taper_of(code)->address);
+  const std::string other_taper(taper_of(other)->address);
+  out.push_back(
+      {fmt::format("{} does what {} does, {} as {}", code.name, other.name, taper, other_taper),
+       [&code, &other, taper, other_taper](const Observation& seen) -> std::optional<Trial> {
+         auto text = edited(
+             ProgramText(seen.profile, seen.program),
+             [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+               if (block.modes.code_name() != code.name) return std::nullopt;
+               if (block.code_of(word) == code.name) return std::string(other.name);
+               if (name_of(word) != taper) return std::nullopt;
+               return other_taper + word.text.substr(taper.size());
+             });
+         if (!text) return std::nullopt;
+         return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
+       }});
+}
+
+// Two cycles whose tapers have different words, each read as the other.
+void add_all_facing(const reference::Descriptor& table, Variants& out) {
+  for (const Code& code : table.codes) {
+    for (const Code& other : table.codes) {
+      const bool have_tapers = taper_of(code) != nullptr && taper_of(other) != nullptr;
+      if (have_tapers && taper_of(code)->address != taper_of(other)->address) {
+        add_facing(code, other, out);
+      }
+    }
   }
 }
 
@@ -103,31 +159,23 @@ void add_facing(Variants& out) {
 
 void add_code_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
+  const reference::Descriptor& table = *program.table;
   std::set<std::string> codes;
-  for (const TextBlock& block : program.blocks) {
-    for (const TextWord& word : block.words) {
-      if (word.is_code()) codes.insert(word.code());
-    }
+  for (const TextBlock& block : program.blocks)
+    codes.insert(block.codes.begin(), block.codes.end());
+  codes.erase("");
+  add_senses(table, codes, out);
+  const Code* const absolute = table.find(Setting::absolute);
+  if (absolute != nullptr) {
+    add_exchanged(absolute->name, table.find(Setting::incremental)->name, std::nullopt, out);
   }
-  for (const int plane : {0, 17, 18, 19}) add_exchanged("G2", "G3", plane, out);
-  for (const auto& [a, b] : {std::pair("G110", "G111"), std::pair("G112", "G113"),
-                             std::pair("G90", "G91"), std::pair("G114", "G115")}) {
-    if (codes.contains(a) || codes.contains(b)) add_exchanged(a, b, 0, out);
-  }
-  if (departure.profile.dialect == "gsk988ta") {
-    add_right_as_left("G114", "G115", "G116", "G117", out);
-    add_right_as_left("G114", "G116", "G115", "G117", out);
-    add_exchanged("G114", "G116", 0, out);
-  }
-  if (departure.profile.dialect == "hnc21t") add_facing(out);
+  add_all_facing(table, out);
   for (const std::string& code : codes) {
     const std::size_t point = code.find('.');
     if (point != std::string::npos) add_taken_for(code, code.substr(0, point), out);
-  }
-  const std::vector<std::string> known = codes_of(departure.profile.dialect);
-  for (const std::string& code : codes) {
-    for (const std::string& other : known) {
-      if (code != other && code.front() == 'G') add_taken_for(code, other, out);
+    for (const Code& other : table.codes) {
+      const bool can_be = is_confusable(other) && code != other.name && code.front() == 'G';
+      if (can_be) add_taken_for(code, std::string(other.name), out);
     }
     add_codes(
         fmt::format("{} is ignored", code),

@@ -88,7 +88,7 @@ std::string spliced(std::string_view changed, std::string_view original, std::ui
   std::string text;
   for (std::size_t i = 0; i < before.blocks.size(); ++i) {
     const TextBlock& block = (i + 1 < line ? before : after).blocks[i];
-    text += block.text + block.end;
+    text += program::text_of({block});
   }
   return text;
 }
@@ -175,15 +175,13 @@ Attribution Attributor::finish() {
 }
 
 // The codes of motion of a program; what is in force where it departs, if that is known.
-std::set<std::string> codes_that_matter(const Observation& seen) {
+Motions codes_that_matter(const Observation& seen) {
   const ProgramText program(seen.profile, seen.program);
-  const std::size_t line = seen.verdict.block;
-  if (line > 0 && line <= program.blocks.size() && !program.blocks[line - 1].motion.empty()) {
-    return {program.blocks[line - 1].motion};
-  }
-  std::set<std::string> motions;
+  const std::string_view there = program.code_at(seen.verdict.block);
+  if (!there.empty()) return {std::string(there)};
+  Motions motions;
   for (const TextBlock& block : program.blocks) {
-    if (!block.motion.empty()) motions.insert(block.motion);
+    if (block.modes.code() != nullptr) motions.emplace(block.modes.code_name());
   }
   return motions;
 }
@@ -203,7 +201,7 @@ struct Programs {
 
 Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
                        const DepartureOptions& options) {
-  const std::set<std::string> codes = codes_that_matter(seen);
+  const Motions codes = codes_that_matter(seen);
   std::vector<ProgramAsked> alike;
   std::vector<ProgramAsked> others;
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
@@ -211,8 +209,9 @@ Programs programs_like(const oracle::Corpus& corpus, const Observation& seen,
     if (test->dialect != seen.profile.dialect || test->id == seen.id) continue;
     if (test->program.size() > kMostBytes) continue;
     const ProgramText program(test->profile, test->program);
-    const bool like = std::ranges::any_of(
-        program.blocks, [&](const TextBlock& block) { return codes.contains(block.motion); });
+    const bool like = std::ranges::any_of(program.blocks, [&](const TextBlock& block) {
+      return codes.contains(block.modes.code_name());
+    });
     (like ? alike : others).push_back({test->id, test->program, test->profile});
   }
   Programs programs;

@@ -66,15 +66,13 @@ void Carried::take(const Profile& profile, std::string_view program, const KeptO
   for (const TextBlock& block : ProgramText(profile, program).blocks) {
     if (alarmed && ++line >= outcome.end.alarm.block) return;
     for (const TextWord& word : block.words) {
-      if (!word.value) continue;
-      if (word.address == "F" && block.motion != "G4") {
-        feed = block.inch ? *word.value * 127 / 5 : *word.value;
+      const auto written = exact_value_of(word);
+      if (!written) continue;
+      const std::string name = name_of(word);
+      if (name == "F" && !block.modes.is_of(reference::Kind::dwell)) {
+        feed = block.modes.inch ? *written * 127 / 5 : *written;
       }
-      const bool parameter =
-          word.address.size() > 1 && word.address[0] == 'R' && word.address[1] <= '9';
-      if (parameter) {
-        parameters[word.address] = fmt::format("{}={}", word.address, word.value->text());
-      }
+      if (is_parameter(name)) parameters[name] = fmt::format("{}={}", name, written->text());
     }
   }
 }

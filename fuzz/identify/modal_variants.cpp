@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,6 +13,9 @@
 
 namespace gonogo::identify {
 namespace {
+
+using reference::Kind;
+using reference::Setting;
 
 void add_text(std::string name,
               std::function<std::optional<std::string>(const ProgramText&)> change, Variants& out) {
@@ -23,26 +27,22 @@ void add_text(std::string name,
                  }});
 }
 
-std::string text_of(const TextBlock& block, const TextWord& word) {
-  return block.text.substr(word.where.begin, word.where.end - word.where.begin);
-}
-
 using BlockTest = bool (*)(const TextBlock&);
 
 bool in_motion(const TextBlock& block) {
-  return !block.motion.empty();
+  return block.modes.code() != nullptr;
 }
 
 bool in_cycle(const TextBlock& block) {
-  return block.in_cycle();
+  return block.modes.in_cycle();
 }
 
 bool in_thread(const TextBlock& block) {
-  return block.in_thread();
+  return block.modes.in_thread();
 }
 
 bool in_no_thread(const TextBlock& block) {
-  return !block.in_thread() && !block.motion.empty();
+  return !block.modes.in_thread() && block.modes.code() != nullptr;
 }
 
 // The last words of these addresses in blocks of one kind are written again in every later block of
@@ -56,7 +56,7 @@ std::optional<std::string> leaked(const ProgramText& program,
     for (const std::string& address : addresses) {
       const TextWord* word = block.find(address);
       if (word == nullptr && to(block) && last.contains(address)) more += " " + last[address];
-      if (word != nullptr && from(block)) last[address] = text_of(block, *word);
+      if (word != nullptr && from(block)) last[address] = word->text;
     }
     return more;
   });
@@ -67,31 +67,28 @@ std::optional<std::string> zeroed(const ProgramText& program, const std::string&
   std::set<std::string> seen;  // codes under which it was given
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
     if (block.find(address) != nullptr) {
-      seen.insert(block.motion);
+      seen.emplace(block.modes.code_name());
       return "";
     }
-    return seen.contains(block.motion) ? fmt::format(" {}0", address) : "";
+    const bool was_given = seen.contains(std::string(block.modes.code_name()));
+    return was_given ? fmt::format(" {}0", address) : "";
   });
 }
 
 // Words and codes of `these` are taken out and written in the next block that has words.
 std::optional<std::string> late(const ProgramText& program, const std::set<std::string>& these) {
   std::string waiting;
-  const auto is_late = [&](const TextWord& word) {
-    return these.contains(word.address) || (word.is_code() && these.contains(word.code()));
-  };
   ProgramText changed = program;
   for (TextBlock& block : changed.blocks) {
-    if (block.words.empty()) continue;
+    if (std::ranges::none_of(block.words, program::is_word)) continue;
     std::string taken;
-    std::string line = block.text;
-    for (auto word = block.words.rbegin(); word != block.words.rend(); ++word) {
-      if (!is_late(*word)) continue;
-      taken.insert(0, " " + text_of(block, *word));
-      line.erase(word->where.begin, word->where.end - word->where.begin);
+    for (TextWord& word : block.words) {
+      if (!these.contains(name_of(word)) && !these.contains(block.code_of(word))) continue;
+      taken += " " + word.text;
+      word.text.clear();
     }
     // A word of the block itself comes after what waited for it: it is one for the next block.
-    block.text = line + waiting;
+    block.rest.insert(0, waiting);
     waiting = taken;
   }
   std::string text = changed.text();
@@ -103,8 +100,8 @@ std::optional<std::string> stuck(const ProgramText& program, const std::string& 
                                  BlockTest where) {
   return edited(program,
                 [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                  if (word.address != address || block.own_motion || !where(block))
-                    return std::nullopt;
+                  const bool repeats = block.modes.own == nullptr && where(block);
+                  if (name_of(word) != address || !repeats) return std::nullopt;
                   return "";
                 });
 }
@@ -113,46 +110,52 @@ std::optional<std::string> stuck(const ProgramText& program, const std::string& 
 std::optional<std::string> forgotten(const ProgramText& program, const std::string& code,
                                      const std::string& instead) {
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
-    return !block.own_motion && block.motion == code ? " " + instead : "";
+    const bool repeats = block.modes.own == nullptr && block.modes.code_name() == code;
+    return repeats ? " " + instead : "";
   });
 }
 
 // What follows the first end of the program is run too.
 std::optional<std::string> without_end(const ProgramText& program) {
-  return edited(program, [](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
-    const std::string code = word.code();
-    if (code == "M2" || code == "M17" || code == "M30") return "";
-    return std::nullopt;
-  });
+  return edited(program,
+                [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+                  const reference::Code* const code = program.table->find(block.code_of(word));
+                  const bool ends = code != nullptr && code->kind == Kind::program_end;
+                  return ends ? std::optional("") : std::nullopt;
+                });
 }
 
-// Whether a block before this one has G90.
-bool absolute_before(const ProgramText& program, const TextBlock& block) {
+// Whether a block before this one has the code.
+bool stands_before(std::string_view code, const ProgramText& program, const TextBlock& block) {
   const auto end = program.blocks.begin() + (&block - program.blocks.data());
-  return std::any_of(program.blocks.begin(), end, [](const TextBlock& one) {
-    return std::ranges::any_of(one.words,
-                               [](const TextWord& word) { return word.code() == "G90"; });
-  });
+  return std::any_of(program.blocks.begin(), end,
+                     [&](const TextBlock& one) { return one.has_code(code); });
 }
 
 // Incremental mode is not to be had again once absolute mode was asked for.
 std::optional<std::string> latched(const ProgramText& program) {
+  const reference::Code* const absolute = program.table->find(Setting::absolute);
+  const reference::Code* const incremental = program.table->find(Setting::incremental);
+  if (absolute == nullptr || incremental == nullptr) return std::nullopt;
   return edited(program,
                 [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-                  if (word.code() != "G91" || !absolute_before(program, block)) return std::nullopt;
-                  return "";
+                  const bool is_late = block.code_of(word) == incremental->name &&
+                                       stands_before(absolute->name, program, block);
+                  return is_late ? std::optional("") : std::nullopt;
                 });
 }
 
-// A motion that no code asks for after a dwell: G80 says that none is in force.
+// A motion that no code asks for after a dwell: a code of its own says that none is in force.
 std::optional<std::string> no_motion_after_dwell(const ProgramText& program) {
+  const reference::Code* const off = program.table->find(Kind::off);
+  if (off == nullptr) return std::nullopt;
   bool dwelt = false;
   return edited_in_order(program, [&](const TextBlock& block) -> std::string {
-    if (block.own_motion) {
-      dwelt = block.motion == "G4";
+    if (block.modes.own != nullptr) {
+      dwelt = block.modes.own->kind == Kind::dwell;
       return "";
     }
-    return std::exchange(dwelt, false) ? " G80" : "";
+    return std::exchange(dwelt, false) ? fmt::format(" {}", off->name) : "";
   });
 }
 
@@ -160,8 +163,8 @@ std::optional<std::string> without_last_mark(const ProgramText& program) {
   ProgramText changed = program;
   std::size_t marks = 0;
   for (TextBlock& block : changed.blocks) {
-    if (!block.text.starts_with('%')) continue;
-    if (marks++ > 0) block.text.clear();
+    if (block.words.empty() || !block.words.front().text.starts_with('%')) continue;
+    if (marks++ > 0) block.words.clear();
   }
   if (marks < 2) return std::nullopt;
   return changed.text();
@@ -176,19 +179,23 @@ struct Named {
 Named named_in(const ProgramText& program) {
   Named named;
   for (const TextBlock& block : program.blocks) {
-    if (!block.motion.empty()) named.motions.insert(block.motion);
+    if (block.modes.code() != nullptr) named.motions.emplace(block.modes.code_name());
     for (const TextWord& word : block.words) {
-      if (!word.is_code()) named.addresses.insert(word.address);
+      if (is_word(word) && block.code_of(word).empty()) named.addresses.insert(name_of(word));
     }
   }
   return named;
 }
 
-void add_leaks(const std::set<std::string>& addresses, Variants& out) {
+void add_leaks(const reference::Descriptor& table, const std::set<std::string>& addresses,
+               Variants& out) {
   std::vector<std::set<std::string>> sets;
   for (const std::string& address : addresses) sets.push_back({address});
-  if (addresses.contains("R") && addresses.contains("Q")) sets.push_back({"R", "Q"});
-  if (addresses.contains("I") && addresses.contains("K")) sets.push_back({"I", "K"});
+  for (const std::set<std::string>& kin : kin_addresses(table)) {
+    std::set<std::string> present;
+    std::ranges::set_intersection(kin, addresses, std::inserter(present, present.end()));
+    if (present.size() > 1) sets.push_back(std::move(present));
+  }
   for (const std::set<std::string>& set : sets) {
     std::string names;
     for (const std::string& address : set) names += (names.empty() ? "" : " ") + address;
@@ -233,26 +240,28 @@ void add_late_words(const std::set<std::string>& addresses, Variants& out) {
   add_text(
       "a plane code holds from the next block on",
       [](const ProgramText& text) {
-        return late(text, {"G17", "G18", "G19"});
+        std::set<std::string> planes;
+        for (const Setting plane : {Setting::plane_xy, Setting::plane_zx, Setting::plane_yz}) {
+          planes.emplace(text.table->find(plane)->name);
+        }
+        return late(text, planes);
       },
       out);
   add_text(
       "R parameters change after their block",
       [addresses](const ProgramText& text) {
         std::set<std::string> parameters;
-        for (const std::string& address : addresses) {
-          if (address.size() > 1 && address[0] == 'R' && address[1] <= '9') {
-            parameters.insert(address);
-          }
-        }
+        std::ranges::copy_if(addresses, std::inserter(parameters, parameters.end()), is_parameter);
         return late(text, parameters);
       },
       out);
 }
 
-void add_forgotten_motions(const std::set<std::string>& motions, Variants& out) {
+void add_forgotten_motions(const reference::Descriptor& table, const std::set<std::string>& motions,
+                           Variants& out) {
   for (const std::string& motion : motions) {
-    for (const std::string instead : {"G0", "G1"}) {
+    for (const Kind kind : {Kind::traverse, Kind::line}) {
+      const std::string instead(table.find(kind)->name);
       if (motion == instead || motion.front() != 'G') continue;
       add_text(
           fmt::format("after a block with {} the next one is {}", motion, instead),
@@ -288,12 +297,13 @@ std::optional<Trial> with_end_ignored(const Observation& seen) {
 }  // namespace
 
 void add_modal_variants(const Observation& departure, Variants& out) {
-  const Named named = named_in(ProgramText(departure.profile, departure.program));
-  add_leaks(named.addresses, out);
+  const ProgramText program(departure.profile, departure.program);
+  const Named named = named_in(program);
+  add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
   add_mode_slips(out);
   add_late_words(named.addresses, out);
-  add_forgotten_motions(named.motions, out);
+  add_forgotten_motions(*program.table, named.motions, out);
   out.push_back({"the end of the program is ignored", with_end_ignored});
   out.push_back({"the second % does not end the program", with_last_mark_ignored});
 }

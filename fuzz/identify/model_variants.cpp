@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "fuzz/identify/variant.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::identify {
 
@@ -49,13 +50,15 @@ std::optional<Trial> absolute_centres(const Observation& seen) {
   if (paths.empty()) return std::nullopt;
   auto text = edited(
       program, [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        const bool arc = block.motion == "G2" || block.motion == "G3";
-        const std::size_t which = std::string_view("IJK").find(word.address);
-        if (!arc || block.absolute_centre || word.address.size() != 1 || which > 2 || !word.value)
-          return std::nullopt;
+        const std::string name = name_of(word);
+        const std::size_t which = std::string_view("IJK").find(name);
+        const auto written = exact_value_of(word);
+        const bool is_centre = block.modes.is_of(reference::Kind::arc) && name.size() == 1 &&
+                               which <= 2 && !block.modes.absolute_centre;
+        if (!is_centre || !written) return std::nullopt;
         const auto line = static_cast<std::size_t>(&block - program.blocks.data()) + 1;
         const Number start = paths[line].start[reference::kLinearAxes[which]];
-        return with_value(block, word, *word.value - (block.inch ? start * 5 / 127 : start));
+        return with_value(word, *written - (block.modes.inch ? start * 5 / 127 : start));
       });
   if (!text) return std::nullopt;
   return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
@@ -99,7 +102,7 @@ std::int64_t exact_count(const Steps& steps, const Number& depth) {
 }
 
 Number in_mm(const TextBlock& block, const Number& written) {
-  return block.inch ? written * 127 / 5 : written;
+  return block.modes.inch ? written * 127 / 5 : written;
 }
 
 // The withdrawal of HNC's pecks in force in a line: the last R up to it.
@@ -107,8 +110,12 @@ Number withdrawal_at(const ProgramText& program, std::size_t line) {
   Number withdrawal;
   for (std::size_t i = 0; i < line; ++i) {
     const TextBlock& block = program.blocks[i];
-    const TextWord* word = block.find("R");
-    if (word != nullptr && word->value) withdrawal = in_mm(block, *word->value);
+    for (const TextWord& word : block.words) {
+      const reference::CodeWord* const role = block.role_of(word, *program.table);
+      const bool is_withdrawal = role != nullptr && role->role == reference::Role::size;
+      const auto written = is_withdrawal ? exact_value_of(word) : std::nullopt;
+      if (written) withdrawal = in_mm(block, *written);
+    }
   }
   return withdrawal;
 }
@@ -150,17 +157,18 @@ std::optional<Trial> counted(const Observation& seen, const std::string& address
   if (paths.empty()) return std::nullopt;
   auto text = edited(
       program, [&](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        if (word.address != address || !word.value || word.value->sign() <= 0) return std::nullopt;
+        const auto written = name_of(word) == address ? exact_value_of(word) : std::nullopt;
+        if (!written || written->sign() <= 0) return std::nullopt;
         const auto line = static_cast<std::size_t>(&block - program.blocks.data()) + 1;
         const auto depth = depth_of(paths[line]);
         if (!depth) return std::nullopt;
-        const Steps steps = steps_of(seen, program, line, in_mm(block, *word.value));
+        const Steps steps = steps_of(seen, program, line, in_mm(block, *written));
         if (depth->sign() == 0 || steps.step.sign() <= 0) return std::nullopt;
         const std::int64_t exact = exact_count(steps, *depth);
         const std::int64_t loop = count(steps, *depth);
         if (exact == loop) return std::nullopt;
         const Number slightly = Number(1) / 1'000'000'000;
-        return with_value(block, word, *word.value * (loop > exact ? 1 - slightly : 1 + slightly));
+        return with_value(word, *written * (loop > exact ? 1 - slightly : 1 + slightly));
       });
   if (!text) return std::nullopt;
   return Trial{std::move(*text), seen.profile, seen.outcome, std::nullopt};
@@ -249,8 +257,8 @@ bool refuse_small_letters(const Observation& seen, KeptOutcome& model) {
   const ProgramText program(seen.profile, seen.program);
   for (std::size_t i = 0; i < program.blocks.size(); ++i) {
     const TextBlock& block = program.blocks[i];
-    const bool small = std::ranges::any_of(block.words, [&](const TextWord& word) {
-      const char c = block.text[word.where.begin];
+    const bool small = std::ranges::any_of(block.words, [](const TextWord& word) {
+      const char c = word.text.front();
       return c >= 'a' && c <= 'z';
     });
     if (!small) continue;
@@ -295,9 +303,26 @@ bool drop_full_circles(const Observation& seen, KeptOutcome& model) {
 
 }  // namespace
 
+namespace {
+
+// The words by which cycles go on again and again.
+std::set<std::string> steps_of_cycles(const Profile& profile) {
+  std::set<std::string> steps;
+  for (const reference::Code& code : reference::find_dialect(profile.dialect)->descriptor->codes) {
+    for (const auto& list : code.words) {
+      for (const reference::CodeWord& word : list) {
+        if (word.role == reference::Role::step) steps.emplace(word.address);
+      }
+    }
+  }
+  return steps;
+}
+
+}  // namespace
+
 void add_model_variants(const Observation& departure, Variants& out) {
   out.push_back({"I J K are taken as absolute", absolute_centres});
-  for (const std::string address : {"Q", "R121", "L"}) {
+  for (const std::string& address : steps_of_cycles(departure.profile)) {
     for (const auto& [how, count] :
          {std::pair<const char*, StepCount>{"is summed up in binary32", summed_steps<float>},
           {"is summed up in binary64", summed_steps<double>},

@@ -44,14 +44,7 @@ void add_records(std::string name, RecordChange change, Variants& out) {
 
 // The axes that the centre of an arc lies on.
 std::array<Axis, 2> plane_axes(Plane plane) {
-  switch (plane) {
-    case Plane::g17:
-      return {Axis::x, Axis::y};
-    case Plane::g18:
-      return {Axis::z, Axis::x};
-    default:
-      return {Axis::y, Axis::z};
-  }
+  return {axes_of(plane).p, axes_of(plane).q};
 }
 
 void scale_axis(Record& record, Axis axis, const Number& factor) {
@@ -76,10 +69,9 @@ void mirror(Record& record, Axis axis) {
 void add_senses(Variants& out) {
   add_records(
       "every arc turns the other way", [](Record& record) { record.rot = -record.rot; }, out);
-  for (const auto& [plane, name] :
-       {std::pair(Plane::g17, "G17"), std::pair(Plane::g18, "G18"), std::pair(Plane::g19, "G19")}) {
+  for (const Plane plane : {Plane::g17, Plane::g18, Plane::g19}) {
     add_records(
-        fmt::format("every arc in {} turns the other way", name),
+        fmt::format("every arc in G{} turns the other way", plane_code(plane)),
         [plane](Record& record) {
           if (record.plane == plane) record.rot = -record.rot;
         },
@@ -172,7 +164,7 @@ void add_units(Variants& out) {
 std::uint64_t with_blank_lines(const ProgramText& program, std::uint64_t block) {
   std::uint64_t counted = 0;
   for (std::size_t i = 0; i < program.blocks.size(); ++i) {
-    if (program.blocks[i].text.find_first_not_of(" \t") == std::string::npos) continue;
+    if (program.blocks[i].words.empty()) continue;
     if (++counted == block) return i + 1;
   }
   return block;

@@ -13,9 +13,13 @@
 #include <vector>
 
 #include "fuzz/identify/outcome.hpp"
-#include "fuzz/identify/program_text.hpp"
+#include "program/edit.hpp"
 
 namespace gonogo::identify {
+
+using program::ProgramText;
+using program::TextBlock;
+using program::TextWord;
 
 // What a subject that forgets to reset keeps from program to program.
 struct Carried {
@@ -58,11 +62,21 @@ using Variants = std::vector<Variant>;
 
 // Codes that a mistake may be of: the one in force where the observation departs, alone and with
 // those that the same cycle is written for. Empty: it is not known.
-using Motions = std::set<std::string>;
+using Motions = std::set<std::string, std::less<>>;
 std::vector<Motions> motions_concerned(const Observation& departure);
+// Whether the two are programmed with the same words.
+bool has_same_words(const reference::Code& a, const reference::Code& b);
+// Addresses of the dialect with words of these roles; of places those of rotary axes or the others.
+std::set<std::string> addresses_with(const reference::Descriptor& table,
+                                     std::initializer_list<reference::Role> roles,
+                                     bool rotary = false);
+// Addresses whose words one mistake is likely to meet together.
+std::vector<std::set<std::string>> kin_addresses(const reference::Descriptor& table);
+// R105 and its like.
+bool is_parameter(const std::string& name);
 // "G110 G111"
 std::string names_of(const Motions& motions);
-// Whether the line of this number belongs to one of the codes.
+// Whether the line of this number runs one of the codes.
 bool is_of(const ProgramText& program, std::uint64_t line, const Motions& motions);
 
 // Each family adds what can matter to the observations, the departing ones first.

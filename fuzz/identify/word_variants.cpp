@@ -11,19 +11,21 @@
 namespace gonogo::identify {
 
 using reference::Number;
+using reference::Plane;
+using reference::Role;
 
 namespace {
 
 // Words that are read alike, and where.
 struct Scope {
   std::set<std::string> addresses;
-  Motions motions = {};  // empty: under every code
-  int plane = 0;         // 0: in every plane
+  Motions motions = {};             // empty: under every code
+  std::optional<Plane> plane = {};  // nothing: in every plane
 
   bool has(const TextBlock& block, const TextWord& word) const {
-    return addresses.contains(word.address) &&
-           (motions.empty() || motions.contains(block.motion)) &&
-           (plane == 0 || block.plane == plane);
+    return addresses.contains(name_of(word)) &&
+           (motions.empty() || motions.contains(block.modes.code_name())) &&
+           (!plane || block.modes.plane == *plane);
   }
   std::string name() const {
     std::string text;
@@ -31,7 +33,7 @@ struct Scope {
       text += fmt::format("{}{}", text.empty() ? "" : " ", address);
     }
     if (!motions.empty()) text += " of " + names_of(motions);
-    if (plane != 0) text += fmt::format(" in G{}", plane);
+    if (plane) text += fmt::format(" in G{}", plane_code(*plane));
     return text;
   }
 };
@@ -44,11 +46,11 @@ struct Operation {
 };
 
 bool under_inches(const TextBlock& block) {
-  return block.inch;
+  return block.modes.inch;
 }
 
 bool where_x_is_a_radius(const TextBlock& block) {
-  return block.x_radius;
+  return block.modes.x_radius;
 }
 
 Number half_up(const Number& value, int places) {
@@ -81,7 +83,7 @@ const std::vector<Operation>& operations() {
   return kOperations;
 }
 
-void add_edit(std::string name, WordEdit edit, Variants& out) {
+void add_edit(std::string name, program::WordEdit edit, Variants& out) {
   out.push_back(
       {std::move(name), [edit = std::move(edit)](const Observation& seen) -> std::optional<Trial> {
          auto text = edited(ProgramText(seen.profile, seen.program), edit);
@@ -96,18 +98,18 @@ void add_operations(const Scope& scope, Variants& out) {
         fmt::format("{} {}", scope.name(), operation.name),
         [scope, &operation](const TextBlock& block,
                             const TextWord& word) -> std::optional<std::string> {
-          if (!word.value || !scope.has(block, word)) return std::nullopt;
-          if (!operation.where(block)) return std::nullopt;
-          const auto value = operation.value(*word.value);
+          if (!scope.has(block, word) || !operation.where(block)) return std::nullopt;
+          const auto written = exact_value_of(word);
+          const auto value = written ? operation.value(*written) : std::nullopt;
           if (!value) return std::nullopt;
-          return with_value(block, word, *value);
+          return with_value(word, *value);
         },
         out);
   }
   add_edit(
       fmt::format("{} is ignored but under G91", scope.name()),
       [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        if (block.incremental || !scope.has(block, word)) return std::nullopt;
+        if (block.modes.incremental || !scope.has(block, word)) return std::nullopt;
         return "";
       },
       out);
@@ -121,54 +123,66 @@ void add_operations(const Scope& scope, Variants& out) {
 }
 
 // The word under another address, in the same form.
-std::string renamed(const TextBlock& block, const TextWord& word, const std::string& address) {
-  const std::string text = block.text.substr(word.where.begin, word.where.end - word.where.begin);
-  return address + text.substr(std::min(word.address.size(), text.size()));
+std::string renamed(const TextWord& word, const std::string& address) {
+  return address + word.text.substr(name_of(word).size());
 }
 
-void add_exchange(const std::string& a, const std::string& b, int plane, Variants& out) {
+void add_exchange(const std::string& a, const std::string& b, std::optional<Plane> plane,
+                  Variants& out) {
   const Scope scope{{a, b}, {}, plane};
   add_edit(
       fmt::format("{} and {} change places{}", a, b,
-                  plane == 0 ? "" : fmt::format(" in G{}", plane)),
+                  plane ? fmt::format(" in G{}", plane_code(*plane)) : ""),
       [=](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
         if (!scope.has(block, word)) return std::nullopt;
-        return renamed(block, word, word.address == a ? b : a);
+        return renamed(word, name_of(word) == a ? b : a);
       },
       out);
 }
 
-// Addresses that stand in the program, codes apart.
-std::set<std::string> addresses_of(const ProgramText& program) {
-  std::set<std::string> addresses;
+using Addresses = std::set<std::string>;
+
+// Addresses that stand in the program, but for codes, spindle and tool.
+Addresses addresses_of(const ProgramText& program) {
+  Addresses addresses;
   for (const TextBlock& block : program.blocks) {
     for (const TextWord& word : block.words) {
-      if (!word.is_code() && word.address != "T" && word.address != "S") {
-        addresses.insert(word.address);
-      }
+      if (!is_word(word) || !block.code_of(word).empty()) continue;
+      const reference::CodeWord* const role = block.role_of(word, *program.table);
+      const bool moves_nothing =
+          role != nullptr && (role->role == Role::speed || role->role == Role::number);
+      if (!moves_nothing) addresses.insert(name_of(word));
     }
   }
   return addresses;
 }
 
-void add_exchanges(const std::set<std::string>& addresses, int plane, Variants& out) {
-  const std::set<std::string> axes = {"X", "Y", "Z"};
-  const std::set<std::string> centres = {"I", "J", "K"};
-  for (const std::set<std::string>& kin : {axes, centres}) {
+// What a cycle's own words are called where it is called by its name.
+bool is_parameter_of_cycle(const reference::Descriptor& table, const std::string& name) {
+  return is_parameter(name) && std::ranges::any_of(table.codes, [&](const reference::Code& code) {
+           return code.kind == reference::Kind::cycle && code.find(name) != nullptr;
+         });
+}
+
+void add_exchanges(const reference::Descriptor& table, const Addresses& addresses, Plane plane,
+                   Variants& out) {
+  const auto add_pair = [&](const std::string& a, const std::string& b) {
+    add_exchange(a, b, std::nullopt, out);
+    add_exchange(a, b, plane, out);
+  };
+  for (const Role role : {Role::place, Role::centre}) {
+    const Addresses kin = addresses_with(table, {role});
     for (const std::string& a : kin) {
       for (const std::string& b : kin) {
-        if (a >= b || (!addresses.contains(a) && !addresses.contains(b))) continue;
-        add_exchange(a, b, 0, out);
-        add_exchange(a, b, plane, out);
+        if (a < b && (addresses.contains(a) || addresses.contains(b))) add_pair(a, b);
       }
     }
   }
   for (const std::string& a : addresses) {
     for (const std::string& b : addresses) {
-      const bool numbered = a.size() > 2 && b.size() > 2 && a[0] == 'R' && b[0] == 'R';
-      if (a >= b || !numbered) continue;
-      add_exchange(a, b, 0, out);
-      add_exchange(a, b, plane, out);
+      if (a < b && is_parameter_of_cycle(table, a) && is_parameter_of_cycle(table, b)) {
+        add_pair(a, b);
+      }
     }
   }
 }
@@ -181,9 +195,8 @@ void add_brackets(Variants& out) {
       add_edit(
           instead.empty() ? fmt::format("{} is ignored", name)
                           : fmt::format("{} does what {} does", name, instead),
-          [=](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-            std::string text =
-                block.text.substr(word.where.begin, word.where.end - word.where.begin);
+          [=](const TextBlock&, const TextWord& word) -> std::optional<std::string> {
+            std::string text = word.text;
             const std::size_t at = text.find(fmt::format("{}(", name));
             if (at == std::string::npos) return std::nullopt;
             return text.replace(at, name.size(), instead);
@@ -198,10 +211,9 @@ void add_flat_arcs(Variants& out) {
   add_edit(
       "the third axis of an arc is ignored",
       [](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        constexpr std::string_view kThird = "ZYX";  // of G17, G18, G19
-        const bool arc = block.motion == "G2" || block.motion == "G3";
-        const auto plane = static_cast<std::size_t>(block.plane - 17);
-        if (!arc || plane > 2 || word.address != kThird.substr(plane, 1)) return std::nullopt;
+        const char third = "XYZ"[index(axes_of(block.modes.plane).d)];
+        const bool is_third = name_of(word) == std::string(1, third);
+        if (!block.modes.is_of(reference::Kind::arc) || !is_third) return std::nullopt;
         return "";
       },
       out);
@@ -211,30 +223,26 @@ void add_flat_arcs(Variants& out) {
 
 void add_word_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
-  const std::set<std::string> addresses = addresses_of(program);
+  const reference::Descriptor& table = *program.table;
+  const Addresses addresses = addresses_of(program);
   const std::size_t line = departure.verdict.block;
   const bool known = line > 0 && line <= program.blocks.size();
-  const int plane = known ? program.blocks[line - 1].plane : 17;
-  std::vector<std::set<std::string>> sets;
+  const Plane plane = known ? program.blocks[line - 1].modes.plane : Plane::g17;
+  std::vector<Addresses> sets;
   for (const std::string& address : addresses) sets.push_back({address});
-  for (const std::set<std::string>& kin : {std::set<std::string>{"I", "J", "K"},
-                                           {"I", "J", "K", "CR"},
-                                           {"A", "C"},
-                                           {"R", "Q"},
-                                           {"U", "W"},
-                                           {"X", "Y", "Z"}}) {
-    std::size_t present = 0;
-    for (const std::string& address : kin) present += addresses.count(address);
-    if (present > 1) sets.push_back(kin);
+  for (const Addresses& kin : kin_addresses(table)) {
+    const auto present = std::ranges::count_if(
+        kin, [&](const std::string& address) { return addresses.contains(address); });
+    if (present > 1 && std::ranges::find(sets, kin) == sets.end()) sets.push_back(kin);
   }
-  for (const std::set<std::string>& set : sets) {
+  for (const Addresses& set : sets) {
     add_operations({set}, out);
     for (const Motions& motions : motions_concerned(departure)) {
-      add_operations({set, motions, 0}, out);
+      add_operations({set, motions}, out);
     }
     add_operations({set, {}, plane}, out);
   }
-  add_exchanges(addresses, plane, out);
+  add_exchanges(table, addresses, plane, out);
   add_flat_arcs(out);
   if (departure.profile.dialect.starts_with("sinumerik")) add_brackets(out);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The dictionaries of fuzz/dictionaries, one a dialect, in the format that libFuzzer and AFL++
-// read: an entry a line between quotation marks, \\ \" and \xAB within it; '#' begins a comment.
+// What fuzzers that mutate NC text are given: the codes and words of a dialect's table, and what
+// fuzz/dictionaries has beside them. In the format that libFuzzer and AFL++ read: an entry a line
+// between quotation marks, \\ \" and \xAB within it; '#' begins a comment.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +27,8 @@ std::variant<std::vector<std::string>, std::size_t> read_dictionary(std::string_
 
 // Those that are built in, in the order of the dialects.
 std::span<const Dictionary> dictionaries();
+// A dialect's as a file; those of all dialects in one where there is no such dialect.
+std::string dictionary_text(std::string_view dialect);
 // Null: there is no such dialect.
 const Dictionary* find_dictionary(std::string_view dialect);
 

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 
-#include "fuzz/hunt/mutate.hpp"
+#include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/word_mutations.hpp"
 
 namespace gonogo::fuzz {
 namespace {
 
-using Lines = std::vector<TextLine>;
+using program::lines_of;
+
+using Lines = std::vector<program::TextLine>;
 using Entries = std::span<const std::string>;
 constexpr std::size_t kTries = 8;
 

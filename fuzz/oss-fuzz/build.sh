@@ -51,7 +51,7 @@ for target in "${targets[@]}"; do
   copy_libraries "$OUT/$target"
   write_options "$target" >"$OUT/$target.options"
   dialect=$(target_dialect "$target" "$work")
-  [ -z "$dialect" ] || write_dictionary "$dialect" "$OUT/$target.dict"
+  [ -z "$dialect" ] || write_dictionary "$target" "$work" "$OUT/$target.dict"
   seeds=$work/seeds/$target
   rm -rf "$seeds" "$OUT/${target}_seed_corpus.zip"
   copy_seeds "$target" "$work" "$seeds"

@@ -3,13 +3,11 @@
 // What makes related programs out of the lines of one.
 #pragma once
 
-#include <initializer_list>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "fuzz/hunt/program_text.hpp"
 #include "fuzz/relations/relation.hpp"
+#include "program/modes.hpp"
 
 namespace gonogo::fuzz {
 
@@ -19,15 +17,24 @@ std::vector<std::uint64_t> same_lines(std::size_t count);
 // first one may be left out.
 std::optional<Related> with_block_before(const GeneratedProgram& program, std::string block);
 
-// Whether a word of the line, or of one of the lines, is the code: "G2" where G02 is written.
-bool holds(const TextLine& line, std::string_view code);
-bool holds_any(const std::vector<TextLine>& lines, std::initializer_list<std::string_view> codes);
-// Whether blanks stand within words. They take them apart here, and what they say with them.
-bool has_bare_g(const std::vector<TextLine>& lines);
-// The same, or codes that are only nearly those that they may count as.
-bool has_unclear_words(const std::vector<TextLine>& lines);
-// A block that the machine passes over unread.
-bool is_left_out(const TextLine& line, const reference::Profile& profile);
+// Whether words cannot be told apart for sure: blanks within them, codes that are only nearly those
+// that they may count as, and codes that the gauge does not read.
+bool has_unclear_words(const program::ProgramText& text);
+// Whether the program has a code or a word for which `is_it` holds.
+bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&));
+bool any_role(const program::ProgramText& text, bool (*is_it)(reference::Role));
+// The plane of all blocks with words; nothing: there are several.
+std::optional<reference::Plane> only_plane(const program::ProgramText& text,
+                                           const reference::Profile& profile);
+
+// The linear axis along which the word stands, and how.
+struct AlongAxis {
+  std::size_t axis;
+  reference::Role role;
+};
+// Nothing: it stands along none.
+std::optional<AlongAxis> axis_of(const program::TextWord& word, const program::TextBlock& block,
+                                 const reference::Descriptor& table);
 
 // The program mirrored at the plane across an axis (0: X). Nothing where that cannot be said with
 // its words.

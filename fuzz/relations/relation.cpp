@@ -4,9 +4,14 @@
 #include <algorithm>
 
 #include "fuzz/relations/related_lines.hpp"
+#include "reference/power_on.hpp"
 
 namespace gonogo::fuzz {
 namespace {
+
+using program::lines_of;
+using program::TextLine;
+using program::TextWord;
 
 std::size_t one(const GeneratedProgram&) {
   return 1;
@@ -36,7 +41,7 @@ void add_zeros(TextWord& word, bool is_assigned_to) {
   const std::string address = address_of(word);
   const bool is_name = address == "T" || address == "L" || address == "N" || address == "R";
   if (address.empty() || is_name || is_assigned_to || !code_of(word).empty()) return;
-  const std::vector<NumberPlace> places = numbers_of(word);
+  const std::vector<program::NumberPlace> places = numbers_of(word);
   if (places.size() != 1 || places.front().begin != address.size() ||
       places.front().end != word.text.size()) {
     return;
@@ -113,14 +118,12 @@ std::optional<Related> cut_short(const GeneratedProgram& program, std::size_t va
 
 // The modes of power-on, said again before the first block.
 std::string modes_of(const reference::Profile& profile) {
-  const std::string plane = "G" + std::to_string(plane_code(profile.initial.plane));
-  const bool inch = profile.units == reference::Units::inch;
-  if (profile.dialect == "gsk988ta") return plane + (inch ? " G20" : " G21");
-  if (profile.dialect == "hnc21t") {
-    return plane + (inch ? " G20" : " G21") + " G90" + (profile.x_diameter ? " G36" : " G37");
+  std::string block;
+  for (const reference::Code* code : reference::power_on_codes(profile)) {
+    if (code->kind != reference::Kind::mode) continue;
+    block += (block.empty() ? "" : " ") + std::string(code->name);
   }
-  if (profile.dialect == "rs274") return plane + (inch ? " G20" : " G21") + " G90 G91.1 G94";
-  return plane + (inch ? " G70" : " G71") + " G90 G94 G40";
+  return block;
 }
 
 std::optional<Related> with_modes(const GeneratedProgram& program, std::size_t) {

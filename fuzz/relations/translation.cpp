@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program moved as a whole. HNC-21T has work offsets and the 802S frames: what stands in the
-// blocks stays as it is. Elsewhere the absolute words are written anew.
+// A program moved as a whole. Where the dialect has frames or work offsets, what stands in the
+// blocks stays as it is; elsewhere the absolute words are written anew.
 #include <algorithm>
 #include <cctype>
 
 #include "fuzz/relations/related_lines.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::fuzz {
 namespace {
 
+using program::NumberPlace;
+using program::ProgramText;
+using program::SmallDecimal;
+using program::TextBlock;
+using program::TextWord;
 using reference::Axis;
+using reference::Code;
+using reference::Kind;
 using reference::Profile;
+using reference::Role;
 using reference::Units;
 
 // How far, along X, Y, Z: whole inches, so that words in inches have no more decimals than before.
@@ -73,113 +82,104 @@ bool add_to_expression(TextWord& word, const SmallDecimal& step) {
   return true;
 }
 
-std::size_t axis_of(const std::string& address) {
-  return address.size() == 1 ? std::string_view("XYZ").find(address) : std::string_view::npos;
-}
-bool is_axis(std::size_t axis) {
-  return axis != std::string_view::npos;
-}
-
-// The modes that say what a number means, as the codes of the lines set them.
-struct Modes {
-  bool inch = false;
-  bool incremental = false;
-  bool absolute_centre = false;
-
-  void take(const TextLine& line, std::string_view in_inch, std::string_view metric) {
-    if (holds(line, in_inch)) inch = true;
-    if (holds(line, metric)) inch = false;
-    if (holds(line, "G90")) incremental = false;
-    if (holds(line, "G91")) incremental = true;
-    if (holds(line, "G90.1")) absolute_centre = true;
-    if (holds(line, "G91.1")) absolute_centre = false;
-  }
-};
-
-Related moved_text(const GeneratedProgram& program, const Way& way,
-                   const std::vector<TextLine>& lines) {
+Related moved_text(const GeneratedProgram& program, const Way& way, const ProgramText& text) {
   Related related;
-  related.program = {program.profile, text_of(lines)};
-  related.lines = same_lines(lines.size());
+  related.program = {program.profile, text.text()};
+  related.lines = same_lines(text.blocks.size());
   move_places(way, related.program.profile, related);
-  return related;
-}
-
-std::optional<Related> translated_ngc(const GeneratedProgram& program) {
-  std::vector<TextLine> lines = lines_of(program.text);
-  if (has_unclear_words(lines)) return std::nullopt;
-  Modes modes{program.profile.units == Units::inch};
-  for (TextLine& line : lines) {
-    if (is_left_out(line, program.profile)) continue;
-    modes.take(line, "G20", "G21");
-    for (TextWord& word : line.words) {
-      const std::string address = address_of(word);
-      const std::size_t offset =
-          address.size() == 1 ? std::string_view("IJK").find(address) : std::string_view::npos;
-      const bool is_place = is_axis(axis_of(address)) && !modes.incremental;
-      const bool is_centre = is_axis(offset) && modes.absolute_centre;
-      if (!is_place && !is_centre) continue;
-      const std::size_t axis = is_place ? axis_of(address) : offset;
-      if (!add(word, distance(axis, modes.inch))) return std::nullopt;
-    }
-  }
-  return moved_text(program, {true, true, true}, lines);
-}
-
-// X Y Z are always absolute. Of the milling cycles the depth axis stays: R and P stand on it, too.
-std::optional<Related> translated_gsk(const GeneratedProgram& program) {
-  std::vector<TextLine> lines = lines_of(program.text);
-  if (has_unclear_words(lines)) return std::nullopt;
-  Way way = {true, true, true};
-  if (holds_any(lines, {"G110", "G111", "G112", "G113", "G114", "G115", "G116", "G117"})) {
-    const bool one_plane = !holds_any(lines, {"G17", "G18", "G19"});
-    if (!one_plane) return std::nullopt;
-    way[index(axes_of(program.profile.initial.plane).d)] = false;
-  }
-  Modes modes{program.profile.units == Units::inch};
-  for (TextLine& line : lines) {
-    if (is_left_out(line, program.profile)) continue;
-    modes.take(line, "G20", "G21");
-    if (holds(line, "G4")) continue;  // its X is a time
-    for (TextWord& word : line.words) {
-      const std::size_t axis = axis_of(address_of(word));
-      if (!is_axis(axis) || !way[axis]) continue;
-      SmallDecimal step = distance(axis, modes.inch);
-      if (axis == 0 && program.profile.x_diameter) step.value *= 2;
-      if (!add(word, step)) return std::nullopt;
-    }
-  }
-  Related related = moved_text(program, way, lines);
+  if (text.table->find(Kind::reference_point) == nullptr) return related;
   for (std::size_t axis = 0; axis < way.size(); ++axis) {
     related.program.profile.reference_point.at[axis] += related.shift[axis];
   }
   return related;
 }
 
-// G54 to G59 along X and Z; G54 before the program, where it makes no difference otherwise.
-std::optional<Related> translated_hnc(const GeneratedProgram& program) {
-  const auto own = program.profile.offsets.find("G54");
+// Whether the value of the word is a place, and not a way: by the mode in force, or by AC and IC.
+bool is_place(const TextWord& word, Role role, const program::BlockModes& modes) {
+  std::string value = word.text.substr(std::min(word.text.find('=') + 1, word.text.size()));
+  std::ranges::transform(value, value.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (value.starts_with("AC")) return true;
+  if (value.starts_with("IC") || role == Role::way) return false;
+  return role == Role::centre ? modes.absolute_centre : !modes.incremental;
+}
+
+bool is_polar(Role role) {
+  return role == Role::polar_angle || role == Role::polar_radius;
+}
+
+bool puts_pole(const Code& code) {
+  return code.kind == Kind::pole;
+}
+
+bool is_along_depth(Role role) {
+  return role == Role::along_d;
+}
+
+// The absolute words are written anew. Of cycles with words along the depth axis that axis stays.
+// Poles at the workpiece zero, as they are after a plane code, stay there: no polar words.
+std::optional<Related> translated_words(const GeneratedProgram& program) {
+  const Profile& profile = program.profile;
+  ProgramText text(profile, program.text);
+  if (has_unclear_words(text) || any_role(text, is_polar) || any_code(text, puts_pole)) {
+    return std::nullopt;
+  }
+  Way way = {true, true, true};
+  if (any_role(text, is_along_depth)) {
+    const auto plane = only_plane(text, profile);
+    if (!plane) return std::nullopt;
+    way[index(axes_of(*plane).d)] = false;
+  }
+  for (TextBlock& block : text.blocks) {
+    if (is_left_out(block, profile)) continue;
+    for (TextWord& word : block.words) {
+      const std::optional<AlongAxis> along = axis_of(word, block, *text.table);
+      const bool is_moved = along && along->role <= Role::middle && way[along->axis];
+      if (!is_moved || !is_place(word, along->role, block.modes)) continue;
+      SmallDecimal step = distance(along->axis, block.modes.inch);
+      if (along->axis == 0 && profile.x_diameter && along->role == Role::place) step.value *= 2;
+      if (!add_to_expression(word, step)) return std::nullopt;
+    }
+  }
+  return moved_text(program, way, text);
+}
+
+// By the work offsets along X and Z; the first of them stands before the program, where it makes no
+// difference otherwise.
+std::optional<Related> translated_by_offset(const GeneratedProgram& program,
+                                            const reference::Dialect& dialect) {
+  const std::string first(dialect.offsets.front());
+  const auto own = program.profile.offsets.find(first);
   if (own != program.profile.offsets.end() && own->second != reference::Position{}) {
     return std::nullopt;
   }
-  std::optional<Related> related = with_block_before(program, "G54");
+  std::optional<Related> related = with_block_before(program, first);
   if (!related) return std::nullopt;
   Profile& profile = related->program.profile;
   move_places({true, false, true}, profile, *related);
-  for (const char* const name : {"G54", "G55", "G56", "G57", "G58", "G59"}) {
+  for (const std::string_view name : dialect.offsets) {
     for (const Axis axis : {Axis::x, Axis::z}) {
-      profile.offsets[name][axis] += related->shift[index(axis)];
+      profile.offsets[std::string(name)][axis] += related->shift[index(axis)];
     }
   }
   return related;
 }
 
-std::optional<Related> translated_802s(const GeneratedProgram& program) {
-  const std::vector<TextLine> lines = lines_of(program.text);
-  if (has_bare_g(lines) || holds_any(lines, {"G158", "G258", "G259", "G53", "G500"})) {
-    return std::nullopt;
-  }
-  std::string block = "G158";
+bool moves_frame(const Code& code) {
+  return code.kind == Kind::frame || code.group == reference::Group::frame ||
+         code.group == reference::Group::offset;
+}
+
+bool is_bare_g(const TextWord& word) {
+  return word.text == "G" || word.text == "g";
+}
+
+std::optional<Related> translated_by_frame(const GeneratedProgram& program, const Code& frame) {
+  const ProgramText text(program.profile, program.text);
+  const bool has_bare_g = std::ranges::any_of(text.blocks, [](const TextBlock& block) {
+    return std::ranges::any_of(block.words, is_bare_g);
+  });
+  if (has_bare_g || any_code(text, moves_frame)) return std::nullopt;
+  std::string block(frame.name);
   for (std::size_t axis = 0; axis < kInches.size(); ++axis) {
     block += std::string(" ") + "XYZ"[axis] +
              distance(axis, program.profile.units == Units::inch).text();
@@ -189,53 +189,19 @@ std::optional<Related> translated_802s(const GeneratedProgram& program) {
   return related;
 }
 
-// Whether the value of a word is a place, and not a way: X, I1= by the mode in force, I by AC()
-// alone.
-bool is_place(const TextWord& word, const Modes& modes, bool by_mode) {
-  std::string value = word.text.substr(std::min(word.text.find('=') + 1, word.text.size()));
-  std::ranges::transform(value, value.begin(), [](unsigned char c) { return std::toupper(c); });
-  if (value.starts_with("AC")) return true;
-  return by_mode && !modes.incremental && !value.starts_with("IC");
-}
-
-// The axis of X10, X=..., I=..., I1=...; npos for other words. `by_mode` as for is_place.
-std::size_t axis_of_840d(const TextWord& word, bool& by_mode) {
-  const std::string address = address_of(word);
-  by_mode = true;
-  if (is_axis(axis_of(address))) return axis_of(address);
-  if (address.size() != 1) return std::string_view::npos;
-  by_mode = word.text.size() > 2 && word.text[1] == '1' && word.text[2] == '=';
-  return std::string_view("IJK").find(address);
-}
-
-// Poles at the workpiece zero, as they are after a plane code, stay there: no polar words.
-std::optional<Related> translated_840d(const GeneratedProgram& program) {
-  std::vector<TextLine> lines = lines_of(program.text);
-  if (has_unclear_words(lines) || holds_any(lines, {"G110", "G111", "G112"})) return std::nullopt;
-  Modes modes{program.profile.units == Units::inch};
-  for (TextLine& line : lines) {
-    if (is_left_out(line, program.profile)) continue;
-    modes.take(line, "G70", "G71");
-    for (TextWord& word : line.words) {
-      const std::string address = address_of(word);
-      if (address == "AP" || address == "RP") return std::nullopt;
-      bool by_mode = false;
-      const std::size_t axis = axis_of_840d(word, by_mode);
-      if (!is_axis(axis) || !is_place(word, modes, by_mode)) continue;
-      if (!add_to_expression(word, distance(axis, modes.inch))) return std::nullopt;
-    }
-  }
-  return moved_text(program, {true, true, true}, lines);
-}
-
 }  // namespace
 
 std::optional<Related> translated(const GeneratedProgram& program) {
-  const std::string& dialect = program.profile.dialect;
-  if (dialect == "gsk988ta") return translated_gsk(program);
-  if (dialect == "hnc21t") return translated_hnc(program);
-  if (dialect == "rs274") return translated_ngc(program);
-  return dialect == "sinumerik802s" ? translated_802s(program) : translated_840d(program);
+  const reference::Dialect& dialect = *reference::find_dialect(program.profile.dialect);
+  const reference::Descriptor& table = *dialect.descriptor;
+  const Code* const frame = table.find(Kind::frame);
+  if (frame != nullptr) return translated_by_frame(program, *frame);
+  const Code* const offset =
+      dialect.offsets.empty() ? nullptr : table.find(dialect.offsets.front());
+  if (offset != nullptr && offset->treatment == reference::Treatment::read) {
+    return translated_by_offset(program, dialect);
+  }
+  return translated_words(program);
 }
 
 }  // namespace gonogo::fuzz

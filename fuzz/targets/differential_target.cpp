@@ -8,8 +8,8 @@
 
 #include "expanders/registry.hpp"
 #include "fuzz/differential.hpp"
+#include "fuzz/domain.hpp"
 #include "fuzz/generator.hpp"
-#include "fuzz/number_range.hpp"
 #include "fuzz/program_report.hpp"
 #include "fuzz/targets/target.hpp"
 
@@ -52,7 +52,8 @@ void check(oracle::Subject& subject, const reference::Profile& profile, std::str
   if (runs_alone()) return run_alone(subject, profile, program, most_records);
   const auto verdict = run_and_judge(subject, profile, program, most_records);
   if (judge_is_blind()) return;
-  if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go) {
+  if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go &&
+      outside_domain(profile, program).empty()) {
     keep(profile, program);
     fail(failure_text(*verdict, profile, program), "");
   }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "fuzz/generator.hpp"
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
 #include "grammar/parser.hpp"
@@ -17,25 +17,27 @@ namespace {
 
 using namespace gonogo;
 
-// A line that cannot be read stays as it is.
+// A line that cannot be read stays as it is, and so does one of comments alone: empty lines may
+// stand before the % of rs274, comments may not (NGC-COM-07).
 std::string printed(grammar::Dialect dialect, std::string line) {
   grammar::Block block;
   if (grammar::parse_block(dialect, line, block)) return line;
-  return grammar::print(dialect, block);
+  std::string text = grammar::print(dialect, block);
+  return text.empty() ? line : text;
 }
 
 std::string spelled(grammar::Dialect dialect, std::string_view program, std::uint32_t spelling) {
-  std::vector<fuzz::TextLine> lines = fuzz::lines_of(program);
-  for (fuzz::TextLine& line : lines) {
+  std::vector<program::TextLine> lines = program::lines_of(program);
+  for (program::TextLine& line : lines) {
     if (spelling == 0) {
-      line = {{{"", printed(dialect, fuzz::text_of({{line.words, line.rest, ""}}))}}, "", line.end};
+      line = {{{"", printed(dialect, program::text_of({{line.words, line.rest, ""}}))}}, "", line.end};
     } else if (spelling == 1 && !line.end.empty()) {
       line.end = "\r\n";
     } else if (spelling == 2) {
-      for (fuzz::TextWord& word : line.words) word.gap += " \t";
+      for (program::TextWord& word : line.words) word.gap += " \t";
     }
   }
-  return fuzz::text_of(lines);
+  return program::text_of(lines);
 }
 
 // All that a program means, as text. Words of an alarm may stand elsewhere; what they are may not.

@@ -3,6 +3,8 @@
 // The structured mutator in the fuzz targets whose input is NC text, as the engines call it.
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "fuzz/mutator/program_mutator.hpp"
@@ -23,6 +25,14 @@ const Dictionary* dictionary() {
 }
 
 }  // namespace
+
+// With GONOGO_FUZZ_DICTIONARY set the target only prints the dictionary of its dialect.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  if (std::getenv("GONOGO_FUZZ_DICTIONARY") == nullptr) return 0;
+  const std::string text = dictionary_text(GONOGO_FUZZ_DIALECT);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::exit(0);
+}
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {

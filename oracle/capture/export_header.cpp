@@ -8,32 +8,23 @@
 
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "reference/dialect.hpp"
+#include "reference/power_on.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
 using reference::Axis;
+using reference::Kind;
 using reference::Profile;
-
-constexpr bool is_lathe(std::string_view dialect) {
-  return dialect == "gsk988ta" || dialect == "hnc21t";
-}
 
 // The modes that the reference takes for those at power-on, as codes.
 std::string mode_line(const Profile& profile) {
-  const bool inch = profile.units == reference::Units::inch;
-  const int plane = plane_code(profile.initial.plane);
-  if (profile.dialect == "gsk988ta") {
-    return fmt::format("{} G{} G40 G97 G98 G80", inch ? "G20" : "G21", plane);
+  std::string line;
+  for (const reference::Code* code : reference::power_on_codes(profile)) {
+    line += fmt::format("{}{}", line.empty() ? "" : " ", code->name);
   }
-  if (profile.dialect == "hnc21t") {
-    return fmt::format("{} {} G{} G40 G90 G94 G97", inch ? "G20" : "G21",
-                       profile.x_diameter ? "G36" : "G37", plane);
-  }
-  if (profile.dialect == "rs274") {
-    return fmt::format("{} G{} G40 G80 G90 G91.1 G94 G97", inch ? "G20" : "G21", plane);
-  }
-  return fmt::format("{} G{} G40 G90 G94", inch ? "G70" : "G71", plane);
+  return line;
 }
 
 // A coordinate as the program would say it; nothing when it is no decimal.
@@ -105,11 +96,12 @@ bool keeps_meaning(const Profile& profile, std::string_view program, const Expor
 
 std::optional<ExportHeader> export_header(const Profile& profile, std::string_view program,
                                           reference::AxisSet moved) {
-  const bool lathe = is_lathe(profile.dialect);
+  const reference::Dialect& dialect = *reference::find_dialect(profile.dialect);
+  const reference::Descriptor& table = *dialect.descriptor;
   // Z first: up on a mill, and on a lathe along the part before the tool comes in.
   constexpr Axis first = Axis::z;
-  const reference::AxisSet own =
-      lathe ? reference::AxisSet{Axis::x, Axis::z} : reference::AxisSet{Axis::x, Axis::y, Axis::z};
+  const reference::AxisSet own = dialect.lathe ? reference::AxisSet{Axis::x, Axis::z}
+                                               : reference::AxisSet{Axis::x, Axis::y, Axis::z};
   const reference::AxisSet axes = own | moved;
   std::string rest;
   for (Axis axis : reference::kAllAxes) {
@@ -121,13 +113,19 @@ std::optional<ExportHeader> export_header(const Profile& profile, std::string_vi
   const auto depth = word(profile, first, profile.initial.at[first]);
   if (!depth) return std::nullopt;
   const std::string modes = mode_line(profile);
-  const std::string approach = fmt::format("G0 {}\nG0{}\n", *depth, rest);
+  const std::string approach =
+      fmt::format("{0} {1}\n{0}{2}\n", table.find(Kind::traverse)->name, *depth, rest);
   std::string feed;
   if (profile.initial.feed.sign() != 0 && profile.initial.feed.is_rational()) {
     feed = fmt::format("F{}\n", profile.initial.feed.text());
   }
   // After the traverses the motion in force at power-on, however the dialect says it.
-  for (const std::string_view motion : {"", "G80\n", "G1\n"}) {
+  std::vector<std::string> motions = {""};
+  for (const Kind kind : {Kind::off, Kind::line}) {
+    const reference::Code* const code = table.find(kind);
+    if (code != nullptr) motions.push_back(fmt::format("{}\n", code->name));
+  }
+  for (const std::string& motion : motions) {
     ExportHeader header{fmt::format("{}\n{}{}{}", modes, approach, feed, motion), 0, axes};
     header.lines = static_cast<std::uint64_t>(std::ranges::count(header.text, '\n'));
     if (keeps_meaning(profile, program, header)) return header;

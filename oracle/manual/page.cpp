@@ -97,7 +97,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
   for (std::size_t i = 0; i < sections.size(); ++i) {
     page.text += fmt::format("- [{}](#section-{})\n", sections[i].source, i + 1);
   }
-  page.text += "- [Not covered, passed over](#outside)\n\n";
+  page.text += "- [Codes and words](#codes)\n- [Not covered, passed over](#outside)\n\n";
 }
 
 void append_section(PageDraft& page, const Section& section, std::size_t number) {
@@ -126,6 +126,7 @@ std::vector<PageFile> page_of(const reference::Dialect& dialect) {
   PageDraft page{dialect.name, dialect.lathe, {}, {}};
   append_head(page, sections);
   for (std::size_t i = 0; i < sections.size(); ++i) append_section(page, sections[i], i + 1);
+  append_codes(page, dialect);
   append_outside(page, dialect);
   std::vector<PageFile> all = {{fmt::format("{}.md", dialect.name), std::move(page.text)}};
   for (PageFile& drawing : page.drawings) all.push_back(std::move(drawing));

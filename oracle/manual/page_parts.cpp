@@ -244,24 +244,44 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
   page.text += '\n';
 }
 
+void append_codes(PageDraft& page, const reference::Dialect& dialect) {
+  page.text +=
+      "<a id=\"codes\"></a>\n## Codes and words\n\nThe codes that the gauge reads and the words "
+      "that each takes. A modal word stays in force; any other one holds for its block. Beside "
+      "them stand";
+  for (const reference::CodeWord& word : dialect.descriptor->everywhere) {
+    page.text +=
+        fmt::format("{} {} ({})", &word == dialect.descriptor->everywhere.data() ? "" : ",",
+                    escaped(word.address), word.title);
+  }
+  page.text += ".\n\n| code | what it is | feature | words | clause |\n|---|---|---|---|---|\n";
+  for (const reference::Code& code : dialect.descriptor->codes) {
+    if (code.treatment != reference::Treatment::read || code.is_m()) continue;
+    page.text += fmt::format("| {} | {} | {} | {} | {} |\n", code.text(), code.title, code.feature,
+                             escaped(reference::words_text(code)), clause_link(code.clause));
+  }
+  page.text += '\n';
+}
+
 void append_outside(PageDraft& page, const reference::Dialect& dialect) {
   page.text +=
       "<a id=\"outside\"></a>\n## Not covered\n\nCodes that the control has and the gauge does not "
       "read. A program is judged up to the first of them, and then counts as not covered.\n\n"
       "| code | what it is |\n|---|---|\n";
-  for (const reference::OutsideCode& code : dialect.outside_codes()) {
+  for (const reference::OutsideCode& code : reference::outside_codes(*dialect.descriptor)) {
     page.text += fmt::format("| {} | {} |\n", code.code, escaped(code.title));
   }
   page.text += fmt::format("\nAlso: {}.\n\n## Passed over\n\nCodes without effect on the path:",
                            escaped(dialect.outside_constructs));
-  for (std::string_view code : dialect.codes_without_effect())
+  for (const std::string& code : reference::codes_without_effect(*dialect.descriptor))
     page.text += fmt::format(" {}", code);
   page.text += ".\n";
-  if (dialect.passed_words().empty()) return;
+  const std::vector<reference::PassedWords> rules = reference::passed_words(*dialect.descriptor);
+  if (rules.empty()) return;
   page.text +=
       "\nWords beside codes that do not use them. Every other word is used, breaks a rule, or ends "
       "the program as not covered.\n\n| beside | words | rule | clause |\n|---|---|---|---|\n";
-  for (const reference::PassedWords& rule : dialect.passed_words()) {
+  for (const reference::PassedWords& rule : rules) {
     page.text += fmt::format("| {} | {} | {} | {} |\n", rule.codes, escaped(rule.words),
                              escaped(rule.why), clause_link(rule.clause));
   }

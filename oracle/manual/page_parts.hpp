@@ -29,6 +29,7 @@ void append_example(PageDraft& page, const Example& example);
 void append_reading(PageDraft& page, const reference::Reading& reading,
                     const ReadingExample& example);
 void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alarms);
+void append_codes(PageDraft& page, const reference::Dialect& dialect);
 void append_outside(PageDraft& page, const reference::Dialect& dialect);
 
 // The value that a reading's example is drawn under first: the default, or where that is `any` the

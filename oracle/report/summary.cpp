@@ -227,7 +227,7 @@ Json Summary::not_checked(const Json& header) const {
   for (const auto& [dialect, judged] : judged_) {
     const reference::Dialect* known = reference::find_dialect(dialect);
     if (known == nullptr) continue;
-    for (const reference::OutsideCode& code : known->outside_codes()) {
+    for (const reference::OutsideCode& code : reference::outside_codes(*known->descriptor)) {
       outside[dialect].push_back({{"code", code.code}, {"title", code.title}});
     }
   }

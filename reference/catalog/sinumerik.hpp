@@ -137,7 +137,7 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "passed "
      "over by a rule of the list below. Names of own subprograms and variables, and addresses that "
      "only the machine gives a meaning, are not covered: no alarm of the machine.",
-     "reference/sinumerik/word_use.cpp", std::nullopt,
+     "reference/sinumerik/descriptor.hpp", std::nullopt,
      "What a name of the machine's owner does stands in no manual."},
 });
 

@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The G codes of the GSK 988TA: their groups, and what the gauge makes of them.
+// The G codes of a block of the GSK 988TA.
 #pragma once
-
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 
 #include "grammar/ast.hpp"
 #include "reference/g_codes.hpp"
 
 namespace gonogo::reference::gsk988ta {
-
-// Modal groups by what they govern; `once` is the maker's group 00.
-enum class Group : std::uint8_t {
-  once,
-  motion,
-  speed,
-  feed_mode,
-  units,
-  compensation,
-  cycle,
-  offset,
-  plane,
-  path_mode,
-  stroke,
-  macro,
-};
 
 // The codes of one block, by group.
 struct BlockCodes {
@@ -45,10 +23,10 @@ struct CodeReading : GCodeReading {
   BlockCodes codes;
 };
 void read_codes(const grammar::Block& block, bool last_wins, CodeReading& reading);
-// The codes that the gauge does not read, and those that it passes over.
-std::span<const OutsideCode> outside_codes();
-std::span<const std::string_view> codes_without_effect();
 // Whether two codes of one group stand in the block.
 bool repeats_group(const grammar::Block& block);
+
+// The row of the code of this number; null: there is none.
+const Code* code_of(int number);
 
 }  // namespace gonogo::reference::gsk988ta

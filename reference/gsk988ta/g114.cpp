@@ -115,8 +115,8 @@ bool lacks_parameter(BlockContext& block, const RunOutWords& words) {
   if (line.empty()) return false;
   block.out.not_covered = lacking_in_profile(
       fmt::format("The machine's parameter {}", fmt::join(what, ", and its parameter ")),
-      fmt::format("parameters = {{ {} }}", fmt::join(line, ", ")),
-      block.places.behind(), block.line);
+      fmt::format("parameters = {{ {} }}", fmt::join(line, ", ")), block.places.behind(),
+      block.line);
   return true;
 }
 

@@ -147,7 +147,8 @@ bool Interpreter::has_stray_word(const BlockContext& block) const {
   const StrayWord stray = stray_word(block);
   if (stray.word == nullptr) return false;
   out.alarms.clear();
-  out.not_covered = word_outside(*stray.word, code_name(stray.code * 10), block.line);
+  out.not_covered =
+      word_outside(*stray.word, stray.code == nullptr ? "" : stray.code->text(), block.line);
   return true;
 }
 
@@ -170,7 +171,7 @@ void Interpreter::check_cycle_words(const BlockContext& block, bool last_wins) c
   std::vector<Alarm>& alarms = block.out.alarms;
   const CycleFamily family = machine_.milling.family();
   if (family == CycleFamily::none && !is_cutting_cycle(machine_.motion)) return;
-  check_ranges(words, family, machine_.motion, last_wins, profile_, machine_.units, alarms);
+  check_ranges(words, *block.code_in_force(), family, last_wins, profile_, machine_.units, alarms);
   if (family == CycleFamily::helix) check_turns(words, alarms);
   if (family == CycleFamily::thread && words.has('K')) {
     check_run_out_angle(words, readings_.is(ReadingKey::thread_k_range, "360"), profile_,

@@ -72,6 +72,11 @@ struct BlockContext : BlockBase {
 
   // GSK-COM-04: an alarm when no feed is in force.
   void need_feed();
+  // The code that it runs, but for one of group 00: a milling cycle, or one of group 01. Null:
+  // none.
+  const Code* code_in_force() const {
+    return code_of(machine.milling.code != 0 ? machine.milling.code : machine.motion);
+  }
 };
 
 // GSK-COM-10, GSK-COM-12: says of the block that it runs on although it has words without effect.

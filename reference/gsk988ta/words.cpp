@@ -109,11 +109,9 @@ void check_decimals(const BlockWords& words, const Profile& profile, Units units
   }
 }
 
-void check_ranges(const BlockWords& words, CycleFamily family, int motion, bool last_wins,
+void check_ranges(const BlockWords& words, const Code& cycle, CycleFamily family, bool last_wins,
                   const Profile& profile, Units units, std::vector<Alarm>& alarms) {
   const Number upper = upper_end(profile, units);
-  const std::string_view used = words_of_cycle(family, motion);
-  const auto is_used = [&](char address) { return contains(used, address); };
   for (const grammar::Word& word : words.block().words) {
     if (last_wins && words.word(word.address) != &word) continue;        // GSK-COM-07
     if (family == CycleFamily::helix && word.address == 'L') continue;   // check_turns
@@ -124,7 +122,7 @@ void check_ranges(const BlockWords& words, CycleFamily family, int motion, bool 
     const bool bad_sign = !takes_sign && word.value.negative;
     if (!bad_sign && abs(to_number(word.value)) <= upper) continue;
     // GSK-COM-10: of a word without effect no text gives a range.
-    const ClauseId clause = is_used(word.address) ? "GSK-COM-06"_clause : "GSK-COM-10"_clause;
+    const ClauseId clause = cycle.takes(word.address) ? "GSK-COM-06"_clause : "GSK-COM-10"_clause;
     alarms.push_back({AlarmClass::value_out_of_range, clause, word.address, word.where,
                       bad_sign
                           ? fmt::format("{} has a sign, but the word takes none.", text_of(word))

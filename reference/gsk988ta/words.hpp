@@ -48,11 +48,8 @@ void check_decimals(const BlockWords& words, const Profile& profile, Units units
                     std::vector<Alarm>& alarms);
 // GSK-COM-06: the ranges of the words in blocks of the cycles; P takes no sign in the thread
 // cycles. `last_wins`: of an address that stands twice only the last word counts.
-void check_ranges(const BlockWords& words, CycleFamily family, int motion, bool last_wins,
+void check_ranges(const BlockWords& words, const Code& cycle, CycleFamily family, bool last_wins,
                   const Profile& profile, Units units, std::vector<Alarm>& alarms);
-// The addresses that a cycle uses, without C, H, G, M, N, O, S, T and F; of a family of milling
-// cycles, else of the cutting cycle in force. In unused_words.cpp.
-std::string_view words_of_cycle(CycleFamily family, int motion);
 // GSK-G112-01: L of the helical pocket, a whole number from 1 to 99999.
 void check_turns(const BlockWords& words, std::vector<Alarm>& alarms);
 // GSK-G114-13: K of the thread cycles, 0 to 360 degrees; or as far as the table of lengths says.

@@ -1,31 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The G codes of the HNC-21T lathe: their groups, and what the gauge makes of them.
+// The G codes of a block of the HNC-21T lathe.
 #pragma once
-
-#include <cstdint>
-#include <span>
-#include <string_view>
 
 #include "reference/g_codes.hpp"
 
 namespace gonogo::reference::hnc21t {
-
-// Modal groups by what they govern; the codes of `once` hold for their block.
-enum class Group : std::uint8_t {
-  once,
-  motion,
-  plane,
-  units,
-  diameter,
-  compensation,
-  offset,
-  path_mode,
-  distance,
-  feed_mode,
-  speed,
-  retract,
-};
 
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
@@ -44,8 +24,7 @@ struct CodeReading : GCodeReading {
 };
 void read_codes(const grammar::Block& block, CodeReading& reading);
 
-// The codes that the gauge does not read, and those that it passes over.
-std::span<const OutsideCode> outside_codes();
-std::span<const std::string_view> codes_without_effect();
+// What a block with these codes runs while the motion of this number is in force. Null: none.
+const Code* code_that_runs(const BlockCodes& codes, int motion);
 
 }  // namespace gonogo::reference::hnc21t

@@ -122,11 +122,11 @@ void Interpreter::check_mill_words(const BlockWords& words, const BlockCodes& co
 void Interpreter::check_stray_words(const BlockWords& words, const BlockCodes& codes,
                                     std::uint64_t line, BlockOutput& out) const {
   if (out.not_covered) return;
-  const int code = codes.once >= 0 ? codes.once : machine_.motion;
+  const Code* const code = code_that_runs(codes, machine_.motion);
   for (const grammar::Word& word : words.block().words) {
     const bool of_mill = word.address == 'Y' || word.address == 'V';  // check_mill_words
     if (of_mill || reads_word(code, word.address)) continue;
-    out.not_covered = word_outside(word, code_name(code * 10), line);
+    out.not_covered = word_outside(word, code == nullptr ? "" : code->text(), line);
     return;
   }
 }

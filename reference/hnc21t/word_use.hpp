@@ -3,16 +3,13 @@
 // What becomes of each word beside each code (HNC-WRD-01).
 #pragma once
 
-#include <span>
-
-#include "reference/passed_words.hpp"
+#include "reference/code.hpp"
 
 namespace gonogo::reference::hnc21t {
 
-// Whether the code looks at the word, or a rule passes it over; else it is not covered. `code` is
-// the one that the block runs: 4 and 92, or the motion code in force.
-bool reads_word(int code, char address);
-// The rules that pass words over.
-std::span<const PassedWords> passed_words();
+// Whether the code that the block runs looks at the word; null: it runs none.
+bool uses_word(const Code* code, char address);
+// The same, or a rule passes it over; else it is not covered.
+bool reads_word(const Code* code, char address);
 
 }  // namespace gonogo::reference::hnc21t

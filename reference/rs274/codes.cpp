@@ -2,106 +2,15 @@
 #include "reference/rs274/codes.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "reference/rs274/descriptor.hpp"
 #include "reference/rs274/whole.hpp"
 #include "reference/words.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
 
-using enum Treatment;
-using Code = GCode<Group>;
-
-// In ascending order. NGC-COM-01 for those that are read or have no effect; the others are codes
-// that the language has and the gauge does not read.
-constexpr auto kCodes = std::to_array<Code>({
-    {0, Group::motion, read, "traverse"},
-    {10, Group::motion, read, "straight feed"},
-    {20, Group::motion, read, "arc clockwise"},
-    {30, Group::motion, read, "arc counterclockwise"},
-    {40, Group::once, read, "dwell"},
-    {50, Group::motion, outside, "cubic spline"},
-    {51, Group::motion, outside, "quadratic spline"},
-    {52, Group::motion, outside, "spline of control points"},
-    {53, Group::motion, outside, "end of the spline"},
-    {70, Group::diameter, outside, "diameter programming"},
-    {80, Group::diameter, outside, "radius programming"},
-    {100, Group::once, outside, "setting of offsets and tools"},
-    {170, Group::plane, read, "plane XY"},
-    {171, Group::plane, outside, "plane UV"},
-    {180, Group::plane, read, "plane ZX"},
-    {181, Group::plane, outside, "plane WU"},
-    {190, Group::plane, read, "plane YZ"},
-    {191, Group::plane, outside, "plane VW"},
-    {200, Group::units, read, "inch"},
-    {210, Group::units, read, "metric"},
-    {280, Group::once, outside, "return to the first reference point"},
-    {281, Group::once, outside, "setting of the first reference point"},
-    {300, Group::once, outside, "return to the second reference point"},
-    {301, Group::once, outside, "setting of the second reference point"},
-    {330, Group::motion, outside, "spindle-synchronous motion"},
-    {331, Group::motion, outside, "rigid tapping"},
-    {382, Group::motion, outside, "probing towards the part, with an error"},
-    {383, Group::motion, outside, "probing towards the part"},
-    {384, Group::motion, outside, "probing away from the part, with an error"},
-    {385, Group::motion, outside, "probing away from the part"},
-    {400, Group::compensation, without_effect, "radius compensation off"},
-    {410, Group::compensation, outside, "radius compensation left"},
-    {411, Group::compensation, outside, "dynamic radius compensation left"},
-    {420, Group::compensation, outside, "radius compensation right"},
-    {421, Group::compensation, outside, "dynamic radius compensation right"},
-    {430, Group::tool_length, outside, "tool length offset"},
-    {431, Group::tool_length, outside, "dynamic tool length offset"},
-    {432, Group::tool_length, outside, "additional tool length offset"},
-    {490, Group::tool_length, without_effect, "tool length offset off"},
-    {500, Group::scaling, outside, "scaling off"},
-    {510, Group::scaling, outside, "scaling"},
-    {520, Group::once, outside, "local coordinate system"},
-    {530, Group::once, outside, "machine coordinates"},
-    {540, Group::offset, without_effect, "coordinate system 1"},
-    {550, Group::offset, outside, "coordinate system 2"},
-    {560, Group::offset, outside, "coordinate system 3"},
-    {570, Group::offset, outside, "coordinate system 4"},
-    {580, Group::offset, outside, "coordinate system 5"},
-    {590, Group::offset, outside, "coordinate system 6"},
-    {591, Group::offset, outside, "coordinate system 7"},
-    {592, Group::offset, outside, "coordinate system 8"},
-    {593, Group::offset, outside, "coordinate system 9"},
-    {610, Group::path_mode, without_effect, "exact path"},
-    {611, Group::path_mode, without_effect, "exact stop"},
-    {640, Group::path_mode, without_effect, "continuous path"},
-    {730, Group::motion, outside, "drilling with chip breaking"},
-    {760, Group::motion, outside, "compound threading"},
-    {800, Group::motion, read, "no motion"},
-    {810, Group::motion, outside, "drilling"},
-    {820, Group::motion, outside, "drilling with a dwell"},
-    {830, Group::motion, outside, "deep drilling"},
-    {840, Group::motion, outside, "right-hand tapping"},
-    {850, Group::motion, outside, "boring, feed out"},
-    {860, Group::motion, outside, "boring, spindle stop, traverse out"},
-    {870, Group::motion, outside, "back boring"},
-    {880, Group::motion, outside, "boring, spindle stop, out by hand"},
-    {890, Group::motion, outside, "boring with a dwell, feed out"},
-    {900, Group::distance, read, "absolute"},
-    {901, Group::arc_distance, read, "absolute centres"},
-    {910, Group::distance, read, "incremental"},
-    {911, Group::arc_distance, read, "incremental centres"},
-    {920, Group::once, outside, "offset of the coordinate system"},
-    {921, Group::once, outside, "offset cancelled and cleared"},
-    {922, Group::once, outside, "offset cancelled"},
-    {923, Group::once, outside, "offset restored"},
-    {930, Group::feed_mode, outside, "inverse time feed"},
-    {940, Group::feed_mode, without_effect, "feed per minute"},
-    {950, Group::feed_mode, outside, "feed per revolution"},
-    {960, Group::speed, outside, "constant surface speed"},
-    {970, Group::speed, without_effect, "constant spindle speed"},
-    {980, Group::retract, without_effect, "return to the initial level"},
-    {990, Group::retract, without_effect, "return to the R level"},
-});
-static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
-
-constexpr GCodeTable<Group> kTable{kCodes, "NGC-COM-01"_clause, "NGC-COM-01"_clause};
+constexpr GCodeTable kTable{table::kCodes, "NGC-COM-01"_clause, "NGC-COM-01"_clause};
 
 // NGC-COM-01: the code whose number the word has, or is near enough to. Null: the language has
 // none.
@@ -110,7 +19,7 @@ const Code* code_of(const grammar::Word& word, const ReadingsInUse& readings) {
   const NearWhole tenths(to_number(word.value) * 10);
   if (tenths.is_whole()) return nullptr;
   const std::optional<std::int64_t> nearest = tenths.nearest().to_int64();
-  if (!nearest || *nearest < 0 || *nearest > kCodes.back().tenths) return nullptr;
+  if (!nearest || *nearest < 0 || *nearest > kTable.last_tenths()) return nullptr;
   const Code* code = kTable.find_tenths(static_cast<int>(*nearest));
   return code != nullptr && tenths.counts_as_whole(Whole::g_tenths, readings) ? code : nullptr;
 }
@@ -124,7 +33,7 @@ struct BesideG80 {
   bool decides = true;  // nothing else of the block is not read, or no code
 
   void add(const Code* code) {
-    decides = decides && code != nullptr && code->treatment != outside;
+    decides = decides && code != nullptr && code->treatment != Treatment::outside;
     if (code == nullptr || code->group != Group::motion) return;
     ++(code->tenths == kG80 ? g80 : others);
   }
@@ -168,54 +77,17 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
                    .arc_distance = reading.of(Group::arc_distance)};
 }
 
-std::span<const OutsideCode> outside_codes() {
-  static const std::vector<OutsideCode> kOutside = kTable.outside();
-  return kOutside;
+Letters words_of_motion(int motion) {
+  const Code* const code = kTable.find_tenths(motion * 10);
+  return code == nullptr ? 0 : code->letters;
 }
 
-std::span<const std::string_view> codes_without_effect() {
-  static constexpr auto kNames = std::to_array<std::string_view>(
-      {"G40", "G49", "G54", "G61", "G61.1", "G64", "G94", "G97", "G98", "G99", "M", "S", "T"});
-  return kNames;
-}
-
-MFunction m_function(std::int64_t number) {
-  using enum MFunction;
-  if (number == 2 || number == 30) return ends_program;
-  if (number == 0 || number == 1 || number == 60) return after_motion;
-  const bool is_subprogram = number == 98 || number == 99;
-  if (is_subprogram || (number >= 100 && number <= 199)) return outside;
-  const bool is_known = (number >= 3 && number <= 9) || number == 48 || number == 49 ||
-                        (number >= 50 && number <= 53) ||
-                        (number >= 60 && number <= 73 && number != 69);
-  return is_known ? before_motion : undefined;
-}
-
-// As the language numbers them: stopping, tool change, spindle, coolant, overrides; above those the
-// outputs and inputs, and the saving of modes.
-int m_group(std::int64_t number) {
-  if (number <= 2 || number == 30 || number == 60) return 4;
-  if (number == 6 || number == 61) return 6;
-  if (number <= 5) return 7;
-  if (number <= 9) return 8;
-  if (number <= 53) return 9;
-  return number <= 68 ? 5 : 10;
-}
-
-// NGC-COM-02
-bool takes(std::int64_t m_number, char address) {
-  switch (address) {
-    case 'P':
-      return (m_number >= 50 && m_number <= 53) || (m_number >= 62 && m_number <= 66);
-    case 'E':
-      return m_number >= 66 && m_number <= 68;
-    case 'L':
-      return m_number == 66;
-    case 'Q':
-      return m_number == 61 || (m_number >= 66 && m_number <= 68);
-    default:
-      return false;
-  }
+const Code* m_function(std::int64_t number) {
+  const auto found = std::ranges::find_if(table::kCodes, [&](const Code& code) {
+    return code.is_m() && number * 10 >= code.tenths &&
+           number * 10 <= std::max(code.tenths, code.last);
+  });
+  return found == table::kCodes.end() ? nullptr : &*found;
 }
 
 }  // namespace gonogo::reference::rs274

@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The G and M codes of RS274/NGC: their groups, and what the gauge makes of them.
+// The G codes and M functions of a block of RS274/NGC.
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 #include "reference/g_codes.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::reference::rs274 {
-
-// Modal groups by what they govern; the codes of `once` hold for their block.
-enum class Group : std::uint8_t {
-  once,
-  motion,
-  plane,
-  units,
-  diameter,
-  compensation,
-  tool_length,
-  offset,
-  scaling,
-  path_mode,
-  distance,
-  arc_distance,
-  feed_mode,
-  speed,
-  retract,
-};
 
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
@@ -47,24 +26,9 @@ struct CodeReading : GCodeReading {
 };
 void read_codes(const grammar::Block& block, const ReadingsInUse& readings, CodeReading& reading);
 
-// The codes that the gauge does not read, and those that it passes over.
-std::span<const OutsideCode> outside_codes();
-std::span<const std::string_view> codes_without_effect();
-
-// What the gauge makes of M functions.
-enum class MFunction : std::uint8_t {
-  undefined,
-  before_motion,
-  after_motion,
-  ends_program,
-  outside,
-};
-MFunction m_function(std::int64_t number);
-// The modal group of a function that the control has; two of one group exclude each other in a
-// block (NGC-COM-01).
-int m_group(std::int64_t number);
-// Whether the function takes the word for its own: overrides, outputs and inputs take P, E, L and
-// Q, each some of them.
-bool takes(std::int64_t m_number, char address);
+// The words that the motion of this number takes.
+Letters words_of_motion(int motion);
+// An M function that the language has; null: it has none of that number.
+const Code* m_function(std::int64_t number);
 
 }  // namespace gonogo::reference::rs274

@@ -96,16 +96,15 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
     return;
   }
   const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large
-  const MFunction function = number ? m_function(*number) : MFunction::undefined;
-  if (function == MFunction::undefined) {
+  const Code* const function = number ? m_function(*number) : nullptr;
+  if (function == nullptr) {
     out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
                           fmt::format("The control has no function {}.", text_of(word))});
     return;
   }
-  if (function == MFunction::outside) {
+  if (function->treatment == Treatment::outside) {
     if (!out.not_covered) {
-      out.not_covered = m_function_outside(
-          *number, *number >= 100 ? "program of the user" : "subprogram", word, line);
+      out.not_covered = m_function_outside(*number, function->title, word, line);
     }
     return;
   }
@@ -114,9 +113,9 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   record.clause = clause;
   record.block = line;
   record.m = static_cast<std::int32_t>(*number);
-  const bool before = function == MFunction::before_motion;
+  const bool before = function->kind == Kind::machine;
   (before ? out.items : out.after).emplace_back(std::move(record));
-  if (function == MFunction::ends_program) out.program_end = true;
+  if (function->kind == Kind::program_end) out.program_end = true;
 }
 
 // NGC-COM-01
@@ -126,8 +125,9 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
     const std::optional<std::int64_t> number = m_number(word, readings);
-    if (!number || m_function(*number) == MFunction::undefined) continue;
-    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(m_group(*number));
+    const Code* const function = number ? m_function(*number) : nullptr;
+    if (function == nullptr) continue;
+    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(function->group);
     if ((seen & group) != 0) {
       alarms.push_back(
           {AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
@@ -137,46 +137,42 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
+bool is_arc(int motion) {
+  return motion == 2 || motion == 3;
+}
+
 // An arc is asked for by its code or an axis word; NGC-ARC-06: or by I J K alone.
 bool runs_arc(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
               const ReadingsInUse& readings) {
-  if (machine.motion != 2 && machine.motion != 3) return false;
+  if (!is_arc(machine.motion)) return false;
   if (codes.motion >= 0 || words.has_axis_word()) return true;
   return words.has_offset() && readings.is(ReadingKey::ngc_arc_words_alone, "arc");
 }
 
-// The codes of a block that take words beside those of the axes.
-struct WordTakers {
-  const BlockContext& block;
+// The words that the codes of a block take.
+class WordTakers {
+ public:
+  explicit WordTakers(const BlockContext& block) : own_(block.letters) {
+    for (const grammar::Word& word : block.words.block().words) {
+      if (word.address != 'M') continue;
+      const Code* const function = m_function(m_number(word, block.readings).value_or(-1));
+      if (function != nullptr) own_ |= function->letters;
+    }
+    const int motion = block.machine.motion;
+    if (block.runs_arc || !is_arc(motion)) motion_ = words_of_motion(motion);
+  }
 
   // P belongs to the motion where no other code of the block takes it.
-  bool beside_motion(char address) const {
-    const BlockCodes& codes = block.codes;
-    if (address == 'P' && (codes.once == 4 || codes.path_mode == 64)) return true;
-    if (address == 'Q' && codes.path_mode == 64) return true;
-    return std::ranges::any_of(block.words.block().words, [&](const grammar::Word& word) {
-      return word.address == 'M' && takes(m_number(word, block.readings).value_or(0), address);
-    });
-  }
+  bool beside_motion(char address) const { return (own_ & letter_bit(address)) != 0; }
   bool take(char address) const {
-    switch (address) {
-      case 'I':
-      case 'J':
-      case 'K':
-      case 'R':
-        return block.runs_arc;
-      case 'P':
-        return block.runs_arc || beside_motion(address);
-      case 'D':
-      case 'E':
-      case 'H':
-      case 'L':
-      case 'Q':
-        return beside_motion(address);
-      default:
-        return true;  // codes, axes, and what is passed on: F M S T
-    }
+    // Codes, axes, and what is passed on.
+    constexpr Letters kAlways = letters_of("A C F G M S T X Y Z");
+    return ((kAlways | own_ | motion_) & letter_bit(address)) != 0;
   }
+
+ private:
+  Letters own_;
+  Letters motion_ = 0;
 };
 
 // NGC-COM-02
@@ -260,11 +256,9 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   const BlockWords words(block, machine_.modes);
   take_feed(words);
   take_modes(codes);
-  BlockContext context{{machine_, words, profile_, readings_, line, out},
-                       machine_,
-                       words,
-                       codes,
-                       runs_arc(machine_, words, codes, readings_)};
+  BlockContext context{
+      {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
+      runs_arc(machine_, words, codes, readings_)};
   context.p_is_turns =
       context.runs_arc && words.has('P') && !WordTakers{context}.beside_motion('P');
   run_block(context);

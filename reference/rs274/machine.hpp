@@ -20,6 +20,7 @@ struct BlockContext : BlockBase {
   Machine& machine;
   const BlockWords& words;
   const BlockCodes& codes;
+  Letters letters = 0;      // of the words that its codes take, but for the motion
   bool runs_arc = false;    // G2 or G3 acts in the block
   bool p_is_turns = false;  // of the arc: P is there, and no other code of the block takes it
 };

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The G codes and the names of SINUMERIK: their groups, and what the gauge makes of them.
+// The G codes and the names of a block of SINUMERIK.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "reference/g_codes.hpp"
 
@@ -14,25 +12,6 @@ namespace gonogo::reference::sinumerik {
 
 // Which control it is. The 802S shares the path commands of the 840D.
 enum class Control : std::uint8_t { sinumerik840d, sinumerik802s };
-
-// Modal groups by what they govern; the codes of `once` hold for their block.
-enum class Group : std::uint8_t {
-  once,
-  motion,
-  plane,
-  compensation,
-  frame,
-  offset,
-  path_mode,
-  exact_window,
-  exact_stop,
-  units,
-  dimension,
-  feed_mode,
-  approach,
-  corner,
-  language,
-};
 
 // SIE-MOD-01: one modal group, two of them by name.
 enum class Motion : std::uint8_t {
@@ -67,12 +46,9 @@ struct CodeReading : GCodeReading {
 // codes that it lacks.
 void read_codes(Control control, const grammar::Block& block, CodeReading& reading);
 
-// The codes and names that the gauge does not read, and those that it passes over.
-std::span<const OutsideCode> outside_codes();
 // The number of a G code that holds once: a dwell, a pole, a frame. Nothing for other words.
 std::optional<int> once_code_of(const grammar::Block& block, const grammar::NamedWord& word);
 // A name that calls a cycle; `none` for others.
 Cycle cycle_of(const grammar::NamedWord& word);
-std::span<const std::string_view> codes_without_effect();
 
 }  // namespace gonogo::reference::sinumerik

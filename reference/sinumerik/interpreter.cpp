@@ -163,7 +163,8 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
   bool has_m = false;
   for (const grammar::NamedWord& word : block.named) {
     const std::optional<Address> address = address_of(word);
-    const bool is_passed_over = !address && word.terms != 0 && find_name(word) != nullptr;
+    const bool is_passed_over =
+        !address && word.terms != 0 && find_name(machine_.control, word) != nullptr;
     if (address ? *address == Address::g : !is_passed_over) continue;
     const bool repeats = is_passed_over || *address == Address::r || *address == Address::m ||
                          *address == Address::h;

@@ -139,47 +139,5 @@ TEST(PlantedFaults, EachHasItsProgram) {
   EXPECT_EQ(known.size(), faults("gsk").size());
 }
 
-// The names stand beside an enumeration: a wrong order would give a name to another's defect.
-TEST(PlantedFaults, NamesBelongToTheirDefects) {
-  EXPECT_EQ(run("\nG0 X2\n", "{}", "blank-lines-not-counted").blocks[0], 1u);
-  EXPECT_EQ(run("\r\nG0 X2\n", "{}", "pairs-counted-twice").blocks[0], 3u);
-  EXPECT_EQ(run("G28 Z9\n", "{}", "home-direct").motions(), "");
-  EXPECT_EQ(run(kTaper, "{}", "taper-sign").records[1], "rapid z=-20");
-  EXPECT_EQ(run(kTaper, "{}", "feed-return").records[4], "feed x=60 f=300");
-  EXPECT_EQ(run("G94 X-8 Z-3 Y1 F9\n", "{}", "off-plane-unchecked").answer, GONOGO_OK);
-  EXPECT_EQ(run("G94 X-8 Z-3 F9\nG80 X4\n", "{}", "g80-keeps-g94").records.size(), 9u);
-  EXPECT_EQ(run("G111 X0 Z0 Y-2 I5 L3 Q5 D4 F8\n", "{}", "g111-as-g110").records[2],
-            "arc18 c=0,0 rot=-1 x=0 z=1 f=8");
-  EXPECT_EQ(run("G90 X-8 Z-3 F9\n", "{}", "g90-as-g94").records[0], "rapid z=-3");
-  EXPECT_EQ(run("G1 F9\nG92 X-8 Z-3 F2\n", "{}", "g92-cuts-at-feed").records[1],
-            "feed x=-4 z=-3 f=9");
-  EXPECT_EQ(run("G90 X-8 Z-3 F9\nG94 X-4\n", "{}", "turning-words-leak").records[4], "rapid z=-3");
-  EXPECT_EQ(run(kHelix, "{}", "helix-turn-short").records[2],
-            "arc18 c=0,0 rot=2 x=-3 y=-10 z=0 f=8");
-  EXPECT_EQ(run(kHelix, "{}", "helix-depth-from-initial").records[2],
-            "arc18 c=0,0 rot=3 x=-3 y=-11 z=0 f=8");
-  // From X-3 by I/2 = 2.5 to X2.
-  EXPECT_EQ(run(kHelix, "{}", "helix-exit-radius").records[3], "arc18 c=0,-0.5 rot=1 x=2 z=0 f=8");
-  EXPECT_EQ(run("G110 I5 L3 Q5 D2\nG112 I5\n", "{}", "tool-leaks-into-helix").alarm, "");
-  EXPECT_EQ(run("G1 F9\nG112 I5 D2\nG80 X5\n", "{}", "g80-restores-motion").motions(),
-            "feed x=2.5 f=9\n");
-  // E30 as a radius: 33; the tool inside: 15 - 3 = 12.
-  EXPECT_EQ(run(kWhole, "{}", "thread-diameter-as-radius").records[0],
-            "arc18 c=-16.5,0 rot=1 x=0 z=-33 f=900");
-  EXPECT_EQ(run(kWhole, "{}", "thread-tool-side").records[0], "arc18 c=-6,0 rot=1 x=0 z=-12 f=900");
-  EXPECT_EQ(run(kWhole, "{}", "thread-turn-short").records[2],
-            "arc18 c=0,0 rot=1 x=0 y=-5 z=-17.5 f=900");
-  EXPECT_EQ(run(kWhole, "{}", "thread-extra-pass").records.size(), run(kWhole).records.size() + 6);
-  EXPECT_EQ(run("G116 X0 Z0 V-5 I5 E6 P1 D3 F9\n", "{}", "bore-equality-accepted").answer,
-            GONOGO_OK);
-  EXPECT_EQ(run("G114\nX2 Y2 Z3\n", "{}", "thread-mode-lost").motions(), "rapid x=1 y=2 z=3\n");
-  EXPECT_EQ(run(kPocket, "{}", "clearance-twice").records[13], "rapid y=-8");
-  // One layer more: 6 records (re-entry, plunge, ...) and a plunge of hardly any depth.
-  EXPECT_GT(run(kTenthsPocket, "{}", "extra-layer").records.size(),
-            run(kTenthsPocket).records.size());
-  EXPECT_EQ(run("G999\n", "{}", "alarm-next-block").alarm_block, 2u);
-  EXPECT_EQ(Session("{}", "endless-layers").run(kPocket, 9'000).answer, GONOGO_STOPPED);
-}
-
 }  // namespace
 }  // namespace gonogo::expanders::testing

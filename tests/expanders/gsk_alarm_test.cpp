@@ -2,10 +2,7 @@
 // Alarms at their boundaries. Each is raised in its block and before any of its motion.
 #include <gtest/gtest.h>
 
-#include "expanders/gsk/alarms.hpp"
 #include "harness.hpp"
-
-#include <set>
 
 namespace gonogo::expanders::testing {
 namespace {
@@ -133,18 +130,6 @@ TEST(GskAlarm, CodesOfALaterVersionAreUnsupported) {
 TEST(GskAlarm, NothingRunsAfterIt) {
   const Outcome outcome = run("G00 X2\nG999\nX4\n");
   EXPECT_EQ(outcome.all(), "answer 1\n1 rapid x=1\nalarm undefined-code in 2\n");
-}
-
-TEST(GskAlarm, EveryClassHasItsOwnNumber) {
-  std::set<std::string_view> natives;
-  std::set<std::string_view> classes;
-  const int last = static_cast<int>(gsk::AlarmKind::kDirectionConflict);
-  for (int kind = 0; kind <= last; ++kind) {
-    natives.insert(gsk::text_of(static_cast<gsk::AlarmKind>(kind)).native);
-    classes.insert(gsk::text_of(static_cast<gsk::AlarmKind>(kind)).klass);
-  }
-  EXPECT_EQ(natives.size(), static_cast<std::size_t>(last + 1));
-  EXPECT_EQ(classes.size(), static_cast<std::size_t>(last + 1));
 }
 
 TEST(GskAlarm, CarriesTheControlsNumber) {

@@ -53,16 +53,5 @@ TEST(Fixed, ScalesToTheNearestCount) {
   EXPECT_EQ(scaled(-5, 1, 2), -3);
 }
 
-TEST(Fixed, FloorRootIsExactAroundSquares) {
-  const Fixed roots[] = {1, 2, 3, 1'000'000'007, 12 * kOne, kLargest, 2 * kLargest};
-  for (const Fixed root : roots) {
-    const Wide square = static_cast<Wide>(root) * root;
-    EXPECT_TRUE(floor_root(square) == root) << root;
-    EXPECT_TRUE(floor_root(square - 1) == root - 1) << root;
-    EXPECT_TRUE(floor_root(square + 1) == root) << root;
-  }
-  EXPECT_TRUE(floor_root(0) == 0);
-}
-
 }  // namespace
 }  // namespace gonogo::expanders::gsk

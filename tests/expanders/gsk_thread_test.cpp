@@ -219,12 +219,5 @@ TEST(GskThread, ManyTurnsAreOneHelix) {
             "arc18 c=0,0 rot=-12345 x=0 y=-12.345 z=-17.5 f=9");
 }
 
-TEST(GskThread, MoreTurnsThanARecordCountsAreSplit) {
-  // 2.5 turns of 1e-9 times 1e9: 2,500,000,000 turns in three records.
-  const Outcome outcome = one_pass("V-2.5 I0.000000001");
-  EXPECT_EQ(outcome.records[2], "arc18 c=0,0 rot=-1000000000 x=0 y=-1 z=-17.5 f=9");
-  EXPECT_EQ(outcome.records[4], "arc18 c=0,0 rot=-500000000 x=0 y=-2.5 z=-17.5 f=9");
-}
-
 }  // namespace
 }  // namespace gonogo::expanders::testing

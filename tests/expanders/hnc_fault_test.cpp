@@ -96,41 +96,5 @@ TEST(PlantedHncFaults, EachHasItsProgram) {
   EXPECT_EQ(known.size(), faults("hnc").size());
 }
 
-// The names stand beside an enumeration: a wrong order would give a name to another's defect.
-TEST(PlantedHncFaults, NamesBelongToTheirDefects) {
-  const auto faulty = [](const char* program, const char* fault) {
-    return run_hnc(program, "{}", fault);
-  };
-  // An eleventh peck: withdrawn from the bottom and down again.
-  EXPECT_EQ(faulty(kTenthsPeck, "peck-running-sum").records.size(), 23u);
-  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-twice").records[1], "rapid z=0");
-  EXPECT_EQ(faulty("G74 Z-4 R1 Q2 F9\n", "extra-peck-at-multiple").motions(),
-            "feed z=-2 f=9\nrapid z=-1\nfeed z=-4 f=9\nrapid z=-3\nfeed z=-4 f=9\nrapid z=0\n");
-  EXPECT_EQ(faulty(kUnevenPeck, "last-peck-overshoots").records[4], "feed z=-6 f=9");
-  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-at-bottom").records[5], "rapid z=-4");
-  EXPECT_EQ(faulty(kUnevenPeck, "withdrawal-at-feed").records[1], "feed z=-1 f=9");
-  EXPECT_EQ(Session("{}", "endless-pecks", "hnc").run("G74 Z-1 R0.001 Q0.002 F9\n", 9'000).answer,
-            GONOGO_STOPPED);
-  EXPECT_EQ(faulty("G74 X4 Z-5 F9\n", "drill-takes-x").records[0], "rapid x=2");
-  EXPECT_EQ(faulty("G75 X-8 R1 Q2 F9\n", "groove-depth-diameter").records[0], "feed x=-1 f=9");
-  EXPECT_EQ(faulty(kThirds, "groove-running-sum").records[8], "rapid z=-0.999");
-  EXPECT_EQ(faulty(kThirds, "groove-step-short").records.size(), 10u);
-  EXPECT_EQ(faulty(kTurn, "g80-taper-diameter").records[0], "rapid x=-2.5");
-  EXPECT_EQ(faulty(kTurn, "g80-taper-sign").records[0], "rapid x=-1");
-  EXPECT_EQ(faulty(kTurn, "g80-as-g81").records[0], "rapid z=-6");
-  EXPECT_EQ(faulty(kFace, "g81-taper-sign").records[0], "rapid z=-4");
-  EXPECT_EQ(faulty(kRunOut, "run-out-before-end").records[1], "thread x=-2 z=-4 lead=2 start=0");
-  EXPECT_EQ(faulty(kRunOut, "run-out-before-end").records[2], "thread x=0 z=-5 lead=2 start=0");
-  EXPECT_EQ(faulty("G82 X-4 Z-5 R-1 E20 F2\n", "ratio-equality-refused").alarm, "retract-ratio");
-  EXPECT_EQ(faulty(kStarts, "starts-from-circle").records[5], "thread x=-2 z=-5 lead=2 start=120");
-  EXPECT_EQ(faulty(kStarts, "start-short").records.size(), 9u);
-  EXPECT_EQ(faulty("G82 X-4 Z-5 F2\nG01 X1\n", "lead-leaks-into-feed").records[4],
-            "feed x=0.5 f=2");
-  EXPECT_EQ(faulty("G82 X-4 Z-5 R-1 E21 F2\n", "late-alarm").motions(), "rapid x=-2\n");
-  EXPECT_EQ(faulty("G999\n", "alarm-next-block").alarm_block, 2u);
-  EXPECT_EQ(faulty("G37 G00 U2\n", "increment-as-diameter").motions(), "rapid x=1\n");
-  EXPECT_EQ(faulty("G04 P500\n", "dwell-in-seconds").motions(), "dwell 500\n");
-}
-
 }  // namespace
 }  // namespace gonogo::expanders::testing

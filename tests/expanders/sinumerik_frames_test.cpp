@@ -18,16 +18,6 @@ TEST(SinumerikFrames, TranslationReplacesTheOneBefore) {
   EXPECT_EQ(moved("G70\nG158 X1\nG71\nG0 X0\n"), "rapid x=25.4\n");
 }
 
-// The angle is known to some counts of 1e-9 degrees: over 254 km they are 0.018 mm.
-TEST(SinumerikFrames, AFarPlaceInAFrameOfACalculatedAngleIsNotImplemented) {
-  const std::string turned = "G258 RPL=TAN(18)\n";
-  EXPECT_EQ(run_sinumerik802s(turned + "G0 X-254000000\n", "{}").note,
-            "A turn as far off as this is not implemented.");
-  EXPECT_EQ(run_sinumerik802s(turned + "G0 X-2540000\n", "{}").note, "");
-  EXPECT_EQ(run_sinumerik802s(turned + "G258\nG0 X-254000000\n", "{}").note, "");
-  EXPECT_EQ(run_sinumerik802s("G258 RPL=0.324919696\nG0 X-254000000\n", "{}").note, "");
-}
-
 TEST(SinumerikFrames, TranslationsAddUnderTheReading) {
   const char* additive = R"({"readings":{"sie.g158":"additive"}})";
   // The second step is turned by 90 degrees: X becomes Y.

@@ -122,6 +122,29 @@ TEST(House, ClauseIdsAreUnique) {
   }
 }
 
+// What tools know of codes is in the tables of the dialects (reference/*/descriptor.hpp).
+TEST(House, ToolsHaveNoCodesOfTheirOwn) {
+  static const std::regex kCode(
+      R"re("(G\d+(\.\d)?|M\d+|L?CYC(LE)?\d+|CIP|CT|TURN|RPL|CR|AR|AP|RP|R1\d\d)")re");
+  static const std::regex kComment(R"(//[^\n]*)");
+  // The names of planes in records, and what `expand --format ngc` writes.
+  const std::set<std::string> formats = {"oracle/subjects/plain_record.cpp",
+                                         "oracle/subjects/record_json.cpp",
+                                         "oracle/judge/plain_line.cpp", "cli/formats.cpp"};
+  std::size_t files = 0;
+  for (const char* folder : {"program", "oracle", "fuzz/mutator", "fuzz/hunt", "fuzz/identify",
+                             "fuzz/relations", "cli"}) {
+    files += for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      if (formats.contains(path.string())) return;
+      const std::string code =
+          std::regex_replace(std::regex_replace(text, kComment, ""), std::regex("\"_clause"), "");
+      std::smatch found;
+      EXPECT_FALSE(std::regex_search(code, found, kCode)) << path << ": " << found.str();
+    });
+  }
+  EXPECT_GT(files, 300U);
+}
+
 // fuzz/seed-programs names programs by their content; other inputs so named are an engine's, put
 // here by accident.
 TEST(House, SeedsThatAreNoProgramsHaveNames) {

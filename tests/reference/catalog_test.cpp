@@ -141,13 +141,13 @@ TEST(Catalog, ALevelSaysHowFirmlyAClauseStands) {
   EXPECT_EQ(clause("GSK-G110-13"_clause).level, ClauseLevel::open);
 }
 
-std::set<std::string_view> codes_beside_the_readable(const Dialect& dialect) {
-  std::set<std::string_view> names;
-  for (const OutsideCode& code : dialect.outside_codes()) {
+std::set<std::string> codes_beside_the_readable(const Dialect& dialect) {
+  std::set<std::string> names;
+  for (const OutsideCode& code : outside_codes(*dialect.descriptor)) {
     EXPECT_TRUE(names.insert(code.code).second) << code.code;
     EXPECT_FALSE(code.title.empty()) << code.code;
   }
-  for (std::string_view code : dialect.codes_without_effect()) {
+  for (const std::string& code : codes_without_effect(*dialect.descriptor)) {
     EXPECT_TRUE(names.insert(code).second) << code;
   }
   return names;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 #include "hunting.hpp"
 
 namespace gonogo::fuzz::testing {
@@ -56,7 +56,7 @@ TEST(Hunt, NoSignatureIsFoundTwice) {
 TEST(Hunt, AFindingIsReducedToItsBlocks) {
   const auto findings = hunted("gsk", "taper-sign", hunting("gsk988ta"), 100);
   ASSERT_FALSE(findings.empty());
-  EXPECT_LE(count_blocks(findings[0].exhibit.program.text), 2U);
+  EXPECT_LE(program::count_blocks(findings[0].exhibit.program.text), 2U);
   EXPECT_TRUE(findings[0].is_reduced);
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 #include "hunting.hpp"
 
 namespace gonogo::fuzz::testing {
@@ -39,7 +39,7 @@ TEST(Reduce, PartsOfSeveralBlocksStay) {
 
 TEST(Reduce, NumbersBecomeShort) {
   const Reduced result = reduced({{}, gsk("X50.125\n")}, [](const Exhibit& exhibit) {
-    const std::vector<TextLine> lines = lines_of(exhibit.program.text);
+    const std::vector<program::TextLine> lines = program::lines_of(exhibit.program.text);
     if (lines.empty() || lines[0].words.empty()) return false;
     const auto value = value_of(lines[0].words[0]);
     if (!value) return false;
@@ -105,7 +105,7 @@ RC_GTEST_PROP(Reduce, KeepsWhatIsShownWithinItsRuns, (std::uint64_t seed)) {
   RC_ASSERT(calls <= runs);
   RC_ASSERT(result.runs == calls);
   RC_ASSERT(result.exhibit.program.text.find(needed) != std::string::npos);
-  RC_ASSERT(count_blocks(result.exhibit.program.text) <= count_blocks(program.text));
+  RC_ASSERT(program::count_blocks(result.exhibit.program.text) <= program::count_blocks(program.text));
 }
 
 }  // namespace

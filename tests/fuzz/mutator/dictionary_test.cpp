@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "fuzz/hunt/program_text.hpp"
 #include "grammar/parser.hpp"
+#include "program/text.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::fuzz {
@@ -52,27 +52,36 @@ TEST(Dictionary, HasNoEntryTwice) {
   }
 }
 
-// Families stand there by one of theirs: letters with a number, CYCLE<n>, G505 to G599.
-bool is_of_family(std::string_view code) {
-  return code.find('<') != std::string_view::npos ||
-         (code.starts_with("G5") && code.size() == 4 && code != "G500");
-}
-
-TEST(Dictionary, HasEveryCodeOfTheCatalog) {
+TEST(Dictionary, HasEveryCodeAndWordOfTheTable) {
   for (const reference::Dialect& dialect : reference::dialects()) {
-    std::vector<std::string> codes;
-    for (const auto& outside : dialect.outside_codes()) codes.emplace_back(outside.code);
-    for (const std::string_view code : dialect.codes_without_effect()) codes.emplace_back(code);
-    for (const std::string& code : codes) {
-      if (is_of_family(code)) continue;
-      const std::string wanted = code_of({"", code});
-      const bool has = std::ranges::any_of(
-          find_dictionary(dialect.name)->entries, [&](const std::string& entry) {
-            return code.size() == 1 ? entry.starts_with(code) : code_of({"", entry}) == wanted;
-          });
-      EXPECT_TRUE(has) << dialect.name << ": " << code;
+    const std::vector<std::string>& all = find_dictionary(dialect.name)->entries;
+    for (const reference::Code& code : dialect.descriptor->codes) {
+      if (code.name.find('<') != std::string_view::npos) continue;
+      EXPECT_NE(std::ranges::find(all, code.name), all.end()) << dialect.name << code.name;
+      for (const auto& list : code.words) {
+        for (const reference::CodeWord& word : list) {
+          if (word.address.find(' ') != std::string_view::npos) continue;
+          EXPECT_TRUE(std::ranges::any_of(all,
+                                          [&](const std::string& entry) {
+                                            return program::name_of({"", entry}) == word.address;
+                                          }))
+              << dialect.name << code.name << word.address;
+        }
+      }
     }
   }
+}
+
+// As the engines read it; for a target that reads every dialect all of them in one.
+TEST(Dictionary, IsWrittenAsItIsRead) {
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    std::vector<std::string> all = find_dictionary(dialect.name)->entries;
+    std::vector<std::string> written = entries(dictionary_text(dialect.name));
+    std::ranges::sort(all);
+    std::ranges::sort(written);
+    EXPECT_EQ(written, all);
+  }
+  EXPECT_GT(entries(dictionary_text("any")).size(), find_dictionary("rs274")->entries.size());
 }
 
 // What begins with G is a code or a block that the grammar reads.
@@ -84,7 +93,7 @@ TEST(Dictionary, HasBlocksThatParse) {
       grammar::Block block;
       EXPECT_FALSE(grammar::parse_block(dialect.grammar, entry, block))
           << dialect.name << ": " << entry;
-      blocks += lines_of(entry).front().words.size() > 1 ? 1U : 0U;
+      blocks += program::lines_of(entry).front().words.size() > 1 ? 1U : 0U;
     }
     EXPECT_GE(blocks, 8U) << dialect.name;
   }

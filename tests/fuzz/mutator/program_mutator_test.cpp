@@ -8,7 +8,7 @@
 
 #include <set>
 
-#include "fuzz/hunt/program_text.hpp"
+#include "program/text.hpp"
 #include "grammar/parser.hpp"
 
 namespace gonogo::fuzz {
@@ -70,9 +70,9 @@ TEST(ProgramMutator, KeepsMostBlocksReadable) {
   std::size_t readable = 0;
   for (std::uint32_t seed = 0; seed < 2'000; ++seed) {
     const std::string after = mutate_program(kTaperFaceCut, 500, seed, find_dictionary("gsk988ta"));
-    for (const TextLine& line : lines_of(after)) {
+    for (const program::TextLine& line : program::lines_of(after)) {
       grammar::Block block;
-      const std::string text = text_of({{line.words, line.rest, ""}});
+      const std::string text = program::text_of({{line.words, line.rest, ""}});
       ++blocks;
       readable += grammar::parse_block(grammar::Dialect::gsk988ta, text, block) ? 0U : 1U;
     }

@@ -14,7 +14,7 @@ std::set<std::string> results(const std::string& program, Change change) {
   std::set<std::string> texts;
   for (std::uint64_t seed = 0; seed < 4'000; ++seed) {
     Dice dice(seed);
-    std::vector<TextLine> lines = lines_of(program);
+    std::vector<program::TextLine> lines = program::lines_of(program);
     change(dice, lines);
     texts.insert(text_of(lines));
   }
@@ -67,7 +67,7 @@ TEST(WordMutations, ChangeWhatGrammarsReadOver) {
 TEST(WordMutations, DoNothingWithoutEntries) {
   const std::vector<std::string> none;
   Dice dice(1);
-  std::vector<TextLine> lines = lines_of("G0 X5\n");
+  std::vector<program::TextLine> lines = program::lines_of("G0 X5\n");
   insert_entry(dice, lines, none);
   replace_by_entry(dice, lines, none);
   insert_block(dice, lines, none);

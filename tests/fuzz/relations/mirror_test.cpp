@@ -44,6 +44,11 @@ TEST(Mirror, KnowsWhatRMeans) {
   EXPECT_EQ(mirrored_text("gsk988ta", "G90 X20 Z-5 R-2 F9\n", kZ), "G90 X20 Z5 R-2 F9\n");
   EXPECT_EQ(mirrored_text("gsk988ta", "G94 X20 Z-5 R-2 F9\n", kZ), "G94 X20 Z5 R2 F9\n");
   EXPECT_EQ(mirrored_text("gsk988ta", "G02 X20 R5 F9\n", kX), "G3 X-20 R5 F9\n");
+  EXPECT_EQ(mirrored_text("gsk988ta", "G17 G90 X20 Y-5 R-2 F9\n", kY), "G17 G90 X20 Y5 R2 F9\n");
+  EXPECT_EQ(mirrored_text("gsk988ta", "G90 X20 Z-5 R-2 F9\nG17 X10\n", kX), "none");
+  EXPECT_EQ(mirrored_text("hnc21t", "G82 X30 Z-9 I-2 R-3 E1 P90 F2\n", kX),
+            "G82 X-30 Z-9 I2 R-3 E-1 P90 F2\n");
+  EXPECT_EQ(mirrored_text("hnc21t", "G74 Z-9 R1 Q3 F2\n", kZ), "G74 Z9 R1 Q3 F2\n");
   EXPECT_EQ(mirrored_text("gsk988ta", "G110 X0 Z0 Y-9 R1 I16 L3 Q5 D4 F8\n", kX), "none");
 }
 

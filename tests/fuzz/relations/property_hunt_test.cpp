@@ -5,8 +5,8 @@
 
 #include "expanders/registry.hpp"
 #include "fuzz/hunt/kill_matrix.hpp"
-#include "fuzz/hunt/program_text.hpp"
 #include "oracle/subject.hpp"
+#include "program/text.hpp"
 
 namespace gonogo::fuzz::testing {
 namespace {
@@ -52,7 +52,7 @@ TEST(PropertyHunt, FindsWhatDependsOnThePlaceAndMakesItSmall) {
   const std::string signature = finding->signature();
   hunt.reduce(*finding, {});
   EXPECT_EQ(finding->signature(), signature);
-  EXPECT_LE(count_blocks(finding->program.text), 3U);
+  EXPECT_LE(program::count_blocks(finding->program.text), 3U);
 }
 
 TEST(PropertyHunt, TellsOneSignatureOnce) {

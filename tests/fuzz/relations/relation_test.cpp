@@ -79,7 +79,7 @@ TEST(Relations, ABeginningHasTheFirstLines) {
 TEST(Relations, ModesStandBehindTheHead) {
   const GeneratedProgram program = program_of("hnc21t", "%0001\nG00 X1\n");
   EXPECT_EQ(find_relation("modes-again")->relate(program, 0)->program.text,
-            "%0001\nG18 G21 G90 G36\nG00 X1\n");
+            "%0001\nG18 G21 G36 G40 G90 G94 G97\nG00 X1\n");
 }
 
 TEST(Relations, ZerosStandBehindTheSignAndNotInCodes) {

@@ -38,7 +38,9 @@ TEST(Translation, LeavesTimesAndTheDepthAxisOfMillingCycles) {
   // G18: the depth axis is Y.
   EXPECT_EQ(moved("gsk988ta", "G110 X0 Z0 Y-9 R1 I16 L3 Q5 D4 F8\n"),
             "G110 X50.8 Z76.2 Y-9 R1 I16 L3 Q5 D4 F8\n");
-  EXPECT_EQ(moved("gsk988ta", "G17 G110 X0 Z0 Y-9 R1 I16 L3 Q5 D4 F8\n"), "none");
+  EXPECT_EQ(moved("gsk988ta", "G17 G110 X0 Y0 Z-9 R1 I16 L3 Q5 D4 F8\n"),
+            "G17 G110 X50.8 Y-50.8 Z-9 R1 I16 L3 Q5 D4 F8\n");
+  EXPECT_EQ(moved("gsk988ta", "G18 G00 X1\nG17 G110 X0 Y0 Z-9 R1 I16 L3 Q5 D4 F8\n"), "none");
 }
 
 TEST(Translation, MovesWordsOfSinumerikByWhatTheyMean) {

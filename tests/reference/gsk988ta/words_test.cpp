@@ -60,9 +60,9 @@ TEST(Words, NotCoveredCodesEndTheProgramByName) {
 }
 
 TEST(Words, EveryCodeOfTheOutsideListIsNotCoveredByItsName) {
-  const auto outside_codes = find_dialect("gsk988ta")->outside_codes();
-  ASSERT_FALSE(outside_codes.empty());
-  for (const OutsideCode& outside : outside_codes) {
+  const auto codes = outside_codes(*find_dialect("gsk988ta")->descriptor);
+  ASSERT_FALSE(codes.empty());
+  for (const OutsideCode& outside : codes) {
     const std::string code(outside.code);
     EXPECT_EQ(ending("Z1\n" + code), "not-covered b2 " + code);
   }

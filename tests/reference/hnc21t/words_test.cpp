@@ -3,8 +3,9 @@
 // HNC-COM-01: words and codes of any block.
 #include <gtest/gtest.h>
 
+#include "reference/dialect.hpp"
+
 #include "hnc_expanding.hpp"
-#include "reference/hnc21t/codes.hpp"
 
 namespace gonogo::reference::testing::hnc {
 namespace {
@@ -38,9 +39,9 @@ TEST(HncWords, ACodeThatTheControlLacksIsTheOnlyAlarm) {
 }
 
 TEST(HncWords, CodesThatTheGaugeDoesNotReadEndTheProgram) {
-  ASSERT_FALSE(hnc21t::outside_codes().empty());
-  for (const OutsideCode& outside : hnc21t::outside_codes()) {
-    const std::string code(outside.code);
+  const std::vector<OutsideCode> all = outside_codes(*find_dialect("hnc21t")->descriptor);
+  ASSERT_FALSE(all.empty());
+  for (const auto& [code, title] : all) {
     EXPECT_EQ(path("Z1\n" + code + " X1 X2 F-1 G05\nZ2"),
               (Lines{"rapid z1", "not-covered b2 " + code}));
   }
@@ -55,7 +56,7 @@ TEST(HncWords, TheMacroLanguageIsNotCovered) {
 }
 
 TEST(HncWords, CodesWithoutEffectArePassedOver) {
-  for (std::string_view code : hnc21t::codes_without_effect()) {
+  for (const std::string& code : codes_without_effect(*find_dialect("hnc21t")->descriptor)) {
     if (code.size() == 1) continue;
     EXPECT_EQ(path("G00 X2 " + std::string(code)), Lines{"rapid x1"}) << code;
   }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "expanders/common/machine_profile.hpp"
+
+namespace gonogo::expanders::sinumerik {
+
+// The last ones are those of 802S.
+inline constexpr auto kReadings = std::to_array<ReadingChoices>({
+    {"sie.cr.tolerance", "0|const"},
+    {"sie.spindle", "off|alarm"},
+    {"sie.initial-motion", "g1|g0"},
+    {"sie.g70.f", "mm|inch"},
+    {"sie.arc.correct", "start-radius|project|programmed"},
+    {"sie.g158", "absolute|additive"},
+    {"sie.g258", "absolute|rotation-only"},
+    {"sie.rpl-equals", "lenient|required"},
+    {"sie.infeed", "equal|max-rest"},
+    {"sie.infeed-from", "reference|clearance"},
+    {"sie.corner", "clamp|reject"},
+    {"sie.lcyc.unit", "mm|inch"},
+    {"sie.lc75.r125-limit", "none|alarm"},
+    // Split levels are right under both; of the ways within a pocket only the own one is offered.
+    {"sie.finish.levels", "split"},
+    {"sie.pocket.path", "any"},
+});
+inline constexpr std::size_t kReadingsOf840D = 5;
+
+consteval Reading operator""_reading(const char* name, std::size_t size) {
+  return find_reading(kReadings, {name, size});
+}
+
+/// Of the machine parameters: how far an end may be off its circle, mm, and of the radius at start.
+inline constexpr std::size_t kCircleErrorConstant = 0;
+inline constexpr std::size_t kCircleErrorFactor = 1;
+
+/// No coordinate or length is larger: a rotation and a translation leave it within Fixed.
+inline constexpr Fixed kReach = 1'000'000'000 * kOne;
+
+}  // namespace gonogo::expanders::sinumerik

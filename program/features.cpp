@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/features.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace gonogo::program {
+namespace {
+
+using reference::Code;
+using reference::CodeWord;
+using reference::WordLists;
+
+// What asks for several words in one block: "X Y Z".
+bool stands_in(const CodeWord& word, const TextBlock& block) {
+  std::string_view names = word.address;
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    if (block.find(name) == nullptr) return false;
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+  }
+  return true;
+}
+
+class Needs {
+ public:
+  explicit Needs(const ProgramText& program) : table_(*program.table) {
+    for (const TextBlock& block : program.blocks) take(block);
+  }
+  std::set<std::string> features() && { return std::move(features_); }
+
+ private:
+  void add(std::string_view feature) {
+    if (!feature.empty()) features_.emplace(feature);
+  }
+  void take(const TextBlock& block) {
+    for (const std::string& name : block.codes) {
+      const Code* const code = name.empty() ? nullptr : table_.find(name);
+      if (code != nullptr) add(code->feature);
+    }
+    for (const TextWord& word : block.words) {
+      if (is_word(word)) take(word, block);
+    }
+    if (block.modes.code() != nullptr) take_joint_words(*block.modes.code(), block);
+  }
+  void take(const TextWord& word, const TextBlock& block) {
+    const std::string name = name_of(word);
+    if (!take_from({block.modes.own, block.modes.motion}, name) && !take_from_any(name)) {
+      for (const CodeWord& other : table_.everywhere) {
+        if (stands_for(other, name)) add(other.feature);
+      }
+    }
+    if (word.text.find('=') != std::string::npos && !exact_value_of(word)) take_calculation();
+  }
+  // The first of the codes that takes the word; whether one does.
+  bool take_from(std::initializer_list<const Code*> codes, std::string_view name) {
+    for (const Code* code : codes) {
+      const CodeWord* const role = code == nullptr ? nullptr : code->find(name);
+      if (role == nullptr) continue;
+      add(role->feature);
+      return true;
+    }
+    return false;
+  }
+  // A word that nothing in force takes may be that of any code.
+  bool take_from_any(std::string_view name) {
+    bool is_known = false;
+    for (const Code& code : table_.codes) is_known = take_from({&code}, name) || is_known;
+    return is_known;
+  }
+  void take_calculation() {
+    for (const CodeWord& word : table_.everywhere) {
+      if (word.role == reference::Role::parameter) add(word.feature);
+    }
+  }
+  void take_joint_words(const Code& code, const TextBlock& block) {
+    for (const WordLists::List& list : code.words) {
+      for (const CodeWord& word : list) {
+        const bool is_joint = word.address.find(' ') != std::string_view::npos;
+        if (is_joint && stands_in(word, block)) add(word.feature);
+      }
+    }
+  }
+
+  const reference::Descriptor& table_;
+  std::set<std::string> features_ = {"basic"};
+};
+
+}  // namespace
+
+std::set<std::string> features_needed(const ProgramText& program) {
+  return Needs(program).features();
+}
+
+}  // namespace gonogo::program

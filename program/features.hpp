@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which features of its dialect a program needs.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "program/modes.hpp"
+
+namespace gonogo::program {
+
+// Of the vocabulary of `gonogo spec --features`; "basic" always. Rather a feature too many than one
+// too few.
+std::set<std::string> features_needed(const ProgramText& program);
+
+}  // namespace gonogo::program

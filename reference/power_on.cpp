@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/power_on.hpp"
+
+#include "reference/dialect.hpp"
+
+namespace gonogo::reference {
+namespace {
+
+bool is_in_force(Setting setting, const Profile& profile) {
+  switch (setting) {
+    case Setting::plane_xy:
+      return profile.initial.plane == Plane::g17;
+    case Setting::plane_zx:
+      return profile.initial.plane == Plane::g18;
+    case Setting::plane_yz:
+      return profile.initial.plane == Plane::g19;
+    case Setting::inch:
+      return profile.units == Units::inch;
+    case Setting::metric:
+      return profile.units == Units::mm;
+    case Setting::diameter:
+      return profile.x_diameter;
+    case Setting::radius:
+      return !profile.x_diameter;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::vector<const Code*> power_on_codes(const Profile& profile) {
+  std::vector<const Code*> codes;
+  for (const Code& code : find_dialect(profile.dialect)->descriptor->codes) {
+    if (code.is_initial || is_in_force(code.setting, profile)) codes.push_back(&code);
+  }
+  return codes;
+}
+
+}  // namespace gonogo::reference

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The codes and words of RS274/NGC. M functions exclude each other by the language's groups.
+#pragma once
+
+#include "reference/descriptor.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace table {
+
+using enum Role;
+
+inline constexpr auto kEnds = std::to_array<CodeWord>({
+    {"X", place, "end point"},
+    {"Y", place, "end point"},
+    {"Z", place, "end point"},
+    {"A", place, "end point, degrees"},
+    {"C", place, "end point, degrees"},
+});
+inline constexpr auto kArc = std::to_array<CodeWord>({
+    {"I", centre, "centre along X, from the start or under G90.1 absolute"},
+    {"J", centre, "centre along Y"},
+    {"K", centre, "centre along Z"},
+    {"R", radius, "radius; below zero of an arc of more than half a turn", Life::block, "arc-r"},
+    {"P", turns, "number of turns that are begun", Life::block, "turns"},
+    {"X Y Z", place, "end point of a helix", Life::block, "helix"},
+});
+inline constexpr auto kDwell = std::to_array<CodeWord>({
+    {"P", time, "dwell, s"},
+});
+inline constexpr auto kBlending = std::to_array<CodeWord>({
+    {"P", size, "tolerance of the path"},
+    {"Q", size, "tolerance of joined lines"},
+});
+inline constexpr auto kSwitch = std::to_array<CodeWord>({
+    {"P", number, "switch or output"},
+});
+inline constexpr auto kInput = std::to_array<CodeWord>({
+    {"P", number, "digital input"},
+    {"E", number, "analogue input"},
+    {"L", number, "what is waited for"},
+    {"Q", time, "longest wait"},
+});
+inline constexpr auto kAnalogue = std::to_array<CodeWord>({
+    {"E", number, "analogue output"},
+    {"Q", number, "value"},
+});
+inline constexpr auto kToolNumber = std::to_array<CodeWord>({
+    {"Q", number, "tool"},
+});
+
+// Any other word that its block does not use is an alarm (NGC-COM-02).
+inline constexpr auto kAnyBlock = std::to_array<PassedOver>({
+    {"", "S T", "NGC-COM-01"_clause, "the spindle and the tool do not shape the path"},
+});
+
+inline constexpr ClauseId kLines = "NGC-G0-01"_clause;
+inline constexpr Code kTraverse = does(Kind::traverse, Group::motion, kLines, "basic", {kEnds});
+inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {kEnds});
+inline constexpr Code kRound =
+    does(Kind::arc, Group::motion, "NGC-ARC-01"_clause, "arc", {kEnds, kArc});
+inline constexpr Code kPause =
+    does(Kind::dwell, Group::once, "NGC-G4-01"_clause, "basic", {kDwell});
+inline constexpr Code kOff =
+    does(Kind::off, Group::motion, "NGC-MOD-01"_clause, "basic", {}).initial();
+
+inline constexpr auto kCodes = std::to_array<Code>({
+    kTraverse.named("G0", "traverse"),
+    kFeed.named("G1", "straight feed"),
+    kRound.named("G2", "arc clockwise", -1),
+    kRound.named("G3", "arc counterclockwise", +1),
+    kPause.named("G4", "dwell"),
+    outside("G5", Group::motion, "cubic spline"),
+    outside("G5.1", Group::motion, "quadratic spline"),
+    outside("G5.2", Group::motion, "spline of control points"),
+    outside("G5.3", Group::motion, "end of the spline"),
+    outside("G7", Group::diameter, "diameter programming"),
+    outside("G8", Group::diameter, "radius programming"),
+    outside("G10", Group::once, "setting of offsets and tools"),
+    sets("G17", Group::plane, Setting::plane_xy, "plane XY"),
+    outside("G17.1", Group::plane, "plane UV"),
+    sets("G18", Group::plane, Setting::plane_zx, "plane ZX").needing("planes"),
+    outside("G18.1", Group::plane, "plane WU"),
+    sets("G19", Group::plane, Setting::plane_yz, "plane YZ").needing("planes"),
+    outside("G19.1", Group::plane, "plane VW"),
+    sets("G20", Group::units, Setting::inch, "inch"),
+    sets("G21", Group::units, Setting::metric, "metric"),
+    outside("G28", Group::once, "return to the first reference point"),
+    outside("G28.1", Group::once, "setting of the first reference point"),
+    outside("G30", Group::once, "return to the second reference point"),
+    outside("G30.1", Group::once, "setting of the second reference point"),
+    outside("G33", Group::motion, "spindle-synchronous motion"),
+    outside("G33.1", Group::motion, "rigid tapping"),
+    outside("G38.2", Group::motion, "probing towards the part, with an error"),
+    outside("G38.3", Group::motion, "probing towards the part"),
+    outside("G38.4", Group::motion, "probing away from the part, with an error"),
+    outside("G38.5", Group::motion, "probing away from the part"),
+    no_effect("G40", Group::compensation, "radius compensation off").initial(),
+    outside("G41", Group::compensation, "radius compensation left"),
+    outside("G41.1", Group::compensation, "dynamic radius compensation left"),
+    outside("G42", Group::compensation, "radius compensation right"),
+    outside("G42.1", Group::compensation, "dynamic radius compensation right"),
+    outside("G43", Group::tool_length, "tool length offset"),
+    outside("G43.1", Group::tool_length, "dynamic tool length offset"),
+    outside("G43.2", Group::tool_length, "additional tool length offset"),
+    no_effect("G49", Group::tool_length, "tool length offset off"),
+    outside("G50", Group::scaling, "scaling off"),
+    outside("G51", Group::scaling, "scaling"),
+    outside("G52", Group::once, "local coordinate system"),
+    outside("G53", Group::once, "machine coordinates"),
+    no_effect("G54", Group::offset, "coordinate system 1"),
+    outside("G55", Group::offset, "coordinate system 2"),
+    outside("G56", Group::offset, "coordinate system 3"),
+    outside("G57", Group::offset, "coordinate system 4"),
+    outside("G58", Group::offset, "coordinate system 5"),
+    outside("G59", Group::offset, "coordinate system 6"),
+    outside("G59.1", Group::offset, "coordinate system 7"),
+    outside("G59.2", Group::offset, "coordinate system 8"),
+    outside("G59.3", Group::offset, "coordinate system 9"),
+    no_effect("G61", Group::path_mode, "exact path"),
+    no_effect("G61.1", Group::path_mode, "exact stop"),
+    no_effect("G64", Group::path_mode, "continuous path").with({kBlending}),
+    outside("G73", Group::motion, "drilling with chip breaking"),
+    outside("G76", Group::motion, "compound threading"),
+    kOff.named("G80", "no motion"),
+    outside("G81", Group::motion, "drilling"),
+    outside("G82", Group::motion, "drilling with a dwell"),
+    outside("G83", Group::motion, "deep drilling"),
+    outside("G84", Group::motion, "right-hand tapping"),
+    outside("G85", Group::motion, "boring, feed out"),
+    outside("G86", Group::motion, "boring, spindle stop, traverse out"),
+    outside("G87", Group::motion, "back boring"),
+    outside("G88", Group::motion, "boring, spindle stop, out by hand"),
+    outside("G89", Group::motion, "boring with a dwell, feed out"),
+    sets("G90", Group::distance, Setting::absolute, "absolute").initial(),
+    sets("G90.1", Group::arc_distance, Setting::absolute_centre, "absolute centres")
+        .needing("arc-distance"),
+    sets("G91", Group::distance, Setting::incremental, "incremental"),
+    sets("G91.1", Group::arc_distance, Setting::incremental_centre, "incremental centres")
+        .needing("arc-distance")
+        .initial(),
+    outside("G92", Group::once, "offset of the coordinate system"),
+    outside("G92.1", Group::once, "offset cancelled and cleared"),
+    outside("G92.2", Group::once, "offset cancelled"),
+    outside("G92.3", Group::once, "offset restored"),
+    outside("G93", Group::feed_mode, "inverse time feed"),
+    no_effect("G94", Group::feed_mode, "feed per minute").initial(),
+    outside("G95", Group::feed_mode, "feed per revolution"),
+    outside("G96", Group::speed, "constant surface speed"),
+    no_effect("G97", Group::speed, "constant spindle speed").initial(),
+    no_effect("G98", Group::retract, "return to the initial level"),
+    no_effect("G99", Group::retract, "return to the R level"),
+    m_function("M0", Kind::stop, Group::program, "stop"),
+    m_function("M1", Kind::stop, Group::program, "optional stop"),
+    m_function("M2", Kind::program_end, Group::program, "end of the program"),
+    m_function("M3", Kind::machine, Group::spindle, "spindle clockwise"),
+    m_function("M4", Kind::machine, Group::spindle, "spindle counterclockwise"),
+    m_function("M5", Kind::machine, Group::spindle, "spindle stop"),
+    m_function("M6", Kind::machine, Group::tool, "tool change"),
+    m_function("M7", Kind::machine, Group::coolant, "mist on"),
+    m_function("M8", Kind::machine, Group::coolant, "flood on"),
+    m_function("M9", Kind::machine, Group::coolant, "coolant off"),
+    m_function("M30", Kind::program_end, Group::program, "end of the program"),
+    m_function("M48", Kind::machine, Group::override_switches, "overrides on"),
+    m_function("M49", Kind::machine, Group::override_switches, "overrides off"),
+    m_function("M50", Kind::machine, Group::override_switches, "feed override", {kSwitch}),
+    m_function("M51", Kind::machine, Group::override_switches, "spindle override", {kSwitch}),
+    m_function("M52", Kind::machine, Group::override_switches, "adaptive feed", {kSwitch}),
+    m_function("M53", Kind::machine, Group::override_switches, "feed stop", {kSwitch}),
+    m_function("M60", Kind::stop, Group::program, "stop for a pallet change"),
+    m_function("M61", Kind::machine, Group::tool, "number of the tool", {kToolNumber}),
+    m_function("M62", Kind::machine, Group::signals, "output on, with motion", {kSwitch}),
+    m_function("M63", Kind::machine, Group::signals, "output off, with motion", {kSwitch}),
+    m_function("M64", Kind::machine, Group::signals, "output on", {kSwitch}),
+    m_function("M65", Kind::machine, Group::signals, "output off", {kSwitch}),
+    m_function("M66", Kind::machine, Group::signals, "wait for an input", {kInput}),
+    m_function("M67", Kind::machine, Group::signals, "analogue output, with motion", {kAnalogue}),
+    m_function("M68", Kind::machine, Group::signals, "analogue output", {kAnalogue}),
+    m_function("M70", Kind::machine, Group::saved_modes, "modes saved"),
+    m_function("M71", Kind::machine, Group::saved_modes, "saved modes forgotten"),
+    m_function("M72", Kind::machine, Group::saved_modes, "modes restored"),
+    m_function("M73", Kind::machine, Group::saved_modes, "modes saved and restored"),
+    outside("M98", Group::program, "call of a subprogram"),
+    outside("M99", Group::program, "end of a subprogram"),
+    outside("M100", Group::once, "program of the user").to("M199"),
+});
+
+inline constexpr auto kEverywhere = std::to_array<CodeWord>({
+    {"F", feed, "feed", Life::modal},
+    {"M", number, "M function"},
+    {"S", speed, "spindle speed", Life::modal},
+    {"T", number, "tool", Life::modal},
+});
+
+inline constexpr auto kFeatures = std::to_array<DialectFeature>({
+    {"basic", "G0, G1, G4, G80, units, G90 and G91"},
+    {"arc", "G2 and G3 by their centre in G17"},
+    {"arc-r", "G2 and G3 by their radius"},
+    {"planes", "G2 and G3 in G18 and G19"},
+    {"helix", "G2 and G3 with the third axis"},
+    {"arc-distance", "G90.1 and G91.1"},
+    {"turns", "G2 and G3 with P turns"},
+    {"lines", "the form of lines, words that nothing uses, and the end of a program, as documented",
+     true},
+});
+
+}  // namespace table
+
+inline constexpr Descriptor kDescriptor = {table::kFeatures, table::kCodes, table::kEverywhere,
+                                           table::kAnyBlock};
+
+}  // namespace gonogo::reference::rs274
