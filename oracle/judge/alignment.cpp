@@ -28,6 +28,10 @@ Verdict gap_verdict(std::string message) {
   return verdict;
 }
 
+bool moves_nothing(const Motion& motion) {
+  return agree(motion.from, motion.to(), 0) && !goes_round(motion, 0);
+}
+
 // What the hypothesis follows of its step.
 const Motion& wanted(const Hypothesis& from, const ReferenceSteps::Step& step) {
   return from.curve ? from.curve->motion() : std::get<Motion>(step.what);
@@ -218,9 +222,12 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (answer.departs()) extend(from, motion, answer);
   // J-CMP-03. What may lead nowhere is no piece of a line.
   const bool is_arc = is_round(from.curve->motion().record.kind);
-  const bool is_nil =
-      (as_it_was.is_fresh() || is_arc) && leads_nowhere(as_it_was, motion, step.place);
   const bool departs = answer.departs();
+  const bool is_between_pieces =
+      !as_it_was.is_fresh() && departs && stays_at(as_it_was.anchor, motion, terms_);
+  const bool is_nil =
+      is_between_pieces ||
+      ((as_it_was.is_fresh() || is_arc) && leads_nowhere(as_it_was, motion, step.place));
   const bool is_done = std::ranges::any_of(answer.ways, [](const auto& way) { return way.done; });
   if (is_done || (!departs && (is_arc || !is_nil))) {
     if (take_ways(from, motion, std::move(answer), stage)) return false;
@@ -243,11 +250,13 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
 bool Alignment::extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer) {
   Hypothesis longer = from;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
-    const ReferenceStep& next = steps_.at(longer.step + longer.joined + 1).what;
-    Motion both = longer.curve->motion();
-    if (!std::holds_alternative<Motion>(next) || !join(both, std::get<Motion>(next))) return false;
-    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
+    const auto* next = std::get_if<Motion>(&steps_.at(longer.step + longer.joined + 1).what);
+    if (next == nullptr) return false;
     ++longer.joined;
+    if (moves_nothing(*next)) continue;
+    Motion both = longer.curve->motion();
+    if (!join(both, *next)) return false;
+    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
     CurveAnswer further = longer.curve->follow(longer.progress, motion);
     if (further.departs()) continue;
     from = std::move(longer);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Which motions of the subject are which steps of the reference (docs/judging.md, J-CMP-03, J-CMP-04,
-// J-PATH-01). A hypothesis says how far the
-// subject has come: at which step, how far along it. A motion may be a piece of the step, be the end
+// J-CMP-13, J-PATH-01). A hypothesis says how far the subject has come: at which step, how far along
+// it. A motion may be a piece of the step, be the end
 // of it, go on from it into the next where the two are one line or circle, lead nowhere, or stand
 // behind steps too small to see, which the subject passes over. What no hypothesis explains is a
 // NO-GO, told from the one that came farthest.

@@ -73,6 +73,10 @@ Number turns_between(const PlaneVector& a, const PlaneVector& b, int sense, doub
   return part + static_cast<std::int64_t>(std::lround(turns - estimate(part)));
 }
 
+bool is_nil(const PlaneVector& v) {
+  return v.p.sign() == 0 && v.q.sign() == 0;
+}
+
 Number length(const PlaneVector& v) {
   return sqrt(v.p * v.p + v.q * v.q);
 }
@@ -89,9 +93,10 @@ Number RoundCurve::distance(const Position& point, double turns) const {
   const PlaneVector b = from_centre(arc, arc_->to());
   const PlaneVector v = from_centre(arc, point);
   const int sense = arc.rot < 0 ? -1 : 1;
-  const bool is_centre = v.p.sign() == 0 && v.q.sign() == 0;
+  // From the centre no direction is seen, nor that of an end which is the centre.
+  const bool has_part = !is_nil(a) && !is_nil(b) && !is_nil(v);
   const auto at_part = [&](const Number& first, const Number& last) -> Number {
-    if (is_centre || first == last) return first;
+    if (!has_part || first == last) return first;
     return first +
            turns_between(a, v, sense, turns) / turns_between(a, b, sense, whole_) * (last - first);
   };

@@ -33,7 +33,7 @@ constexpr bool is_round(RecordKind kind) {
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);
 
-// A motion that is another one to the last digit is the whole of it, by every rule of CurveMatch:
+// A motion that is another one to the last digit is the whole of it, by every rule of `Curve`:
 // nearly always the case of a subject that computes in decimals. False says nothing: the numbers
 // are not small, or the kind is another.
 bool is_same_motion(const Motion& a, const Motion& b);

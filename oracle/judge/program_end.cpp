@@ -324,7 +324,9 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm
                            "The subject alarms, and the program has no fault.");
   const bool is_early =
       report == nullptr || (departure && departure->kind == VerdictKind::fail_alarm_spurious);
-  const std::uint64_t block = is_early ? alarm.block : report->block;
+  // Without line numbers the block that the subject names says nothing.
+  const std::uint64_t alarmed = terms_.compare_blocks ? alarm.block : 0;
+  const std::uint64_t block = is_early ? alarmed : report->block;
   const std::size_t item = unfinished ? unfinished->step.item : 0;
   if (departure && !is_advice(*departure, terms_)) {
     return {from, std::move(departure), Settle::none, 0, 0, false, item};
