@@ -21,12 +21,13 @@ enum class FeedMode : std::uint8_t { per_minute, per_revolution };
 struct Record {
   RecordKind kind = RecordKind::rapid;
   FeedMode feed_mode = FeedMode::per_minute;
-  Plane plane = Plane::g17;  // arc
-  AxisSet axes;              // those that `to` names
-  std::int32_t rot = 0;      // arc: sign + counterclockwise seen from +d, n - 1 whole turns first
-  std::int32_t m = 0;        // m
-  bool before_cut = false;   // m: it has to come before the cutting motions of its block
-  std::uint64_t block = 0;   // 1-based source line; 0: not known
+  Plane plane = Plane::g17;    // arc
+  AxisSet axes;                // those that `to` names
+  std::int32_t rot = 0;        // arc: sign + counterclockwise seen from +d, n - 1 whole turns first
+  std::int32_t m = 0;          // m
+  bool before_cut = false;     // m: it has to come before the cutting motions of its block
+  bool among_motions = false;  // m: it has to come between the motions and dwells round it
+  std::uint64_t block = 0;     // 1-based source line; 0: not known
   ClauseId clause = kNoClause;  // what says so
   // Of an arc whose centre the control works out: how finely. No part of the trace.
   ClauseId centre_clause = kNoClause;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which motions of the subject are which steps of the reference (docs/judging.md, J-CMP-03, J-CMP-04,
-// J-CMP-13, J-PATH-01). A hypothesis says how far the subject has come: at which step, how far along
-// it. A motion may be a piece of the step, be the end
-// of it, go on from it into the next where the two are one line or circle, lead nowhere, or stand
-// behind steps too small to see, which the subject passes over. What no hypothesis explains is a
-// NO-GO, told from the one that came farthest.
+// Which motions of the subject are which steps of the reference (docs/judging.md, J-CMP-03,
+// J-CMP-04, J-CMP-13, J-PATH-01). A hypothesis says how far the subject has come: at which step,
+// how far along it. A motion may be a piece of the step, be the end of it, go on from it into the
+// next where the two are one line or circle, lead nowhere, or stand behind steps too small to see,
+// which the subject passes over. What no hypothesis explains is a NO-GO, told from the one that
+// came farthest.
 #pragma once
 
 #include <memory>
@@ -48,8 +48,8 @@ struct Hypothesis {
   bool is_fresh() const { return !curve && !open; }
 };
 
-// Why a hypothesis does not explain a motion, a dwell or an end: a verdict, or how the motion departs
-// from the step.
+// Why a hypothesis does not explain a motion, a dwell or an end: a verdict, or how the motion
+// departs from the step.
 struct Refutation {
   Hypothesis from;
   std::optional<Motion> motion;  // what departs
@@ -72,6 +72,10 @@ class Alignment {
   // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
   bool take_motion(const Record& record, std::size_t number);
   bool take_dwell(const Record& record, std::size_t number);
+  // The subject's next M function, while none waits for the other side's. `settled`: steps before
+  // that one have had the M functions before them. Free: it is none of a cycle's own.
+  enum class MFunction { taken, free, departs };
+  MFunction take_m_function(const Record& record, std::size_t number, std::size_t settled);
 
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   std::vector<Hypothesis>& hypotheses() { return hypotheses_; }
@@ -85,8 +89,8 @@ class Alignment {
 
   // Nothing waits any more, at the end of the subject's motions. False: no hypothesis is left.
   bool settle();
-  // Goes past what the subject need not show where it stands: a motion too small to see, a path that
-  // may end, a renaming.
+  // Goes past what the subject need not show where it stands: a motion too small to see, a path
+  // that may end, a renaming.
   struct Passing {
     bool passed = false;
     std::optional<Verdict> why_not = {};  // of an open path that may not end here
@@ -98,6 +102,11 @@ class Alignment {
   OpenStep* open_step_of(Hypothesis& hypothesis);
 
  private:
+  // J-CONST-06.
+  static constexpr std::size_t kMostHypotheses = 128;
+  static constexpr std::size_t kMostPassed = 100'000;
+  static constexpr std::size_t kMostPassedForSmall = 128;
+
   // What comes of one record.
   struct Stage {
     std::vector<Hypothesis> reached;
@@ -105,6 +114,12 @@ class Alignment {
     bool branches = false;                 // from several hypotheses
   };
 
+  // What the hypothesis follows of its step.
+  static const Motion& wanted(const Hypothesis& from, const ReferenceSteps::Step& step) {
+    return from.curve ? from.curve->motion() : std::get<Motion>(step.what);
+  }
+
+  bool reach_m_function(Hypothesis& from, std::size_t settled);
   void walk(Hypothesis from, Motion motion, Stage& stage);
   // One step; true where the hypothesis goes on to the next one with the motion.
   bool meet(Hypothesis& from, Motion& motion, Stage& stage);

@@ -62,15 +62,27 @@ Verdict differing(const Record* want, const Record* got) {
 
 }  // namespace
 
+Verdict m_function_missing(const Record& want, std::string got, std::size_t number) {
+  Verdict verdict = m_verdict(
+      &want, nullptr, "An M function of the cycle is due here, between its motions and dwells.");
+  verdict.got = std::move(got);
+  verdict.record = number;
+  return verdict;
+}
+
 std::optional<Verdict> MFunctions::want(const Record& record) {
   want_.push_back(record);
   return settle();
 }
 
-std::optional<Verdict> MFunctions::take(const Record& record, std::size_t number) {
-  if (!terms_.compare_m) return std::nullopt;
+std::optional<Verdict> MFunctions::take_place(const Record& record, std::size_t number) {
   if (terms_.compare_blocks && record.block < motion_block_) return out_of_place(record, number);
   m_block_ = record.block;
+  return std::nullopt;
+}
+
+std::optional<Verdict> MFunctions::take(const Record& record, std::size_t number) {
+  if (std::optional<Verdict> verdict = take_place(record, number)) return verdict;
   got_.push_back({record, record.block != 0 && record.block == cut_block_});
   return settle();
 }

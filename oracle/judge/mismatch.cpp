@@ -5,6 +5,7 @@
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
+#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/places.hpp"
 
 namespace gonogo::oracle {
@@ -20,11 +21,15 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
 }
 
 // J-CONST-01.
-Verdict undecided_verdict(const exact::Undecided& undecided) {
+Verdict gap_verdict(std::string message) {
   Verdict verdict;
   verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = fmt::format("A comparison could not be decided: {}.", undecided.what());
+  verdict.message = std::move(message);
   return verdict;
+}
+
+Verdict undecided_verdict(const exact::Undecided& undecided) {
+  return gap_verdict(fmt::format("A comparison could not be decided: {}.", undecided.what()));
 }
 
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
@@ -100,6 +105,7 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   if (std::holds_alternative<Motion>(step) && from.piece) {
     return short_of(from.curve->motion(), *from.piece);
   }
+  if (const Record* due = placed_m_function(step)) return m_function_missing(*due, got, records);
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   verdict.got = got;
@@ -167,6 +173,9 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
     if (due != nullptr && due->kind == RecordKind::dwell) {
       return short_of(from.curve->motion(), *from.piece);
     }
+  }
+  if (const Record* due = placed_m_function(step)) {
+    return m_function_missing(*due, record_text(dwell), number);
   }
   const auto* want = std::get_if<Record>(&step);
   const bool expected = want != nullptr && want->kind == RecordKind::dwell;

@@ -19,8 +19,8 @@ Verdict short_of(const Motion& want, const Motion& piece);
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got);
 
-// A motion where none is due: before a renaming of the position; before a dwell, in an earlier block
-// than an alarm, or behind the end.
+// A motion where none is due: before a renaming of the position; before a dwell, in an earlier
+// block than an alarm, or behind the end.
 Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
 Verdict motion_too_many(const Motion& motion, std::size_t step, ReferenceSteps& steps,
                         const JudgeTerms& terms);
@@ -30,6 +30,8 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTer
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
                     ReferenceSteps& steps);
 
+// What is not judged, and why.
+Verdict gap_verdict(std::string message);
 Verdict not_covered_verdict(const reference::NotCovered& outside);
 Verdict undecided_verdict(const exact::Undecided& undecided);
 

@@ -82,6 +82,12 @@ bool PocketLevelStep::collects(const Motion& motion) const {
   return record.kind == RecordKind::feed || record.kind == RecordKind::arc;
 }
 
+// The next infeed or retract, of levels that lie close together.
+bool PocketLevelStep::may_be_left_by(const Motion& small) const {
+  return small.record.kind != RecordKind::arc && small.to()[axes_.d] != small.from[axes_.d] &&
+         small.to()[axes_.p] == small.from[axes_.p] && small.to()[axes_.q] == small.from[axes_.q];
+}
+
 OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
   if (collects(motion)) return collect(motion);
   if (std::optional<Verdict> fault = end(motion.from)) {

@@ -30,6 +30,7 @@ class PocketLevelStep : public OpenStep {
   std::optional<Verdict> end(const Position& here) override;
   Exit exit(const Position& here) const override;
   bool is_before(const Motion& motion) const override;
+  bool may_be_left_by(const Motion& small) const override;
   bool is_judged_when_left() const override { return true; }
   bool is_judged_at_alarm(const Position& here) const override;
 

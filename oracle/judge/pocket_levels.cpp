@@ -194,26 +194,16 @@ bool PocketMillingJudge::may_be_above_floor() const {
          depth_ > item_.floor;
 }
 
-// SIE-LC75-06: the depth of level `place` (from 1) where the reading names it.
-Number PocketMillingJudge::depth_of(const Number& place) const {
-  const Number from = item_.levels_from_clearance ? item_.clearance : item_.reference_plane;
-  if (item_.levels == Levels::max_rest) return max(from - place * item_.infeed, item_.floor);
-  const Number depth = from - item_.floor;
-  return from - place * depth / (depth / item_.infeed).ceil();
-}
-
 // Which of the named levels lies at a depth; nothing when none does, or none has a name.
 std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
   if (item_.levels == Levels::open) return std::nullopt;
-  const Number from = item_.levels_from_clearance ? item_.clearance : item_.reference_plane;
-  const Number count = ((from - item_.floor) / item_.infeed).ceil();
+  const Number count = item_.level_count();
   if (is_floor(depth)) return count;
-  const Number step =
-      item_.levels == Levels::max_rest ? item_.infeed : (from - item_.floor) / count;
+  const Number step = item_.top() - item_.depth_of_level(1);
   const Number half = Number(1) / Number(2);
-  const Number place = ((from - depth) / step + half).floor();
-  const bool found =
-      place.sign() > 0 && place <= count && agree(depth_of(place), depth, terms_.tolerance);
+  const Number place = ((item_.top() - depth) / step + half).floor();
+  const bool found = place.sign() > 0 && place <= count &&
+                     agree(item_.depth_of_level(place), depth, terms_.tolerance);
   return found ? std::optional(place) : std::nullopt;
 }
 
@@ -221,7 +211,7 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
 // and where there is no strip all but the last. Levels no farther apart than the tolerance are one.
 bool PocketMillingJudge::is_due(const Number& place) const {
   if (place <= next_level_) return place == next_level_;
-  const Number above = depth_of(place - 1);
+  const Number above = item_.depth_of_level(place - 1);
   if (above >= last_depth_ - terms_.tolerance) return true;
   if (!item_.finishing) return false;
   return !has_strip() || above >= item_.reference_plane - terms_.tolerance;
@@ -232,8 +222,8 @@ std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
   const std::optional<Number> place = place_of(depth);
   if (!place || is_due(*place)) return place;
   for (const Number& other : {*place - 1, next_level_}) {
-    const bool near =
-        other.sign() > 0 && other < *place && agree(depth_of(other), depth, terms_.tolerance);
+    const bool near = other.sign() > 0 && other < *place &&
+                      agree(item_.depth_of_level(other), depth, terms_.tolerance);
     if (near && is_due(other)) return other;
   }
   return std::nullopt;

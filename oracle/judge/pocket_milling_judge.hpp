@@ -74,7 +74,6 @@ class PocketMillingJudge : public OpenStep {
   bool admits_depth(const Number& depth) const;
   bool is_due(const Number& place) const;
   std::optional<Number> due_place(const Number& depth) const;
-  Number depth_of(const Number& place) const;
   std::optional<Number> place_of(const Number& depth) const;
   bool has_strip() const { return item_.finishing && item_.allowance.sign() > 0; }
   bool above_centre(const Position& at) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ProgramJudge's part for the subject's end: complete, too early, with an alarm, or not at all. Each
-// hypothesis comes to an ending of its own, and the best of them counts.
+// ProgramJudge's part for the subject's end: complete, too early, with an alarm, or not at all.
+// Each hypothesis comes to an ending of its own, and the best of them counts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -123,9 +123,9 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
       std::optional<Ending> best;
       for (Hypothesis& from : alignment_.hypotheses()) {
         Ending ending = end_of(std::move(from), end);
-        const bool is_better = !best || ending.rank() < best->rank() ||
-                               (ending.rank() == best->rank() && ending.verdict &&
-                                ending.from.step > best->from.step);
+        const bool is_better =
+            !best || ending.rank() < best->rank() ||
+            (ending.rank() == best->rank() && ending.verdict && ending.from.step > best->from.step);
         if (is_better) best = std::move(ending);
       }
       passed = best->from;
@@ -165,8 +165,7 @@ void ProgramJudge::settle(Ending ending) {
       decide(m_functions_.end());
       break;
     case Ending::Settle::before_alarm:
-      decide(m_functions_.end_before_alarm(ending.block, reference_.failed_line(),
-                                           ending.at_load));
+      decide(m_functions_.end_before_alarm(ending.block, reference_.failed_line(), ending.at_load));
       break;
     case Ending::Settle::of_earlier:
       decide(m_functions_.end_of_earlier(ending.block));
@@ -303,7 +302,8 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
 // An alarm outside the program.
 std::optional<Verdict> ProgramJudge::alarm_outside(const SubjectAlarm& alarm) const {
   if (end_record_) {
-    return alarm_verdict(VerdictKind::fail_overrun, alarm, "An alarm follows the end of the trace.");
+    return alarm_verdict(VerdictKind::fail_overrun, alarm,
+                         "An alarm follows the end of the trace.");
   }
   if (!alarm.before_program) return std::nullopt;
   return alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
@@ -318,10 +318,9 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm
   using Settle = Ending::Settle;
   const auto* report = std::get_if<AlarmReport>(&reference_.at(from.step).what);
   std::optional<Verdict> departure =
-      report != nullptr
-          ? compare_alarm(from, alarm, *report, unfinished)
-          : spurious_alarm(from, alarm, unfinished,
-                           "The subject alarms, and the program has no fault.");
+      report != nullptr ? compare_alarm(from, alarm, *report, unfinished)
+                        : spurious_alarm(from, alarm, unfinished,
+                                         "The subject alarms, and the program has no fault.");
   const bool is_early =
       report == nullptr || (departure && departure->kind == VerdictKind::fail_alarm_spurious);
   // Without line numbers the block that the subject names says nothing.
@@ -365,10 +364,9 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
       return at_alarm(from, alarm, at_load, unfinished);
     }
     auto* motion = std::get_if<Motion>(&step);
-    const bool may_pass =
-        motion != nullptr ? !unfinished
-                          : std::holds_alternative<reference::Renaming>(step) ||
-                                (!at_load && is_left_at_alarm(from));
+    const bool may_pass = motion != nullptr ? !unfinished
+                                            : std::holds_alternative<reference::Renaming>(step) ||
+                                                  (!at_load && is_left_at_alarm(from));
     if (may_pass) {
       Alignment::Passing passing = alignment_.pass(from);
       if (passing.passed) continue;
@@ -379,8 +377,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
     // Past motion that is missing, only the alarm of the program is of interest.
     if (!at_load && !unfinished) {
       const bool is_of_block =
-          motion != nullptr &&
-          (!terms_.compare_blocks || alarm.block == motion->record.block);
+          motion != nullptr && (!terms_.compare_blocks || alarm.block == motion->record.block);
       if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
         return {from, nearly_in_line()};
       }

@@ -83,7 +83,8 @@ void ProgramJudge::take_record(const Record& record) {
   }
   switch (record.kind) {
     case RecordKind::m:
-      return decide(m_functions_.take(record, records_ - 1));
+      if (terms_.compare_m) take_m_function(record);
+      return;
     case RecordKind::dwell:
       if (record.seconds.sign() != 0) take_dwell(record);
       return;
@@ -132,6 +133,21 @@ void ProgramJudge::take_motion(const Record& record) {
   budget_.forgive(forgiven.records);
   budget_.count_level_cuts(forgiven.level_cuts);
   reference_.forget_before(std::min(noted_, alignment_.first_step()));
+}
+
+// J-CMP-05.
+void ProgramJudge::take_m_function(const Record& record) {
+  note_m_functions(alignment_.first_step());
+  if (verdict_) return;
+  if (!m_functions_.is_none_due()) return decide(m_functions_.take(record, records_ - 1));
+  switch (alignment_.take_m_function(record, records_ - 1, noted_)) {
+    case Alignment::MFunction::taken:
+      return decide(m_functions_.take_place(record, records_ - 1));
+    case Alignment::MFunction::free:
+      return decide(m_functions_.take(record, records_ - 1));
+    case Alignment::MFunction::departs:
+      return decide_departure();
+  }
 }
 
 void ProgramJudge::take_dwell(const Record& record) {

@@ -52,6 +52,7 @@ class ProgramJudge {
 
   void take_record(const Record& record);
   void take_motion(const Record& record);
+  void take_m_function(const Record& record);
   void take_dwell(const Record& record);
   // The M functions that the reference has come to by now.
   void note_m_functions(std::size_t step);
@@ -101,7 +102,8 @@ class ProgramJudge {
   struct InStep {
     PlainMotion::Place at = {};
     PlainMotion next;
-    const reference::Item* ahead = nullptr;  // of the reference: `next`, if `is_plain`; null: not asked
+    const reference::Item* ahead =
+        nullptr;  // of the reference: `next`, if `is_plain`; null: not asked
     bool is_plain = false;
   };
   std::optional<InStep> in_step_;

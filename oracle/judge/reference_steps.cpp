@@ -12,6 +12,13 @@ bool is_end(const ReferenceStep& step) {
          std::holds_alternative<reference::NotCovered>(step);
 }
 
+const Record* placed_m_function(const ReferenceStep& step) {
+  const Record* record = std::get_if<Record>(&step);
+  const bool is_placed =
+      record != nullptr && record->kind == RecordKind::m && record->among_motions;
+  return is_placed ? record : nullptr;
+}
+
 ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
                                const JudgeTerms& terms)
     : terms_(terms),
@@ -40,14 +47,15 @@ void ReferenceSteps::forget_before(std::size_t number) {
     steps_.pop_front();
     ++first_;
   }
+  settled_.erase(settled_.begin(), settled_.lower_bound(first_));
 }
 
 void ReferenceSteps::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
   if (record != nullptr && record->kind == RecordKind::m) {
+    if (!terms_.compare_m) return;
     // They do not hold up the motions round them.
-    if (terms_.compare_m) m_functions_.push_back(*record);
-    return;
+    if (!record->among_motions) return m_functions_.push_back(*record);
   }
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
     return;
@@ -77,9 +85,8 @@ void ReferenceSteps::count_passes(const reference::ThreadMilling& thread) {
 }
 
 bool ReferenceSteps::go_on_from(std::size_t number, const Position& place, bool moves_machine) {
-  if (open_ == number + 1) return place == place_of_open_;
-  open_ = number + 1;
-  place_of_open_ = place;
+  const auto [known, is_new] = settled_.try_emplace(number, place);
+  if (!is_new) return known->second == place;
   place_ = place;
   if (moves_machine) {
     expander_.stand_at(place);

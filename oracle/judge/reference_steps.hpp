@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The reference's side of a comparison: its steps by their numbers, each asked for when it is looked
-// at, and kept until no reading of the subject's motions looks back at it.
+// The reference's side of a comparison: its steps by their numbers, each asked for when it is
+// looked at, and kept until no reading of the subject's motions looks back at it.
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -15,14 +16,16 @@
 
 namespace gonogo::oracle {
 
-// What the subject has to do next: a motion, a dwell, something whose path is open, or the end (an
-// `end` record, an alarm, not covered), which is the last step.
+// What the subject has to do next: a motion, a dwell, an M function of a cycle, something whose
+// path is open, or the end (an `end` record, an alarm, not covered), which is the last step.
 using ReferenceStep =
     std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
                  reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
                  reference::AlarmReport, reference::NotCovered>;
 
 bool is_end(const ReferenceStep& step);
+// The M function that a cycle has among its motions (J-CMP-05); null: another step.
+const Record* placed_m_function(const ReferenceStep& step);
 
 class ReferenceSteps {
  public:
@@ -44,8 +47,8 @@ class ReferenceSteps {
   void forget_before(std::size_t number);
 
   // After step `number`, whose path is open, the reference goes on from where the subject left it:
-  // `moves_machine`: blocks that follow start from there, too. False where it goes on from elsewhere
-  // already, for the subject's motions have been read in another way.
+  // `moves_machine`: blocks that follow start from there, too. False where it goes on from
+  // elsewhere already, for the subject's motions have been read in another way.
   [[nodiscard]] bool go_on_from(std::size_t number, const Position& place, bool moves_machine);
   // Whether blocks start from where the subject was: then items hang on what it did.
   bool was_moved() const { return was_moved_; }
@@ -74,13 +77,12 @@ class ReferenceSteps {
   ProgramInput input_;
   reference::Expander expander_;
   std::deque<Step> steps_;
-  std::size_t first_ = 0;           // number of the first step that is kept
-  Position place_;                  // where the steps so far end
+  std::size_t first_ = 0;            // number of the first step that is kept
+  Position place_;                   // where the steps so far end
   std::vector<Record> m_functions_;  // since the last step
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
-  std::size_t open_ = 0;  // number of the step whose path was settled last, from 1; 0: none
-  Position place_of_open_;  // and where
+  std::map<std::size_t, Position> settled_;  // where open paths ended, of the steps that are kept
   bool was_moved_ = false;
 };
 

@@ -56,8 +56,8 @@ TEST(Alignment, AMotionBetweenPiecesMayLeadNowhere) {
   EXPECT_EQ(aligned(program, trace_of({5.0008, 5.0016})), VerdictKind::fail_geometry);
 }
 
-// J-CONST-06. A hundred thousand cuts of half the tolerance, there and back, that the subject leaves
-// out.
+// J-CONST-06. A hundred thousand cuts of half the tolerance, there and back, that the subject
+// leaves out.
 TEST(Alignment, TooManyMotionsThatAreTooSmallToSeeAreAGap) {
   std::string program = "G00 Z10\nG01 Z10.0005 F100\n";
   for (int i = 0; i < 50'001; ++i) program += "Z10\nZ10.0005\n";

@@ -31,16 +31,14 @@ class CycleSizes {
   explicit CycleSizes(const Number& tolerance) : least_(tolerance * 4) {}
 
   bool is_tiny(const reference::PocketLevel& level) {
-    const bool is_close = last_ && last_->block == level.block &&
-                          last_->depth != level.depth &&
+    const bool is_close = last_ && last_->block == level.block && last_->depth != level.depth &&
                           agree(last_->depth, level.depth, least_);
     last_ = level;
     return is_close || is_small(level.pocket_radius - level.tool_radius);
   }
   bool is_tiny(const reference::ThreadMilling& thread) const {
     return is_small(thread.start_radius) || is_small(thread.radius_of_pass(1)) ||
-           is_small(thread.runout_length) ||
-           is_small(thread.start_radius - thread.runout_length);
+           is_small(thread.runout_length) || is_small(thread.start_radius - thread.runout_length);
   }
   template <class Item>
   bool is_tiny(const Item& /*item*/) const {
