@@ -124,7 +124,8 @@ class Alignment {
   // One step; true where the hypothesis goes on to the next one with the motion.
   bool meet(Hypothesis& from, Motion& motion, Stage& stage);
   bool meet_motion(Hypothesis& from, const Motion& motion, Stage& stage);
-  bool take_ways(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
+  bool take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
+                 Stage& stage);
   void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
@@ -133,7 +134,7 @@ class Alignment {
   bool takes_coarse_centre(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                            Stage& stage);
   void meet_open_step(Hypothesis from, Motion motion, Stage& stage);
-  void meet_behind_open_step(Hypothesis from, Motion motion, Stage& stage);
+  void meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage);
   void begin_open_step(Hypothesis& from);
   // The motion that waits goes to its step. Where it ends there, or goes beyond, `from` is used up,
   // and `reached` is what comes of it.

@@ -44,7 +44,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
                                             leads_nowhere(as_it_was, motion, step.place));
   const bool is_done = std::ranges::any_of(answer.ways, [](const auto& way) { return way.done; });
   if (is_done || (!departs && (is_arc || !is_nil))) {
-    if (take_ways(from, motion, std::move(answer), stage)) return false;
+    if (take_ways(from, motion, answer, stage)) return false;
     if (is_done) take_longer_end(from, motion, stage);
   }
   if (is_nil && !is_done) stay(as_it_was, motion, stage);
@@ -81,14 +81,14 @@ bool Alignment::extend(Hypothesis& from, const Motion& motion, CurveAnswer& answ
 }
 
 // True where it is the end of the step to the last digit: then it is nothing else.
-bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, CurveAnswer answer,
+bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                           Stage& stage) {
   const Motion& want = from.curve->motion();
   // Chords that are granted are bounded by the arc.
   const bool is_chord = is_round(want.record.kind) && motion.record.kind == RecordKind::feed;
   if (is_chord) ++forgiven_.records;
   bool is_exact = false;
-  for (CurveWay& way : answer.ways) {
+  for (const CurveWay& way : answer.ways) {
     Hypothesis next = from;
     next.at = next.anchor = motion.to();
     if (way.done) {
@@ -98,7 +98,7 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, CurveAns
       is_exact = is_exact || grade.exact;
       leave_motion(next);
     } else {
-      next.progress = std::move(way.progress);
+      next.progress = way.progress;
       next.piece = motion;
     }
     keep(std::move(next), stage.reached);
@@ -117,7 +117,7 @@ void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, St
   longer.curve = std::make_shared<Curve>(std::move(both), terms_);
   ++longer.joined;
   CurveAnswer answer = longer.curve->follow(longer.progress, motion);
-  if (answer.departs() || take_ways(longer, motion, std::move(answer), stage)) return;
+  if (answer.departs() || take_ways(longer, motion, answer, stage)) return;
   take_longer_end(longer, motion, stage);
 }
 

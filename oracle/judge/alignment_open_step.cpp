@@ -19,7 +19,7 @@ void Alignment::begin_open_step(Hypothesis& from) {
 void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (terms_.compare_blocks && motion.record.block > block_of(step.what)) {
-    return meet_behind_open_step(std::move(from), std::move(motion), stage);
+    return meet_behind_open_step(std::move(from), motion, stage);
   }
   if (from.waiting && join(*from.waiting, motion)) {
     from.at = from.anchor = motion.to();
@@ -54,7 +54,7 @@ void Alignment::meet_open_step(Hypothesis from, Motion motion, Stage& stage) {
 }
 
 // With a motion of a later block the path has ended where the subject stands.
-void Alignment::meet_behind_open_step(Hypothesis from, Motion motion, Stage& stage) {
+void Alignment::meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage) {
   std::vector<Hypothesis> reached;
   if (!from.waiting || take_waiting(from, reached)) {
     const Passing passing = pass(from);

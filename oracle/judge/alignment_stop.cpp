@@ -34,7 +34,7 @@ Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_
       elsewhere.push_back(from);
       continue;
     }
-    const Record& due = std::get<Record>(step_of(at).what);
+    const auto& due = std::get<Record>(step_of(at).what);
     const bool is_due = due.m == record.m && (!terms_.compare_blocks || due.block == record.block);
     if (is_due) {
       ++at.step;
