@@ -171,6 +171,12 @@ struct PocketMilling {
   Number depth_feed;          // R122
   Number plane_feed;          // R123
   FeedMode feed_mode = FeedMode::per_minute;
+
+  // SIE-LC75-05, SIE-LC75-06, in lcyc75_levels.cpp. Where the first infeed begins, how many levels
+  // there are, and the coordinate of d of level k, from 1; `open` is shown as equal infeeds.
+  Number top() const;
+  Number level_count() const;
+  Number depth_of_level(const Number& k) const;
 };
 
 // The position got a new name (G50): nothing moves and no record says so, but the records that

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracle/capture/round_tube.hpp"
-#include "oracle/judge/reference_stream.hpp"
+#include "oracle/judge/motion.hpp"
 
 namespace gonogo::oracle {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/capture/sample_point.hpp"
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/round_curve.hpp"
 
 namespace gonogo::oracle {
 

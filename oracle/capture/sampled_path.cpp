@@ -72,9 +72,6 @@ bool SampledPath::pull() {
       continue;
     } else if (record != nullptr && record->kind == RecordKind::dwell) {
       pieces_.push_back(PathPiece::dwelling(*record, at_));
-    } else if (record != nullptr && record->kind == RecordKind::m) {
-      stream_.advance();
-      continue;
     } else {
       complete_ = true;
       const auto* outside = std::get_if<reference::NotCovered>(&step);
@@ -105,7 +102,7 @@ void SampledPath::drop_before(std::size_t i) {
 void SampledPath::replay(const reference::Profile& profile, const ProgramText& program,
                          const JudgeTerms& terms, std::size_t pieces, ProgramJudge& judge) {
   ProgramInput input(program);
-  ReferenceStream stream(profile, input.lines, terms);
+  JoinedReference stream(profile, input.lines, terms);
   for (std::size_t i = 0; i < pieces && !stream.at_end();) {
     const ReferenceStep& step = stream.current();
     if (const auto* motion = std::get_if<Motion>(&step)) {

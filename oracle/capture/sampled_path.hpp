@@ -7,6 +7,7 @@
 #include <deque>
 #include <memory>
 
+#include "oracle/capture/joined_reference.hpp"
 #include "oracle/capture/path_piece.hpp"
 #include "oracle/judge/program_judge.hpp"
 
@@ -33,7 +34,7 @@ class SampledPath {
   std::unique_ptr<PathPiece> make(const Motion& motion) const;
 
   ProgramInput input_;
-  ReferenceStream stream_;
+  JoinedReference stream_;
   reference::AxisSet seen_;
   double fastest_;
   Number tolerance_;

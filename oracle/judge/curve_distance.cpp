@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve.hpp"
 
 namespace gonogo::oracle {
 
@@ -73,6 +73,10 @@ Number turns_between(const PlaneVector& a, const PlaneVector& b, int sense, doub
   return part + static_cast<std::int64_t>(std::lround(turns - estimate(part)));
 }
 
+bool is_nil(const PlaneVector& v) {
+  return v.p.sign() == 0 && v.q.sign() == 0;
+}
+
 Number length(const PlaneVector& v) {
   return sqrt(v.p * v.p + v.q * v.q);
 }
@@ -89,9 +93,10 @@ Number RoundCurve::distance(const Position& point, double turns) const {
   const PlaneVector b = from_centre(arc, arc_->to());
   const PlaneVector v = from_centre(arc, point);
   const int sense = arc.rot < 0 ? -1 : 1;
-  const bool is_centre = v.p.sign() == 0 && v.q.sign() == 0;
+  // From the centre no direction is seen, nor that of an end which is the centre.
+  const bool has_part = !is_nil(a) && !is_nil(b) && !is_nil(v);
   const auto at_part = [&](const Number& first, const Number& last) -> Number {
-    if (is_centre || first == last) return first;
+    if (!has_part || first == last) return first;
     return first +
            turns_between(a, v, sense, turns) / turns_between(a, b, sense, whole_) * (last - first);
   };
@@ -115,17 +120,17 @@ Number RoundCurve::distance_in_space(const Position& point) const {
   return sqrt(above_2 + beside * beside);
 }
 
-Number CurveMatch::distance(const Position& point, double turns) const {
+Number Curve::distance(const CurveProgress& from, const Position& point, double turns) const {
   const RecordKind kind = reference_.record.kind;
   if (kind == RecordKind::rapid) {
-    return distance_from_box(progress_.traverse ? *progress_.traverse : reference_.from,
-                             reference_.to(), point);
+    return distance_from_box(from.traverse ? *from.traverse : reference_.from, reference_.to(),
+                             point);
   }
   if (!round_ || is_flat_arc3()) {
     Position reached = reference_.from;
     const Axis axis = longest_axis(reference_);
     const Number travel = abs(reference_.to()[axis] - reference_.from[axis]);
-    const Number part = travel.sign() == 0 ? Number(0) : progress_.line / travel;
+    const Number part = travel.sign() == 0 ? Number(0) : from.line / travel;
     for (Axis each : kAllAxes) {
       reached[each] += part * (reference_.to()[each] - reference_.from[each]);
     }
@@ -135,21 +140,21 @@ Number CurveMatch::distance(const Position& point, double turns) const {
   Number least = largest_difference(point, reference_.to());
   // A sweep that is nearly whole may be nil.
   for (const double each : {turns, turns - 1}) {
-    if (each < progress_.arc - kEstimate || each > round_->whole() + kEstimate) continue;
+    if (each < from.arc - kEstimate || each > round_->whole() + kEstimate) continue;
     least = min(least, round_->distance(point, each));
   }
   return least;
 }
 
 // J-PATH-12: its end, or a point before that if the end lies where it may.
-Apart CurveMatch::apart(const Motion& subject) const {
+Apart Curve::apart(const CurveProgress& from, const Motion& subject) const {
   const auto turns_to = [&](const Position& point) {
-    return progress_.arc + (round_ ? round_->part_of_turn(subject.from, point) : 0);
+    return from.arc + (round_ ? round_->part_of_turn(subject.from, point) : 0);
   };
   const bool is_arc = subject.record.kind == RecordKind::arc;
   const double sweep = is_arc ? approximate_turns(subject) : 0;
-  const double to_end = is_arc ? progress_.arc + sweep : turns_to(subject.to());
-  Apart end{subject.to(), distance(subject.to(), to_end)};
+  const double to_end = is_arc ? from.arc + sweep : turns_to(subject.to());
+  Apart end{subject.to(), distance(from, subject.to(), to_end)};
   if (end.distance > terms_.tolerance) return end;
   std::vector<Position> others;
   if (subject.record.kind == RecordKind::arc3) others.push_back(via_of(subject));
@@ -160,7 +165,7 @@ Apart CurveMatch::apart(const Motion& subject) const {
     }
   }
   for (const Position& point : others) {
-    Apart there{point, distance(point, turns_to(point))};
+    Apart there{point, distance(from, point, turns_to(point))};
     if (there.distance > terms_.tolerance) return there;
   }
   return end;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "oracle/judge/reference_stream.hpp"
+#include "oracle/judge/reference_steps.hpp"
 #include "oracle/subject.hpp"
 #include "reference/outcome.hpp"
 

@@ -16,8 +16,9 @@ const Number kHalf = Number(1) / 2;
 
 }  // namespace
 
-HelixPocketJudge::HelixPocketJudge(const reference::HelixPocket& item, const JudgeTerms& terms)
-    : item_(item), terms_(terms), axes_(reference::axes_of(item.plane)) {
+HelixPocketJudge::HelixPocketJudge(const reference::HelixPocket& item, const Position& place,
+                                   const JudgeTerms& terms)
+    : item_(item), place_(place), terms_(terms), axes_(reference::axes_of(item.plane)) {
   shape_.block = item.block;
   shape_.clause = "GSK-G112-05"_clause;
   shape_.plane = item.plane;
@@ -45,6 +46,25 @@ reference::ClauseId HelixPocketJudge::clause() const {
 
 bool HelixPocketJudge::complete() const {
   return phase_ == Phase::over || (phase_ == Phase::exit && is_tiny());
+}
+
+std::optional<Verdict> HelixPocketJudge::end(const Position& here) {
+  if (complete()) return std::nullopt;
+  return incomplete(here);
+}
+
+// Above the centre, as before it.
+OpenStep::Exit HelixPocketJudge::exit(const Position& /*here*/) const {
+  Position at = place_;
+  at[axes_.d] = item_.bottom;
+  return {at};
+}
+
+// The traverse to where the pocket begins.
+bool HelixPocketJudge::is_before(const Motion& motion) const {
+  return phase_ == Phase::entry && entry_.empty() && open_.empty() &&
+         motion.record.kind == RecordKind::rapid &&
+         motion.to()[axes_.d] == motion.from[axes_.d];
 }
 
 // A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc
@@ -88,8 +108,8 @@ Verdict HelixPocketJudge::incomplete(const Position& position) const {
   return verdict;
 }
 
-OpenPathAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
-  if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);
+OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
+  if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
   Verdict verdict;
   if (result.departure == Departure::feed) {
     verdict = departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion,
@@ -103,13 +123,13 @@ OpenPathAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion
     }
   }
   verdict.block = item_.block;
-  return OpenPathAnswer::decide(std::move(verdict));
+  return OpenStepAnswer::decide(std::move(verdict));
 }
 
-OpenPathAnswer HelixPocketJudge::take(const Motion& motion) {
-  if (phase_ == Phase::over) return OpenPathAnswer::end(motion.from);
+OpenStepAnswer HelixPocketJudge::take(const Motion& motion) {
+  if (phase_ == Phase::over) return OpenStepAnswer::end(motion.from);
   if (terms_.compare_blocks && motion.record.block != item_.block) {
-    return OpenPathAnswer::decide(incomplete(motion.from));
+    return OpenStepAnswer::decide(incomplete(motion.from));
   }
   if (turns_rotary_axis(motion, terms_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
@@ -141,7 +161,7 @@ Motion HelixPocketJudge::semicircle(const Position& from, const Position& to) co
 }
 
 // Its centre follows from a point that is known within the tolerance only.
-OpenArc HelixPocketJudge::open_semicircle(const TurnedStart& starts) const {
+OpenArc HelixPocketJudge::open_semicircle(const OpenStart& starts) const {
   OpenArc open;
   open.starts = &starts;
   open.origin = {item_.centre[0], item_.centre[1]};
@@ -151,7 +171,7 @@ OpenArc HelixPocketJudge::open_semicircle(const TurnedStart& starts) const {
   return open;
 }
 
-MatchResult HelixPocketJudge::match_entry(TurnedStart& starts) const {
+MatchResult HelixPocketJudge::match_entry(OpenStart& starts) const {
   if (is_tiny() &&
       std::ranges::all_of(entry_, [&](const Motion& motion) { return stays_at_centre(motion); })) {
     return {Departure::none, true, {}};
@@ -163,7 +183,7 @@ MatchResult HelixPocketJudge::match_entry(TurnedStart& starts) const {
   Position end = entry_.back().to();
   end[axes_.d] = item_.r_plane;
   const Motion want = semicircle(centre, end);
-  CurveMatch match(want, terms_, open_semicircle(starts));
+  CurveFollower match(want, terms_, open_semicircle(starts));
   MatchResult result;
   for (const Motion& motion : entry_) {
     result = match.match(motion);
@@ -176,22 +196,22 @@ MatchResult HelixPocketJudge::match_entry(TurnedStart& starts) const {
   return result;
 }
 
-OpenPathAnswer HelixPocketJudge::take_entry(const Motion& motion) {
+OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   const bool begun = !open_.empty() || result.departure != Departure::none;
   if (!agree(motion.to()[axes_.d], item_.r_plane, terms_.tolerance)) {
     if (!begun) return wrong_entry(motion);
     phase_ = Phase::helix;
-    return open_.empty() ? departs(result, motion) : OpenPathAnswer{};
+    return open_.empty() ? departs(result, motion) : OpenStepAnswer{};
   }
   if (!is_cut(motion.record.kind)) return wrong_entry(motion);
   constexpr std::size_t kMaximumEntry = 50'000;
   if (entry_.size() >= kMaximumEntry) {
-    return OpenPathAnswer::gap("An entry of more than 50,000 motions is not judged.");
+    return OpenStepAnswer::gap("An entry of more than 50,000 motions is not judged.");
   }
   entry_.push_back(motion);
-  TurnedStart starts(item_.radius, terms_.tolerance);
+  OpenStart starts(item_.radius, terms_.tolerance);
   if (!starts.narrow({}, shape_.from_axis(motion.to()))) return {};
   MatchResult entry = match_entry(starts);
   if (entry.departure != Departure::none) {
@@ -199,20 +219,20 @@ OpenPathAnswer HelixPocketJudge::take_entry(const Motion& motion) {
     return {};
   }
   if (!open_.add(shape_, std::move(starts), motion.to(), terms_)) {
-    return OpenPathAnswer::gap("The helix may have begun at too many points.");
+    return OpenStepAnswer::gap("The helix may have begun at too many points.");
   }
   return {};
 }
 
 // No motion so far has ended a semicircle, and this one does not go on at the R plane.
-OpenPathAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
+OpenStepAnswer HelixPocketJudge::wrong_entry(const Motion& motion) const {
   if (entry_fault_) return departs(entry_fault_->first, entry_fault_->second);
   return departs({Departure::geometry, false,
                   "The entry is no semicircle at the R plane to the circle of the helix."},
                  entry_.empty() ? motion : entry_.back());
 }
 
-OpenPathAnswer HelixPocketJudge::take_helix(const Motion& motion) {
+OpenStepAnswer HelixPocketJudge::take_helix(const Motion& motion) {
   const MatchResult result = open_.match(motion);
   if (result.done) return end_helix(motion);
   if (result.departure == Departure::none) return {};
@@ -225,7 +245,7 @@ OpenPathAnswer HelixPocketJudge::take_helix(const Motion& motion) {
       at);
 }
 
-OpenPathAnswer HelixPocketJudge::end_helix(const Motion& motion) {
+OpenStepAnswer HelixPocketJudge::end_helix(const Motion& motion) {
   helix_ = open_.take_done();
   helix_end_ = motion.to();
   entry_.clear();
@@ -264,7 +284,7 @@ bool HelixPocketJudge::is_remainder(const Motion& motion) const {
          helix_.front().starts().admits(shape_.to_end, shape_.from_axis(motion.to()));
 }
 
-OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
+OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
   const MatchResult result = match_->match(motion);
   if (result.departure == Departure::none) {
     if (!result.done) return {};
@@ -279,10 +299,10 @@ OpenPathAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
     if (stays_at_centre(motion)) return {};
     if (!is_cut(motion.record.kind)) {
       phase_ = Phase::over;
-      return OpenPathAnswer::end(motion.from);
+      return OpenStepAnswer::end(motion.from);
     }
   }
-  return is_remainder(motion) ? OpenPathAnswer{} : departs(result, motion);
+  return is_remainder(motion) ? OpenStepAnswer{} : departs(result, motion);
 }
 
 }  // namespace gonogo::oracle

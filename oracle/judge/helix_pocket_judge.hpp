@@ -8,43 +8,48 @@
 #include <vector>
 
 #include "oracle/judge/open_helix.hpp"
-#include "oracle/judge/open_path.hpp"
+#include "oracle/judge/open_step.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class HelixPocketJudge {
+class HelixPocketJudge : public OpenStep {
  public:
   // `item` and `terms` must outlive the judge.
-  HelixPocketJudge(const reference::HelixPocket& item, const JudgeTerms& terms);
-  HelixPocketJudge(const HelixPocketJudge&) = delete;
+  // `place`: where the reference stands before it.
+  HelixPocketJudge(const reference::HelixPocket& item, const Position& place,
+                   const JudgeTerms& terms);
 
   // The path ends with the motion that reaches the centre at the bottom; what follows is `ended`.
-  OpenPathAnswer take(const Motion& motion);
-  bool complete() const;
-  Verdict incomplete(const Position& position) const;
+  OpenStepAnswer take(const Motion& motion) override;
+  std::optional<Verdict> end(const Position& here) override;
+  Exit exit(const Position& here) const override;
+  bool is_before(const Motion& motion) const override;
 
  private:
+  bool complete() const;
+  Verdict incomplete(const Position& position) const;
   enum class Phase { entry, helix, flat, exit, over };
 
   bool is_tiny() const;
   bool stays_at_centre(const Motion& motion) const;
   Record shape_feed() const;
-  OpenPathAnswer take_entry(const Motion& motion);
-  OpenPathAnswer wrong_entry(const Motion& motion) const;
-  OpenPathAnswer take_helix(const Motion& motion);
-  OpenPathAnswer end_helix(const Motion& motion);
-  OpenPathAnswer take_at_bottom(const Motion& motion);
+  OpenStepAnswer take_entry(const Motion& motion);
+  OpenStepAnswer wrong_entry(const Motion& motion) const;
+  OpenStepAnswer take_helix(const Motion& motion);
+  OpenStepAnswer end_helix(const Motion& motion);
+  OpenStepAnswer take_at_bottom(const Motion& motion);
   bool is_remainder(const Motion& motion) const;
   // The motions so far as a semicircle that ends where the last of them does.
-  MatchResult match_entry(TurnedStart& starts) const;
+  MatchResult match_entry(OpenStart& starts) const;
   Motion semicircle(const Position& from, const Position& to) const;
-  OpenArc open_semicircle(const TurnedStart& starts) const;
+  OpenArc open_semicircle(const OpenStart& starts) const;
   void prepare_bottom(Phase phase);
-  OpenPathAnswer departs(const MatchResult& result, const Motion& motion) const;
+  OpenStepAnswer departs(const MatchResult& result, const Motion& motion) const;
   reference::ClauseId clause() const;
 
   const reference::HelixPocket& item_;
+  Position place_;
   const JudgeTerms& terms_;
   reference::PlaneAxes axes_;
   HelixShape shape_;
@@ -55,7 +60,7 @@ class HelixPocketJudge {
   std::list<OpenHelix> helix_;  // the one that is complete
   Position helix_end_;
   Motion want_;  // at the bottom
-  std::optional<CurveMatch> match_;
+  std::optional<CurveFollower> match_;
 };
 
 }  // namespace gonogo::oracle

@@ -18,8 +18,8 @@ using reference::ReadingKey;
 
 namespace {
 
-// Of what a judge was told before any reading was asked for, a few megabytes at most.
-constexpr std::size_t kMostToldParts = 4'096;
+// Of what a judge has taken before any reading was asked for, a few megabytes at most.
+constexpr std::size_t kMostParts = 4'096;
 
 // Of a block, where the readings that a program asks for are looked for: a cycle may go back and
 // forth for ever, which the judge says of it.
@@ -137,11 +137,11 @@ bool JudgeSession::record_unsettled(const Record& record) {
   ProgramJudge& judge = *only_judge_;
   const bool undecided = judge.record(record);
   if (undecided && judge.is_in_step()) {
-    unsettled_->told.add_own(judge.progress(), &record);
+    unsettled_->taken.add_own(judge.progress(), &record);
   } else {
-    unsettled_->told.add(record);
+    unsettled_->taken.add(record);
   }
-  if (!touches_open() && unsettled_->told.parts() < kMostToldParts) return undecided;
+  if (!touches_open() && unsettled_->taken.parts() < kMostParts) return undecided;
   settle();
   bool all_decided = true;
   for (std::size_t i = 0; i < choices_.size(); ++i) {
@@ -156,7 +156,7 @@ bool JudgeSession::line(std::string_view line) {
   if (!unsettled_) return judge.line(line);
   // Else it has to be kept as a record.
   if (!judge.is_in_step() || !judge.line(line) || judge.is_decided()) return false;
-  unsettled_->told.add_own(judge.progress(), nullptr);
+  unsettled_->taken.add_own(judge.progress(), nullptr);
   if (touches_open()) settle();
   return true;
 }
@@ -168,7 +168,7 @@ bool JudgeSession::touches_open() const {
 }
 
 void JudgeSession::settle() {
-  const ToldRecords told = std::move(unsettled_->told);
+  const RecordLog taken = std::move(unsettled_->taken);
   unsettled_.reset();
   Assignments assignments = assignments_of(profile_, program_);
   too_many_ = assignments.too_many;
@@ -184,7 +184,7 @@ void JudgeSession::settle() {
     assigned_judges_.push_back(
         std::make_unique<AssignedJudge>(std::move(assigned), program_, terms_));
   }
-  told.tell(profile_, program_, [this](const Record& record) { tell_judges(record); });
+  taken.replay(profile_, program_, [this](const Record& record) { tell_judges(record); });
 }
 
 ProgramJudge& JudgeSession::judge_of(std::size_t assignment) {

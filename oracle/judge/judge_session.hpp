@@ -12,7 +12,7 @@
 
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
-#include "oracle/judge/told_records.hpp"
+#include "oracle/judge/record_log.hpp"
 
 namespace gonogo::oracle {
 
@@ -56,7 +56,7 @@ class JudgeSession {
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   // The same as a line of JSON, where that is the reference's own and nothing more has to be looked
-  // at: true when that was all. Else `record` has to be told. Its line number is known then.
+  // at: true when that was all. Else `record` has to be given. Its line number is known then.
   bool line(std::string_view line);
   SessionVerdict finish(const RunEnd& end);
 
@@ -64,11 +64,11 @@ class JudgeSession {
   // While one judge stands for all.
   struct Unsettled {
     std::vector<reference::ReadingKey> open;  // that the program may touch
-    ToldRecords told;
+    RecordLog taken;
   };
   bool touches_open() const;
   bool record_unsettled(const Record& record);
-  // Looks for the assignments, and tells their judges what the one was told.
+  // Looks for the assignments, and gives their judges what the one has taken.
   void settle();
   bool tell_judges(const Record& record);
 

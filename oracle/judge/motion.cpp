@@ -62,17 +62,6 @@ void shift(Position& position, const Position& by) {
   for (Axis axis : kAllAxes) position[axis] += by[axis];
 }
 
-void shift(Dropped& dropped, const Position& by) {
-  shift(dropped.stood, by);
-  for (Record& record : dropped.motions) {
-    shift(record.to, by);
-    shift(record.via, by);
-    const reference::PlaneAxes axes = reference::axes_of(record.plane);
-    record.centre[0] += by[axes.p];
-    record.centre[1] += by[axes.q];
-  }
-}
-
 namespace {
 
 // Whether |a - b| <= tolerance, by the bounds that an enclosure has already, which decide nearly

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A record together with where it starts; dropping and joining, by which both sides get one form.
+// A record together with where it starts, and the joining of motions that go on in one way.
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "reference/record.hpp"
 
@@ -19,18 +17,11 @@ using reference::Position;
 using reference::Record;
 using reference::RecordKind;
 
-// Motions of the reference that were dropped as too small to see: each stays at `stood`.
-struct Dropped {
-  Position stood;
-  std::vector<Record> motions;  // the last of them; `to` holds every axis
-};
-
 struct Motion {
   Record record;  // `to` holds every axis
   Position from;
-  std::size_t number = 0;                       // place of its (first) record in the trace, from 0
-  std::shared_ptr<const Dropped> dropped = {};  // of the reference, just before; null: nothing
-  std::size_t behind_first = 0;                 // place of its last record, counted from the first
+  std::size_t number = 0;        // place of its (first) record in the trace, from 0
+  std::size_t behind_first = 0;  // place of its last record, counted from the first
 
   const Position& to() const { return record.to; }
 };
@@ -42,7 +33,7 @@ constexpr bool is_round(RecordKind kind) {
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);
 
-// A motion that is another one to the last digit is the whole of it, by every rule of CurveMatch:
+// A motion that is another one to the last digit is the whole of it, by every rule of `Curve`:
 // nearly always the case of a subject that computes in decimals. False says nothing: the numbers
 // are not small, or the kind is another.
 bool is_same_motion(const Motion& a, const Motion& b);
@@ -51,7 +42,6 @@ bool is_same_point(const Position& a, const Position& b);
 
 // The same point under the names that a renaming of the position gives: new less old coordinate.
 void shift(Position& position, const Position& by);
-void shift(Dropped& dropped, const Position& by);
 
 // J-CMP-02: whether no axis differs by more than `tolerance`.
 bool agree(const Position& a, const Position& b, const Number& tolerance);

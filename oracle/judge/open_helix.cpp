@@ -37,7 +37,7 @@ PlaneVector HelixShape::from_axis(const Position& at) const {
   return {at[axes.p] - centre[0], at[axes.q] - centre[1]};
 }
 
-OpenHelix::OpenHelix(const HelixShape& shape, TurnedStart starts, const Position& at,
+OpenHelix::OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
                      const JudgeTerms& terms)
     : origin_{shape.centre[0], shape.centre[1]},
       starts_(std::move(starts)),
@@ -72,14 +72,14 @@ MatchResult OpenHelices::match(const Motion& motion) {
   return last;
 }
 
-bool OpenHelices::add(const HelixShape& shape, TurnedStart starts, const Position& at,
+bool OpenHelices::add(const HelixShape& shape, OpenStart starts, const Position& at,
                       const JudgeTerms& terms) {
   if (open_.size() >= kMaximum) return false;
   open_.emplace_back(shape, std::move(starts), at, terms);
   return true;
 }
 
-std::optional<TurnedStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
+std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
                                            const JudgeTerms& terms) {
   const Record& record = motion.record;
   const Number& tau = terms.tolerance;
@@ -93,7 +93,7 @@ std::optional<TurnedStart> starts_of_helix(const HelixShape& shape, const Motion
   }
   const Axis d = reference::axes_of(shape.plane).d;
   if (!agree(motion.from[d], shape.top, tau)) return std::nullopt;
-  TurnedStart starts(shape.radius, tau);
+  OpenStart starts(shape.radius, tau);
   if (!starts.narrow({}, shape.from_axis(motion.from))) return std::nullopt;
   return starts;
 }

@@ -8,7 +8,7 @@
 #include <list>
 #include <optional>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve_follower.hpp"
 
 namespace gonogo::oracle {
 
@@ -34,20 +34,20 @@ struct HelixShape {
 class OpenHelix {
  public:
   // `starts`: those that agree with where the subject stands, `at`. `terms` must outlive it.
-  OpenHelix(const HelixShape& shape, TurnedStart starts, const Position& at,
+  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
             const JudgeTerms& terms);
   OpenHelix(const OpenHelix&) = delete;
   MatchResult match(const Motion& motion);
-  const TurnedStart& starts() const { return starts_; }
-  TurnedStart& starts() { return starts_; }
+  const OpenStart& starts() const { return starts_; }
+  OpenStart& starts() { return starts_; }
   const Motion& want() const { return want_; }
 
  private:
   PlaneVector origin_;
-  TurnedStart starts_;
+  OpenStart starts_;
   Motion want_;
   Similarity to_end_;
-  CurveMatch match_;
+  CurveFollower match_;
 };
 
 // All places where it may have begun.
@@ -57,7 +57,7 @@ class OpenHelices {
   // them is complete, see `take_done`. A departure: that of the last one dropped, none is left.
   MatchResult match(const Motion& motion);
   // False: there are too many to be followed.
-  [[nodiscard]] bool add(const HelixShape& shape, TurnedStart starts, const Position& at,
+  [[nodiscard]] bool add(const HelixShape& shape, OpenStart starts, const Position& at,
                          const JudgeTerms& terms);
   bool empty() const { return open_.empty(); }
   // The complete one.
@@ -72,7 +72,7 @@ class OpenHelices {
 
 // Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it
 // starts at the top; then the starts that agree with that.
-std::optional<TurnedStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
+std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
                                            const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

@@ -20,19 +20,25 @@ bool is(const Number& value, std::int64_t millionths) {
   return is_small(value) && NumberAccess::millionths(value) == millionths;
 }
 
+}  // namespace
+
 Position position_of(const PlainMotion::Place& place) {
   Position position;
   for (std::size_t i = 0; i < kAxes; ++i) position.at[i] = Number::millionths(place[i]);
   return position;
 }
 
-}  // namespace
+bool take_place(const Position& position, PlainMotion::Place& place) {
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    if (!take(position.at[i], place[i])) return false;
+  }
+  return true;
+}
 
 bool PlainMotion::take(const Record& record, const Place& start) {
   if (record.kind > RecordKind::arc || record.block == 0) return false;
   kind = record.kind;
   axes = record.axes;
-  moved = {};
   block = record.block;
   clause = record.clause;
   from = start;
@@ -41,7 +47,6 @@ bool PlainMotion::take(const Record& record, const Place& start) {
     if (!axes.has(axis)) continue;
     const auto i = index(axis);
     if (!oracle::take(record.to.at[i], to[i])) return false;
-    if (to[i] != from[i]) moved.add(axis);
   }
   if (kind == RecordKind::rapid) return true;
   feed_mode = record.feed_mode;
@@ -50,15 +55,6 @@ bool PlainMotion::take(const Record& record, const Place& start) {
   plane = record.plane;
   rot = record.rot;
   return oracle::take(record.centre[0], centre[0]) && oracle::take(record.centre[1], centre[1]);
-}
-
-bool PlainMotion::take(const Motion& motion) {
-  Place start;
-  for (std::size_t i = 0; i < kAxes; ++i) {
-    // An axis that the record does not name stays.
-    if (!oracle::take(motion.from.at[i], start[i]) || !is_small(motion.to().at[i])) return false;
-  }
-  return take(motion.record, start);
 }
 
 bool PlainMotion::is(const Record& record) const {
@@ -90,31 +86,6 @@ bool PlainMotion::is_visible(const JudgeTerms& terms) const {
   bool visible = false;
   for (std::size_t i = 0; i < kAxes; ++i) visible |= std::abs(to[i] - from[i]) > tau;
   return visible;
-}
-
-bool PlainMotion::may_join(const PlainMotion& before) const {
-  if (kind != before.kind || block != before.block) return false;
-  return kind == RecordKind::arc ? centre == before.centre : moved == before.moved;
-}
-
-Motion PlainMotion::motion(std::size_t number) const {
-  Motion motion;
-  motion.number = number;
-  motion.from = position_of(from);
-  Record& record = motion.record;
-  record.kind = kind;
-  record.axes = axes;
-  record.block = block;
-  record.clause = clause;
-  record.to = position_of(to);
-  if (kind == RecordKind::rapid) return motion;
-  record.feed_mode = feed_mode;
-  record.feed = Number::millionths(feed);
-  if (kind == RecordKind::feed) return motion;
-  record.plane = plane;
-  record.rot = rot;
-  record.centre = {Number::millionths(centre[0]), Number::millionths(centre[1])};
-  return motion;
 }
 
 }  // namespace gonogo::oracle

@@ -21,7 +21,6 @@ struct PlainMotion {
   reference::FeedMode feed_mode = reference::FeedMode::per_minute;
   reference::Plane plane = reference::Plane::g17;
   AxisSet axes;  // that the record names
-  AxisSet moved;
   std::int32_t rot = 0;
   std::uint64_t block = 0;
   reference::ClauseId clause = reference::kNoClause;
@@ -33,7 +32,6 @@ struct PlainMotion {
   // Becomes the motion of a record that starts at `from`. False, and the rest unspecified, where
   // the record is another kind, its line is not known, or a number takes more.
   bool take(const Record& record, const Place& from);
-  bool take(const Motion& motion);
 
   // Whether the record, from the same start, is the same motion to the last digit.
   bool is(const Record& record) const;
@@ -41,16 +39,10 @@ struct PlainMotion {
   // Whether it is longer than the tolerance along an axis, so that neither side drops it: even
   // after what a subject's doubles may be off.
   bool is_visible(const JudgeTerms& terms) const;
-  // Whether it may go on in the same way as `before`, which it follows: then they may be joined.
-  bool may_join(const PlainMotion& before) const;
-
-  // Whether both sides keep it and join it to nothing.
-  bool stays_apart(const PlainMotion& before, const JudgeTerms& terms) const {
-    return !may_join(before) && is_visible(terms);
-  }
-
-  // `number`: its place in the trace.
-  Motion motion(std::size_t number) const;
 };
+
+// A place in millionths; false where a number takes more. And back.
+bool take_place(const Position& position, PlainMotion::Place& place);
+Position position_of(const PlainMotion::Place& place);
 
 }  // namespace gonogo::oracle

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/evidence.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/region/gouge.hpp"
@@ -47,34 +47,34 @@ std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
 
 }  // namespace
 
-OpenPathAnswer PocketMillingJudge::finish_level(const Motion& next) {
+OpenStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
   milling_ = false;
   if (trial_) return finish_trial(next);
   if (motions_.empty()) {
     // An infeed alone: the level is a point, or nothing of it was milled.
-    const OpenPathAnswer depth = check_level_depth(next);
-    if (depth.kind == OpenPathAnswer::Kind::decided) return depth;
+    const OpenStepAnswer depth = check_level_depth(next);
+    if (depth.is_decided()) return depth;
   }
-  const OpenPathAnswer answer = judge_level(next);
-  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  const OpenStepAnswer answer = judge_level(next);
+  if (answer.is_decided()) return answer;
   close_level();
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
-OpenPathAnswer PocketMillingJudge::finish_trial(const Motion& next) {
+OpenStepAnswer PocketMillingJudge::finish_trial(const Motion& next) {
   trial_ = false;
-  const OpenPathAnswer answer = judge_level(next);
-  const bool decided = answer.kind == OpenPathAnswer::Kind::decided;
+  const OpenStepAnswer answer = judge_level(next);
+  const bool decided = answer.is_decided();
   if (decided && answer.verdict.kind == VerdictKind::oracle_gap) return answer;
   if (!decided && !above_floor_) {
     close_level();
-    return OpenPathAnswer::take();
+    return OpenStepAnswer::take();
   }
   if (decided) floor_fault_ = answer.verdict;
   above_floor_ = false;
   motions_.clear();
   records_.clear();
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
 void PocketMillingJudge::close_level() {
@@ -107,36 +107,36 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   return level;
 }
 
-OpenPathAnswer PocketMillingJudge::judge_level(const Motion& next) {
+OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
   const region::RectangularLevel level = level_at(depth_);
   const bool whole = !level.cleared;
   const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
                      std::ranges::equal(judged_->motions, motions_, same_rounded_motion);
-  if (known) return OpenPathAnswer::take();
+  if (known) return OpenStepAnswer::take();
   const region::LevelVerdict answer = region::judge_level(level, motions_);
-  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenStepAnswer::gap(answer.gap);
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
-    OpenPathAnswer fault = level_fault(answer.finding.value(), next.from);
+    OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
     if (!may_be_above_floor()) return fault;
     floor_fault_ = fault.verdict;
     above_floor_ = true;
     return judge_level(next);
   }
   if (item_.contour_only && rough_area_) {
-    const OpenPathAnswer floor = check_contour_only(next);
-    if (floor.kind == OpenPathAnswer::Kind::decided) return floor;
+    const OpenStepAnswer floor = check_contour_only(next);
+    if (floor.is_decided()) return floor;
   }
   judged_ = Judged{motions_, plunge_, whole};
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
 // SIE-LC75-07, J-PKT-10: the motions that touch the strip, and the plunge, mill the contour. Where
 // all motions clear the whole level and these alone do not, the others mill the floor.
-OpenPathAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
+OpenStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
   region::RectangularLevel whole = level_at(depth_);
   whole.cleared.reset();
   if (region::judge_level(whole, motions_).kind != region::LevelVerdict::Kind::go) {
-    return OpenPathAnswer::take();
+    return OpenStepAnswer::take();
   }
   const region::RoundedRectangle inner =
       region::with_radius(rough_reach_, rough_reach_.radius + terms_.tolerance);
@@ -152,9 +152,9 @@ OpenPathAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
   std::ranges::copy_if(motions_, std::back_inserter(contour),
                        [&](const auto& part) { return !stays_inside(part); });
   const region::LevelVerdict answer = region::judge_level(whole, contour);
-  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenPathAnswer::gap(answer.gap);
-  if (answer.kind == region::LevelVerdict::Kind::go) return OpenPathAnswer::take();
-  OpenPathAnswer fault = level_fault(answer.finding.value(), next.from);
+  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenStepAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::go) return OpenStepAnswer::take();
+  OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
   fault.verdict.clause = "SIE-LC75-07"_clause;
   fault.verdict.deviation_exact.clear();
   fault.verdict.deviation_mm.clear();
@@ -162,7 +162,7 @@ OpenPathAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
   return fault;
 }
 
-OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
+OpenStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
                                                const Position& at) const {
   const auto [clause, message] = meaning_of(finding.rule);
   const region::PlanePoint place = region::out_of(frame_, finding.witness);
@@ -182,7 +182,7 @@ OpenPathAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
   verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
   set_deviation(verdict, finding.deviation);
   verdict.message = message;
-  return OpenPathAnswer::decide(std::move(verdict));
+  return OpenStepAnswer::decide(std::move(verdict));
 }
 
 bool PocketMillingJudge::is_floor(const Number& depth) const {
@@ -194,26 +194,16 @@ bool PocketMillingJudge::may_be_above_floor() const {
          depth_ > item_.floor;
 }
 
-// SIE-LC75-06: the depth of level `place` (from 1) where the reading names it.
-Number PocketMillingJudge::depth_of(const Number& place) const {
-  const Number from = item_.levels_from_clearance ? item_.clearance : item_.reference_plane;
-  if (item_.levels == Levels::max_rest) return max(from - place * item_.infeed, item_.floor);
-  const Number depth = from - item_.floor;
-  return from - place * depth / (depth / item_.infeed).ceil();
-}
-
 // Which of the named levels lies at a depth; nothing when none does, or none has a name.
 std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
   if (item_.levels == Levels::open) return std::nullopt;
-  const Number from = item_.levels_from_clearance ? item_.clearance : item_.reference_plane;
-  const Number count = ((from - item_.floor) / item_.infeed).ceil();
+  const Number count = item_.level_count();
   if (is_floor(depth)) return count;
-  const Number step =
-      item_.levels == Levels::max_rest ? item_.infeed : (from - item_.floor) / count;
+  const Number step = item_.top() - item_.depth_of_level(1);
   const Number half = Number(1) / Number(2);
-  const Number place = ((from - depth) / step + half).floor();
-  const bool found =
-      place.sign() > 0 && place <= count && agree(depth_of(place), depth, terms_.tolerance);
+  const Number place = ((item_.top() - depth) / step + half).floor();
+  const bool found = place.sign() > 0 && place <= count &&
+                     agree(item_.depth_of_level(place), depth, terms_.tolerance);
   return found ? std::optional(place) : std::nullopt;
 }
 
@@ -221,7 +211,7 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
 // and where there is no strip all but the last. Levels no farther apart than the tolerance are one.
 bool PocketMillingJudge::is_due(const Number& place) const {
   if (place <= next_level_) return place == next_level_;
-  const Number above = depth_of(place - 1);
+  const Number above = item_.depth_of_level(place - 1);
   if (above >= last_depth_ - terms_.tolerance) return true;
   if (!item_.finishing) return false;
   return !has_strip() || above >= item_.reference_plane - terms_.tolerance;
@@ -232,8 +222,8 @@ std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
   const std::optional<Number> place = place_of(depth);
   if (!place || is_due(*place)) return place;
   for (const Number& other : {*place - 1, next_level_}) {
-    const bool near =
-        other.sign() > 0 && other < *place && agree(depth_of(other), depth, terms_.tolerance);
+    const bool near = other.sign() > 0 && other < *place &&
+                      agree(item_.depth_of_level(other), depth, terms_.tolerance);
     if (near && is_due(other)) return other;
   }
   return std::nullopt;

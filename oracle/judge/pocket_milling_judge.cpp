@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/pocket_milling_judge.hpp"
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/evidence.hpp"
 
 namespace gonogo::oracle {
@@ -16,9 +16,10 @@ region::RoundedRectangle area_of(const Number& length, const Number& width, cons
 
 }  // namespace
 
-PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item,
+PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
                                        const JudgeTerms& terms)
     : item_(item),
+      place_(place),
       terms_(terms),
       axes_(reference::axes_of(item.plane)),
       area_(area_of(item.length, item.width, item.corner_radius)),
@@ -53,26 +54,60 @@ Verdict PocketMillingJudge::incomplete(const Position& position) const {
   return verdict;
 }
 
-OpenPathAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
+OpenStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
                                            const Motion& motion, std::string message) const {
   Verdict verdict = departure_from(kind, clause, motion, pocket_text(item_), std::move(message));
   verdict.block = item_.block;
-  return OpenPathAnswer::decide(std::move(verdict));
+  return OpenStepAnswer::decide(std::move(verdict));
 }
 
-OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
-  if (over_) return OpenPathAnswer::end(motion.from);
+std::optional<Verdict> PocketMillingJudge::end(const Position& here) {
+  if (over_) return std::nullopt;
+  return incomplete(here);
+}
+
+// SIE-LC75-13
+OpenStep::Exit PocketMillingJudge::exit(const Position& /*here*/) const {
+  Position at = place_;
+  at[axes_.p] = item_.centre[0];
+  at[axes_.q] = item_.centre[1];
+  at[axes_.d] = item_.retract;
+  return {at};
+}
+
+// A traverse is no part of a level; only of a pocket as deep as the tolerance it may be the end.
+bool PocketMillingJudge::sees(const Motion& small) const {
+  if (terms_.compare_blocks && small.record.block != item_.block) return false;
+  const Number& tau = terms_.tolerance;
+  const bool is_shallow = item_.retract - item_.floor <= tau;
+  if (small.record.kind == RecordKind::rapid && !is_shallow) return false;
+  return !agree(small.from, small.to(), tau / 1000);
+}
+
+// SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is judged as any other.
+bool PocketMillingJudge::may_begin_within(const Motion& rest) const {
+  return rest.record.kind == RecordKind::rapid;
+}
+
+OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
+  OpenStepAnswer answer = take_motion(motion);
+  if (is_limited() && is_cut(motion.record.kind)) answer.cost = OpenStepAnswer::Cost::free;
+  return answer;
+}
+
+OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
+  if (over_) return OpenStepAnswer::end(motion.from);
   if (terms_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
-      const OpenPathAnswer answer = finish_level(motion);
-      if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+      const OpenStepAnswer answer = finish_level(motion);
+      if (answer.is_decided()) return answer;
     }
     // A lift that is too small to see may be missing.
     over_ = floor_done_ && item_.floor >= item_.retract - terms_.tolerance &&
             above_centre(motion.from) &&
             agree(motion.from[axes_.d], item_.retract, terms_.tolerance);
-    if (over_) return OpenPathAnswer::end(motion.from);
-    return OpenPathAnswer::decide(incomplete(motion.from));
+    if (over_) return OpenStepAnswer::end(motion.from);
+    return OpenStepAnswer::decide(incomplete(motion.from));
   }
   const RecordKind kind = motion.record.kind;
   if (turns_rotary_axis(motion, terms_.tolerance)) {
@@ -91,10 +126,10 @@ OpenPathAnswer PocketMillingJudge::take(const Motion& motion) {
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
   if (!goes_along_depth(motion)) return take_in_plane(motion);
-  if (stays_at_level(motion)) return OpenPathAnswer::take();
+  if (stays_at_level(motion)) return OpenStepAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {
-    const OpenPathAnswer answer = finish_level(motion);
-    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    const OpenStepAnswer answer = finish_level(motion);
+    if (answer.is_decided()) return answer;
   }
   return to < from ? take_down(motion) : take_travel(motion);
 }
@@ -119,19 +154,19 @@ bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
 }
 
 // At one depth: the cuts of a level, or travel.
-OpenPathAnswer PocketMillingJudge::take_in_plane(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::take_in_plane(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool is_a_cut = is_cut(motion.record.kind);
   if (is_near_cleared(depth)) return take_near_cleared(motion);
   if (is_a_cut && has_feed(motion, item_.plane_feed)) return take_cut(motion);
   const bool deep = depth < cleared_.rough - terms_.tolerance;
   if (is_a_cut && !deep && stays_in(motion, rough_reach_).value_or(false)) {
-    return OpenPathAnswer::take();
+    return OpenStepAnswer::take();
   }
   // Anything else comes after the level: what is cleared by now is all of it.
   if (milling_) {
-    const OpenPathAnswer answer = finish_level(motion);
-    const bool decided = answer.kind == OpenPathAnswer::Kind::decided;
+    const OpenStepAnswer answer = finish_level(motion);
+    const bool decided = answer.is_decided();
     if (!decided) return take_travel(motion);
     if (!is_a_cut) return answer;
   }
@@ -146,18 +181,18 @@ bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
 }
 
 // Travel; but where the floor is as near as the tolerance, it may be the level at the floor.
-OpenPathAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
                      has_feed(motion, item_.plane_feed);
   // The infeed to it cut.
   if (mills && milling_ && !trial_) return take_cut(motion);
   if (trial_ && !mills) {
-    const OpenPathAnswer answer = finish_level(motion);
-    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    const OpenStepAnswer answer = finish_level(motion);
+    if (answer.is_decided()) return answer;
   }
-  const OpenPathAnswer travel = take_travel(motion);
-  if (!mills || travel.kind == OpenPathAnswer::Kind::decided) return travel;
+  const OpenStepAnswer travel = take_travel(motion);
+  if (!mills || travel.is_decided()) return travel;
   if (!milling_) start_trial(depth, motion.from);
   return trial_ ? collect(motion) : travel;
 }
@@ -169,16 +204,16 @@ void PocketMillingJudge::start_trial(const Number& depth, const Position& plunge
   plunge_ = own(plunge);
 }
 
-OpenPathAnswer PocketMillingJudge::take_cut(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   if (!milling_) {
     depth_ = motion.from[axes_.d];
-    const OpenPathAnswer answer = check_level_depth(motion);
-    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    const OpenStepAnswer answer = check_level_depth(motion);
+    if (answer.is_decided()) return answer;
     milling_ = true;
     plunge_ = own(motion.from);
   } else if (motions_.empty()) {
-    const OpenPathAnswer answer = check_level_depth(motion);
-    if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+    const OpenStepAnswer answer = check_level_depth(motion);
+    if (answer.is_decided()) return answer;
   }
   if (!agree(motion.to()[axes_.d], depth_, terms_.tolerance)) {
     return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
@@ -187,38 +222,38 @@ OpenPathAnswer PocketMillingJudge::take_cut(const Motion& motion) {
   return collect(motion);
 }
 
-OpenPathAnswer PocketMillingJudge::collect(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
   motions_.push_back(own(motion));
   records_.push_back(motion.record);
   if (motions_.size() > region::kMaximumLevelMotions) {
-    return OpenPathAnswer::gap("A level of more than 50,000 motions is not judged.");
+    return OpenStepAnswer::gap("A level of more than 50,000 motions is not judged.");
   }
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
-OpenPathAnswer PocketMillingJudge::take_down(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
   const Number& to = motion.to()[axes_.d];
   const bool is_last = is_point() && is_floor(to) && !floor_done_;
   const bool cuts = is_last || to < min(cleared_.everywhere, cleared_.rough) - terms_.tolerance;
   arrival_ = motion;
   if (!cuts) {
-    const OpenPathAnswer travel = take_travel(motion);
-    const bool decided = travel.kind == OpenPathAnswer::Kind::decided;
+    const OpenStepAnswer travel = take_travel(motion);
+    const bool decided = travel.is_decided();
     const bool tries = !floor_done_ && is_floor(to) && is_near_cleared(to);
     if (!decided && tries) start_trial(to, motion.to());
     return travel;
   }
   trial_ = false;
-  const OpenPathAnswer answer = check_plunge(motion);
-  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  const OpenStepAnswer answer = check_plunge(motion);
+  if (answer.is_decided()) return answer;
   milling_ = true;
   depth_ = to;
   plunge_ = own(motion.to());
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
 // SIE-LC75-04: every infeed is at the centre with R122. SIE-LC75-11: of finishing the last.
-OpenPathAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
+OpenStepAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   const reference::ClauseId clause = item_.finishing ? "SIE-LC75-11"_clause : "SIE-LC75-04"_clause;
   if (motion.record.kind == RecordKind::rapid) {
     return departs(VerdictKind::fail_region, clause, motion, "The tool traverses into the part.");
@@ -231,27 +266,27 @@ OpenPathAnswer PocketMillingJudge::check_plunge(const Motion& motion) const {
   if (!has_feed(motion, item_.depth_feed)) {
     return departs(VerdictKind::fail_feed, clause, motion, "The feed of the infeed differs.");
   }
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
-OpenPathAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
   if (!admits_depth(depth_)) {
     return departs(VerdictKind::fail_geometry, "SIE-LC75-06"_clause, motion,
                    "The depth of the level is none that the infeed admits.");
   }
-  if (!item_.finishing || !is_floor(depth_)) return OpenPathAnswer::take();
-  const OpenPathAnswer answer =
+  if (!item_.finishing || !is_floor(depth_)) return OpenStepAnswer::take();
+  const OpenStepAnswer answer =
       arrival_ ? check_plunge(*arrival_)
                : departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
                          "The last level has no infeed at the centre.");
-  if (answer.kind != OpenPathAnswer::Kind::decided || !may_be_above_floor()) return answer;
+  if (!answer.is_decided() || !may_be_above_floor()) return answer;
   above_floor_ = true;
   floor_fault_ = answer.verdict;
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
-OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
+OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   const Number& tau = terms_.tolerance;
   // J-CYC-01: no clause leads above R101.
   if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
@@ -268,13 +303,13 @@ OpenPathAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
     const bool straight_up = motion.from[axes_.d] < motion.to()[axes_.d] &&
                              agree(motion.from[axes_.p], motion.to()[axes_.p], tau) &&
                              agree(motion.from[axes_.q], motion.to()[axes_.q], tau);
-    if (straight_up) return OpenPathAnswer::take();
+    if (straight_up) return OpenStepAnswer::take();
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
                    "The tool travels where nothing is cleared.");
   }
   const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
-  if (!inside) return OpenPathAnswer::gap("A motion is too close to the wall to decide.");
-  if (*inside) return OpenPathAnswer::take();
+  if (!inside) return OpenStepAnswer::gap("A motion is too close to the wall to decide.");
+  if (*inside) return OpenStepAnswer::take();
   return departs(
       VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
       above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
@@ -288,34 +323,34 @@ bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
          motion.from[axes_.d] < item_.retract && item_.retract < motion.to()[axes_.d];
 }
 
-OpenPathAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   if (is_cut(motion.record.kind)) ++idle_cuts_;
   if (passes_retract_plane(motion)) {
     over_ = true;
     Position here = motion.to();
     here[axes_.d] = item_.retract;
-    return OpenPathAnswer::end(here);
+    return OpenStepAnswer::end(here);
   }
-  if (const auto answer = check_first(motion); answer.kind == OpenPathAnswer::Kind::decided) {
+  if (const auto answer = check_first(motion); answer.is_decided()) {
     return answer;
   }
-  const OpenPathAnswer answer = check_travel(motion);
-  if (answer.kind == OpenPathAnswer::Kind::decided) return answer;
+  const OpenStepAnswer answer = check_travel(motion);
+  if (answer.is_decided()) return answer;
   if (!floor_done_ || motion.record.kind != RecordKind::rapid || !above_centre(motion.to())) {
-    return OpenPathAnswer::take();
+    return OpenStepAnswer::take();
   }
   // SIE-LC75-13: the end is above the centre at R101.
   over_ = agree(motion.to()[axes_.d], item_.retract, terms_.tolerance);
-  return OpenPathAnswer::take();
+  return OpenStepAnswer::take();
 }
 
 // J-CYC-01: of roughing the first infeed follows the approach, at the centre. Of finishing
 // (SIE-LC75-11) the tool may travel in what roughing left.
-OpenPathAnswer PocketMillingJudge::check_first(const Motion& motion) const {
+OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
-  if (item_.finishing || !first_ || milling_ || below) return OpenPathAnswer::take();
+  if (item_.finishing || !first_ || milling_ || below) return OpenStepAnswer::take();
   const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
-  if (sinks && above_centre(motion.to())) return OpenPathAnswer::take();
+  if (sinks && above_centre(motion.to())) return OpenStepAnswer::take();
   return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                  "The tool moves away before the first infeed, where no clause leads it.");
 }

@@ -7,28 +7,33 @@
 #include <optional>
 #include <vector>
 
-#include "oracle/judge/open_path.hpp"
+#include "oracle/judge/open_step.hpp"
 #include "oracle/region/frame.hpp"
 #include "oracle/region/rectangle.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class PocketMillingJudge {
+class PocketMillingJudge : public OpenStep {
  public:
-  // `item` and `terms` must outlive the judge. The tool stands at the clearance above the centre.
-  PocketMillingJudge(const reference::PocketMilling& item, const JudgeTerms& terms);
-  PocketMillingJudge(const PocketMillingJudge&) = delete;
+  // `item` and `terms` must outlive the judge. The tool stands at `place`, at the clearance above
+  // the centre.
+  PocketMillingJudge(const reference::PocketMilling& item, const Position& place,
+                     const JudgeTerms& terms);
 
   // The path ends with the motion that reaches R101 above the centre; what follows is `ended`.
-  OpenPathAnswer take(const Motion& motion);
-  bool complete() const { return over_; }
+  OpenStepAnswer take(const Motion& motion) override;
+  std::optional<Verdict> end(const Position& here) override;
+  Exit exit(const Position& here) const override;
+  bool sees(const Motion& small) const override;
+  bool may_begin_within(const Motion& rest) const override;
+
+ private:
+  OpenStepAnswer take_motion(const Motion& motion);
   // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
   // through what is cleared, of which a pocket may have as many as a level.
   bool is_limited() const { return milling_ || idle_cuts_ <= region::kMaximumLevelMotions; }
   Verdict incomplete(const Position& position) const;
-
- private:
   // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
   struct Cleared {
     Number everywhere;
@@ -39,28 +44,28 @@ class PocketMillingJudge {
   bool goes_along_depth(const Motion& motion) const;
   // Whether a cut along the depth axis within a level leaves it at its depth.
   bool stays_at_level(const Motion& motion) const;
-  OpenPathAnswer take_in_plane(const Motion& motion);
+  OpenStepAnswer take_in_plane(const Motion& motion);
   // Whether the depth cannot be told from one that is cleared everywhere.
   bool is_near_cleared(const Number& depth) const;
-  OpenPathAnswer take_near_cleared(const Motion& motion);
+  OpenStepAnswer take_near_cleared(const Motion& motion);
   void start_trial(const Number& depth, const Position& plunge);
-  OpenPathAnswer finish_trial(const Motion& next);
+  OpenStepAnswer finish_trial(const Motion& next);
   void close_level();
-  OpenPathAnswer take_cut(const Motion& motion);
-  OpenPathAnswer collect(const Motion& motion);
-  OpenPathAnswer take_down(const Motion& motion);
-  OpenPathAnswer take_travel(const Motion& motion);
-  OpenPathAnswer check_travel(const Motion& motion) const;
-  OpenPathAnswer check_first(const Motion& motion) const;
+  OpenStepAnswer take_cut(const Motion& motion);
+  OpenStepAnswer collect(const Motion& motion);
+  OpenStepAnswer take_down(const Motion& motion);
+  OpenStepAnswer take_travel(const Motion& motion);
+  OpenStepAnswer check_travel(const Motion& motion) const;
+  OpenStepAnswer check_first(const Motion& motion) const;
   bool passes_retract_plane(const Motion& motion) const;
-  OpenPathAnswer check_plunge(const Motion& motion) const;
-  OpenPathAnswer check_level_depth(const Motion& motion);
-  OpenPathAnswer finish_level(const Motion& next);
-  OpenPathAnswer judge_level(const Motion& next);
+  OpenStepAnswer check_plunge(const Motion& motion) const;
+  OpenStepAnswer check_level_depth(const Motion& motion);
+  OpenStepAnswer finish_level(const Motion& next);
+  OpenStepAnswer judge_level(const Motion& next);
   // SIE-LC75-07: whether the floor is milled where only the contour is to be.
-  OpenPathAnswer check_contour_only(const Motion& next);
-  OpenPathAnswer level_fault(const region::Finding& finding, const Position& at) const;
-  OpenPathAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+  OpenStepAnswer check_contour_only(const Motion& next);
+  OpenStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
+  OpenStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                          std::string message) const;
 
   bool is_floor(const Number& depth) const;
@@ -69,7 +74,6 @@ class PocketMillingJudge {
   bool admits_depth(const Number& depth) const;
   bool is_due(const Number& place) const;
   std::optional<Number> due_place(const Number& depth) const;
-  Number depth_of(const Number& place) const;
   std::optional<Number> place_of(const Number& depth) const;
   bool has_strip() const { return item_.finishing && item_.allowance.sign() > 0; }
   bool above_centre(const Position& at) const;
@@ -86,6 +90,7 @@ class PocketMillingJudge {
   region::RectangularLevel level_at(const Number& depth) const;
 
   const reference::PocketMilling& item_;
+  Position place_;
   const JudgeTerms& terms_;
   reference::PlaneAxes axes_;
   region::RoundedRectangle area_;  // what the tool may touch

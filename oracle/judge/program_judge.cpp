@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/evidence.hpp"
-#include "oracle/judge/standing.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/places.hpp"
 
 namespace gonogo::oracle {
 
@@ -14,34 +17,29 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
     : profile_(profile),
       terms_(terms),
       program_(program),
-      input_(program),
-      reference_(profile_, input_.lines, terms_),
-      budget_(profile_, program),
-      position_(profile_.initial.at),
-      anchor_(position_) {}
+      reference_(profile_, program_, terms_),
+      alignment_(reference_, profile_.initial.at, terms_, memory_),
+      m_functions_(terms_),
+      budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {
   if (!verdict_) verdict_ = advised(std::move(verdict), terms_);
 }
 
-void ProgramJudge::decide_gap(std::string message) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = std::move(message);
-  decide(std::move(verdict));
+void ProgramJudge::decide(std::optional<Verdict> verdict) {
+  if (verdict) decide(*std::move(verdict));
 }
 
-void ProgramJudge::decide_not_covered(const reference::NotCovered& outside) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.block = outside.block;
-  verdict.message = outside.message;
-  decide(std::move(verdict));
-}
-
-// J-CONST-01.
 void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
-  decide_gap(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+  decide(undecided_verdict(undecided));
+}
+
+void ProgramJudge::decide_departure() {
+  if (alignment_.gap()) return decide(*alignment_.gap());
+  std::size_t departed_at = 0;
+  Verdict verdict = explain(alignment_.refutation(), reference_, terms_, departed_at);
+  departed_at_ = departed_at;
+  decide(std::move(verdict));
 }
 
 bool ProgramJudge::record(const Record& record) {
@@ -72,27 +70,6 @@ void ProgramJudge::decide_too_many(const Record& record) {
   decide(std::move(verdict));
 }
 
-// J-CYC-02: a straight piece that comes nearer to the end of the reference's motion; of an arc or
-// an open path a place where the tool has not been.
-bool ProgramJudge::makes_progress(const Motion& motion) {
-  const ReferenceStep& step = reference_.behind_m_functions();
-  const RecordKind kind = motion.record.kind;
-  const bool is_straight =
-      kind == RecordKind::feed || kind == RecordKind::rapid || kind == RecordKind::thread;
-  if (const auto* want = std::get_if<Motion>(&step)) {
-    if (!is_round(want->record.kind)) {
-      return is_straight && comes_nearer(motion, want->to(), terms_.tolerance);
-    }
-  } else if (const auto* level = std::get_if<reference::PocketLevel>(&step)) {
-    if (!ends_in_pocket(motion, *level)) return false;
-  } else if (!std::holds_alternative<reference::ThreadMilling>(step) &&
-             !std::holds_alternative<reference::HelixPocket>(step) &&
-             !std::holds_alternative<reference::PocketMilling>(step)) {
-    return false;
-  }
-  return visited_.is_new(reference_.items(), motion.to(), terms_.tolerance);
-}
-
 // J-CMP-01, J-CMP-07.
 void ProgramJudge::take_record(const Record& record) {
   if (end_record_) {
@@ -102,120 +79,100 @@ void ProgramJudge::take_record(const Record& record) {
     verdict.block = record.block;
     verdict.got = record_text(record);
     verdict.message = "A record follows the end of the trace.";
-    decide(std::move(verdict));
-    return;
+    return decide(std::move(verdict));
   }
   switch (record.kind) {
     case RecordKind::m:
-      take_m_function(record);
-      break;
+      if (terms_.compare_m) take_m_function(record);
+      return;
     case RecordKind::dwell:
-      if (record.seconds.sign() == 0) break;
-      flush_pending();
-      if (!verdict_) note_block(record);
-      if (!verdict_) take_dwell(record);
-      break;
+      if (record.seconds.sign() != 0) take_dwell(record);
+      return;
     case RecordKind::end:
-      flush_pending();
       end_record_ = record;
-      break;
+      return;
     default:
-      take_motion(record);
-      break;
+      return take_motion(record);
   }
 }
 
-void ProgramJudge::rename(const reference::Renaming& renaming) {
-  shift(position_, renaming.shift);
-  shift(anchor_, renaming.shift);
-  reference_.advance();
-}
-
-void ProgramJudge::follow_renamings(std::uint64_t block) {
-  end_open_path_before(block);
-  while (!verdict_ && reference_.renaming_ahead()) {
-    flush_pending();
-    if (verdict_) return;
-    const ReferenceStep& step = reference_.current();
-    if (auto* renaming = std::get_if<reference::Renaming>(&step)) {
-      if (block != 0 && block <= renaming->block) return;
-      rename(*renaming);
-      continue;
+// Those before step `step` have been passed, and nothing looks back.
+void ProgramJudge::note_m_functions(std::size_t step) {
+  for (; noted_ <= step && !verdict_; ++noted_) {
+    for (const Record& record : reference_.at(noted_).m_functions) {
+      if (!verdict_) decide(m_functions_.want(record));
     }
-    if (auto* record = std::get_if<Record>(&step);
-        record != nullptr && record->kind == RecordKind::m) {
-      take_m_functions();
-      continue;
-    }
-    // A motion too small to see, which the subject has passed without one of its own.
-    auto* want = std::get_if<Motion>(&step);
-    const bool passed = want != nullptr && want->record.block < block;
-    if (!passed || !reached(*want, position_)) return;
-    match_.reset();
-    reference_.advance();
   }
 }
 
 void ProgramJudge::take_motion(const Record& record) {
-  follow_renamings(terms_.compare_blocks ? record.block : 0);
-  if (verdict_) return;
-  Motion motion = motion_from(position_, record, records_ - 1);
-  if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
   // J-CMP-10.
-  if (!terms_.compare_blocks) {
-    motion.record.block = 0;
-  } else if (record.block == 0) {
+  if (terms_.compare_blocks && record.block == 0) {
     Verdict verdict;
     verdict.kind = VerdictKind::protocol;
-    verdict.record = motion.number;
+    verdict.record = records_ - 1;
     verdict.got = record_text(record);
     verdict.message = "The subject declares the feature `blocks`, but this record has no `b`.";
-    decide(std::move(verdict));
-    return;
+    return decide(std::move(verdict));
   }
-  const bool stays = stays_at(anchor_, motion, terms_);
-  if (!stays) note_block(record);
+  note_m_functions(alignment_.first_step());
+  const bool is_low = budget_.runs_low(records_, reference_.items_and_passes());
+  if (!verdict_ && (terms_.compare_m || is_low)) {
+    const Hypothesis& first = alignment_.hypotheses().front();
+    const Motion motion = motion_from(first.at, record, records_ - 1);
+    if (!stays_at(first.anchor, motion, terms_)) {
+      decide(m_functions_.take_event(record, records_ - 1));
+      if (record.kind != RecordKind::rapid) m_functions_.note_cut(record.block);
+    }
+    if (!verdict_ && is_low && makes_progress(motion)) budget_.forgive();
+  }
   if (verdict_) return;
-  const std::size_t live = reference_.items_and_passes();
-  if (budget_.runs_low(records_, live) && makes_progress(motion)) budget_.forgive();
-  position_ = motion.to();
   moved_ = true;
-  if (!stays && record.kind != RecordKind::rapid) cut_block_ = record.block;
-  if (pending_ && !ends_here(*pending_, motion) && join(*pending_, motion)) {
-    anchor_ = position_;
-    return;
-  }
-  // J-CMP-03. Dropped: within the tolerance of where the last kept motion ended, so that many small
-  // motions cannot add up unseen. Arcs stay: they may mean a full turn.
-  const bool is_nil = record.kind != RecordKind::arc && stays;
-  if (is_nil && !mills_pocket(motion)) {
-    if (!verdict_ && is_due(motion)) anchor_ = position_;
-    return;
-  }
-  if (verdict_) return;
-  anchor_ = position_;
-  flush_pending();
-  if (!verdict_) pending_ = std::move(motion);
+  if (!alignment_.take_motion(record, records_ - 1)) return decide_departure();
+  const Forgiven forgiven = alignment_.take_forgiven();
+  budget_.forgive(forgiven.records);
+  budget_.count_level_cuts(forgiven.level_cuts);
+  reference_.forget_before(std::min(noted_, alignment_.first_step()));
 }
 
-// J-CMP-04: whether the two are not to be joined, for the motion is where the reference's ends:
-// what follows belongs to the next one, though it goes on in the same way.
-bool ProgramJudge::ends_here(const Motion& motion, const Motion& next) {
+// J-CMP-05.
+void ProgramJudge::take_m_function(const Record& record) {
+  note_m_functions(alignment_.first_step());
+  if (verdict_) return;
+  if (!m_functions_.is_none_due()) return decide(m_functions_.take(record, records_ - 1));
+  switch (alignment_.take_m_function(record, records_ - 1, noted_)) {
+    case Alignment::MFunction::taken:
+      return decide(m_functions_.take_place(record, records_ - 1));
+    case Alignment::MFunction::free:
+      return decide(m_functions_.take(record, records_ - 1));
+    case Alignment::MFunction::departs:
+      return decide_departure();
+  }
+}
+
+void ProgramJudge::take_dwell(const Record& record) {
+  note_m_functions(alignment_.first_step());
+  if (!verdict_) decide(m_functions_.take_event(record, records_ - 1));
+  if (!verdict_ && !alignment_.take_dwell(record, records_ - 1)) decide_departure();
+}
+
+// J-CYC-02: a straight piece that comes nearer to the end of the reference's motion; of an arc or
+// an open path a place where the tool has not been.
+bool ProgramJudge::makes_progress(const Motion& motion) {
+  const ReferenceSteps::Step& step = reference_.at(alignment_.hypotheses().front().step);
   const RecordKind kind = motion.record.kind;
-  if (is_round(kind) || kind != next.record.kind || motion.record.block != next.record.block) {
+  const bool is_straight =
+      kind == RecordKind::feed || kind == RecordKind::rapid || kind == RecordKind::thread;
+  if (const auto* want = std::get_if<Motion>(&step.what)) {
+    if (!is_round(want->record.kind)) {
+      return is_straight && comes_nearer(motion, want->to(), terms_.tolerance);
+    }
+  } else if (const auto* level = std::get_if<reference::PocketLevel>(&step.what)) {
+    if (!ends_in_pocket(motion, *level)) return false;
+  } else if (!is_open_step(step.what)) {
     return false;
   }
-  const ReferenceStep& step = reference_.behind_m_functions();
-  auto* want = std::get_if<Motion>(&step);
-  return want != nullptr && want->record.kind == kind &&
-         same_place(motion.to(), want->to(), terms_);
-}
-
-void ProgramJudge::flush_pending() {
-  if (!pending_) return;
-  Motion motion = *std::move(pending_);
-  pending_.reset();
-  process(std::move(motion));
+  return visited_.is_new(step.item, motion.to(), terms_.tolerance);
 }
 
 }  // namespace gonogo::oracle

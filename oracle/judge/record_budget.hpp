@@ -26,10 +26,10 @@ class RecordBudget {
   // A record that makes progress (J-CYC-02), or does not count because something else limits how
   // many of its kind there are: a chord that goes on along an arc of the reference, a cut of a
   // level of a pocket.
-  void forgive() { ++forgiven_; }
+  void forgive(std::size_t records = 1) { forgiven_ += records; }
   // A cut of a level whose rings the reference counts. Where the path that is shown ends in an
   // alarm that the subject's own path does not lead to, nothing counts them, and it is forgiven.
-  void count_level_cut() { ++level_cuts_; }
+  void count_level_cuts(std::size_t cuts) { level_cuts_ += cuts; }
 
  private:
   static constexpr std::size_t kFactor = 10;

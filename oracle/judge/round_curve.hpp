@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "oracle/judge/space_circle.hpp"
-#include "oracle/judge/turned_start.hpp"
+#include "oracle/judge/open_start.hpp"
 
 namespace gonogo::oracle {
 
 // An arc that may begin anywhere on a circle: then the reference's motion is only one of those that
 // are meant, and its ends and centre follow from the starts that are left.
 struct OpenArc {
-  const TurnedStart* starts = nullptr;  // about `origin`
+  const OpenStart* starts = nullptr;  // about `origin`
   PlaneVector origin;                   // along p and q
   Similarity end;                       // the end of the arc, from its start
   Similarity centre;                    // its centre, from its start

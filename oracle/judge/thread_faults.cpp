@@ -12,11 +12,11 @@ namespace gonogo::oracle {
 
 using reference::operator""_clause;
 
-OpenPathAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
+OpenStepAnswer ThreadJudge::fault(VerdictKind kind, reference::ClauseId clause,
                                   const Motion& motion, std::string message) const {
   Verdict verdict = departure_from(kind, clause, motion, want_text(), std::move(message));
   verdict.block = item_.block;
-  return OpenPathAnswer::decide(std::move(verdict));
+  return OpenStepAnswer::decide(std::move(verdict));
 }
 
 std::string ThreadJudge::want_text() const {
@@ -53,12 +53,12 @@ Verdict ThreadJudge::incomplete(const Position& position) const {
   return verdict;
 }
 
-OpenPathAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
+OpenStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
                                      const Motion& motion, std::string message) const {
   if (clear.kind == Clearance::Kind::undecided) {
-    return OpenPathAnswer::gap("Whether an arc below the R plane clears the part is not decided.");
+    return OpenStepAnswer::gap("Whether an arc below the R plane clears the part is not decided.");
   }
-  OpenPathAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
+  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
   Position witness = motion.from;
   witness[axes_.p] = item_.centre[0] + clear.witness.p;
   witness[axes_.q] = item_.centre[1] + clear.witness.q;
@@ -79,10 +79,10 @@ OpenPathAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId
 
 // A motion below the R plane where the helix of the pass is due, or one that leaves it. The first
 // of radius, plane, centre, sense, start, lead, turns, depth and feed that is wrong gives the name.
-OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& result) const {
+OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& result) const {
   constexpr VerdictKind kGeometry = VerdictKind::fail_geometry;
   const reference::ClauseId clause = "GSK-G114-06"_clause;
-  if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);
+  if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
   if (result.departure == Departure::feed) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
                  "The feed of the thread differs.");
@@ -113,7 +113,7 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
   }
   for (std::size_t i : {0U, 1U}) {
     if (agree(record.centre[i], item_.centre[i], terms_.tolerance)) continue;
-    OpenPathAnswer answer =
+    OpenStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix turns about another centre.");
     set_deviation(answer.verdict, abs(record.centre[i] - item_.centre[i]));
     return answer;
@@ -122,7 +122,7 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
     return fault(kGeometry, "GSK-G114-09"_clause, motion, "The helix turns the wrong way.");
   }
   if (!on_the_way && !agree(motion.from[axes_.d], item_.r_plane, terms_.tolerance)) {
-    OpenPathAnswer answer =
+    OpenStepAnswer answer =
         fault(kGeometry, clause, motion, "The helix does not begin at the R plane.");
     set_deviation(answer.verdict, abs(motion.from[axes_.d] - item_.r_plane));
     return answer;
@@ -132,7 +132,7 @@ OpenPathAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
 }
 
 // Another radius than that of the pass; that of a neighbouring pass says more.
-OpenPathAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
+OpenStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   const Position& at = geometry_.on_circle(motion.from, radius()) ? motion.to() : motion.from;
   const PlaneVector v = geometry_.from_axis(at);
   const Number got = exact::sqrt(v.p * v.p + v.q * v.q);
@@ -148,14 +148,14 @@ OpenPathAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   } else {
     clause = "GSK-G114-06"_clause;
   }
-  OpenPathAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
+  OpenStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
   answer.verdict.witness = point_text(at, {Axis::x, Axis::y, Axis::z});
   set_deviation(answer.verdict, abs(beyond));
   return answer;
 }
 
 // Lead, turns or depth: estimates only choose the name here.
-OpenPathAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
+OpenStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
   const double tau = approximate(terms_.tolerance);
   const double lead = approximate(item_.lead);
   const double turns = approximate_turns(motion);
@@ -172,14 +172,14 @@ OpenPathAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
   } else if (!at_bottom) {
     message = "The helix ends at another depth.";
   }
-  OpenPathAnswer answer =
+  OpenStepAnswer answer =
       fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion, std::move(message));
   set_deviation(answer.verdict, abs(motion.to()[axes_.d] - item_.bottom));
   return answer;
 }
 
 // J-THR-06
-OpenPathAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
+OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
   const bool falls = height(motion.to()) < height(motion.from) - terms_.tolerance;
   std::string message =
       "The way back to the R plane does not lead along the depth axis alone from the end of the "
@@ -195,7 +195,7 @@ OpenPathAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
 }
 
 // J-THR-07
-OpenPathAnswer ThreadJudge::not_away(const Motion& motion) const {
+OpenStepAnswer ThreadJudge::not_away(const Motion& motion) const {
   const bool moves_p = geometry_.moves_first_axis_alone(motion);
   return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion,
                moves_p ? "The tool turns back before it has reached the safe position."

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/thread_geometry.hpp"
 
-#include "oracle/judge/turned_start.hpp"
+#include "oracle/judge/open_start.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {
@@ -32,7 +32,7 @@ PlaneVector ThreadGeometry::from_axis(const Position& at) const {
 }
 
 bool ThreadGeometry::on_circle(const Position& at, const Number& radius) const {
-  return TurnedStart(radius, terms_.tolerance).admits({}, from_axis(at));
+  return OpenStart(radius, terms_.tolerance).admits({}, from_axis(at));
 }
 
 bool ThreadGeometry::is_free(const Position& at, const Number& radius) const {

@@ -16,6 +16,7 @@ ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, const Position& s
       axes_(reference::axes_of(item.plane)),
       passes_(item.passes()),
       turns_(reference::gsk988ta::turns_of(item)),
+      start_(start),
       position_(start),
       entry_(geometry_) {
   to_end_ = turn_by((turns_ - turns_.floor()) * 360 * item.sense);
@@ -44,14 +45,35 @@ bool ThreadJudge::complete() const {
   return phase_ == Phase::away || is_back_unseen();
 }
 
-OpenPathAnswer ThreadJudge::take(const Motion& motion) {
+std::optional<Verdict> ThreadJudge::end(const Position& here) {
+  if (complete()) return std::nullopt;
+  return incomplete(here);
+}
+
+// Where the subject stands, or where the reference would where that agrees.
+OpenStep::Exit ThreadJudge::exit(const Position& here) const {
+  Position at = start_;
+  for (const Axis axis : {axes_.p, axes_.q, axes_.d}) at[axis] = here[axis];
+  const std::array<Number, 2> shown = reference::gsk988ta::end_of_passes(item_);
+  // Half the tolerance: as far as a correctly rounded position may lie.
+  const Number near = terms_.tolerance / 2;
+  if (agree(here[axes_.p], shown[0], near) && agree(here[axes_.q], shown[1], near)) {
+    at[axes_.p] = shown[0];
+    at[axes_.q] = shown[1];
+  }
+  if (agree(here[axes_.d], item_.r_plane, terms_.tolerance)) at[axes_.d] = item_.r_plane;
+  return {at, true};
+}
+
+OpenStepAnswer ThreadJudge::take(const Motion& motion) {
+  waits_ = false;
   if (passes_ > 1 && agree(item_.r_plane, item_.bottom, terms_.tolerance)) {
-    return OpenPathAnswer::gap(
+    return OpenStepAnswer::gap(
         "The passes of a thread that is no deeper than the tolerance cannot be told apart.");
   }
   if (terms_.compare_blocks && motion.record.block != item_.block) {
-    if (complete()) return OpenPathAnswer::end(motion.from);
-    return OpenPathAnswer::decide(incomplete(motion.from));
+    if (complete()) return OpenStepAnswer::end(motion.from);
+    return OpenStepAnswer::decide(incomplete(motion.from));
   }
   if (turns_rotary_axis(motion, terms_.tolerance)) {
     return fault(VerdictKind::fail_geometry, item_.clause, motion,
@@ -62,10 +84,10 @@ OpenPathAnswer ThreadJudge::take(const Motion& motion) {
                  "A feed bound to the spindle has no place in thread milling.");
   }
   if (motion.record.kind == RecordKind::arc3) {
-    return OpenPathAnswer::gap("An arc through a point is not judged in a thread.");
+    return OpenStepAnswer::gap("An arc through a point is not judged in a thread.");
   }
-  OpenPathAnswer answer = take_in_phase(motion);
-  if (answer.kind != OpenPathAnswer::Kind::taken) return answer;
+  OpenStepAnswer answer = take_in_phase(motion);
+  if (answer.kind != OpenStepAnswer::Kind::taken) return answer;
   Record feed;
   feed.feed = item_.feed;
   feed.feed_mode = item_.feed_mode;
@@ -74,10 +96,12 @@ OpenPathAnswer ThreadJudge::take(const Motion& motion) {
                  "The feed of the thread differs.");
   }
   position_ = motion.to();
+  // J-THR-10: steps are bounded by the thread's geometry, not by the number of pieces.
+  if (!waits_) answer.cost = OpenStepAnswer::Cost::free;
   return answer;
 }
 
-OpenPathAnswer ThreadJudge::take_in_phase(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_in_phase(const Motion& motion) {
   switch (phase_) {
     case Phase::entry:
       return take_entry(motion);
@@ -94,7 +118,7 @@ OpenPathAnswer ThreadJudge::take_in_phase(const Motion& motion) {
 }
 
 // J-THR-02, J-THR-03. Where the helix begins shows only when it leaves the R plane.
-OpenPathAnswer ThreadJudge::take_entry(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
   if (item_.arc_path && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);
   if (phase_ == Phase::run_out) return {};
@@ -110,12 +134,12 @@ OpenPathAnswer ThreadJudge::take_entry(const Motion& motion) {
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
-  if (item_.arc_path) return open_->empty() ? no_helix(motion, result) : OpenPathAnswer{};
+  if (item_.arc_path) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
   switch (entry_.add(motion)) {
     case ThreadEntry::Taken::progress:
       return {};
     case ThreadEntry::Taken::nothing:
-      return OpenPathAnswer::wait();
+      return wait();
     case ThreadEntry::Taken::departs:
       break;
   }
@@ -144,7 +168,7 @@ HelixShape ThreadJudge::shape() const {
 MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
     const HelixShape helix = shape();
-    if (std::optional<TurnedStart> starts = starts_of_helix(helix, motion, terms_)) {
+    if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, terms_)) {
       const bool named = !item_.arc_path || starts->narrow({}, {helix.radius, 0});
       std::optional<std::string> why;
       if (!item_.arc_path) why = entry_.fault_before_helix(motion.from);
@@ -167,7 +191,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
   return result;
 }
 
-OpenPathAnswer ThreadJudge::take_helix(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_helix(const Motion& motion) {
   const MatchResult result = match_helix(motion);
   if (result.departure == Departure::none) return {};
   return no_helix(motion, result);
@@ -175,7 +199,7 @@ OpenPathAnswer ThreadJudge::take_helix(const Motion& motion) {
 
 // J-THR-06: along d alone from where the run-out ended; GSK-G114-10: with J >= t_n that keeps off
 // the material.
-OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
   if (!is_below(motion.from) && !is_below(motion.to()) && !geometry_.is_above(motion.to())) {
     // So shallow that the way back was too small to see.
     phase_ = Phase::away;
@@ -189,7 +213,7 @@ OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
       geometry_.clearance(motion, promises_clearance() ? item_.start_radius : radius());
   if (clear.kind != Clearance::Kind::clear) {
     if (item_.runout_length.sign() != 0 && run_out_->all_end_in_material()) {
-      return OpenPathAnswer::gap("The run-out of the reading ends in the material.");
+      return OpenStepAnswer::gap("The run-out of the reading ends in the material.");
     }
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way back to the R plane goes through the part.");
@@ -203,26 +227,26 @@ OpenPathAnswer ThreadJudge::take_way_back(const Motion& motion) {
 
 // The return to the R plane and the traverse to the initial plane in one: right where the tool
 // stands at a safe position already.
-OpenPathAnswer ThreadJudge::rise_beyond(const Motion& motion) {
+OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
   phase_ = Phase::away;
   Position here = motion.from;
   here[axes_.d] = item_.r_plane;
   position_ = here;
   const bool to_initial =
       agree(motion.to()[axes_.d], item_.initial_plane, terms_.tolerance) || !terms_.compare_blocks;
-  if (complete() && to_initial) return OpenPathAnswer::end(here);
+  if (complete() && to_initial) return OpenStepAnswer::end(here);
   return not_away(motion);
 }
 
 // J-THR-07: along p alone until the tool is at a safe position.
-OpenPathAnswer ThreadJudge::take_away(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
   if (item_.arc_path) return take_named(motion);
   const Number& tau = terms_.tolerance;
   const bool safe = is_safe(position_);  // infeed may follow that is too small to see
   const bool last = pass_ == passes_;
   const bool in_plane = !is_below(motion.to()) && !geometry_.is_above(motion.to());
   if (in_plane && agree(motion.from, motion.to(), tau) && !nearly_full_turn(motion)) {
-    return OpenPathAnswer::wait();
+    return wait();
   }
   const Number way = motion.to()[axes_.p] - motion.from[axes_.p];
   const bool goes_on = in_plane && geometry_.moves_first_axis_alone(motion) &&
@@ -240,7 +264,7 @@ OpenPathAnswer ThreadJudge::take_away(const Motion& motion) {
 }
 
 // J-THR-09. After the last pass the tool returns along d to the initial plane.
-OpenPathAnswer ThreadJudge::take_after_last(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
   const Number& tau = terms_.tolerance;
   const bool at_initial = agree(item_.r_plane, item_.initial_plane, tau);
   // GSK-G114-07. The initial plane may lie below the R plane (gsk.thread.direction = free).
@@ -251,15 +275,15 @@ OpenPathAnswer ThreadJudge::take_after_last(const Motion& motion) {
   // In pieces, of which one was dropped, the last may be no motion that is seen.
   const bool is_small = agree(motion.from, motion.to(), tau);
   if ((geometry_.moves_depth_alone(motion) || is_small) && to_initial && !at_initial) {
-    return OpenPathAnswer::end(motion.from);
+    return OpenStepAnswer::end(motion.from);
   }
   if (is_below(motion.to())) {
-    if (at_initial && !terms_.compare_blocks) return OpenPathAnswer::end(motion.from);
+    if (at_initial && !terms_.compare_blocks) return OpenStepAnswer::end(motion.from);
     return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
                  "The tool goes below the R plane again after the last pass.");
   }
   if (!terms_.compare_blocks && at_initial) {
-    return OpenPathAnswer::gap(
+    return OpenStepAnswer::gap(
         "Without block numbers it cannot be told where the motions of the thread end, because the "
         "tool stands at the initial plane already.");
   }

@@ -8,45 +8,51 @@
 #include <optional>
 
 #include "oracle/judge/open_helix.hpp"
-#include "oracle/judge/open_path.hpp"
+#include "oracle/judge/open_step.hpp"
 #include "oracle/judge/thread_entry.hpp"
 #include "oracle/judge/thread_run_out.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
 
-class ThreadJudge {
+class ThreadJudge : public OpenStep {
  public:
   // `item`, `terms` and `run_outs`, those that the program has left so far, must outlive the judge.
   // `start`: where the tool stands, at the R plane.
   ThreadJudge(const reference::ThreadMilling& item, const Position& start, const JudgeTerms& terms,
               RunOutSet& run_outs);
-  ThreadJudge(const ThreadJudge&) = delete;
 
-  OpenPathAnswer take(const Motion& motion);
-  // Whether the passes are done and the tool is at the R plane, at a safe position.
-  bool complete() const;
-  // Why not; `position` is where the subject stands.
-  Verdict incomplete(const Position& position) const;
+  OpenStepAnswer take(const Motion& motion) override;
+  // It may end when the passes are done and the tool is at the R plane, at a safe position.
+  std::optional<Verdict> end(const Position& here) override;
+  Exit exit(const Position& here) const override;
 
  private:
+  bool complete() const;
+  // Why it is not; `position` is where the subject stands.
+  Verdict incomplete(const Position& position) const;
+  // The motion belongs to a step and moves nothing that is seen.
+  OpenStepAnswer wait() {
+    waits_ = true;
+    return {};
+  }
   // Of a pass: the arc and the infeed, the helix, the run-out, back to the R plane, away.
   enum class Phase { entry, helix, run_out, way_back, away };
 
-  OpenPathAnswer take_in_phase(const Motion& motion);
-  OpenPathAnswer take_entry(const Motion& motion);
-  OpenPathAnswer take_helix(const Motion& motion);
-  OpenPathAnswer take_run_out(const Motion& motion);
-  OpenPathAnswer take_run_out_cut(const Motion& motion);
-  OpenPathAnswer take_way_back(const Motion& motion);
-  OpenPathAnswer rise_beyond(const Motion& motion);
-  OpenPathAnswer take_away(const Motion& motion);
-  OpenPathAnswer take_after_last(const Motion& motion);
+  OpenStepAnswer take_in_phase(const Motion& motion);
+  OpenStepAnswer take_entry(const Motion& motion);
+  OpenStepAnswer take_helix(const Motion& motion);
+  OpenStepAnswer take_run_out(const Motion& motion);
+  OpenStepAnswer take_run_out_cut(const Motion& motion);
+  OpenStepAnswer take_way_back(const Motion& motion);
+  OpenStepAnswer rise_beyond(const Motion& motion);
+  OpenStepAnswer take_away(const Motion& motion);
+  OpenStepAnswer take_after_last(const Motion& motion);
   void begin_pass(const Position& from);
 
   // The path of the reading gsk.thread.path = arc, where it is named.
   enum class Step { entry, infeed, helix, away, over };
-  OpenPathAnswer take_named(const Motion& motion);
+  OpenStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing
   void next_named(const Position& at);
 
@@ -61,16 +67,16 @@ class ThreadJudge {
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }
 
   // The evidence, in thread_faults.cpp.
-  OpenPathAnswer fault(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
+  OpenStepAnswer fault(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                        std::string message) const;
-  OpenPathAnswer touching(const Clearance& clearance, reference::ClauseId clause,
+  OpenStepAnswer touching(const Clearance& clearance, reference::ClauseId clause,
                           const Motion& motion, std::string message) const;
-  OpenPathAnswer no_helix(const Motion& motion, const MatchResult& result) const;
-  OpenPathAnswer wrong_radius(const Motion& motion) const;
-  OpenPathAnswer wrong_way_down(const Motion& motion) const;
-  OpenPathAnswer no_run_out(const Motion& motion) const;
-  OpenPathAnswer wrong_way_back(const Motion& motion) const;
-  OpenPathAnswer not_away(const Motion& motion) const;
+  OpenStepAnswer no_helix(const Motion& motion, const MatchResult& result) const;
+  OpenStepAnswer wrong_radius(const Motion& motion) const;
+  OpenStepAnswer wrong_way_down(const Motion& motion) const;
+  OpenStepAnswer no_run_out(const Motion& motion) const;
+  OpenStepAnswer wrong_way_back(const Motion& motion) const;
+  OpenStepAnswer not_away(const Motion& motion) const;
   std::string want_text() const;
 
   Number radius() const { return item_.radius_of_pass(pass_); }
@@ -89,7 +95,9 @@ class ThreadJudge {
 
   Phase phase_ = Phase::entry;
   Number pass_ = 1;
+  Position start_;     // where the reference stood before the passes
   Position position_;  // where the tool stands
+  bool waits_ = false;
   Step step_ = Step::over;
 
   ThreadEntry entry_;
@@ -100,7 +108,7 @@ class ThreadJudge {
   Position run_out_end_;
   int away_direction_ = 0;  // along p
   Motion line_want_;        // a motion that a reading names
-  std::optional<CurveMatch> line_;
+  std::optional<CurveFollower> line_;
 };
 
 }  // namespace gonogo::oracle

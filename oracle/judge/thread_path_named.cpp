@@ -63,10 +63,10 @@ void ThreadJudge::next_named(const Position& at) {
   if (pass_ > passes_) step_ = Step::over;
 }
 
-OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
   if (phase_ == Phase::away) step_ = Step::away;
   while (true) {
-    if (step_ == Step::over) return OpenPathAnswer::end(motion.from);
+    if (step_ == Step::over) return OpenStepAnswer::end(motion.from);
     if (step_ == Step::helix) return take_entry(motion);
     if (!line_ && !prepare_named(motion.from)) {
       next_named(motion.from);
@@ -76,7 +76,7 @@ OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
                          agree(motion.from, line_want_.from, terms_.tolerance) &&
                          !nearly_full_turn(motion);
     const MatchResult result = line_->match(motion);
-    if (result.departure != Departure::none && nothing) return OpenPathAnswer::wait();
+    if (result.departure != Departure::none && nothing) return wait();
     if (result.departure == Departure::none) {
       if (result.done) next_named(motion.to());
       return {};
@@ -85,9 +85,9 @@ OpenPathAnswer ThreadJudge::take_named(const Motion& motion) {
       next_named(motion.from);
       continue;
     }
-    if (result.departure == Departure::undecided) return OpenPathAnswer::gap(result.reason);
+    if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
     const bool feed = result.departure == Departure::feed;
-    OpenPathAnswer answer =
+    OpenStepAnswer answer =
         fault(feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry,
               feed ? "GSK-G114-08"_clause : "GSK-G114-06"_clause, motion, result.reason);
     answer.verdict.want = record_text(line_want_.record);

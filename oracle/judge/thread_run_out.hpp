@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/open_helix.hpp"
 #include "oracle/judge/thread_geometry.hpp"
 
@@ -94,7 +94,7 @@ class ThreadRunOutJudge {
     Line(Motion motion, const JudgeTerms& terms) : want(std::move(motion)), match(want, terms) {}
     Line(const Line&) = delete;
     Motion want;
-    CurveMatch match;
+    CurveFollower match;
   };
   std::array<std::optional<Line>, 3> lines_;
   std::array<bool, 3> off_line_ = {};

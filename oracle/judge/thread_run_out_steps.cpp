@@ -38,20 +38,20 @@ bool ThreadJudge::is_chord_clear(const Motion& flat) const {
          geometry_.clearance_of_chord(flat, radius()).kind == Clearance::Kind::clear;
 }
 
-OpenPathAnswer ThreadJudge::take_run_out(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_run_out(const Motion& motion) {
   if (is_cut(motion.record.kind)) {
-    if (is_remainder(motion)) return OpenPathAnswer::wait();
+    if (is_remainder(motion)) return wait();
     if (geometry_.moves_in_plane(motion)) return take_run_out_cut(motion);
   }
   if (std::optional<Verdict> verdict = finish_run_out(motion)) {
-    return OpenPathAnswer::decide(*std::move(verdict));
+    return OpenStepAnswer::decide(*std::move(verdict));
   }
   phase_ = Phase::way_back;
   run_out_end_ = motion.from;
   return take_way_back(motion);
 }
 
-OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
+OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const Number rise = geometry_.height_over_bottom(motion.to());
   if (rise < -terms_.tolerance) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-06"_clause, motion,
@@ -73,7 +73,7 @@ OpenPathAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const Clearance clear = geometry_.clearance(flat, radius());
   if (clear.kind != Clearance::Kind::clear) {
     if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
-      return OpenPathAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
+      return OpenStepAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
     }
     // J-THR-08
     if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};
@@ -98,14 +98,14 @@ std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
   } else if (run_out_->is_end_of_another(motion.from)) {
     message = kAnotherRunOut;
   }
-  OpenPathAnswer answer =
+  OpenStepAnswer answer =
       fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, at, std::move(message));
   set_deviation(answer.verdict, run_out_->distance_from_end(motion.from));
   return std::move(answer.verdict);
 }
 
 // A cut at the bottom that none of the run-outs makes.
-OpenPathAnswer ThreadJudge::no_run_out(const Motion& motion) const {
+OpenStepAnswer ThreadJudge::no_run_out(const Motion& motion) const {
   const bool round = motion.record.kind == RecordKind::arc;
   constexpr double kAlmostATurn = 0.999;
   std::string message = "The run-out leads to another point than the readings name.";

@@ -15,11 +15,6 @@ std::optional<Number> check_pocket(const CycleCall& call);
 // SIE-LC75-09: the corner radius, no larger than fits.
 Number corner_radius(const CycleCall& call);
 
-// In lcyc75_levels.cpp. How many levels there are, and the depth of level k, from 1; `open` is
-// shown as equal infeeds from the reference plane.
-Number level_count(const PocketMilling& pocket);
-Number depth_of_level(const PocketMilling& pocket, const Number& k);
-
 // In lcyc75_path.cpp: contour-parallel passes from inside out, a step of the tool's radius apart.
 Generator<Item> contour_parallel(PocketMilling pocket);
 

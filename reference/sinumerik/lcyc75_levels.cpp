@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // SIE-LC75-05, SIE-LC75-06: how the depth of a pocket is divided.
-#include "reference/sinumerik/lcyc75.hpp"
+#include "reference/outcome.hpp"
 
-namespace gonogo::reference::sinumerik {
-namespace {
+namespace gonogo::reference {
 
-Number top_of(const PocketMilling& pocket) {
-  return pocket.levels_from_clearance ? pocket.clearance : pocket.reference_plane;
+Number PocketMilling::top() const {
+  return levels_from_clearance ? clearance : reference_plane;
 }
 
-}  // namespace
-
-Number level_count(const PocketMilling& pocket) {
-  return ((top_of(pocket) - pocket.floor) / pocket.infeed).ceil();
+Number PocketMilling::level_count() const {
+  return ((top() - floor) / infeed).ceil();
 }
 
-Number depth_of_level(const PocketMilling& pocket, const Number& k) {
-  const Number top = top_of(pocket);
-  if (pocket.levels == Levels::max_rest) return max(top - k * pocket.infeed, pocket.floor);
-  return top - k * (top - pocket.floor) / level_count(pocket);
+Number PocketMilling::depth_of_level(const Number& k) const {
+  if (levels == Levels::max_rest) return max(top() - k * infeed, floor);
+  return top() - k * (top() - floor) / level_count();
 }
 
-}  // namespace gonogo::reference::sinumerik
+}  // namespace gonogo::reference

@@ -132,9 +132,9 @@ Generator<Item> clear_level(PocketMilling pocket, bool whole) {
 }  // namespace
 
 Generator<Item> contour_parallel(PocketMilling pocket) {
-  const Number count = level_count(pocket);
+  const Number count = pocket.level_count();
   for (Number k = 1; k <= count; k += 1) {
-    const Item plunge = in_depth(pocket, RecordKind::feed, depth_of_level(pocket, k));
+    const Item plunge = in_depth(pocket, RecordKind::feed, pocket.depth_of_level(k));
     co_yield plunge;
     // SIE-LC75-07, SIE-LC75-11
     const bool whole = !pocket.finishing || (k == count && !pocket.contour_only);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve_follower.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -69,7 +69,7 @@ MatchResult match(const Motion& reference, const std::vector<Motion>& pieces,
                   const char* chord = "0") {
   JudgeTerms terms;
   terms.chord = *Number::parse(chord);
-  CurveMatch curve(reference, terms);
+  CurveFollower curve(reference, terms);
   MatchResult result;
   for (const Motion& piece : pieces) {
     result = curve.match(piece);
@@ -156,7 +156,7 @@ TEST(Arc3, TheProgramsOwnPointsMayBeRoundedWhateverCircleTheyMake) {
   const auto fits_within = [&](const Motion& subject, const char* tolerance) {
     JudgeTerms terms;
     terms.tolerance = *Number::parse(tolerance);
-    return CurveMatch(want, terms).match(subject).departure == Departure::none;
+    return CurveFollower(want, terms).match(subject).departure == Departure::none;
   };
   const Motion rounded = arc3(xyz("0", "0", "0"), xyz("9000", "0", "0"), xyz("0", "11", "3"));
   EXPECT_TRUE(fits_within(rounded, "0.000001"));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The judge takes a motion that is the reference's own without looking further. That is right only
-// if CurveMatch, which has the rules, says of every such motion that it is the whole of it.
+// if Curve, which has the rules, says of every such motion that it is the whole of it.
 #include <gtest/gtest.h>
 
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve.hpp"
 #include "tests/trials.hpp"
 
 namespace gonogo::oracle {
@@ -42,12 +42,11 @@ TEST(EqualMotion, IsTheWholeOfTheReferencesByTheRulesOfTheMatch) {
   terms.tolerance = Number::millionths(1000);
   for (long i = 0; i < trials.count; ++i) {
     const Motion motion = any_motion(trials);
-    CurveMatch match(motion, terms);
-    const MatchResult result = match.match(motion);
+    const CurveAnswer answer = Curve(motion, terms).follow({}, motion);
     std::string text;
     append_json(motion.record, text);
-    ASSERT_EQ(result.departure, Departure::none) << text << ": " << result.reason;
-    ASSERT_TRUE(result.done) << text;
+    ASSERT_EQ(answer.departure, Departure::none) << text << ": " << answer.reason;
+    ASSERT_TRUE(answer.ways.front().done) << text;
   }
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/judge/plain_line.hpp"
-#include "oracle/judge/standing.hpp"
+#include "oracle/judge/places.hpp"
 #include "oracle/trace_reader.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 
@@ -39,8 +39,7 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
   EXPECT_GT(known * 10, records) << "hardly a record is equal: nothing was tried";
 }
 
-// A motion of few directions, lengths and centres from a point of few, so that two in a row are
-// often joined or too small to see.
+// A motion of few directions, lengths and centres, often too small to see.
 Motion short_motion(const Position& from, Trials& trials) {
   constexpr auto kSteps =
       std::to_array<std::int64_t>({0, 0, 999, 1'000, 1'001, 1'000'000, -1'000'000});
@@ -58,46 +57,6 @@ Motion short_motion(const Position& from, Trials& trials) {
   return motion_from(from, record, 0);
 }
 
-// An arc about zero from one of the points of a circle of 5 to another.
-Motion arc_of_circle(std::size_t from, std::size_t to, Trials& trials) {
-  constexpr auto kPoints = std::to_array<std::pair<int, int>>(
-      {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-5, 0}, {-3, -4}, {3, -4}, {4, -3}});
-  const auto point = [&](std::size_t i) {
-    Position at;
-    at[Axis::x] = Number(kPoints[i % kPoints.size()].first);
-    at[Axis::y] = Number(kPoints[i % kPoints.size()].second);
-    return at;
-  };
-  Record record;
-  record.kind = RecordKind::arc;
-  record.block = 1;
-  record.rot = trials.once_in(4) ? -1 : 1;
-  record.axes = {Axis::x, Axis::y};
-  record.to = point(to);
-  return motion_from(point(from), record, 0);
-}
-
-TEST(PlainMotion, MayJoinWhateverIsJoined) {
-  Trials trials(200'000);
-  long joined = 0;
-  for (long i = 0; i < trials.count; ++i) {
-    const bool are_arcs = trials.once_in(2);
-    const std::size_t from = trials.below(9);
-    const std::size_t middle = trials.below(9);
-    const Motion first = are_arcs ? arc_of_circle(from, middle, trials) : short_motion({}, trials);
-    const Motion second = are_arcs ? arc_of_circle(middle, trials.below(9), trials)
-                                   : short_motion(first.to(), trials);
-    Motion both = first;
-    if (!join(both, second)) continue;
-    ++joined;
-    PlainMotion before;
-    PlainMotion after;
-    ASSERT_TRUE(before.take(first) && after.take(second));
-    ASSERT_TRUE(after.may_join(before)) << line_of(first.record) << line_of(second.record);
-  }
-  EXPECT_GT(joined, trials.count / 100);
-}
-
 // One that is dropped is not visible, whatever a subject's doubles are off.
 TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
   Trials trials(200'000);
@@ -113,7 +72,8 @@ TEST(PlainMotion, IsNotVisibleWhereItIsDropped) {
     if (!stays_at(from, motion, terms)) continue;
     ++dropped;
     PlainMotion plain;
-    ASSERT_TRUE(plain.take(motion));
+    PlainMotion::Place start;
+    ASSERT_TRUE(take_place(motion.from, start) && plain.take(motion.record, start));
     ASSERT_FALSE(plain.is_visible(terms)) << line_of(motion.record);
   }
   EXPECT_GT(dropped, trials.count / 100);

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "judging.hpp"
-#include "oracle/judge/turned_start.hpp"
+#include "oracle/judge/open_start.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -208,30 +208,30 @@ PlaneVector vector_of(const char* p, const char* q) {
   return {*Number::parse(p), *Number::parse(q)};
 }
 
-TEST(TurnedStart, AdmitsThePointsOfOneAndTheSameCurveOnly) {
+TEST(OpenStart, AdmitsThePointsOfOneAndTheSameCurveOnly) {
   // Radius 10, tolerance 0.001. Both points are off their own curve by less than the tolerance,
   // but no start serves both: the first wants q in [0.9e-3, 2.9e-3], the second q in [-2.9e-3,
   // -0.9e-3], turned by 90 degrees.
   const Number tau = Number::millionths(1000);
-  TurnedStart starts(10, tau);
+  OpenStart starts(10, tau);
   ASSERT_TRUE(starts.narrow({}, vector_of("10", "0.0019")));
   EXPECT_TRUE(starts.admits(turn_by(90), vector_of("-0.0019", "10")));
   EXPECT_TRUE(starts.admits(turn_by(90), vector_of("-0.0001", "10")));
   EXPECT_FALSE(starts.admits(turn_by(90), vector_of("0.0019", "10")));
 }
 
-TEST(TurnedStart, APointOffTheCircleAdmitsNone) {
+TEST(OpenStart, APointOffTheCircleAdmitsNone) {
   const Number tau = Number::millionths(1000);
-  EXPECT_TRUE(TurnedStart(10, tau).admits({}, vector_of("10.001", "0")));
-  EXPECT_FALSE(TurnedStart(10, tau).admits({}, vector_of("10.0011", "0")));
-  EXPECT_TRUE(TurnedStart(10, tau).admits({}, vector_of("9.999", "0")));
-  EXPECT_FALSE(TurnedStart(10, tau).admits({}, vector_of("9.9989", "0")));
+  EXPECT_TRUE(OpenStart(10, tau).admits({}, vector_of("10.001", "0")));
+  EXPECT_FALSE(OpenStart(10, tau).admits({}, vector_of("10.0011", "0")));
+  EXPECT_TRUE(OpenStart(10, tau).admits({}, vector_of("9.999", "0")));
+  EXPECT_FALSE(OpenStart(10, tau).admits({}, vector_of("9.9989", "0")));
 }
 
-TEST(TurnedStart, ThePartOfATurnMayBeAnyAngle) {
+TEST(OpenStart, ThePartOfATurnMayBeAnyAngle) {
   // 6 cos 30 = 5.196152..., 6 sin 30 = 3; scaled by 1.5: radius 9.
   const Number tau = Number::millionths(1000);
-  TurnedStart starts(6, tau);
+  OpenStart starts(6, tau);
   ASSERT_TRUE(starts.narrow({}, vector_of("6", "0")));
   EXPECT_TRUE(starts.narrow(turn_by(30), vector_of("5.196", "3")));
   EXPECT_FALSE(starts.narrow(turn_by(31), vector_of("5.196", "3")));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/judge/told_records.hpp"
+#include "oracle/judge/record_log.hpp"
 
 #include "reference/expander.hpp"
 
@@ -7,7 +7,7 @@ namespace gonogo::oracle {
 
 using reference::Record;
 
-void ToldRecords::add_own(std::size_t item, const Record* named) {
+void RecordLog::add_own(std::size_t item, const Record* named) {
   Run* run = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.back());
   if (run == nullptr || run->last + 1 != item) {
     run = &std::get<Run>(parts_.emplace_back(Run{item, item, std::nullopt}));
@@ -39,7 +39,7 @@ class Items {
 
 }  // namespace
 
-void ToldRecords::tell(const reference::Profile& profile, const ProgramText& program,
+void RecordLog::replay(const reference::Profile& profile, const ProgramText& program,
                        const std::function<void(const Record&)>& take) const {
   std::optional<Items> items;
   for (const auto& part : parts_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/judge/open_path.hpp"
+#include "oracle/judge/open_step.hpp"
 
 #include "oracle/judge/evidence.hpp"
 
@@ -7,7 +7,7 @@ namespace gonogo::oracle {
 
 using reference::kAllAxes;
 
-OpenPathAnswer OpenPathAnswer::gap(std::string message) {
+OpenStepAnswer OpenStepAnswer::gap(std::string message) {
   Verdict verdict;
   verdict.kind = VerdictKind::oracle_gap;
   verdict.message = std::move(message);

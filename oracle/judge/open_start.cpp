@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/judge/turned_start.hpp"
+#include "oracle/judge/open_start.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -77,7 +77,7 @@ Similarity turn_by(const Number& degrees) {
   return {cosine, sine};
 }
 
-TurnedStart::TurnedStart(Number radius, Number tolerance)
+OpenStart::OpenStart(Number radius, Number tolerance)
     : radius_(std::move(radius)), tolerance_(std::move(tolerance)) {
   left_.sure = {{-radius_, -radius_}, {radius_, -radius_}, {radius_, radius_}, {-radius_, radius_}};
   left_.possible = left_.sure;
@@ -86,7 +86,7 @@ TurnedStart::TurnedStart(Number radius, Number tolerance)
 // Each side of the box round the point, as a half plane of the start. Rationals in place of
 // enclosures move a side by no more than `moved`, since no start lies farther out than the square
 // round the circle.
-TurnedStart::Starts TurnedStart::narrowed(const Similarity& map, const PlaneVector& point) const {
+OpenStart::Starts OpenStart::narrowed(const Similarity& map, const PlaneVector& point) const {
   const Near a(map.a), b(map.b), p(point.p), q(point.q);
   const PlaneVector row_p{a.value, -b.value};
   const PlaneVector row_q{b.value, a.value};
@@ -103,7 +103,7 @@ TurnedStart::Starts TurnedStart::narrowed(const Similarity& map, const PlaneVect
 
 // A convex region meets the circle when its nearest point is not outside and its farthest not
 // inside.
-bool TurnedStart::meets_circle(const Polygon& polygon) const {
+bool OpenStart::meets_circle(const Polygon& polygon) const {
   const Number radius_2 = radius_ * radius_;
   bool reaches_out = false;
   bool reaches_in = false;
@@ -118,17 +118,17 @@ bool TurnedStart::meets_circle(const Polygon& polygon) const {
   return reaches_out && (reaches_in || holds_origin);
 }
 
-bool TurnedStart::meet_circle(const Starts& starts) const {
+bool OpenStart::meet_circle(const Starts& starts) const {
   if (meets_circle(starts.sure)) return true;
   if (starts.is_certain || !meets_circle(starts.possible)) return false;
   throw exact::Undecided("whether a point agrees with the curve hangs on an enclosure's width");
 }
 
-bool TurnedStart::admits(const Similarity& map, const PlaneVector& point) const {
+bool OpenStart::admits(const Similarity& map, const PlaneVector& point) const {
   return meet_circle(narrowed(map, point));
 }
 
-bool TurnedStart::narrow(const Similarity& map, const PlaneVector& point) {
+bool OpenStart::narrow(const Similarity& map, const PlaneVector& point) {
   Starts starts = narrowed(map, point);
   if (!meet_circle(starts)) return false;
   left_ = std::move(starts);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a judge was told, to tell it to another one whose reference has said the same so far.
+// The records that one judge has taken, for another one whose reference has said the same so far.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace gonogo::oracle {
 
 // Records in their order. Those that are the reference's own take no memory: it is asked for them
 // again.
-class ToldRecords {
+class RecordLog {
  public:
   void add(const reference::Record& record) { parts_.emplace_back(record); }
   // The reference's own item of that number, counted from 1, to which no open path leads. `named`:
@@ -26,9 +26,9 @@ class ToldRecords {
   // What takes memory: records of others, and runs of the reference's own.
   std::size_t parts() const { return parts_.size(); }
 
-  // Tells them all. `profile`: that of the reference so far.
-  void tell(const reference::Profile& profile, const ProgramText& program,
-            const std::function<void(const reference::Record&)>& take) const;
+  // Hands all of them out. `profile`: that of the reference so far.
+  void replay(const reference::Profile& profile, const ProgramText& program,
+              const std::function<void(const reference::Record&)>& take) const;
 
  private:
   // Items one behind the other. Only of the last does it matter how the subject put it.

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CurveMatch's part for round motions of the reference: arcs, helices and circles in space, and the
+// Curve's part for round motions of the reference: arcs, helices and circles in space, and the
 // chords that a certifier grants for them.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
 #include "oracle/approximate.hpp"
-#include "oracle/judge/curve_match.hpp"
+#include "oracle/judge/curve.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -85,10 +86,25 @@ bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
-MatchResult open_at(double progress, const char* reason) {
-  MatchResult result = MatchResult::departs(Departure::undecided, reason);
-  result.reached = progress;
-  return result;
+// A piece of which it is open whether it ends on the curve decides nothing yet, for it is not the
+// end: if what follows departs, so does the whole; if it leads to the end, the whole is open.
+CurveAnswer doubtful(CurveProgress progress, const char* reason) {
+  progress.doubt = reason;
+  return CurveAnswer::goes(std::move(progress), false);
+}
+
+// The end of the curve, after pieces that may all belong to it.
+CurveAnswer at_end(CurveProgress progress) {
+  if (progress.doubt != nullptr) {
+    return CurveAnswer::departs(Departure::undecided, progress.doubt);
+  }
+  return CurveAnswer::goes(std::move(progress), true);
+}
+
+CurveProgress advanced(const CurveProgress& from, double turns) {
+  CurveProgress progress = from;
+  progress.arc += turns;
+  return progress;
 }
 
 // Whether nothing is seen of a motion in the plane; a helix may rise there.
@@ -98,9 +114,19 @@ bool turns_unseen(const Motion& motion, const PlaneAxes& axes, const Number& tol
          !goes_round(motion, tolerance);
 }
 
+// What the motion may be by either answer. Of two departures the second, unless the first is open.
+CurveAnswer joined(CurveAnswer one, CurveAnswer other) {
+  if (one.departs()) {
+    const bool open = other.departs() && one.departure == Departure::undecided;
+    return open ? one : other;
+  }
+  std::ranges::move(other.ways, std::back_inserter(one.ways));
+  return one;
+}
+
 }  // namespace
 
-bool CurveMatch::ends_at(const Position& point) const {
+bool Curve::ends_at(const Position& point) const {
   if (!open_) return agree(point, reference_.to(), terms_.tolerance);
   const PlaneAxes axes = reference::axes_of(round_->arc()->record.plane);
   for (Axis axis : kAllAxes) {
@@ -111,7 +137,7 @@ bool CurveMatch::ends_at(const Position& point) const {
                                {point[axes.p] - open_->origin.p, point[axes.q] - open_->origin.q});
 }
 
-bool CurveMatch::centre_agrees(const Record& arc) const {
+bool Curve::centre_agrees(const Record& arc) const {
   const std::array<Number, 2>& want = round_->arc()->record.centre;
   if (!open_) {
     return agree(want[0], arc.centre[0], terms_.tolerance) &&
@@ -121,7 +147,7 @@ bool CurveMatch::centre_agrees(const Record& arc) const {
                                {arc.centre[0] - open_->origin.p, arc.centre[1] - open_->origin.q});
 }
 
-Departure CurveMatch::on_curve(const Position& point, double turns, const Number& tolerance) const {
+Departure Curve::on_curve(const Position& point, double turns, const Number& tolerance) const {
   if (!round_->on_circle(point, tolerance)) return Departure::geometry;
   const int on = std::min(round_->on_helix(point, turns, tolerance, true),
                           round_->on_spiral(point, turns, tolerance));
@@ -129,38 +155,38 @@ Departure CurveMatch::on_curve(const Position& point, double turns, const Number
   return on < 0 ? Departure::geometry : Departure::none;
 }
 
+CurveAnswer Curve::follow_round(const CurveProgress& from, const Motion& subject) const {
+  const RecordKind got = subject.record.kind;
+  if (got == RecordKind::arc) return follow_arc(from, subject);
+  if (got == RecordKind::arc3) return follow_arc3(from, subject);
+  if (got == RecordKind::feed && terms_.chord.sign() > 0) return follow_chord(from, subject);
+  return CurveAnswer::departs(Departure::kind, "The motion is of another kind.");
+}
+
 // The end of a piece that sweeps `turns`: at the end of the arc, or on the way to it.
-MatchResult CurveMatch::end_of_piece(const Motion& subject, double turns) {
+CurveAnswer Curve::end_of_piece(const CurveProgress& from, const Motion& subject,
+                                double turns) const {
   const double whole = round_->whole();
-  const double progress = progress_.arc + turns;
-  if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    return at_end(progress);
+  CurveProgress progress = advanced(from, turns);
+  if (std::abs(progress.arc - whole) < kQuarterTurn && ends_at(subject.to())) {
+    return at_end(std::move(progress));
   }
-  if (progress >= whole)
-    return MatchResult::departs(Departure::geometry, "The arc goes beyond its end.");
-  const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
-  const int radius = round_->on_spiral(subject.to(), progress, terms_.tolerance);
+  if (progress.arc >= whole) {
+    return CurveAnswer::departs(Departure::geometry, "The arc goes beyond its end.");
+  }
+  const int height = round_->on_helix(subject.to(), progress.arc, terms_.tolerance);
+  const int radius = round_->on_spiral(subject.to(), progress.arc, terms_.tolerance);
   if (!round_->on_circle(subject.to(), terms_.tolerance) || height < 0 || radius < 0) {
-    return MatchResult::departs(Departure::geometry, "The arc ends off the curve.");
+    return CurveAnswer::departs(Departure::geometry, "The arc ends off the curve.");
   }
-  if (height == 0) return open_at(progress, kHelixTooClose);
-  if (radius == 0) return open_at(progress, kSpiralTooClose);
-  progress_.arc = progress;
-  return {};
+  if (height == 0) return doubtful(std::move(progress), kHelixTooClose);
+  if (radius == 0) return doubtful(std::move(progress), kSpiralTooClose);
+  return CurveAnswer::goes(std::move(progress), false);
 }
 
-// The end of the curve, after pieces that may all belong to it.
-MatchResult CurveMatch::at_end(double progress) {
-  if (!progress_.doubt.empty()) {
-    return MatchResult::departs(Departure::undecided, progress_.doubt);
-  }
-  progress_.arc = progress;
-  return {Departure::none, true, {}};
-}
-
-MatchResult CurveMatch::other_centre(const Motion& subject) const {
-  MatchResult result = MatchResult::departs(Departure::geometry, "The centre of the arc differs.");
-  if (open_) return result;  // many centres are meant
+CurveAnswer Curve::other_centre(const Motion& subject) const {
+  CurveAnswer answer = CurveAnswer::departs(Departure::geometry, "The centre of the arc differs.");
+  if (open_) return answer;  // many centres are meant
   const PlaneAxes axes = reference::axes_of(subject.record.plane);
   const std::array<Number, 2>& want = round_->arc()->record.centre;
   const std::array<Number, 2>& got = subject.record.centre;
@@ -170,41 +196,36 @@ MatchResult CurveMatch::other_centre(const Motion& subject) const {
     centre[axis] = got[i];
     wanted[axis] = want[i];
   }
-  result.centre = Apart{centre, largest_difference(centre, wanted)};
-  return result;
+  answer.centre = Apart{centre, largest_difference(centre, wanted)};
+  return answer;
 }
 
 // J-PATH-05.
-MatchResult CurveMatch::match_arc(const Motion& subject) {
+CurveAnswer Curve::follow_arc(const CurveProgress& from, const Motion& subject) const {
   const Record& got = subject.record;
   if (round_->arc() == nullptr || round_->arc()->record.plane != got.plane) {
-    return MatchResult::departs(Departure::geometry, "The arc lies in another plane.");
+    return CurveAnswer::departs(Departure::geometry, "The arc lies in another plane.");
   }
   const Record& want = round_->arc()->record;
   if ((want.rot < 0) != (got.rot < 0)) {
-    return MatchResult::departs(Departure::sense, "The arc turns the wrong way.");
+    return CurveAnswer::departs(Departure::sense, "The arc turns the wrong way.");
   }
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
-  if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(subject, turns);
-  const double before = progress_.arc;
-  MatchResult result = nil_or_full(subject, turns);
-  const double rest = round_->whole() - before;
-  if (result.done || std::abs(rest - turns) >= 1 || !hides_its_sweep(subject, terms_.tolerance)) {
-    return result;
-  }
-  const double taken = progress_.arc;
-  progress_.arc = before;
-  MatchResult to_end = end_of_piece(subject, rest);
-  if (to_end.done) return to_end;
-  progress_.arc = taken;
-  return result;
+  if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(from, subject, turns);
+  CurveAnswer answer = nil_or_full(from, subject, turns);
+  const double rest = round_->whole() - from.arc;
+  if (std::abs(rest - turns) >= 1 || !hides_its_sweep(subject, terms_.tolerance)) return answer;
+  CurveAnswer to_end = end_of_piece(from, subject, rest);
+  if (to_end.departs() || !to_end.ways.front().done) return answer;
+  return joined(std::move(answer), std::move(to_end));
 }
 
-// J-PATH-06. The nil and the full turn are tried, and the one that fits is taken. After other whole
-// turns, a turn that the arc does make is no nil one; and an arc that ends exactly where it starts
-// is a full turn by what a record means, unless the reference's turn is as small.
-MatchResult CurveMatch::nil_or_full(const Motion& subject, double turns) {
+// J-PATH-06. The nil and the full turn are both what may be meant. After other whole turns, a turn
+// that the arc does make is no nil one; and an arc that ends exactly where it starts is a full turn
+// by what a record means, unless the reference's turn is as small.
+CurveAnswer Curve::nil_or_full(const CurveProgress& from, const Motion& subject,
+                               double turns) const {
   const Record& got = subject.record;
   const PlaneAxes axes = reference::axes_of(got.plane);
   const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
@@ -212,18 +233,17 @@ MatchResult CurveMatch::nil_or_full(const Motion& subject, double turns) {
   const double before = std::abs(got.rot) - 1;
   const double part = turns - before;
   const double small = part < 0.5 ? part : part - 1;
-  MatchResult full = end_of_piece(subject, before + small + 1);
+  CurveAnswer full = end_of_piece(from, subject, before + small + 1);
   const bool exactly_whole = part == 1.0 && !turns_unseen(reference_, axes, terms_.tolerance);
   const bool is_full = (closes && exactly_whole) || (before > 0 && part >= 0.5);
-  if (full.departure == Departure::none || is_full) return full;
-  MatchResult nil = end_of_piece(subject, before + small);
-  const bool open = nil.departure != Departure::none && full.departure == Departure::undecided;
-  return open ? full : nil;
+  if (is_full || (!full.departs() && full.ways.front().done)) return full;
+  return joined(std::move(full), end_of_piece(from, subject, before + small));
 }
 
 // Whether a chord agrees with the curve between its ends; 0: too close to say. Its middle is its
 // farthest point from a circle; from a spiral it may be another one.
-int CurveMatch::chord_stays(const Motion& chord, const Number& granted) const {
+int Curve::chord_stays(const CurveProgress& from, const Motion& chord,
+                       const Number& granted) const {
   constexpr int kEighths = 8;
   int answer = 1;
   for (const int eighth : {4, 1, 2, 3, 5, 6, 7}) {
@@ -234,7 +254,7 @@ int CurveMatch::chord_stays(const Motion& chord, const Number& granted) const {
     }
     if (!round_->on_circle(point, granted)) return -1;
     if (!round_->is_spiral()) return 1;
-    const double along = progress_.arc + round_->part_of_turn(chord.from, point);
+    const double along = from.arc + round_->part_of_turn(chord.from, point);
     answer = std::min(answer, round_->on_spiral(point, along, granted));
   }
   return answer;
@@ -242,40 +262,43 @@ int CurveMatch::chord_stays(const Motion& chord, const Number& granted) const {
 
 // J-PATH-10. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
 // the chord tolerance that the certifier granted.
-MatchResult CurveMatch::match_chord(const Motion& subject) {
+CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject) const {
   const Number granted = terms_.tolerance + terms_.chord;
   if (!round_->on_circle(subject.to(), granted)) {
-    return MatchResult::departs(Departure::geometry, "The chord ends off the arc.");
+    return CurveAnswer::departs(Departure::geometry, "The chord ends off the arc.");
   }
   const double turns = round_->part_of_turn(subject.from, subject.to());
-  if (turns > 0.5)
-    return MatchResult::departs(Departure::geometry, "The chord goes back along the arc.");
-  const int inside = chord_stays(subject, granted);
-  if (inside == 0) return MatchResult::departs(Departure::undecided, kSpiralTooClose);
+  if (turns > 0.5) {
+    return CurveAnswer::departs(Departure::geometry, "The chord goes back along the arc.");
+  }
+  const int inside = chord_stays(from, subject, granted);
+  if (inside == 0) return CurveAnswer::departs(Departure::undecided, kSpiralTooClose);
   if (inside < 0) {
-    return MatchResult::departs(Departure::geometry,
+    return CurveAnswer::departs(Departure::geometry,
                                 "The chord leaves the arc by more than was granted.");
   }
   const double whole = round_->whole();
-  const double progress = progress_.arc + turns;
-  if (std::abs(progress - whole) < kQuarterTurn && ends_at(subject.to())) {
-    return at_end(progress);
+  CurveProgress progress = advanced(from, turns);
+  if (std::abs(progress.arc - whole) < kQuarterTurn && ends_at(subject.to())) {
+    return at_end(std::move(progress));
   }
-  if (progress >= whole && !agree(subject.to(), reference_.to(), granted)) {
-    return MatchResult::departs(Departure::geometry, "The chord goes beyond the end of the arc.");
+  if (progress.arc >= whole && !agree(subject.to(), reference_.to(), granted)) {
+    return CurveAnswer::departs(Departure::geometry, "The chord goes beyond the end of the arc.");
   }
-  const int height = round_->on_helix(subject.to(), progress, terms_.tolerance);
-  if (height < 0) return MatchResult::departs(Departure::geometry, "The chord ends off the helix.");
-  if (height == 0) return open_at(progress, kHelixTooClose);
-  const int radius = round_->on_spiral(subject.to(), progress, granted);
-  if (radius < 0)
-    return MatchResult::departs(Departure::geometry, "The chord ends off the spiral.");
-  if (radius == 0) return open_at(progress, kSpiralTooClose);
-  progress_.arc = progress;
-  return {};
+  const int height = round_->on_helix(subject.to(), progress.arc, terms_.tolerance);
+  if (height < 0) {
+    return CurveAnswer::departs(Departure::geometry, "The chord ends off the helix.");
+  }
+  if (height == 0) return doubtful(std::move(progress), kHelixTooClose);
+  const int radius = round_->on_spiral(subject.to(), progress.arc, granted);
+  if (radius < 0) {
+    return CurveAnswer::departs(Departure::geometry, "The chord ends off the spiral.");
+  }
+  if (radius == 0) return doubtful(std::move(progress), kSpiralTooClose);
+  return CurveAnswer::goes(std::move(progress), false);
 }
 
-bool CurveMatch::names_points_of_program(const Motion& arc3) const {
+bool Curve::names_points_of_program(const Motion& arc3) const {
   const Number& tau = terms_.tolerance;
   return reference_.record.kind == RecordKind::arc3 && agree(arc3.from, reference_.from, tau) &&
          agree(via_of(arc3), via_of(reference_), tau) && agree(arc3.to(), reference_.to(), tau);
@@ -288,15 +311,16 @@ bool CurveMatch::names_points_of_program(const Motion& arc3) const {
 // another circle of it shows there. Not where the program itself names the three points: what
 // circle they make when they are rounded is its doing then. What nothing tells from its chord has
 // no sense of its own, and follows the curve forward as a chord does.
-MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const {
+CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subject,
+                                 double& turns) const {
   const ThreePoints points(subject);
   const Number& tau = terms_.tolerance;
   if (!points.circle) {
-    return MatchResult::departs(Departure::geometry, "The three points of the arc lie in line.");
+    return CurveAnswer::departs(Departure::geometry, "The three points of the arc lie in line.");
   }
   const bool flat = points.is_flat(tau);
   if (!flat && !round_->same_sense(points.circle->normal)) {
-    return MatchResult::departs(Departure::sense, "The arc turns the wrong way.");
+    return CurveAnswer::departs(Departure::sense, "The arc turns the wrong way.");
   }
   // About its own axis whole turns are sure, about the reference's the parts are those that count.
   const double to_end = flat ? 0 : points.turns();
@@ -310,16 +334,16 @@ MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const 
   };
   turns = sweep_to(subject.to(), to_end);
   if (turns < 0 && !agree(subject.from, subject.to(), tau)) {
-    return MatchResult::departs(Departure::geometry, "The arc goes back along the curve.");
+    return CurveAnswer::departs(Departure::geometry, "The arc goes back along the curve.");
   }
   turns = std::max(turns, 0.0);
   const auto off = [](Departure departure) {
     return departure == Departure::undecided
-               ? MatchResult::departs(departure, kHelixTooClose)
-               : MatchResult::departs(departure, "The arc leaves the curve between its ends.");
+               ? CurveAnswer::departs(departure, kHelixTooClose)
+               : CurveAnswer::departs(departure, "The arc leaves the curve between its ends.");
   };
   const auto departure_at = [&](const Position& point, double own, const Number& tolerance) {
-    return on_curve(point, progress_.arc + sweep_to(point, own), tolerance);
+    return on_curve(point, from.arc + sweep_to(point, own), tolerance);
   };
   const Position via = via_of(subject);
   if (const Departure at = departure_at(via, to_via, tau); at != Departure::none) return off(at);
@@ -335,24 +359,24 @@ MatchResult CurveMatch::follow_arc3(const Motion& subject, double& turns) const 
     const Departure at = departure_at(point, own, tau * 2 - slack);
     if (at == Departure::none) continue;
     if (slack.sign() == 0 || departure_at(point, own, tau * 2 + slack) == at) return off(at);
-    return MatchResult::departs(Departure::undecided,
+    return CurveAnswer::departs(Departure::undecided,
                                 "The width of an enclosure decides about an arc.");
   }
   return {};
 }
 
-MatchResult CurveMatch::match_arc3(const Motion& subject) {
+CurveAnswer Curve::follow_arc3(const CurveProgress& from, const Motion& subject) const {
   double turns = 0;
-  MatchResult result = follow_arc3(subject, turns);
-  return result.departure == Departure::none ? end_of_piece(subject, turns) : result;
+  CurveAnswer answer = sweep_of_arc3(from, subject, turns);
+  return answer.departs() ? answer : end_of_piece(from, subject, turns);
 }
 
 // Only arcs without height are joined.
-bool CurveMatch::arc_goes_beyond(const Motion& subject) const {
+bool Curve::arc_goes_beyond(const CurveProgress& from, const Motion& subject) const {
   const Number& tau = terms_.tolerance;
   double turns = 0;
   if (subject.record.kind == RecordKind::arc3) {
-    if (follow_arc3(subject, turns).departure != Departure::none) return false;
+    if (sweep_of_arc3(from, subject, turns).departs()) return false;
   } else {
     const Motion* arc = round_->arc();
     if (arc == nullptr || arc->record.plane != subject.record.plane ||
@@ -366,7 +390,7 @@ bool CurveMatch::arc_goes_beyond(const Motion& subject) const {
     }
     turns = approximate_turns(subject);
   }
-  return round_->on_circle(subject.to(), tau) && progress_.arc + turns >= round_->whole();
+  return round_->on_circle(subject.to(), tau) && from.arc + turns >= round_->whole();
 }
 
 }  // namespace gonogo::oracle

@@ -21,10 +21,10 @@ PlaneVector apply(const Similarity& map, const PlaneVector& v);
 // The turn by `degrees`, counterclockwise as seen from +d.
 Similarity turn_by(const Number& degrees);
 
-class TurnedStart {
+class OpenStart {
  public:
   // The starts on the circle of `radius` about the origin.
-  TurnedStart(Number radius, Number tolerance);
+  OpenStart(Number radius, Number tolerance);
   // Whether some start that is left maps to a point that agrees with `point` within the tolerance.
   // Throws exact::Undecided where that hangs on the width of an enclosure.
   bool admits(const Similarity& map, const PlaneVector& point) const;

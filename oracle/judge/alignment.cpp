@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/alignment.hpp"
+
+#include <algorithm>
+
+#include "oracle/judge/curve_follower.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/m_functions.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/places.hpp"
+
+namespace gonogo::oracle {
+
+using reference::AlarmReport;
+using reference::NotCovered;
+using reference::Renaming;
+
+Alignment::Alignment(ReferenceSteps& steps, const Position& start, const JudgeTerms& terms,
+                     OpenStepMemory& memory)
+    : steps_(steps), terms_(terms), memory_(memory), hypotheses_(1) {
+  hypotheses_.front().at = hypotheses_.front().anchor = start;
+}
+
+std::size_t Alignment::first_step() const {
+  std::size_t first = hypotheses_.front().step;
+  for (const Hypothesis& each : hypotheses_) first = std::min(first, each.step);
+  return first;
+}
+
+bool Alignment::take_motion(const Record& record, std::size_t number) {
+  farthest_.reset();
+  Stage stage;
+  stage.branches = hypotheses_.size() > 1;
+  for (Hypothesis& from : std::exchange(hypotheses_, {})) {
+    Motion motion = motion_from(from.at, record, number);
+    if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
+    if (!terms_.compare_blocks) motion.record.block = 0;  // J-CMP-10
+    walk(std::move(from), std::move(motion), stage);
+  }
+  return finish(std::move(stage.reached));
+}
+
+bool Alignment::settle() {
+  if (std::ranges::none_of(hypotheses_,
+                           [](const auto& each) { return each.waiting.has_value(); })) {
+    return true;
+  }
+  farthest_.reset();
+  std::vector<Hypothesis> reached;
+  for (Hypothesis& from : std::exchange(hypotheses_, {})) {
+    std::vector<Hypothesis> beyond;
+    if (!from.waiting || take_waiting(from, beyond)) {
+      keep(std::move(from), reached);
+      continue;
+    }
+    for (Hypothesis& each : beyond) keep(std::move(each), reached);
+  }
+  if (!finish(std::move(reached))) return false;
+  return settle();
+}
+
+// A hypothesis that is given up for a doubt may be right, until all others are past its step.
+bool Alignment::finish(std::vector<Hypothesis> reached) {
+  if (reached.size() > kMostHypotheses) {
+    doubt(reached.front().step, gap_verdict("The motions may be meant in too many ways."));
+    reached.clear();
+  }
+  hypotheses_ = std::move(reached);
+  if (hypotheses_.empty()) return false;
+  if (gap_ && first_step() > gap_step_) gap_.reset();
+  return true;
+}
+
+void Alignment::doubt(std::size_t step, Verdict gap) {
+  if (gap_) return;
+  gap_ = std::move(gap);
+  gap_step_ = step;
+}
+
+void Alignment::refute(Refutation refutation) {
+  if (refutation.answer.departure == Departure::undecided) {
+    return doubt(refutation.from.step, gap_verdict(std::move(refutation.answer.reason)));
+  }
+  if (refutation.verdict && refutation.verdict->kind == VerdictKind::oracle_gap) {
+    return doubt(refutation.from.step, *std::move(refutation.verdict));
+  }
+  const bool is_farther = !farthest_ || refutation.from.step > farthest_->from.step;
+  if (is_farther) farthest_ = std::move(refutation);
+}
+
+void Alignment::refute(Hypothesis from, const Motion& motion, Verdict verdict) {
+  refute(Refutation{std::move(from), motion, {}, std::move(verdict)});
+}
+
+// Two that have come equally far are one.
+void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
+  for (Hypothesis& other : reached) {
+    if (other.step != hypothesis.step || other.open || hypothesis.open) continue;
+    if (other.is_fresh() != hypothesis.is_fresh() || other.joined != hypothesis.joined) continue;
+    if (!other.is_fresh() && !goes_on_alike(other.progress, hypothesis.progress)) continue;
+    other.exact = other.exact || hypothesis.exact;
+    other.rounded = other.rounded || hypothesis.rounded;
+    if (!hypothesis.advice) other.advice.reset();
+    return;
+  }
+  reached.push_back(std::move(hypothesis));
+}
+
+// J-CMP-03: the motion leads nowhere.
+void Alignment::stay(Hypothesis from, const Motion& motion, Stage& stage) {
+  from.at = motion.to();
+  keep(std::move(from), stage.reached);
+}
+
+void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
+  const bool is_small = stays_at(from.at, motion, terms_);
+  for (std::size_t passed = 0;; ++passed) {
+    if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
+    if (is_small && passed > kMostPassedForSmall) return;
+    if (passed > kMostPassed) {
+      return doubt(from.step,
+                   gap_verdict("More than 100,000 motions in a row are too small to see."));
+    }
+    // A way that cannot be told is given up; what was found before it stands.
+    const std::size_t here = from.step;
+    try {
+      if (!meet(from, motion, stage)) return;
+    } catch (const exact::Undecided& undecided) {
+      return doubt(here, undecided_verdict(undecided));
+    }
+  }
+}
+
+bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
+  const ReferenceStep& what = step_of(from).what;
+  if (from.after_alarm) {
+    stay(std::move(from), motion, stage);
+    return false;
+  }
+  if (std::holds_alternative<Motion>(what)) return meet_motion(from, motion, stage);
+  if (std::holds_alternative<Renaming>(what)) return meet_renaming(from, motion, stage);
+  if (auto* outside = std::get_if<NotCovered>(&what)) {
+    meet_outside(std::move(from), motion, *outside, stage);
+  } else if (std::holds_alternative<Record>(what) || std::holds_alternative<AlarmReport>(what)) {
+    meet_last(std::move(from), motion, stage);
+  } else {
+    meet_open_step(std::move(from), std::move(motion), stage);
+  }
+  return false;
+}
+
+void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCovered& outside,
+                             Stage& stage) {
+  if (leads_nowhere(from, motion, step_of(from).place)) return stay(std::move(from), motion, stage);
+  doubt(from.step, not_covered_verdict(outside));
+}
+
+// J-CMP-03: it keeps to where the reference stands, and to where the subject's last motion that led
+// anywhere ended.
+bool Alignment::leads_nowhere(const Hypothesis& from, const Motion& motion,
+                              const Position& place) const {
+  return stays_at(place, motion, terms_) && stays_at(from.anchor, motion, terms_);
+}
+
+bool Alignment::can_pass(const Hypothesis& from, const Motion& want) const {
+  return same_place(from.at, want.to(), terms_) && !goes_round(want, terms_.tolerance);
+}
+
+void Alignment::leave_motion(Hypothesis& from) {
+  from.passed = steps_.at(from.step + from.joined).item;
+  from.step += from.joined + 1;
+  from.joined = 0;
+  from.curve.reset();
+  from.progress = {};
+  from.piece.reset();
+}
+
+bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
+  const ReferenceSteps::Step& step = step_of(from);
+  const auto& renaming = std::get<Renaming>(step.what);
+  if (terms_.compare_blocks && motion.record.block <= renaming.block) {
+    if (leads_nowhere(from, motion, step.place)) {
+      stay(std::move(from), motion, stage);
+    } else {
+      refute(from, motion, before_renaming(motion, step.what));
+    }
+    return false;
+  }
+  if (!same_place(motion.from, from.at, terms_)) {
+    doubt(from.step, gap_verdict("A motion of the subject spans a renaming of the position."));
+    return false;
+  }
+  from.at = motion.from;  // what leads nowhere may have been passed over before it
+  shift(from.at, renaming.shift);
+  shift(from.anchor, renaming.shift);
+  motion.from = from.at;
+  for (const Axis axis : reference::kAllAxes) {
+    if (!motion.record.axes.has(axis)) motion.record.to[axis] = from.at[axis];
+  }
+  ++from.step;
+  return true;
+}
+
+// Where no motion is due: at a dwell, an M function, an alarm or the end.
+void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
+  const ReferenceSteps::Step& step = step_of(from);
+  if (leads_nowhere(from, motion, step.place)) return stay(std::move(from), motion, stage);
+  if (const Record* due = placed_m_function(step.what)) {
+    return refute(from, motion,
+                  m_function_missing(*due, record_text(motion.record), motion.number));
+  }
+  auto* report = std::get_if<AlarmReport>(&step.what);
+  const bool is_earlier =
+      report != nullptr && terms_.compare_blocks && motion.record.block < report->block;
+  if (report != nullptr && !is_earlier) {
+    from.after_alarm = motion;
+    return stay(std::move(from), motion, stage);
+  }
+  refute(from, motion, motion_too_many(motion, from.step, steps_, terms_));
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which motions of the subject are which steps of the reference (docs/judging.md, J-CMP-03,
+// J-CMP-04, J-CMP-13, J-PATH-01). A hypothesis says how far the subject has come: at which step,
+// how far along it. A motion may be a piece of the step, be the end of it, go on from it into the
+// next where the two are one line or circle, lead nowhere, or stand behind steps too small to see,
+// which the subject passes over. What no hypothesis explains is a NO-GO, told from the one that
+// came farthest.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "oracle/judge/open_step.hpp"
+#include "oracle/judge/reference_steps.hpp"
+
+namespace gonogo::oracle {
+
+// One way to read what the subject has put out so far.
+struct Hypothesis {
+  std::size_t step = 0;
+  Position at;      // where the subject stands, as the step names it
+  Position anchor;  // where its last motion that led anywhere ended
+
+  // Of a step that is a motion, once it has begun; it may be joined with steps behind it.
+  std::shared_ptr<const Curve> curve;
+  std::size_t joined = 0;
+  CurveProgress progress;
+  std::optional<Motion> piece;  // the last that was taken of it
+
+  // Of a step whose path is open. `waiting`: its next motion, which what follows may go on.
+  std::shared_ptr<OpenStep> open;
+  std::optional<Motion> waiting;
+
+  std::size_t passed = 0;             // item of the last motion that was left behind
+  std::optional<Motion> after_alarm;  // motion in or after the block that should have alarmed
+
+  // For the grade of a pass.
+  bool exact = true;    // every end and centre is exact so far
+  bool rounded = true;  // ... or correctly rounded
+  std::size_t property_motions = 0;
+  std::optional<Verdict> advice;  // of what was passed over, the first
+
+  // Whether nothing of its step has been seen.
+  bool is_fresh() const { return !curve && !open; }
+};
+
+// Why a hypothesis does not explain a motion, a dwell or an end: a verdict, or how the motion
+// departs from the step.
+struct Refutation {
+  Hypothesis from;
+  std::optional<Motion> motion;  // what departs
+  CurveAnswer answer;
+  std::optional<Verdict> verdict;
+};
+
+// What does not count against the budget of records.
+struct Forgiven {
+  std::size_t records = 0;
+  std::size_t level_cuts = 0;
+};
+
+class Alignment {
+ public:
+  // All must outlive it.
+  Alignment(ReferenceSteps& steps, const Position& start, const JudgeTerms& terms,
+            OpenStepMemory& memory);
+
+  // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
+  bool take_motion(const Record& record, std::size_t number);
+  bool take_dwell(const Record& record, std::size_t number);
+  // The subject's next M function, while none waits for the other side's. `settled`: steps before
+  // that one have had the M functions before them. Free: it is none of a cycle's own.
+  enum class MFunction { taken, free, departs };
+  MFunction take_m_function(const Record& record, std::size_t number, std::size_t settled);
+
+  const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
+  std::vector<Hypothesis>& hypotheses() { return hypotheses_; }
+  // The first step that may not have been passed yet.
+  std::size_t first_step() const;
+  // Where no hypothesis is left: that the gauge cannot tell, or why the one that came farthest is
+  // none.
+  const std::optional<Verdict>& gap() const { return gap_; }
+  Refutation& refutation() { return *farthest_; }
+  Forgiven take_forgiven() { return std::exchange(forgiven_, {}); }
+
+  // Nothing waits any more, at the end of the subject's motions. False: no hypothesis is left.
+  bool settle();
+  // Goes past what the subject need not show where it stands: a motion too small to see, a path
+  // that may end, a renaming.
+  struct Passing {
+    bool passed = false;
+    std::optional<Verdict> why_not = {};  // of an open path that may not end here
+  };
+  Passing pass(Hypothesis& hypothesis);
+  // Goes past a step as it is.
+  void skip(Hypothesis& hypothesis);
+  // The judge of the step, which is open: null, if it is not.
+  OpenStep* open_step_of(Hypothesis& hypothesis);
+
+ private:
+  // J-CONST-06.
+  static constexpr std::size_t kMostHypotheses = 128;
+  static constexpr std::size_t kMostPassed = 100'000;
+  static constexpr std::size_t kMostPassedForSmall = 128;
+
+  // What comes of one record.
+  struct Stage {
+    std::vector<Hypothesis> reached;
+    std::unordered_set<std::size_t> seen;  // steps that were come to fresh
+    bool branches = false;                 // from several hypotheses
+  };
+
+  // What the hypothesis follows of its step.
+  static const Motion& wanted(const Hypothesis& from, const ReferenceSteps::Step& step) {
+    return from.curve ? from.curve->motion() : std::get<Motion>(step.what);
+  }
+
+  bool reach_m_function(Hypothesis& from, std::size_t settled);
+  void walk(Hypothesis from, Motion motion, Stage& stage);
+  // One step; true where the hypothesis goes on to the next one with the motion.
+  bool meet(Hypothesis& from, Motion& motion, Stage& stage);
+  bool meet_motion(Hypothesis& from, const Motion& motion, Stage& stage);
+  bool take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
+                 Stage& stage);
+  void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
+  bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
+  void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
+  bool leads_outside(const Hypothesis& from, const Motion& motion);
+  bool leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage);
+  bool takes_coarse_centre(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
+                           Stage& stage);
+  void meet_open_step(Hypothesis from, Motion motion, Stage& stage);
+  void meet_behind_open_step(Hypothesis from, const Motion& motion, Stage& stage);
+  void begin_open_step(Hypothesis& from);
+  // The motion that waits goes to its step. Where it ends there, or goes beyond, `from` is used up,
+  // and `reached` is what comes of it.
+  bool take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached);
+  bool leave_open_step(Hypothesis& from, const Position& here);
+  bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
+  void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
+                    Stage& stage);
+  void meet_last(Hypothesis from, const Motion& motion, Stage& stage);
+  bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
+
+  bool leads_nowhere(const Hypothesis& from, const Motion& motion, const Position& place) const;
+  bool can_pass(const Hypothesis& from, const Motion& want) const;
+  void leave_motion(Hypothesis& from);
+  static void keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached);
+  static void stay(Hypothesis from, const Motion& motion, Stage& stage);
+  bool finish(std::vector<Hypothesis> reached);
+  void refute(Refutation refutation);
+  void refute(Hypothesis from, const Motion& motion, Verdict verdict);
+  void doubt(std::size_t step, Verdict gap);
+  const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }
+
+  ReferenceSteps& steps_;
+  const JudgeTerms& terms_;
+  OpenStepMemory& memory_;
+  std::vector<Hypothesis> hypotheses_;
+  std::optional<Refutation> farthest_;
+  // Of a hypothesis that may be right as far as can be told, and the step where it was given up.
+  std::optional<Verdict> gap_;
+  std::size_t gap_step_ = 0;
+  Forgiven forgiven_;
+};
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Alignment's part for a motion of the reference: pieces, joins, ends, what departs.
+#include "oracle/judge/alignment.hpp"
+
+#include <algorithm>
+
+#include "oracle/judge/curve_follower.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/places.hpp"
+
+namespace gonogo::oracle {
+
+using reference::NotCovered;
+
+namespace {
+
+bool moves_nothing(const Motion& motion) {
+  return agree(motion.from, motion.to(), 0) && !goes_round(motion, 0);
+}
+
+}  // namespace
+
+bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage) {
+  const ReferenceSteps::Step& step = step_of(from);
+  if (from.is_fresh() && is_same_motion(motion, wanted(from, step))) {
+    leave_motion(from);
+    from.at = from.anchor = motion.to();
+    keep(std::move(from), stage.reached);
+    return false;
+  }
+  const std::size_t before = stage.reached.size();
+  const Hypothesis as_it_was = from;
+  if (!from.curve) from.curve = steps_.curve_of(step);
+  CurveAnswer answer = from.curve->follow(from.progress, motion);
+  if (answer.departs()) extend(from, motion, answer);
+  // J-CMP-03. What may lead nowhere is no piece of a line.
+  const bool is_arc = is_round(from.curve->motion().record.kind);
+  const bool departs = answer.departs();
+  const bool is_between_pieces =
+      !as_it_was.is_fresh() && departs && stays_at(as_it_was.anchor, motion, terms_);
+  const bool is_nil = is_between_pieces || ((as_it_was.is_fresh() || is_arc) &&
+                                            leads_nowhere(as_it_was, motion, step.place));
+  const bool is_done = std::ranges::any_of(answer.ways, [](const auto& way) { return way.done; });
+  if (is_done || (!departs && (is_arc || !is_nil))) {
+    if (take_ways(from, motion, answer, stage)) return false;
+    if (is_done) take_longer_end(from, motion, stage);
+  }
+  if (is_nil && !is_done) stay(as_it_was, motion, stage);
+  // Of an earlier block it passes nothing of this one.
+  const Motion& want = wanted(as_it_was, step);
+  const bool is_earlier = terms_.compare_blocks && motion.record.block < want.record.block;
+  if (!is_earlier && can_pass(as_it_was, want)) {
+    from = as_it_was;
+    leave_motion(from);
+    return true;
+  }
+  if (stage.reached.size() == before && departs) depart(from, motion, std::move(answer), stage);
+  return false;
+}
+
+// J-CMP-04: joins steps that go on as the motion does, as far as it goes.
+bool Alignment::extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer) {
+  Hypothesis longer = from;
+  while (longer.curve->goes_beyond(longer.progress, motion)) {
+    const auto* next = std::get_if<Motion>(&steps_.at(longer.step + longer.joined + 1).what);
+    if (next == nullptr) return false;
+    ++longer.joined;
+    if (moves_nothing(*next)) continue;
+    Motion both = longer.curve->motion();
+    if (!join(both, *next)) return false;
+    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
+    CurveAnswer further = longer.curve->follow(longer.progress, motion);
+    if (further.departs()) continue;
+    from = std::move(longer);
+    answer = std::move(further);
+    return true;
+  }
+  return false;
+}
+
+// True where it is the end of the step to the last digit: then it is nothing else.
+bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
+                          Stage& stage) {
+  const Motion& want = from.curve->motion();
+  // Chords that are granted are bounded by the arc.
+  const bool is_chord = is_round(want.record.kind) && motion.record.kind == RecordKind::feed;
+  if (is_chord) ++forgiven_.records;
+  bool is_exact = false;
+  for (const CurveWay& way : answer.ways) {
+    Hypothesis next = from;
+    next.at = next.anchor = motion.to();
+    if (way.done) {
+      const Grade grade = grade_of(motion, want, terms_);
+      next.exact = next.exact && grade.exact;
+      next.rounded = next.rounded && grade.rounded;
+      is_exact = is_exact || grade.exact;
+      leave_motion(next);
+    } else {
+      next.progress = way.progress;
+      next.piece = motion;
+    }
+    keep(std::move(next), stage.reached);
+  }
+  return is_exact;
+}
+
+// A motion that ends a step may as well end the next one, which goes on from it by less than can be
+// seen.
+void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage) {
+  const auto* next = std::get_if<Motion>(&steps_.at(from.step + from.joined + 1).what);
+  if (next == nullptr || !same_place(next->to(), motion.to(), terms_)) return;
+  Motion both = from.curve->motion();
+  if (!join(both, *next)) return;
+  Hypothesis longer = from;
+  longer.curve = std::make_shared<Curve>(std::move(both), terms_);
+  ++longer.joined;
+  CurveAnswer answer = longer.curve->follow(longer.progress, motion);
+  if (answer.departs() || take_ways(longer, motion, answer, stage)) return;
+  take_longer_end(longer, motion, stage);
+}
+
+void Alignment::depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer,
+                       Stage& stage) {
+  if (leads_outside(from, motion)) return;
+  if (leads_into_open_step(from, motion, stage)) return;
+  if (takes_coarse_centre(from, motion, answer, stage)) return;
+  refute(Refutation{from, motion, std::move(answer), std::nullopt});
+}
+
+// Without line numbers a motion may be joined to those of a block that is not covered: then its end
+// says nothing.
+bool Alignment::leads_outside(const Hypothesis& from, const Motion& motion) {
+  if (terms_.compare_blocks) return false;
+  Hypothesis longer = from;
+  while (longer.curve->goes_beyond(longer.progress, motion)) {
+    const std::size_t next = longer.step + longer.joined + 1;
+    const ReferenceStep& what = steps_.at(next).what;
+    if (auto* outside = std::get_if<NotCovered>(&what)) {
+      doubt(next, not_covered_verdict(*outside));
+      return true;
+    }
+    Motion both = longer.curve->motion();
+    if (!std::holds_alternative<Motion>(what) || !join(both, std::get<Motion>(what))) return false;
+    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
+    ++longer.joined;
+  }
+  return false;
+}
+
+// A motion that leads to an open path and on into it: from there on its rest.
+bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage) {
+  const Motion& want = from.curve->motion();
+  if (!from.curve->goes_beyond(from.progress, motion)) return false;
+  Hypothesis beyond = from;
+  leave_motion(beyond);
+  const ReferenceSteps::Step& next = steps_.at(beyond.step);
+  if (!make_open_step(next, terms_, memory_) || block_of(next.what) != want.record.block) {
+    return false;
+  }
+  begin_open_step(beyond);
+  Motion rest = motion;
+  for (const Axis axis : reference::kLinearAxes) {
+    if (moved_axes(motion, 0).has(axis)) rest.from[axis] = want.to()[axis];
+  }
+  if (!beyond.open->may_begin_within(rest)) return false;
+  beyond.at = beyond.anchor = rest.from;
+  meet_open_step(std::move(beyond), std::move(rest), stage);
+  return true;
+}
+
+// J-ALM-07. The centre that a control works out itself, within twice the tolerance of the right
+// one: what follows is judged, for the arc ends where it should.
+bool Alignment::takes_coarse_centre(const Hypothesis& from, const Motion& motion,
+                                    const CurveAnswer& answer, Stage& stage) {
+  std::optional<Verdict> advice =
+      coarse_centre_advice(answer, motion, from.curve->motion(), terms_);
+  if (!advice) return false;
+  Hypothesis next = from;
+  if (!next.advice) next.advice = std::move(advice);
+  next.at = next.anchor = motion.to();
+  leave_motion(next);
+  keep(std::move(next), stage.reached);
+  return true;
+}
+
+}  // namespace gonogo::oracle

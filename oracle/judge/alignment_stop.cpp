@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Alignment's part for what comes between motions: dwells and the M functions of a cycle.
+#include "oracle/judge/alignment.hpp"
+
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/m_functions.hpp"
+#include "oracle/judge/mismatch.hpp"
+
+namespace gonogo::oracle {
+
+using reference::AlarmReport;
+using reference::NotCovered;
+
+bool Alignment::take_dwell(const Record& record, std::size_t number) {
+  if (!settle()) return false;
+  farthest_.reset();
+  std::vector<Hypothesis> reached;
+  for (Hypothesis& from : std::exchange(hypotheses_, {})) {
+    if (meet_dwell(from, record, number)) keep(std::move(from), reached);
+  }
+  return finish(std::move(reached));
+}
+
+// J-CMP-05. One way to read the motions at which it is due is enough: the others are given up.
+Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number,
+                                                std::size_t settled) {
+  farthest_.reset();
+  std::vector<Hypothesis> reached;
+  std::vector<Hypothesis> elsewhere;
+  for (const Hypothesis& from : hypotheses_) {
+    Hypothesis at = from;
+    if (!reach_m_function(at, settled)) {
+      elsewhere.push_back(from);
+      continue;
+    }
+    const auto& due = std::get<Record>(step_of(at).what);
+    const bool is_due = due.m == record.m && (!terms_.compare_blocks || due.block == record.block);
+    if (is_due) {
+      ++at.step;
+      keep(std::move(at), reached);
+    } else {
+      refute(Refutation{
+          std::move(at), std::nullopt, {}, m_function_missing(due, record_text(record), number)});
+    }
+  }
+  if (reached.empty() && !elsewhere.empty()) {
+    hypotheses_ = std::move(elsewhere);
+    return MFunction::free;
+  }
+  return finish(std::move(reached)) ? MFunction::taken : MFunction::departs;
+}
+
+// Past motions too small to see, to the M function of a cycle. False where none is due, or others
+// are that stand anywhere.
+bool Alignment::reach_m_function(Hypothesis& from, std::size_t settled) {
+  for (std::size_t passed = 0; passed < kMostPassedForSmall; ++passed) {
+    const ReferenceSteps::Step& step = step_of(from);
+    if (from.step >= settled && !step.m_functions.empty()) return false;
+    if (placed_m_function(step.what) != nullptr) return true;
+    if (!std::holds_alternative<Motion>(step.what) || !pass(from).passed) return false;
+  }
+  return false;
+}
+
+// J-CMP-06.
+bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t number) {
+  if (from.after_alarm) return true;
+  Passing passing{true};
+  for (std::size_t passed = 0; passing.passed; ++passed) {
+    if (passed > kMostPassed) {
+      doubt(from.step, gap_verdict("More than 100,000 motions in a row are too small to see."));
+      return false;
+    }
+    const ReferenceStep& what = step_of(from).what;
+    if (auto* outside = std::get_if<NotCovered>(&what)) {
+      doubt(from.step, not_covered_verdict(*outside));
+      return false;
+    }
+    if (std::holds_alternative<AlarmReport>(what)) {
+      from.after_alarm = motion_from(from.at, record, number);
+      return true;
+    }
+    if (is_dwell_due(what, record, terms_)) {
+      ++from.step;
+      return true;
+    }
+    passing = pass(from);
+  }
+  if (passing.why_not && from.open->is_judged_when_left()) {
+    refute(Refutation{from, std::nullopt, {}, std::move(passing.why_not)});
+    return false;
+  }
+  Verdict verdict = wrong_dwell(record, number, from, steps_);
+  refute(Refutation{from, std::nullopt, {}, std::move(verdict)});
+  return false;
+}
+
+}  // namespace gonogo::oracle

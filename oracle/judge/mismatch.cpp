@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/mismatch.hpp"
+
+#include <fmt/format.h>
+
+#include "oracle/judge/advice.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/m_functions.hpp"
+#include "oracle/judge/places.hpp"
+
+namespace gonogo::oracle {
+
+using reference::kAllAxes;
+
+Verdict not_covered_verdict(const reference::NotCovered& outside) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.block = outside.block;
+  verdict.message = outside.message;
+  return verdict;
+}
+
+// J-CONST-01.
+Verdict gap_verdict(std::string message) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+Verdict undecided_verdict(const exact::Undecided& undecided) {
+  return gap_verdict(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+}
+
+std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
+                                            const Motion& want, const JudgeTerms& terms) {
+  if (want.record.centre_clause == reference::kNoClause || !answer.centre) return std::nullopt;
+  if (!agree(answer.centre->distance, 0, terms.tolerance * 2) ||
+      !same_place(motion.to(), want.to(), terms)) {
+    return std::nullopt;
+  }
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = want.record.centre_clause;
+  verdict.block = want.record.block;
+  verdict.record = motion.number;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(motion.record);
+  verdict.message = "The corrected centre of the arc differs by more than the tolerance.";
+  set_deviation(verdict, answer.centre->distance);
+  if (!is_advice(verdict, terms)) return std::nullopt;
+  return advised(std::move(verdict), terms);
+}
+
+namespace {
+
+// J-CMP-12: whether the motion is one that the reference makes later on, from step `number`.
+bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
+                const JudgeTerms& terms) {
+  constexpr std::size_t kLookAhead = 200;  // J-CONST-09
+  if (agree(motion.from, motion.to(), terms.tolerance)) return false;
+  for (std::size_t i = number; i < number + kLookAhead; ++i) {
+    const ReferenceSteps::Step& step = steps.at(i);
+    if (is_end(step.what)) return false;
+    const Motion* later = std::get_if<Motion>(&step.what);
+    if (later == nullptr || !agree(motion.from, later->from, terms.tolerance)) continue;
+    const CurveAnswer answer = steps.curve_of(step)->follow({}, motion);
+    if (!answer.departs() && answer.ways.front().done) return true;
+  }
+  return false;
+}
+
+std::string_view short_sentence(RecordKind kind) {
+  switch (kind) {
+    case RecordKind::rapid:
+      return "The traverse ends before it is where it has to end.";
+    case RecordKind::thread:
+      return "The thread ends before it is where it has to end.";
+    default:
+      return "The cut ends before it is where it has to end.";
+  }
+}
+
+}  // namespace
+
+Verdict short_of(const Motion& want, const Motion& piece) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = want.record.clause;
+  verdict.block = want.record.block != 0 ? want.record.block : piece.record.block;
+  verdict.record = piece.number + piece.behind_first;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(piece.record);
+  verdict.message = short_sentence(want.record.kind);
+  verdict.witness = point_text(piece.to(), moved_axes(piece, 0) | moved_axes(want, 0));
+  try {
+    set_deviation(verdict, largest_difference(piece.to(), want.to()));
+  } catch (const exact::Undecided&) {
+  }
+  return verdict;
+}
+
+Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
+                   const std::string& got) {
+  if (std::holds_alternative<Motion>(step) && from.piece) {
+    return short_of(from.curve->motion(), *from.piece);
+  }
+  if (const Record* due = placed_m_function(step)) return m_function_missing(*due, got, records);
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.got = got;
+  verdict.clause = clause_of(step);
+  verdict.block = block_of(step);
+  verdict.want = step_text(step);
+  verdict.witness = point_text(from.at, {Axis::x, Axis::y, Axis::z});
+  verdict.record = records;
+  verdict.message = "The trace ends before this motion.";
+  return verdict;
+}
+
+Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.message = "The subject moves where the position gets another name, and no motion is due.";
+  verdict.block = motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = step_text(step);
+  verdict.got = record_text(motion.record);
+  verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  return verdict;
+}
+
+Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps& steps,
+                        const JudgeTerms& terms) {
+  const ReferenceStep& step = steps.at(number).what;
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_overrun;
+  verdict.message = "The subject moves after the end of the program.";
+  verdict.block = motion.record.block;
+  verdict.clause = clause_of(step);
+  verdict.record = motion.number;
+  verdict.want = step_text(step);
+  verdict.got = record_text(motion.record);
+  verdict.witness = point_text(motion.to(), moved_axes(motion, 0));
+  if (std::holds_alternative<reference::AlarmReport>(step)) {
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.message = "The subject moves before the block that alarms, and no motion is due.";
+  } else if (std::get<Record>(step).kind == RecordKind::dwell) {
+    verdict.kind = fits_later(motion, number + 1, steps, terms) ? VerdictKind::fail_order
+                                                                : VerdictKind::fail_geometry;
+    verdict.message = "The subject moves where a dwell is due.";
+  }
+  return verdict;
+}
+
+bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms) {
+  const auto* want = std::get_if<Record>(&step);
+  if (want == nullptr || want->kind != RecordKind::dwell) return false;
+  if (terms.compare_blocks && want->block != dwell.block) return false;
+  const Number difference = abs(want->seconds - dwell.seconds);
+  return difference.sign() == 0 ||
+         (terms.binary64 && difference <= want->seconds * Number::binary(1, -51)) ||
+         (terms.resolution && difference * 2 <= *terms.resolution);
+}
+
+// J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
+Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
+                    ReferenceSteps& steps) {
+  const ReferenceStep& step = steps.at(from.step).what;
+  if (std::holds_alternative<Motion>(step) && from.piece) {
+    const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
+    const auto* due = std::get_if<Record>(&behind);
+    if (due != nullptr && due->kind == RecordKind::dwell) {
+      return short_of(from.curve->motion(), *from.piece);
+    }
+  }
+  if (const Record* due = placed_m_function(step)) {
+    return m_function_missing(*due, record_text(dwell), number);
+  }
+  const auto* want = std::get_if<Record>(&step);
+  const bool expected = want != nullptr && want->kind == RecordKind::dwell;
+  Verdict verdict;
+  verdict.kind = expected ? VerdictKind::fail_geometry : VerdictKind::fail_order;
+  verdict.record = number;
+  verdict.block = dwell.block;
+  verdict.got = record_text(dwell);
+  verdict.want = step_text(step);
+  verdict.clause = clause_of(step);
+  verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
+  return verdict;
+}
+
+namespace {
+
+// J-PATH-13: whether the motion that departs follows one that ended too early. It did where this
+// one leads on as the reference does next, or where less was missing than this one is off.
+bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceSteps& steps,
+                 const JudgeTerms& terms) {
+  const Hypothesis& from = refutation.from;
+  if (!from.piece) return false;
+  const ReferenceSteps::Step& next = steps.at(from.step + from.joined + 1);
+  if (auto* later = std::get_if<Motion>(&next.what)) {
+    Motion moved = *refutation.motion;
+    moved.from = later->from;
+    if (!steps.curve_of(next)->follow({}, moved).departs()) return true;
+  }
+  return apart.distance > terms.tolerance &&
+         largest_difference(from.piece->to(), from.curve->motion().to()) <= apart.distance;
+}
+
+// That motions differ is known; how far, and which departs first, may hang on an enclosure's width,
+// and then stays unsaid.
+void explain_path(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
+                  Verdict& verdict) {
+  const Hypothesis& from = refutation.from;
+  const Motion& motion = *refutation.motion;
+  const Motion& want = from.curve->motion();
+  verdict.kind = VerdictKind::fail_geometry;
+  const AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
+  const std::optional<Apart>& centre = refutation.answer.centre;
+  verdict.witness = point_text(centre ? centre->at : motion.to(), axes);
+  try {
+    const Apart apart = centre ? *centre : from.curve->apart(from.progress, motion);
+    verdict.witness = point_text(apart.at, axes);
+    set_deviation(verdict, apart.distance);
+    if (ended_short(refutation, apart, steps, terms)) {
+      verdict = short_of(want, *from.piece);
+    } else if (fits_later(motion, from.step + from.joined + 1, steps, terms)) {
+      verdict.kind = VerdictKind::fail_order;
+      verdict.message = "A later motion comes here: one before it is missing, or comes after it.";
+    }
+  } catch (const exact::Undecided&) {
+  }
+}
+
+}  // namespace
+
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
+                std::size_t& departed_at) {
+  departed_at = steps.at(refutation.from.step).item;
+  if (refutation.verdict) return *refutation.verdict;
+  const Motion& motion = *refutation.motion;
+  const Motion& want = refutation.from.curve->motion();
+  const CurveAnswer& answer = refutation.answer;
+  Verdict verdict;
+  if (answer.departure != Departure::feed && hangs_on_rounding(want, terms.tolerance)) {
+    verdict.kind = VerdictKind::oracle_gap;
+    verdict.message = kPointsNearlyInLine;
+    return verdict;
+  }
+  verdict.clause = want.record.clause;
+  verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;
+  verdict.record = motion.number;
+  verdict.want = record_text(want.record);
+  verdict.got = record_text(motion.record);
+  verdict.message = answer.reason;
+  if (answer.departure == Departure::feed) {
+    verdict.kind = VerdictKind::fail_feed;
+    verdict.word = 'F';
+  } else {
+    explain_path(refutation, steps, terms, verdict);
+  }
+  return verdict;
+}
+
+namespace {
+
+// Whether a point lies on the circle of a flat arc or an arc3; false where that takes more than
+// rationals.
+bool is_exactly_on(const Motion& round, const Position& point) {
+  const SpacePoint from = space_point(round.from);
+  const SpacePoint at = space_point(point);
+  if (!is_rational(from) || !is_rational(at)) return false;
+  if (round.record.kind == RecordKind::arc) {
+    const Axis d = reference::axes_of(round.record.plane).d;
+    const PlaneVector a = from_centre(round.record, round.from);
+    const PlaneVector b = from_centre(round.record, point);
+    if (!a.p.is_rational() || !a.q.is_rational() || round.to()[d] != round.from[d]) return false;
+    return point[d] == round.from[d] && a.p * a.p + a.q * a.q == b.p * b.p + b.q * b.q;
+  }
+  const SpacePoint via = space_point(round.record.via);
+  const SpacePoint to = space_point(round.to());
+  if (!is_rational(via) || !is_rational(to)) return false;
+  const auto circle = circle_through(from, via, to);
+  if (!circle) return false;
+  const SpacePoint v = at - circle->centre;
+  return dot(v, circle->normal).sign() == 0 && dot(v, v) == circle->radius_2;
+}
+
+}  // namespace
+
+Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms) {
+  Grade grade;
+  const auto compare = [&](const Number& got, const Number& exact) {
+    const Number difference = got - exact;
+    // An enclosure cannot be told from its exact value: not exact, for the grade.
+    const bool enclosed = difference.form() == Number::Form::enclosure;
+    if (!enclosed && difference.sign() == 0) return;
+    grade.exact = false;
+    const bool half = terms.resolution && agree(got, exact, *terms.resolution / 2);
+    // Half a unit in the last place of a double is at most 2^-53 of its value.
+    const bool nearest = terms.binary64 && agree(got, exact, abs(got) * Number::binary(1, -53));
+    grade.rounded = grade.rounded && (terms.binary64 ? nearest : half);
+  };
+  for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);
+  if (motion.record.kind == RecordKind::arc) {
+    const std::optional<Motion> arc =
+        want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
+    for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], arc->record.centre[i]);
+  } else if (motion.record.kind == RecordKind::arc3 && !is_exactly_on(want, via_of(motion))) {
+    if (want.record.kind == RecordKind::arc3) {
+      for (Axis axis : reference::kLinearAxes) {
+        compare(motion.record.via[axis], want.record.via[axis]);
+      }
+    } else {
+      grade.exact = grade.rounded = false;
+    }
+  }
+  return grade;
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the subject departs: what is said of the first motion, dwell or end that no hypothesis
+// explains, and how far off it is.
+#pragma once
+
+#include "oracle/judge/alignment.hpp"
+
+namespace gonogo::oracle {
+
+// The verdict on what was refuted. Looks ahead in the reference. `departed_at`: the item of the
+// reference that it departs from.
+Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
+                std::size_t& departed_at);
+
+// J-PATH-13. `piece` is the last of `want` that the subject has put out.
+Verdict short_of(const Motion& want, const Motion& piece);
+// The trace ends, or alarms (`got`), where a step is due.
+Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
+                   const std::string& got);
+
+// A motion where none is due: before a renaming of the position; before a dwell, in an earlier
+// block than an alarm, or behind the end.
+Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
+Verdict motion_too_many(const Motion& motion, std::size_t step, ReferenceSteps& steps,
+                        const JudgeTerms& terms);
+
+// J-CMP-06. Whether the dwell is the one that is due; and what is said of one that is not.
+bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms);
+Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
+                    ReferenceSteps& steps);
+
+// What is not judged, and why.
+Verdict gap_verdict(std::string message);
+Verdict not_covered_verdict(const reference::NotCovered& outside);
+Verdict undecided_verdict(const exact::Undecided& undecided);
+
+// J-ALM-07: an arc with a centre that a control works out itself, off by no more than twice the
+// tolerance, and its end where it should be.
+std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
+                                            const Motion& want, const JudgeTerms& terms);
+
+// J-CMP-09: of a motion that completes one of the reference's.
+struct Grade {
+  bool exact = true;    // end and centre are exact
+  bool rounded = true;  // ... or correctly rounded
+};
+Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/pocket_level_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/judge/evidence.hpp"
+
+namespace gonogo::oracle {
+
+using reference::axes_of;
+using reference::PlaneAxes;
+using reference::PocketLevel;
+using reference::operator""_clause;
+
+namespace {
+
+region::PlanePoint plane_point(const Position& point, const PlaneAxes& axes) {
+  return {point[axes.p], point[axes.q]};
+}
+
+std::string_view sentence(region::Rule rule) {
+  switch (rule) {
+    case region::Rule::gouge:
+      return "The tool cuts into the wall of the pocket.";
+    case region::Rule::cover:
+      return "The tool leaves material in the pocket.";
+    case region::Rule::step:
+      return "The step between the tool's paths is too wide.";
+    case region::Rule::sense:
+      return "An arc of the level turns the wrong way.";
+    case region::Rule::order:
+      return "The tool cuts through solid material for more than the step.";
+  }
+  return "";
+}
+
+bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
+  auto same = [](const region::PlanePoint& x, const region::PlanePoint& y) {
+    return x.p == y.p && x.q == y.q;
+  };
+  return a.is_arc == b.is_arc && a.rot == b.rot && same(a.from, b.from) && same(a.to, b.to) &&
+         (!a.is_arc || same(a.centre, b.centre));
+}
+
+// Apart from depth and block.
+bool same_level(const PocketLevel& a, const PocketLevel& b) {
+  return a.plane == b.plane && a.centre == b.centre && a.pocket_radius == b.pocket_radius &&
+         a.tool_radius == b.tool_radius && a.step == b.step && a.sense == b.sense;
+}
+
+}  // namespace
+
+PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place,
+                                 const JudgeTerms& terms, std::optional<JudgedLevel>& last)
+    : level_(level), axes_(axes_of(level.plane)), place_(place), terms_(terms), last_(last) {}
+
+OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
+                                        std::string message) const {
+  Verdict verdict =
+      departure_from(kind, level_.clause, motion, level_text(level_), std::move(message));
+  verdict.block = level_.block;
+  verdict.word = {};
+  verdict.witness = point_text(motion.to(), {Axis::x, Axis::y, Axis::z});
+  return OpenStepAnswer::decide(std::move(verdict));
+}
+
+// The traverse to where the pocket begins.
+bool PocketLevelStep::is_before(const Motion& motion) const {
+  return motions_.empty() && motion.record.kind == RecordKind::rapid &&
+         motion.to()[axes_.d] == motion.from[axes_.d];
+}
+
+// A traverse ends the level: at depth it is the retract's business, which may be too small to see.
+bool PocketLevelStep::collects(const Motion& motion) const {
+  const Record& record = motion.record;
+  const bool other_block = terms_.compare_blocks && record.block != level_.block;
+  if (other_block || !agree(motion.to()[axes_.d], motion.from[axes_.d], terms_.tolerance)) {
+    return false;
+  }
+  return record.kind == RecordKind::feed || record.kind == RecordKind::arc;
+}
+
+// The next infeed or retract, of levels that lie close together.
+bool PocketLevelStep::may_be_left_by(const Motion& small) const {
+  return small.record.kind != RecordKind::arc && small.to()[axes_.d] != small.from[axes_.d] &&
+         small.to()[axes_.p] == small.from[axes_.p] && small.to()[axes_.q] == small.from[axes_.q];
+}
+
+OpenStepAnswer PocketLevelStep::take(const Motion& motion) {
+  if (collects(motion)) return collect(motion);
+  if (std::optional<Verdict> fault = end(motion.from)) {
+    return OpenStepAnswer::decide(*std::move(fault));
+  }
+  return OpenStepAnswer::end(motion.from);
+}
+
+OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
+  const Record& record = motion.record;
+  if (motions_.empty()) plunge_ = motion.from;
+  if (!agree(motion.to()[axes_.d], level_.depth, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, motion, "The cut leaves the level's depth.");
+  }
+  if (turns_rotary_axis(motion, terms_.tolerance)) {
+    return departs(VerdictKind::fail_region, motion, "A rotary axis moves in a level.");
+  }
+  if (record.kind == RecordKind::arc && record.plane != level_.plane) {
+    return departs(VerdictKind::fail_region, motion, "The arc lies in another plane.");
+  }
+  Record feed;
+  feed.feed = level_.feed;
+  feed.feed_mode = level_.feed_mode;
+  if (!feeds_agree(feed, record, terms_)) {
+    return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
+  }
+  region::LevelMotion part;
+  part.is_arc = record.kind == RecordKind::arc;
+  part.from = plane_point(motion.from, axes_);
+  part.to = plane_point(motion.to(), axes_);
+  part.centre = {record.centre[0], record.centre[1]};
+  part.rot = record.rot;
+  part.record = motion.number;
+  motions_.push_back(std::move(part));
+  records_.push_back(record);
+  if (motions_.size() > region::kMaximumLevelMotions) {
+    return OpenStepAnswer::gap(fmt::format("A level of more than {} motions is not judged.",
+                                           region::kMaximumLevelMotions));
+  }
+  return OpenStepAnswer::take(OpenStepAnswer::Cost::level_cut);
+}
+
+region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
+  region::CircularLevel circle;
+  circle.centre = {level_.centre[0], level_.centre[1]};
+  circle.pocket_radius = level_.pocket_radius;
+  circle.tool_radius = level_.tool_radius;
+  circle.step = level_.step;
+  circle.sense = level_.sense;
+  circle.plunge = plane_point(plunge, axes_);
+  circle.tolerance = terms_.level_tolerance();
+  circle.chord = terms_.chord;
+  return circle;
+}
+
+Verdict PocketLevelStep::fault(const region::Finding& finding, const Position& here) const {
+  Position witness = here;
+  witness[axes_.p] = finding.witness.p;
+  witness[axes_.q] = finding.witness.q;
+  witness[axes_.d] = level_.depth;
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_region;
+  verdict.clause = finding.rule == region::Rule::order ? "GSK-CYC-02"_clause : level_.clause;
+  verdict.block = level_.block;
+  verdict.record = finding.record;
+  verdict.want = level_text(level_);
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
+  }
+  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
+  set_deviation(verdict, finding.deviation);
+  verdict.message = sentence(finding.rule);
+  return verdict;
+}
+
+bool PocketLevelStep::is_known() const {
+  return last_ && same_level(last_->level, level_) && plunge_[axes_.p] == last_->plunge[axes_.p] &&
+         plunge_[axes_.q] == last_->plunge[axes_.q] &&
+         std::ranges::equal(motions_, last_->motions, same_motion);
+}
+
+// So small that it is cleared where the subject stands.
+bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
+  return !motions_.empty() ||
+         region::judge_level(circle(here), {}).kind == region::LevelVerdict::Kind::go;
+}
+
+std::optional<Verdict> PocketLevelStep::end(const Position& here) {
+  if (motions_.empty()) plunge_ = here;
+  // Levels no farther apart than the tolerance are one level, and this one is cleared.
+  const bool known = is_known();
+  const bool cleared = motions_.empty() && last_ && same_level(last_->level, level_) &&
+                       agree(last_->level.depth, level_.depth, terms_.tolerance);
+  if (known) last_->level.depth = level_.depth;
+  if (known || cleared) return std::nullopt;
+  const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);
+  if (answer.kind == region::LevelVerdict::Kind::gap) {
+    return OpenStepAnswer::gap(answer.gap).verdict;
+  }
+  if (answer.kind == region::LevelVerdict::Kind::no_go) {
+    return fault(answer.finding.value(), here);
+  }
+  last_ = JudgedLevel{level_, motions_, plunge_};
+  return std::nullopt;
+}
+
+// At the level's exact depth.
+OpenStep::Exit PocketLevelStep::exit(const Position& /*here*/) const {
+  Position at = motions_.empty() ? plunge_ : place_;
+  if (!motions_.empty()) {
+    at[axes_.p] = motions_.back().to.p;
+    at[axes_.q] = motions_.back().to.q;
+  }
+  at[axes_.d] = level_.depth;
+  return {at};
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ProgramJudge's part for the subject's end: complete, too early, with an alarm, or not at all.
+// Each hypothesis comes to an ending of its own, and the best of them counts.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/judge/advice.hpp"
+#include "oracle/judge/alarm_ground.hpp"
+#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/places.hpp"
+#include "oracle/judge/program_judge.hpp"
+
+namespace gonogo::oracle {
+
+using reference::AlarmReport;
+using reference::NotCovered;
+
+struct ProgramJudge::Ending {
+  Hypothesis from;
+  std::optional<Verdict> verdict = {};  // nothing: GO
+  // What of the M functions goes before it: those that the reference has come to up to `step`.
+  enum class Settle { none, all, before_alarm, of_earlier } settle = Settle::none;
+  std::size_t step = 0;
+  std::uint64_t block = 0;  // that alarms
+  bool at_load = false;
+  std::size_t item = 0;  // of the reference, where it departs; 0: that of the hypothesis
+
+  // The less the better: a pass by its grade, a gap, an advice, a departure (J-ALM-08).
+  int rank() const {
+    if (!verdict && !from.advice) return from.exact ? 0 : from.rounded ? 1 : 2;
+    switch (verdict ? decision(verdict->kind) : Decision::neither) {
+      case Decision::undecided:
+        return 3;
+      case Decision::neither:
+        return 4;
+      default:
+        return 5;
+    }
+  }
+};
+
+// A step that the subject's alarm leaves undone, and how the hypothesis stood there.
+struct ProgramJudge::Unfinished {
+  Hypothesis from;
+  ReferenceSteps::Step step;
+};
+
+namespace {
+
+constexpr std::size_t kMostPassed = 10'000'000;
+
+VerdictKind kind_of(RunEnd::Kind kind) {
+  switch (kind) {
+    case RunEnd::Kind::skip:
+    case RunEnd::Kind::refused:
+      return VerdictKind::skip;
+    case RunEnd::Kind::crash:
+    case RunEnd::Kind::error:
+      return VerdictKind::crash;
+    case RunEnd::Kind::timeout:
+      return VerdictKind::timeout;
+    case RunEnd::Kind::out_of_memory:
+      return VerdictKind::out_of_memory;
+    default:
+      return VerdictKind::protocol;
+  }
+}
+
+Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = report.block;
+  verdict.clause = firmest(report).clause;  // J-ALM-02
+  verdict.word = report.alarms.front().word;
+  verdict.want = alarms_text(report);
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+// Of an alarm for which the reference has none.
+Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = alarm.block;
+  verdict.word = alarm.word;
+  verdict.got = alarm_text(alarm);
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+Verdict nearly_in_line() {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.message = kPointsNearlyInLine;
+  return verdict;
+}
+
+bool is_record_end(const ReferenceStep& step) {
+  const auto* record = std::get_if<Record>(&step);
+  return record != nullptr && record->kind == RecordKind::end;
+}
+
+}  // namespace
+
+Verdict ProgramJudge::finish(const RunEnd& end) {
+  Hypothesis passed;
+  try {
+    leave_step();
+    if (!verdict_ && !alignment_.settle()) decide_departure();
+    const bool is_whole = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm;
+    if (!verdict_ && !is_whole) {
+      Verdict verdict;
+      verdict.kind = kind_of(end.kind);
+      verdict.feature = end.feature;
+      verdict.message = end.message;
+      decide(std::move(verdict));
+    }
+    if (!verdict_ && end.kind == RunEnd::Kind::alarm) decide(alarm_outside(end.alarm));
+    if (!verdict_) {
+      std::optional<Ending> best;
+      for (Hypothesis& from : alignment_.hypotheses()) {
+        Ending ending = end_of(std::move(from), end);
+        const bool is_better =
+            !best || ending.rank() < best->rank() ||
+            (ending.rank() == best->rank() && ending.verdict && ending.from.step > best->from.step);
+        if (is_better) best = std::move(ending);
+      }
+      passed = best->from;
+      settle(*std::move(best));
+    }
+  } catch (const exact::Undecided& undecided) {
+    decide_undecided(undecided);
+  }
+  if (verdict_) return *verdict_;
+  if (passed.advice) return *passed.advice;
+  Verdict verdict;
+  // J-CMP-09.
+  verdict.property_motions = passed.property_motions;
+  verdict.kind = passed.property_motions > 0 ? VerdictKind::pass_properties
+                 : passed.exact              ? VerdictKind::pass_exact
+                 : passed.rounded            ? VerdictKind::pass_rounded
+                                             : VerdictKind::pass_tolerance;
+  return verdict;
+}
+
+ProgramJudge::Ending ProgramJudge::end_of(Hypothesis from, const RunEnd& end) {
+  try {
+    return end.kind == RunEnd::Kind::ok ? ok_end(from) : alarm_end(from, end.alarm);
+  } catch (const exact::Undecided& undecided) {
+    return {std::move(from), undecided_verdict(undecided)};
+  }
+}
+
+// M functions are settled first; then what the ending says.
+void ProgramJudge::settle(Ending ending) {
+  if (ending.settle != Ending::Settle::none) note_m_functions(ending.step);
+  if (verdict_) return;
+  switch (ending.settle) {
+    case Ending::Settle::none:
+      break;
+    case Ending::Settle::all:
+      decide(m_functions_.end());
+      break;
+    case Ending::Settle::before_alarm:
+      decide(m_functions_.end_before_alarm(ending.block, reference_.failed_line(), ending.at_load));
+      break;
+    case Ending::Settle::of_earlier:
+      decide(m_functions_.end_of_earlier(ending.block));
+      break;
+  }
+  if (ending.verdict) {
+    departed_at_ = ending.item != 0 ? ending.item : reference_.at(ending.from.step).item;
+  }
+  decide(std::move(ending.verdict));
+}
+
+// J-CMP-07.
+std::optional<Verdict> ProgramJudge::compare_end(const Record& end) const {
+  if (!end_record_) return std::nullopt;
+  for (Axis axis : reference::kAllAxes) {
+    if (!end_record_->axes.has(axis)) continue;
+    if (agree(end_record_->to[axis], end.to[axis], terms_.tolerance)) continue;
+    Verdict verdict;
+    verdict.kind = VerdictKind::fail_geometry;
+    verdict.record = records_ - 1;
+    verdict.want = record_text(end);
+    verdict.got = record_text(*end_record_);
+    set_deviation(verdict, abs(end_record_->to[axis] - end.to[axis]));
+    verdict.message = fmt::format("The end position differs on axis {}.", letter(axis));
+    return verdict;
+  }
+  return std::nullopt;
+}
+
+ProgramJudge::Ending ProgramJudge::open_end(const Hypothesis& from, Verdict why_not) const {
+  if (!from.open->is_judged_when_left()) why_not.record = records_;
+  return {from, std::move(why_not)};
+}
+
+// What is behind the only hypothesis is not looked at again.
+void ProgramJudge::forget_behind(const Hypothesis& from, bool takes_m_functions) {
+  if (alignment_.hypotheses().size() != 1) return;
+  if (takes_m_functions) note_m_functions(from.step);
+  reference_.forget_before(from.step);
+}
+
+ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
+  using Settle = Ending::Settle;
+  while (true) {
+    forget_behind(from, true);
+    if (verdict_) return {from, verdict_};
+    const ReferenceStep& step = reference_.at(from.step).what;
+    if (auto* outside = std::get_if<NotCovered>(&step)) {
+      return {from, not_covered_verdict(*outside)};
+    }
+    if (is_record_end(step)) {
+      return {from, compare_end(std::get<Record>(step)), Settle::all, from.step};
+    }
+    if (auto* report = std::get_if<AlarmReport>(&step)) {
+      Verdict verdict =
+          alarm_verdict(VerdictKind::fail_alarm_missing, *report,
+                        fmt::format("The alarm is missing: {}", report->alarms.front().message));
+      if (from.after_alarm) {
+        verdict.record = from.after_alarm->number;
+        verdict.got = record_text(from.after_alarm->record);
+      }
+      if (!is_advice(verdict, terms_)) return {from, std::move(verdict)};
+      // J-ALM-04: the reference ends here, and what the subject goes on to do has no measure.
+      verdict.message += " What the subject does after it is not judged.";
+      return {from, advised(std::move(verdict), terms_), Settle::of_earlier, from.step,
+              report->block};
+    }
+    Alignment::Passing passing = alignment_.pass(from);
+    if (passing.why_not) return open_end(from, *std::move(passing.why_not));
+    if (!passing.passed) return {from, ends_early(from, step, records_, "end")};
+  }
+}
+
+// The clause under which the program is right where the subject alarms: a rule that no text states,
+// if the block runs on by one (J-ALM-05), else that of its first record (J-ALM-06).
+Verdict ProgramJudge::spurious_alarm(const Hypothesis& from, const SubjectAlarm& alarm,
+                                     const std::optional<Unfinished>& unfinished,
+                                     std::string message) const {
+  Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_spurious, alarm, std::move(message));
+  AlarmPlace place;
+  if (terms_.compare_blocks) place.block = alarm.block;
+  place.behind = unfinished ? unfinished->from.passed : from.passed;
+  if (unfinished) {
+    // Of motions that are joined it may have made the first.
+    auto* motion = std::get_if<Motion>(&unfinished->step.what);
+    const bool is_begun =
+        motion == nullptr || !same_place(unfinished->from.at, motion->from, terms_);
+    place.before = unfinished->step.item + (is_begun ? 1 : 0);
+  }
+  verdict.clause = clause_of_right(profile_, program_, place);
+  return verdict;
+}
+
+// J-CMP-08. Nothing where the subject's alarm is one that the reference's admits.
+std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
+                                                   const SubjectAlarm& alarm,
+                                                   const AlarmReport& report,
+                                                   const std::optional<Unfinished>& unfinished) {
+  auto verdict = [&](VerdictKind kind, std::string message) {
+    Verdict result = alarm_verdict(kind, report, std::move(message));
+    result.got = alarm_text(alarm);
+    return result;
+  };
+  if (from.after_alarm) {
+    Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
+                                 "Motion was put out in or after the block that alarms.");
+    late.record = from.after_alarm->number;
+    late.got = record_text(from.after_alarm->record);
+    return late;
+  }
+  if (terms_.compare_blocks && alarm.block != report.block) {
+    if (alarm.block < report.block) {
+      Verdict early = spurious_alarm(from, alarm, unfinished,
+                                     "The alarm comes in a block before the right one.");
+      early.want = alarms_text(report);
+      return early;
+    }
+    return verdict(VerdictKind::fail_alarm_late, "The alarm comes in a block after the right one.");
+  }
+  if (alarm.alarm_class.empty()) {
+    return verdict(
+        VerdictKind::unmapped_alarm,
+        fmt::format("The subject's alarm \"{}\" has no class; its alarm map must give one.",
+                    alarm.native));
+  }
+  const bool admissible = std::ranges::any_of(report.alarms, [&](const reference::Alarm& want) {
+    return reference::name(want.alarm) == alarm.alarm_class;
+  });
+  if (admissible) return std::nullopt;
+  return verdict(VerdictKind::fail_alarm_class,
+                 fmt::format("The alarm is of another class. {}", report.alarms.front().message));
+}
+
+// An alarm outside the program.
+std::optional<Verdict> ProgramJudge::alarm_outside(const SubjectAlarm& alarm) const {
+  if (end_record_) {
+    return alarm_verdict(VerdictKind::fail_overrun, alarm,
+                         "An alarm follows the end of the trace.");
+  }
+  if (!alarm.before_program) return std::nullopt;
+  return alarm_verdict(VerdictKind::fail_alarm_spurious, alarm,
+                       "The alarm comes before the program, in a line that leads to its start.");
+}
+
+// At the reference's alarm or its end. J-ALM-04: what departs in motion, or in M functions, before
+// an alarm that no text states goes first.
+ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm& alarm,
+                                            bool at_load,
+                                            const std::optional<Unfinished>& unfinished) {
+  using Settle = Ending::Settle;
+  const auto* report = std::get_if<AlarmReport>(&reference_.at(from.step).what);
+  std::optional<Verdict> departure =
+      report != nullptr ? compare_alarm(from, alarm, *report, unfinished)
+                        : spurious_alarm(from, alarm, unfinished,
+                                         "The subject alarms, and the program has no fault.");
+  const bool is_early =
+      report == nullptr || (departure && departure->kind == VerdictKind::fail_alarm_spurious);
+  // Without line numbers the block that the subject names says nothing.
+  const std::uint64_t alarmed = terms_.compare_blocks ? alarm.block : 0;
+  const std::uint64_t block = is_early ? alarmed : report->block;
+  const std::size_t item = unfinished ? unfinished->step.item : 0;
+  if (departure && !is_advice(*departure, terms_)) {
+    return {from, std::move(departure), Settle::none, 0, 0, false, item};
+  }
+  if (unfinished && (!departure || block_of(unfinished->step.what) < block)) {
+    Verdict verdict =
+        ends_early(unfinished->from, unfinished->step.what, records_, alarm_text(alarm));
+    return {unfinished->from, std::move(verdict), Settle::none, 0, 0, false, item};
+  }
+  // Past what is undone no M function has been come to, but for a control that checks at load.
+  const std::size_t step = unfinished && !at_load ? unfinished->from.step : from.step;
+  if (!departure) return {from, {}, Settle::before_alarm, step, block, at_load};
+  departure = advised(*std::move(departure), terms_);
+  return {from, std::move(departure), at_load ? Settle::none : Settle::of_earlier, step, block};
+}
+
+bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
+  OpenStep* open = alignment_.open_step_of(from);
+  if (open == nullptr) return false;
+  return !open->is_judged_when_left() || open->is_judged_at_alarm(from.at);
+}
+
+ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlarm& alarm) {
+  // A controller that checks at load may alarm with no motion at all.
+  const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
+  std::optional<Unfinished> unfinished;
+  for (std::size_t passed = 0; passed < kMostPassed; ++passed) {
+    forget_behind(from, at_load || !unfinished);
+    if (verdict_) return {from, verdict_};
+    const ReferenceSteps::Step& here = reference_.at(from.step);
+    const ReferenceStep& step = here.what;
+    if (auto* outside = std::get_if<NotCovered>(&step)) {
+      return {from, not_covered_verdict(*outside)};
+    }
+    if (std::holds_alternative<AlarmReport>(step) || is_record_end(step)) {
+      return at_alarm(from, alarm, at_load, unfinished);
+    }
+    auto* motion = std::get_if<Motion>(&step);
+    const bool may_pass = motion != nullptr ? !unfinished
+                                            : std::holds_alternative<reference::Renaming>(step) ||
+                                                  (!at_load && is_left_at_alarm(from));
+    if (may_pass) {
+      Alignment::Passing passing = alignment_.pass(from);
+      if (passing.passed) continue;
+      if (passing.why_not && from.open->is_judged_when_left()) {
+        return open_end(from, *std::move(passing.why_not));
+      }
+    }
+    // Past motion that is missing, only the alarm of the program is of interest.
+    if (!at_load && !unfinished) {
+      const bool is_of_block =
+          motion != nullptr && (!terms_.compare_blocks || alarm.block == motion->record.block);
+      if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
+        return {from, nearly_in_line()};
+      }
+      unfinished.emplace(Unfinished{from, here});
+    }
+    alignment_.skip(from);
+  }
+  throw exact::Undecided("the program goes on for too long behind the alarm");
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/reference_steps.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace gonogo::oracle {
+
+bool is_end(const ReferenceStep& step) {
+  if (const Record* record = std::get_if<Record>(&step)) return record->kind == RecordKind::end;
+  return std::holds_alternative<reference::AlarmReport>(step) ||
+         std::holds_alternative<reference::NotCovered>(step);
+}
+
+const Record* placed_m_function(const ReferenceStep& step) {
+  const Record* record = std::get_if<Record>(&step);
+  const bool is_placed =
+      record != nullptr && record->kind == RecordKind::m && record->among_motions;
+  return is_placed ? record : nullptr;
+}
+
+ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
+                               const JudgeTerms& terms)
+    : terms_(terms),
+      input_(program),
+      expander_(profile, input_.lines, reference::OpenPaths::judged),
+      place_(profile.initial.at) {}
+
+const reference::Item* ReferenceSteps::next_item() {
+  const reference::Item* item = expander_.next();
+  if (item != nullptr) ++items_;
+  return item;
+}
+
+const ReferenceSteps::Step& ReferenceSteps::at(std::size_t number) {
+  while (number >= first_ + steps_.size()) take(*next_item());
+  return steps_[number - first_];
+}
+
+const std::shared_ptr<const Curve>& ReferenceSteps::curve_of(const Step& step) const {
+  if (!step.curve) step.curve = std::make_shared<Curve>(std::get<Motion>(step.what), terms_);
+  return step.curve;
+}
+
+void ReferenceSteps::forget_before(std::size_t number) {
+  while (first_ < number && !steps_.empty()) {
+    steps_.pop_front();
+    ++first_;
+  }
+  settled_.erase(settled_.begin(), settled_.lower_bound(first_));
+}
+
+void ReferenceSteps::take(const reference::Item& item) {
+  const Record* record = std::get_if<Record>(&item);
+  if (record != nullptr && record->kind == RecordKind::m) {
+    if (!terms_.compare_m) return;
+    // They do not hold up the motions round them.
+    if (!record->among_motions) return m_functions_.push_back(*record);
+  }
+  if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
+    return;
+  }
+  Step& step = steps_.emplace_back();
+  step.place = place_;
+  step.item = items_;
+  step.m_functions = std::exchange(m_functions_, {});
+  if (record != nullptr && is_motion(record->kind)) {
+    Motion motion = motion_from(place_, *record, items_);
+    if (!terms_.compare_blocks) motion.record.block = 0;
+    place_ = motion.to();
+    step.what = std::move(motion);
+    return;
+  }
+  if (auto* renaming = std::get_if<reference::Renaming>(&item)) shift(place_, renaming->shift);
+  if (auto* thread = std::get_if<reference::ThreadMilling>(&item)) count_passes(*thread);
+  std::visit([&](const auto& one) { step.what = one; }, item);
+}
+
+// A pass is an entry, a helix, a run-out and a way back.
+void ReferenceSteps::count_passes(const reference::ThreadMilling& thread) {
+  constexpr std::int64_t kRecordsOfPass = 4;
+  constexpr std::int64_t kMost = 1'000'000'000;
+  const std::int64_t passes = thread.passes().to_int64().value_or(kMost);
+  passes_ += static_cast<std::size_t>(std::min(passes, kMost) * kRecordsOfPass);
+}
+
+bool ReferenceSteps::go_on_from(std::size_t number, const Position& place, bool moves_machine) {
+  const auto [known, is_new] = settled_.try_emplace(number, place);
+  if (!is_new) return known->second == place;
+  place_ = place;
+  if (moves_machine) {
+    expander_.stand_at(place);
+    was_moved_ = true;
+  }
+  return true;
+}
+
+void ReferenceSteps::resume(const Position& place, const reference::Item* item) {
+  place_ = place;
+  if (item != nullptr) take(*item);
+}
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The reference's side of a comparison: its steps by their numbers, each asked for when it is
+// looked at, and kept until no reading of the subject's motions looks back at it.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "oracle/judge/curve.hpp"
+#include "oracle/judge/program_input.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::oracle {
+
+// What the subject has to do next: a motion, a dwell, an M function of a cycle, something whose
+// path is open, or the end (an `end` record, an alarm, not covered), which is the last step.
+using ReferenceStep =
+    std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
+                 reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
+                 reference::AlarmReport, reference::NotCovered>;
+
+bool is_end(const ReferenceStep& step);
+// The M function that a cycle has among its motions (J-CMP-05); null: another step.
+const Record* placed_m_function(const ReferenceStep& step);
+
+class ReferenceSteps {
+ public:
+  ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
+                 const JudgeTerms& terms);
+
+  struct Step {
+    ReferenceStep what;
+    Position place;                   // where the reference stands before it
+    std::size_t item = 0;             // its number among the items of the reference, from 1
+    std::vector<Record> m_functions;  // that are passed on before it, in their order
+    mutable std::shared_ptr<const Curve> curve = {};  // of a motion, once it has been asked for
+  };
+
+  // REQUIRES: no step before this one is the last one, and this one has not been forgotten.
+  const Step& at(std::size_t number);
+  // Of a step that is a motion.
+  const std::shared_ptr<const Curve>& curve_of(const Step& step) const;
+  void forget_before(std::size_t number);
+
+  // After step `number`, whose path is open, the reference goes on from where the subject left it:
+  // `moves_machine`: blocks that follow start from there, too. False where it goes on from
+  // elsewhere already, for the subject's motions have been read in another way.
+  [[nodiscard]] bool go_on_from(std::size_t number, const Position& place, bool moves_machine);
+  // Whether blocks start from where the subject was: then items hang on what it did.
+  bool was_moved() const { return was_moved_; }
+
+  // For the filter of equal records, while no step is kept from `number` on: the reference's next
+  // item, and what it leaves off with: where the reference stands, and the item that is not used up
+  // (null: none).
+  bool is_next(std::size_t number) const { return number == first_ + steps_.size(); }
+  const reference::Item* next_item();
+  const Position& place() const { return place_; }
+  void resume(const Position& place, const reference::Item* item);
+
+  // Items that the reference has put out so far.
+  std::size_t items() const { return items_; }
+  // The same, with the records that the passes of a thread would be.
+  std::size_t items_and_passes() const { return items_ + passes_; }
+  const reference::ReadingsInUse& readings() const { return expander_.readings(); }
+  // The text of the line that alarms, at the alarm.
+  std::string_view failed_line() const { return expander_.failed_line(); }
+
+ private:
+  void take(const reference::Item& item);
+  void count_passes(const reference::ThreadMilling& thread);
+
+  const JudgeTerms& terms_;
+  ProgramInput input_;
+  reference::Expander expander_;
+  std::deque<Step> steps_;
+  std::size_t first_ = 0;            // number of the first step that is kept
+  Position place_;                   // where the steps so far end
+  std::vector<Record> m_functions_;  // since the last step
+  std::size_t items_ = 0;
+  std::size_t passes_ = 0;
+  std::map<std::size_t, Position> settled_;  // where open paths ended, of the steps that are kept
+  bool was_moved_ = false;
+};
+
+}  // namespace gonogo::oracle
