@@ -24,6 +24,7 @@ struct Trace {
 // What the subject declared, and the certifier set.
 struct Terms {
   Real tolerance;                           // mm
+  std::optional<Rational> resolution;       // lengths are rounded to it
   std::optional<Rational> feed_resolution;  // feeds are rounded to it
   bool is_binary64 = false;                 // feeds may be off by 2 ulp
   bool has_blocks = true;                   // the records name source lines

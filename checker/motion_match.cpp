@@ -59,20 +59,28 @@ bool is_tiny(const Motion& arc, const Real& tolerance) {
 
 }  // namespace
 
-Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
+namespace {
+
+// J-PATH-04: equal, or no farther off than rounding to the resolution makes it.
+Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>& resolution,
+                const Terms& terms) {
   Truth answer = equal(want, got);
   if (answer == Truth::yes) return answer;
-  if (terms.feed_resolution && *terms.feed_resolution > 0 && got.is_rational()) {
-    const Rational steps = got.low() / *terms.feed_resolution;
-    const Truth is_rounded = steps.get_den() != 1
-                                 ? Truth::no
-                                 : within(want, got, Real(Rational(*terms.feed_resolution / 2)));
-    answer = answer || is_rounded;
-  }
+  if (resolution) answer = answer || within(want, got, Real(Rational(*resolution / 2)));
   if (terms.is_binary64 && want.low() != 0) {
     answer = answer || within(want, got, Real(Rational(2 * ulp_of(want.low()))));
   }
   return answer;
+}
+
+}  // namespace
+
+Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
+  return rounds_to(want, got, terms.feed_resolution, terms);
+}
+
+Truth lead_agrees(const Real& want, const Real& got, const Terms& terms) {
+  return rounds_to(want, got, terms.resolution, terms);
 }
 
 Truth root_at_most(const Real& x, const Real& y, const Real& t) {
@@ -124,7 +132,7 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
   if (terms_.has_blocks && want.block != have.block) return departs("the source lines differ");
   if (want.per_revolution != have.per_revolution) return departs("the units of the feeds differ");
   Truth same = feed_agrees(want.feed, have.feed, terms_) &&
-               feed_agrees(want.lead, have.lead, terms_) &&
+               lead_agrees(want.lead, have.lead, terms_) &&
                same_angle(want.start, have.start, terms_.tolerance);
   if (same != Truth::yes) return answer(same, "feed, lead or start angle differ");
   if (equal(want.seconds, have.seconds) == Truth::yes) return {};

@@ -49,8 +49,10 @@ class MotionMatch {
   std::optional<Motion> piece_;  // of an arc: what the subject has done of it
 };
 
-// Feeds and leads: equal, or correctly rounded as declared.
+// J-PATH-04. Feeds, and leads, which are lengths: equal, or no farther off than rounding as
+// declared makes them.
 Truth feed_agrees(const Real& want, const Real& got, const Terms& terms);
+Truth lead_agrees(const Real& want, const Real& got, const Terms& terms);
 // sqrt(x) <= sqrt(y) + t, for x, y, t not negative.
 Truth root_at_most(const Real& x, const Real& y, const Real& t);
 

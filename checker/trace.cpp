@@ -48,7 +48,9 @@ Terms terms_of(const Json& header, std::string_view dialect, const Json& profile
   Terms terms;
   Rational tolerance = resolution(dialect, profile);
   const Rational least = tolerance;  // increment of the machine: the most that a declaration counts
-  if (const auto own = declared(numeric, "resolution"); own && *own < tolerance) tolerance = *own;
+  terms.resolution = declared(numeric, "resolution");
+  if (terms.resolution && *terms.resolution > least) terms.resolution = least;
+  if (terms.resolution && *terms.resolution < tolerance) tolerance = *terms.resolution;
   const Json* set = header.find("tolerance");
   if (set != nullptr && set->is(Json::Kind::text)) tolerance = parse_rational(set->text);
   terms.tolerance = tolerance;

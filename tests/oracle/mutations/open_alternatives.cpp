@@ -70,13 +70,25 @@ bool concentric(Attempt& attempt) {
          path_of_reading(attempt, "gsk.pocket.path", "concentric");
 }
 
+// Whether a run-out leaves the part where J says so (J-THR-06). With K up to 30 degrees one of
+// twice the depth does.
+bool leads_out(const reference::ThreadMilling& thread) {
+  const Number& length = thread.runout_length;
+  for (Number pass = 1; pass <= thread.passes(); pass += 1) {
+    const Number depth = thread.depth_of_pass(pass);
+    if (depth > length) return true;
+    if (depth * 2 > length || thread.runout_angle > Number(30)) return false;
+  }
+  return true;
+}
+
 // Where no run-out of the kind leads into the thread again: J and K small, K away from it.
 bool is_plain_run_out(Attempt& attempt) {
   return std::ranges::all_of(attempt.specimen.items, [](const reference::Item& item) {
     const auto* thread = std::get_if<reference::ThreadMilling>(&item);
     if (thread == nullptr) return true;
     const bool has_room = thread->external || thread->runout_length * 2 < thread->start_radius;
-    return has_room && thread->runout_angle <= Number(60);
+    return has_room && thread->runout_angle <= Number(60) && leads_out(*thread);
   });
 }
 

@@ -42,11 +42,13 @@ class OpenPocketMilling : public OpenPart {
     std::map<std::size_t, std::vector<FlatMotion>> levels;  // cuts by infeed
     std::size_t level = 0;
     double inner = 0;
-    for (const Stroke& motion : strokes) {
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+      const Stroke& motion = strokes[i];
       if (motion.is_nil(margin.nil)) continue;
       std::string broken = anywhere(motion, margin);
       if (!broken.empty()) return broken;
       const double to = motion.to[d_];
+      if (i + 1 < strokes.size() && dips(motion, strokes[i + 1], margin)) continue;
       if (to < lowest - margin.place) {
         broken = down(motion, lowest, margin);
         if (!broken.empty()) return broken;
@@ -148,6 +150,14 @@ class OpenPocketMilling : public OpenPart {
       }
     }
     return false;
+  }
+
+  // Down and up again where roughing has left nothing: the tool travels there (J-PKT-09).
+  bool dips(const Stroke& down, const Stroke& up, const Margin& margin) const {
+    const double strip = value_of(pocket_.allowance) + 2 * margin.arc;
+    return pocket_.finishing && down.to[d_] < down.from[d_] && up.to[d_] > up.from[d_] &&
+           down.to[d_] > value_of(pocket_.rough_floor) + margin.place &&
+           outside(in_frame(down.from)) < -strip && outside(in_frame(down.to)) < -strip;
   }
 
   // To a new depth.

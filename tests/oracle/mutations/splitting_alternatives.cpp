@@ -180,12 +180,20 @@ bool chords_of_arcs(Attempt& attempt) {
 }
 
 // All axes as far as they go, in several traverses; each leads on along every axis.
+bool is_irrational(const Position& at) {
+  return std::ranges::any_of(reference::kAllAxes, [&](const Axis axis) {
+    return !at[axis].is_rational();
+  });
+}
+
 bool split_traverses(Attempt& attempt) {
   const std::int64_t count = pieces(attempt);
   return attempt.replace([&](const Record& record, const Position& from) {
     std::vector<Record> made;
     if (record.kind != RecordKind::rapid) return made;
     const Position to = end_of(record, from);
+    // No subject has such numbers, and nothing tells their parts from them.
+    if (is_irrational(from) || is_irrational(to)) return made;
     for (std::int64_t i = 1; i <= count; ++i) {
       made.push_back(record);
       made.back().to = between(from, to, i, count);
