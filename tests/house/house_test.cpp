@@ -124,6 +124,24 @@ TEST(House, ClauseIdsAreUnique) {
   }
 }
 
+// CONTRIBUTING.md: the files that G89 of rs274 is made of.
+TEST(House, ACycleIsMadeOfTheFilesThatContributingNames) {
+  static const std::regex kRow(R"(\n\| `([^`]+)` \|)");
+  const std::string text = read(kRoot / "CONTRIBUTING.md");
+  std::size_t files = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), kRow), end; it != end; ++it) {
+    const std::string file = (*it)[1];
+    ++files;
+    ASSERT_TRUE(fs::is_regular_file(kRoot / file)) << file;
+    const std::string content = read(kRoot / file);
+    EXPECT_TRUE(content.find("G89") != std::string::npos ||
+                content.find("g89") != std::string::npos)
+        << file;
+  }
+  EXPECT_GT(files, 0U);
+  EXPECT_LE(files, 15U);
+}
+
 // What tools know of codes is in the tables of the dialects (reference/*/descriptor.hpp).
 TEST(House, ToolsHaveNoCodesOfTheirOwn) {
   static const std::regex kCode(
