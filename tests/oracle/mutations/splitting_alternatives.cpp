@@ -42,17 +42,37 @@ std::int64_t pieces(Attempt& attempt) {
   return kPieces[attempt.chance.below(last)];
 }
 
+bool is_irrational(const Position& at) {
+  return std::ranges::any_of(reference::kAllAxes,
+                             [&](const Axis axis) { return !at[axis].is_rational(); });
+}
+
+// In equal pieces; none where nothing tells them from the motion's ends, for no subject has such
+// numbers, and where many of them are so small that none is progress (J-CYC-02).
+std::vector<Record> in_pieces(const Record& record, const Position& from, std::int64_t count,
+                              double tolerance) {
+  constexpr std::int64_t kFewPieces = 10;
+  std::vector<Record> made;
+  const Position to = end_of(record, from);
+  double length = 0;
+  for (const Axis axis : reference::kAllAxes) {
+    length = std::max(length, std::abs(value_of(to[axis] - from[axis])));
+  }
+  const bool is_short = length <= tolerance * static_cast<double>(count);
+  if (is_irrational(from) || is_irrational(to) || (is_short && count > kFewPieces)) return made;
+  for (std::int64_t i = 1; i <= count; ++i) {
+    made.push_back(record);
+    made.back().to = between(from, to, i, count);
+  }
+  return made;
+}
+
 bool split_lines(Attempt& attempt) {
   const std::int64_t count = pieces(attempt);
+  const double tolerance = attempt.specimen.tolerance();
   return attempt.replace([&](const Record& record, const Position& from) {
-    std::vector<Record> made;
-    if (!is_line(record.kind)) return made;
-    const Position to = end_of(record, from);
-    for (std::int64_t i = 1; i <= count; ++i) {
-      made.push_back(record);
-      made.back().to = between(from, to, i, count);
-    }
-    return made;
+    if (!is_line(record.kind)) return std::vector<Record>{};
+    return in_pieces(record, from, count, tolerance);
   });
 }
 
@@ -180,25 +200,12 @@ bool chords_of_arcs(Attempt& attempt) {
 }
 
 // All axes as far as they go, in several traverses; each leads on along every axis.
-bool is_irrational(const Position& at) {
-  return std::ranges::any_of(reference::kAllAxes, [&](const Axis axis) {
-    return !at[axis].is_rational();
-  });
-}
-
 bool split_traverses(Attempt& attempt) {
   const std::int64_t count = pieces(attempt);
+  const double tolerance = attempt.specimen.tolerance();
   return attempt.replace([&](const Record& record, const Position& from) {
-    std::vector<Record> made;
-    if (record.kind != RecordKind::rapid) return made;
-    const Position to = end_of(record, from);
-    // No subject has such numbers, and nothing tells their parts from them.
-    if (is_irrational(from) || is_irrational(to)) return made;
-    for (std::int64_t i = 1; i <= count; ++i) {
-      made.push_back(record);
-      made.back().to = between(from, to, i, count);
-    }
-    return made;
+    if (record.kind != RecordKind::rapid) return std::vector<Record>{};
+    return in_pieces(record, from, count, tolerance);
   });
 }
 

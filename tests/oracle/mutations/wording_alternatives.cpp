@@ -121,9 +121,16 @@ bool end_of_some_axes(Attempt& attempt) {
   return true;
 }
 
+// J-THR-09: where the R plane is the initial one, the block ends the thread.
+bool ends_by_its_block(const reference::Item& item) {
+  const auto* thread = std::get_if<reference::ThreadMilling>(&item);
+  return thread != nullptr && thread->r_plane == thread->initial_plane;
+}
+
 // G50 and G92 are found by the blocks.
 bool no_blocks(Attempt& attempt) {
   if (!attempt.specimen.renamings.empty()) return false;
+  if (std::ranges::any_of(attempt.specimen.items, ends_by_its_block)) return false;
   attempt.terms.compare_blocks = false;
   for (Record& record : attempt.trace.records) record.block = 0;
   attempt.trace.end.alarm.block = 0;
