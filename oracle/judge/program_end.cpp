@@ -129,6 +129,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
         if (is_better) best = std::move(ending);
       }
       passed = best->from;
+      alignment_.hypotheses().assign(1, passed);  // a session may ask again
       settle(*std::move(best));
     }
   } catch (const exact::Undecided& undecided) {
