@@ -57,7 +57,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Planted{"ngc", "g18-sense-flipped", "ngc.arc-distance.000013",
                 "every arc in G18 turns the other way"},
-        Planted{"ngc", "radius-sign-ignored", "ngc.arc-r.000005", "R is taken without its sign"},
+        Planted{"ngc", "radius-sign-ignored", "ngc.arc-r.000005",
+                "R of G2 G3 is taken without its sign"},
         Planted{"ngc", "offsets-absolute", "ngc.arc-distance.000028",
                 "I J K are taken as absolute"},
         Planted{"ngc", "g18-offsets-swapped", "ngc.arc-distance.000013",
@@ -65,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"ngc", "helix-flat", "ngc.arc-distance.000042",
                 "the third axis of an arc is ignored"},
         Planted{"ngc", "inch-offsets-unscaled", "ngc.arc-distance.000040",
-                "I J K is not converted from inches"},
+                "I J K of G2 G3 is not converted from inches"},
         Planted{"ngc", "feed-after-motion", "ngc.arc-distance.000001",
                 "F holds from the next block on"},
         Planted{"ngc", "end-ignored", "ngc.m.000021", "the end of the program is ignored"},
