@@ -87,7 +87,7 @@ Feed cutting_feed(Machine& machine, const Place& to, bool curved) {
   const bool inches =
       linear ? machine.follows("sie.g70.f=inch"_reading) || machine.has("inch-feed-scaled"_fault)
              : machine.has("rotary-feed-scaled"_fault);
-  const Fixed in_mm = static_cast<Fixed>(scaled(state.feed, 254, 10));
+  const auto in_mm = static_cast<Fixed>(scaled(state.feed, 254, 10));
   return {inches && state.inch ? in_mm : state.feed, state.feed_per_revolution};
 }
 

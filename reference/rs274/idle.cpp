@@ -17,7 +17,7 @@ bool does_something(const Record& record, const Position& at) {
 
 Generator<Item> without_idle(Generator<Item> items, Position at) {
   while (const Item* item = items.next()) {
-    const Record& record = std::get<Record>(*item);
+    const auto& record = std::get<Record>(*item);
     if (!does_something(record, at)) continue;
     for (const Axis axis : kLinearAxes) {
       if (record.axes.has(axis)) at[axis] = record.to[axis];

@@ -67,7 +67,7 @@ TEST(NgcCycleLimits, ManyHolesAreAsExactAsOne) {
   const auto items = expand("F100\nG91 G99 G81 X0.1 Z-1 R0 L100000\nM2", ngc());
   ASSERT_EQ(items.size(), 3 * 100'000 + 2U);
   EXPECT_EQ(line_of(items.back()), "end x10000 y0 z0 a0 c0");
-  EXPECT_EQ(std::get<Record>(items[3 * 99'998]).to[Axis::x], num("9999.9"));
+  EXPECT_EQ(std::get<Record>(items[std::size_t{3} * 99'998]).to[Axis::x], num("9999.9"));
 }
 
 // As many as a program likes come one by one.
