@@ -127,6 +127,8 @@ class Alignment {
   bool take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                  Stage& stage);
   void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
+  // J-CMP-04: joins the step behind, which may move nothing. False where it does not go on.
+  bool join_step(Hypothesis& from, const ReferenceStep& next) const;
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
   bool leads_outside(const Hypothesis& from, const Motion& motion);
@@ -156,6 +158,10 @@ class Alignment {
   void refute(Hypothesis from, const Motion& motion, Verdict verdict);
   void doubt(std::size_t step, Verdict gap);
   const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }
+  // Behind those that are joined.
+  const ReferenceSteps::Step& step_behind(const Hypothesis& from) {
+    return steps_.at(from.step + from.joined + 1);
+  }
 
   ReferenceSteps& steps_;
   const JudgeTerms& terms_;

@@ -60,17 +60,23 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   return false;
 }
 
-// J-CMP-04: joins steps that go on as the motion does, as far as it goes.
+bool Alignment::join_step(Hypothesis& from, const ReferenceStep& next) const {
+  const auto* motion = std::get_if<Motion>(&next);
+  if (motion == nullptr) return false;
+  if (!moves_nothing(*motion)) {
+    Motion both = from.curve->motion();
+    if (!join(both, *motion)) return false;
+    from.curve = std::make_shared<Curve>(std::move(both), terms_);
+  }
+  ++from.joined;
+  return true;
+}
+
+// Joins steps that go on as the motion does, as far as it goes.
 bool Alignment::extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer) {
   Hypothesis longer = from;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
-    const auto* next = std::get_if<Motion>(&steps_.at(longer.step + longer.joined + 1).what);
-    if (next == nullptr) return false;
-    ++longer.joined;
-    if (moves_nothing(*next)) continue;
-    Motion both = longer.curve->motion();
-    if (!join(both, *next)) return false;
-    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
+    if (!join_step(longer, step_behind(longer).what)) return false;
     CurveAnswer further = longer.curve->follow(longer.progress, motion);
     if (further.departs()) continue;
     from = std::move(longer);
@@ -109,13 +115,11 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
 // A motion that ends a step may as well end the next one, which goes on from it by less than can be
 // seen.
 void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage) {
-  const auto* next = std::get_if<Motion>(&steps_.at(from.step + from.joined + 1).what);
-  if (next == nullptr || !same_place(next->to(), motion.to(), terms_)) return;
-  Motion both = from.curve->motion();
-  if (!join(both, *next)) return;
+  const ReferenceStep& next = step_behind(from).what;
+  const auto* end = std::get_if<Motion>(&next);
+  if (end == nullptr || !same_place(end->to(), motion.to(), terms_)) return;
   Hypothesis longer = from;
-  longer.curve = std::make_shared<Curve>(std::move(both), terms_);
-  ++longer.joined;
+  if (!join_step(longer, next)) return;
   CurveAnswer answer = longer.curve->follow(longer.progress, motion);
   if (answer.departs() || take_ways(longer, motion, answer, stage)) return;
   take_longer_end(longer, motion, stage);
@@ -135,16 +139,12 @@ bool Alignment::leads_outside(const Hypothesis& from, const Motion& motion) {
   if (terms_.compare_blocks) return false;
   Hypothesis longer = from;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
-    const std::size_t next = longer.step + longer.joined + 1;
-    const ReferenceStep& what = steps_.at(next).what;
-    if (auto* outside = std::get_if<NotCovered>(&what)) {
-      doubt(next, not_covered_verdict(*outside));
+    const ReferenceStep& next = step_behind(longer).what;
+    if (auto* outside = std::get_if<NotCovered>(&next)) {
+      doubt(longer.step + longer.joined + 1, not_covered_verdict(*outside));
       return true;
     }
-    Motion both = longer.curve->motion();
-    if (!std::holds_alternative<Motion>(what) || !join(both, std::get<Motion>(what))) return false;
-    longer.curve = std::make_shared<Curve>(std::move(both), terms_);
-    ++longer.joined;
+    if (!join_step(longer, next)) return false;
   }
   return false;
 }

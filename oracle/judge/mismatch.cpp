@@ -13,14 +13,11 @@ namespace gonogo::oracle {
 using reference::kAllAxes;
 
 Verdict not_covered_verdict(const reference::NotCovered& outside) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
+  Verdict verdict = gap_verdict(outside.message);
   verdict.block = outside.block;
-  verdict.message = outside.message;
   return verdict;
 }
 
-// J-CONST-01.
 Verdict gap_verdict(std::string message) {
   Verdict verdict;
   verdict.kind = VerdictKind::oracle_gap;
@@ -28,6 +25,7 @@ Verdict gap_verdict(std::string message) {
   return verdict;
 }
 
+// J-CONST-01.
 Verdict undecided_verdict(const exact::Undecided& undecided) {
   return gap_verdict(fmt::format("A comparison could not be decided: {}.", undecided.what()));
 }
@@ -242,12 +240,10 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Judge
   const Motion& motion = *refutation.motion;
   const Motion& want = refutation.from.curve->motion();
   const CurveAnswer& answer = refutation.answer;
-  Verdict verdict;
   if (answer.departure != Departure::feed && hangs_on_rounding(want, terms.tolerance)) {
-    verdict.kind = VerdictKind::oracle_gap;
-    verdict.message = kPointsNearlyInLine;
-    return verdict;
+    return gap_verdict(kPointsNearlyInLine);
   }
+  Verdict verdict;
   verdict.clause = want.record.clause;
   verdict.block = want.record.block != 0 ? want.record.block : motion.record.block;
   verdict.record = motion.number;

@@ -91,13 +91,6 @@ Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string m
   return verdict;
 }
 
-Verdict nearly_in_line() {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = kPointsNearlyInLine;
-  return verdict;
-}
-
 bool is_record_end(const ReferenceStep& step) {
   const auto* record = std::get_if<Record>(&step);
   return record != nullptr && record->kind == RecordKind::end;
@@ -380,7 +373,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
       const bool is_of_block =
           motion != nullptr && (!terms_.compare_blocks || alarm.block == motion->record.block);
       if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
-        return {from, nearly_in_line()};
+        return {from, gap_verdict(kPointsNearlyInLine)};
       }
       unfinished.emplace(Unfinished{from, here});
     }
