@@ -140,10 +140,7 @@ ProgramText::ProgramText(const reference::Profile& profile, std::string_view pro
 
 std::string ProgramText::text() const {
   std::string text;
-  for (const TextBlock& block : blocks) {
-    for (const TextWord& word : block.words) text += word.gap + word.text;
-    text += block.rest + block.end;
-  }
+  for (const TextBlock& block : blocks) text += line_text(block);
   return text;
 }
 

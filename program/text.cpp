@@ -96,12 +96,15 @@ std::vector<TextLine> lines_of(std::string_view program) {
   return lines;
 }
 
+std::string line_text(const TextLine& line) {
+  std::string text;
+  for (const TextWord& word : line.words) text += word.gap + word.text;
+  return text + line.rest + line.end;
+}
+
 std::string text_of(const std::vector<TextLine>& lines) {
   std::string text;
-  for (const TextLine& line : lines) {
-    for (const TextWord& word : line.words) text += word.gap + word.text;
-    text += line.rest + line.end;
-  }
+  for (const TextLine& line : lines) text += line_text(line);
   return text;
 }
 

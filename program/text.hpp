@@ -31,6 +31,7 @@ struct TextLine {
 // Lines end as the grammar ends them, so that line n is block n. text_of(lines_of(t)) == t.
 std::vector<TextLine> lines_of(std::string_view program);
 std::string text_of(const std::vector<TextLine>& lines);
+std::string line_text(const TextLine& line);  // with its end
 
 // Blocks that are there to be read: lines with at least one word.
 std::size_t count_blocks(std::string_view program);

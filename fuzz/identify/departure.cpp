@@ -87,8 +87,7 @@ std::string spliced(std::string_view changed, std::string_view original, std::ui
   if (before.blocks.size() != after.blocks.size()) return std::string(changed);
   std::string text;
   for (std::size_t i = 0; i < before.blocks.size(); ++i) {
-    const program::TextLine& block = (i + 1 < line ? before : after).blocks[i];
-    text += program::text_of({block});
+    text += program::line_text((i + 1 < line ? before : after).blocks[i]);
   }
   return text;
 }

@@ -56,12 +56,17 @@ std::string_view value_of(Role role) {
   return "";
 }
 
+// A name that stands for those with any number, with this one: "R1" of "R<n>".
+std::string numbered(std::string_view pattern, std::string_view number) {
+  constexpr std::string_view kAnyNumber = "<n>";
+  if (!pattern.ends_with(kAnyNumber)) return std::string(pattern);
+  return std::string(pattern.substr(0, pattern.size() - kAnyNumber.size())).append(number);
+}
+
 // "X50", "CR=16", "R1=1"; nothing of words that stand for several.
 std::string entry_of(const CodeWord& word) {
-  std::string address(word.address);
+  const std::string address = numbered(word.address, "1");
   if (address.find(' ') != std::string::npos) return "";
-  const bool has_number = address.ends_with("<n>");
-  if (has_number) address.replace(address.size() - 3, 3, "1");
   return address + (address.size() > 1 ? "=" : "") + std::string(value_of(word.role));
 }
 
@@ -120,10 +125,9 @@ void add_words(const reference::Descriptor& table, std::vector<std::string>& ent
 std::vector<std::string> entries_of(const reference::Descriptor& table) {
   std::vector<std::string> entries;
   for (const Code& code : table.codes) {
-    std::string name(code.name);
-    if (name.find(' ') != std::string::npos) continue;  // what names stand for that have no row
-    if (name.ends_with("<n>")) name.replace(name.size() - 3, 3, "81");
-    entries.push_back(std::move(name));
+    // What names stand for that have no row.
+    if (code.name.find(' ') != std::string_view::npos) continue;
+    entries.push_back(numbered(code.name, "81"));
     if (code.last > 0) entries.push_back(code.name.front() + std::to_string(code.last / 10));
   }
   add_words(table, entries);

@@ -67,14 +67,20 @@ bool add(TextWord& word, const SmallDecimal& step) {
   return true;
 }
 
+// What stands behind the = of a word, in capitals; of a word without one all of it.
+std::string value_text(const TextWord& word) {
+  std::string value = word.text.substr(word.text.find('=') + 1);  // npos + 1 is 0
+  std::ranges::transform(value, value.begin(), [](unsigned char c) { return std::toupper(c); });
+  return value;
+}
+
 // Adds to the value of a word of SINUMERIK: X10, X=R1+2, X=AC(3). False where it cannot be read.
 bool add_to_expression(TextWord& word, const SmallDecimal& step) {
   std::string& text = word.text;
   if (text.find('=') == std::string::npos) return add(word, step);
   const std::string added = "+(" + step.text() + ")";
   if (text.back() == '=' || text.find_first_of("\"[$<>") != std::string::npos) return false;
-  std::string value = text.substr(text.find('=') + 1);
-  std::ranges::transform(value, value.begin(), [](unsigned char c) { return std::toupper(c); });
+  const std::string value = value_text(word);
   const bool is_absolute = value.starts_with("AC(");
   if (value.starts_with("IC(") || (value.starts_with("AC") && !is_absolute)) return false;
   if (is_absolute && text.back() != ')') return false;
@@ -96,8 +102,7 @@ Related moved_text(const GeneratedProgram& program, const Way& way, const Progra
 
 // Whether the value of the word is a place, and not a way: by the mode in force, or by AC and IC.
 bool is_place(const TextWord& word, Role role, const program::BlockModes& modes) {
-  std::string value = word.text.substr(std::min(word.text.find('=') + 1, word.text.size()));
-  std::ranges::transform(value, value.begin(), [](unsigned char c) { return std::toupper(c); });
+  const std::string value = value_text(word);
   if (value.starts_with("AC")) return true;
   if (value.starts_with("IC") || role == Role::way) return false;
   return role == Role::centre ? modes.absolute_centre : !modes.incremental;

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "fuzz/generator.hpp"
-#include "program/text.hpp"
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
 #include "grammar/parser.hpp"
+#include "program/text.hpp"
 #include "reference/dialect.hpp"
 
 namespace {
@@ -30,7 +30,8 @@ std::string spelled(grammar::Dialect dialect, std::string_view program, std::uin
   std::vector<program::TextLine> lines = program::lines_of(program);
   for (program::TextLine& line : lines) {
     if (spelling == 0) {
-      line = {{{"", printed(dialect, program::text_of({{line.words, line.rest, ""}}))}}, "", line.end};
+      line = {
+          {{"", printed(dialect, program::line_text({line.words, line.rest, ""}))}}, "", line.end};
     } else if (spelling == 1 && !line.end.empty()) {
       line.end = "\r\n";
     } else if (spelling == 2) {
