@@ -37,7 +37,11 @@ constexpr std::array kCodes{
     Code{591, Group::kFrame, kOut},        Code{592, Group::kFrame, kOut},
     Code{593, Group::kFrame, kOut},        Code{610, Group::kControl, kNone},
     Code{611, Group::kControl, kNone},     Code{640, Group::kControl, kNone},
-    Code{730, Group::kMotion, kFull},      Code{740, Group::kMotion, kFull},
+    Code{700, Group::kMotion, kOut},       Code{710, Group::kMotion, kOut},
+    Code{711, Group::kMotion, kOut},       Code{712, Group::kMotion, kOut},
+    Code{720, Group::kMotion, kOut},       Code{721, Group::kMotion, kOut},
+    Code{722, Group::kMotion, kOut},       Code{730, Group::kMotion, kFull},
+    Code{740, Group::kMotion, kFull},
     Code{760, Group::kMotion, kFull},      Code{800, Group::kMotion, kFull},
     Code{810, Group::kMotion, kFull},      Code{820, Group::kMotion, kFull},
     Code{830, Group::kMotion, kFull},      Code{840, Group::kMotion, kFull},
@@ -72,7 +76,7 @@ const Code* find_code(Fixed tenths) {
 }
 
 Function find_function(Fixed m) {
-  if (m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
+  if (m == 19 || m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
   const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) ||
                      (m >= 60 && m <= 68) || (m >= 70 && m <= 73);
   return known ? Function::kKnown : Function::kUnknown;

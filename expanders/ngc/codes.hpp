@@ -49,16 +49,17 @@ enum class Function : std::uint8_t { kKnown, kOutside, kUnknown };
 /// What the number of an M word stands for; `m` is whole.
 Function find_function(Fixed m);
 
-/// Modal groups of M functions.
+/// Modal groups of M functions, in the order in which those of a block run.
 enum class FunctionGroup : std::uint8_t {
-  kStop,      // M0 M1 M2 M30 M60
+  kSignal,    // M62 to M68
   kTool,      // M6 M61
   kSpindle,   // M3 M4 M5
+  kModes,     // M70 to M73
   kCoolant,   // M7 M8 M9
   kOverride,  // M48 to M53
-  kSignal,    // M62 to M68
-  kModes      // M70 to M73
+  kStop       // M0 M1 M2 M30 M60
 };
+inline constexpr std::size_t kFunctionGroups = 7;
 
 /// Of a function that the control has.
 FunctionGroup group_of(Fixed m);

@@ -2,6 +2,7 @@
 #include "expanders/ngc/interpreter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "expanders/common/program_loop.hpp"
@@ -155,7 +156,12 @@ void Interpreter::check_block() {
 }
 
 bool Interpreter::check_functions() {
+  constexpr std::size_t kMost = 4;
   std::uint32_t groups = 0;
+  if (block_.functions().size() > kMost) {  // NGC-COM-01
+    machine_.complain(AlarmKind::kDuplicateWord, 'M', block_.functions()[kMost].position);
+    return false;
+  }
   for (const FunctionWord& word : block_.functions()) {
     if (word.number && find_function(*word.number) == Function::kKnown) {
       const auto group = static_cast<unsigned>(group_of(*word.number));
@@ -186,8 +192,14 @@ Flow Interpreter::perform_plan(const Plan& plan) {
 
 // The M functions of the block that run before or after its motion, and the end of the program.
 Flow Interpreter::run_functions(bool before) {
+  // Of each group there is one at most.
+  std::array<const FunctionWord*, kFunctionGroups> by_group{};
   for (const FunctionWord& word : block_.functions()) {
-    const Fixed m = *word.number;
+    by_group[static_cast<std::size_t>(group_of(*word.number))] = &word;
+  }
+  for (const FunctionWord* word : by_group) {
+    if (word == nullptr) continue;
+    const Fixed m = *word->number;
     if (is_after_motion(m) == before) continue;
     if (!machine_.tracer.function(static_cast<int>(m))) return Flow::kStopped;
     if (!is_end(m)) continue;

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT-0
 """bCNC's interpreter (class CNC), as its canvas uses it: one line in, a polyline out.
 
-Arcs are chords within CNC.accuracy. It knows no errors, and draws no dwell.
+Arcs are chords within CNC.accuracy. It knows no errors, and draws no dwell. Canned cycles are what
+it sends to the machine in their place: lines of G0, G1, G4, M3 and M5, under the modes in force.
 """
 import contextlib
+import copy
 import os
 import re
 import subprocess
@@ -15,6 +17,7 @@ from gonogo_pipe import Subject, serve  # noqa: E402
 from rs274_profile import anything, one_of, refusal  # noqa: E402
 
 HOME = "/usr/share/bcnc/bCNC"
+CYCLES = (81, 82, 83, 85, 86, 89)  # as in its own compile()
 PLANES = {"G17": 0, "G18": 1, "G19": 2}
 
 
@@ -33,7 +36,8 @@ def _number(value):
 class Bcnc(Subject):
     name = "bcnc"
     version = _version()
-    dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "arc-distance"]}
+    dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "g81", "g83",
+                          "g85", "g86", "cycle-modal", "cycle-steps"]}
     features = ["blocks"]  # it is given one line at a time
     numeric = {"kind": "binary64", "chord": "0.01"}
 
@@ -66,15 +70,33 @@ class Bcnc(Subject):
             if not words:
                 continue
             machine.motionStart(words)
-            points = machine.motionPath()
-            for x, y, z in points[1:]:
-                to = {"x": float(x), "y": float(y), "z": float(z)}
-                if machine.gcode == 0:
-                    emit("rapid", b=b, to=to)
-                else:
-                    fm = "rev" if self.module.CNC.vars["feedmode"] == 95 else None
-                    emit("feed", b=b, to=to, f=float(machine.feed), fm=fm)
+            if machine.gcode in CYCLES:
+                self._cycle(machine, b, emit)
+            else:
+                self._draw(machine, b, emit)
             machine.motionEnd()
+
+    def _cycle(self, machine, b, emit):
+        sent = machine.macroGroupG8X()
+        follower = copy.copy(machine)
+        follower.xval, follower.yval, follower.zval = follower.x, follower.y, follower.z
+        for line in sent:
+            words = self.module.CNC.breakLine(line)
+            follower.motionStart(words)
+            if words[0].upper() == "G4":
+                emit("dwell", b=b, s=float(follower.pval))
+            elif words[0][0].upper() == "G":
+                self._draw(follower, b, emit)
+                follower.motionEnd()
+
+    def _draw(self, machine, b, emit):
+        for x, y, z in machine.motionPath()[1:]:
+            to = {"x": float(x), "y": float(y), "z": float(z)}
+            if machine.gcode == 0:
+                emit("rapid", b=b, to=to)
+            else:
+                fm = "rev" if self.module.CNC.vars["feedmode"] == 95 else None
+                emit("feed", b=b, to=to, f=float(machine.feed), fm=fm)
 
 
 if __name__ == "__main__":

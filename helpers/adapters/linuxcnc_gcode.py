@@ -4,17 +4,20 @@
 It hands out inches, whatever the program's units. They are turned into millimetres exactly, as
 fractions, so that no rounding is the adapter's.
 """
+import ctypes
 import os
+import pickle
 import sys
 import tempfile
 from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 import linuxcnc_shared as linuxcnc  # noqa: E402
-from gonogo_pipe import Subject, alarm, serve, skip  # noqa: E402
+from gonogo_pipe import Subject, alarm, error, serve, skip  # noqa: E402
 from rs274_profile import one_of, refusal  # noqa: E402
 
 MM = Fraction(127, 5)
+M_PERTURB, ALL_BITS = -6, 0xff  # of glibc: new memory is all zero
 PLANES = {1: ("G17", "xyz"), 3: ("G18", "zxy"), 2: ("G19", "yzx")}
 
 
@@ -97,6 +100,9 @@ class Canon:
         self._put("arc", {first: end1, second: end2, third: axial}, others, plane=plane,
                   c=centre, rot=turn, **self._feeds())
 
+    def rigid_tap(self, *_place):
+        self._fail(Unsupported("The module tells nothing of the lead of a thread."))
+
     def dwell(self, seconds):
         self._emit("dwell", s=seconds)
 
@@ -130,6 +136,8 @@ class LinuxcncGcode(Subject):
     def __init__(self):
         import gcode  # only here: the helpers above can be read without LinuxCNC
         self.gcode = gcode
+        # The interpreter reads of the spindle what it has never written; in a new program it is zero.
+        ctypes.CDLL(None).mallopt(M_PERTURB, ALL_BITS)
         self.folder = tempfile.TemporaryDirectory(prefix="gonogo-linuxcnc-")
         linuxcnc.open_tools(self.folder.name)
         os.chdir(self.folder.name)  # where programs look for subroutines and write their logs
@@ -155,14 +163,48 @@ class LinuxcncGcode(Subject):
         return None
 
     def run(self, program, emit):
+        # Each program has a process of its own: a tool length offset outlives its program.
+        come, go = os.pipe()
+        child = os.fork()
+        if child == 0:
+            os.close(come)
+            with os.fdopen(go, "wb") as parent:
+                self._tell(program, parent)
+            os._exit(0)
+        os.close(go)
+        outcome = None
+        try:
+            with os.fdopen(come, "rb") as told:
+                while outcome is None:
+                    kind, fields = pickle.load(told)
+                    if kind == "outcome":
+                        outcome = fields or {"outcome": "ok"}
+                    else:
+                        emit(kind, **fields)
+        except EOFError:
+            pass
+        finally:
+            status = os.waitpid(child, 0)[1]
+        return outcome or error("The interpreter's process ended with status %d." % status)
+
+    def _tell(self, program, parent):
+        def put(*told):
+            pickle.dump(told, parent)
+
+        try:
+            put("outcome", self._outcome(program, lambda kind, **fields: put(kind, fields)))
+        except BrokenPipeError:
+            os._exit(1)
+        except Exception as fault:
+            put("outcome", error("%s: %s" % (type(fault).__name__, fault)))
+
+    def _outcome(self, program, emit):
         canon = Canon(emit, self.folder.name, self.block_skip, Fraction(self.feed))
         try:
-            # A tool length offset outlives M2 and would be the next program's start.
-            self._parse(b"G49\n", Canon(_nowhere, self.folder.name, False, 0), "G21", "G17")
             result = self._parse(program, canon, self.place, self.modes)
         except Exception:
             if isinstance(canon.fault, Unsupported):
-                return skip("axes", str(canon.fault))
+                return skip("records", str(canon.fault))
             raise canon.fault or sys.exc_info()[1]
         if result <= self.gcode.MIN_ERROR:
             return None
@@ -179,10 +221,6 @@ class LinuxcncGcode(Subject):
         with open(canon.parameter_file, "w"):
             pass
         return self.gcode.parse(path, canon, *start)[0]
-
-
-def _nowhere(*_arguments, **_fields):
-    pass
 
 
 def _is_plain(value):

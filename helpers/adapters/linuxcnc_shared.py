@@ -5,17 +5,34 @@ import os
 import re
 import subprocess
 
-FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines"]
+FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines", "g81", "g73",
+            "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes"]
+THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
 _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Bad character '|bad number format|Unclosed comment|Nested comment|No characters found in "
      r"reading real|Unknown word where unary operation could be|Bad format unsigned integer", "syntax"),
     (r"Unknown [gm] code used|G-code out of range", "undefined-code"),
-    (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group", "duplicate-word"),
+    (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|Too many m codes on line",
+     "duplicate-word"),
     (r"Mixed radius ijk format", "conflicting-words"),
     (r"Cannot use axis values without a g code|words? (all )?missing for arc|word missing in "
-     r"absolute center arc|Dwell time missing with g4", "missing-word"),
+     r"absolute center arc|Dwell time missing with g4|All axes missing with motion code|"
+     r"R clearance plane unspecified|value unspecified in .. plane canned cycle|"
+     r"Q word missing with g|Dwell time p word missing with g8|I J or K words missing with G76",
+     "missing-word"),
+    (r"K word missing with g33|P word missing with G76", "lead-missing"),
+    (r"R less than . in cycle", "reference-plane"),
+    (r"Cannot do zero repeats|In G76, I must not be 0|In G76, K must be greater",
+     "value-out-of-range"),
+    (r"Negative (or zero q value|[hl] word) used|In G76, J must be greater", "value-sign"),
+    (r"Cannot put an? [abc] in canned cycle|Cannot move rotary axes with G76",
+     "axis-not-in-plane"),
+    (r"[Ss]pindle (\(\d+\) )?not turning in", "spindle-stopped"),
+    (r"Spindle turning (counter)?clockwise in G", "direction-conflict"),
+    (r"F word used with a g33|canned cycles with cutter compensation|inverse time feed with canned|"
+     r"threading cycle with cutter radius compensation", "conflicting-words"),
     (r"[IJK] word given for arc in", "axis-not-in-plane"),
     (r"with zero feed rate", "feed-missing"),
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),
@@ -26,18 +43,19 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
 ]]
 
 #: The readings that LinuxCNC follows, as the profile names them.
-READINGS = {
-    "readings.ngc.arc-tolerance": lambda value: value in ("linuxcnc", "any"),
-    "readings.ngc.full-circle-words": lambda value: value in ("free", "any"),
-    "readings.ngc.whole": lambda value: value in ("linuxcnc", "any"),
-    "readings.ngc.g80-beside": lambda value: value in ("ignored", "any"),
-    "readings.ngc.unused-words": lambda value: value in ("alarm", "any"),
-    "readings.ngc.line-number": lambda value: value in ("decimal", "any"),
-    "readings.ngc.o-name": lambda value: value in ("passed-over", "any"),
-    "readings.ngc.program-end": lambda value: value in ("needed", "any"),
-    "readings.ngc.bare-motion": lambda value: value in ("nothing", "any"),
-    "readings.ngc.arc-words-alone": lambda value: value in ("arc", "any"),
-}
+READINGS = {"readings.ngc." + name: lambda value, own=own: value in (own, "any")
+            for name, own in {
+                "arc-tolerance": "linuxcnc", "full-circle-words": "free", "whole": "linuxcnc",
+                "g80-beside": "ignored", "unused-words": "alarm", "line-number": "decimal",
+                "o-name": "passed-over", "program-end": "needed", "bare-motion": "nothing",
+                "arc-words-alone": "arc", "cycle.initial": "series", "cycle.g91-r": "initial",
+                "cycle.sticky": "number", "cycle.approach": "initial-level",
+                "cycle.initial-kept": "number", "cycle.retract-start": "r-plane",
+                "cycle.feed": "needed", "cycle.alarm-at": "late", "g83.retract": "r-plane",
+                "g83.return": "rapid", "peck.clearance": "ten-thou", "peck.d": "barred",
+                "peck.dwell": "none", "g73.end": "clear", "g85.out": "r-plane", "tap.p": "last",
+                "g74.l": "barred", "g33.k": "free", "g76.checks": "linuxcnc",
+                "g76.slide": "start", "g76.entry": "thread"}.items()}
 
 
 def class_of(message):

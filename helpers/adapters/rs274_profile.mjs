@@ -11,19 +11,16 @@ const kHarmless = {
   resolution: () => true,
   'initial.plane': (value) => value === 'G17',
   'initial.spindle': (value) => value === 'M5' || value === 'M05',
-  'readings.ngc.arc-tolerance': (value) => value === 'any',
-  'readings.ngc.full-circle-words': (value) => value === 'any',
-  'readings.ngc.whole': (value) => value === 'any',
-  'readings.ngc.g80-beside': (value) => value === 'any',
-  'readings.ngc.line-number': (value) => value === 'any',
-  'readings.ngc.o-name': (value) => value === 'any',
-  'readings.ngc.bare-motion': (value) => value === 'any',
-  'readings.ngc.arc-words-alone': (value) => value === 'any',
   // Of a program that is only looked at.
   'readings.ngc.unused-words': (value) => value === 'ignored' || value === 'any',
   'readings.ngc.program-end': (value) => value === 'free' || value === 'any',
 };
 for (const word of ['x', 'y', 'z', 'a', 'c', 'f']) kHarmless[`initial.${word}`] = isZero;
+
+function harmless(key) {
+  if (key.startsWith('readings.')) return (value) => value === 'any';  // whatever it does is right
+  return key.startsWith('offsets.') ? isZero : null;
+}
 
 function* flat(profile) {
   for (const [key, value] of Object.entries(profile)) {
@@ -45,7 +42,7 @@ function* flat(profile) {
 export function refusal(dialect, profile, accepted = {}) {
   if (dialect !== 'rs274') return `The dialect ${dialect} is not interpreted here.`;
   for (const [key, value] of flat(profile)) {
-    const test = accepted[key] ?? kHarmless[key] ?? (key.startsWith('offsets.') ? isZero : null);
+    const test = accepted[key] ?? kHarmless[key] ?? harmless(key);
     if (test === null || !test(value)) {
       return `The profile's ${key} = ${value} cannot be set in this interpreter.`;
     }

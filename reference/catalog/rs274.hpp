@@ -56,8 +56,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-G4-01", must, kLines, "G4 dwells for P seconds.", "reference/rs274/basic_motion.cpp"},
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
-     "block, a code that the language lacks, and R with I J K are alarms. G40 G49 G54 G61 G64 G80 "
-     "M6 S and T are passed over. M functions, G codes times ten and P of an arc are whole "
+     "block, more than four M functions, a code that the language lacks, and R with I J K are "
+     "alarms. G40 G49 G54 G61 G64 G80 M6 S and T are passed over. M functions, G codes times ten and P of an arc are whole "
      "numbers.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-02", must, kGroups,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/program_text.hpp"
@@ -146,12 +147,34 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   if (function->kind == Kind::program_end) out.program_end = true;
 }
 
-// NGC-COM-01
+// NGC-MOD-01: whatever their order on the line, functions run by their groups.
+std::ptrdiff_t place_in_order(const Item& function) {
+  constexpr std::array kOrder = {Group::signals,     Group::tool,    Group::spindle,
+                                 Group::saved_modes, Group::coolant, Group::override_switches};
+  const Group group = m_function(std::get<Record>(function).m)->group;
+  return std::ranges::find(kOrder, group) - kOrder.begin();
+}
+
+void take_m_functions(const grammar::Block& block, std::uint64_t line,
+                      const ReadingsInUse& readings, BlockOutput& out) {
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'M') take_m_function(word, line, readings, out);
+  }
+  std::ranges::stable_sort(out.items, {}, place_in_order);
+}
+
+// NGC-COM-01: of a modal group one M function, and four in all.
 void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
                     std::vector<Alarm>& alarms) {
+  constexpr int kMostFunctions = 4;
   std::uint32_t seen = 0;
+  int functions = 0;
   for (const grammar::Word& word : block.words) {
     if (word.address != 'M') continue;
+    if (++functions == kMostFunctions + 1) {
+      alarms.push_back({AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
+                        "A block has four M functions at most."});
+    }
     const std::optional<std::int64_t> number = m_number(word, readings);
     const Code* const function = number ? m_function(*number) : nullptr;
     if (function == nullptr) continue;
@@ -302,9 +325,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     return alarm.alarm == AlarmClass::undefined_code;
   });
   check_axes(block, line, out);
-  for (const grammar::Word& word : block.words) {
-    if (word.address == 'M') take_m_function(word, line, readings_, out);
-  }
+  take_m_functions(block, line, readings_, out);
   if (out.not_covered) {
     // What is not covered goes before what is wrong.
     out.alarms.clear();

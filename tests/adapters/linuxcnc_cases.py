@@ -142,3 +142,46 @@ class Linuxcnc(Lines, Distances, Arcs):
 
     def test_an_axis_that_no_record_has_is_skipped(self):
         self.assertEqual(self.run_program("G0 B1\n")["outcome"], "skip")
+
+    def test_pecks_of_a_deep_hole(self):
+        # Q2.5 from R1: -1.5, -4 and the rest to -6; back in to 0.254 above the last.
+        down = [(1, "rapid"), ("-1.5", "feed"), (1, "rapid"), ("-1.246", "rapid"), (-4, "feed"),
+                (1, "rapid"), ("-3.746", "rapid"), (-6, "feed"), (5, "rapid")]
+        self.assertRecords("G0 Z5 F100\nG98 G83 X10 Z-6 R1 Q2.5\n", [
+            {"k": "rapid", "b": 1, "to": {"z": 5}}, {"k": "rapid", "b": 2, "to": {"x": 10, "z": 5}},
+            *({"k": kind, "b": 2, "to": {"x": 10, "z": z}} for z, kind in down)])
+
+    def test_a_dwell_of_a_cycle(self):
+        self.assertRecords("G0 Z1 F100\nG99 G82 X1 Z-2 R1 P0.5\n", [
+            {"k": "rapid"}, {"k": "rapid", "b": 2, "to": {"x": 1, "z": 1}},
+            {"k": "feed", "b": 2, "to": {"z": -2}, "f": 100}, {"k": "dwell", "b": 2, "s": "0.5"},
+            {"k": "rapid", "b": 2, "to": {"z": 1}}])
+
+    def test_steps_and_words_that_stay(self):
+        # R counts from the initial level, 3: 2, bottom 1; the next block the same.
+        self.assertRecords("G0 Z3 F100\nG91 G98 G81 X1 Z-1 R-1 L2\nX1\n", [
+            {"k": "rapid", "b": 1}, *(
+                {"k": kind, "b": b, "to": {"x": x, "z": z}}
+                for x, b in ((1, 2), (2, 2), (3, 3))
+                for kind, z in (("rapid", 3), ("rapid", 2), ("feed", 1), ("rapid", 3)))])
+
+    def test_alarms_of_cycles(self):
+        for block, cls in {
+                "G81 X1 Z-1": "missing-word", "G81 X1 R1": "missing-word",
+                "G82 X1 Z-1 R0": "missing-word", "G83 X1 Z-1 R0": "missing-word",
+                "G81 X1 Z2 R1": "reference-plane", "G81 X1 Z-1 R0 L0": "value-out-of-range",
+                "G81 X1 Z-1 R0 L-1": "value-sign", "G83 X1 Z-1 R0 Q-2": "value-sign",
+                "G81 X1 Z-1 R0 A1": "axis-not-in-plane", "G86 X1 Z-1 R0 P1": "spindle-stopped",
+                "G84 X1 Z-1 R0": "spindle-stopped", "G33 X1": "lead-missing",
+                "G33 X1 K1": "spindle-stopped", "G33 X1 K1 F5": "conflicting-words",
+                "G18 G76 Z-9 I-1 J1 K2": "lead-missing",
+                "G18 G76 Z-9 P1 I-1 K2": "missing-word"}.items():
+            with self.subTest(block=block):
+                reply = self.run_program("F100\n" + block + "\n")
+                self.assertEqual(reply["alarm"].get("class"), cls, reply)
+
+    def test_the_spindle_turns_in_every_program_that_says_so(self):
+        for _ in range(3):
+            self.assertRecords("S100 M3 F100\nG84 X1 Z-1 R0 P1\n", [
+                {"k": "rapid", "to": {"x": 1}}, {"k": "feed", "to": {"z": -1}},
+                {"k": "dwell", "s": 1}, {"k": "feed", "to": {"z": 0}}])

@@ -35,6 +35,9 @@ class LinuxcncGcode(Linuxcnc, AdapterCase):
         self.assertRecords("G1 X1\nA90\nG20 X1\nA0\n", 4 * [{"k": "feed", "f": 50}],
                            {"initial": {"f": "50"}})
 
+    def test_a_thread_whose_lead_is_not_told_is_skipped(self):
+        self.assertEqual(self.run_program("S1 M3\nG33.1 Z-1 K1\n")["outcome"], "skip")
+
 
 if __name__ == "__main__":
     need_linuxcnc()
