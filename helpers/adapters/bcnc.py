@@ -56,6 +56,9 @@ class Bcnc(Subject):
         return refusal(dialect, profile, {
             "initial.x": anything, "initial.y": anything, "initial.z": anything,
             "initial.f": anything, "initial.plane": one_of(*PLANES), "units": one_of("mm", "inch"),
+            "readings.ngc.cycle.initial": one_of("block", "any"),
+            "readings.ngc.cycle.retract-start": one_of("initial", "any"),
+            "readings.ngc.g83.return": one_of("feed", "any"),
         })
 
     def run(self, program, emit):

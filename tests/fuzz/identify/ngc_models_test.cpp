@@ -59,6 +59,16 @@ void expect_named(const Identification& found, const Traits& traits) {
   }
 }
 
+// Where each block has an initial level of its own, it is where the tool stands: so R under G91
+// counts from the same place by both, the way to the hole is one, and nothing is kept over a change
+// of units.
+void expect_level_of_the_block(const Identification& found) {
+  using Values = std::vector<std::string>;
+  EXPECT_EQ(values_of(found, ngc_cycle_g91_r), (Values{"current", "initial"}));
+  EXPECT_EQ(values_of(found, ngc_cycle_approach), (Values{"current-level", "initial-level"}));
+  EXPECT_EQ(values_of(found, ngc_cycle_initial_kept), (Values{"place", "number"}));
+}
+
 // LinuxCNC 2.9, as its stand-alone interpreter runs.
 const Traits kLinuxcnc = {
     {ngc_arc_tolerance, "linuxcnc"},
@@ -104,9 +114,7 @@ const Traits kNist = {
     {ngc_bare_motion, "missing-word"},
     {ngc_arc_words_alone, "alarm"},
     {ngc_cycle_initial, "block"},
-    {ngc_cycle_g91_r, "current"},
     {ngc_cycle_sticky, "number"},
-    {ngc_cycle_approach, "current-level"},
     {ngc_cycle_retract_start, "r-plane"},
     {ngc_cycle_feed, "free"},
     {ngc_cycle_alarm_at, "late"},
@@ -125,9 +133,7 @@ const Traits kGrblhal = {
     {ngc_unused_words, "alarm"},
     {ngc_program_end, "free"},
     {ngc_cycle_initial, "block"},
-    {ngc_cycle_g91_r, "current"},
     {ngc_cycle_sticky, "level"},
-    {ngc_cycle_approach, "current-level"},
     {ngc_cycle_retract_start, "initial"},
     {ngc_cycle_feed, "needed"},
     {ngc_cycle_alarm_at, "block"},
@@ -158,9 +164,7 @@ TEST(IdentifyCycles, NamesTheReadingsOfNist) {
   Model subject(kNist, {"g73", "g74", "g33", "g33.1", "g76"});
   const Identification found = identify_readings(subject, pool_of("rs274"), {});
   expect_named(found, kNist);
-  // Where each block has its own initial level, nothing is kept over a change of units.
-  EXPECT_EQ(values_of(found, ngc_cycle_initial_kept),
-            (std::vector<std::string>{"place", "number"}));
+  expect_level_of_the_block(found);
   EXPECT_EQ(values_of(found, ngc_g73_end).size(), 3U) << "it has no G73";
 }
 
@@ -170,6 +174,7 @@ TEST(IdentifyCycles, NamesTheReadingsOfGrblhal) {
   Model subject(traits, {"g85", "g86"});
   const Identification found = identify_readings(subject, pool_of("rs274"), {});
   expect_named(found, kGrblhal);
+  expect_level_of_the_block(found);
   EXPECT_EQ(values_of(found, ngc_g85_out).size(), 2U) << "it has no G85";
 }
 
