@@ -11,11 +11,12 @@ THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
 _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
-    (r"Bad character '|bad number format|Unclosed comment|Nested comment|No characters found in "
-     r"reading real|Unknown word where unary operation could be|Bad format unsigned integer", "syntax"),
-    (r"Unknown [gm] code used|G-code out of range", "undefined-code"),
-    (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|Too many m codes on line",
-     "duplicate-word"),
+    (r"Bad character|[Bb]ad number format|Unclosed comment|Nested comment|No characters found in "
+     r"reading real|No digits found where|Unknown word where unary operation could be|"
+     r"Bad format unsigned integer", "syntax"),
+    (r"Unknown [gm] code used|G.code out of range|M code greater than 99", "undefined-code"),
+    (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|"
+     r"Too many m codes on line", "duplicate-word"),
     (r"Mixed radius ijk format", "conflicting-words"),
     (r"Cannot use axis values without a g code|words? (all )?missing for arc|word missing in "
      r"absolute center arc|Dwell time missing with g4|All axes missing with motion code|"
@@ -26,7 +27,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"R less than . in cycle", "reference-plane"),
     (r"Cannot do zero repeats|In G76, I must not be 0|In G76, K must be greater",
      "value-out-of-range"),
-    (r"Negative (or zero q value|[hl] word) used|In G76, J must be greater", "value-sign"),
+    (r"Negative (or zero q value|[hlp] word) used|In G76, J must be greater", "value-sign"),
     (r"Cannot put an? [abc] in canned cycle|Cannot move rotary axes with G76",
      "axis-not-in-plane"),
     (r"[Ss]pindle (\(\d+\) )?not turning in", "spindle-stopped"),
@@ -36,7 +37,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"[IJK] word given for arc in", "axis-not-in-plane"),
     (r"with zero feed rate", "feed-missing"),
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),
-    (r"Arc radius too small|Zero-radius arc", "arc-radius"),
+    (r"[Rr]adius too small|Zero.radius arc", "arc-radius"),
     (r"P value not an integer|Non integer value for integer", "not-an-integer"),
     (r"^[A-Z] word with no ", "unused-word"),
     (r"File ended with no percent sign", "program-end"),
