@@ -33,6 +33,24 @@ def mixed_rs274(out, blocks, seed=1):
     out.write("M2\n")
 
 
+def rs274_cycles(out, blocks, seed=1):
+    """Holes: drilled, dwelt in, pecked and bored, a third of the blocks repeating the cycle in force."""
+    chance = random.Random(seed)
+    out.write("G21 G17 G90 G98 F100\nG0 X0 Y0 Z10\n")
+    cycle = None
+    for _ in range(blocks - 3):
+        place = "X%d.%03d Y%d" % (chance.randrange(-LIMIT, LIMIT), chance.randrange(1000),
+                                 chance.randrange(-LIMIT, LIMIT))
+        if cycle and chance.random() < 0.33:
+            out.write(place + "\n")
+            continue
+        cycle = chance.choice(("G81", "G82", "G83", "G73", "G85", "G89"))
+        words = {"G82": " P0.5", "G89": " P0.5", "G83": " Q2.5", "G73": " Q2.5"}.get(cycle, "")
+        out.write("%s %s Z-%d.%d R%d%s\n" % (cycle, place, chance.randrange(1, 12),
+                                            chance.randrange(10), chance.randrange(1, 4), words))
+    out.write("M2\n")
+
+
 def gsk_tapers(out, blocks, seed=1):
     """A taper cycle a block: four motions each."""
     del seed

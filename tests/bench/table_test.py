@@ -9,7 +9,8 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROWS = ("parse gsk988ta", "parse hnc21t", "parse sinumerik840d", "parse rs274", "expand rs274",
         "judge a path, rs274", "judge regions (G110)", "judge threads (G114)", "certify", "hunt",
-        "LinuxCNC rs274 -g", "gcode-toolpath")
+        "expand rs274 cycles", "judge rs274 cycles", "LinuxCNC rs274 -g", "LinuxCNC rs274 -g, cycles",
+        "gcode-toolpath")
 
 
 def main():
