@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -45,7 +45,7 @@ reference::ClauseId HelixPocketJudge::clause() const {
 }
 
 bool HelixPocketJudge::complete() const {
-  return phase_ == Phase::over || (phase_ == Phase::exit && is_tiny());
+  return phase_ == Phase::over || (phase_ == Phase::exit && semicircle_is_unseen());
 }
 
 std::optional<Verdict> HelixPocketJudge::end(const Position& here) {
@@ -63,13 +63,12 @@ OpenStep::Exit HelixPocketJudge::exit(const Position& /*here*/) const {
 // The traverse to where the pocket begins.
 bool HelixPocketJudge::is_before(const Motion& motion) const {
   return phase_ == Phase::entry && entry_.empty() && open_.empty() &&
-         motion.record.kind == RecordKind::rapid &&
-         motion.to()[axes_.d] == motion.from[axes_.d];
+         motion.record.kind == RecordKind::rapid && motion.to()[axes_.d] == motion.from[axes_.d];
 }
 
 // A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc
 // that ends on its own centre; as the way back it may be left out.
-bool HelixPocketJudge::is_tiny() const {
+bool HelixPocketJudge::semicircle_is_unseen() const {
   return item_.radius <= terms_.tolerance;
 }
 
@@ -172,7 +171,7 @@ OpenArc HelixPocketJudge::open_semicircle(const OpenStart& starts) const {
 }
 
 MatchResult HelixPocketJudge::match_entry(OpenStart& starts) const {
-  if (is_tiny() &&
+  if (semicircle_is_unseen() &&
       std::ranges::all_of(entry_, [&](const Motion& motion) { return stays_at_centre(motion); })) {
     return {Departure::none, true, {}};
   }
@@ -295,7 +294,7 @@ OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
     }
     return {};
   }
-  if (phase_ == Phase::exit && is_tiny()) {
+  if (phase_ == Phase::exit && semicircle_is_unseen()) {
     if (stays_at_centre(motion)) return {};
     if (!is_cut(motion.record.kind)) {
       phase_ = Phase::over;
