@@ -36,6 +36,23 @@ class Bcnc(Lines, Distances, AdapterCase):
         records = self.run_program("G0 X2\nG90.1 G3 X12 Y0 I7 J0 F10\n")["records"]
         self.assertChordsOfCircle(records[1:], (7, 0), 5, 0.0101, {"x": 12, "y": 0})
 
+    def test_a_deep_hole_is_what_it_sends(self):
+        # It pecks from R each time: no traverse back into the hole.
+        self.assertRecords("G0 Z5 F100\nG98 G83 X10 Z-6 R1 Q2.5\nG80\n", [
+            {"k": "rapid", "b": 1, "to": {"z": 5}}, {"k": "rapid", "b": 2, "to": {"x": 10, "z": 5}},
+            *({"k": kind, "b": 2, "to": {"x": 10, "z": z}} for kind, z in (
+                ("rapid", 1), ("feed", "-1.5"), ("rapid", 1), ("feed", -4), ("rapid", 1),
+                ("feed", -6), ("rapid", 5)))])
+
+    def test_a_dwell_of_a_cycle_is_sent(self):
+        self.assertRecords("G0 Z1 F50\nG99 G82 X1 Z-2 R1 P0.5\nG80\n", [
+            {"k": "rapid"}, {"k": "rapid", "to": {"x": 1}}, {"k": "feed", "to": {"z": -2}, "f": 50},
+            {"k": "dwell", "b": 2, "s": "0.5"}, {"k": "rapid", "to": {"z": 1}}])
+
+    def test_a_line_without_a_motion_sends_the_cycle_again(self):
+        records = self.run_program("G0 Z1 F50\nG99 G81 X1 Z-2 R1\nM5\n")["records"]
+        self.assertEqual([record["b"] for record in records if record["k"] == "feed"], [2, 3])
+
     def test_initial_position_plane_and_units(self):
         self.assertRecords("G91 G0 X1\n", [{"k": "rapid", "to": {"x": "30.4", "z": "-2.5"}}],
                            {"units": "inch", "initial": {"x": "5", "z": "-2.5"}})
