@@ -22,6 +22,8 @@ TEST(NgcCodes, ThoseOfOtherPartsOfTheLanguageAreNotCovered) {
     EXPECT_EQ(path(std::string("G0 X1\nX2 ") + code).size(), 2U) << code;
   }
   EXPECT_EQ(ending_of("G5 X1"), "not-covered b1 G05");
+  EXPECT_EQ(ending_of("G71.1 Q1"), "not-covered b1 G71.1");
+  EXPECT_EQ(ending_of("M19 R90"), "not-covered b1 M19");
 }
 
 TEST(NgcCodes, AnyOtherCodeIsUndefined) {

@@ -102,6 +102,18 @@ TEST(NgcModes, MFunctionsThatStopComeAfterTheMotion) {
                    "m1", "rapid x5", "m60", "rapid x6", "m30"}));
 }
 
+TEST(NgcModes, MFunctionsRunInTheOrderOfExecution) {
+  // Outputs, the tool, the spindle, coolant, overrides; the stop after the motion.
+  EXPECT_EQ(lines("M49 M9 M4 M62 P1 X1 G0", ngc()),
+            (Lines{"m62", "m4", "m9", "m49", "rapid x1"}));
+  EXPECT_EQ(lines("M1 M8 M3 M6 X1 G0", ngc()), (Lines{"m6", "m3", "m8", "rapid x1", "m1"}));
+}
+
+TEST(NgcModes, ABlockHasFourMFunctionsAtMost) {
+  EXPECT_EQ(ending_of("M49 M9 M4 M6"), "end x0 y0 z0 a0 c0");
+  EXPECT_EQ(ending_of("M49 M9 M4 M6 M62 P1"), "alarm b1 duplicate-word");
+}
+
 TEST(NgcModes, MFunctionsComeBeforeTheDwell) {
   EXPECT_EQ(lines("G4 P1 M3", ngc()), (Lines{"m3", "dwell 1"}));
 }
