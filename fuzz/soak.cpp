@@ -92,7 +92,8 @@ bool is_out_of_reach(const oracle::Verdict& verdict) {
   const auto says = [&](std::string_view part) {
     return verdict.message.find(part) != std::string::npos;
   };
-  return says("gauge does not") || says("motions is not judged") ||
+  return says("gauge does not") || says("gauge reads") || says("right angle") ||
+         says("motions is not judged") ||
          says("run-out of the reading") || says("profile does not say");
 }
 
