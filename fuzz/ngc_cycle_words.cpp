@@ -104,7 +104,7 @@ void NgcWriter::replace(Words& words, std::string_view text) {
 void NgcWriter::cycle_faults(Words& words) {
   // Where a control may find it late, what it has moved before is to be seen.
   const bool late = profile_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late");
-  if (minute_pecks_ || !puts_wrong(late ? 5 : 15)) return;
+  if (minute_pecks_ || !puts_wrong(late ? 5 : 10)) return;
   const char depth = "XYZ"[plane_axes()[2]];
   const auto leave_out = [&](std::string_view letters) {
     std::erase_if(words, [&](const std::string& word) { return letters.find(word[0]) != std::string_view::npos; });

@@ -14,7 +14,7 @@ void NgcWriter::synchronous_block() {
   mode_words(words);
   enter(words, choices_.one_in(2) ? 33 : kG33Point1);
   spindle_words(words, {3, 4});
-  const std::uint32_t axes = 1 + choices_.below(7);
+  const std::uint32_t axes = puts_wrong(24) ? 0 : 1 + choices_.below(7);
   for (const Axis axis : {x, y, z}) {
     if ((axes >> axis & 1) != 0) words.push_back(axis_word(axis, 20));
   }
@@ -76,6 +76,7 @@ void NgcWriter::threading_faults(Words& words) {
       words.push_back(axis_word(choices_.pick({x, y}), 20));
       break;
     case 1:
+      // One without which there is no thread.
       std::erase_if(words, [letter = choices_.pick({'P', 'I', 'J', 'K', 'Z'})](
                                const std::string& word) { return word[0] == letter; });
       break;
