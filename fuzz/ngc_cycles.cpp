@@ -48,7 +48,7 @@ bool NgcWriter::keeps_levels(bool first) const {
   if (first || !sticky_.r || !sticky_.depth) return false;
   const std::int64_t depth = incremental_ ? -*sticky_.depth : *sticky_.r - *sticky_.depth;
   if (depth < 0) return false;
-  return !is_pecking(motion_) || depth <= 2 * settings_.pecks * *sticky_.q;
+  return !is_pecking(motion_) || depth <= *sticky_.q * 2 * settings_.pecks;
 }
 
 // R and the word of the third axis, as the distance mode counts them.

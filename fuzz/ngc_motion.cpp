@@ -144,8 +144,13 @@ std::string NgcWriter::beside_whole(const std::string& word) {
                      size % 1'000'000, choices_.pick({"", "", "1", "9"}));
 }
 
-// Now and then a number with decimals, or one that is too large for some.
+// Now and then a number with decimals, one that is too large for some, or one that is none
+// (NGC-COM-05).
 std::string NgcWriter::head() {
+  if (puts_wrong(120)) {
+    count("fault: line number");
+    return choices_.pick({"N10. ", "N10.5.5 ", "N10.5. "});
+  }
   if (!choices_.one_in(60)) return ProgramWriter::head();
   count("line number of one reading");
   return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789 "});
