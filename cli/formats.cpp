@@ -8,7 +8,7 @@
 
 #include "cli/svg_format.hpp"
 #include "oracle/manual/motion_text.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 

@@ -76,8 +76,8 @@ std::optional<reference::Number> feed_option(const std::string& text, const char
   return decimal_option(text, option, "a feed in mm/min or mm/rev");
 }
 
-fuzz::GeneratorSettings settings_option(const std::string& text) {
-  const auto settings = fuzz::read_settings(text);
+generate::GeneratorSettings settings_option(const std::string& text) {
+  const auto settings = generate::read_settings(text);
   if (!settings) {
     throw UsageError(
         "--settings " + text +

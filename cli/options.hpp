@@ -8,7 +8,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/program_file.hpp"
-#include "fuzz/generator_settings.hpp"
+#include "generate/generator_settings.hpp"
 #include "oracle/judge/terms.hpp"
 #include "oracle/subject.hpp"
 
@@ -45,6 +45,6 @@ std::optional<reference::Number> feed_option(const std::string& text, const char
 std::optional<reference::Number> length_option(const std::string& text, const char* option);
 
 // --settings: what generated programs are like. Throws UsageError.
-fuzz::GeneratorSettings settings_option(const std::string& text);
+generate::GeneratorSettings settings_option(const std::string& text);
 
 }  // namespace gonogo::cli

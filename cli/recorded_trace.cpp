@@ -9,7 +9,7 @@
 #include <array>
 
 #include "grammar/file_source.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
-#include "fuzz/hunt/finding_files.hpp"
+#include "hunt/finding_files.hpp"
 #include "program/text.hpp"
 
 namespace gonogo::cli {
@@ -37,7 +37,7 @@ void check_out(const TrialWords& words) {
 
 }  // namespace
 
-fuzz::SubjectMaker trial_subject(const TrialWords& words) {
+hunt::SubjectMaker trial_subject(const TrialWords& words) {
   if (words.subject.starts_with("capture:")) {
     throw UsageError(
         "Recorded output cannot be tried with other programs. `gonogo certify` judges it.");
@@ -46,8 +46,8 @@ fuzz::SubjectMaker trial_subject(const TrialWords& words) {
   return subject_maker(words.subject, words.limits.limits());
 }
 
-fuzz::TrialOptions trial_options(const TrialWords& words) {
-  fuzz::TrialOptions options;
+hunt::TrialOptions trial_options(const TrialWords& words) {
+  hunt::TrialOptions options;
   options.tolerance = length_option(words.limits.tolerance, "--tolerance");
   options.chord = length_option(words.limits.chord, "--chord");
   options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");
@@ -66,15 +66,15 @@ void check_dialect(const oracle::SubjectInfo& info, const std::string& dialect) 
                                known.empty() ? "none" : known));
 }
 
-std::string keep_finding(const TrialWords& words, std::uint64_t seed, fuzz::Trial& trial,
-                         const fuzz::Finding& finding) {
+std::string keep_finding(const TrialWords& words, std::uint64_t seed, hunt::Trial& trial,
+                         const hunt::Finding& finding) {
   if (words.out.empty()) return {};
-  const fuzz::Provenance provenance{fmt::format("gonogo {}", kVersion), words.subject, seed};
-  return fuzz::write_finding(words.out, finding, trial.examine(finding.exhibit), trial.info(),
+  const hunt::Provenance provenance{fmt::format("gonogo {}", kVersion), words.subject, seed};
+  return hunt::write_finding(words.out, finding, trial.examine(finding.exhibit), trial.info(),
                              provenance);
 }
 
-std::string finding_text(const fuzz::Finding& finding) {
+std::string finding_text(const hunt::Finding& finding) {
   std::string text = verdict_text(finding.verdict);
   auto put_program = [&](const std::string& program) {
     std::size_t number = 0;
@@ -84,7 +84,7 @@ std::string finding_text(const fuzz::Finding& finding) {
       text += fmt::format("  {:>4}  {}\n", ++number, shown);
     }
   };
-  for (const fuzz::GeneratedProgram& program : finding.exhibit.before) {
+  for (const generate::GeneratedProgram& program : finding.exhibit.before) {
     put_program(program.text);
     text += "  before:\n";
   }

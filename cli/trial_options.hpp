@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "fuzz/hunt/hunt.hpp"
+#include "hunt/hunt.hpp"
 
 namespace gonogo::cli {
 
@@ -21,16 +21,16 @@ struct TrialWords {
 void add_trial_options(Command& command, TrialWords& words);
 
 // Throws UsageError for what is no subject to be tried on, or no alarm map.
-fuzz::SubjectMaker trial_subject(const TrialWords& words);
-fuzz::TrialOptions trial_options(const TrialWords& words);
+hunt::SubjectMaker trial_subject(const TrialWords& words);
+hunt::TrialOptions trial_options(const TrialWords& words);
 // Throws UsageError where the subject does not name the dialect.
 void check_dialect(const oracle::SubjectInfo& info, const std::string& dialect);
 
 // Writes the finding below --out, if there is one: its id, else "".
-std::string keep_finding(const TrialWords& words, std::uint64_t seed, fuzz::Trial& trial,
-                         const fuzz::Finding& finding);
+std::string keep_finding(const TrialWords& words, std::uint64_t seed, hunt::Trial& trial,
+                         const hunt::Finding& finding);
 
 // The finding for people: signature, verdict, the program line by line.
-std::string finding_text(const fuzz::Finding& finding);
+std::string finding_text(const hunt::Finding& finding);
 
 }  // namespace gonogo::cli

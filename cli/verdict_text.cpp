@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <span>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "oracle/report/clauses.hpp"
 
 namespace gonogo::cli {

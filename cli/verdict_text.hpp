@@ -5,7 +5,7 @@
 
 #include "cli/exit_code.hpp"
 #include "oracle/campaign/results.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::cli {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 #include "oracle/judge/program_input.hpp"
 #include "reference/expander.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::fuzz {

@@ -4,10 +4,10 @@
 //   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
 //               [--distribution]
 //   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
-// LIST is as fuzz/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution prints
-// what the programs hold and reach: kinds, machines, records, planes, clauses, alarms, verdicts,
-// and what lies outside of the domain (docs/domain.md); a departure there is counted, and no
-// failure. An expander of several dialects gets programs of the first one where none is named.
+// LIST is as generate/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution
+// prints what the programs hold and reach: kinds, machines, records, planes, clauses, alarms,
+// verdicts, and what lies outside of the domain (docs/domain.md); a departure there is counted, and
+// no failure. An expander of several dialects gets programs of the first one where none is named.
 // --input tries the one program that a fuzzer's input decides, and prints it first: also one that
 // never ends. Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2
 // wrong use.
@@ -25,10 +25,10 @@
 #include <vector>
 
 #include "expanders/registry.hpp"
-#include "fuzz/differential.hpp"
 #include "fuzz/domain.hpp"
-#include "fuzz/generator.hpp"
-#include "fuzz/program_report.hpp"
+#include "generate/generator.hpp"
+#include "generate/program_report.hpp"
+#include "oracle/differential/differential.hpp"
 
 namespace {
 
@@ -43,7 +43,7 @@ struct SoakOptions {
   std::string dialect;  // "": the expander's first
   std::string input;    // a fuzzer's input: its bytes decide one program
   bool distribution = false;
-  fuzz::GeneratorSettings settings;
+  generate::GeneratorSettings settings;
 };
 
 bool parse(int argc, char** argv, SoakOptions& options) {
@@ -53,7 +53,7 @@ bool parse(int argc, char** argv, SoakOptions& options) {
     if (word == "--distribution") {
       options.distribution = true;
     } else if (word == "--settings" && has_value) {
-      const auto settings = fuzz::read_settings(argv[++i]);
+      const auto settings = generate::read_settings(argv[++i]);
       if (!settings) return false;
       options.settings = *settings;
     } else if (word == "--programs" && has_value) {
@@ -75,9 +75,10 @@ bool parse(int argc, char** argv, SoakOptions& options) {
 
 // An error of the oracle's own names its program.
 std::optional<oracle::Verdict> judged(oracle::Subject& subject,
-                                      const fuzz::GeneratedProgram& program, std::uint64_t seed) {
+                                      const generate::GeneratedProgram& program,
+                                      std::uint64_t seed) {
   try {
-    return fuzz::run_and_judge(subject, program.profile, program.text, kMostRecords);
+    return oracle::run_and_judge(subject, program.profile, program.text, kMostRecords);
   } catch (const std::exception& error) {
     fmt::print("--seed {} --programs 1 throws: {}\nprofile: {}\nprogram:\n{}", seed, error.what(),
                reference::profile_json(program.profile), program.text);
@@ -98,7 +99,7 @@ bool is_out_of_reach(const oracle::Verdict& verdict) {
 }
 
 // One program, from the decisions in a fuzzer's input.
-int try_input(const SoakOptions& options, const fuzz::Generator& generator,
+int try_input(const SoakOptions& options, const generate::Generator& generator,
               oracle::Subject& subject) {
   std::ifstream file(options.input, std::ios::binary);
   if (!file) {
@@ -107,12 +108,12 @@ int try_input(const SoakOptions& options, const fuzz::Generator& generator,
   }
   const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  fuzz::Choices choices{std::span<const std::uint8_t>(bytes)};
-  const fuzz::GeneratedProgram program = generator.generate(choices, options.settings, nullptr);
+  generate::Choices choices{std::span<const std::uint8_t>(bytes)};
+  const generate::GeneratedProgram program = generator.generate(choices, options.settings, nullptr);
   fmt::print("profile: {}\nprogram:\n{}", reference::profile_json(program.profile), program.text);
   std::fflush(stdout);
-  const auto verdict = fuzz::run_and_judge(subject, program.profile, program.text,
-                                           std::numeric_limits<std::size_t>::max());
+  const auto verdict = oracle::run_and_judge(subject, program.profile, program.text,
+                                             std::numeric_limits<std::size_t>::max());
   fmt::print("verdict: {}\n{}\n", name(verdict->kind), verdict->message);
   return decision(verdict->kind) == oracle::Decision::no_go ? 1 : 0;
 }
@@ -125,23 +126,23 @@ int soak(const SoakOptions& options) {
     fmt::print(stderr, "There is no built-in expander {}.\n", options.subject);
     return 2;
   }
-  const fuzz::Generator* generator =
-      fuzz::find_generator(options.subject.substr(0, plus), options.dialect);
+  const generate::Generator* generator =
+      generate::find_generator(options.subject.substr(0, plus), options.dialect);
   if (generator == nullptr) {
     fmt::print(stderr, "{} does not expand {}.\n", options.subject, options.dialect);
     return 2;
   }
   auto subject = oracle::make_interface_subject(*table);
   if (!options.input.empty()) return try_input(options, *generator, *subject);
-  fuzz::Distribution distribution;
+  generate::Distribution distribution;
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < options.programs; ++i) {
     // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
-    fuzz::Choices choices(options.seed + i);
-    const fuzz::GeneratedProgram program = generator->generate(
+    generate::Choices choices(options.seed + i);
+    const generate::GeneratedProgram program = generator->generate(
         choices, options.settings, options.distribution ? &distribution : nullptr);
     if (options.distribution) {
-      fuzz::count_program(program, distribution);
+      generate::count_program(program, distribution);
       const std::string_view rule = fuzz::outside_domain(program.profile, program.text);
       if (!rule.empty()) ++distribution[fmt::format("out of domain: {}", rule)];
     }
@@ -157,14 +158,14 @@ int soak(const SoakOptions& options) {
       continue;
     }
     fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", options.seed + i,
-               fuzz::failure_text(*verdict, program.profile, program.text),
-               fuzz::trace_text(*subject, program.profile, program.text));
+               oracle::failure_text(*verdict, program.profile, program.text),
+               oracle::trace_text(*subject, program.profile, program.text));
     return 1;
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   fmt::print("{} programs from seed {} on: no failure ({:.0f} a second)\n", options.programs,
              options.seed, static_cast<double>(options.programs) / spent.count());
-  fmt::print("{}", fuzz::distribution_text(distribution));
+  fmt::print("{}", generate::distribution_text(distribution));
   return 0;
 }
 

@@ -14,7 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "fuzz/cover/cases.hpp"
+#include "generate/cover/cases.hpp"
 #include "oracle/corpus/corpus_diff.hpp"
 #include "oracle/corpus/folder_writer.hpp"
 #include "oracle/corpus/lint.hpp"
@@ -23,7 +23,7 @@
 namespace gonogo::cli {
 namespace {
 
-using fuzz::cover::Making;
+using cover::Making;
 using oracle::Case;
 
 std::string_view basis_name(const oracle::Expectation& expectation) {
@@ -97,28 +97,28 @@ int list(const CorpusWords& words) {
 class Arrays {
  public:
   void take(const Case& test) {
-    const std::optional<Making> making = fuzz::cover::making_of(test);
+    const std::optional<Making> making = cover::making_of(test);
     if (!making) return;
     Array& array = arrays_[making->stem()];
     if (array.rows.empty()) {
       array.making = *making;
-      array.parameters = fuzz::cover::parse_parameters(making->model->parameters);
+      array.parameters = cover::parse_parameters(making->model->parameters);
     }
-    array.rows.push_back(fuzz::cover::row_of(array.parameters, test));
+    array.rows.push_back(cover::row_of(array.parameters, test));
   }
   // Calls with what the ids begin with and the count of its tuples.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const auto& [stem, array] : arrays_) {
-      visit(stem, fuzz::cover::count_tuples(array.parameters, array.making.strength, array.rows));
+      visit(stem, cover::count_tuples(array.parameters, array.making.strength, array.rows));
     }
   }
 
  private:
   struct Array {
     Making making;
-    fuzz::cover::Parameters parameters;
-    std::vector<fuzz::cover::Row> rows;
+    cover::Parameters parameters;
+    std::vector<cover::Row> rows;
   };
   std::map<std::string, Array> arrays_;
 };
@@ -138,7 +138,7 @@ int lint(const CorpusWords& words) {
     arrays.take(test);
     return true;
   });
-  arrays.for_each([&](const std::string& stem, const fuzz::cover::TupleCount& count) {
+  arrays.for_each([&](const std::string& stem, const cover::TupleCount& count) {
     for (const std::string& row : count.invalid) {
       say(fmt::format("{}: {} has classes that do not go together.", stem, row));
     }
@@ -228,7 +228,7 @@ class Stats {
     print(text, "plane of arcs, records", planes_);
     print(text, "reading other than the default, cases", readings_);
     text += "covering arrays\n";
-    arrays_.for_each([&](const std::string& stem, const fuzz::cover::TupleCount& count) {
+    arrays_.for_each([&](const std::string& stem, const cover::TupleCount& count) {
       text += fmt::format("  {:<28} {:>6} tuples, {:>6} covered, {:>5} excluded\n", stem,
                           count.allowed, count.covered, count.excluded);
     });

@@ -18,7 +18,7 @@
 #include "cli/program_file.hpp"
 #include "cli/subjects.hpp"
 #include "expanders/registry.hpp"
-#include "fuzz/hunt/kill_matrix.hpp"
+#include "hunt/kill_matrix.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -80,12 +80,12 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec) {
 }
 
 // "corpus,hunt"
-std::vector<fuzz::Method> methods_of(const std::string& text) {
-  std::vector<fuzz::Method> methods;
+std::vector<hunt::Method> methods_of(const std::string& text) {
+  std::vector<hunt::Method> methods;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    const std::optional<fuzz::Method> method = fuzz::method_named(word);
+    const std::optional<hunt::Method> method = hunt::method_named(word);
     if (!method) {
       throw UsageError(fmt::format(
           "There is no method \"{}\". Write some of: corpus,properties,hunt,fuzz.", word));
@@ -97,8 +97,8 @@ std::vector<fuzz::Method> methods_of(const std::string& text) {
 }
 
 // The expanders without a fault and with each of theirs; those whose name holds `only`.
-std::vector<fuzz::MatrixTarget> targets_of(const std::string& only) {
-  std::vector<fuzz::MatrixTarget> targets;
+std::vector<hunt::MatrixTarget> targets_of(const std::string& only) {
+  std::vector<hunt::MatrixTarget> targets;
   for (std::string_view name : expanders::names()) {
     const oracle::SubjectMaker sound = subject_maker(fmt::format("builtin:{}", name), {});
     const std::vector<std::string> dialects = declared_dialects(sound);
@@ -119,32 +119,32 @@ std::vector<fuzz::MatrixTarget> targets_of(const std::string& only) {
 }
 
 int matrix(const FaultsOptions& options) {
-  fuzz::MatrixOptions bench;
+  hunt::MatrixOptions bench;
   bench.methods = methods_of(options.methods);
   bench.seed = static_cast<std::uint64_t>(options.seed);
   bench.most_seconds = static_cast<double>(options.most_seconds);
   bench.blind = options.judge == "always-go";
   std::optional<oracle::Corpus> corpus;
-  if (std::ranges::find(bench.methods, fuzz::Method::corpus) != bench.methods.end()) {
+  if (std::ranges::find(bench.methods, hunt::Method::corpus) != bench.methods.end()) {
     bench.corpus = &corpus.emplace(corpus_folder(options.corpus));
   }
   const bool is_markdown = options.format == "markdown";
-  std::vector<fuzz::MatrixRow> rows;
+  std::vector<hunt::MatrixRow> rows;
   Output output(is_markdown ? 2 : 1);
-  for (const fuzz::MatrixTarget& target : targets_of(options.only)) {
-    rows.push_back(fuzz::matrix_row(target, bench));
-    output.text() += fuzz::row_text(rows.back());
+  for (const hunt::MatrixTarget& target : targets_of(options.only)) {
+    rows.push_back(hunt::matrix_row(target, bench));
+    output.text() += hunt::row_text(rows.back());
     output.flush();
   }
-  const std::vector<std::string> wrong = fuzz::complaints(rows, bench.methods);
-  for (const fuzz::Method method : bench.methods) {
+  const std::vector<std::string> wrong = hunt::complaints(rows, bench.methods);
+  for (const hunt::Method method : bench.methods) {
     output.text() += fmt::format("{}: {}\n", name(method), summary_text(rows, method));
   }
   for (const std::string& sentence : wrong) output.text() += sentence + "\n";
   output.flush();
   if (is_markdown) {
     Output document;
-    document.text() = fuzz::matrix_markdown(rows, bench.methods);
+    document.text() = hunt::matrix_markdown(rows, bench.methods);
     document.flush();
   }
   return wrong.empty() ? kGo : kNoGo;

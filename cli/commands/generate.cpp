@@ -13,17 +13,17 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
-#include "fuzz/cover/cases.hpp"
-#include "fuzz/hunt/drawn_vectors.hpp"
+#include "generate/cover/cases.hpp"
+#include "hunt/drawn_vectors.hpp"
 #include "oracle/corpus/folder_writer.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
 namespace {
 
-using fuzz::cover::CoverCases;
-using fuzz::cover::Making;
-using fuzz::cover::Model;
+using cover::CoverCases;
+using cover::Making;
+using cover::Model;
 
 struct GenerateWords {
   std::string dialect;
@@ -39,7 +39,7 @@ struct GenerateWords {
 
 std::vector<const Model*> models_of(const GenerateWords& words) {
   std::vector<const Model*> chosen;
-  for (const Model* model : fuzz::cover::models()) {
+  for (const Model* model : cover::models()) {
     if (model->dialect != words.dialect) continue;
     const std::string name(model->name);
     const bool named = std::ranges::any_of(words.only, [&](const std::string& glob) {
@@ -74,8 +74,8 @@ std::string file_of(const Model& model) {
 
 // The line of one model, from the cases as they were written.
 std::string line_of(const Making& making, const std::vector<oracle::Case>& cases) {
-  const fuzz::cover::TupleCount count = fuzz::cover::count_cases(
-      fuzz::cover::parse_parameters(making.model->parameters), making.strength, cases);
+  const cover::TupleCount count =
+      cover::count_cases(cover::parse_parameters(making.model->parameters), making.strength, cases);
   std::size_t alarms = 0;
   std::size_t signs = 0;
   for (const oracle::Case& test : cases) {
@@ -92,13 +92,13 @@ std::string line_of(const Making& making, const std::vector<oracle::Case>& cases
 // Rows of covering arrays and cases at limits.
 int generate_rows(const GenerateWords& words) {
   oracle::CorpusFolder folder;
-  folder.version = fuzz::cover::kModelsVersion;
+  folder.version = cover::kModelsVersion;
   std::vector<Making> makings;
   Output output;
   std::size_t disagreements = 0;
   for (const Model* model : models_of(words)) {
     makings.push_back(making_of(*model, words));
-    CoverCases made = fuzz::cover::cover_cases(makings.back());
+    CoverCases made = cover::cover_cases(makings.back());
     disagreements += made.disagreements.size();
     for (const std::string& disagreement : made.disagreements) {
       output.text() += fmt::format("left out: {}\n", disagreement);
@@ -119,9 +119,9 @@ int generate_rows(const GenerateWords& words) {
 }
 
 int generate_drawn(const GenerateWords& words) {
-  const fuzz::GeneratorSettings settings = settings_option(words.settings);
-  fuzz::DrawnVectors drawn = fuzz::draw_vectors(
-      fuzz::generator_of(words.dialect), settings, static_cast<std::uint64_t>(words.seed),
+  const generate::GeneratorSettings settings = settings_option(words.settings);
+  hunt::DrawnVectors drawn = hunt::draw_vectors(
+      generate::generator_of(words.dialect), settings, static_cast<std::uint64_t>(words.seed),
       static_cast<std::size_t>(words.programs), fmt::format("gonogo {}", kVersion));
   if (drawn.cases.empty()) {
     throw UsageError(

@@ -14,15 +14,15 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-fuzz::HuntOptions hunt_options(const HuntWords& words) {
-  fuzz::HuntOptions options;
+hunt::HuntOptions hunt_options(const HuntWords& words) {
+  hunt::HuntOptions options;
   const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
   options.dialect = profile.dialect;
   options.seed = static_cast<std::uint64_t>(words.seed);
@@ -40,7 +40,7 @@ class HuntProgress {
   void clear() const {
     if (on_) complain("\r\033[K");
   }
-  void show(const fuzz::Hunt& hunt, std::size_t findings) {
+  void show(const hunt::Hunt& hunt, std::size_t findings) {
     if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = Clock::now();
     complain("\r\033[K{} programs, {} features, {} findings, about {:.0f} s left",
@@ -56,7 +56,7 @@ class HuntProgress {
 };
 
 // One line that shows the finding again.
-std::string again(const HuntWords& words, const fuzz::Finding& finding, const std::string& id) {
+std::string again(const HuntWords& words, const hunt::Finding& finding, const std::string& id) {
   if (id.empty() || !finding.exhibit.before.empty()) {
     return fmt::format("{} --programs {}", command_of(words), finding.program);
   }
@@ -74,7 +74,7 @@ struct HuntTally {
   std::size_t findings() const { return no_go + oracle_errors; }
 };
 
-void take(const HuntWords& words, fuzz::Hunt& hunt, fuzz::Finding& finding, HuntTally& tally) {
+void take(const HuntWords& words, hunt::Hunt& hunt, hunt::Finding& finding, HuntTally& tally) {
   hunt.reduce(finding, {});
   const std::string id =
       keep_finding(words.trial, static_cast<std::uint64_t>(words.seed), hunt.trial(), finding);
@@ -88,8 +88,8 @@ void take(const HuntWords& words, fuzz::Hunt& hunt, fuzz::Finding& finding, Hunt
   output.flush();
 }
 
-std::string summary(const HuntWords& words, const fuzz::Hunt& hunt, const HuntTally& tally) {
-  const fuzz::HuntCount& count = hunt.count();
+std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally) {
+  const hunt::HuntCount& count = hunt.count();
   return fmt::format(
       "{}, {}: {} programs from seed {}, {} judged, {} skipped, {} undecided, {} too long; {} "
       "features of the reference in {} programs; {} findings{}\n",
@@ -100,17 +100,17 @@ std::string summary(const HuntWords& words, const fuzz::Hunt& hunt, const HuntTa
 
 int hunt(HuntWords words) {
   if (words.method == "properties") return hunt_properties(words);
-  fuzz::HuntOptions options = hunt_options(words);
+  hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
   const HuntEnd end(words);
-  fuzz::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
+  hunt::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
   check_dialect(hunt.trial().info(), words.dialect);
   HuntTally tally;
   {
     HuntProgress progress(end);
     try {
       while (!end.reached(hunt.count().programs, tally.findings())) {
-        std::optional<fuzz::Finding> finding = hunt.step();
+        std::optional<hunt::Finding> finding = hunt.step();
         if (finding) {
           progress.clear();
           take(words, hunt, *finding, tally);

@@ -12,20 +12,20 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
-#include "fuzz/differential.hpp"
-#include "fuzz/hunt/property_hunt.hpp"
-#include "oracle/output_file.hpp"
-#include "oracle/subjects/text.hpp"
+#include "hunt/property_hunt.hpp"
+#include "oracle/differential/differential.hpp"
+#include "oracle/records/output_file.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-fuzz::PropertyOptions property_options(const HuntWords& words) {
-  const fuzz::TrialOptions trial = trial_options(words.trial);
+hunt::PropertyOptions property_options(const HuntWords& words) {
+  const hunt::TrialOptions trial = trial_options(words.trial);
   const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
-  fuzz::PropertyOptions options;
+  hunt::PropertyOptions options;
   options.dialect = profile.dialect;
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
@@ -47,8 +47,8 @@ std::string listed(const std::string& program) {
   return text;
 }
 
-std::string text_of(const fuzz::PropertyFinding& finding) {
-  const fuzz::Difference& difference = finding.difference;
+std::string text_of(const hunt::PropertyFinding& finding) {
+  const relations::Difference& difference = finding.difference;
   std::string text = fmt::format("  {}\n", finding.relation->sentence);
   if (difference.block != 0) text += fmt::format("  line       {}\n", difference.block);
   if (difference.record != 0) text += fmt::format("  record     {}\n", difference.record);
@@ -66,20 +66,20 @@ std::string text_of(const fuzz::PropertyFinding& finding) {
 }
 
 // The two programs and what differs, below --out.
-void keep(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {
+void keep(const HuntWords& words, std::size_t number, const hunt::PropertyFinding& finding) {
   if (words.trial.out.empty()) return;
   const fs::path folder = fs::path(words.trial.out) / "findings" /
                           fmt::format("properties.{}.{:06}-{}", finding.program.profile.dialect,
                                       number, finding.relation->name);
   fs::create_directories(folder);
   oracle::write_file(folder / "program.nc", finding.program.text);
-  oracle::write_file(folder / "profile.json", fuzz::profile_text(finding.program.profile));
+  oracle::write_file(folder / "profile.json", oracle::profile_text(finding.program.profile));
   oracle::write_file(folder / "other.nc", finding.other.text);
-  oracle::write_file(folder / "other-profile.json", fuzz::profile_text(finding.other.profile));
+  oracle::write_file(folder / "other-profile.json", oracle::profile_text(finding.other.profile));
   oracle::write_file(folder / "difference.txt", finding.signature() + "\n" + text_of(finding));
 }
 
-void report(const HuntWords& words, std::size_t number, const fuzz::PropertyFinding& finding) {
+void report(const HuntWords& words, std::size_t number, const hunt::PropertyFinding& finding) {
   Output output;
   output.text() = fmt::format("{}. {}\n{}", number, finding.signature(), text_of(finding));
   output.text() += fmt::format("  again: {} --programs {}\n\n", command_of(words), finding.number);
@@ -89,17 +89,17 @@ void report(const HuntWords& words, std::size_t number, const fuzz::PropertyFind
 }  // namespace
 
 int hunt_properties(const HuntWords& words) {
-  fuzz::PropertyOptions options = property_options(words);
+  hunt::PropertyOptions options = property_options(words);
   HuntWords named = words;
   named.dialect = options.dialect;
   const HuntEnd end(words);
-  fuzz::PropertyHunt hunt(trial_subject(words.trial), std::move(options));
+  hunt::PropertyHunt hunt(trial_subject(words.trial), std::move(options));
   check_dialect(hunt.info(), named.dialect);
   std::size_t findings = 0;
   bool complete = true;
   try {
     while (!end.reached(hunt.count().programs, findings)) {
-      std::optional<fuzz::PropertyFinding> finding = hunt.step();
+      std::optional<hunt::PropertyFinding> finding = hunt.step();
       if (!finding) continue;
       hunt.reduce(*finding, {});
       keep(named, ++findings, *finding);
@@ -109,7 +109,7 @@ int hunt_properties(const HuntWords& words) {
     complete = false;
     complain("gonogo: {}\n", error.what());
   }
-  const fuzz::PropertyCount& count = hunt.count();
+  const hunt::PropertyCount& count = hunt.count();
   Output output;
   output.text() = fmt::format(
       "{}, {}: {} programs from seed {}, {} pairs compared, {} without an answer, {} pairs differ; "

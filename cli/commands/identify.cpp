@@ -11,9 +11,9 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/subjects.hpp"
-#include "fuzz/identify/departure.hpp"
-#include "fuzz/identify/identify.hpp"
-#include "oracle/output_file.hpp"
+#include "identify/attribution.hpp"
+#include "identify/identify.hpp"
+#include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -105,7 +105,7 @@ identify::ProgramAsked asked_for(const IdentifyWords& words, const oracle::Corpu
 int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
   if (!words.out.empty()) throw UsageError("--out goes without --departure.");
   const oracle::Corpus corpus(corpus_folder(words.corpus));
-  identify::DepartureOptions options;
+  identify::AttributionOptions options;
   options.tolerance = length_option(words.limits.tolerance, "--tolerance");
   options.chord = length_option(words.limits.chord, "--chord");
   options.feed_resolution = feed_option(words.limits.feed_resolution, "--feed-resolution");

@@ -21,20 +21,20 @@ struct ReduceWords {
 
 int reduce(const ReduceWords& words) {
   constexpr std::size_t kMostRecords = 200'000;
-  const fuzz::GeneratedProgram program{load_profile(words.profile), read_file(words.program)};
-  fuzz::TrialOptions options = trial_options(words.trial);
+  const generate::GeneratedProgram program{load_profile(words.profile), read_file(words.program)};
+  hunt::TrialOptions options = trial_options(words.trial);
   options.most_records = kMostRecords;
-  fuzz::Trial trial(trial_subject(words.trial), std::move(options));
+  hunt::Trial trial(trial_subject(words.trial), std::move(options));
   check_dialect(trial.info(), program.profile.dialect);
   oracle::Verdict verdict;
-  std::optional<fuzz::Finding> finding = fuzz::finding_of(trial, program, verdict);
+  std::optional<hunt::Finding> finding = hunt::finding_of(trial, program, verdict);
   if (!finding) {
     complain("{}There is nothing to reduce.\n", verdict_text(verdict));
     return exit_code_of(verdict);
   }
-  fuzz::reduce_finding(trial, *finding, {});
+  hunt::reduce_finding(trial, *finding, {});
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
-  const fuzz::GeneratedProgram& reduced = finding->exhibit.program;
+  const generate::GeneratedProgram& reduced = finding->exhibit.program;
   complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n", verdict_text(finding->verdict),
            reference::profile_json(reduced.profile), program::count_blocks(reduced.text),
            program::count_blocks(program.text), finding->reduce_runs,

@@ -11,7 +11,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "oracle/campaign/case_judge.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
 namespace {

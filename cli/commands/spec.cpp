@@ -10,9 +10,9 @@
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "oracle/features.hpp"
 #include "oracle/manual/page.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/features.hpp"
+#include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <array>
 
-#include "fuzz/cover/cases.hpp"
+#include "generate/cover/cases.hpp"
 
 namespace gonogo::recipes {
 
-using fuzz::cover::CoverCases;
-using fuzz::cover::Making;
+using cover::CoverCases;
+using cover::Making;
 using oracle::Case;
 using oracle::CorpusError;
 
@@ -45,7 +45,7 @@ Making making_of(const toml::table& cover, const std::string& path) {
   }
   Making making;
   const std::string name = cover["model"].value_or<std::string>("");
-  making.model = fuzz::cover::find_model(name);
+  making.model = cover::find_model(name);
   if (making.model == nullptr) throw CorpusError(fmt::format("{}: no model {}.", path, name));
   if (number(cover, path, "version") != making.model->version) {
     throw CorpusError(fmt::format(
@@ -77,7 +77,7 @@ std::vector<Case> cover_recipe_cases(const std::string& path) {
   }
   try {
     const Making making = making_of(*cover, path);
-    CoverCases made = fuzz::cover::cover_cases(making);
+    CoverCases made = cover::cover_cases(making);
     if (!made.disagreements.empty()) {
       throw CorpusError(fmt::format("{}: {} cases; the first: {}", path, made.disagreements.size(),
                                     made.disagreements.front()));
@@ -87,7 +87,7 @@ std::vector<Case> cover_recipe_cases(const std::string& path) {
                                     made.count.allowed - made.count.covered));
     }
     return std::move(made.cases);
-  } catch (const fuzz::cover::ModelError& error) {
+  } catch (const cover::ModelError& error) {
     throw CorpusError(fmt::format("{}: {}", path, error.what()));
   }
 }

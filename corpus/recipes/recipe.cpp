@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "oracle/corpus/base64.hpp"
+#include "oracle/records/base64.hpp"
 
 namespace gonogo::recipes {
 

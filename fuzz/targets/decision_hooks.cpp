@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/decision_mutator.hpp"
+#include "generate/decision_mutator.hpp"
 
 // libFuzzer's own mutations. Other engines have none.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
@@ -15,7 +15,7 @@ namespace {
 
 struct Decided {
   std::vector<std::uint8_t> bytes;
-  std::vector<NotedDecision> decisions;
+  std::vector<generate::NotedDecision> decisions;
 };
 
 Decided& last_decided() {
@@ -23,9 +23,10 @@ Decided& last_decided() {
   return decided;
 }
 
-const std::vector<NotedDecision>& decisions_of(const std::uint8_t* data, std::size_t size) {
+const std::vector<generate::NotedDecision>& decisions_of(const std::uint8_t* data,
+                                                         std::size_t size) {
   if (!std::ranges::equal(last_decided().bytes, std::span(data, size))) {
-    Choices choices = choices_of(data, size);
+    generate::Choices choices = choices_of(data, size);
     decide(choices);
   }
   return last_decided().decisions;
@@ -33,11 +34,11 @@ const std::vector<NotedDecision>& decisions_of(const std::uint8_t* data, std::si
 
 }  // namespace
 
-Choices choices_of(const std::uint8_t* data, std::size_t size) {
+generate::Choices choices_of(const std::uint8_t* data, std::size_t size) {
   Decided& decided = last_decided();
   decided.bytes.assign(data, data + size);
   decided.decisions.clear();
-  Choices choices(decided.bytes);
+  generate::Choices choices(decided.bytes);
   choices.note_in(decided.decisions);
   return choices;
 }
@@ -46,12 +47,13 @@ Choices choices_of(const std::uint8_t* data, std::size_t size) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
-  using namespace gonogo::fuzz;
-  const std::vector<NotedDecision>& decisions = decisions_of(data, size);
+  using namespace gonogo;
+  const std::vector<generate::NotedDecision>& decisions = fuzz::decisions_of(data, size);
   if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) {
-    return LLVMFuzzerMutate(data, deciding_bytes(decisions), most);
+    return LLVMFuzzerMutate(data, generate::deciding_bytes(decisions), most);
   }
-  const std::vector<std::uint8_t> after = mutate_decisions({data, size}, decisions, most, seed);
+  const std::vector<std::uint8_t> after =
+      generate::mutate_decisions({data, size}, decisions, most, seed);
   std::ranges::copy(after, data);
   return after.size();
 }

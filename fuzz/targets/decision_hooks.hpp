@@ -6,15 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fuzz/choices.hpp"
+#include "generate/choices.hpp"
 
 namespace gonogo::fuzz {
 
 // Makes the decisions of an input, as the target does. Each target has its own.
-void decide(Choices& choices);
+void decide(generate::Choices& choices);
 
 // The decisions of the input that is tried now. They are noted, for most often the engine changes
 // that input next.
-Choices choices_of(const std::uint8_t* data, std::size_t size);
+generate::Choices choices_of(const std::uint8_t* data, std::size_t size);
 
 }  // namespace gonogo::fuzz

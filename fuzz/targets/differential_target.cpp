@@ -7,11 +7,11 @@
 #include <unordered_set>
 
 #include "expanders/registry.hpp"
-#include "fuzz/differential.hpp"
 #include "fuzz/domain.hpp"
-#include "fuzz/generator.hpp"
-#include "fuzz/program_report.hpp"
 #include "fuzz/targets/target.hpp"
+#include "generate/generator.hpp"
+#include "generate/program_report.hpp"
+#include "oracle/differential/differential.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -37,7 +37,7 @@ void keep(const reference::Profile& profile, std::string_view program) {
   const char* const folder = std::getenv("GONOGO_FUZZ_FINDING");
   if (folder == nullptr) return;
   std::ofstream(folder + std::string("/program.nc"), std::ios::binary) << program;
-  std::ofstream(folder + std::string("/profile.json")) << profile_text(profile);
+  std::ofstream(folder + std::string("/profile.json")) << oracle::profile_text(profile);
 }
 
 // Environment GONOGO_FUZZ_ALONE=1: the expander runs, and nobody judges it; for
@@ -49,13 +49,13 @@ bool runs_alone() {
 
 void check(oracle::Subject& subject, const reference::Profile& profile, std::string_view program,
            std::size_t most_records) {
-  if (runs_alone()) return run_alone(subject, profile, program, most_records);
-  const auto verdict = run_and_judge(subject, profile, program, most_records);
+  if (runs_alone()) return oracle::run_alone(subject, profile, program, most_records);
+  const auto verdict = oracle::run_and_judge(subject, profile, program, most_records);
   if (judge_is_blind()) return;
   if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go &&
       outside_domain(profile, program).empty()) {
     keep(profile, program);
-    fail(failure_text(*verdict, profile, program), "");
+    fail(oracle::failure_text(*verdict, profile, program), "");
   }
 }
 
@@ -64,51 +64,54 @@ class ProgramStatistics {
  public:
   ProgramStatistics() : file_(std::getenv("GONOGO_FUZZ_STATISTICS")) {}
   ~ProgramStatistics() {
-    if (file_ != nullptr) std::ofstream(file_) << distribution_text(distribution_);
+    if (file_ != nullptr) std::ofstream(file_) << generate::distribution_text(distribution_);
   }
-  Distribution* distribution() { return file_ == nullptr ? nullptr : &distribution_; }
-  void count(const GeneratedProgram& program) {
+  generate::Distribution* distribution() { return file_ == nullptr ? nullptr : &distribution_; }
+  void count(const generate::GeneratedProgram& program) {
     if (file_ == nullptr) return;
-    count_program(program, distribution_);
-    const std::string all = profile_text(program.profile) + program.text;
+    generate::count_program(program, distribution_);
+    const std::string all = oracle::profile_text(program.profile) + program.text;
     if (!seen_.insert(std::hash<std::string>()(all)).second)
       ++distribution_["programs seen before"];
   }
 
  private:
   const char* file_;
-  Distribution distribution_;
+  generate::Distribution distribution_;
   std::unordered_set<std::size_t> seen_;  // hashes
 };
 
 // Environment GONOGO_FUZZ_SETTINGS=LIST changes the settings of generated programs.
-GeneratorSettings read_environment() {
+generate::GeneratorSettings read_environment() {
   const char* const list = std::getenv("GONOGO_FUZZ_SETTINGS");
-  const auto settings = read_settings(list == nullptr ? "" : list, in_process_settings());
+  const auto settings =
+      generate::read_settings(list == nullptr ? "" : list, generate::in_process_settings());
   if (settings) return *settings;
-  std::fprintf(stderr, "GONOGO_FUZZ_SETTINGS: write as in fuzz/generator_settings.hpp\n");
+  std::fprintf(stderr, "GONOGO_FUZZ_SETTINGS: write as in generate/generator_settings.hpp\n");
   std::exit(2);
 }
 
-GeneratedProgram generate(std::string_view name, std::string_view dialect, Choices& choices,
-                          Distribution* distribution) {
-  static const Generator& generator = *find_generator(name, dialect);
-  static const GeneratorSettings settings = read_environment();
+generate::GeneratedProgram generate(std::string_view name, std::string_view dialect,
+                                    generate::Choices& choices,
+                                    generate::Distribution* distribution) {
+  static const generate::Generator& generator = *generate::find_generator(name, dialect);
+  static const generate::GeneratorSettings settings = read_environment();
   return generator.generate(choices, settings, distribution);
 }
 
 }  // namespace
 
-void try_expander(std::string_view name, Choices choices, std::string_view dialect) {
+void try_expander(std::string_view name, generate::Choices choices, std::string_view dialect) {
   constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
   static const auto subject = make_subject(name);
   static ProgramStatistics statistics;
-  const GeneratedProgram program = generate(name, dialect, choices, statistics.distribution());
+  const generate::GeneratedProgram program =
+      generate(name, dialect, choices, statistics.distribution());
   statistics.count(program);
   check(*subject, program.profile, program.text, kMostRecords);
 }
 
-void decide_program(std::string_view name, Choices& choices, std::string_view dialect) {
+void decide_program(std::string_view name, generate::Choices& choices, std::string_view dialect) {
   generate(name, dialect, choices, nullptr);
 }
 
@@ -120,7 +123,7 @@ void try_text(std::string_view name, std::string_view dialect, const std::uint8_
   static const auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
   if (size > kMostBytes) return;
   const std::string_view text = text_of(data, size);
-  if (!has_short_numbers(text)) return run_alone(*subject, profile, text, kMostRecords);
+  if (!has_short_numbers(text)) return oracle::run_alone(*subject, profile, text, kMostRecords);
   check(*subject, profile, text, kMostRecords);
 }
 

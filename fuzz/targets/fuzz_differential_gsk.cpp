@@ -2,7 +2,7 @@
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/differential_target.hpp"
 
-void gonogo::fuzz::decide(Choices& choices) {
+void gonogo::fuzz::decide(gonogo::generate::Choices& choices) {
   decide_program("gsk", choices);
 }
 

@@ -4,8 +4,8 @@
 // ends where it began, block numbers never go back, and the reference judged as its own subject is
 // GO; in every dialect. Cost cap: 512 bytes and 5,000 records, since a tiny Q over a great depth is
 // a long program.
-#include "fuzz/reference_run.hpp"
 #include "fuzz/targets/target.hpp"
+#include "oracle/differential/reference_run.hpp"
 #include "reference/dialect.hpp"
 
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using namespace gonogo;
 using namespace gonogo::reference;
 
-void check_names(const fuzz::ReferenceRun& run, std::string_view program) {
+void check_names(const oracle::ReferenceRun& run, std::string_view program) {
   std::uint64_t block = 0;
   for (const Record& record : run.records) {
     if (record.kind == RecordKind::end) continue;
@@ -28,7 +28,7 @@ void check_names(const fuzz::ReferenceRun& run, std::string_view program) {
 
 void expand_and_judge(const Profile& profile, std::string_view program) {
   constexpr std::size_t kMostRecords = 5'000;
-  fuzz::ReferenceRun run = fuzz::run_reference(profile, program, kMostRecords);
+  oracle::ReferenceRun run = oracle::run_reference(profile, program, kMostRecords);
   check_names(run, program);
   if (!run.is_told()) return;
   if (fuzz::planted_fault() == "record-lost" && !run.records.empty()) {

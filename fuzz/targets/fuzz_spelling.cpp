@@ -6,9 +6,9 @@
 // great depth is a long program.
 #include <set>
 
-#include "fuzz/generator.hpp"
 #include "fuzz/targets/decision_hooks.hpp"
 #include "fuzz/targets/target.hpp"
+#include "generate/generator.hpp"
 #include "grammar/parser.hpp"
 #include "program/text.hpp"
 #include "reference/dialect.hpp"
@@ -67,27 +67,27 @@ std::string meaning(const reference::Profile& profile, std::string_view program)
 }
 
 struct Spelled {
-  const fuzz::Generator& generator;
+  const generate::Generator& generator;
   std::uint32_t spelling;
-  fuzz::GeneratedProgram program;
+  generate::GeneratedProgram program;
 };
 
-Spelled spelled_program(fuzz::Choices& choices) {
+Spelled spelled_program(generate::Choices& choices) {
   const std::uint32_t choice = choices.below(256);
-  const auto all = fuzz::generators();
+  const auto all = generate::generators();
   const auto dialects = static_cast<std::uint32_t>(all.size());
-  const fuzz::Generator& generator = all[choice % dialects];
+  const generate::Generator& generator = all[choice % dialects];
   return {generator, choice / dialects % 3, generator.generate(choices, nullptr)};
 }
 
 }  // namespace
 
-void gonogo::fuzz::decide(Choices& choices) {
+void fuzz::decide(generate::Choices& choices) {
   spelled_program(choices);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz::Choices choices = fuzz::choices_of(data, size);
+  generate::Choices choices = fuzz::choices_of(data, size);
   const auto [generator, spelling, program] = spelled_program(choices);
   const grammar::Dialect dialect = reference::find_dialect(generator.dialect)->grammar;
   std::string other = spelled(dialect, program.text, spelling);

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "fuzz/mutator/program_mutator.hpp"
 #include "fuzz/targets/target.hpp"
+#include "program/mutator/program_mutator.hpp"
 
 // libFuzzer's own mutations, with its dictionary and what it saw compared. Other engines have none.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
@@ -16,11 +16,13 @@ extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data
 
 namespace {
 
+using namespace gonogo;
 using namespace gonogo::fuzz;
 
 // The dialect that the target reads; of a target that reads all of them none.
-const Dictionary* dictionary() {
-  static const Dictionary* const kDictionary = find_dictionary(GONOGO_FUZZ_DIALECT);
+const program::Dictionary* dictionary() {
+  static const program::Dictionary* const kDictionary =
+      program::find_dictionary(GONOGO_FUZZ_DIALECT);
   return kDictionary;
 }
 
@@ -29,7 +31,7 @@ const Dictionary* dictionary() {
 // With GONOGO_FUZZ_DICTIONARY set the target only prints the dictionary of its dialect.
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   if (std::getenv("GONOGO_FUZZ_DICTIONARY") == nullptr) return 0;
-  const std::string text = dictionary_text(GONOGO_FUZZ_DIALECT);
+  const std::string text = program::dictionary_text(GONOGO_FUZZ_DIALECT);
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::exit(0);
 }
@@ -37,7 +39,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
   if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
-  const std::string text = mutate_program(text_of(data, size), most, seed, dictionary());
+  const std::string text = program::mutate_program(text_of(data, size), most, seed, dictionary());
   std::ranges::copy(text, data);
   return text.size();
 }
@@ -47,7 +49,7 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::s
                                                  std::uint8_t* out, std::size_t most,
                                                  unsigned int seed) {
   const std::string text =
-      cross_programs(text_of(one, one_size), text_of(other, other_size), most, seed);
+      program::cross_programs(text_of(one, one_size), text_of(other, other_size), most, seed);
   std::ranges::copy(text, out);
   return text.size();
 }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {

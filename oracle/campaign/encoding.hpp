@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 

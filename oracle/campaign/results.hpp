@@ -14,8 +14,8 @@
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/judge/terms.hpp"
+#include "oracle/records/verdict.hpp"
 #include "oracle/subject.hpp"
-#include "oracle/verdict.hpp"
 
 namespace gonogo::oracle {
 

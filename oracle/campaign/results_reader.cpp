@@ -5,7 +5,7 @@
 
 #include "oracle/campaign/encoding.hpp"
 #include "oracle/campaign/results.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

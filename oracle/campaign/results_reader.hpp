@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "oracle/case_head.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "oracle/records/case_head.hpp"
 
 namespace gonogo::oracle {
 

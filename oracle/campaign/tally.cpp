@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "oracle/subjects/json_document.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/json_document.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

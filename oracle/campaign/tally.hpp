@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "oracle/campaign/reading_tally.hpp"
-#include "oracle/case_head.hpp"
-#include "oracle/run_scope.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/case_head.hpp"
+#include "oracle/records/run_scope.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

@@ -10,9 +10,9 @@
 #include "oracle/capture/captured_samples.hpp"
 #include "oracle/capture/captured_trace.hpp"
 #include "oracle/capture/export_manifest.hpp"
-#include "oracle/features.hpp"
+#include "oracle/records/features.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "oracle/subjects/start_reply.hpp"
-#include "oracle/trace_reader.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle {

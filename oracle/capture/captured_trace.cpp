@@ -6,7 +6,7 @@
 #include <fstream>
 #include <vector>
 
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "reference/dialect.hpp"
 #include "reference/power_on.hpp"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/capture/export_header.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle {
 namespace {

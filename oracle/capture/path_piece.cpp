@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -49,7 +49,7 @@ std::unique_ptr<PathPiece> PathPiece::dwelling(const Record& record, const Posit
   return piece;
 }
 
-std::unique_ptr<PathPiece> PathPiece::standing(const Position& at) {
+std::unique_ptr<PathPiece> PathPiece::at_rest(const Position& at) {
   std::unique_ptr<PathPiece> piece(new PathPiece);
   piece->kind_ = PieceKind::stand;
   piece->motion_.from = piece->motion_.record.to = at;

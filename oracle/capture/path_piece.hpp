@@ -38,7 +38,7 @@ class PathPiece {
   // `fastest` is the speed of what has none of its own, mm/s.
   PathPiece(Motion motion, std::string text, double fastest);
   static std::unique_ptr<PathPiece> dwelling(const Record& record, const Position& at);
-  static std::unique_ptr<PathPiece> standing(const Position& at);
+  static std::unique_ptr<PathPiece> at_rest(const Position& at);
   static std::unique_ptr<PathPiece> undecided(std::string why);
 
   PieceKind kind() const { return kind_; }

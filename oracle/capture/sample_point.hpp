@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "oracle/approximate.hpp"
 #include "oracle/capture/sample_reader.hpp"
+#include "oracle/judge/approximate.hpp"
 #include "oracle/judge/motion.hpp"
 
 namespace gonogo::oracle {

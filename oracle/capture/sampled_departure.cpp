@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "oracle/capture/sampled_judge.hpp"
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -77,7 +77,7 @@ bool SampledPath::pull() {
       const auto* outside = std::get_if<reference::NotCovered>(&step);
       const bool end = stream_.at_end() && outside == nullptr;
       pieces_.push_back(
-          end ? PathPiece::standing(at_)
+          end ? PathPiece::at_rest(at_)
               : PathPiece::undecided(outside != nullptr ? outside->message : kOpenPath));
     }
     if (!complete_) stream_.advance();

@@ -12,7 +12,7 @@
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
 #include "oracle/corpus/sha256.hpp"
-#include "oracle/subjects/json_document.hpp"
+#include "oracle/records/json_document.hpp"
 
 namespace gonogo::oracle {
 namespace fs = std::filesystem;

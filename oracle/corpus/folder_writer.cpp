@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "oracle/corpus/recheck.hpp"
-#include "oracle/output_file.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/output_file.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace fs = std::filesystem;

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
-#include "oracle/corpus/base64.hpp"
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
-#include "oracle/subjects/json_document.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/base64.hpp"
+#include "oracle/records/json_document.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 namespace {

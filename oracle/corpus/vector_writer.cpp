@@ -8,7 +8,7 @@
 #include <map>
 
 #include "oracle/corpus/corpus.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "oracle/case_head.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/case_head.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle::evidence {
 

@@ -12,7 +12,7 @@
 #include "oracle/campaign/known_failures.hpp"
 #include "oracle/evidence/certificate_files.hpp"
 #include "oracle/evidence/statement.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 #include "oracle/report/json_value.hpp"
 #include "reference/profile.hpp"
 

@@ -12,7 +12,7 @@
 #include "oracle/evidence/markdown.hpp"
 #include "oracle/evidence/programs.hpp"
 #include "oracle/evidence/sarif.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 #include "oracle/report/html.hpp"
 
 namespace gonogo::oracle::evidence {

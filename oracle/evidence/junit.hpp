@@ -9,7 +9,7 @@
 #include <string>
 
 #include "oracle/evidence/run_state.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 

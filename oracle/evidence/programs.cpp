@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "oracle/evidence/text.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 namespace {

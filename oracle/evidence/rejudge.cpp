@@ -7,9 +7,9 @@
 
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
-#include "oracle/trace_reader.hpp"
 
 namespace gonogo::oracle::evidence {
 

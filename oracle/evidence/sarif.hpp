@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/evidence/case_row.hpp"
-#include "oracle/output_file.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/run_scope.hpp"
+#include "oracle/records/run_scope.hpp"
 
 namespace gonogo::oracle::evidence {
 

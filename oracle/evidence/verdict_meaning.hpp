@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle::evidence {
 

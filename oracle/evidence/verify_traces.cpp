@@ -11,9 +11,9 @@
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/evidence/rejudge.hpp"
 #include "oracle/evidence/text.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
-#include "oracle/trace_reader.hpp"
 
 namespace gonogo::oracle::evidence {
 namespace {

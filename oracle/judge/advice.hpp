@@ -4,7 +4,7 @@
 #pragma once
 
 #include "oracle/judge/terms.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "oracle/judge/curve_follower.hpp"
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

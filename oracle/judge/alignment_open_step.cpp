@@ -4,9 +4,9 @@
 // stands.
 #include "oracle/judge/alignment.hpp"
 
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -3,9 +3,9 @@
 // Alignment's part for what comes between motions: dwells and the M functions of a cycle.
 #include "oracle/judge/alignment.hpp"
 
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 #include "oracle/judge/curve.hpp"
 
 namespace gonogo::oracle {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 
@@ -63,8 +63,7 @@ OpenStep::Exit HelixPocketJudge::exit(const Position& /*here*/) const {
 // The traverse to where the pocket begins.
 bool HelixPocketJudge::is_before(const Motion& motion) const {
   return phase_ == Phase::entry && entry_.empty() && open_.empty() &&
-         motion.record.kind == RecordKind::rapid &&
-         motion.to()[axes_.d] == motion.from[axes_.d];
+         motion.record.kind == RecordKind::rapid && motion.to()[axes_.d] == motion.from[axes_.d];
 }
 
 // A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc

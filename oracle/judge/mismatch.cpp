@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/places.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

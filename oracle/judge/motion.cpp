@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 #include "oracle/judge/space_circle.hpp"
 #include "reference/exact/enclosure.hpp"
 #include "reference/exact/interval.hpp"

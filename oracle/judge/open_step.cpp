@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/open_step.hpp"
 
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

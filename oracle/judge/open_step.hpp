@@ -11,7 +11,7 @@
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/reference_steps.hpp"
 #include "oracle/judge/terms.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

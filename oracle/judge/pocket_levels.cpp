@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "oracle/judge/curve_follower.hpp"
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle {

@@ -2,7 +2,7 @@
 #include "oracle/judge/pocket_milling_judge.hpp"
 
 #include "oracle/judge/curve_follower.hpp"
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -8,10 +8,10 @@
 
 #include "oracle/judge/advice.hpp"
 #include "oracle/judge/alarm_ground.hpp"
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/program_judge.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/evidence.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
+#include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
 

@@ -14,7 +14,7 @@
 #include "oracle/judge/program_input.hpp"
 #include "oracle/judge/progress.hpp"
 #include "oracle/judge/record_budget.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

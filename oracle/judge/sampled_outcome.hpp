@@ -8,7 +8,7 @@
 
 #include "oracle/judge/program_input.hpp"
 #include "oracle/judge/terms.hpp"
-#include "oracle/verdict.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 

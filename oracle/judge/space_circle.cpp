@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 
 namespace gonogo::oracle {
 

@@ -4,8 +4,8 @@
 // wrong.
 #include <cmath>
 
-#include "oracle/approximate.hpp"
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/approximate.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "oracle/judge/thread_judge.hpp"
 
 namespace gonogo::oracle {

@@ -3,7 +3,7 @@
 // ThreadJudge's part for the reading gsk.thread.path = arc: a semicircle on the chord to +rho_0 on
 // p, straight infeed along p, the helix from there; after it along p to the safe position. The
 // run-out is judged as elsewhere.
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "oracle/judge/thread_judge.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ThreadJudge's part for the run-out at the bottom of a pass (J-THR-05).
-#include "oracle/judge/evidence.hpp"
+#include "oracle/judge/step_text.hpp"
 #include "oracle/judge/thread_judge.hpp"
 
 namespace gonogo::oracle {

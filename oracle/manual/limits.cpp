@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 
 namespace gonogo::oracle::manual {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <exception>
 
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::report {

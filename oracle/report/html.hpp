@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "oracle/case_head.hpp"
+#include "oracle/records/case_head.hpp"
 
 namespace gonogo::oracle::report {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 #include "oracle/report/curve.hpp"
 
 namespace gonogo::oracle::report {

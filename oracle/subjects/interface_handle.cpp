@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/interface_record.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/interface_record.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

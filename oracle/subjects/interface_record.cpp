@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "oracle/subjects/record_fault.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/record_fault.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

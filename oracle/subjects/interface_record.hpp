@@ -4,7 +4,7 @@
 #pragma once
 
 #include "gonogo/subject.h"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 

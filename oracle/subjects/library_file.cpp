@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subject.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

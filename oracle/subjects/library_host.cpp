@@ -8,13 +8,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "oracle/corpus/base64.hpp"
+#include "oracle/records/base64.hpp"
+#include "oracle/records/json_document.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/interface_handle.hpp"
 #include "oracle/subjects/interface_record.hpp"
-#include "oracle/subjects/json_document.hpp"
 #include "oracle/subjects/line_buffer.hpp"
 #include "oracle/subjects/start_reply.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

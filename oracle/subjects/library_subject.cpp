@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/library_file.hpp"
 #include "oracle/subjects/library_host.hpp"
 #include "oracle/subjects/process.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <system_error>
 
-#include "oracle/subjects/json_document.hpp"
+#include "oracle/records/json_document.hpp"
+#include "oracle/records/record_json.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/private_folder.hpp"
 #include "oracle/subjects/process.hpp"
-#include "oracle/subjects/record_json.hpp"
 #include "oracle/subjects/start_reply.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

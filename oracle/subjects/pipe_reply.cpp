@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "oracle/subjects/record_json.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/record_json.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -3,8 +3,8 @@
 // The reply to `run`, one line of it.
 #pragma once
 
-#include "oracle/subjects/json_document.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/json_document.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 

@@ -7,9 +7,9 @@
 #include <thread>
 #include <utility>
 
-#include "oracle/subjects/record_json.hpp"
+#include "oracle/records/record_json.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/start_reply.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "oracle/subjects/json_document.hpp"
+#include "oracle/records/json_document.hpp"
 #include "oracle/subjects/line_buffer.hpp"
 #include "oracle/subjects/pipe_reply.hpp"
 #include "oracle/subjects/process.hpp"

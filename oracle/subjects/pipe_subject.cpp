@@ -8,9 +8,9 @@
 #include <system_error>
 #include <utility>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/configuration.hpp"
 #include "oracle/subjects/pipe_session.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

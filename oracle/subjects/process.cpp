@@ -15,8 +15,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "oracle/records/text.hpp"
 #include "oracle/subjects/process_memory.hpp"
-#include "oracle/subjects/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

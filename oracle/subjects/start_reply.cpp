@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <vector>
 
-#include "oracle/features.hpp"
-#include "oracle/subjects/record_json.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/features.hpp"
+#include "oracle/records/record_json.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -3,8 +3,8 @@
 // The reply to `start`, which the C interface gives as its description too.
 #pragma once
 
+#include "oracle/records/json_document.hpp"
 #include "oracle/subject.hpp"
-#include "oracle/subjects/json_document.hpp"
 
 namespace gonogo::oracle {
 

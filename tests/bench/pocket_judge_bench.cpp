@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "oracle/judge/judge_session.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "pocket_bench.hpp"
 
 namespace gonogo::oracle {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "corpus_testing.hpp"
-#include "fuzz/cover/cases.hpp"
+#include "generate/cover/cases.hpp"
 
 namespace gonogo::testing {
 namespace {
@@ -48,21 +48,21 @@ TEST(CoverRecipe, AnUnknownModelOrKeyIsNamed) {
 
 // The completeness that the corpus states, counted from the tags of its cases alone.
 TEST(CoverRecipe, TheCheckedInArraysHoldEveryTuple) {
-  std::map<std::string, std::pair<fuzz::cover::Making, std::vector<oracle::Case>>> arrays;
+  std::map<std::string, std::pair<cover::Making, std::vector<oracle::Case>>> arrays;
   for (const auto& [id, test] : checked_in_cases()) {
-    if (const auto making = fuzz::cover::making_of(test)) {
+    if (const auto making = cover::making_of(test)) {
       auto& array = arrays[making->stem()];
       array.first = *making;
       array.second.push_back(test);
     }
   }
-  EXPECT_EQ(arrays.size(), fuzz::cover::models().size());
+  EXPECT_EQ(arrays.size(), cover::models().size());
   for (const auto& [stem, array] : arrays) {
     // Cases of G74 and G75 are left out (their recipes say why).
     if (stem.starts_with("hnc.g74.") || stem.starts_with("hnc.g75.")) continue;
     const auto& [making, cases] = array;
-    const auto count = fuzz::cover::count_cases(
-        fuzz::cover::parse_parameters(making.model->parameters), making.strength, cases);
+    const auto count = cover::count_cases(cover::parse_parameters(making.model->parameters),
+                                          making.strength, cases);
     EXPECT_TRUE(count.complete()) << stem << ": " << count.covered << " of " << count.allowed;
   }
 }

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "corpus_testing.hpp"
-#include "oracle/features.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/records/features.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::testing {

@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "corpus_testing.hpp"
-#include "oracle/corpus/base64.hpp"
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/base64.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::testing {
 namespace {

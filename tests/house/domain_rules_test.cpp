@@ -29,7 +29,7 @@ TEST(DomainRules, AreWrittenCarriedAndHeld) {
   std::set<std::string> carried = rules_in("fuzz/domain.cpp");
   carried.merge(rules_in("fuzz/domain.hpp"));
   EXPECT_EQ(carried, written);
-  EXPECT_EQ(rules_in("tests/fuzz/generator/domain_test.cpp"), written);
+  EXPECT_EQ(rules_in("tests/fuzz/domain_test.cpp"), written);
 }
 
 }  // namespace

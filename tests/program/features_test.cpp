@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "oracle/features.hpp"
+#include "oracle/records/features.hpp"
 
 namespace gonogo::program {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oracle/judge/judge_session.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 namespace {

@@ -11,7 +11,7 @@
 #include "oracle/evidence/rejudge.hpp"
 #include "oracle/evidence/verify.hpp"
 #include "oracle/judge/judge_session.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "tests/oracle/evidence/results_files.hpp"
 
 namespace gonogo::oracle::evidence {

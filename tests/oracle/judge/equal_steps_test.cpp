@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "oracle/judge/plain_line.hpp"
 #include "oracle/judge/places.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/judge/plain_line.hpp"
+#include "oracle/records/trace_reader.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 
 namespace gonogo::oracle {
@@ -23,7 +23,8 @@ TEST(EqualSteps, SayWhatTheWholeWaySays) {
   std::size_t known = 0;
   std::size_t records = 0;
   for (long i = 0; i < trials.count; ++i) {
-    const GeneratedOutcome of = generated_outcome(trials.one_of(fuzz::generators()), {}, trials);
+    const GeneratedOutcome of =
+        generated_outcome(trials.one_of(generate::generators()), {}, trials);
     const Profile& profile = of.program.profile;
     JudgeTerms terms = of.terms;
     terms.skip_equal = false;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "expanders/registry.hpp"
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 
@@ -100,7 +100,7 @@ void spoil(Outcome& outcome, Trials& trials) {
   }
 }
 
-const gonogo_subject_v1& any_expander(const fuzz::Generator& generator, Trials& trials) {
+const gonogo_subject_v1& any_expander(const generate::Generator& generator, Trials& trials) {
   const auto faults = expanders::faults(generator.expander);
   std::string_view fault;
   if (trials.once_in(2)) fault = faults[trials.below(faults.size())].name;
@@ -116,20 +116,20 @@ void run_and_note_terms(const gonogo_subject_v1& table, GeneratedOutcome& made) 
 
 }  // namespace
 
-GeneratedOutcome right_outcome(const fuzz::Generator& generator,
-                               const fuzz::GeneratorSettings& settings, Trials& trials) {
-  fuzz::Choices choices(trials.chance());
+GeneratedOutcome right_outcome(const generate::Generator& generator,
+                               const generate::GeneratorSettings& settings, Trials& trials) {
+  generate::Choices choices(trials.chance());
   GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
   run_and_note_terms(*expanders::find(generator.expander, ""), made);
   return made;
 }
 
-GeneratedOutcome generated_outcome(const fuzz::Generator& generator,
+GeneratedOutcome generated_outcome(const generate::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
                                    Trials& trials) {
-  fuzz::GeneratorSettings settings;
+  generate::GeneratorSettings settings;
   settings.kinds = {.valid = 0, .near_invalid = 2, .boundary = 0, .raw = 0, .tiny = 1};
-  fuzz::Choices choices(trials.chance());
+  generate::Choices choices(trials.chance());
   GeneratedOutcome made{generator.generate(choices, settings, nullptr), {}, {}};
   reference::Profile& profile = made.program.profile;
   for (const reference::ReadingKey key : opened) profile.readings.set(key, "any");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/generator.hpp"
+#include "generate/generator.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/subject.hpp"
 #include "tests/trials.hpp"
@@ -19,17 +19,17 @@ struct Outcome {
 };
 
 struct GeneratedOutcome {
-  fuzz::GeneratedProgram program;
+  generate::GeneratedProgram program;
   Outcome outcome;
   JudgeTerms terms;
 };
 
 // What an expander does rightly with a program of the settings.
-GeneratedOutcome right_outcome(const fuzz::Generator& generator,
-                               const fuzz::GeneratorSettings& settings, Trials& trials);
+GeneratedOutcome right_outcome(const generate::Generator& generator,
+                               const generate::GeneratorSettings& settings, Trials& trials);
 
 // `opened`: readings that the profile leaves open.
-GeneratedOutcome generated_outcome(const fuzz::Generator& generator,
+GeneratedOutcome generated_outcome(const generate::Generator& generator,
                                    const std::vector<reference::ReadingKey>& opened,
                                    Trials& trials);
 

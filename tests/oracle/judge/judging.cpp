@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "fuzz/reference_run.hpp"
+#include "oracle/differential/reference_run.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
 
 namespace gonogo::oracle {
@@ -70,7 +70,7 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
   std::size_t known = 0;
   std::size_t too_many = 0;
   for (long i = 0; i < trials.count; ++i) {
-    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const generate::Generator& generator = trials.one_of(generate::generators());
     const GeneratedOutcome of =
         generated_outcome(generator, some_readings(generator.dialect, trials), trials);
     const Profile& profile = of.program.profile;
@@ -114,7 +114,7 @@ TEST(OpenReadings, AreSettledBehindAnyNumberOfRecords) {
     const ReadingKey key = reference::find_reading("sie.arc.correct")->key;
     Profile assigned = open;
     assigned.readings.set(key, alternative);
-    const fuzz::ReferenceRun run = fuzz::run_reference(assigned, program, 20'000);
+    const oracle::ReferenceRun run = oracle::run_reference(assigned, program, 20'000);
     const Outcome outcome{run.records, run.end};
     for (const bool skip_equal : {true, false}) {
       JudgeTerms terms;

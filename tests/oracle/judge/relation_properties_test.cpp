@@ -54,7 +54,7 @@ class CycleSizes {
   std::optional<reference::PocketLevel> last_;
 };
 
-bool is_tiny(const fuzz::GeneratedProgram& program, const Number& tolerance) {
+bool is_tiny(const generate::GeneratedProgram& program, const Number& tolerance) {
   grammar::MemorySource bytes(program.text);
   grammar::LineSource lines(bytes);
   reference::Expander expander(program.profile, lines, reference::OpenPaths::judged);
@@ -84,8 +84,8 @@ Verdict judge(const Tried& tried, const Outcome& outcome, const JudgeTerms& term
   return judged(tried.of.program.profile, tried.of.program.text, outcome, terms).verdict;
 }
 
-fuzz::GeneratorSettings small_and_large() {
-  fuzz::GeneratorSettings settings;
+generate::GeneratorSettings small_and_large() {
+  generate::GeneratorSettings settings;
   settings.kinds = {.valid = 2, .near_invalid = 1, .boundary = 1, .raw = 0, .tiny = 2};
   return settings;
 }
@@ -100,7 +100,7 @@ Trials drawn_trials() {
 enum class Of { right, any };
 
 Tried drawn(Of of, Trials& trials) {
-  const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+  const generate::Generator& generator = trials.one_of(generate::generators());
   Tried tried{of == Of::right ? right_outcome(generator, small_and_large(), trials)
                               : generated_outcome(generator, {}, trials),
               VerdictKind::skip};
@@ -139,7 +139,7 @@ const Position& start_of(const Tried& tried) {
 TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();
-    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const generate::Generator& generator = trials.one_of(generate::generators());
     const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
     RC_PRE(!is_tiny(of.program, of.terms.tolerance));
     OwnOutcome own;
@@ -187,7 +187,7 @@ TEST(RelationProperties, JoinedMotionsAreJudgedAsTheirPieces) {
 TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();
-    const fuzz::Generator& generator = trials.one_of(fuzz::generators());
+    const generate::Generator& generator = trials.one_of(generate::generators());
     const GeneratedOutcome of = right_outcome(generator, small_and_large(), trials);
     RC_PRE(!renames_position(of.program.text));
     OwnOutcome own;

@@ -96,11 +96,11 @@ bool put_wrong(Wrong wrong, const std::vector<Motion>& motions, std::size_t i,
 // is the proof that nothing else is wrong.
 void expect_no_go(Wrong wrong, std::string_view name, long usual) {
   Trials trials(usual);
-  fuzz::GeneratorSettings settings;
+  generate::GeneratorSettings settings;
   settings.kinds = {.valid = 1, .near_invalid = 0, .boundary = 1, .raw = 0, .tiny = 4};
   long tried = 0;
   for (long i = 0; i < trials.count; ++i) {
-    GeneratedOutcome of = right_outcome(trials.one_of(fuzz::generators()), settings, trials);
+    GeneratedOutcome of = right_outcome(trials.one_of(generate::generators()), settings, trials);
     if (!is_told_by_records(of.program.text)) continue;
     const std::vector<Motion> motions = motions_of(of);
     if (motions.size() < 2) continue;  // without any motion an alarm may have come at load

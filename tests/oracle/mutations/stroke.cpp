@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "oracle/approximate.hpp"
+#include "oracle/judge/approximate.hpp"
 
 namespace gonogo::mutations {
 

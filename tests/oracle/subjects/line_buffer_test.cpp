@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "oracle/subjects/text.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {

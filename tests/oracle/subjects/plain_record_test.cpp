@@ -2,11 +2,11 @@
 //
 // The filter for plain records gives what the JSON reader gives, and gives way to it where it does
 // not know better. GONOGO_TRIALS says how many lines are tried.
-#include "oracle/subjects/plain_record.hpp"
+#include "oracle/records/plain_record.hpp"
 
 #include <gtest/gtest.h>
 
-#include "oracle/subjects/record_json.hpp"
+#include "oracle/records/record_json.hpp"
 #include "tests/trials.hpp"
 
 namespace gonogo::oracle {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/trace_reader.hpp"
+#include "oracle/records/trace_reader.hpp"
 
 #include <gtest/gtest.h>
 

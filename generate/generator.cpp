@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generate/generator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "generate/gsk_generator.hpp"
+#include "generate/hnc_generator.hpp"
+#include "generate/ngc_generator.hpp"
+#include "generate/raw_program.hpp"
+#include "generate/sinumerik_generator.hpp"
+
+namespace gonogo::generate {
+
+namespace {
+
+ProgramKind choose_kind(Choices& choices, const KindWeights& kinds) {
+  const std::array<std::uint32_t, kProgramKinds> weights = {kinds.valid, kinds.near_invalid,
+                                                            kinds.boundary, kinds.raw, kinds.tiny};
+  std::uint32_t place = choices.below(std::accumulate(weights.begin(), weights.end(), 0U));
+  std::size_t kind = 0;
+  while (place >= weights[kind]) place -= weights[kind++];
+  return static_cast<ProgramKind>(kind);
+}
+
+template <const std::string_view& kDialect>
+GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& settings,
+                                 ProgramKind kind, Distribution* distribution) {
+  return generate_sinumerik(kDialect, choices, settings, kind, distribution);
+}
+
+constexpr std::string_view k840d = "sinumerik840d";
+constexpr std::string_view k802s = "sinumerik802s";
+
+}  // namespace
+
+std::string_view name(ProgramKind kind) {
+  constexpr std::array<std::string_view, kProgramKinds> kNames = {"valid", "near-invalid",
+                                                                  "boundary", "raw", "tiny"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::span<const Generator> generators() {
+  static const auto kGenerators = std::to_array<Generator>({
+      {"gsk988ta", "gsk", generate_gsk},
+      {"hnc21t", "hnc", generate_hnc},
+      {"rs274", "ngc", generate_ngc},
+      {k840d, "sinumerik", write_sinumerik<k840d>},
+      {k802s, "sinumerik", write_sinumerik<k802s>},
+  });
+  return kGenerators;
+}
+
+namespace {
+
+// An alternative for every reading that the profile leaves open and that has more than one.
+void close_readings(Choices& choices, reference::Profile& profile) {
+  for (const reference::Reading& reading : reference::readings()) {
+    const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
+    if (reading.by_properties || count < 2 || !reading.belongs_to(profile.dialect) ||
+        !profile.readings.is(reading.key, "any")) {
+      continue;
+    }
+    profile.readings.set(reading.key, reading.alternatives[choices.below(count)]);
+  }
+}
+
+}  // namespace
+
+GeneratedProgram Generator::generate(Choices& choices, const GeneratorSettings& settings,
+                                     Distribution* distribution) const {
+  const ProgramKind kind = choose_kind(choices, settings.kinds);
+  if (distribution != nullptr) ++(*distribution)[fmt::format("kind {}", name(kind))];
+  GeneratedProgram program = kind == ProgramKind::raw
+                                 ? raw_program(dialect, choices, settings)
+                                 : write(choices, settings, kind, distribution);
+  // The last of the decisions, so that the text is the same whatever is decided here.
+  const std::uint32_t open_one_in = settings.open_one_in;
+  if (open_one_in > 1 && choices.below(open_one_in) + 1 < open_one_in) {
+    close_readings(choices, program.profile);
+  }
+  return program;
+}
+
+const Generator* find_generator(std::string_view expander, std::string_view dialect) {
+  const auto found = std::ranges::find_if(generators(), [&](const Generator& generator) {
+    return generator.expander == expander && (dialect.empty() || generator.dialect == dialect);
+  });
+  return found == generators().end() ? nullptr : &*found;
+}
+
+const Generator& generator_of(std::string_view dialect) {
+  return *std::ranges::find(generators(), dialect, &Generator::dialect);
+}
+
+std::string choose_reading(Choices& choices, reference::Profile& profile) {
+  std::vector<const reference::Reading*> own;
+  for (const reference::Reading& reading : reference::readings()) {
+    if (reading.belongs_to(profile.dialect)) own.push_back(&reading);
+  }
+  const reference::Reading& reading = *own[choices.below(static_cast<std::uint32_t>(own.size()))];
+  const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
+  const std::string value = reading.is_length
+                                ? fmt::format("0.{}", choices.below(10))
+                                : std::string(reading.alternatives[choices.below(count)]);
+  profile.readings.set(reading.key, value);
+  return fmt::format("{}={}", reading.name, reading.is_length ? "length" : value);
+}
+
+}  // namespace gonogo::generate

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What of the reference a program exercises. A hunt is led by it, because the subject is a black
+// box: which clauses spoke, with which signs, in which state and after which other clause.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "generate/generator.hpp"
+
+namespace gonogo::hunt {
+
+enum class CoverageDetail : std::uint8_t {
+  all,
+  // A clause with what decided it, the code in force and the clause before.
+  clauses,
+};
+// Hashes, sorted, each once; nothing where the reference puts out more than `most_items`. A feature
+// is a clause of a record or alarm with what decided it (kind, signs of the travel, sense, class)
+// and one part of the state: plane, units, settings, the code in force, a code written before, the
+// clause before, how two words of the block compare (equal, one increment apart, a multiple).
+std::optional<std::vector<std::uint64_t>> features_of(const generate::GeneratedProgram& program,
+                                                      std::size_t most_items,
+                                                      CoverageDetail detail = CoverageDetail::all);
+
+}  // namespace gonogo::hunt

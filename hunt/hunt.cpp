@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/hunt.hpp"
+
+#include <algorithm>
+
+#include "hunt/coverage.hpp"
+#include "hunt/profile_parts.hpp"
+#include "oracle/differential/differential.hpp"
+#include "program/features.hpp"
+#include "program/mutator/mutate.hpp"
+
+namespace gonogo::hunt {
+
+using oracle::Decision;
+using oracle::Verdict;
+using oracle::VerdictKind;
+
+namespace {
+
+bool is_finding(const Verdict& verdict) {
+  return decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::oracle_error;
+}
+
+bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgram& program,
+           const Signature& signature) {
+  return verdict && is_finding(*verdict) && signature_of(*verdict, program) == signature;
+}
+
+}  // namespace
+
+Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
+    : trial_(std::move(maker), std::move(trial)),
+      options_(std::move(options)),
+      generator_(generate::generator_of(options_.dialect)),
+      dice_(options_.seed) {}
+
+// Generated programs at first and now and then, else mutants of those that showed something.
+Specimen Hunt::next() {
+  constexpr std::size_t kGeneratedFirst = 64;
+  Specimen specimen;
+  if (litter_ > 0) {
+    specimen = mutant();
+  } else if (!options_.guided || count_.programs <= kGeneratedFirst || pool_.empty() ||
+             dice_.below(8) < 3) {
+    specimen = fresh();
+  } else if (dice_.one_in(2)) {
+    const Specimen& picked = pool_.pick(dice_);
+    specimen.bytes = program::mutate_bytes(dice_, picked.bytes, pool_.pick(dice_).bytes);
+    generate::Choices choices{std::span<const std::uint8_t>(specimen.bytes)};
+    specimen.program = generator_.generate(choices, options_.settings, nullptr);
+  } else {
+    // Some of one parent in a row: what a program leaves behind shows in the next one only if the
+    // machine stays the same.
+    constexpr std::size_t kLitter = 4;
+    parent_ = pool_.pick(dice_);
+    litter_ = kLitter;
+    specimen = mutant();
+  }
+  settle(specimen);
+  return specimen;
+}
+
+Specimen Hunt::fresh() {
+  constexpr std::size_t kBytes = 512;
+  Specimen specimen;
+  specimen.bytes.resize(kBytes);
+  for (std::uint8_t& byte : specimen.bytes) byte = dice_.byte();
+  generate::Choices choices{std::span<const std::uint8_t>(specimen.bytes)};
+  specimen.program = generator_.generate(choices, options_.settings, nullptr);
+  return specimen;
+}
+
+Specimen Hunt::mutant() {
+  --litter_;
+  Specimen specimen{parent_.program, {}};
+  const generate::GeneratedProgram& other = pool_.pick(dice_).program;
+  specimen.program.text = program::mutate_text(dice_, parent_.program.text, other.text);
+  if (dice_.one_in(4)) mutate_profile(dice_, specimen.program.profile, other.profile);
+  return specimen;
+}
+
+void Hunt::settle(Specimen& specimen) const {
+  reference::Profile& profile = specimen.program.profile;
+  if (options_.profile) profile = *options_.profile;
+  for (const auto& [key, value] : options_.readings) profile.readings.set(key, value);
+}
+
+// A program that needs what the subject does not declare is none of the subject's concern.
+bool Hunt::is_declared(const generate::GeneratedProgram& program) const {
+  const oracle::SubjectInfo& info = trial_.info();
+  const auto needed = program::features_needed({program.profile, program.text});
+  return std::ranges::all_of(
+      needed, [&](const std::string& feature) { return info.declares(options_.dialect, feature); });
+}
+
+std::optional<Finding> Hunt::step() {
+  ++count_.programs;
+  const Specimen specimen = next();
+  if (!is_declared(specimen.program)) {
+    ++count_.skipped;
+    return std::nullopt;
+  }
+  const auto features = features_of(specimen.program, options_.most_items);
+  if (!features) {
+    ++count_.too_long;
+    return std::nullopt;
+  }
+  if (options_.guided) pool_.offer(specimen, *features);
+  const std::optional<Verdict> verdict = trial_.run(specimen.program);
+  if (!verdict) {
+    ++count_.too_long;
+  } else if (is_finding(*verdict)) {
+    ++count_.judged;
+    ++count_.no_go;
+    return examine(*verdict, specimen.program);
+  } else if (verdict->kind == VerdictKind::skip) {
+    ++count_.skipped;
+  } else if (decision(verdict->kind) == Decision::undecided) {
+    ++count_.gaps;
+  } else {
+    ++count_.judged;
+  }
+  return std::nullopt;
+}
+
+// A finding of a new signature is run again alone in a fresh process.
+std::optional<Finding> Hunt::examine(const Verdict& verdict,
+                                     const generate::GeneratedProgram& program) {
+  Finding finding{signature_of(verdict, program), verdict, {{}, program}, count_.programs};
+  if (known_.contains(finding.signature)) return std::nullopt;
+  if (oracle::contradicts_itself(program.profile, program.text, options_.most_items)) {
+    --count_.no_go;
+    ++count_.gaps;
+    return std::nullopt;
+  }
+  known_.insert(finding.signature);
+  if (!trial_.keeps_state()) return finding;
+  const std::optional<Verdict> alone = trial_.run_alone(finding.exhibit);
+  if (is_of(alone, program, finding.signature)) return finding;
+  if (!alone || !is_finding(*alone)) return leak(program);
+  finding.verdict = *alone;
+  finding.signature = signature_of(*alone, program);
+  if (!known_.insert(finding.signature).second) return std::nullopt;
+  return finding;
+}
+
+// Alone the program is GO: the subject keeps something of the programs that ran before.
+std::optional<Finding> Hunt::leak(const generate::GeneratedProgram& program) {
+  Finding finding;
+  finding.exhibit = {trial_.history(), program};
+  finding.program = count_.programs;
+  const std::optional<Verdict> after = trial_.run_alone(finding.exhibit);
+  if (after && is_finding(*after)) {
+    finding.verdict = *after;
+    finding.verdict.message =
+        "Alone the program is GO, after other programs it is not: " + after->message;
+  } else {
+    finding.exhibit.before.clear();
+    finding.verdict.message =
+        "In a process that had run other programs this one was not GO; alone it is.";
+  }
+  finding.verdict.kind = VerdictKind::state_leak;
+  finding.signature = signature_of(finding.verdict, program);
+  if (!known_.insert(finding.signature).second) return std::nullopt;
+  return finding;
+}
+
+void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also) {
+  reduce_finding(trial_, finding, limits, also);
+}
+
+std::optional<Finding> finding_of(Trial& trial, const generate::GeneratedProgram& program,
+                                  Verdict& verdict) {
+  const std::optional<Verdict> answer = trial.run_alone({{}, program});
+  if (!answer) {
+    verdict.kind = VerdictKind::oracle_gap;
+    verdict.message = "The program has too many records to be reduced.";
+    return std::nullopt;
+  }
+  verdict = *answer;
+  if (!is_finding(verdict)) return std::nullopt;
+  return Finding{signature_of(verdict, program), verdict, {{}, program}};
+}
+
+namespace {
+
+// Whether an exhibit shows the finding still. State that leaks needs a fresh process each time; all
+// else is tried in the process that runs, and confirmed in a fresh one at the end.
+bool shows(Trial& trial, const Finding& finding, const Exhibit& exhibit) {
+  if (finding.signature.kind != VerdictKind::state_leak) {
+    return is_of(trial.run(exhibit.program), exhibit.program, finding.signature);
+  }
+  const std::optional<Verdict> after = trial.run_alone(exhibit);
+  if (!after || !is_finding(*after)) return false;
+  Verdict leak = *after;
+  leak.kind = VerdictKind::state_leak;
+  if (signature_of(leak, exhibit.program) != finding.signature) return false;
+  const std::optional<Verdict> alone = trial.run_alone({{}, exhibit.program});
+  return alone && !is_finding(*alone);
+}
+
+bool shows_alone(Trial& trial, const Finding& finding, const Exhibit& exhibit) {
+  if (finding.signature.kind == VerdictKind::state_leak) return shows(trial, finding, exhibit);
+  return is_of(trial.run_alone(exhibit), exhibit.program, finding.signature);
+}
+
+}  // namespace
+
+void reduce_finding(Trial& trial, Finding& finding, const ReduceLimits& limits,
+                    const StillShows& also) {
+  const bool is_leak = finding.signature.kind == VerdictKind::state_leak;
+  if (is_leak && finding.exhibit.before.empty()) return;
+  // A program that hangs costs its whole time limit each time: a part of it will do.
+  const std::chrono::milliseconds limit = trial.run_limit();
+  const bool hangs = finding.signature.kind == VerdictKind::timeout;
+  if (hangs) trial.set_run_limit(std::max(limit / 8, std::chrono::milliseconds(50)));
+  Reduced reduced = reduce(
+      finding.exhibit,
+      [&](const Exhibit& exhibit) {
+        return shows(trial, finding, exhibit) && (also == nullptr || also(exhibit));
+      },
+      limits);
+  if (hangs) trial.set_run_limit(limit);
+  finding.reduce_runs = reduced.runs;
+  if (!shows_alone(trial, finding, reduced.exhibit)) return;
+  finding.exhibit = std::move(reduced.exhibit);
+  finding.is_reduced = reduced.finished;
+  if (is_leak) return;
+  const JudgedRun judged = trial.examine(finding.exhibit);
+  if (is_finding(judged.verdict)) finding.verdict = judged.verdict;
+}
+
+}  // namespace gonogo::hunt

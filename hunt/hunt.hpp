@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The hunt for programs on which a subject departs from the reference. It is led by the reference's
+// own coverage, so that it works on black boxes. Programs and findings follow from the seed alone.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "hunt/pool.hpp"
+#include "hunt/reduce.hpp"
+#include "hunt/signature.hpp"
+#include "hunt/trial.hpp"
+
+namespace gonogo::hunt {
+
+struct HuntOptions {
+  std::string dialect;
+  std::uint64_t seed = 1;
+  bool guided = true;                         // false: generated programs only
+  std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
+  std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
+  generate::GeneratorSettings settings;  // of the programs that are generated
+  std::size_t most_items = 3'000;        // of the reference, of one program
+};
+
+struct Finding {
+  Signature signature;
+  oracle::Verdict verdict;
+  Exhibit exhibit;
+  std::size_t program = 0;      // of the hunt, from 1
+  std::size_t reduce_runs = 0;  // that making it small took
+  bool is_reduced = false;      // nothing smaller shows the same
+};
+
+// What became of the programs so far.
+struct HuntCount {
+  std::size_t programs = 0;
+  std::size_t judged = 0;    // GO or NO-GO
+  std::size_t skipped = 0;   // by the subject, or for what it does not declare
+  std::size_t gaps = 0;      // the gauge cannot say
+  std::size_t too_long = 0;  // more records than they can be worth
+  std::size_t no_go = 0;     // those of known signatures among them
+};
+
+class Hunt {
+ public:
+  // REQUIRES: the dialect has a generator. Throws oracle::SubjectUnusable.
+  Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options);
+
+  // Tries one more program. A finding is one of a signature that none before had. Throws
+  // oracle::SubjectUnusable where the subject cannot be started again.
+  std::optional<Finding> step();
+  // Makes its exhibit small, and says again what the judge says of it then. What `also` is given
+  // holds of the result too.
+  void reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also = nullptr);
+
+  const HuntCount& count() const { return count_; }
+  const Pool& pool() const { return pool_; }
+  Trial& trial() { return trial_; }
+
+ private:
+  Specimen next();
+  Specimen fresh();
+  Specimen mutant();
+  void settle(Specimen& specimen) const;
+  bool is_declared(const generate::GeneratedProgram& program) const;
+  std::optional<Finding> examine(const oracle::Verdict& verdict,
+                                 const generate::GeneratedProgram& program);
+  std::optional<Finding> leak(const generate::GeneratedProgram& program);
+
+  Trial trial_;
+  HuntOptions options_;
+  const generate::Generator& generator_;
+  program::Dice dice_;
+  Pool pool_;
+  Specimen parent_;         // of the text mutants that are due
+  std::size_t litter_ = 0;  // how many of them
+  std::set<Signature> known_;
+  HuntCount count_;
+};
+
+// The same for one given program: nothing where the subject is GO on it (`verdict` says what it
+// is).
+std::optional<Finding> finding_of(Trial& trial, const generate::GeneratedProgram& program,
+                                  oracle::Verdict& verdict);
+void reduce_finding(Trial& trial, Finding& finding, const ReduceLimits& limits,
+                    const StillShows& also = nullptr);
+
+}  // namespace gonogo::hunt

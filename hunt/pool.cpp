@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/pool.hpp"
+
+#include <algorithm>
+
+namespace gonogo::hunt {
+
+bool Pool::offer(const Specimen& specimen, const std::vector<std::uint64_t>& features) {
+  constexpr std::size_t kMostEntries = 4096;
+  const auto fresh = static_cast<std::size_t>(std::ranges::count_if(
+      features, [&](std::uint64_t feature) { return seen_.insert(feature).second; }));
+  if (fresh == 0) return false;
+  if (entries_.size() == kMostEntries)
+    entries_.erase(entries_.begin(), entries_.begin() + kMostEntries / 4);
+  entries_.push_back({specimen, fresh, 0});
+  return true;
+}
+
+const Specimen& Pool::pick(program::Dice& dice) {
+  // The best of three at random.
+  constexpr int kTries = 3;
+  constexpr std::size_t kMostFresh = 32;
+  auto worth = [&](const Entry& entry) {
+    return std::min(entry.fresh, kMostFresh) * 8 / (1 + entry.picked);
+  };
+  Entry* best = &dice.pick(entries_);
+  for (int i = 1; i < kTries; ++i) {
+    Entry& other = dice.pick(entries_);
+    if (worth(other) > worth(*best)) best = &other;
+  }
+  ++best->picked;
+  return best->specimen;
+}
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/profile_parts.hpp"
+
+#include <array>
+#include <vector>
+
+namespace gonogo::hunt {
+namespace {
+
+using reference::Profile;
+using Take = void (*)(Profile& to, const Profile& from);
+
+constexpr std::array<Take, 16> kParts = {{
+    [](Profile& to, const Profile& from) { to.readings = from.readings; },
+    [](Profile& to, const Profile& from) { to.offsets = from.offsets; },
+    [](Profile& to, const Profile& from) { to.tools = from.tools; },
+    [](Profile& to, const Profile& from) { to.parameters = from.parameters; },
+    [](Profile& to, const Profile& from) { to.initial.at = from.initial.at; },
+    [](Profile& to, const Profile& from) { to.initial.feed = from.initial.feed; },
+    [](Profile& to, const Profile& from) { to.initial.plane = from.initial.plane; },
+    [](Profile& to, const Profile& from) { to.initial.motion = from.initial.motion; },
+    [](Profile& to, const Profile& from) { to.initial.spindle = from.initial.spindle; },
+    [](Profile& to, const Profile& from) { to.units = from.units; },
+    [](Profile& to, const Profile& from) { to.increment = from.increment; },
+    [](Profile& to, const Profile& from) { to.given_resolution = from.given_resolution; },
+    [](Profile& to, const Profile& from) { to.x_diameter = from.x_diameter; },
+    [](Profile& to, const Profile& from) { to.reference_point = from.reference_point; },
+    [](Profile& to, const Profile& from) { to.alarm_timing = from.alarm_timing; },
+    [](Profile& to, const Profile& from) { to.block_skip = from.block_skip; },
+}};
+
+void choose_another_reading(program::Dice& dice, Profile& profile) {
+  std::vector<const reference::Reading*> choices;
+  for (const reference::Reading& reading : reference::readings()) {
+    const bool has_choice = reading.alternatives.size() > 1;
+    if (has_choice && reading.belongs_to(profile.dialect)) choices.push_back(&reading);
+  }
+  if (choices.empty()) return;
+  const reference::Reading& reading = *dice.pick(choices);
+  profile.readings.set(reading.key, dice.pick(reading.alternatives));
+}
+
+}  // namespace
+
+std::size_t profile_parts() {
+  return kParts.size() + reference::kReadings;
+}
+
+bool reset_part(Profile& profile, std::size_t part) {
+  const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
+  const Profile before = profile;
+  if (part < kParts.size()) {
+    kParts[part](profile, fallback);
+  } else {
+    const auto key = static_cast<reference::ReadingKey>(part - kParts.size());
+    profile.readings.set(key, fallback.readings.get(key));
+  }
+  return !(profile == before);
+}
+
+void mutate_profile(program::Dice& dice, Profile& profile, const Profile& other) {
+  if (dice.one_in(2)) {
+    choose_another_reading(dice, profile);
+  } else {
+    kParts[dice.below(kParts.size())](profile, other);
+  }
+}
+
+}  // namespace gonogo::hunt

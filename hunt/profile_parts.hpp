@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The settings of a profile one by one, each of which can go back to its dialect's default or
+// become that of another profile.
+#pragma once
+
+#include <cstddef>
+
+#include "program/mutator/dice.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::hunt {
+
+std::size_t profile_parts();
+// Sets part i of the profile to its default; false where it is there already.
+bool reset_part(reference::Profile& profile, std::size_t part);
+// Changes one thing: a setting becomes that of `other`, which is of the same dialect, or a reading
+// another of its alternatives.
+void mutate_profile(program::Dice& dice, reference::Profile& profile,
+                    const reference::Profile& other);
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a departure is likely to come from: the mistakes with which the reference does all that the
+// subject does, over a handful of programs like the one that departs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/variant.hpp"
+#include "oracle/corpus/corpus.hpp"
+
+namespace gonogo::identify {
+
+struct AttributionOptions {
+  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
+  std::optional<reference::Number> chord;
+  std::optional<reference::Number> feed_resolution;
+  std::size_t alike = 32;   // programs with the code that departs
+  std::size_t others = 12;  // and without it
+  std::size_t more = 400;   // on which what explains all of these is tried as well
+};
+
+struct Cause {
+  std::string name;
+  std::size_t departures = 0;  // that it explains in full
+  std::size_t passes = 0;      // programs that are GO and would be with it
+};
+
+struct Attribution {
+  std::vector<Observation> programs;  // the one that was asked for first
+  std::size_t departures = 0;
+  std::size_t tried = 0;        // mistakes
+  std::vector<Cause> complete;  // explain every departure, and that the others pass
+  std::vector<Cause> partial;   // explain some of it; those that explain most first
+
+  std::size_t passes() const { return programs.size() - departures; }
+};
+
+struct ProgramAsked {
+  std::string id;
+  std::string program;
+  Profile profile;
+};
+
+// The subject is given the program, and programs of the corpus that are like it. Throws
+// SubjectUnusable, CorpusError.
+Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
+                      const ProgramAsked& asked, const AttributionOptions& options);
+
+std::string attribution_text(const Attribution& attribution);
+
+}  // namespace gonogo::identify

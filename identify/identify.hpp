@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which readings a black box follows, found with few programs: each time the one is run whose
+// outcomes divide the assignments that are left most evenly, and what its outcome rules out is
+// struck out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/probe.hpp"
+
+namespace gonogo::identify {
+
+struct IdentifyOptions {
+  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
+  std::optional<reference::Number> chord;
+  std::optional<reference::Number> feed_resolution;
+  std::size_t most_programs = 300;  // skipped ones too
+};
+
+// One program that the subject was given.
+struct ProbeRun {
+  const Probe* probe = nullptr;
+  KeptOutcome outcome;
+  std::vector<std::string> learnt;  // sentences; none: nothing new
+};
+
+// What is known of one reading.
+struct ReadingFound {
+  ReadingKey key{};
+  std::vector<std::string> values;  // one: it is found; more: they cannot be told apart
+  std::string why;                  // why they cannot
+};
+
+struct Identification {
+  std::vector<ProbeRun> runs;
+  std::vector<ReadingFound> readings;  // of the dialect, in the order of the catalog
+  // No assignment explains these runs together: the last one and what it contradicts, if any one
+  // does. Empty: the subject follows what `readings` says.
+  std::vector<std::size_t> contradiction;  // places in `runs`
+  double bits = 0;                         // log2 of the number of assignments at the beginning
+
+  // Programs that the subject answered.
+  std::size_t answered() const;
+  // The readings that were found, set in `profile`.
+  void set_in(Profile& profile) const;
+};
+
+// `pool` must outlive the result. The subject is configured with each program's machine and is not
+// told any reading. Throws SubjectUnusable.
+Identification identify_readings(oracle::Subject& subject, const ProbePool& pool,
+                                 const IdentifyOptions& options);
+
+// For people: each program with what was learnt, then the readings.
+std::string identification_text(const Identification& found, std::string_view subject,
+                                std::string_view dialect);
+// The profile of what was found, for --profile; what could not be told stands in comments.
+std::string identification_toml(const Identification& found, const Profile& machine);
+
+}  // namespace gonogo::identify

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run speaks of: which features were judged, what of the corpus the subject does not claim,
+// what it claims and skips, and the advices. Takes case lines one at a time; its memory depends on
+// features and clauses, not on cases.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "oracle/records/case_head.hpp"
+#include "oracle/records/verdict.hpp"
+
+namespace gonogo::oracle {
+
+// g90 before g110, as people count.
+struct NaturalOrder {
+  bool operator()(std::string_view a, std::string_view b) const;
+};
+
+class RunScope {
+ public:
+  // Cases of one kind, with the ids of the first.
+  struct Group {
+    std::size_t cases = 0;
+    std::vector<std::string> first;
+  };
+  // What was skipped: a feature that the subject does not declare, or for a reason of its own.
+  struct Skipped {
+    std::string dialect;
+    std::string feature;  // empty: for another reason
+    std::string message;  // that one
+    auto operator<=>(const Skipped&) const = default;
+  };
+  // A feature that is declared, and yet cases of it are skipped.
+  struct Broken {
+    std::string dialect;
+    std::string cycle;
+    std::string message;
+    auto operator<=>(const Broken&) const = default;
+  };
+  // Advices about one thing: the clause departed from, and the verdict that it would be.
+  struct Advice {
+    std::string clause;
+    std::string departure;
+    auto operator<=>(const Advice&) const = default;
+  };
+  // Of the cases that need a feature.
+  struct Judged {
+    std::size_t cases = 0;
+    std::size_t skipped = 0;  // for another reason than a feature that is not declared
+  };
+
+  // `kind`: in the run, which may be another than the line's own.
+  void add(const CaseHead& line, VerdictKind kind);
+
+  // "GO for basic, g94 of gsk988ta: 156 judged, 3 advices; not claimed: g90, g92 (5,085 cases)"
+  std::string head(std::string_view decision) const;
+  // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed".
+  std::string short_head(std::string_view decision) const;
+
+  std::size_t judged() const { return judged_; }
+  std::size_t no_go() const { return no_go_; }
+  // Not claimed; without those that the corpus expects no answer to.
+  std::size_t skipped() const { return skipped_; }
+  std::size_t advised() const { return advised_; }
+  // Dialect -> feature; features of every subject (`m`, `bytes`) are no part of it.
+  using Features = std::map<std::string, Judged, NaturalOrder>;
+  const std::map<std::string, Features>& features() const { return features_; }
+  const std::map<Skipped, Group>& not_claimed() const { return not_claimed_; }
+  const std::map<Broken, Group>& broken() const { return broken_; }
+  const std::map<Advice, Group>& advices() const { return advices_; }
+
+ private:
+  std::string judged_features(std::size_t most) const;
+  std::string counts() const;
+  std::string skips() const;
+
+  std::size_t judged_ = 0;
+  std::size_t no_go_ = 0;
+  std::size_t skipped_ = 0;
+  std::size_t advised_ = 0;
+  std::size_t known_ = 0;
+  std::size_t undecided_ = 0;
+  std::size_t not_covered_ = 0;  // the corpus expects no answer
+  std::set<std::string> dialects_;
+  std::map<std::string, Features> features_;
+  std::map<Skipped, Group> not_claimed_;
+  std::map<Broken, Group> broken_;
+  std::map<Advice, Group> advices_;
+};
+
+// "6,613"
+std::string grouped(std::size_t count);
+
+}  // namespace gonogo::oracle

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/hunt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hunting.hpp"
+#include "program/text.hpp"
+
+namespace gonogo::hunt::testing {
+namespace {
+
+// Findings of so many programs, reduced.
+std::vector<Finding> hunted(const char* expander, const char* fault, HuntOptions options,
+                            std::size_t programs) {
+  Hunt hunt(builtin(expander, fault), {}, std::move(options));
+  std::vector<Finding> findings;
+  while (hunt.count().programs < programs) {
+    if (std::optional<Finding> finding = hunt.step()) {
+      hunt.reduce(*finding, {});
+      findings.push_back(std::move(*finding));
+    }
+  }
+  return findings;
+}
+
+std::string text(const std::vector<Finding>& findings) {
+  std::string all;
+  for (const Finding& finding : findings) {
+    all += std::to_string(finding.program) + " " + finding.signature.text() + "\n" +
+           reference::profile_json(finding.exhibit.program.profile) + "\n" +
+           finding.exhibit.program.text;
+  }
+  return all;
+}
+
+TEST(Hunt, TheSameSeedFindsTheSameInTheSameOrder) {
+  const auto first = hunted("gsk", "inch-feed", hunting("gsk988ta", 7), 400);
+  ASSERT_GE(first.size(), 2U);
+  EXPECT_EQ(text(first), text(hunted("gsk", "inch-feed", hunting("gsk988ta", 7), 400)));
+}
+
+TEST(Hunt, AnotherSeedTriesOtherPrograms) {
+  EXPECT_NE(text(hunted("gsk", "inch-feed", hunting("gsk988ta", 7), 400)),
+            text(hunted("gsk", "inch-feed", hunting("gsk988ta", 8), 400)));
+}
+
+TEST(Hunt, NoSignatureIsFoundTwice) {
+  std::set<Signature> signatures;
+  for (const Finding& finding : hunted("hnc", "increment-as-radius", hunting("hnc21t"), 600)) {
+    EXPECT_TRUE(signatures.insert(finding.signature).second) << finding.signature.text();
+  }
+  EXPECT_FALSE(signatures.empty());
+}
+
+// One G94 with a taper shows it; only what sets its start may stand before it.
+TEST(Hunt, AFindingIsReducedToItsBlocks) {
+  const auto findings = hunted("gsk", "taper-sign", hunting("gsk988ta"), 100);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_LE(program::count_blocks(findings[0].exhibit.program.text), 2U);
+  EXPECT_TRUE(findings[0].is_reduced);
+}
+
+TEST(Hunt, AReducedFindingShowsTheSameAlone) {
+  for (const Finding& finding : hunted("ngc", "inch-feed-unscaled", hunting("rs274"), 300)) {
+    Trial trial(builtin("ngc", "inch-feed-unscaled"), {});
+    oracle::Verdict verdict;
+    const auto again = finding_of(trial, finding.exhibit.program, verdict);
+    ASSERT_TRUE(again) << finding.exhibit.program.text;
+    EXPECT_EQ(again->signature, finding.signature);
+  }
+}
+
+TEST(Hunt, StateThatLeaksIsFoundWithTheProgramBefore) {
+  const auto findings = hunted("gsk", "feed-survives-reset", hunting("gsk988ta"), 1'500);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].verdict.kind, oracle::VerdictKind::state_leak);
+  ASSERT_EQ(findings[0].exhibit.before.size(), 1U);
+  EXPECT_NE(findings[0].exhibit.before[0].text.find('F'), std::string::npos);
+}
+
+// Of generated programs. Mutants may be what two readers of the same manual read differently.
+TEST(Hunt, AFaultFreeExpanderIsNotFound) {
+  auto generated = [](const char* expander, const char* dialect) {
+    HuntOptions options = hunting(dialect);
+    options.guided = false;
+    return text(hunted(expander, "", options, 1'500));
+  };
+  EXPECT_EQ(generated("gsk", "gsk988ta"), "");
+  EXPECT_EQ(generated("hnc", "hnc21t"), "");
+  EXPECT_EQ(generated("ngc", "rs274"), "");
+}
+
+TEST(Hunt, AProfileIsThatOfEveryProgram) {
+  HuntOptions options = hunting("gsk988ta");
+  options.profile = defaults("gsk988ta");
+  for (const Finding& finding : hunted("gsk", "taper-sign", options, 200)) {
+    EXPECT_EQ(reference::profile_json(finding.exhibit.program.profile), "{}");
+  }
+}
+
+TEST(Hunt, ProgramsThatNeedWhatIsNotDeclaredAreSkipped) {
+  Hunt hunt(builtin("gsk"), {}, hunting("gsk988ta"));
+  EXPECT_EQ(hunt.count().skipped, 0U);
+  // A subject that declares the basic words only.
+  class Basic : public oracle::Subject {
+   public:
+    Basic() : inner_(builtin("gsk")()), info_(inner_->info()) {
+      info_.everything = false;
+      info_.dialects = {{"gsk988ta", {"basic"}}};
+    }
+    const oracle::SubjectInfo& info() const override { return info_; }
+    void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+    oracle::RunEnd run(std::string_view id, std::string_view program,
+                       const oracle::RecordSink& sink) override {
+      EXPECT_EQ(program.find("G110"), std::string_view::npos);
+      return inner_->run(id, program, sink);
+    }
+    void renew() override { inner_->renew(); }
+
+   private:
+    std::unique_ptr<oracle::Subject> inner_;
+    oracle::SubjectInfo info_;
+  };
+  Hunt basic([] { return std::make_unique<Basic>(); }, {}, hunting("gsk988ta"));
+  while (basic.count().programs < 300) basic.step();
+  EXPECT_GT(basic.count().skipped, 50U);
+  EXPECT_GT(basic.count().judged, 0U);
+}
+
+}  // namespace
+}  // namespace gonogo::hunt::testing

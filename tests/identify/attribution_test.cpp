@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Causes of departures, tried on planted faults: the names are those of what a fault does.
+#include "identify/attribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pools.hpp"
+#include "secret_subject.hpp"
+
+namespace gonogo::identify {
+namespace {
+
+using testing::builtin;
+using testing::checked_in_corpus;
+
+ProgramAsked case_of(const std::string& id) {
+  oracle::CaseReader reader(checked_in_corpus(), oracle::Detail::to_run);
+  while (const auto test = reader.next()) {
+    if (test->id == id) return {test->id, test->program, test->profile};
+  }
+  throw std::runtime_error("There is no case " + id + ".");
+}
+
+Attribution attribute_fault(const char* expander, const char* fault, const std::string& id) {
+  const auto subject = builtin(expander, fault);
+  return attribute(*subject, checked_in_corpus(), case_of(id), {});
+}
+
+struct Planted {
+  const char* expander;
+  const char* fault;
+  const char* departs_on;  // a case of the corpus
+  const char* cause;
+};
+
+void PrintTo(const Planted& planted, std::ostream* out) {
+  *out << planted.expander << '+' << planted.fault;
+}
+
+class PlantedFault : public ::testing::TestWithParam<Planted> {};
+
+TEST_P(PlantedFault, IsExplainedByItsCause) {
+  const Planted& planted = GetParam();
+  const Attribution found = attribute_fault(planted.expander, planted.fault, planted.departs_on);
+  EXPECT_GT(found.departures, 0U);
+  EXPECT_NE(std::ranges::find(found.complete, std::string(planted.cause), &Cause::name),
+            found.complete.end())
+      << attribution_text(found);
+}
+
+// The fault's own description says what it does: the cause is that in the words of a variant.
+INSTANTIATE_TEST_SUITE_P(
+    Expanders, PlantedFault,
+    ::testing::Values(
+        Planted{"ngc", "g18-sense-flipped", "ngc.arc-distance.000013",
+                "every arc in G18 turns the other way"},
+        Planted{"ngc", "radius-sign-ignored", "ngc.arc-r.000005",
+                "R of G2 G3 is taken without its sign"},
+        Planted{"ngc", "offsets-absolute", "ngc.arc-distance.000028",
+                "I J K are taken as absolute"},
+        Planted{"ngc", "g18-offsets-swapped", "ngc.arc-distance.000013",
+                "I and K change places in G18"},
+        Planted{"ngc", "helix-flat", "ngc.arc-distance.000042",
+                "the third axis of an arc is ignored"},
+        Planted{"ngc", "inch-offsets-unscaled", "ngc.arc-distance.000040",
+                "I J K of G2 G3 is not converted from inches"},
+        Planted{"ngc", "feed-after-motion", "ngc.arc-distance.000001",
+                "F holds from the next block on"},
+        Planted{"ngc", "end-ignored", "ngc.m.000021", "the end of the program is ignored"},
+        Planted{"ngc", "alarm-next-block", "ngc.alarm.000001", "alarms name the block after"},
+        Planted{"hnc", "peck-running-sum", "hnc.pecks.000001", "Q is summed up in binary64"},
+        Planted{"hnc", "dwell-in-seconds", "hnc.basic.000068",
+                "P of G4 is 1000 times too large, milli for one"}),
+    [](const auto& planted) {
+      std::string name = std::string(planted.param.expander) + "_" + planted.param.fault;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+TEST(Departure, HasNoCauseWhereNothingDeparts) {
+  for (const auto& [expander, id] :
+       {std::pair("gsk", "gsk.arc.000029"), std::pair("hnc", "hnc.pecks.000001"),
+        std::pair("ngc", "ngc.arc-distance.000001"), std::pair("sinumerik", "s840.ar.000011")}) {
+    const auto subject = builtin(expander);
+    const Attribution found = attribute(*subject, checked_in_corpus(), case_of(id), {});
+    EXPECT_GT(found.programs.size(), 10U) << expander;
+    EXPECT_EQ(found.departures, 0U) << expander;
+    EXPECT_TRUE(found.complete.empty() && found.partial.empty()) << expander;
+  }
+}
+
+TEST(Departure, SaysInNumbersWhatACauseExplains) {
+  const Attribution found = attribute_fault("ngc", "radius-sign-ignored", "ngc.arc-r.000005");
+  ASSERT_FALSE(found.complete.empty());
+  EXPECT_EQ(found.complete.front().departures, found.departures);
+  EXPECT_EQ(found.complete.front().passes, found.programs.size() - found.departures);
+}
+
+TEST(Departure, NamesNoCauseThatDoesNotExplainEverything) {
+  // Every end is accepted: no mistake that is tried does that.
+  const Attribution found =
+      attribute_fault("ngc", "end-point-unchecked", "ngc.arc-distance.000011");
+  EXPECT_GT(found.departures, 0U);
+  EXPECT_TRUE(found.complete.empty());
+}
+
+}  // namespace
+}  // namespace gonogo::identify

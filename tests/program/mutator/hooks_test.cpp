@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The mutator through the functions that an engine calls, where there is no libFuzzer behind them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "program/mutator/program_mutator.hpp"
+
+using Bytes = std::vector<std::uint8_t>;
+
+extern "C" {
+std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                    unsigned int seed);
+std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_size,
+                                      const std::uint8_t* other, std::size_t other_size,
+                                      std::uint8_t* out, std::size_t most, unsigned int seed);
+}
+
+namespace gonogo::program {
+namespace {
+
+constexpr std::string_view kFaceCut = "G94 X50 Z-10 F100\n";
+constexpr std::size_t kRoom = 64;
+constexpr std::uint8_t kBeyond = 0xAA;  // what stands behind the room
+
+Bytes buffer() {
+  Bytes bytes(kRoom + 8, kBeyond);
+  std::ranges::copy(kFaceCut, bytes.begin());
+  return bytes;
+}
+
+void expect_kept_within(const Bytes& bytes, std::size_t size) {
+  EXPECT_LE(size, kRoom);
+  EXPECT_TRUE(std::all_of(bytes.begin() + kRoom, bytes.end(),
+                          [](std::uint8_t byte) { return byte == kBeyond; }));
+}
+
+TEST(MutatorHooks, MutateInPlaceWithTheTargetsDictionary) {
+  for (unsigned int seed = 0; seed < 500; ++seed) {
+    Bytes bytes = buffer();
+    const std::size_t size = LLVMFuzzerCustomMutator(bytes.data(), kFaceCut.size(), kRoom, seed);
+    expect_kept_within(bytes, size);
+    EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)),
+              mutate_program(kFaceCut, kRoom, seed, find_dictionary(GONOGO_FUZZ_DIALECT)));
+  }
+}
+
+TEST(MutatorHooks, CrossIntoTheRoom) {
+  const Bytes one(kFaceCut.begin(), kFaceCut.end());
+  for (unsigned int seed = 0; seed < 500; ++seed) {
+    Bytes out(kRoom + 8, kBeyond);
+    const std::size_t size = LLVMFuzzerCustomCrossOver(one.data(), one.size(), one.data(),
+                                                       one.size(), out.data(), kRoom, seed);
+    expect_kept_within(out, size);
+  }
+}
+
+}  // namespace
+}  // namespace gonogo::program
