@@ -94,8 +94,8 @@ bool is_out_of_reach(const oracle::Verdict& verdict) {
     return verdict.message.find(part) != std::string::npos;
   };
   return says("gauge does not") || says("gauge reads") || says("No manual says") ||
-         says("No text says") || says("motions is not judged") ||
-         says("run-out of the reading") || says("profile does not say");
+         says("No text says") || says("motions is not judged") || says("run-out of the reading") ||
+         says("profile does not say");
 }
 
 // One program, from the decisions in a fuzzer's input.

@@ -34,8 +34,10 @@ std::int64_t NgcWriter::peck_length() {
       return unit() / 10 * choices_.pick({1, 3, 7});
     case 1:
       return unit() / choices_.pick({2, 4, 8});
-    case 2:
-      return clearance / choices_.pick({1, 2}) + choices_.between(-1, 1);
+    case 2: {
+      const std::int64_t part = clearance / choices_.pick({1, 2});
+      return part + choices_.between(-1, 1);
+    }
     default:
       return unit() / 4 + length(4);
   }
@@ -74,8 +76,9 @@ void NgcWriter::own_words(Words& words, bool first) {
     words.push_back(code(4));
   }
   if (!has_dwell) return;
-  words.push_back(choices_.one_in(8) ? "P0"
-                                     : fmt::format("P{}.{}", choices_.below(4), choices_.below(10)));
+  const std::uint32_t seconds = choices_.below(4);
+  const std::uint32_t tenths = choices_.below(10);
+  words.push_back(choices_.one_in(8) ? "P0" : fmt::format("P{}.{}", seconds, tenths));
 }
 
 // L.
@@ -107,7 +110,9 @@ void NgcWriter::cycle_faults(Words& words) {
   if (minute_pecks_ || !puts_wrong(late ? 5 : 10)) return;
   const char depth = "XYZ"[plane_axes()[2]];
   const auto leave_out = [&](std::string_view letters) {
-    std::erase_if(words, [&](const std::string& word) { return letters.find(word[0]) != std::string_view::npos; });
+    std::erase_if(words, [&](const std::string& word) {
+      return letters.find(word[0]) != std::string_view::npos;
+    });
   };
   switch (choices_.below(late ? 4 : 10)) {
     case 0:

@@ -123,9 +123,8 @@ void NgcWriter::mode_block() {
     case 8:
       if (choices_.one_in(3)) return write({code_that_is(Treatment::without_effect)});
       if (choices_.one_in(3)) return write({spindle_word(choices_.pick({3, 4, 5}))});
-      return write({choices_.pick({"M8", "M9", "M0", "M1", "M60", "M48", "S800", "T4",
-                                   "M66 P0 L0", "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0",
-                                   "G64 P0.1 Q0.1"})});
+      return write({choices_.pick({"M8", "M9", "M0", "M1", "M60", "M48", "S800", "T4", "M66 P0 L0",
+                                   "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0", "G64 P0.1 Q0.1"})});
     default:
       count("no motion");
       text_ += choices_.pick(

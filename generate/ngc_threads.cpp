@@ -22,8 +22,9 @@ void NgcWriter::synchronous_block() {
   if (any_lead || puts_wrong(16)) {
     words.push_back(choices_.pick({"K0", "K-1.5", "K-2"}));
   } else if (!puts_wrong(24)) {
-    words.push_back(word('K', choices_.one_in(3) ? unit() * choices_.between(1, 5) / 2
-                                                 : length(3) + length_of(unit() / 10)));
+    const std::int64_t least = length_of(unit() / 10);
+    words.push_back(
+        word('K', choices_.one_in(3) ? unit() * choices_.between(1, 5) / 2 : least + length(3)));
   }
   if (motion_ == kG33Point1 && choices_.one_in(3)) words.push_back(choices_.pick({"I1.5", "I0.5"}));
   if (puts_wrong(24)) words.push_back(feed_word());
@@ -37,7 +38,10 @@ void NgcWriter::synchronous_block() {
 std::int64_t NgcWriter::pass_words(Words& words) {
   std::int64_t infeed = unit() / 10 * choices_.pick({1, 3, 7});
   if (choices_.one_in(3)) infeed = unit() / choices_.pick({2, 4, 8});
-  if (choices_.one_in(3)) infeed = length_of(unit() / 20) + length(1);
+  if (choices_.one_in(3)) {
+    infeed = length_of(unit() / 20);
+    infeed += length(1);
+  }
   const char* const degression =
       choices_.one_in(3) ? "" : choices_.pick({"R1", "R2", "R2", "R1.5", "R3", "R2.5", "R1.25"});
   const bool equal = degression[0] == '\0' || std::string_view(degression) == "R1";
@@ -101,13 +105,16 @@ void NgcWriter::threading_block() {
   spindle_words(words, {3, 4});
   // The way is known where it is written.
   if (!at_[z] && !incremental_) set_incremental(words, true);
-  const std::int64_t travel = length_of(unit() * 2) + length(20);
+  std::int64_t travel = length_of(unit() * 2);
+  travel += length(20);
   words.push_back(travel_word(z, any_sign(travel)));
-  words.push_back(fmt::format("P{}.{}", choices_.below(3), 1 + choices_.below(9)));
+  const std::uint32_t lead = choices_.below(3);
+  words.push_back(fmt::format("P{}.{}", lead, 1 + choices_.below(9)));
   words.push_back(word('I', any_sign(1 + length(4))));
   const std::int64_t depth = pass_words(words);
   taper_words(words, travel, depth);
-  if (choices_.one_in(3)) words.push_back(choices_.pick({"Q29", "Q29.5", "Q30", "Q0", "Q-10", "Q45"}));
+  if (choices_.one_in(3))
+    words.push_back(choices_.pick({"Q29", "Q29.5", "Q30", "Q0", "Q-10", "Q45"}));
   if (choices_.one_in(3)) words.push_back(fmt::format("H{}", choices_.below(4)));
   if (choices_.one_in(8)) words.push_back(feed_word());
   unused_words(words, "D");

@@ -153,16 +153,16 @@ class NgcWriter final : ProgramWriter {
   bool incremental_ = false;
   bool absolute_centre_ = false;
   int plane_ = 17;
-  int motion_ = -1;        // code of the motion group; -1: none
-  bool has_code_ = false;  // the block has a code of the motion group
-  bool dwells_ = false;    // the block has a G4
-  bool rotary_ = false;    // the block turns a rotary axis alone
-  int spindle_ = 5;              // M3, M4 or M5
-  bool spindle_named_ = false;   // in the block
-  int retract_ = 0;              // G98 or G99; 0: not said
-  int series_plane_ = 0;         // of the cycles one behind the other; 0: changed since
-  bool minute_pecks_ = false;    // Q is small: a hole of common depth would have thousands
-  std::string_view whole_;       // letters of words that have to be whole numbers
+  int motion_ = -1;             // code of the motion group; -1: none
+  bool has_code_ = false;       // the block has a code of the motion group
+  bool dwells_ = false;         // the block has a G4
+  bool rotary_ = false;         // the block turns a rotary axis alone
+  int spindle_ = 5;             // M3, M4 or M5
+  bool spindle_named_ = false;  // in the block
+  int retract_ = 0;             // G98 or G99; 0: not said
+  int series_plane_ = 0;        // of the cycles one behind the other; 0: changed since
+  bool minute_pecks_ = false;   // Q is small: a hole of common depth would have thousands
+  std::string_view whole_;      // letters of words that have to be whole numbers
   StickyWords sticky_;
   std::optional<std::int64_t> initial_;  // level of the series
   // Where the tool stands and where the block leads, as words would say it, as far as known.

@@ -60,8 +60,8 @@ class OutcomeCounter {
     count("program alarms");
     for (const reference::Alarm& alarm : report.alarms) {
       note("alarm", name(alarm.alarm));
-      note("refused by", fmt::format("{} {}", reference::clause_name(alarm.clause),
-                                     name(alarm.alarm)));
+      note("refused by",
+           fmt::format("{} {}", reference::clause_name(alarm.clause), name(alarm.alarm)));
     }
   }
   void take(const reference::NotCovered&) { count("program not covered"); }

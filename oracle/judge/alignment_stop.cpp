@@ -40,11 +40,11 @@ Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_
       ++at.step;
       keep(std::move(at), reached);
     } else if (due == MFunctionDue::here) {
-      refute(Refutation{std::move(at),
-                        std::nullopt,
-                        {},
-                        m_function_missing(std::get<Record>(step.what), record_text(record),
-                                           number)});
+      refute(
+          Refutation{std::move(at),
+                     std::nullopt,
+                     {},
+                     m_function_missing(std::get<Record>(step.what), record_text(record), number)});
     } else {
       if (due == MFunctionDue::free_before && is_due(step.m_functions.front())) {
         keep(std::move(at), before);

@@ -184,8 +184,8 @@ void HoleBlock::alarm_at_hole(AlarmClass alarm, ClauseId clause, WordName word,
   note_late(Found::over_the_hole);
 }
 
-// NGC-CYC-29: what a control has moved when it finds what is wrong, unless something else is; behind
-// the dwell of a G4 of the block (NGC-CYC-27).
+// NGC-CYC-29: what a control has moved when it finds what is wrong, unless something else is;
+// behind the dwell of a G4 of the block (NGC-CYC-27).
 void HoleBlock::stop() {
   if (late_ != block_.out.alarms.size() || !levels_) return;
   const HoleAhead hole = ahead();
@@ -195,7 +195,8 @@ void HoleBlock::stop() {
   const bool stays =
       at_place ? always_approached(hole, [](const Approach& way) { return way.lifts == 0; })
                : always_approached(hole, [](const Approach& way) { return way.traverses.empty(); });
-  if ((stays && dwells.empty()) || !block_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late")) return;
+  if ((stays && dwells.empty()) || !block_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late"))
+    return;
   Approach moved = approach(hole);
   if (at_place) moved.traverses.resize(moved.lifts);
   block_.out.before_alarm = std::move(dwells);
