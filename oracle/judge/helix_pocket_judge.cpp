@@ -45,7 +45,7 @@ reference::ClauseId HelixPocketJudge::clause() const {
 }
 
 bool HelixPocketJudge::complete() const {
-  return phase_ == Phase::over || (phase_ == Phase::exit && is_tiny());
+  return phase_ == Phase::over || (phase_ == Phase::exit && semicircle_is_unseen());
 }
 
 std::optional<Verdict> HelixPocketJudge::end(const Position& here) {
@@ -68,7 +68,7 @@ bool HelixPocketJudge::is_before(const Motion& motion) const {
 
 // A semicircle of this diameter stays where it is, as far as can be seen: rounded, it may be an arc
 // that ends on its own centre; as the way back it may be left out.
-bool HelixPocketJudge::is_tiny() const {
+bool HelixPocketJudge::semicircle_is_unseen() const {
   return item_.radius <= terms_.tolerance;
 }
 
@@ -171,7 +171,7 @@ OpenArc HelixPocketJudge::open_semicircle(const OpenStart& starts) const {
 }
 
 MatchResult HelixPocketJudge::match_entry(OpenStart& starts) const {
-  if (is_tiny() &&
+  if (semicircle_is_unseen() &&
       std::ranges::all_of(entry_, [&](const Motion& motion) { return stays_at_centre(motion); })) {
     return {Departure::none, true, {}};
   }
@@ -294,7 +294,7 @@ OpenStepAnswer HelixPocketJudge::take_at_bottom(const Motion& motion) {
     }
     return {};
   }
-  if (phase_ == Phase::exit && is_tiny()) {
+  if (phase_ == Phase::exit && semicircle_is_unseen()) {
     if (stays_at_centre(motion)) return {};
     if (!is_cut(motion.record.kind)) {
       phase_ = Phase::over;

@@ -31,7 +31,7 @@ class HelixPocketJudge : public OpenStep {
   Verdict incomplete(const Position& position) const;
   enum class Phase { entry, helix, flat, exit, over };
 
-  bool is_tiny() const;
+  bool semicircle_is_unseen() const;
   bool stays_at_centre(const Motion& motion) const;
   Record shape_feed() const;
   OpenStepAnswer take_entry(const Motion& motion);

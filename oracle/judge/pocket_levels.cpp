@@ -49,7 +49,7 @@ std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
 
 OpenStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
   milling_ = false;
-  if (trial_) return finish_trial(next);
+  if (may_be_travel_) return finish_floor_or_travel(next);
   if (motions_.empty()) {
     // An infeed alone: the level is a point, or nothing of it was milled.
     const OpenStepAnswer depth = check_level_depth(next);
@@ -61,17 +61,17 @@ OpenStepAnswer PocketMillingJudge::finish_level(const Motion& next) {
   return OpenStepAnswer::take();
 }
 
-OpenStepAnswer PocketMillingJudge::finish_trial(const Motion& next) {
-  trial_ = false;
+OpenStepAnswer PocketMillingJudge::finish_floor_or_travel(const Motion& next) {
+  may_be_travel_ = false;
   const OpenStepAnswer answer = judge_level(next);
   const bool decided = answer.is_decided();
   if (decided && answer.verdict.kind == VerdictKind::oracle_gap) return answer;
-  if (!decided && !above_floor_) {
+  if (!decided && !taken_above_floor_) {
     close_level();
     return OpenStepAnswer::take();
   }
   if (decided) floor_fault_ = answer.verdict;
-  above_floor_ = false;
+  taken_above_floor_ = false;
   motions_.clear();
   records_.clear();
   return OpenStepAnswer::take();
@@ -88,15 +88,16 @@ void PocketMillingJudge::close_level() {
   const Number open = level_at(depth_).cleared ? max(depth_, cleared_.rough) : depth_;
   cleared_.everywhere = min(cleared_.everywhere, open);
   cleared_.rough = min(cleared_.rough, open);
-  floor_done_ = floor_done_ || (is_floor(depth_) && !above_floor_);
-  above_floor_ = false;
+  floor_done_ = floor_done_ || (is_floor(depth_) && !taken_above_floor_);
+  taken_above_floor_ = false;
 }
 
 region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const {
   region::RectangularLevel level;
   level.area = area_;
   // SIE-LC75-07, SIE-LC75-10: the strip that roughing left, and at the last level the floor.
-  const bool whole = !item_.finishing || (is_floor(depth) && !above_floor_ && !item_.contour_only);
+  const bool whole =
+      !item_.finishing || (is_floor(depth) && !taken_above_floor_ && !item_.contour_only);
   if (!whole) level.cleared = rough_area_;
   level.tool_radius = item_.tool_radius;
   level.sense = item_.sense;
@@ -119,7 +120,7 @@ OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
     OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
     if (!may_be_above_floor()) return fault;
     floor_fault_ = fault.verdict;
-    above_floor_ = true;
+    taken_above_floor_ = true;
     return judge_level(next);
   }
   if (item_.contour_only && rough_area_) {
@@ -190,7 +191,7 @@ bool PocketMillingJudge::is_floor(const Number& depth) const {
 }
 
 bool PocketMillingJudge::may_be_above_floor() const {
-  return item_.finishing && !item_.contour_only && !above_floor_ && is_floor(depth_) &&
+  return item_.finishing && !item_.contour_only && !taken_above_floor_ && is_floor(depth_) &&
          depth_ > item_.floor;
 }
 

@@ -180,26 +180,27 @@ bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
   return in_air || depth >= cleared_.everywhere - terms_.tolerance;
 }
 
-// Travel; but where the floor is as near as the tolerance, it may be the level at the floor.
+// J-PKT-12: travel; but where the floor is as near as the tolerance, it may be the level at the
+// floor.
 OpenStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
   const bool mills = !floor_done_ && is_floor(depth) && is_cut(motion.record.kind) &&
                      has_feed(motion, item_.plane_feed);
   // The infeed to it cut.
-  if (mills && milling_ && !trial_) return take_cut(motion);
-  if (trial_ && !mills) {
+  if (mills && milling_ && !may_be_travel_) return take_cut(motion);
+  if (may_be_travel_ && !mills) {
     const OpenStepAnswer answer = finish_level(motion);
     if (answer.is_decided()) return answer;
   }
   const OpenStepAnswer travel = take_travel(motion);
   if (!mills || travel.is_decided()) return travel;
-  if (!milling_) start_trial(depth, motion.from);
-  return trial_ ? collect(motion) : travel;
+  if (!milling_) start_floor_or_travel(depth, motion.from);
+  return may_be_travel_ ? collect(motion) : travel;
 }
 
-void PocketMillingJudge::start_trial(const Number& depth, const Position& plunge) {
+void PocketMillingJudge::start_floor_or_travel(const Number& depth, const Position& plunge) {
   milling_ = true;
-  trial_ = true;
+  may_be_travel_ = true;
   depth_ = depth;
   plunge_ = own(plunge);
 }
@@ -240,10 +241,10 @@ OpenStepAnswer PocketMillingJudge::take_down(const Motion& motion) {
     const OpenStepAnswer travel = take_travel(motion);
     const bool decided = travel.is_decided();
     const bool tries = !floor_done_ && is_floor(to) && is_near_cleared(to);
-    if (!decided && tries) start_trial(to, motion.to());
+    if (!decided && tries) start_floor_or_travel(to, motion.to());
     return travel;
   }
-  trial_ = false;
+  may_be_travel_ = false;
   const OpenStepAnswer answer = check_plunge(motion);
   if (answer.is_decided()) return answer;
   milling_ = true;
@@ -280,7 +281,7 @@ OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
                : departs(VerdictKind::fail_geometry, "SIE-LC75-11"_clause, motion,
                          "The last level has no infeed at the centre.");
   if (!answer.is_decided() || !may_be_above_floor()) return answer;
-  above_floor_ = true;
+  taken_above_floor_ = true;
   floor_fault_ = answer.verdict;
   return OpenStepAnswer::take();
 }

@@ -48,8 +48,8 @@ class PocketMillingJudge : public OpenStep {
   // Whether the depth cannot be told from one that is cleared everywhere.
   bool is_near_cleared(const Number& depth) const;
   OpenStepAnswer take_near_cleared(const Motion& motion);
-  void start_trial(const Number& depth, const Position& plunge);
-  OpenStepAnswer finish_trial(const Motion& next);
+  void start_floor_or_travel(const Number& depth, const Position& plunge);
+  OpenStepAnswer finish_floor_or_travel(const Motion& next);
   void close_level();
   OpenStepAnswer take_cut(const Motion& motion);
   OpenStepAnswer collect(const Motion& motion);
@@ -107,10 +107,10 @@ class PocketMillingJudge : public OpenStep {
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
   Number depth_;                   // of it
-  // A floor within the tolerance of what is cleared: it is milled if these motions clear it, and
-  // else they are travel.
-  bool trial_ = false;
-  bool above_floor_ = false;            // within the tolerance of the floor, but not milled as it
+  // J-PKT-12: two ways to take the level, between which its end decides.
+  bool may_be_travel_ = false;  // what its cuts are unless they clear the floor
+  bool taken_above_floor_ =
+      false;  // the level above the floor, since it is not milled as the floor
   std::optional<Verdict> floor_fault_;  // why not
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
