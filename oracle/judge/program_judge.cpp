@@ -144,6 +144,8 @@ void ProgramJudge::take_m_function(const Record& record) {
     case Alignment::MFunction::taken:
       return decide(m_functions_.take_place(record, records_ - 1));
     case Alignment::MFunction::free:
+      note_m_functions(alignment_.first_step());
+      if (verdict_) return;
       return decide(m_functions_.take(record, records_ - 1));
     case Alignment::MFunction::departs:
       return decide_departure();

@@ -84,6 +84,7 @@ TEST(NgcWhole, WhatCountsAsWholeIsThatNumberEverywhere) {
   EXPECT_EQ(turns("0.0001", nist()), "alarm b2 value-sign");
   EXPECT_EQ(turns("-0.0001", nist()), "alarm b2 value-sign");
   EXPECT_EQ(turns("-2.9999", nist()), "alarm b2 value-sign");
+  EXPECT_EQ(ending_of("F9\nG81 Z-1 R0 L-0.00001", nist()), "alarm b2 value-out-of-range");
   EXPECT_EQ(ending_of("G17 G18.00001", nist()), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M3 M4.0001", nist()), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M10.0001", nist()), "alarm b1 undefined-code");
