@@ -19,7 +19,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       program_(program),
       reference_(profile_, program_, terms_),
       alignment_(reference_, profile_.initial.at, terms_, memory_),
-      m_functions_(terms_),
+      m_functions_(terms_, reference_),
       budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {

@@ -63,7 +63,7 @@ TEST(NgcWhole, OfNistTenTimesACodeMayBeATenThousandthOff) {
   EXPECT_EQ(code("0.9999899", nist()), kUndefined);
   EXPECT_EQ(code("1.0001", nist()), kUndefined);
   EXPECT_EQ(path("G0 X1\nG90.10001 G2 X3 I2 J0 F9", nist()).back(), "arc x3 y0 c2,0 rot-1 f9");
-  EXPECT_EQ(code("59.29999", nist()), "not-covered b2 G59.3");
+  EXPECT_EQ(code("43.19999", nist()), "not-covered b2 G43.2");
   EXPECT_EQ(code("6.00001", nist()), kUndefined);
 }
 
