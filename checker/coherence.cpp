@@ -114,9 +114,10 @@ class Checker {
     Position at = initial_position(vector_.profile);
     long block = 1;
     const bool renamed = renaming != 0;
+    const bool comes_again = lines_come_again(vector_.dialect, vector_.program);
     for (const Record& record : expectation.records) {
       const std::string which = text(record);
-      need(record.block >= block, "The source lines do not ascend: " + which + ".");
+      need(record.block >= block || comes_again, "The source lines do not ascend: " + which + ".");
       need(record.block <= lines_, "The program has no such line: " + which + ".");
       block = record.block;
       if (renaming != 0 && block > renaming) {
@@ -151,7 +152,8 @@ class Checker {
       const bool has_run =
           (alarm.kind == "program-end" && block == alarm.block) ||
           (allows(expectation, "ngc.cycle.alarm-at", "late") && block == alarm.block);
-      need(expectation.records.empty() || block < alarm.block || has_run,
+      need(expectation.records.empty() || block < alarm.block || has_run ||
+               lines_come_again(vector_.dialect, vector_.program),
            "A record of line " + std::to_string(block) + " stands before the alarm of line " +
                std::to_string(alarm.block) + ".");
     }

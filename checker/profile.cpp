@@ -65,6 +65,7 @@ constexpr std::array kDefaults = {
     Choice{"ngc.arc-tolerance", "nist"},
     Choice{"ngc.arc-words-alone", "any"},
     Choice{"ngc.bare-motion", "any"},
+    Choice{"ngc.call-parameters", "any"},
     Choice{"ngc.cycle.alarm-at", "block"},
     Choice{"ngc.cycle.approach", "current-level"},
     Choice{"ngc.cycle.feed", "needed"},
@@ -73,6 +74,7 @@ constexpr std::array kDefaults = {
     Choice{"ngc.cycle.initial-kept", "place"},
     Choice{"ngc.cycle.retract-start", "r-plane"},
     Choice{"ngc.cycle.sticky", "number"},
+    Choice{"ngc.equal", "any"},
     Choice{"ngc.full-circle-words", "free"},
     Choice{"ngc.g33.k", "positive"},
     Choice{"ngc.g73.end", "r-plane"},
@@ -84,12 +86,14 @@ constexpr std::array kDefaults = {
     Choice{"ngc.g83.retract", "r-plane"},
     Choice{"ngc.g83.return", "rapid"},
     Choice{"ngc.g85.out", "r-plane"},
+    Choice{"ngc.g92-other-axes", "any"},
     Choice{"ngc.line-number", "any"},
     Choice{"ngc.o-name", "any"},
     Choice{"ngc.peck.clearance", "ten-thou"},
     Choice{"ngc.peck.d", "barred"},
     Choice{"ngc.peck.dwell", "none"},
     Choice{"ngc.program-end", "needed"},
+    Choice{"ngc.sign-of-value", "any"},
     Choice{"ngc.tap.p", "optional"},
     Choice{"ngc.unused-words", "alarm"},
     Choice{"ngc.whole", "exact"},
@@ -230,6 +234,13 @@ bool says_m_function(std::string_view program, long line, long number) {
 long renaming_line(std::string_view dialect, std::string_view program) {
   if (dialect == "gsk988ta") return line_of_code(program, 50);
   return dialect == "hnc21t" ? line_of_code(program, 92) : 0;
+}
+
+bool lines_come_again(std::string_view dialect, std::string_view program) {
+  static const std::regex kWord(
+      "[oO][ \\t]*([0-9]+|<[^>]*>|\\[.*\\])[ \\t]*"
+      "(while|do|repeat|sub|call|WHILE|DO|REPEAT|SUB|CALL)");
+  return dialect == "rs274" && std::regex_search(program.begin(), program.end(), kWord);
 }
 
 }  // namespace gonogo::checker

@@ -17,8 +17,14 @@ std::array<NgcWriter::Axis, 3> NgcWriter::plane_axes() const {
 }
 
 void NgcWriter::choose_plane(Words& words) {
-  if (!choices_.one_in(4)) return;
+  if (choices_.one_in(4)) set_plane(words);
+}
+
+// Cycles that follow are a series of their own where it changes.
+void NgcWriter::set_plane(Words& words) {
+  const int before = plane_;
   plane_ = choices_.pick({17, 18, 19});
+  if (plane_ != before) series_plane_ = 0;
   words.push_back(code(plane_));
 }
 

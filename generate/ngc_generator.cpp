@@ -17,6 +17,7 @@ void NgcWriter::make_profile() {
   inch_ = profile_.units == Units::inch;
   motion_ = profile_.initial.motion;
   plane_ = plane_code(profile_.initial.plane);
+  spindle_ = profile_.initial.spindle;
 }
 
 void NgcWriter::make_state() {
@@ -32,6 +33,7 @@ void NgcWriter::make_state() {
   if (choices_.one_in(8)) {
     profile_.initial.plane = choices_.one_in(2) ? reference::Plane::g18 : reference::Plane::g19;
   }
+  if (choices_.one_in(4)) profile_.initial.spindle = choices_.one_in(2) ? 3 : 4;
 }
 
 void NgcWriter::make_head() {
@@ -48,6 +50,7 @@ void NgcWriter::make_head() {
     text_ += choices_.pick(
         {"G17 G21 G40 G49 G80 G90 G94\n", "T1 M3 S500\n", "G54 G64 M3\n", "g40 g49 g90\n"});
     if (text_.find("G17") != std::string::npos) start_modes(-1);
+    if (text_.find("M3") != std::string::npos) spindle_ = 3;
   } else if (is_g80_forgotten() ? choices_.one_in(2) : choices_.one_in(40)) {
     count("G80 beside G0");
     text_ += "G00 G17 G21 G40 G49 G80 G90\n";
@@ -82,9 +85,12 @@ void NgcWriter::make_end() {
 
 void NgcWriter::make_block() {
   const std::uint32_t kind = choices_.below(20);
-  if (kind < 5) return line_block();
-  if (kind < 6) return rotary_block();
-  if (kind < 16) return arc_block();
+  if (kind < 3) return line_block();
+  if (kind < 4) return rotary_block();
+  if (kind < 10) return arc_block();
+  if (kind < 15) return cycle_block();
+  if (kind < 16) return synchronous_block();
+  if (kind < 17) return threading_block();
   mode_block();
 }
 
@@ -92,7 +98,14 @@ GeneratedProgram NgcWriter::run() {
   make_profile();
   make_head();
   const std::int64_t blocks = number_of_blocks(10);
-  for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) make_block();
+  for (std::int64_t i = 0; i < blocks && !choices_.exhausted(); ++i) {
+    // Cycles come one behind the other.
+    if (is_hole_cycle(motion_) && choices_.one_in(2)) {
+      cycle_block();
+    } else {
+      make_block();
+    }
+  }
   make_end();
   return {std::move(profile_), std::move(text_)};
 }

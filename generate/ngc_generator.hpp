@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs of RS274/NGC path commands, valid and nearly valid.
+// Programs of RS274/NGC path commands and cycles, valid and nearly valid.
 #pragma once
 
 #include "generate/generator.hpp"

@@ -41,7 +41,12 @@ void NgcWriter::units_block() {
 
 void NgcWriter::setting_block() {
   Words words;
-  switch (choices_.below(6)) {
+  switch (choices_.below(7)) {
+    case 6:
+      count("G98 or G99 alone");
+      retract_ = choices_.pick({98, 99});
+      words.push_back(code(retract_));
+      break;
     case 5:
       count("motion code alone");
       motion_ = choices_.one_in(2) ? 1 : 0;
@@ -59,8 +64,7 @@ void NgcWriter::setting_block() {
       break;
     case 2:
       count("plane alone");
-      plane_ = choices_.pick({17, 18, 19});
-      words.push_back(code(plane_));
+      set_plane(words);
       break;
     case 3:
       count("G80");
@@ -86,9 +90,9 @@ void NgcWriter::dwell_block() {
     words.push_back(axis_word(choices_.pick({x, y, z}), 30));
     arrive();
   }
-  if (choices_.one_in(8)) words.push_back("M3");
+  if (choices_.one_in(8)) words.push_back(spindle_word(3));
   dwells_ = true;
-  write(std::move(words));
+  write(std::move(words), "GM");
   dwells_ = false;
 }
 
@@ -118,9 +122,9 @@ void NgcWriter::mode_block() {
       return write({choices_.one_in(4) ? "F0" : feed_word()});
     case 8:
       if (choices_.one_in(3)) return write({code_that_is(Treatment::without_effect)});
-      return write({choices_.pick({"M3", "M5", "M8", "M9", "M0", "M1", "M60", "M48", "S800", "T4",
-                                   "M66 P0 L0", "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0",
-                                   "G64 P0.1 Q0.1"})});
+      if (choices_.one_in(3)) return write({spindle_word(choices_.pick({3, 4, 5}))});
+      return write({choices_.pick({"M8", "M9", "M0", "M1", "M60", "M48", "S800", "T4", "M66 P0 L0",
+                                   "M67 E1 Q2", "M62 P1", "M61 Q3", "M50 P0", "G64 P0.1 Q0.1"})});
     default:
       count("no motion");
       text_ += choices_.pick(

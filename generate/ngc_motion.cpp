@@ -11,6 +11,7 @@
 namespace gonogo::generate {
 
 std::string NgcWriter::code(int number) {
+  if (number == kG33Point1) return "G33.1";
   return choices_.one_in(4) ? fmt::format("G{:02}", number) : fmt::format("G{}", number);
 }
 
@@ -38,7 +39,9 @@ void NgcWriter::enter(Words& words, int motion) {
 
 void NgcWriter::feed_words(Words& words) {
   if (choices_.one_in(5)) words.push_back(choices_.one_in(20) ? "F0" : feed_word());
-  if (choices_.one_in(16)) words.push_back(choices_.pick({"M3", "M9", "M0", "M60"}));
+  if (!choices_.one_in(16)) return;
+  const std::string function = choices_.pick({"M3", "M9", "M0", "M60"});
+  words.push_back(function != "M3" ? function : spindle_named_ ? "M8" : spindle_word(3));
 }
 
 void NgcWriter::line_block() {
@@ -86,9 +89,13 @@ void NgcWriter::rotary_block() {
   rotary_ = false;
 }
 
-void NgcWriter::write(Words words) {
+void NgcWriter::write(Words words, std::string_view whole) {
+  whole_ = whole;
   put(std::move(words));
   target_ = at_;
+  spindle_named_ = false;
+  // The block that leaves a cycle is still one in which no word may be wrong.
+  minute_pecks_ = minute_pecks_ && is_pecking(motion_);
 }
 
 std::string NgcWriter::stray_word() {
@@ -101,22 +108,28 @@ std::string NgcWriter::stray_word() {
 bool NgcWriter::may_have(Fault fault, const std::string& word) const {
   const char address = word[0];
   const bool is_code = address == 'G' || address == 'M';
+  if (minute_pecks_) return false;
   // Undecided: two M functions of one kind.
   // Also whose P it is where a dwell meets an arc.
   if (fault == Fault::stray && dwells_) return motion_ < 2 && !profile_.block_skip;
   if (fault == Fault::twice) return address != 'M';
-  if (fault == Fault::far) return is_code || address == 'X' || address == 'Y' || address == 'Z';
+  if (fault == Fault::far) return is_code || may_be_far(address);
   // Also undecided: an R of nil for an arc that ends where it starts.
-  if (fault == Fault::zero) return address != 'R';
+  if (fault == Fault::zero) return address != 'R' || is_hole_cycle(motion_);
   return address != 'S' && address != 'T';
+}
+
+// No fault makes pecks without number.
+bool NgcWriter::may_be_far(char address) const {
+  if (address == 'R') return is_hole_cycle(motion_) && !is_pecking(motion_);
+  if (address != 'X' && address != 'Y' && address != 'Z') return false;
+  return !is_pecking(motion_) || address != "XYZ"[plane_axes()[2]];
 }
 
 // A number that must be whole, near one of the limits within which interpreters take it as that:
 // 0.0001 and 0.001, of a G code a tenth of them. A seventh decimal may follow.
 std::string NgcWriter::beside_whole(const std::string& word) {
-  const bool must_be_whole =
-      word[0] == 'G' || word[0] == 'M' || (word[0] == 'P' && !dwells_ && word[1] != '-');
-  if (!must_be_whole) return word;
+  if (whole_.find(word[0]) == std::string_view::npos || word[1] == '-') return word;
   // Where they need not be whole exactly, more of them: the program may go on.
   const bool often = !profile_.readings.is(reference::ReadingKey::ngc_whole, "exact");
   if (!meets_limit(12) && !(often && puts_wrong(12))) return word;
@@ -131,8 +144,13 @@ std::string NgcWriter::beside_whole(const std::string& word) {
                      size % 1'000'000, choices_.pick({"", "", "1", "9"}));
 }
 
-// Now and then a number with decimals, or one that is too large for some.
+// Now and then a number with decimals, one that is too large for some, or one that is none
+// (NGC-COM-05).
 std::string NgcWriter::head() {
+  if (puts_wrong(120)) {
+    count("fault: line number");
+    return choices_.pick({"N10. ", "N10.5.5 ", "N10.5. "});
+  }
   if (!choices_.one_in(60)) return ProgramWriter::head();
   count("line number of one reading");
   return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789 "});

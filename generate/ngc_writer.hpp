@@ -4,13 +4,29 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "generate/ngc_generator.hpp"
 #include "generate/program_writer.hpp"
 
 namespace gonogo::generate {
+
+// Of a code of the motion group.
+constexpr bool is_pecking(int motion) {
+  return motion == 73 || motion == 83;
+}
+constexpr bool is_tapping(int motion) {
+  return motion == 74 || motion == 84;
+}
+constexpr bool is_dwelling(int motion) {
+  return motion == 82 || motion == 86 || motion == 89;
+}
+constexpr bool is_hole_cycle(int motion) {
+  return motion == 73 || motion == 74 || (motion >= 81 && motion <= 89);
+}
 
 class NgcWriter final : ProgramWriter {
  public:
@@ -55,6 +71,35 @@ class NgcWriter final : ProgramWriter {
   Pair turned(Pair from);
   std::int64_t beside(std::int64_t radius);
   void choose_plane(Words& words);
+  void set_plane(Words& words);
+  // In ngc_cycles.cpp: cycles of holes.
+  void cycle_block();
+  void cycle_modes(Words& words, bool first);
+  void level_words(Words& words, bool first);
+  void place_words(Words& words, std::int64_t holes);
+  void count_cycle(bool first);
+  bool keeps_levels(bool first) const;
+  std::int64_t above_tool();
+  std::int64_t hole_depth();
+  bool levels_are_told() const;
+  std::optional<std::int64_t> clear_level() const;
+  // In ngc_cycle_words.cpp: what else their blocks have.
+  void own_words(Words& words, bool first);
+  void peck_words(Words& words, bool first);
+  std::int64_t peck_length();
+  std::int64_t hole_count(Words& words);
+  void cycle_faults(Words& words);
+  void replace(Words& words, std::string_view text);
+  std::string_view letters_unused_by_cycle() const;
+  // In ngc_threads.cpp.
+  void synchronous_block();
+  void threading_block();
+  std::int64_t pass_words(Words& words);
+  void taper_words(Words& words, std::int64_t travel, std::int64_t depth);
+  void threading_faults(Words& words);
+  // M3 or M4, where the spindle does not turn so.
+  void spindle_words(Words& words, std::initializer_list<int> senses);
+  std::string spindle_word(int sense);
 
   // Words. Lengths are in least increments.
   std::int64_t any_sign(std::int64_t length) { return choices_.one_in(2) ? -length : length; }
@@ -78,27 +123,48 @@ class NgcWriter final : ProgramWriter {
   void arrive() { at_ = target_; }
   // Where it is now cannot be told.
   void lose_place() { at_ = target_ = {}; }
-  void write(Words words);
+  // `whole`: letters of its words that have to be whole numbers.
+  void write(Words words, std::string_view whole = "GMP");
   std::string beside_whole(const std::string& word);
 
   int decimals() const override { return 4; }
   std::string stray_word() override;
   bool may_have(Fault fault, const std::string& word) const override;
+  bool may_be_far(char address) const;
   std::string printed(const std::string& word) override;
   std::string head() override;
-  void on_fault() override { lose_place(); }
+  void on_fault() override {
+    lose_place();
+    sticky_ = {};
+    initial_.reset();
+  }
 
   using Place = std::array<std::optional<std::int64_t>, 5>;
+  // Numbers of a cycle that stay in force, as far as known.
+  struct StickyWords {
+    std::optional<std::int64_t> r;
+    std::optional<std::int64_t> depth;
+    std::optional<std::int64_t> q;
+  };
+  static constexpr int kG33Point1 = 331;
 
   bool opened_ = false;  // the program, by a %
   bool inch_ = false;
   bool incremental_ = false;
   bool absolute_centre_ = false;
   int plane_ = 17;
-  int motion_ = -1;        // code of the motion group; -1: none
-  bool has_code_ = false;  // the block has a code of the motion group
-  bool dwells_ = false;    // the block has a G4
-  bool rotary_ = false;    // the block turns a rotary axis alone
+  int motion_ = -1;             // code of the motion group; -1: none
+  bool has_code_ = false;       // the block has a code of the motion group
+  bool dwells_ = false;         // the block has a G4
+  bool rotary_ = false;         // the block turns a rotary axis alone
+  int spindle_ = 5;             // M3, M4 or M5
+  bool spindle_named_ = false;  // in the block
+  int retract_ = 0;             // G98 or G99; 0: not said
+  int series_plane_ = 0;        // of the cycles one behind the other; 0: changed since
+  bool minute_pecks_ = false;   // Q is small: a hole of common depth would have thousands
+  std::string_view whole_;      // letters of words that have to be whole numbers
+  StickyWords sticky_;
+  std::optional<std::int64_t> initial_;  // level of the series
   // Where the tool stands and where the block leads, as words would say it, as far as known.
   Place at_;
   Place target_;

@@ -58,7 +58,11 @@ class OutcomeCounter {
   void take(const reference::AlarmReport& report) {
     shows_ = true;
     count("program alarms");
-    for (const reference::Alarm& alarm : report.alarms) note("alarm", name(alarm.alarm));
+    for (const reference::Alarm& alarm : report.alarms) {
+      note("alarm", name(alarm.alarm));
+      note("refused by",
+           fmt::format("{} {}", reference::clause_name(alarm.clause), name(alarm.alarm)));
+    }
   }
   void take(const reference::NotCovered&) { count("program not covered"); }
   // Open paths do not come, since they are shown.

@@ -43,7 +43,7 @@ void SinumerikWriter::make_tools() {
     const std::int64_t own = radius != 0 ? radius : 800 + choices_.between(0, 6'000);
     // Whether a pass runs along the border is told to within the tolerance.
     tools_.push_back(std::max(kTold, length_of(own)));
-    profile_.tools[std::to_string(tool)] = reference::Number::millionths(tools_.back() * 1'000);
+    profile_.tools[std::to_string(tool)].radius = reference::Number::millionths(tools_.back() * 1'000);
   }
 }
 

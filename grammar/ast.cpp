@@ -13,6 +13,9 @@ void Block::clear() {
   words.clear();
   named.clear();
   terms.clear();
+  names.clear();
+  assignments.clear();
+  control.reset();
   comments.clear();
   outside.reset();
 }

@@ -33,17 +33,27 @@ struct Decimal {
   friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 
-// An address, a capital letter however it is written, and its number.
+// Terms of Block::terms, one after the other: a value.
+struct TermRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;  // 0: none
+  friend bool operator==(const TermRange&, const TermRange&) = default;
+};
+
+// An address, a capital letter however it is written, and its number; or, in RS274/NGC, an
+// expression: X[#1+2].
 struct Word {
   char address = 0;
   Decimal value;
   Span where;
+  TermRange terms = {};  // in place of `value`
   friend bool operator==(const Word& a, const Word& b) {
-    return a.address == b.address && a.value == b.value;
+    return a.address == b.address && a.value == b.value && a.terms == b.terms;
   }
 };
 
-// One step of an expression of SINUMERIK in postfix order: 1 2 add is 1+2.
+// One step of an expression in postfix order: 1 2 add is 1+2. The first ones are SINUMERIK's and
+// RS274/NGC's, the last those of the latter alone.
 enum class TermKind : std::uint8_t {
   number,     // pushes `number`
   parameter,  // pushes the value of R`number`
@@ -57,6 +67,29 @@ enum class TermKind : std::uint8_t {
   subtract,
   multiply,
   divide,
+  plus,      // a sign that changes nothing
+  numbered,  // the value of the parameter of that number
+  named,     // pushes the value of the parameter Block::names[`number`]
+  exists,    // pushes whether it has one
+  acos,      // degrees
+  asin,
+  atan,  // of two values
+  exp,
+  fix,
+  fup,
+  ln,
+  round,
+  power,
+  modulo,
+  equal,
+  not_equal,
+  greater,
+  not_less,
+  less,
+  not_greater,
+  logic_and,
+  logic_or,
+  logic_xor,
 };
 
 struct Term {
@@ -65,6 +98,48 @@ struct Term {
   Span where;
   friend bool operator==(const Term& a, const Term& b) {
     return a.kind == b.kind && a.number == b.number;
+  }
+};
+
+// RS274/NGC: #1=2, #<name>=2.
+struct Assignment {
+  std::string name;      // in small letters; empty: a numbered parameter
+  TermRange index = {};  // the number of that
+  TermRange value = {};
+  Span where;
+  friend bool operator==(const Assignment& a, const Assignment& b) {
+    return a.name == b.name && a.index == b.index && a.value == b.value;
+  }
+};
+
+// What an O word of RS274/NGC does.
+enum class ControlKind : std::uint8_t {
+  sub,
+  endsub,
+  return_,
+  call,
+  if_,
+  elseif,
+  else_,
+  endif,
+  while_,
+  endwhile,
+  do_,
+  repeat,
+  endrepeat,
+  break_,
+  continue_,
+};
+
+// o100 while [#1 LT 10].
+struct Control {
+  ControlKind kind = ControlKind::sub;
+  std::string label;      // digits, or <name> in small letters; empty: it is calculated
+  TermRange number = {};  // then
+  std::vector<TermRange> values;
+  Span where;
+  friend bool operator==(const Control& a, const Control& b) {
+    return a.kind == b.kind && a.label == b.label && a.number == b.number && a.values == b.values;
   }
 };
 
@@ -128,7 +203,11 @@ struct Block {
   Place line_comment;                      // of ';' and all behind it, in letter addresses
   std::vector<Word> words;
   std::vector<NamedWord> named;  // SINUMERIK, in place of `words`, in the order written
-  std::vector<Term> terms;       // the values of `named`, one after the other
+  std::vector<Term> terms;       // the values of `named` and of what RS274/NGC has
+  // RS274/NGC.
+  std::vector<std::string> names;       // of parameters, in `terms`; in small letters
+  std::vector<Assignment> assignments;  // in the order written
+  std::optional<Control> control;       // the line is an O word
   std::vector<Comment> comments;
   std::optional<OutsideConstruct> outside;
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grammar/parser.hpp"
+#include "grammar/print_rs274.hpp"
 #include "grammar/print_sinumerik.hpp"
 
 namespace gonogo::grammar {
@@ -16,7 +17,7 @@ struct StandIn {
 // The text of an outside construct is not in the tree; any text of the same name stands for it.
 constexpr StandIn kStandIns[] = {
     {"variable", "X#1"},    {"expression", "X[1]"}, {"control-statement", "GOTO 1"},
-    {"file-name", "P[T1]"}, {"o-word", "O1 SUB"},   {"comma-word", ",C1"},
+    {"file-name", "P[T1]"}, {"o-word", "O1 X1"},   {"comma-word", ",C1"},
     {"RL=", "RL=1"},        {"RC=", "RC=1"},        {"polar-word", "@1"},
     {"spindle-word", "$1"}};
 constexpr StandIn kSinumerikStandIns[] = {{"variable", "X=$A"},
@@ -65,10 +66,28 @@ std::string print(Dialect dialect, const Block& block) {
     out.push_back('O');
     print(*block.program_number, out);
   }
+  auto assignment = block.assignments.begin();
+  const auto print_assignments = [&](std::uint32_t before) {
+    for (; assignment != block.assignments.end() && assignment->where.begin < before;
+         ++assignment) {
+      blank(out);
+      print(*assignment, block, out);
+    }
+  };
   for (const Word& word : block.words) {
+    print_assignments(word.where.begin);
     blank(out);
     out.push_back(word.address);
-    print(word.value, out);
+    if (word.terms.count == 0) {
+      print(word.value, out);
+    } else {
+      out += text_of_terms(block, word.terms);
+    }
+  }
+  print_assignments(UINT32_MAX);
+  if (block.control) {
+    blank(out);
+    print(*block.control, block, out);
   }
   for (const NamedWord& word : block.named) {
     blank(out);

@@ -32,7 +32,18 @@ Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
     : trial_(std::move(maker), std::move(trial)),
       options_(std::move(options)),
       generator_(generate::generator_of(options_.dialect)),
-      dice_(options_.seed) {}
+      dice_(options_.seed),
+      repertoire_(trial_.info(), options_.dialect) {}
+
+Specimen Hunt::next_fitted() {
+  constexpr std::size_t kMostDrawn = 50;
+  for (std::size_t drawn = 1;; ++drawn) {
+    Specimen specimen = next();
+    auto program = repertoire_.fitted(specimen.program);
+    if (program) specimen.program = *std::move(program);
+    if (program || drawn == kMostDrawn) return specimen;
+  }
+}
 
 // Generated programs at first and now and then, else mutants of those that showed something.
 Specimen Hunt::next() {
@@ -95,7 +106,7 @@ bool Hunt::is_declared(const generate::GeneratedProgram& program) const {
 
 std::optional<Finding> Hunt::step() {
   ++count_.programs;
-  const Specimen specimen = next();
+  const Specimen specimen = next_fitted();
   if (!is_declared(specimen.program)) {
     ++count_.skipped;
     return std::nullopt;
@@ -107,6 +118,11 @@ std::optional<Finding> Hunt::step() {
   }
   if (options_.guided) pool_.offer(specimen, *features);
   const std::optional<Verdict> verdict = trial_.run(specimen.program);
+  if (verdict && verdict->kind == VerdictKind::skip) {
+    repertoire_.skipped(specimen.program);
+  } else {
+    repertoire_.ran(specimen.program);
+  }
   if (!verdict) {
     ++count_.too_long;
   } else if (is_finding(*verdict)) {

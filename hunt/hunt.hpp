@@ -9,6 +9,7 @@
 
 #include "hunt/pool.hpp"
 #include "hunt/reduce.hpp"
+#include "hunt/repertoire.hpp"
 #include "hunt/signature.hpp"
 #include "hunt/trial.hpp"
 
@@ -57,9 +58,12 @@ class Hunt {
 
   const HuntCount& count() const { return count_; }
   const Pool& pool() const { return pool_; }
+  const Repertoire& repertoire() const { return repertoire_; }
   Trial& trial() { return trial_; }
 
  private:
+  // One that the subject may run, as far as that is known.
+  Specimen next_fitted();
   Specimen next();
   Specimen fresh();
   Specimen mutant();
@@ -74,6 +78,7 @@ class Hunt {
   const generate::Generator& generator_;
   program::Dice dice_;
   Pool pool_;
+  Repertoire repertoire_;
   Specimen parent_;         // of the text mutants that are due
   std::size_t litter_ = 0;  // how many of them
   std::set<Signature> known_;

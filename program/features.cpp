@@ -44,15 +44,8 @@ bool is_used(reference::Use use, bool is_repeated, const BlockModes& modes) {
 
 class Needs {
  public:
-  explicit Needs(const ProgramText& program) : table_(*program.table) {
-    for (const TextBlock& block : program.blocks) take(block);
-  }
+  explicit Needs(const reference::Descriptor& table) : table_(table) {}
   std::set<std::string> features() && { return std::move(features_); }
-
- private:
-  void add(std::string_view feature) {
-    if (!feature.empty()) features_.emplace(feature);
-  }
   void take(const TextBlock& block) {
     for (const std::string& name : block.codes) {
       const Code* const code = name.empty() ? nullptr : table_.find(name);
@@ -63,6 +56,11 @@ class Needs {
     }
     if (block.modes.code() != nullptr) take_joint_words(*block.modes.code(), block);
     if (block.modes.motion != nullptr) take_uses(*block.modes.motion, block);
+  }
+
+ private:
+  void add(std::string_view feature) {
+    if (!feature.empty()) features_.emplace(feature);
   }
   void take(const TextWord& word, const TextBlock& block) {
     const std::string name = name_of(word);
@@ -117,7 +115,15 @@ class Needs {
 }  // namespace
 
 std::set<std::string> features_needed(const ProgramText& program) {
-  return Needs(program).features();
+  Needs needs(*program.table);
+  for (const TextBlock& block : program.blocks) needs.take(block);
+  return std::move(needs).features();
+}
+
+std::set<std::string> features_needed(const reference::Descriptor& table, const TextBlock& block) {
+  Needs needs(table);
+  needs.take(block);
+  return std::move(needs).features();
 }
 
 }  // namespace gonogo::program

@@ -13,7 +13,9 @@
 #include "reference/catalog/gsk988ta.hpp"
 #include "reference/catalog/hnc21t.hpp"
 #include "reference/catalog/rs274.hpp"
+#include "reference/catalog/rs274_calculation.hpp"
 #include "reference/catalog/rs274_cycles.hpp"
+#include "reference/catalog/rs274_offsets.hpp"
 #include "reference/catalog/rs274_threads.hpp"
 #include "reference/catalog/silent_rules.hpp"
 #include "reference/catalog/sinumerik.hpp"
@@ -46,7 +48,7 @@ consteval Catalog resting(Catalog all) {
 
 inline constexpr auto kAll =
     resting(joined(kGsk988ta, silent::kGsk988ta, hnc21t::kClauses, silent::kHnc21t, rs274::kClauses,
-                   rs274::kCycleClauses, rs274::kThreadClauses, sinumerik::kPathClauses,
+                   rs274::kCycleClauses, rs274::kThreadClauses, rs274::kOffsetClauses, rs274::kCalculationClauses, sinumerik::kPathClauses,
                    silent::kSinumerikPath, sinumerik::kCycleClauses, silent::kSinumerikCycles));
 
 }  // namespace catalog

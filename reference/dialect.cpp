@@ -19,6 +19,10 @@ namespace {
 
 constexpr auto kOffsets =
     std::to_array<std::string_view>({"G54", "G55", "G56", "G57", "G58", "G59"});
+constexpr auto kNgcOffsets = std::to_array<std::string_view>(
+    {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
+constexpr auto kNgcParameters =
+    std::to_array<std::string_view>({"5181", "5182", "5183", "5184", "5186"});
 constexpr auto kGskParameters =
     std::to_array<std::string_view>({"3403.6", "3410", "5130", "5920", "5921"});
 constexpr auto kSinumerikParameters =
@@ -73,19 +77,12 @@ std::span<const Dialect> dialects() {
        "M98, M99 (subprograms), M functions above 9999, a second program in the file, Y and V "
        "outside the cycles (programs "
        "for mills), RL= and RC=, variables (#), expressions ([ ]) and control statements"},
-      {"rs274",
-       grammar::Dialect::rs274,
-       clauses_of("NGC-"),
-       "NGC-COM-01"_clause,
-       "NGC-COM-01"_clause,
-       false,
-       rs274::make_interpreter,
-       &rs274::kDescriptor,
-       {},
-       {},
-       mills_finely,
+      {"rs274", grammar::Dialect::rs274, clauses_of("NGC-"), "NGC-COM-01"_clause,
+       "NGC-COM-01"_clause, false, rs274::make_interpreter, &rs274::kDescriptor, kNgcOffsets,
+       kNgcParameters, mills_finely,
        "M98, M99, M100 to M199 (subprograms and programs of the user), the axes B U V W, polar "
-       "words (@ ^), other spindles ($), O words, variables (#) and expressions ([ ])"},
+       "words (@ ^), other spindles ($), other O words and calls of files, most parameters of the "
+       "machine"},
       {"sinumerik840d",
        grammar::Dialect::sinumerik,
        kClauses840d,

@@ -83,7 +83,7 @@ bool Expander::next_line() {
   out_.clear();
   next_item_ = next_after_ = 0;
   const auto size = static_cast<std::uint32_t>(line_.text.size());
-  if (lines_.next(line_)) return true;
+  if (interpreter_->next_line(lines_, line_)) return true;
   text_ended_ = true;
   interpreter_->end_text({size, size}, out_);
   return false;

@@ -49,6 +49,13 @@ class BlockInterpreter {
  public:
   virtual ~BlockInterpreter() = default;
   virtual void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) = 0;
+  // The line that is read next; false at the end of the text. What the language says of the order
+  // of lines stands behind it; lines that came before may come again.
+  virtual bool next_line(grammar::LineSource& lines, grammar::Line& line) {
+    return lines.next(line);
+  }
+  // Whether lines that came before may come again from now on.
+  virtual bool may_repeat_lines() const { return false; }
   // A block was left out, since blocks behind '/' are skipped.
   virtual void leave_out() {}
   // The text is at its end, and no block ended the program; `end` is the place behind the last
@@ -85,6 +92,8 @@ class Expander {
   void stand_at(const Position& position) { interpreter_->stand_at(position); }
 
   const ReadingsInUse& readings() const { return readings_; }
+  // Whether lines have come in their order, and go on so.
+  bool is_in_order() const { return !interpreter_->may_repeat_lines(); }
   // Is told of every warning, with its line. A judge does without.
   using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
   void on_warning(WarningSink sink) { warn_ = std::move(sink); }

@@ -32,6 +32,13 @@ struct InitialState {
   friend bool operator==(const InitialState&, const InitialState&) = default;
 };
 
+// mm.
+struct Tool {
+  Number radius;
+  Number length;  // of G43, along Z
+  friend bool operator==(const Tool&, const Tool&) = default;
+};
+
 struct Profile {
   std::string dialect = "gsk988ta";
   Units units = Units::mm;
@@ -41,9 +48,9 @@ struct Profile {
   bool x_diameter = true;
   InitialState initial;
   std::map<std::string, Position> offsets;   // "G54" -> mm
-  std::map<std::string, Number> tools;       // number -> radius, mm
+  std::map<std::string, Tool> tools;         // by their numbers
   std::map<std::string, Number> parameters;  // "3410" -> value
-  Position reference_point;                  // of G28, mm
+  Position reference_point;                  // of G28, mm, in coordinates of the machine
   ReadingChoice readings;
   AlarmTiming alarm_timing = AlarmTiming::block;
   bool block_skip = false;

@@ -150,10 +150,17 @@ void read_tools(const Json& table, Profile& profile) {
     if (name.empty() || name.find_first_not_of("0123456789") != std::string::npos) {
       fail(key, fmt::format("\"{}\" is no tool number. Write the digits after T or D.", name));
     }
-    for (const auto& [field, radius] : value.items()) {
-      if (field != "radius") unknown_key(key + "." + field, "radius");
-      profile.tools[name] = number_of(radius, key + ".radius");
-      if (profile.tools[name].sign() < 0) fail(key + ".radius", "A radius cannot be negative.");
+    Tool& tool = profile.tools[name];
+    for (const auto& [field, number] : value.items()) {
+      const std::string whole_key = key + "." + field;
+      if (field == "radius") {
+        tool.radius = number_of(number, whole_key);
+        if (tool.radius.sign() < 0) fail(whole_key, "A radius cannot be negative.");
+      } else if (field == "length") {
+        tool.length = number_of(number, whole_key);
+      } else {
+        unknown_key(whole_key, "radius, length");
+      }
     }
   }
 }

@@ -22,6 +22,14 @@ Json position_json(const Position& at) {
   return object;
 }
 
+Json tool_json(const Tool& tool) {
+  Json object = Json::object();
+  const bool has_length = tool.length.sign() != 0;
+  if (tool.radius.sign() != 0 || !has_length) object["radius"] = number_text(tool.radius);
+  if (has_length) object["length"] = number_text(tool.length);
+  return object;
+}
+
 // Key by key, what is not in `base`.
 template <typename Value, typename ToJson>
 void add_changed(Json& document, const char* member, const std::map<std::string, Value>& values,
@@ -76,9 +84,7 @@ std::string profile_json(const Profile& profile) {
   if (profile.x_diameter != base.x_diameter) document["x_diameter"] = profile.x_diameter;
   add_initial(document, profile.initial, base.initial);
   add_changed(document, "offsets", profile.offsets, base.offsets, position_json);
-  add_changed(document, "tools", profile.tools, base.tools, [](const Number& radius) {
-    return Json{{"radius", number_text(radius)}};
-  });
+  add_changed(document, "tools", profile.tools, base.tools, tool_json);
   add_changed(document, "parameters", profile.parameters, base.parameters, number_text);
   add_position(document, "reference_point", profile.reference_point, base.reference_point);
   add_readings(document, profile, base);

@@ -77,6 +77,10 @@ enum class ReadingKey : std::uint8_t {
   ngc_program_end,
   ngc_bare_motion,
   ngc_arc_words_alone,
+  ngc_g92_other_axes,
+  ngc_equal,
+  ngc_sign_of_value,
+  ngc_call_parameters,
   ngc_cycle_initial,
   ngc_cycle_g91_r,
   ngc_cycle_sticky,
@@ -114,7 +118,7 @@ enum class ReadingKey : std::uint8_t {
   sie_lcyc_unit,
   sie_lc75_r125_limit,
 };
-inline constexpr std::size_t kReadings = 94;
+inline constexpr std::size_t kReadings = 98;
 constexpr std::size_t index(ReadingKey key) {
   return static_cast<std::size_t>(key);
 }

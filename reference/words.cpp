@@ -72,7 +72,7 @@ void check_axis_letters(const WordTable& words, std::span<const AxisAddresses> a
 
 void check_feed_sign(const WordTable& words, ClauseId clause, std::vector<Alarm>& alarms) {
   const grammar::Word* word = words.word('F');
-  if (word == nullptr || to_number(word->value).sign() >= 0) return;
+  if (word == nullptr || words.written('F').sign() >= 0) return;
   alarms.push_back({AlarmClass::value_sign, clause, 'F', word->where,
                     fmt::format("The feed {} is negative.", text_of(*word))});
 }

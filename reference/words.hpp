@@ -52,10 +52,15 @@ class WordPlaces {
   ~WordPlaces() = default;
 };
 
+// What words have for a value that no decimal says, in the order of the block's words.
+using WordValues = std::vector<std::optional<Number>>;
+
 // Of an address that stands several times, the last word.
 class WordTable : public WordPlaces {
  public:
-  explicit WordTable(const grammar::Block& block) : block_(block) {
+  // `values` may be null; it must outlive the table.
+  explicit WordTable(const grammar::Block& block, const WordValues* values = nullptr)
+      : block_(block), values_(values) {
     for (const grammar::Word& word : block.words) {
       by_address_[static_cast<std::size_t>(word.address - 'A')] = &word;
     }
@@ -68,7 +73,14 @@ class WordTable : public WordPlaces {
     return by_address_[static_cast<std::size_t>(address - 'A')];
   }
   // The number as written. REQUIRES: has(address).
-  Number written(char address) const { return to_number(word(address)->value); }
+  Number written(char address) const {
+    const grammar::Word* const found = word(address);
+    if (values_ != nullptr) {
+      const auto place = static_cast<std::size_t>(found - block_.words.data());
+      if (const std::optional<Number>& value = (*values_)[place]) return *value;
+    }
+    return to_number(found->value);
+  }
   const grammar::Block& block() const { return block_; }
   std::optional<grammar::Span> place_of(const WordName& name) const override;
   grammar::Span behind() const override;
@@ -78,6 +90,7 @@ class WordTable : public WordPlaces {
 
  private:
   const grammar::Block& block_;
+  const WordValues* values_;
   std::array<const grammar::Word*, 26> by_address_{};
 };
 

@@ -117,6 +117,10 @@ bool puts_pole(const Code& code) {
   return code.kind == Kind::pole;
 }
 
+bool renames(const Code& code) {
+  return code.kind == Kind::rename;
+}
+
 bool is_along_depth(Role role) {
   return role == Role::along_d;
 }
@@ -126,7 +130,8 @@ bool is_along_depth(Role role) {
 std::optional<Related> translated_words(const generate::GeneratedProgram& program) {
   const Profile& profile = program.profile;
   ProgramText text(profile, program.text);
-  if (has_unclear_words(text) || any_role(text, is_polar) || any_code(text, puts_pole)) {
+  if (has_unclear_words(text) || any_role(text, is_polar) || any_code(text, puts_pole) ||
+      any_code(text, renames)) {
     return std::nullopt;
   }
   Way way = {true, true, true};
@@ -205,7 +210,10 @@ std::optional<Related> translated(const generate::GeneratedProgram& program) {
   if (frame != nullptr) return translated_by_frame(program, *frame);
   const Code* const offset =
       dialect.offsets.empty() ? nullptr : table.find(dialect.offsets.front());
-  if (offset != nullptr && offset->treatment == reference::Treatment::read) {
+  // Not where a subject need not know more than the first of them.
+  const Code* const second = dialect.offsets.size() < 2 ? nullptr : table.find(dialect.offsets[1]);
+  if (offset != nullptr && offset->treatment == reference::Treatment::read && second != nullptr &&
+      second->feature == offset->feature) {
     return translated_by_offset(program, dialect);
   }
   return translated_words(program);

@@ -43,8 +43,8 @@ class HuntProgress {
   void show(const hunt::Hunt& hunt, std::size_t findings) {
     if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = Clock::now();
-    complain("\r\033[K{} programs, {} features, {} findings, about {:.0f} s left",
-             hunt.count().programs, hunt.pool().features(), findings,
+    complain("\r\033[K{} programs, {} skipped, {} features, {} findings, about {:.0f} s left",
+             hunt.count().programs, hunt.count().skipped, hunt.pool().features(), findings,
              end_.seconds_left(hunt.count().programs));
     std::fflush(stderr);
   }
@@ -98,6 +98,29 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
+// Fewer judged than this part of the programs: nothing found says next to nothing.
+bool judged_little(const hunt::HuntCount& count) {
+  return count.judged * 10 < count.programs;
+}
+
+// What the subject skipped, where it skipped much.
+std::string skipped_text(const hunt::Hunt& hunt) {
+  const hunt::HuntCount& count = hunt.count();
+  std::string text;
+  const std::string out = hunt.repertoire().left_out();
+  if (count.skipped * 10 > count.programs && !out.empty()) {
+    text = fmt::format("The subject skips programs with: {}\n", out);
+  }
+  if (judged_little(count)) {
+    text += fmt::format(
+        "Only {} of {} programs were judged. That nothing was found in the others says nothing: "
+        "declare what the subject does (dialects and features of its answer to `start`), or draw "
+        "programs that it runs (--settings, --profile).\n",
+        count.judged, count.programs);
+  }
+  return text;
+}
+
 int hunt(HuntWords words) {
   if (words.method == "properties") return hunt_properties(words);
   hunt::HuntOptions options = hunt_options(words);
@@ -125,10 +148,10 @@ int hunt(HuntWords words) {
     }
   }
   Output output;
-  output.text() = summary(words, hunt, tally);
+  output.text() = summary(words, hunt, tally) + skipped_text(hunt);
   output.flush();
   if (tally.no_go > 0) return kNoGo;
-  const bool undecided = tally.oracle_errors > 0 || !tally.complete || hunt.count().judged == 0;
+  const bool undecided = tally.oracle_errors > 0 || !tally.complete || judged_little(hunt.count());
   return undecided ? kUndecided : kGo;
 }
 

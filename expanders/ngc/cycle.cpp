@@ -228,7 +228,8 @@ void CycleBlock::take_count() {
   std::optional<Fixed>& last = state_.leftovers.count;
   std::optional<Fixed> count = block_.has('L') ? machine_.whole.repeats(block_.number('L')) : 1;
   if (!block_.has('L')) count = machine_.alters("l-sticky"_fault, count, last ? last : count);
-  if (block_.has('L') && block_.number('L').value < 0) {
+  // What counts as 0 is not below it.
+  if (block_.has('L') && count.value_or(block_.number('L').value) < 0) {
     complain(AlarmKind::kValueSign, 'L');
   } else if (!count) {
     complain(AlarmKind::kNotAnInteger, 'L');

@@ -72,8 +72,8 @@ then: nothing again line
 
 // Lengths of the pocket by its shape; its narrowest width is 20 but where the tool just fits.
 void draw_lcyc75(const Pick& pick, Drawing& drawing) {
-  drawing.profile.tools["1"] = reference::Number(5);
-  drawing.profile.tools["2"] = reference::Number(5) / reference::Number(2);
+  drawing.profile.tools["1"].radius = reference::Number(5);
+  drawing.profile.tools["2"].radius = reference::Number(5) / reference::Number(2);
   const bool roughs = !pick.is("R127", "finish");
   const Length tool = pick.is("tool", "T2") ? Length{2500, 0} : mm(5);
   const Length allowance = pick.length("R124");
@@ -186,7 +186,7 @@ void draw_802s_sequence(const Pick& pick, Drawing& drawing) {
   for (const char* feature : {"cr", "polar", "ct", "frames", "lcyc82", "lcyc75"}) {
     drawing.features.emplace_back(feature);
   }
-  drawing.profile.tools["1"] = reference::Number(5);
+  drawing.profile.tools["1"].radius = reference::Number(5);
   drawing.stand(mm(1), mm(2), mm(30), "S400 M3 T1 D1");
   drawing.put({"G1 X3 Y14 F90"});
   for (const char* place : {"first", "second", "third"}) draw_802s_step(pick[place], drawing);

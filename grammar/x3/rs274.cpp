@@ -3,26 +3,28 @@
 // The dialect of RS274/NGC. Letters stand in either case. NGC-COM-04: blanks and tabs mean nothing
 // outside comments, so the line is read without them.
 //
-//   line      = tape-mark | name | block
-//   tape-mark = '%'
-//   name      = O whole comment* [';' text]
-//   block     = ['/'] [N whole ['.' whole]] comment* item* [construct] [';' text]
-//   construct = '#' rest | O rest | ('@' | '^' | '$') value rest
-//             | address [sign] ('#' | '[' | function) rest
-//   value     = [sign] (digit | '.' | '#' | '[' | function)
+//   line       = tape-mark | name | block
+//   tape-mark  = '%'
+//   name       = O whole comment* [';' text]
+//   block      = ['/'] [N whole ['.' whole]] comment* (control | item* [construct]) [';' text]
+//   control    = O label keyword ('[' expression ']')* comment*
+//   label      = whole | '<' name '>' | parameter | '[' expression ']'
+//   item       = address (number | value) | assignment | comment
+//   assignment = '#' (value | '<' name '>') '=' value
+//   construct  = O rest | ('@' | '^' | '$') value rest
 //
-// The rest of the block is that of all letter-address programs.
+// What a value is rs274_values.hpp says. The rest of the block is that of all letter-address
+// programs.
 #include "grammar/x3/rs274.hpp"
 
 #include <algorithm>
 
 #include "grammar/x3/letter_address.hpp"
+#include "grammar/x3/rs274_values.hpp"
 #include "grammar/x3/squeezed.hpp"
 
 namespace gonogo::grammar::rs274 {
 namespace {
-
-using namespace x3;  // the vocabulary of the dialect grammars
 
 constexpr Letters kCase = Letters::any_case;
 constexpr char kOWord[] = "o-word";
@@ -103,17 +105,177 @@ struct Semicolon : spirit::parser<Semicolon> {
 constexpr auto line_number = rule<struct LineNumberId, Decimal>{"whole-number"} = LineNumber{};
 constexpr auto tape_mark_end = rule<struct TapeMarkEndId>{"tape-mark-end"} = spirit::eoi;
 
+constexpr auto assignment_sign = rule<struct AssignmentSignId>{"assignment"} = sole<'='>;
+constexpr auto label_value = rule<struct LabelValueId>{"ngc-value"} = value;
+
+constexpr auto function_value = -sign >> Keyword<kFunctions, kCase>{};
+constexpr auto calculated_ahead = value_ahead | &function_value;
+
+// The terms that the subject pushes.
+template <typename Subject, typename Context, typename RuleContext>
+TermRange terms_of(const Subject& subject, Iterator& first, const Iterator& last,
+                   const Context& context, RuleContext& rule_context) {
+  const std::vector<Term>& terms = target(context).block.terms;
+  const auto begin = static_cast<std::uint32_t>(terms.size());
+  spirit::as_parser(subject).parse(first, last, context, rule_context, spirit::unused);
+  return {begin, static_cast<std::uint32_t>(terms.size()) - begin};
+}
+
+// X12.5, X[#1+2].
+struct ValuedWord : spirit::parser<ValuedWord> {
+  using attribute_type = Word;
+  static constexpr bool has_attribute = true;
+
+  template <typename Context, typename RuleContext>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
+             Word& word) const {
+    if (first == last || !kAddress.contains(capital_of(*first))) return false;
+    word.address = capital_of(*first++);
+    Iterator ahead = first;
+    if (calculated_ahead.parse(ahead, last, context, rule, spirit::unused)) {
+      word.terms = terms_of(expect[value], first, last, context, rule);
+      return true;
+    }
+    return (expect[number]).parse(first, last, context, rule, word.value);
+  }
+};
+
+// NGC-PAR-02: #1=2, #<name>=2.
+struct ParameterSetting : spirit::parser<ParameterSetting> {
+  using attribute_type = Assignment;
+  static constexpr bool has_attribute = true;
+
+  template <typename Context, typename RuleContext>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
+             Assignment& assignment) const {
+    if (first == last || *first != '#') return false;
+    ++first;
+    assignment.name = read_name(first, last);
+    if (assignment.name.empty()) {
+      assignment.index = terms_of(expect[value], first, last, context, rule);
+    }
+    (expect[assignment_sign]).parse(first, last, context, rule, spirit::unused);
+    assignment.value = terms_of(expect[value], first, last, context, rule);
+    return true;
+  }
+};
+
+struct ControlWord {
+  std::string_view word;
+  ControlKind kind;
+};
+constexpr ControlWord kControls[] = {{"SUB", ControlKind::sub},
+                                     {"ENDSUB", ControlKind::endsub},
+                                     {"RETURN", ControlKind::return_},
+                                     {"CALL", ControlKind::call},
+                                     {"IF", ControlKind::if_},
+                                     {"ELSEIF", ControlKind::elseif},
+                                     {"ELSE", ControlKind::else_},
+                                     {"ENDIF", ControlKind::endif},
+                                     {"WHILE", ControlKind::while_},
+                                     {"ENDWHILE", ControlKind::endwhile},
+                                     {"DO", ControlKind::do_},
+                                     {"REPEAT", ControlKind::repeat},
+                                     {"ENDREPEAT", ControlKind::endrepeat},
+                                     {"BREAK", ControlKind::break_},
+                                     {"CONTINUE", ControlKind::continue_}};
+
+bool needs_value(ControlKind kind) {
+  return kind == ControlKind::if_ || kind == ControlKind::elseif || kind == ControlKind::while_ ||
+         kind == ControlKind::repeat;
+}
+std::size_t most_values(ControlKind kind) {
+  if (kind == ControlKind::call) return 30;
+  const bool may = kind == ControlKind::return_ || kind == ControlKind::endsub;
+  return needs_value(kind) || may ? 1 : 0;
+}
+
+Iterator letters_end(Iterator first, Iterator last) {
+  return std::find_if_not(first, last, [](char byte) { return kLetter.contains(byte); });
+}
+
+const ControlWord* control_at(Iterator first, Iterator last) {
+  const auto size = static_cast<std::size_t>(letters_end(first, last) - first);
+  for (const ControlWord& entry : kControls) {
+    if (entry.word.size() == size && goes_on_with(first, last, entry.word)) return &entry;
+  }
+  return nullptr;
+}
+
+// Behind the brackets that open here; null where they do not close.
+Iterator brackets_end(Iterator first, Iterator last) {
+  std::size_t open_brackets = 0;
+  for (; first != last; ++first) {
+    if (*first == '[') ++open_brackets;
+    if (*first == ']' && --open_brackets == 0) return first + 1;
+  }
+  return nullptr;
+}
+
+// Behind the label of an O word; null where there is none.
+Iterator label_end(Iterator first, Iterator last) {
+  while (first != last && *first == '#') ++first;
+  if (first == last) return nullptr;
+  if (*first == '[') return brackets_end(first, last);
+  if (*first == '<') {
+    const Iterator close = std::find(first, last, '>');
+    return close == last || close == first + 1 ? nullptr : close + 1;
+  }
+  const Iterator end =
+      std::find_if_not(first, last, [](char byte) { return kDigit.contains(byte); });
+  return end == first ? nullptr : end;
+}
+
+// NGC-OWD-08: a line with an O word has nothing else. Takes nothing where it is none.
+struct ControlLine : spirit::parser<ControlLine> {
+  using attribute_type = spirit::unused_type;
+  static constexpr bool has_attribute = false;
+
+  template <typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
+             Attribute&) const {
+    if (first == last || capital_of(*first) != 'O') return false;
+    const Iterator begin = first;
+    const Iterator behind_label = label_end(first + 1, last);
+    const ControlWord* const word =
+        behind_label == nullptr ? nullptr : control_at(behind_label, last);
+    if (word == nullptr) return false;
+    Target& into = target(context);
+    Control& control = into.block.control.emplace();
+    control.kind = word->kind;
+    ++first;
+    if (*first == '<') {
+      control.label = '<' + read_name(first, last) + '>';
+    } else if (kDigit.contains(*first)) {
+      control.label = digits(first, behind_label);
+    } else {
+      control.number = terms_of(expect[label_value], first, last, context, rule);
+    }
+    first = behind_label + word->word.size();
+    if (needs_value(word->kind)) (expect[open]).parse(first, last, context, rule, spirit::unused);
+    const std::size_t most = most_values(word->kind);
+    while (control.values.size() < most && first != last && *first == '[') {
+      control.values.push_back(terms_of(bracketed, first, last, context, rule));
+    }
+    control.where = into.span(begin, first);
+    return true;
+  }
+
+ private:
+  // Without zeros before them.
+  static std::string digits(Iterator first, Iterator last) {
+    first = std::find_if(first, last - 1, [](char byte) { return byte != '0'; });
+    return {first, last};
+  }
+};
+
 // clang-format off
 constexpr auto tape_mark = flag<&Block::tape_mark>[sole<'%'>] >> expect[tape_mark_end];
 
 constexpr auto text_to_end =
     Semicolon{} >> -append<&Block::comments>[RestOfLine{} >> attr(true)];
 
-constexpr auto function_value = -sign >> Keyword<kFunctions, kCase>{};
-
-constexpr auto item = word_but<kCase>(macro_value | function_value);
-
-// A subroutine, a call or a control statement.
+// What else begins with O.
 constexpr auto o_word = outside<kOWord>[letter<'O', kCase> >> macro_rest<kCase>];
 
 constexpr auto value_ahead =
@@ -127,13 +289,11 @@ constexpr auto polar_word =
 constexpr auto spindle_word =
     outside<kSpindleWord>[sole<'$'> >> value_ahead >> macro_rest<kCase>];
 
-constexpr auto construct =
-      assignment<kCase>
-    | o_word
-    | polar_word
-    | spindle_word
-    | macro_word<kCase>
-    | outside<kExpression>[address<kCase> >> blanks >> function_value >> macro_rest<kCase>];
+constexpr auto construct = o_word | polar_word | spindle_word;
+
+constexpr auto ngc_items = *(append<&Block::words>[ValuedWord{}]
+    | append<&Block::assignments>[ParameterSetting{}]
+    | append<&Block::comments>[comment]);
 
 constexpr auto head =
     -skip >> -(letter<'N', kCase> >> store<&Block::sequence_number>[expect[line_number]]);
@@ -141,7 +301,8 @@ constexpr auto head =
 constexpr auto name = letter<'O', kCase>
     >> store<&Block::program_number>[expect[whole]] >> leading_comments >> -text_to_end;
 
-constexpr auto block = head >> leading_comments >> items(item) >> -construct >> -text_to_end
+constexpr auto block = head >> leading_comments
+    >> (ControlLine{} >> leading_comments | ngc_items >> -construct) >> -text_to_end
     >> expect[block_end];
 
 constexpr auto line = tape_mark | (&NameAhead{} >> name) | block;
@@ -161,6 +322,9 @@ std::optional<SyntaxError> parse_line(std::string_view text, Block& into) {
   if (into.sequence_number || into.program_number) unsqueeze(into.number_place.span);
   if (into.line_comment.span != Span{}) unsqueeze(into.line_comment.span);
   for (Word& word : into.words) unsqueeze(word.where);
+  for (Term& term : into.terms) unsqueeze(term.where);
+  for (Assignment& assignment : into.assignments) unsqueeze(assignment.where);
+  if (into.control) unsqueeze(into.control->where);
   for (Comment& comment : into.comments) unsqueeze(comment.where);
   if (into.outside) unsqueeze(into.outside->where);
   return std::nullopt;

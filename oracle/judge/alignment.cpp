@@ -211,7 +211,8 @@ void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
   }
   auto* report = std::get_if<AlarmReport>(&step.what);
   const bool is_earlier =
-      report != nullptr && terms_.compare_blocks && motion.record.block < report->block;
+      report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
+      motion.record.block < report->block;
   if (report != nullptr && !is_earlier) {
     from.after_alarm = motion;
     return stay(std::move(from), motion, stage);

@@ -119,7 +119,8 @@ class Alignment {
     return from.curve ? from.curve->motion() : std::get<Motion>(step.what);
   }
 
-  bool reach_m_function(Hypothesis& from, std::size_t settled);
+  enum class MFunctionDue { none, free_before, here };
+  MFunctionDue reach_m_function(Hypothesis& from, std::size_t settled);
   void walk(Hypothesis from, Motion motion, Stage& stage);
   // One step; true where the hypothesis goes on to the next one with the motion.
   bool meet(Hypothesis& from, Motion& motion, Stage& stage);

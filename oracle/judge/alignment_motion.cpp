@@ -50,7 +50,8 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (is_nil && !is_done) stay(as_it_was, motion, stage);
   // Of an earlier block it passes nothing of this one.
   const Motion& want = wanted(as_it_was, step);
-  const bool is_earlier = terms_.compare_blocks && motion.record.block < want.record.block;
+  const bool is_earlier = terms_.compare_blocks && steps_.is_in_order() &&
+                          motion.record.block < want.record.block;
   if (!is_earlier && can_pass(as_it_was, want)) {
     from = as_it_was;
     leave_motion(from);

@@ -26,41 +26,55 @@ bool Alignment::take_dwell(const Record& record, std::size_t number) {
 Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number,
                                                 std::size_t settled) {
   farthest_.reset();
+  const auto is_due = [&](const Record& due) {
+    return due.m == record.m && (!terms_.compare_blocks || due.block == record.block);
+  };
   std::vector<Hypothesis> reached;
+  std::vector<Hypothesis> before;
   std::vector<Hypothesis> elsewhere;
   for (const Hypothesis& from : hypotheses_) {
     Hypothesis at = from;
-    if (!reach_m_function(at, settled)) {
-      elsewhere.push_back(from);
-      continue;
-    }
-    const auto& due = std::get<Record>(step_of(at).what);
-    const bool is_due = due.m == record.m && (!terms_.compare_blocks || due.block == record.block);
-    if (is_due) {
+    const MFunctionDue due = reach_m_function(at, settled);
+    const ReferenceSteps::Step& step = step_of(at);
+    if (due == MFunctionDue::here && is_due(std::get<Record>(step.what))) {
       ++at.step;
       keep(std::move(at), reached);
+    } else if (due == MFunctionDue::here) {
+      refute(
+          Refutation{std::move(at),
+                     std::nullopt,
+                     {},
+                     m_function_missing(std::get<Record>(step.what), record_text(record), number)});
     } else {
-      refute(Refutation{
-          std::move(at), std::nullopt, {}, m_function_missing(due, record_text(record), number)});
+      if (due == MFunctionDue::free_before && is_due(step.m_functions.front())) {
+        keep(std::move(at), before);
+      }
+      elsewhere.push_back(from);
     }
   }
   if (reached.empty() && !elsewhere.empty()) {
-    hypotheses_ = std::move(elsewhere);
+    hypotheses_ = std::move(before.empty() ? elsewhere : before);
     return MFunction::free;
   }
   return finish(std::move(reached)) ? MFunction::taken : MFunction::departs;
 }
 
-// Past motions too small to see, to the M function of a cycle. False where none is due, or others
-// are that stand anywhere.
-bool Alignment::reach_m_function(Hypothesis& from, std::size_t settled) {
+// Past motions too small to see, to the M function of a cycle, or to those before it that may stand
+// anywhere and have not been told. None: no M function of a cycle is due.
+Alignment::MFunctionDue Alignment::reach_m_function(Hypothesis& from, std::size_t settled) {
+  std::optional<Hypothesis> before;
   for (std::size_t passed = 0; passed < kMostPassedForSmall; ++passed) {
     const ReferenceSteps::Step& step = step_of(from);
-    if (from.step >= settled && !step.m_functions.empty()) return false;
-    if (placed_m_function(step.what) != nullptr) return true;
-    if (!std::holds_alternative<Motion>(step.what) || !pass(from).passed) return false;
+    const bool is_open = from.step >= settled && !step.m_functions.empty();
+    if (is_open && !before) before = from;
+    if (placed_m_function(step.what) != nullptr) {
+      if (!before) return MFunctionDue::here;
+      from = *std::move(before);
+      return MFunctionDue::free_before;
+    }
+    if (!std::holds_alternative<Motion>(step.what) || !pass(from).passed) break;
   }
-  return false;
+  return MFunctionDue::none;
 }
 
 // J-CMP-06.

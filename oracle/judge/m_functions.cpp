@@ -76,7 +76,7 @@ std::optional<Verdict> MFunctions::want(const Record& record) {
 }
 
 std::optional<Verdict> MFunctions::take_place(const Record& record, std::size_t number) {
-  if (terms_.compare_blocks && record.block < motion_block_) return out_of_place(record, number);
+  if (tells_order() && record.block < motion_block_) return out_of_place(record, number);
   m_block_ = record.block;
   return std::nullopt;
 }
@@ -89,7 +89,7 @@ std::optional<Verdict> MFunctions::take(const Record& record, std::size_t number
 
 std::optional<Verdict> MFunctions::take_event(const Record& record, std::size_t number) {
   motion_block_ = record.block;
-  if (!terms_.compare_blocks || record.block >= m_block_) return std::nullopt;
+  if (!tells_order() || record.block >= m_block_) return std::nullopt;
   return out_of_place(record, number);
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "oracle/judge/queue.hpp"
+#include "oracle/judge/reference_steps.hpp"
 #include "oracle/judge/terms.hpp"
 #include "oracle/records/verdict.hpp"
 
@@ -14,8 +15,8 @@ namespace gonogo::oracle {
 
 class MFunctions {
  public:
-  // `terms` must outlive it.
-  explicit MFunctions(const JudgeTerms& terms) : terms_(terms) {}
+  // `terms` and `steps` must outlive it.
+  MFunctions(const JudgeTerms& terms, const ReferenceSteps& steps) : terms_(terms), steps_(steps) {}
 
   // One that the reference has come to; one of the subject's, which is its record `number`. Each
   // says what differs.
@@ -31,7 +32,9 @@ class MFunctions {
   void note_motion(std::uint64_t block) { motion_block_ = block; }
   // Whether a motion of the block finds no M function out of its place, and none waits for the
   // other side's.
-  bool are_settled(std::uint64_t block) const { return is_none_due() && block >= m_block_; }
+  bool are_settled(std::uint64_t block) const {
+    return is_none_due() && (block >= m_block_ || !tells_order());
+  }
   // Whether none waits for the other side's.
   bool is_none_due() const { return want_.empty() && got_.empty(); }
 
@@ -47,8 +50,11 @@ class MFunctions {
 
  private:
   std::optional<Verdict> settle();
+  // Where lines come again, the number of one says nothing of its place among others.
+  bool tells_order() const { return terms_.compare_blocks && steps_.is_in_order(); }
 
   const JudgeTerms& terms_;
+  const ReferenceSteps& steps_;
   Queue<reference::Record> want_;
   struct Got {
     reference::Record record;

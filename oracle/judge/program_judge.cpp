@@ -19,7 +19,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       program_(program),
       reference_(profile_, program_, terms_),
       alignment_(reference_, profile_.initial.at, terms_, memory_),
-      m_functions_(terms_),
+      m_functions_(terms_, reference_),
       budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {
@@ -144,6 +144,8 @@ void ProgramJudge::take_m_function(const Record& record) {
     case Alignment::MFunction::taken:
       return decide(m_functions_.take_place(record, records_ - 1));
     case Alignment::MFunction::free:
+      note_m_functions(alignment_.first_step());
+      if (verdict_) return;
       return decide(m_functions_.take(record, records_ - 1));
     case Alignment::MFunction::departs:
       return decide_departure();

@@ -66,6 +66,8 @@ class ReferenceSteps {
   // The same, with the records that the passes of a thread would be.
   std::size_t items_and_passes() const { return items_ + passes_; }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
+  // Whether line numbers have ascended, and go on so.
+  bool is_in_order() const { return expander_.is_in_order(); }
   // The text of the line that alarms, at the alarm.
   std::string_view failed_line() const { return expander_.failed_line(); }
 

@@ -150,6 +150,13 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"NGC-G87-01", kNotExpected},
     {"NGC-G88-01", kNotExpected},
     {"NGC-G33-05", kAsChosen},
+    {"NGC-OFS-01",
+     "Each of the offsets is said to be added, and the machine's coordinates to have none."},
+    {"NGC-OFS-07", kAsChosen},
+    {"NGC-EXP-05", kAsChosen},
+    {"NGC-EXP-06", "There is no such number."},
+    {"NGC-EXP-07", kNotExpected},
+    {"NGC-OWD-10", kNotExpected},
     {"NGC-G33-06", "The table of modal groups, and the prototype of the code with its words."},
     {"NGC-G331-02",
      "The text has the spindle turn the other way at both ends, by no word of the "

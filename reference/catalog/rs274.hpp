@@ -57,15 +57,19 @@ inline constexpr auto kClauses = std::to_array<Clause>({
     {"NGC-COM-01", derived, kBlocks,
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, more than four M functions, a code that the language lacks, and R with I J K are "
-     "alarms. G40 G49 G54 G61 G64 G80 M6 S and T are passed over. M functions, G codes times ten and P of an arc are whole "
+     "alarms. G40 G61 G64 S, and M6 and T without G43, are passed over. M functions, G codes times "
+     "ten and P of an arc are whole "
      "numbers.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-02", must, kGroups,
      "A word that no code of the block uses is an alarm, also in a block without a motion: I J K "
-     "belong to an arc, K to G33, I and K to G33.1, all to G76; R to an arc, a canned cycle and "
-     "G76; L to these cycles, G76 and M66; P to G4, an arc, G64, a cycle that has it, G76, M50 to "
-     "M53 and M62 to M66; Q to G64, G73, G83, G76, M61 and M66 to M68; E and H to G76, E to M66 to "
-     "M68; D to no code that the gauge reads.",
+     "belong to an arc, K to G33, I and K to G33.1, all to G76; R to an arc, a canned cycle, G76 "
+     "and "
+     "G10; L to these cycles, G76, G10 and M66; P to G4, G10, an arc, G64, a cycle that has it, "
+     "G76, "
+     "M50 to M53 and M62 to M66; Q to G64, G73, G83, G76, M61 and M66 to M68; H to G43 and G76, E "
+     "to "
+     "G76 and M66 to M68; D to no code that the gauge reads.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-03", open, kGroups,
      "Two codes of a modal group in a block are an alarm. LinuxCNC forgets G80 beside another code "
@@ -80,7 +84,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-06", open, kOverview,
      "A line that is O, a number and perhaps comments behind them names the program; with other "
-     "words or a control word it is an O word, which the gauge does not read.",
+     "other words it is not read, and with a control word it is an O word.",
      "reference/rs274/program_text.cpp"},
     {"NGC-COM-07", must, kOverview,
      "A % line opens the program where no line but blank ones stands before it; then a second % "

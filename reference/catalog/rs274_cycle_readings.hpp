@@ -59,7 +59,8 @@ inline std::vector<Reading> rs274_cycle_readings() {
                    "NGC-CYC-29"_clause,
                    "what is moved of a block that alarms: nothing; or, as LinuxCNC and NIST's "
                    "interpreter have it, the lift to R where P or Q is missing, and the way to the "
-                   "first hole where Q is not above zero or the spindle does not turn as it must"),
+                   "first hole where Q is not above zero or the spindle does not turn as it must, "
+                   "behind the dwell of a G4 of the block"),
       of_ngc_cycle(ReadingKey::ngc_g83_retract, "ngc.g83.retract", {"r-plane", "clear"},
                    "NGC-G83-02"_clause,
                    "the way out between two pecks of G83: to R, also under G98, as the documents, "

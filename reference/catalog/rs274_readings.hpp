@@ -118,6 +118,49 @@ inline std::vector<Reading> rs274_readings() {
        "I J K in a block without a code of motion and axis words, while G2 or G3 is in force: an "
        "arc, as LinuxCNC has it; or words that nothing uses, as NIST's interpreter has it. Open, "
        "and asked for only in such a block"},
+      {ReadingKey::ngc_g92_other_axes,
+       "ngc.g92-other-axes",
+       "rs274",
+       {"zero", "kept"},
+       "any",
+       false,
+       false,
+       "NGC-OFS-07"_clause,
+       "the offset of an axis that G92 does not name: zero, as the page of G92 says; or as it was, "
+       "as NIST's report and LinuxCNC have it. Open, and asked for only where it is not zero"},
+      {ReadingKey::ngc_equal,
+       "ngc.equal",
+       "rs274",
+       {"millionth", "ten-thousandth"},
+       "any",
+       false,
+       false,
+       "NGC-EXP-02"_clause,
+       "by how much less values differ that EQ and NE take for equal: a millionth, as the "
+       "documents "
+       "say; or a ten-thousandth, as LinuxCNC 2.9 has it. Open, and asked for only in between"},
+      {ReadingKey::ngc_sign_of_value,
+       "ngc.sign-of-value",
+       "rs274",
+       {"taken", "syntax"},
+       "any",
+       false,
+       false,
+       "NGC-EXP-05"_clause,
+       "a sign before a parameter, brackets or a function: taken, as LinuxCNC has it; or an alarm, "
+       "as the grammar of NIST's report has it. Open, and asked for only where there is one"},
+      {ReadingKey::ngc_call_parameters,
+       "ngc.call-parameters",
+       "rs274",
+       {"kept", "zero"},
+       "any",
+       false,
+       false,
+       "NGC-OWD-02"_clause,
+       "a parameter up to #30 that a call gives no value: as in the calling lines, as the "
+       "documents "
+       "say; or zero, as LinuxCNC 2.9 has it. Open, and asked for only where one is read that was "
+       "not zero"},
   };
 }
 

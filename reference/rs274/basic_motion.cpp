@@ -7,12 +7,17 @@ namespace gonogo::reference::rs274 {
 
 AxisSet commanded_end_point(const BlockContext& block, Position& to) {
   AxisSet axes;
-  to = block.machine.position;
+  const Machine& machine = block.machine;
+  to = machine.position;
   for (const AxisLetter& letter : kAxisLetters) {
     const std::optional<Number> value = block.words.along(letter);
     if (!value) continue;
     axes.add(letter.axis);
-    to[letter.axis] = block.machine.modes.incremental ? to[letter.axis] + *value : *value;
+    if (block.codes.once == 530) {  // NGC-OFS-13
+      to[letter.axis] = *value - machine.offsets.origin[letter.axis];
+    } else {
+      to[letter.axis] = machine.modes.incremental ? to[letter.axis] + *value : *value;
+    }
   }
   return axes;
 }

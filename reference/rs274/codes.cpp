@@ -32,6 +32,11 @@ int motion_of(const Code& code) {
   return code.tenths == kG33Point1 ? kG33Point1 : code.tenths / 10;
 }
 
+// Groups whose codes differ in their tenths.
+bool has_tenths(Group group) {
+  return group == Group::once || group == Group::tool_length || group == Group::offset;
+}
+
 constexpr int kG80 = 800;  // tenths
 
 // NGC-COM-03: how the G80 of a block stand beside the other codes of the motion group.
@@ -77,6 +82,9 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
       if (code->tenths == kG80 && (beside.others > 0 || motions > 1)) continue;
     }
     kTable.take(word, code, false, reading);
+    if (code != nullptr && has_tenths(code->group)) {
+      reading.by_group[static_cast<std::size_t>(code->group)] = code->tenths;
+    }
     if (code != nullptr && code->group == Group::motion) {
       ++acting;
       of_motions |= code->letters | code->passed_letters;
@@ -84,6 +92,8 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
     }
   }
   reading.codes = {.once = reading.of(Group::once),
+                   .tool_length = reading.of(Group::tool_length),
+                   .offset = reading.of(Group::offset),
                    .motion = reading.of(Group::motion),
                    .plane = reading.of(Group::plane),
                    .units = reading.of(Group::units),

@@ -14,7 +14,9 @@ inline constexpr int kG33Point1 = 331;
 
 // The codes of one block, by group; -1: none.
 struct BlockCodes {
-  int once = -1;           // 4
+  int once = -1;           // tenths: 40, 100, 280, 281, 300, 301, 530, 920 to 923
+  int tool_length = -1;    // tenths: 430, 431, 490
+  int offset = -1;         // tenths: 540 to 590, 591 to 593
   int motion = -1;         // 0 to 3, 33, kG33Point1, 73, 74, 76, 80 to 86, 89
   int plane = -1;          // 17, 18, 19
   int units = -1;          // 20, 21

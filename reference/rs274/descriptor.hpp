@@ -82,6 +82,22 @@ inline constexpr auto kToolNumber = std::to_array<CodeWord>({
     {"Q", number, "tool"},
 });
 
+inline constexpr auto kOrigin = std::to_array<CodeWord>({
+    {"X", number, "coordinate, or way of an origin"},
+    {"Y", number, "coordinate, or way of an origin"},
+    {"Z", number, "coordinate, or way of an origin"},
+    {"A", number, "coordinate, or way of an origin, degrees"},
+    {"C", number, "coordinate, or way of an origin, degrees"},
+});
+inline constexpr auto kSystem = std::to_array<CodeWord>({
+    {"L", number, "2: the origin; 20: the coordinates of the position"},
+    {"P", number, "coordinate system, 0 the one in force"},
+    {"R", angle, "rotation, of L2; no other one than 0 is read"},
+});
+inline constexpr auto kToolLength = std::to_array<CodeWord>({
+    {"H", number, "tool"},
+});
+
 inline constexpr auto kReturn = std::to_array<PassedOver>({
     {"", "I", "NGC-G331-03"_clause,
      "it multiplies the speed of the spindle on the way back, which no record has"},
@@ -113,6 +129,14 @@ inline constexpr Code kRound =
 inline constexpr Code kPause =
     does(Kind::dwell, Group::once, "NGC-G4-01"_clause, "basic", {kDwell});
 
+inline constexpr Code kHome =
+    does(Kind::reference_point, Group::once, "NGC-OFS-11"_clause, "offsets", {kEnds});
+inline constexpr Code kHomeSetting =
+    does(Kind::reference_point, Group::once, "NGC-OFS-12"_clause, "offsets", {});
+inline constexpr Code kShiftSwitch =
+    does(Kind::rename, Group::once, "NGC-OFS-06"_clause, "offsets", {});
+inline constexpr Code kSystemOf = sets("", Group::offset, Setting::none, "").needing("offsets");
+
 constexpr Code drills(std::string_view name, std::string_view title, ClauseId clause,
                       std::string_view feature, const WordLists& words) {
   return does(Kind::cycle, Group::motion, clause, feature, words).used(kHoleUse).named(name, title);
@@ -136,7 +160,8 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G5.3", Group::motion, "end of the spline"),
     outside("G7", Group::diameter, "diameter programming"),
     outside("G8", Group::diameter, "radius programming"),
-    outside("G10", Group::once, "setting of offsets and tools"),
+    does(Kind::rename, Group::once, "NGC-OFS-03"_clause, "offsets", {kOrigin, kSystem})
+        .named("G10", "setting of a coordinate system"),
     sets("G17", Group::plane, Setting::plane_xy, "plane XY"),
     outside("G17.1", Group::plane, "plane UV"),
     sets("G18", Group::plane, Setting::plane_zx, "plane ZX"),
@@ -145,10 +170,10 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G19.1", Group::plane, "plane VW"),
     sets("G20", Group::units, Setting::inch, "inch"),
     sets("G21", Group::units, Setting::metric, "metric"),
-    outside("G28", Group::once, "return to the first reference point"),
-    outside("G28.1", Group::once, "setting of the first reference point"),
-    outside("G30", Group::once, "return to the second reference point"),
-    outside("G30.1", Group::once, "setting of the second reference point"),
+    kHome.named("G28", "return to the first reference point"),
+    kHomeSetting.named("G28.1", "setting of the first reference point"),
+    kHome.named("G30", "return to the second reference point"),
+    kHomeSetting.named("G30.1", "setting of the second reference point"),
     does(Kind::thread, Group::motion, "NGC-G33-01"_clause, "g33", {kThreadEnd})
         .named("G33", "spindle-synchronous motion"),
     does(Kind::cycle, Group::motion, "NGC-G331-01"_clause, "g33.1", {kThreadEnd})
@@ -163,23 +188,26 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G41.1", Group::compensation, "dynamic radius compensation left"),
     outside("G42", Group::compensation, "radius compensation right"),
     outside("G42.1", Group::compensation, "dynamic radius compensation right"),
-    outside("G43", Group::tool_length, "tool length offset"),
-    outside("G43.1", Group::tool_length, "dynamic tool length offset"),
+    sets("G43", Group::tool_length, Setting::none, "tool length offset")
+        .with({kToolLength})
+        .needing("offsets"),
+    does(Kind::rename, Group::tool_length, "NGC-OFS-09"_clause, "offsets", {kOrigin})
+        .named("G43.1", "dynamic tool length offset"),
     outside("G43.2", Group::tool_length, "additional tool length offset"),
-    no_effect("G49", Group::tool_length, "tool length offset off"),
+    sets("G49", Group::tool_length, Setting::none, "tool length offset off").initial(),
     outside("G50", Group::scaling, "scaling off"),
     outside("G51", Group::scaling, "scaling"),
     outside("G52", Group::once, "local coordinate system"),
-    outside("G53", Group::once, "machine coordinates"),
-    no_effect("G54", Group::offset, "coordinate system 1"),
-    outside("G55", Group::offset, "coordinate system 2"),
-    outside("G56", Group::offset, "coordinate system 3"),
-    outside("G57", Group::offset, "coordinate system 4"),
-    outside("G58", Group::offset, "coordinate system 5"),
-    outside("G59", Group::offset, "coordinate system 6"),
-    outside("G59.1", Group::offset, "coordinate system 7"),
-    outside("G59.2", Group::offset, "coordinate system 8"),
-    outside("G59.3", Group::offset, "coordinate system 9"),
+    sets("G53", Group::once, Setting::none, "machine coordinates").needing("offsets"),
+    sets("G54", Group::offset, Setting::none, "coordinate system 1").initial(),
+    kSystemOf.named("G55", "coordinate system 2"),
+    kSystemOf.named("G56", "coordinate system 3"),
+    kSystemOf.named("G57", "coordinate system 4"),
+    kSystemOf.named("G58", "coordinate system 5"),
+    kSystemOf.named("G59", "coordinate system 6"),
+    kSystemOf.named("G59.1", "coordinate system 7"),
+    kSystemOf.named("G59.2", "coordinate system 8"),
+    kSystemOf.named("G59.3", "coordinate system 9"),
     no_effect("G61", Group::path_mode, "exact path"),
     no_effect("G61.1", Group::path_mode, "exact stop"),
     no_effect("G64", Group::path_mode, "continuous path").with({kBlending}),
@@ -212,10 +240,11 @@ inline constexpr auto kCodes = std::to_array<Code>({
     sets("G91.1", Group::arc_distance, Setting::incremental_centre, "incremental centres")
         .needing("arc-distance")
         .initial(),
-    outside("G92", Group::once, "offset of the coordinate system"),
-    outside("G92.1", Group::once, "offset cancelled and cleared"),
-    outside("G92.2", Group::once, "offset cancelled"),
-    outside("G92.3", Group::once, "offset restored"),
+    does(Kind::rename, Group::once, "NGC-OFS-05"_clause, "offsets", {kOrigin})
+        .named("G92", "offset of the coordinate systems"),
+    kShiftSwitch.named("G92.1", "offset cancelled and cleared"),
+    kShiftSwitch.named("G92.2", "offset cancelled"),
+    kShiftSwitch.named("G92.3", "offset restored"),
     outside("G93", Group::feed_mode, "inverse time feed"),
     no_effect("G94", Group::feed_mode, "feed per minute").initial(),
     outside("G95", Group::feed_mode, "feed per revolution"),
@@ -287,6 +316,9 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"g33", "motion in step with the spindle G33"},
     {"g33.1", "rigid tapping G33.1"},
     {"g76", "the threading cycle G76"},
+    {"offsets", "work offsets, G92, tool lengths, reference points and machine coordinates"},
+    {"parameters", "parameters, their settings, expressions and functions", true},
+    {"o-words", "subroutines, conditions and loops of the program's own", true},
     {"lines", "the form of lines, words that nothing uses, and the end of a program, as documented",
      true},
 });

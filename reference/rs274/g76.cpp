@@ -4,21 +4,6 @@
 #include "reference/rs274/thread_passes.hpp"
 
 namespace gonogo::reference::rs274 {
-namespace {
-
-// NGC-G76-09
-TaperEntry entry_of(BlockContext& block) {
-  const auto reads = [&](std::string_view alternative) {
-    return block.readings.is(ReadingKey::ngc_g76_entry, alternative);
-  };
-  if (reads("rapid")) return TaperEntry::rapid;
-  if (!reads("feed")) return TaperEntry::thread;
-  block.need_feed("NGC-G76-09"_clause);
-  return TaperEntry::feed;
-}
-
-}  // namespace
-
 // NGC-G76-13: a block that repeats it needs all of its words again; no feed. NGC-G76-14: lengths
 // are in the units in force, R, Q, H and L are numbers.
 void run_g76(BlockContext& block) {
@@ -31,12 +16,10 @@ void run_g76(BlockContext& block) {
                       .words = *std::move(words)};
   passes.side = passes.words.peak.sign();
   passes.forward = passes.words.end[Axis::z] > start[Axis::z] ? 1 : -1;
-  if (passes.enters_by_taper()) passes.entry = entry_of(block);
   // NGC-G76-08
   if (passes.words.tangent.sign() != 0) {
     passes.equal_lengths = block.readings.is(ReadingKey::ngc_g76_slide, "end");
   }
-  if (!block.out.alarms.empty()) return;
   block.machine.position = passes.words.end;
   block.out.cycle = run_passes(std::move(passes));
 }

@@ -4,10 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
+
+namespace {
+
+// One that is to be seen.
+bool is_dwell(const Item& item) {
+  const auto* record = std::get_if<Record>(&item);
+  return record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() != 0;
+}
+
+}  // namespace
 
 // NGC-CYC-16: all that follows is along the axes of the plane in force.
 HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
@@ -156,6 +167,11 @@ Number HoleBlock::clear() const {
   return clear_level(ahead());
 }
 
+void HoleBlock::missing_dwell(ClauseId clause) {
+  block_.missing(clause, 'P');
+  note_late(Found::above_the_place);
+}
+
 // NGC-CYC-29
 void HoleBlock::note_late(Found found) {
   ++late_;
@@ -168,18 +184,23 @@ void HoleBlock::alarm_at_hole(AlarmClass alarm, ClauseId clause, WordName word,
   note_late(Found::over_the_hole);
 }
 
-// NGC-CYC-29: what a control has moved when it finds what is wrong, unless something else is.
+// NGC-CYC-29: what a control has moved when it finds what is wrong, unless something else is;
+// behind the dwell of a G4 of the block (NGC-CYC-27).
 void HoleBlock::stop() {
   if (late_ != block_.out.alarms.size() || !levels_) return;
   const HoleAhead hole = ahead();
   const bool at_place = found_ == Found::above_the_place;
+  std::vector<Item> dwells;
+  std::ranges::copy_if(block_.out.items, std::back_inserter(dwells), is_dwell);
   const bool stays =
       at_place ? always_approached(hole, [](const Approach& way) { return way.lifts == 0; })
                : always_approached(hole, [](const Approach& way) { return way.traverses.empty(); });
-  if (stays || !block_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late")) return;
+  if ((stays && dwells.empty()) || !block_.readings.is(ReadingKey::ngc_cycle_alarm_at, "late"))
+    return;
   Approach moved = approach(hole);
   if (at_place) moved.traverses.resize(moved.lifts);
-  block_.out.before_alarm.assign(moved.traverses.begin(), moved.traverses.end());
+  block_.out.before_alarm = std::move(dwells);
+  std::ranges::copy(moved.traverses, std::back_inserter(block_.out.before_alarm));
 }
 
 void HoleBlock::run(Hole hole) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One block. NGC-MOD-01, NGC-CYC-01: whatever their order on the line, its words act in this one:
-// feed, M functions, dwell, plane, units, distance, return of cycles, motion, and the M functions
-// that stop the program.
+// feed, M functions, dwell, plane, units, tool length, coordinate system, distance, return of
+// cycles, offsets and reference points, motion, and the M functions that stop the program.
 #include "reference/rs274/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/rs274/calculated_words.hpp"
 #include "reference/rs274/machine.hpp"
+#include "reference/rs274/o_words.hpp"
 #include "reference/rs274/program_text.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -22,18 +24,27 @@ class Interpreter : public BlockInterpreter {
   Interpreter(const Profile& profile, const ReadingsInUse& readings);
 
   void run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) override;
+  bool next_line(grammar::LineSource& lines, grammar::Line& line) override {
+    return o_words_.next(lines, line);
+  }
+  bool may_repeat_lines() const override { return o_words_.is_used(); }
   void leave_out() override { text_.leave_out(); }
   void end_text(const grammar::Span& end, BlockOutput& out) override {
     check_text_end(end, readings_, out);
   }
-  const Position& position() const override { return machine_.position; }
-  void stand_at(const Position& position) override { machine_.position = position; }
+  const Position& position() const override;
+  void stand_at(const Position& position) override;
 
  private:
+  bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
+  void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
+                 BlockOutput& out);
   void take_feed(const BlockWords& words);
   void take_spindle(const grammar::Block& block);
   void take_modes(const BlockCodes& codes);
+  void take_tool(const BlockWords& words);
   void take_motion(int code);
+  void move_out(BlockOutput& out) const;
   void run_block(BlockContext& block) const;
   void run_motion(BlockContext& block) const;
 
@@ -42,16 +53,50 @@ class Interpreter : public BlockInterpreter {
   Machine machine_;
   CodeReading reading_;
   ProgramText text_;
+  Parameters parameters_;
+  OWords o_words_;
+  CalculatedWords calculated_;
+  mutable Position of_machine_;  // what position() gives out
 };
 
 Interpreter::Interpreter(const Profile& profile, const ReadingsInUse& readings)
-    : profile_(profile), readings_(readings) {
-  machine_.position = profile.initial.at;
+    : profile_(profile),
+      readings_(readings),
+      machine_(profile),
+      o_words_(parameters_, profile.block_skip) {
+  stand_at(profile.initial.at);
   machine_.feed = machine_.rotary_feed = profile.initial.feed;
   machine_.plane = profile.initial.plane;
   machine_.motion = profile.initial.motion;
   machine_.spindle = profile.initial.spindle;
   machine_.modes.inch = profile.units == Units::inch;
+}
+
+// NGC-OFS-01
+const Position& Interpreter::position() const {
+  if (!machine_.offsets.is_moved) return machine_.position;
+  for (const Axis axis : kAllAxes) {
+    of_machine_[axis] = machine_.position[axis] + machine_.offsets.origin[axis];
+  }
+  return of_machine_;
+}
+
+void Interpreter::stand_at(const Position& position) {
+  for (const Axis axis : kAllAxes) {
+    machine_.position[axis] = position[axis] - machine_.offsets.origin[axis];
+  }
+}
+
+// NGC-OFS-01: what the block put out, in coordinates of the machine.
+void Interpreter::move_out(BlockOutput& out) const {
+  const Offsets& offsets = machine_.offsets;
+  if (!offsets.is_moved) return;
+  for (std::vector<Item>* const items : {&out.items, &out.before_alarm}) {
+    for (Item& item : *items) {
+      if (auto* const record = std::get_if<Record>(&item)) move(*record, offsets.origin);
+    }
+  }
+  out.cycle = moved(std::move(out.cycle), offsets.origin);
 }
 
 // NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
@@ -73,6 +118,17 @@ void Interpreter::take_spindle(const grammar::Block& block) {
   for (const grammar::Word& word : block.words) {
     const std::int64_t number = word.address == 'M' ? m_number(word, readings_).value_or(0) : 0;
     if (number >= 3 && number <= 5) machine_.spindle = static_cast<int>(number);
+  }
+}
+
+// NGC-OFS-08: T selects a tool, M6 loads it, M61 says which one is loaded; all before G43.
+void Interpreter::take_tool(const BlockWords& words) {
+  if (words.has('T')) machine_.tool.selected = words.written('T');
+  for (const grammar::Word& word : words.block().words) {
+    if (word.address != 'M') continue;
+    const std::int64_t number = m_number(word, readings_).value_or(0);
+    if (number == 6) machine_.tool.loaded = machine_.tool.selected;
+    if (number == 61 && words.has('Q')) machine_.tool.loaded = words.written('Q');
   }
 }
 
@@ -195,7 +251,7 @@ bool is_arc(int motion) {
 // A motion is asked for by its code or an axis word; NGC-ARC-06: an arc by I J K alone, too.
 bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCodes& codes,
                  const ReadingsInUse& readings) {
-  if (machine.motion == kNoMotion) return false;
+  if (machine.motion == kNoMotion || takes_axis_words(codes)) return false;
   if (codes.motion >= 0 || words.has_axis_word()) return true;
   return is_arc(machine.motion) && words.has_offset() &&
          readings.is(ReadingKey::ngc_arc_words_alone, "arc");
@@ -256,7 +312,8 @@ void check_unused_words(BlockContext& block) {
 
 // NGC-MOD-01: the motion in force.
 void Interpreter::run_motion(BlockContext& block) const {
-  if (machine_.motion == kNoMotion && block.words.has_axis_word()) {
+  if (machine_.motion == kNoMotion && block.words.has_axis_word() &&
+      !takes_axis_words(block.codes)) {
     block.missing("NGC-MOD-01"_clause, 'G');
   }
   if (!block.runs_motion) return;
@@ -303,16 +360,56 @@ void Interpreter::run_block(BlockContext& block) const {
   check_m_groups(block.words.block(), block.readings, block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
   check_unused_words(block);
-  if (block.codes.once == 4) run_dwell(block);  // NGC-CYC-27: before all motion
+  check_once(block);
+  take_offsets(block);
+  run_once(block);  // NGC-CYC-27: a dwell is before all motion
   run_motion(block);
+}
+
+// Calculates what the block has to be calculated, and runs it where it is an O word. Whether its
+// words run.
+bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  Calculator calculator(machine_, parameters_, readings_);
+  if (block.control) {
+    check_numbers(block, readings_, out);
+    o_words_.take(block, calculator, out);
+  } else if (calculated_.take(block, calculator, out)) {
+    calculator.assign(block);
+  }
+  if (calculator.outside) {
+    out.not_covered = std::move(calculator.outside);
+    out.not_covered->block = line;
+    out.alarms.clear();
+  } else if (calculator.alarm) {
+    out.alarms.push_back(*std::move(calculator.alarm));
+  }
+  return !block.control && out.alarms.empty() && !out.not_covered;
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   text_.take(block, out);
+  // NGC-OWD-10
+  if (o_words_.is_beyond() || (block.tape_mark && o_words_.passes_over())) {
+    out.alarms.clear();
+    out.not_covered = NotCovered{
+        line,
+        "o-word",
+        "The gauge remembers a mebibyte of lines, follows a hundred thousand that come again, and "
+        "ends no program within what does not run.",
+        {}};
+    return;
+  }
   if (block.outside) {
     out.not_covered = construct_outside(block, line);
     return;
   }
+  if (block.terms.empty() && !block.control) return run_words(line, block, nullptr, out);
+  if (!calculate(line, block, out)) return;
+  run_words(line, calculated_.block(), &calculated_.values(), out);
+}
+
+void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
+                            const WordValues* values, BlockOutput& out) {
   if (block.words.empty()) return check_numbers(block, readings_, out);
   read_codes(block, readings_, reading_);
   if (reading_.not_covered) {
@@ -345,9 +442,10 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
     return;
   }
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
-  const BlockWords words(block, machine_.modes);
+  const BlockWords words(block, machine_.modes, values);
   take_feed(words);
   take_spindle(block);
+  take_tool(words);
   take_modes(codes);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
@@ -355,6 +453,7 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
                        !WordTakers{context}.beside_motion('P');
   run_block(context);
+  move_out(out);
   if (out.not_covered) out.alarms.clear();  // what is not covered goes before what is wrong
   sort_by_place(out.alarms);
 }

@@ -6,6 +6,7 @@
 #include "reference/block_base.hpp"
 #include "reference/rs274/codes.hpp"
 #include "reference/rs274/cycle_state.hpp"
+#include "reference/rs274/offsets.hpp"
 #include "reference/rs274/words.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -13,13 +14,18 @@ namespace gonogo::reference::rs274 {
 // NGC-CYC-10: what G98 and G99 say; `unsaid` before either was given.
 enum class Retract : std::uint8_t { unsaid, initial_level, r_plane };
 
+// Its position is that of the program, from the origin that the offsets give it.
 struct Machine : MotionState {
+  explicit Machine(const Profile& profile) : offsets(profile) {}
+
   WordModes modes;
   int motion = kNoMotion;  // as BlockCodes has it; kNoMotion also after G80
   Number rotary_feed;      // F as written: degrees per minute where rotary axes move alone
   Retract retract = Retract::unsaid;
   int spindle = 5;  // M3, M4 or M5
   CycleState cycle;
+  Offsets offsets;
+  ToolState tool;
 
   bool spindle_turns() const { return spindle != 5; }
 };
@@ -34,8 +40,16 @@ struct BlockContext : BlockBase {
   bool p_is_turns = false;   // of an arc: P is there, and no other code of the block takes it
 };
 
-// The axis words of the block as an end point; the axes that it names.
+// The axis words of the block as an end point, under G53 of the machine (NGC-OFS-13); the axes that
+// it names.
 AxisSet commanded_end_point(const BlockContext& block, Position& to);
+
+// In offsets.cpp. What the code takes of the axis words; what it puts in force before distance
+// modes and motion; the code of group 0, before the motion; and its rules.
+bool takes_axis_words(const BlockCodes& codes);
+void take_offsets(BlockContext& block);
+void run_once(BlockContext& block);
+void check_once(BlockContext& block);
 
 // In basic_motion.cpp and arc.cpp.
 void run_dwell(BlockContext& block);

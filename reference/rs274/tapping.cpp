@@ -45,7 +45,7 @@ void take_dwell(BlockContext& block, HoleBlock& holes) {
     cycle.words.p.reset();
     holes.dwell_for(0);
   } else if (!cycle.words.p) {
-    if (reads("needed")) block.missing("NGC-G84-04"_clause, 'P');
+    if (reads("needed")) holes.missing_dwell("NGC-G84-04"_clause);
     if (reads("last")) holes.dwell_for(cycle.last_p.value_or(0));
   }
 }

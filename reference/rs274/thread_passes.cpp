@@ -60,8 +60,8 @@ class Motions {
   Record entry(const Number& x) const {
     const ThreadWords& words = passes_.words;
     const ClauseId clause = "NGC-G76-09"_clause;
-    if (passes_.entry == TaperEntry::rapid) return rapid(clause, x);
-    if (passes_.entry == TaperEntry::feed) return to(RecordKind::feed, clause, x);
+    if (passes_.words.entry == TaperEntry::rapid) return rapid(clause, x);
+    if (passes_.words.entry == TaperEntry::feed) return to(RecordKind::feed, clause, x);
     const Number path = sqrt(words.taper * words.taper + words.full_depth * words.full_depth);
     return with_lead(to(RecordKind::thread, clause, x), words.lead * path / words.taper);
   }
@@ -99,13 +99,13 @@ Generator<Item> run_pass(const ThreadPasses& passes, Number depth) {
   const Number end = passes.end(depth);
   const Number taper = passes.forward * passes.words.taper;
   co_yield motions.rapid("NGC-G76-09"_clause, withdrawn, begin);
-  if (passes.enters_by_taper()) {
+  if (passes.words.enters_by_taper()) {
     co_yield motions.entry(crest);
     co_yield motions.taper(cut, begin + taper);
   } else {
     co_yield motions.rapid("NGC-G76-09"_clause, cut);
   }
-  if (passes.leaves_by_taper()) {
+  if (passes.words.leaves_by_taper()) {
     co_yield motions.thread("NGC-G76-10"_clause, cut, end - taper);
     co_yield motions.taper(crest, end);
   } else {

@@ -9,8 +9,6 @@
 namespace gonogo::reference::rs274 {
 
 // ngc.g76.entry: how the tool goes in where the thread begins with a taper.
-enum class TaperEntry : std::uint8_t { thread, feed, rapid };
-
 // mm as true lengths; depths are beyond the peak.
 struct ThreadPasses {
   std::uint64_t line = 0;
@@ -20,7 +18,6 @@ struct ThreadPasses {
   int side = 1;                // s: 1 inside, -1 outside
   int forward = 1;             // g: the sense of Z
   bool equal_lengths = false;  // ngc.g76.slide = end
-  TaperEntry entry = TaperEntry::thread;
 
   // NGC-G76-05: the depth of pass n, from 1, and whether it is less than K.
   Number depth(const Number& n) const;
@@ -32,8 +29,6 @@ struct ThreadPasses {
   // NGC-G76-08: where the pass starts and ends along Z.
   Number begin(const Number& depth) const;
   Number end(const Number& depth) const;
-  bool enters_by_taper() const { return words.taper_at_start && words.taper.sign() > 0; }
-  bool leaves_by_taper() const { return words.taper_at_end && words.taper.sign() > 0; }
 };
 
 Generator<Item> run_passes(ThreadPasses passes);

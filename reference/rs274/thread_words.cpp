@@ -23,6 +23,7 @@ class Reader {
   void read_spring_passes();
   void read_taper();
   void read_taper_ends();
+  void read_entry();
   void read_degression();
   void read_slide();
   // NGC-G76-03, as far as LinuxCNC looks: an alarm unless ngc.g76.checks = linuxcnc.
@@ -118,6 +119,7 @@ void Reader::read_taper() {
     read_.taper = 0;
   }
   read_taper_ends();
+  if (read_.enters_by_taper()) read_entry();
   const bool tapers = read_.taper_at_start || read_.taper_at_end;
   if (tapers && read_.taper * 2 > abs(travel()) && !forgives()) {
     refuse(AlarmClass::value_out_of_range, 'E', "The taper is longer than half of the thread.");
@@ -136,6 +138,17 @@ void Reader::read_taper_ends() {
   if (is_above) *ends -= (*ends / 4).floor() * 4;
   read_.taper_at_start = *ends == 1 || *ends == 3;
   read_.taper_at_end = *ends >= 2;
+}
+
+// NGC-G76-09
+void Reader::read_entry() {
+  const auto reads = [&](std::string_view alternative) {
+    return block_.readings.is(ReadingKey::ngc_g76_entry, alternative);
+  };
+  if (reads("rapid")) read_.entry = TaperEntry::rapid;
+  if (!reads("feed")) return;
+  read_.entry = TaperEntry::feed;
+  block_.need_feed("NGC-G76-09"_clause);
 }
 
 // NGC-G76-05

@@ -8,6 +8,9 @@
 namespace gonogo::reference::rs274 {
 
 // mm as true lengths; X is a radius.
+// How the tool goes in to where a taper begins (NGC-G76-09).
+enum class TaperEntry : std::uint8_t { thread, feed, rapid };
+
 struct ThreadWords {
   Position end;          // of the words: Z1, and under a reading X and Y of the last traverse
   Number lead;           // P
@@ -18,10 +21,14 @@ struct ThreadWords {
   Number taper;          // E
   bool taper_at_start = false;  // by L
   bool taper_at_end = false;
+  TaperEntry entry = TaperEntry::thread;
   // R as a fraction in lowest terms.
   unsigned long degression = 1;
   unsigned long degression_divisor = 1;
   Number tangent;  // of Q
+
+  bool enters_by_taper() const { return taper_at_start && taper.sign() > 0; }
+  bool leaves_by_taper() const { return taper_at_end && taper.sign() > 0; }
 };
 
 // Nothing where the rules are broken, or the program is not read from here on.

@@ -34,8 +34,8 @@ struct WordModes {
 class BlockWords : public WordTable {
  public:
   // `modes` may change while the block is read.
-  BlockWords(const grammar::Block& block, const WordModes& modes)
-      : WordTable(block), modes_(modes) {}
+  BlockWords(const grammar::Block& block, const WordModes& modes, const WordValues* values)
+      : WordTable(block, values), modes_(modes) {}
 
   // As a length in mm.
   std::optional<Number> length(char address) const;

@@ -28,8 +28,8 @@ std::optional<Number> tool_radius(const CycleCall& call) {
   if (!has_tool(call)) return std::nullopt;
   const auto& tools = call.block.profile.tools;
   const auto found = tools.find(call.block.machine.tool->text());
-  if (found == tools.end() || found->second.sign() <= 0) return std::nullopt;
-  return found->second;
+  if (found == tools.end() || found->second.radius.sign() <= 0) return std::nullopt;
+  return found->second.radius;
 }
 
 // The machine has a tool of which the profile says nothing. Where the block alarms in any case, it

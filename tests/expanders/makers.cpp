@@ -82,7 +82,7 @@ oracle::Verdict judged(const std::string& program, const reference::Profile& pro
 
 reference::Profile machine_at(const Vector& place) {
   auto profile = std::get<reference::Profile>(reference::default_profile("sinumerik802s"));
-  profile.tools = {{"1", Number(5)}, {"2", Number(2)}};
+  profile.tools = {{"1", {5, 0}}, {"2", {2, 0}}};
   for (std::size_t i = 0; i < 3; ++i) {
     profile.initial.at[kLinearAxes[i]] = Number::millionths(place[i] * 1'000);
   }

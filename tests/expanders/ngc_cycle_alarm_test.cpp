@@ -115,6 +115,17 @@ TEST(NgcCycleAlarm, OfG33) {
             "m 3\nthread z=-5 lead=0 start=0\nthread x=3 z=-9 lead=-1.6 start=0\n");
 }
 
+// What counts as the whole number 0 is not below it.
+TEST(NgcCycleAlarm, OfRepeatsThatAreNearlyZero) {
+  for (const char* machine : {"linuxcnc", "nist"}) {
+    const std::string near = one_reading("ngc.whole", machine);
+    EXPECT_EQ(cycle_alarm("G81 Z-1 R0 L-0.00001", near), "value-out-of-range");
+    EXPECT_EQ(cycle_alarm("G81 Z-1 R0 L0.00001", near), "value-out-of-range");
+    EXPECT_EQ(cycle_alarm("G81 Z-1 R0 L-0.99999", near), "value-sign");
+  }
+  EXPECT_EQ(cycle_alarm("G81 Z-1 R0 L-0.00001"), "value-sign");
+}
+
 // The drive line is at X20, from Z2 to Z-20: 22 long.
 std::string g76_alarm(const std::string& words, const std::string& reading = "{}") {
   return run_ngc("G18 M3\nG0 X20 Z2\n" + words + "\n", reading).alarm;

@@ -77,7 +77,7 @@ TEST(Domain, HasHelicesOfAHundredThousandTurns) {
 
 std::string outside_with_pocket(const std::string& sides) {
   auto profile = std::get<reference::Profile>(reference::default_profile("sinumerik802s"));
-  profile.tools["1"] = 3;
+  profile.tools["1"].radius = 3;
   return std::string(
       outside_domain(profile,
                      "T1 S300 M3\nR101=5 R102=1 R103=0 R104=-5 R116=0 R117=0 R120=3 R121=5\n"

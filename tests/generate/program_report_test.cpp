@@ -32,6 +32,7 @@ TEST(ProgramReport, CountsAlarmsByClassAndProgramsThatShowNothing) {
   Distribution counts;
   count_program(for_defaults("rs274", "G1 X2\n"), counts);
   EXPECT_EQ(counts["alarm feed-missing"], 1U);
+  EXPECT_EQ(counts["refused by NGC-G0-01 feed-missing"], 1U);
   EXPECT_EQ(counts["program alarms"], 1U);
   EXPECT_EQ(counts.count("programs without motion or alarm"), 0U);
   count_program(for_defaults("rs274", "G90 M2\n"), counts);

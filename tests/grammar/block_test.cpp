@@ -195,7 +195,7 @@ void expect_outside(Dialect dialect, const std::vector<OutsideCase>& cases) {
 }
 
 TEST(Outside, ConstructsOfTheMacroLanguageAreNoted) {
-  for (const Dialect dialect : kLetterAddress) {
+  for (const Dialect dialect : kLathes) {
     expect_outside(dialect, {{"#100=5", "variable", 0, {0, 6}},
                              {"N1 #100=[#1+2]*3 ", "variable", 0, {3, 16}},
                              {"(depth) #100=5", "variable", 0, {8, 14}},
@@ -217,19 +217,29 @@ TEST(Outside, OfTheLathesAreControlStatements) {
   }
 }
 
-TEST(Outside, OfRs274AreOWordsAndFunctionsAndNames) {
-  expect_outside(Dialect::rs274, {{"o100 sub", "o-word", 0, {0, 8}},
-                                  {"N5 O<drill> call [1] [2]", "o-word", 0, {3, 24}},
-                                  {"O1 while [#1 lt 5]", "o-word", 0, {0, 18}},
+TEST(Block, OfRs274HaveValuesSettingsAndOWords) {
+  const Block block = parsed(Dialect::rs274, "g1 x[#1 + 2] #<Depth>=-5");
+  ASSERT_EQ(block.words.size(), 2U);
+  EXPECT_EQ(block.words[1].terms, (TermRange{0, 4}));
+  EXPECT_EQ(block.words[1].where, (Span{3, 12}));
+  EXPECT_EQ(block.terms.at(1).kind, TermKind::numbered);
+  EXPECT_EQ(block.terms.at(3).kind, TermKind::add);
+  ASSERT_EQ(block.assignments.size(), 1U);
+  EXPECT_EQ(block.assignments[0].name, "depth");
+  EXPECT_EQ(block.assignments[0].value, (TermRange{4, 1}));
+  const Block loop = parsed(Dialect::rs274, "N5 o<Drill> Call [1] [2]");
+  ASSERT_TRUE(loop.control);
+  EXPECT_EQ(loop.control->kind, ControlKind::call);
+  EXPECT_EQ(loop.control->label, "<drill>");
+  EXPECT_EQ(loop.control->values.size(), 2U);
+  EXPECT_EQ(loop.control->where, (Span{3, 24}));
+}
+
+TEST(Outside, OfRs274AreOtherOWords) {
+  expect_outside(Dialect::rs274, {{"o100 jump", "o-word", 0, {0, 9}},
                                   {"O1234 (name) G0", "o-word", 0, {0, 15}},
                                   {"N5 O1234", "o-word", 0, {3, 8}},
-                                  {"(a) O1234", "o-word", 0, {4, 9}},
-                                  {"g1 x#<_depth> y5", "variable", 1, {3, 16}},
-                                  {"#<a>=[sin[30]] ;b", "variable", 0, {0, 14}},
-                                  {"G1 X2 #1=5", "variable", 2, {6, 10}},
-                                  {"g1 x sin[30]", "expression", 1, {3, 12}},
-                                  {"G1 X-Atan[1]/[2]", "expression", 1, {3, 16}},
-                                  {"G0 X[1+exists[#<q>]]", "expression", 1, {3, 20}}});
+                                  {"(a) O1234", "o-word", 0, {4, 9}}});
 }
 
 TEST(Outside, OfRs274ArePolarWordsAndSpindles) {
@@ -298,7 +308,7 @@ TEST(Outside, OfHncAreStatementsThatEndWithAWordOfTheirOwn) {
 }
 
 TEST(Outside, CommentsWithinAreKept) {
-  const Block block = parsed("X[1+(])2] (b);c");
+  const Block block = parsed(kLathes, "X[1+(])2] (b);c");
   ASSERT_EQ(block.comments.size(), 3U);
   EXPECT_EQ(block.comments[0], comment("]"));
   EXPECT_EQ(block.comments[1], comment("b"));

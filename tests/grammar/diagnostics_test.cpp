@@ -214,8 +214,8 @@ TEST(Fault, AnUnclosedCommentSpansTheRestOfTheLine) {
   const auto code = SyntaxCode::unclosed_comment;
   expect_faults({{"(", code, {0, 1}},
                  {"G1 (a X1", code, {3, 8}},
-                 {"(a) (b;)(", code, {8, 9}},
-                 {"X[1 (a]", code, {4, 7}}});
+                 {"(a) (b;)(", code, {8, 9}}});
+  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"X[1 (a]", code, {4, 7}}});
 }
 
 TEST(Fault, NumberWordsBehindTheHead) {
@@ -239,8 +239,8 @@ TEST(Fault, OutsideConstructsCloseTheirBrackets) {
                  {"#1=\xE2\x88\x92"
                   "5",
                   code,
-                  {3, 6}},
-                 {"#1=(a))", code, {6, 7}}});
+                  {3, 6}}});
+  for (const Dialect dialect : kLathes) expect_faults(dialect, {{"#1=(a))", code, {6, 7}}});
   EXPECT_EQ(fault("X[1").expected, "']'");
 }
 

@@ -79,8 +79,12 @@ rc::Gen<Block> any_block(Dialect dialect) {
     if (head == 2 && dialect != Dialect::rs274) block.program_number = *any_decimal(true);
     block.words = *rc::gen::container<std::vector<Word>>(any_word());
     block.comments = *rc::gen::container<std::vector<Comment>>(any_comment());
-    std::vector<std::string> constructs{"", "", "", "variable", "expression"};
-    constructs.push_back(dialect == Dialect::rs274 ? "o-word" : "control-statement");
+    std::vector<std::string> constructs{"", "", ""};
+    if (dialect == Dialect::rs274) {
+      constructs.emplace_back("o-word");
+    } else {
+      constructs.insert(constructs.end(), {"variable", "expression", "control-statement"});
+    }
     if (dialect == Dialect::gsk988ta) constructs.push_back("file-name");
     if (dialect == Dialect::rs274)
       constructs.insert(constructs.end(), {"polar-word", "spindle-word"});
@@ -97,7 +101,9 @@ rc::Gen<std::string> any_line() {
   const auto piece = rc::gen::element<std::string>(
       "G1", "G 90", "X-1.50", "Z+.5", "F200.", " ", "\t", "(c)", "(\xD6\xD0)", "N10 ", "O7", "/",
       "%", "%12 ", ";", "-", "5", "X", ".", "X#1", "F[1/2]", "#2=3", "IF", "ENDW", "P[T1]", "]",
-      "x", "\xE2\x88\x92", "(", "g0", "o1 sub", "Ysin[1]", "x#<a>");
+      "x", "\xE2\x88\x92", "(", "g0", "o1 sub", "Ysin[1]", "x#<a>", "#<b>=[1+2]", "z[#1 mod 2]",
+      "o2 while [1 le 2]", "x-[1**2--3]", "yatan[1]/[2]", "o<c> call [1] [#2]",
+      "g[exists[#<a>]+1]");
   const auto usual = rc::gen::element<std::string>("G1", "G 90", "X-1.50", "Z+.5", "F200.", " ",
                                                    "(c)", "X 00012.", "D99999999999999999999");
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(
@@ -131,7 +137,7 @@ TEST(Print, AProgramNumberIsAnO) {
 TEST(Print, WordsComeBeforeComments) {
   EXPECT_EQ(print(parsed("/ N10(a)G1(b)X.5 ;c")), "/N10 G1 X0.5 (a) (b);c");
   EXPECT_EQ(print(parsed(kLathes, "O7 X#1*2")), "O7 X#1");
-  EXPECT_EQ(print(parsed(Dialect::rs274, "n7 o<hole> call")), "N7 O1 SUB");
+  EXPECT_EQ(print(parsed(Dialect::rs274, "n7 o<hole> call")), "N7 O<hole> call");
   EXPECT_EQ(print(parsed(" % ")), "%");
 }
 

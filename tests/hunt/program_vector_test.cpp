@@ -19,7 +19,7 @@ constexpr const char* kArcBeforePocket =
 TEST(ProgramVector, NamesOnlyReadingsThatAnAssignmentComesTo) {
   generate::GeneratedProgram program;
   program.profile = std::get<reference::Profile>(reference::default_profile("sinumerik802s"));
-  program.profile.tools["3"] = exact::Number(5);
+  program.profile.tools["3"].radius = exact::Number(5);
   ASSERT_EQ(reference::set_reading(program.profile, "sie.infeed", "equal"), std::nullopt);
   program.text = kArcBeforePocket;
   const oracle::Case test = vector_of(program, "drawn");

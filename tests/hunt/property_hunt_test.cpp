@@ -11,12 +11,12 @@
 namespace gonogo::hunt::testing {
 namespace {
 
-SubjectMaker builtin(const char* name, const char* fault = "") {
+SubjectMaker subject_of(const char* name, const char* fault = "") {
   const gonogo_subject_v1* subject = expanders::find(name, fault);
   return [subject] { return oracle::make_interface_subject(*subject); };
 }
 
-PropertyOptions hunting(const std::string& dialect) {
+PropertyOptions property_hunting(const std::string& dialect) {
   PropertyOptions options;
   options.dialect = dialect;
   return options;
@@ -31,8 +31,8 @@ std::optional<PropertyFinding> first_finding(PropertyHunt& hunt, std::size_t pro
 
 TEST(PropertyHunt, FindsNothingWhereThereIsNoFault) {
   for (const generate::Generator& generator : generate::generators()) {
-    PropertyHunt hunt(builtin(std::string(generator.expander).c_str()),
-                      hunting(std::string(generator.dialect)));
+    PropertyHunt hunt(subject_of(std::string(generator.expander).c_str()),
+                      property_hunting(std::string(generator.dialect)));
     const auto finding = first_finding(hunt, 300);
     EXPECT_FALSE(finding) << generator.dialect << " " << finding->signature() << "\n"
                           << finding->program.text << "\n"
@@ -45,7 +45,7 @@ TEST(PropertyHunt, FindsNothingWhereThereIsNoFault) {
 
 // I J K as absolute: an arc elsewhere has another radius, or none.
 TEST(PropertyHunt, FindsWhatDependsOnThePlaceAndMakesItSmall) {
-  PropertyHunt hunt(builtin("ngc", "offsets-absolute"), hunting("rs274"));
+  PropertyHunt hunt(subject_of("ngc", "offsets-absolute"), property_hunting("rs274"));
   auto finding = first_finding(hunt, 2'000);
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->relation->name, "translation");
@@ -56,7 +56,7 @@ TEST(PropertyHunt, FindsWhatDependsOnThePlaceAndMakesItSmall) {
 }
 
 TEST(PropertyHunt, TellsOneSignatureOnce) {
-  PropertyHunt hunt(builtin("ngc", "offsets-absolute"), hunting("rs274"));
+  PropertyHunt hunt(subject_of("ngc", "offsets-absolute"), property_hunting("rs274"));
   std::set<std::string> signatures;
   for (int i = 0; i < 500; ++i) {
     const auto finding = hunt.step();
@@ -74,9 +74,9 @@ TEST(PropertyHunt, IsAMethodOfTheKillMatrix) {
   const MatrixTarget faulty{"ngc+offsets-absolute",
                             "NGC-ARC-02",
                             {"rs274"},
-                            builtin("ngc", "offsets-absolute"),
-                            builtin("ngc")};
-  const MatrixTarget sound{"ngc", "", {"rs274"}, builtin("ngc"), builtin("ngc")};
+                            subject_of("ngc", "offsets-absolute"),
+                            subject_of("ngc")};
+  const MatrixTarget sound{"ngc", "", {"rs274"}, subject_of("ngc"), subject_of("ngc")};
   EXPECT_TRUE(matrix_row(faulty, options).kills.at(Method::properties).killed);
   EXPECT_FALSE(matrix_row(sound, options).kills.at(Method::properties).killed);
   options.blind = true;

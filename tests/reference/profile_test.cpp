@@ -76,6 +76,8 @@ x = "10"
 z = "-0.001"
 [tools.10]
 radius = "5"
+[tools.11]
+length = "-40.5"
 [parameters]
 3410 = "0.02"
 5921 = "2"
@@ -94,7 +96,7 @@ constexpr std::string_view kFullJson = R"({
 "alarm_timing":"program","block_skip":true,
 "initial":{"x":"1.5","y":"-2","z":"11/3","a":"30","c":"90.25","f":"200","plane":"G17",
            "motion":"G01","spindle":"M4"},
-"offsets":{"G54":{"x":"10","z":"-0.001"}},"tools":{"10":{"radius":"5"}},
+"offsets":{"G54":{"x":"10","z":"-0.001"}},"tools":{"10":{"radius":"5"},"11":{"length":"-40.5"}},
 "parameters":{"3410":"0.02","5921":"2","3403.6":"0"},"reference_point":{"x":"200","z":"300"},
 "readings":{"gsk.pocket.end":"r-plane","gsk.pocket.p-omitted":"0.5","gsk.decimals":"any"}})";
 
@@ -117,7 +119,8 @@ void expect_full(const Profile& profile) {
   EXPECT_EQ(profile.offsets.at("G54")[Axis::x], num("10"));
   EXPECT_EQ(profile.offsets.at("G54")[Axis::z], num("-0.001"));
   ASSERT_TRUE(profile.tools.contains("10"));
-  EXPECT_EQ(profile.tools.at("10"), num("5"));
+  EXPECT_EQ(profile.tools.at("10").radius, num("5"));
+  EXPECT_EQ(profile.tools.at("11").length, num("-40.5"));
   EXPECT_EQ(profile.parameter("3410"), num("0.02"));
   EXPECT_EQ(profile.parameter("5921"), num("2"));
   EXPECT_EQ(profile.parameter("3403.6"), num("0"));

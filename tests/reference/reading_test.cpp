@@ -56,8 +56,9 @@ TEST(Reading, EachDefaultIsOneOfItsChoices) {
   EXPECT_EQ(named_open,
             (std::set<std::string_view>{"gsk.duplicate", "hnc.g75.mode3", "hnc.lead.unit",
                                         "hnc.missing-axis", "ngc.arc-words-alone",
-                                        "ngc.bare-motion", "ngc.g80-beside", "ngc.line-number",
-                                        "ngc.o-name", "sie.arc.correct", "sie.corner", "sie.g158",
+                                        "ngc.bare-motion", "ngc.call-parameters", "ngc.equal", "ngc.g80-beside",
+                                        "ngc.g92-other-axes", "ngc.line-number", "ngc.o-name",
+                                        "ngc.sign-of-value", "sie.arc.correct", "sie.corner", "sie.g158",
                                         "sie.infeed-from", "sie.lc75.r125-limit",
                                         "sie.lcyc.unit", "sie.rpl-equals"}));
 }

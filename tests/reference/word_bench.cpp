@@ -106,6 +106,12 @@ Bench ngc_bench(std::string_view code) {
     bench.words.clear();
     bench.behind = "G1 X37 Y-7\nM2";
   }
+  // What an offset of each axis does is seen where all of them move.
+  if (code == "G10") bench.words = {{"L", "2"}, {"P", "1"}, {"X", "40"}};
+  if (code == "G43") bench.words = {{"H", "1"}};
+  if (code == "G10" || code == "G43" || code == "G43.1" || code == "G92") {
+    bench.behind = "G0 X38 Y-6 Z1 A1 C1\nG1 X37 Y-7\nM2";
+  }
   return bench;
 }
 
@@ -188,7 +194,10 @@ Bench bench_of(const Dialect& dialect, const Code& code) {
 Profile bench_profile(const Dialect& dialect) {
   Profile profile = std::get<Profile>(default_profile(dialect.name));
   if (dialect.name == "hnc21t") set_reading(profile, "hnc.g75.mode3", "off");
-  if (dialect.name == "rs274") set_reading(profile, "ngc.peck.d", "clearance");
+  if (dialect.name == "rs274") {
+    set_reading(profile, "ngc.peck.d", "clearance");
+    profile.tools = {{"1", {0, 5}}, {"2", {0, 7}}, {"30", {0, 9}}};
+  }
   return profile;
 }
 

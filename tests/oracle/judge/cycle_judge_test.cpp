@@ -148,6 +148,23 @@ TEST(CycleJudge, ATapTurnsBackAtTheBottom) {
       is_go_of_cycle(judged_words(flat, {"M1,3", "M2,5", "M2,8", "M2,4", "M2,5", "M2,3", "M3,2"})));
 }
 
+// M3 of the block comes behind motions that the subject need not show, and has to be told from the
+// M functions of the tap, which are due next.
+TEST(CycleJudge, MFunctionsBehindMotionsTooSmallToSee) {
+  const std::string program = "F100\nG0 X0.0001\nG1 X0.0001\nG84 M3 M8 P1 Z0 R0\nM2\n";
+  const WordTrace functions = {"M4,3", "M4,8", "M4,5", "M4,4", "D4,1", "M4,5", "M4,3", "M5,2"};
+  WordTrace shown = functions;
+  shown.insert(shown.begin(), "R2,0.0001,0");
+  for (const bool blocks : {true, false}) {
+    const Judging judging = {.blocks = blocks, .m = true};
+    EXPECT_TRUE(is_go_of_cycle(judged_words(program, shown, judging)));
+    EXPECT_TRUE(is_go_of_cycle(judged_words(program, functions, judging)));
+    // One of the tap behind its dwell.
+    EXPECT_FALSE(is_go_of_cycle(judged_words(program, with_word_moved(shown, 4, 5), judging)));
+    EXPECT_FALSE(is_go_of_cycle(judged_words(program, with_word_moved(shown, 2, 4), judging)));
+  }
+}
+
 TEST(CycleJudge, AThreadIsItsLineAndItsLead) {
   const std::string program = "M3\nG33 X3 Z4 K5\nG33.1 Z9 K2\nM2\n";
   const WordTrace right = {"M1,3", "T2,3,4,4", "T3,3,9,2", "M3,4", "T3,3,4,2", "M3,3", "M4,2"};

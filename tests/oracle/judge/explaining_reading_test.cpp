@@ -41,7 +41,7 @@ constexpr std::string_view kRectangularPocket =
     "R121=4 R122=100 R123=200 R124=0 R125=0 R126=2 R127=1\nLCYC75\n";
 
 reference::Profile with_tool(reference::Profile profile) {
-  profile.tools["4"] = 5;
+  profile.tools["4"].radius = 5;
   return profile;
 }
 

@@ -30,7 +30,7 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
       throw std::runtime_error("no such reading");
     }
   }
-  if (!judging.tool.empty()) profile.tools["1"] = Number::parse(judging.tool).value();
+  if (!judging.tool.empty()) profile.tools["1"].radius = Number::parse(judging.tool).value();
   SubjectInfo subject;
   if (judging.blocks) subject.features.insert("blocks");
   if (judging.m) subject.features.insert("m");

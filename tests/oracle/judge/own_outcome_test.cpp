@@ -115,7 +115,7 @@ TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
 TEST(OwnOutcome, CirclesAsSmallAsTheToleranceMayStandBetweenInfeeds) {
   reference::Profile profile =
       profile_of("sinumerik802s", {{"sie.pocket.path", "contour-parallel"}});
-  profile.tools["1"] = 3;
+  profile.tools["1"].radius = 3;
   const Verdict verdict = judge_own(
       "F254 S600 M3 G0 X0 Y0 Z23\nT1 D1\nR101=10 R102=2.5 R103=7.5 R104=1.6 R116=19 R117=10\n"
       "R118=6.002 R119=6.002 R120=3.001 R121=3.475 R122=105 R123=214 R124=0 R125=0.1 R126=2 "

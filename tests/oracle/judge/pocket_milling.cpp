@@ -19,7 +19,7 @@ Number number(double value) {
 
 reference::Profile profile_802s(ReadingsOf readings) {
   auto profile = std::get<reference::Profile>(reference::default_profile("sinumerik802s"));
-  profile.tools = {{"1", Number(10)}, {"4", Number(5)}, {"10", Number(5)}};
+  profile.tools = {{"1", {10, 0}}, {"4", {5, 0}}, {"10", {5, 0}}};
   for (const auto& [name, value] : readings) {
     if (auto error = set_reading(profile, name, value)) throw std::invalid_argument(error->message);
   }

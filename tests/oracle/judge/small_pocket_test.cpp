@@ -33,7 +33,7 @@ struct SmallPocket {
 
 reference::Profile profile_of_three(ReadingsOf readings = {}) {
   reference::Profile profile = profile_802s(readings);
-  profile.tools = {{"1", Number(3)}};
+  profile.tools = {{"1", {3, 0}}};
   return profile;
 }
 
@@ -63,7 +63,7 @@ TEST(SmallPockets, PlungeOfTheToleranceIsSeenBehindAnMFunction) {
       "R118=5.998 R119=5.998 R120=0 R121=1 R122=20 R123=20 R124=1.999 R125=0 R126=2 R127=1\n"
       "LCYC75\nM2\n";
   reference::Profile profile = profile_802s({});
-  profile.tools = {{"1", Number(1)}};
+  profile.tools = {{"1", {1, 0}}};
   for (const bool blocks : {true, false}) {
     const Verdict verdict = judge_records(program, shown(program, profile), {blocks, profile});
     EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;

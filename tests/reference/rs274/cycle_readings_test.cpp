@@ -117,6 +117,24 @@ TEST(NgcCycleReadings, AlarmsThatAreFoundLate) {
   EXPECT_EQ(under({late}, "G0 Z5\nG86 X1 Z1 R2 P1"), "R0,0,5 R1,0,5 R1,0,2 !b3:spindle-stopped");
 }
 
+// NGC-CYC-27: as linuxcnc does, which dwells before it lifts the tool, and where it need not.
+TEST(NgcCycleReadings, AlarmsThatAreFoundLateBehindADwell) {
+  const Choice late = {"ngc.cycle.alarm-at", "late"};
+  EXPECT_EQ(under({late}, "G83 G4 P1.5 X1 Z1 R2 Q0"), "D1.5 R0,0,2 R1,0,2 !b2:value-sign");
+  EXPECT_EQ(under({late}, "G83 G4 P1.5 X1 Z1 R2"), "D1.5 R0,0,2 !b2:missing-word");
+  EXPECT_EQ(under({late}, "G83 G4 P1.5 Z-1 R0"), "D1.5 !b2:missing-word");
+  EXPECT_EQ(under({late}, "G83 G4 P0 Z-1 R0"), "!b2:missing-word");
+  EXPECT_EQ(under({}, "G83 G4 P1.5 X1 Z1 R2 Q0"), "!b2:value-sign");
+}
+
+// As any P that is missing: after the lift to R.
+TEST(NgcCycleReadings, ATapThatNeedsPIsRefusedLate) {
+  const Choice needed = {"ngc.tap.p", "needed"};
+  const Choice late = {"ngc.cycle.alarm-at", "late"};
+  EXPECT_EQ(under({needed, late}, "M4\nG74 X1 Z1 R2"), "M4 R0,0,2 !b3:missing-word");
+  EXPECT_EQ(under({needed}, "M4\nG74 X1 Z1 R2"), "M4 !b3:missing-word");
+}
+
 constexpr const char* kG83 = "G0 Z10\nG98 G83 X1 Z-7 R2 Q3";
 constexpr const char* kOverHole = "R0,0,10 R1,0,10 R1,0,2 ";
 
@@ -242,6 +260,12 @@ TEST(NgcCycleReadings, EntryOfG76) {
   EXPECT_EQ(trace("G18 M3\nG76 P2 Z-20 I-1 J1 K2 L2 E2\nM2", ngc({{"ngc.g76.entry", "feed"}})),
             "M3 R1,0,0 R-2,0,0 T-2,0,-18@2 T0,0,-20@2 R1,0,-20 R0,0,0 R-3,0,0 T-3,0,-18@2 "
             "T-1,0,-20@2 R0,0,-20");
+}
+
+// Whatever else is wrong with the block.
+TEST(NgcCycleReadings, EntryOfG76WithoutFeedOrSpindle) {
+  EXPECT_EQ(trace("G18\nG76 P2 Z-20 I-1 J1 K2 L1 E2\nM2", ngc({{"ngc.g76.entry", "feed"}})),
+            "!b2:feed-missing,spindle-stopped");
 }
 
 TEST(NgcCycleReadings, G80BesideACycle) {

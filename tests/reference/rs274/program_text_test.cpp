@@ -64,7 +64,7 @@ TEST(NgcProgram, OAndANumberAloneAreItsName) {
     EXPECT_EQ(ending_of(text, syntax), "alarm b2 syntax") << line;
     EXPECT_EQ(touched(text), Lines{"ngc.o-name"}) << line;
   }
-  EXPECT_EQ(ending_of("O0002 G0 X1"), ending_of("O100 sub"));
+  EXPECT_EQ(ending_of("O0002 G0 X1"), ending_of("O100 jump"));
 }
 
 TEST(NgcWords, BlanksMeanNothing) {

@@ -63,7 +63,7 @@ TEST(NgcWhole, OfNistTenTimesACodeMayBeATenThousandthOff) {
   EXPECT_EQ(code("0.9999899", nist()), kUndefined);
   EXPECT_EQ(code("1.0001", nist()), kUndefined);
   EXPECT_EQ(path("G0 X1\nG90.10001 G2 X3 I2 J0 F9", nist()).back(), "arc x3 y0 c2,0 rot-1 f9");
-  EXPECT_EQ(code("59.29999", nist()), "not-covered b2 G59.3");
+  EXPECT_EQ(code("43.19999", nist()), "not-covered b2 G43.2");
   EXPECT_EQ(code("6.00001", nist()), kUndefined);
 }
 
@@ -84,6 +84,7 @@ TEST(NgcWhole, WhatCountsAsWholeIsThatNumberEverywhere) {
   EXPECT_EQ(turns("0.0001", nist()), "alarm b2 value-sign");
   EXPECT_EQ(turns("-0.0001", nist()), "alarm b2 value-sign");
   EXPECT_EQ(turns("-2.9999", nist()), "alarm b2 value-sign");
+  EXPECT_EQ(ending_of("F9\nG81 Z-1 R0 L-0.00001", nist()), "alarm b2 value-out-of-range");
   EXPECT_EQ(ending_of("G17 G18.00001", nist()), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M3 M4.0001", nist()), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M10.0001", nist()), "alarm b1 undefined-code");

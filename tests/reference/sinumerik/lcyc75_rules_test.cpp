@@ -121,7 +121,7 @@ TEST(Lcyc75Rules, NeedsATool) {
 TEST(Lcyc75Rules, AToolThatTheProfileDoesNotDescribeIsWhatTheProfileLacks) {
   EXPECT_EQ(pocket_outcome("T5"), "not-covered profile");
   Profile blunt = s802();
-  blunt.tools["4"] = 0;
+  blunt.tools["4"].radius = 0;
   EXPECT_EQ(pocket_outcome("", blunt), "not-covered profile");
   const std::vector<Item> items = expand(pocket_program("T5"), s802());
   const auto& lacking = std::get<NotCovered>(items.back());
@@ -130,7 +130,7 @@ TEST(Lcyc75Rules, AToolThatTheProfileDoesNotDescribeIsWhatTheProfileLacks) {
   // The line, written into a profile, is what was lacking.
   const auto written = profile_from_toml("dialect = \"sinumerik802s\"\n" + lacking.lacks);
   ASSERT_TRUE(std::holds_alternative<Profile>(written));
-  EXPECT_EQ(std::get<Profile>(written).tools.at("5"), Number(5));
+  EXPECT_EQ(std::get<Profile>(written).tools.at("5").radius, Number(5));
 }
 
 TEST(Lcyc75Rules, WhatIsWrongWhateverTheToolIsAnAlarm) {

@@ -13,7 +13,7 @@ namespace gonogo::reference::testing::sie {
 inline Profile s802(
     std::initializer_list<std::pair<std::string_view, std::string_view>> readings = {}) {
   Profile profile = std::get<Profile>(default_profile("sinumerik802s"));
-  profile.tools = {{"1", num("10")}, {"4", num("5")}, {"10", num("5")}};
+  profile.tools = {{"1", {10, 0}}, {"4", {5, 0}}, {"10", {5, 0}}};
   for (const auto& [name, value] : readings) {
     if (auto error = set_reading(profile, name, value)) throw std::invalid_argument(error->message);
   }

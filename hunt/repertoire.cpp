@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/repertoire.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <span>
+
+#include "hunt/profile_parts.hpp"
+#include "oracle/differential/reference_run.hpp"
+#include "program/features.hpp"
+
+namespace gonogo::hunt {
+
+using program::ProgramText;
+using program::TextBlock;
+using program::TextWord;
+
+namespace {
+
+constexpr std::string_view kFeature = "feature ";
+constexpr std::string_view kSetting = "setting ";
+
+bool is_feature(const std::string& part) {
+  return part.starts_with(kFeature);
+}
+
+bool has(std::string_view text, bool (*is_it)(unsigned char)) {
+  return std::ranges::any_of(text, [&](char c) { return is_it(static_cast<unsigned char>(c)); });
+}
+
+bool has_only_digits(std::string_view text) {
+  return !has(text, [](unsigned char c) { return std::isdigit(c) == 0; });
+}
+
+// How the word is written, where that is not the plainest way.
+void add_spelling(const TextWord& word, bool is_code, std::set<std::string>& parts) {
+  const std::string& text = word.text;
+  const auto add = [&](bool is_so, const char* way) {
+    if (is_so) parts.insert(std::string("spelling ") + way);
+  };
+  add(has(text, [](unsigned char c) { return std::islower(c) != 0; }), "small letters");
+  add(has(text, [](unsigned char c) { return c == ' ' || c == '\t'; }), "blanks in a word");
+  add(has(word.gap, [](unsigned char c) { return c == '\t'; }), "tab");
+  add(text.find('+') != std::string::npos, "+");
+  add(text.find('=') != std::string::npos, "=");
+  add(text.find('(') != std::string::npos, "brackets");
+  const std::size_t number = text.find_first_of("0123456789.");
+  if (number == std::string::npos) return add(true, "no number");
+  const std::size_t point = text.find('.');
+  add(text[number] == '.', "no digit before the point");
+  add(point == text.size() - 1, "no digit behind the point");
+  add(is_code && text[number] == '0' && number + 1 < text.size() &&
+          std::isdigit(static_cast<unsigned char>(text[number + 1])) != 0,
+      "G01");
+}
+
+// Digits that belong to the word before them: 2 of "M 0 2".
+bool is_loose_number(const TextWord& word) {
+  if (program::is_word(word) || word.text.empty()) return false;
+  const auto first = static_cast<unsigned char>(word.text.front());
+  return std::isdigit(first) != 0 || first == '.' || first == '-';
+}
+
+// What is no word: a comment, the number of a block.
+void add_text(const TextBlock& block, const TextWord& word, std::set<std::string>& parts) {
+  if (is_loose_number(word)) {
+    parts.insert("spelling blanks in a number");
+    return;
+  }
+  const auto first = static_cast<unsigned char>(word.text.empty() ? ' ' : word.text.front());
+  parts.insert(std::string("text ") + static_cast<char>(std::toupper(first)));
+  if (std::isalpha(first) == 0) return;
+  const bool is_whole = has_only_digits(std::string_view(word.text).substr(1));
+  if (!is_whole) parts.insert("spelling odd numbers of blocks");  // N1.5
+  if (&word != block.words.data()) parts.insert("spelling numbers of blocks behind words");
+}
+
+void add_word(const TextBlock& block, const TextWord& word, std::set<std::string>& parts) {
+  if (has(word.text, [](unsigned char c) { return c > 127; })) parts.insert("text bytes");
+  if (!program::is_word(word)) return add_text(block, word, parts);
+  const std::string& code = block.code_of(word);
+  add_spelling(word, !code.empty(), parts);
+  // Of M 0 2 it is not known which code it is.
+  const TextWord* const next = &word + 1;
+  const bool is_last = next == block.words.data() + block.words.size();
+  if (!code.empty() && !is_last && is_loose_number(*next)) {
+    parts.insert("spelling blanks in a code");
+    return;
+  }
+  parts.insert(code.empty() ? "word " + program::address_of(word) : "code " + code);
+}
+
+std::string setting(std::size_t part) {
+  return fmt::format("{}{}", kSetting, part);
+}
+
+// The parts of profiles but the first, which is all readings at once.
+constexpr std::size_t kFirstSetting = 1;
+
+// A single block of the program and its last one, on the default machine: of so few parts that most
+// of what a subject does comes to light.
+generate::GeneratedProgram single_block(const generate::GeneratedProgram& program,
+                                        std::size_t which) {
+  generate::GeneratedProgram made = program;
+  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) reset_part(made.profile, i);
+  const ProgramText text(made.profile, made.text);
+  std::vector<const TextBlock*> blocks;
+  for (const TextBlock& block : text.blocks) {
+    if (!block.words.empty()) blocks.push_back(&block);
+  }
+  if (blocks.size() < 2) return made;
+  made.text =
+      program::line_text(*blocks[which % (blocks.size() - 1)]) + program::line_text(*blocks.back());
+  return made;
+}
+
+// How many blocks ran for sure, by the reference: those before an alarm, and as far as there are
+// records.
+std::size_t blocks_run(const generate::GeneratedProgram& program) {
+  constexpr std::size_t kMostRecords = 5'000;
+  const oracle::ReferenceRun run =
+      oracle::run_reference(program.profile, program.text, kMostRecords);
+  if (!run.alarms.empty()) return static_cast<std::size_t>(run.end.alarm.block - 1);
+  std::uint64_t last = 0;
+  for (const reference::Record& record : run.records) last = std::max(last, record.block);
+  return static_cast<std::size_t>(last);
+}
+
+}  // namespace
+
+Repertoire::Repertoire(const oracle::SubjectInfo& info, std::string dialect)
+    : info_(info), dialect_(std::move(dialect)) {}
+
+Repertoire::Parts Repertoire::parts_of_block(const TextBlock& block,
+                                             const reference::Descriptor& table) const {
+  Parts parts;
+  for (const TextWord& word : block.words) add_word(block, word, parts);
+  if (!block.words.empty() && block.end.starts_with('\r')) {
+    parts.insert(block.end.size() == 1 ? "text CR" : "text CR LF");
+  }
+  for (const std::string& feature : program::features_needed(table, block)) {
+    parts.insert(std::string(kFeature) + feature);
+  }
+  return parts;
+}
+
+Repertoire::Parts Repertoire::parts_of(const generate::GeneratedProgram& program,
+                                       std::size_t blocks) const {
+  const ProgramText text(program.profile, program.text);
+  Parts parts;
+  for (const TextBlock& block :
+       std::span(text.blocks).first(std::min(blocks, text.blocks.size()))) {
+    parts.merge(parts_of_block(block, *text.table));
+  }
+  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) {
+    reference::Profile copy = program.profile;
+    if (reset_part(copy, i)) parts.insert(setting(i));
+  }
+  return parts;
+}
+
+bool Repertoire::is_undeclared(const std::string& part) const {
+  return is_feature(part) && !info_.declares(dialect_, part.substr(kFeature.size()));
+}
+
+// A subject that took none of several settings takes no other.
+bool Repertoire::is_like_what_is_out(const std::string& part) const {
+  constexpr std::ptrdiff_t kEnough = 4;
+  if (!part.starts_with(kSetting)) return false;
+  const auto is_setting = [](const std::string& other) { return other.starts_with(kSetting); };
+  const bool any_in =
+      std::ranges::any_of(in_, [&](const auto& known) { return is_setting(known.first); });
+  return !any_in && std::ranges::count_if(
+                        out_, [&](const auto& out) { return is_setting(out.first); }) >= kEnough;
+}
+
+bool Repertoire::admits(const std::string& part, std::optional<std::string>& trying,
+                        Try aim) const {
+  if (is_undeclared(part)) return false;
+  if (!skips_ || in_.contains(part) || trying == part) return true;
+  // It comes with a code or word, which is tried in its place.
+  if (is_feature(part)) return !out_.contains(part);
+  const bool is_new = !out_.contains(part) && !is_like_what_is_out(part);
+  if (trying || aim != Try::untried || !is_new) return false;
+  trying = part;
+  return true;
+}
+
+void Repertoire::fit_settings(reference::Profile& profile, std::optional<std::string>& trying,
+                              Try aim) const {
+  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) {
+    reference::Profile other = profile;
+    if (reset_part(other, i) && !admits(setting(i), trying, aim)) profile = other;
+  }
+}
+
+// Words alone go where the rest may stay: without its code a block means something else.
+std::string Repertoire::fitted_block(const TextBlock& block, const reference::Descriptor& table,
+                                     std::optional<std::string>& trying, Try aim) const {
+  program::TextLine kept{{}, block.rest, block.end};
+  for (const TextWord& word : block.words) {
+    Parts parts;
+    add_word(block, word, parts);
+    const bool is_code = program::is_word(word) && !block.code_of(word).empty();
+    const bool stays = is_code || std::ranges::all_of(parts, [&](const std::string& part) {
+                         return admits(part, trying, aim);
+                       });
+    if (stays) kept.words.push_back(word);
+  }
+  if (kept.words.size() != block.words.size()) return program::line_text(kept);  // looked at again
+  const Parts parts = parts_of_block(block, table);
+  const bool stays = std::ranges::all_of(
+      parts, [&](const std::string& part) { return admits(part, trying, aim); });
+  return stays ? program::line_text(block) : std::string();
+}
+
+std::string Repertoire::fitted_text(const ProgramText& text, std::optional<std::string>& trying,
+                                    Try aim) const {
+  std::string fitted;
+  for (const TextBlock& block : text.blocks) {
+    fitted += fitted_block(block, *text.table, trying, aim);
+  }
+  return fitted;
+}
+
+// Later only now and then: what is untried is mostly skipped.
+Repertoire::Try Repertoire::aim_of_next() const {
+  constexpr std::size_t kLearning = 260;
+  constexpr std::size_t kTryOneIn = 50;
+  const bool again = runs_ % 2 == 1;
+  if (runs_ <= kLearning) return again && !out_.empty() ? Try::what_is_out : Try::untried;
+  if (runs_ % kTryOneIn > 1) return Try::nothing;
+  return again ? Try::what_is_out : Try::untried;
+}
+
+// Of what is out, so that what was blamed for something else comes back soon.
+std::optional<std::string> Repertoire::least_blamed() const {
+  std::optional<std::string> least;
+  for (const auto& [part, times] : out_) {
+    if (part.starts_with(kSetting)) continue;
+    if (!least || times < out_.at(*least)) least = part;
+  }
+  return least;
+}
+
+std::optional<generate::GeneratedProgram> Repertoire::fitted(
+    const generate::GeneratedProgram& program) const {
+  constexpr std::size_t kSingleBlocks = 60;
+  constexpr std::size_t kLeast = 2;  // blocks
+  if (info_.everything && !skips_) return program;
+  if (skips_ && runs_ <= kSingleBlocks) return single_block(program, runs_);
+  const Try aim = aim_of_next();
+  std::optional<std::string> trying;
+  if (aim == Try::what_is_out) trying = least_blamed();
+  generate::GeneratedProgram made = program;
+  fit_settings(made.profile, trying, aim);
+  // What is left may mean something else, and need something else.
+  while (true) {
+    const ProgramText text(made.profile, made.text);
+    std::string next = fitted_text(text, trying, aim);
+    if (next == made.text) break;
+    made.text = std::move(next);
+  }
+  const bool is_whole = made.text == program.text;
+  if (!is_whole && program::count_blocks(made.text) < kLeast) return std::nullopt;
+  return made;
+}
+
+void Repertoire::ran(const generate::GeneratedProgram& program) {
+  if (info_.everything && !skips_) return;
+  ++runs_;
+  for (const std::string& part : parts_of(program, blocks_run(program))) {
+    ++in_[part].ran;
+    out_.erase(part);
+  }
+}
+
+void Repertoire::skipped(const generate::GeneratedProgram& program) {
+  // Of known parts together with others: a part that hardly ever ran, and why it did is unclear
+  // (an alarm before it).
+  constexpr std::size_t kSkippedOften = 4;
+  constexpr std::size_t kToOneThatRan = 1;
+  skips_ = true;
+  ++runs_;
+  const Parts parts = parts_of(program, std::string::npos);
+  Parts untried;
+  std::ranges::copy_if(parts, std::inserter(untried, untried.end()), [&](const std::string& part) {
+    return !in_.contains(part) && !is_undeclared(part);
+  });
+  if (!std::ranges::all_of(untried, is_feature)) std::erase_if(untried, is_feature);
+  if (untried.size() == 1) ++out_[*untried.begin()];
+  if (!untried.empty()) return;
+  for (const std::string& part : parts) {
+    const auto known = in_.find(part);
+    if (known == in_.end()) continue;
+    Runs& runs = known->second;
+    ++runs.skipped;
+    if (runs.skipped < kSkippedOften || runs.skipped < kToOneThatRan * runs.ran) continue;
+    in_.erase(known);
+    ++out_[part];
+  }
+}
+
+std::string Repertoire::left_out() const {
+  std::map<std::string, std::string> kinds;
+  for (const auto& [part, times] : out_) {
+    const std::size_t blank = part.find(' ');
+    std::string& names = kinds[part.substr(0, blank)];
+    names += (names.empty() ? "" : " ") + part.substr(blank + 1);
+  }
+  std::string text;
+  for (const auto& [kind, names] : kinds) {
+    if (kind == "setting") continue;  // numbers say nothing to people
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", kind, names);
+  }
+  return text;
+}
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a subject runs and what it skips, learned from its own answers: real ones do a part of a
+// dialect, and few say which. A hunt that knows it stays inside it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generate/generator.hpp"
+#include "oracle/subject.hpp"
+#include "program/modes.hpp"
+
+namespace gonogo::hunt {
+
+// A program is made of parts: codes ("code G2"), words ("word A"), what is no word ("text (", a
+// comment), ways to write ("spelling tab"), features ("feature planes") and settings of its machine
+// that are not the default ("setting 3", hunt/profile_parts.hpp).
+//
+// (1) As long as the subject skips nothing and declares everything, programs stay as they are.
+// (2) A part goes out by a program that was skipped and had no other that was not known to run, or
+//     where programs of known parts with it are skipped again and again.
+// (3) What is out is tried again now and then, and comes back where it runs.
+class Repertoire {
+ public:
+  Repertoire(const oracle::SubjectInfo& info, std::string dialect);
+
+  // The program without the parts that are out or not declared, and, once anything was skipped,
+  // with at most one that is untried. Blocks or words that have others are left out. Nothing: not
+  // enough is left to be worth a run.
+  std::optional<generate::GeneratedProgram> fitted(const generate::GeneratedProgram& program) const;
+
+  void ran(const generate::GeneratedProgram& program);
+  void skipped(const generate::GeneratedProgram& program);
+
+  // What is out, for people: "codes G2 G3; words A B".
+  std::string left_out() const;
+
+ private:
+  // How programs with a part that is known to run went.
+  struct Runs {
+    std::size_t ran = 0;
+    std::size_t skipped = 0;
+  };
+  using Parts = std::set<std::string>;
+  // What a program may have that is not known to run: one part at most.
+  enum class Try : std::uint8_t { nothing, untried, what_is_out };
+  Try aim_of_next() const;
+  std::optional<std::string> least_blamed() const;
+
+  Parts parts_of_block(const program::TextBlock& block, const reference::Descriptor& table) const;
+  // Of the first `blocks` blocks, and of the machine.
+  Parts parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const;
+  bool is_undeclared(const std::string& part) const;
+  bool is_like_what_is_out(const std::string& part) const;
+  // Whether the part may stand in the program that is made now; an untried one becomes `trying`.
+  bool admits(const std::string& part, std::optional<std::string>& trying, Try aim) const;
+  void fit_settings(reference::Profile& profile, std::optional<std::string>& trying, Try aim) const;
+  // The text with the blocks and words left out that may not stand there.
+  std::string fitted_text(const program::ProgramText& text, std::optional<std::string>& trying,
+                          Try aim) const;
+  std::string fitted_block(const program::TextBlock& block, const reference::Descriptor& table,
+                           std::optional<std::string>& trying, Try aim) const;
+
+  oracle::SubjectInfo info_;
+  std::string dialect_;
+  std::map<std::string, Runs> in_;
+  std::map<std::string, std::size_t> out_;  // how often each was the only one to blame
+  bool skips_ = false;
+  std::size_t runs_ = 0;
+};
+
+}  // namespace gonogo::hunt

@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// NGC-EXP-01: what stands between brackets, and behind '#'.
+#include "reference/rs274/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "reference/exact/size.hpp"
+#include "reference/rs274/machine.hpp"
+#include "reference/rs274/whole.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+using grammar::TermKind;
+
+// NGC-EXP-07: beyond them an exact value is no longer kept, for programs that calculate can make it
+// grow without end.
+constexpr std::size_t kLongest = 16'384;  // bits
+constexpr std::size_t kDeepest = 200;     // operations on a value that is only enclosed
+constexpr std::int64_t kMostOfExponent = 1'000;
+
+// NGC-EXP-02: values that differ by less are equal.
+const Number kMillionth = Number::millionths(1);
+const Number kTenThousandth = Number::millionths(100);
+
+Number truth(bool holds) {
+  return holds ? 1 : 0;
+}
+
+// NGC-EXP-04: the angle of (x, y), from above -180 to 180.
+Number signed_angle(const Number& x, const Number& y) {
+  Number angle = exact::angle_degrees(x, y);
+  return y.sign() < 0 ? angle - Number(360) : angle;
+}
+
+// NGC-EXP-04: halves away from zero.
+Number rounded(const Number& value) {
+  const Number half = Number::millionths(500'000);
+  return value.sign() < 0 ? (value - half).ceil() : (value + half).floor();
+}
+
+Number raised(Number base, std::int64_t exponent) {
+  Number power = 1;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 != 0) power = power * base;
+    base = base * base;
+  }
+  return power;
+}
+
+Number other_leg(const Number& value) {
+  return exact::sqrt(Number(1) - value * value);
+}
+
+}  // namespace
+
+bool Calculator::fail(AlarmClass alarm_class, ClauseId clause, const grammar::Span& where,
+                      std::string message) {
+  alarm = Alarm{alarm_class, clause, {}, where, std::move(message)};
+  return false;
+}
+
+bool Calculator::leave_out(std::string code, const grammar::Span& where, std::string message) {
+  outside = NotCovered{0, std::move(code), std::move(message), where};
+  return false;
+}
+
+// NGC-EXP-07
+bool Calculator::is_kept(const grammar::Term& term) {
+  const exact::Size size = exact::size_of(stack_.back());
+  if (size.bits <= kLongest && size.depth <= kDeepest) return true;
+  return leave_out("expression", term.where,
+                   "The exact value has more digits than the gauge keeps.");
+}
+
+// NGC-PAR-01: the number of a parameter, or near enough to one.
+std::optional<std::int64_t> Calculator::number_of_parameter(const Number& value,
+                                                            const grammar::Span& where) {
+  const ClauseId clause = "NGC-PAR-01"_clause;
+  const NearWhole number(value);
+  if (!number.counts_as_whole(Whole::repeats, readings_)) {
+    fail(AlarmClass::not_an_integer, clause, where, "The number of a parameter is whole.");
+    return std::nullopt;
+  }
+  const std::int64_t nearest = number.nearest().to_int64().value_or(0);
+  if (nearest >= 1 && nearest <= kLastParameter) return nearest;
+  fail(AlarmClass::value_out_of_range, clause, where,
+       fmt::format("The numbered parameters are #1 to #{}.", kLastParameter));
+  return std::nullopt;
+}
+
+// NGC-PAR-04
+std::optional<Number> Calculator::of_machine(std::int64_t number) const {
+  const WordModes& modes = machine_.modes;
+  switch (number) {
+    case 5220:
+      return Number(static_cast<std::int64_t>(machine_.offsets.system) + 1);
+    case 5420:
+      return modes.number_of(machine_.position[Axis::x]);
+    case 5421:
+      return modes.number_of(machine_.position[Axis::y]);
+    case 5422:
+      return modes.number_of(machine_.position[Axis::z]);
+    case 5423:
+      return machine_.position[Axis::a];
+    case 5425:
+      return machine_.position[Axis::c];
+    default:
+      return std::nullopt;
+  }
+}
+
+// NGC-PAR-04
+std::optional<Number> Calculator::of_machine(std::string_view name) const {
+  const WordModes& modes = machine_.modes;
+  if (name == "_x") return of_machine(5420);
+  if (name == "_y") return of_machine(5421);
+  if (name == "_z") return of_machine(5422);
+  if (name == "_a") return of_machine(5423);
+  if (name == "_c") return of_machine(5425);
+  if (name == "_metric") return truth(!modes.inch);
+  if (name == "_imperial") return truth(modes.inch);
+  if (name == "_absolute") return truth(!modes.incremental);
+  if (name == "_incremental") return truth(modes.incremental);
+  if (name == "_value") return parameters_.returned.value_or(0);
+  if (name == "_value_returned") return truth(parameters_.returned.has_value());
+  return std::nullopt;
+}
+
+bool Calculator::push_numbered(const grammar::Term& term) {
+  const auto number = number_of_parameter(stack_.back(), term.where);
+  if (!number) return false;
+  if (*number <= kLastUserParameter) {
+    Number value = parameters_.numbered(*number);
+    // NGC-OWD-02
+    if (parameters_.is_inherited(*number) && value.sign() != 0 &&
+        readings_.is(ReadingKey::ngc_call_parameters, "zero")) {
+      value = 0;
+    }
+    stack_.back() = std::move(value);
+    return true;
+  }
+  const std::optional<Number> of_it = of_machine(*number);
+  if (!of_it) {
+    return leave_out(fmt::format("#{}", *number), term.where,
+                     "The gauge does not read this parameter of the machine.");
+  }
+  stack_.back() = *of_it;
+  return true;
+}
+
+// NGC-PAR-03
+bool Calculator::push_named(const std::string& name, const grammar::Term& term) {
+  const bool asks = term.kind == TermKind::exists;
+  std::optional<Number> value = is_predefined(name) ? of_machine(name) : parameters_.named(name);
+  if (!value && is_predefined(name)) {
+    return leave_out(fmt::format("#<{}>", name), term.where,
+                     "The gauge does not read this parameter of the machine.");
+  }
+  if (!value && !asks) {
+    return fail(AlarmClass::value_out_of_range, "NGC-PAR-03"_clause, term.where,
+                fmt::format("The parameter #<{}> has no value.", name));
+  }
+  stack_.push_back(asks ? truth(value.has_value()) : *value);
+  return true;
+}
+
+// NGC-EXP-02
+bool Calculator::are_equal(const Number& left, const Number& right) const {
+  const Number apart = exact::abs(left - right);
+  if (apart < kMillionth) return true;
+  if (apart >= kTenThousandth) return false;
+  return readings_.is(ReadingKey::ngc_equal, "ten-thousandth");
+}
+
+// NGC-EXP-01
+bool Calculator::apply_power(const grammar::Term& term, Number& left, const Number& right) {
+  const std::optional<std::int64_t> exponent =
+      right.is_rational() ? right.to_int64() : std::nullopt;
+  if (!exponent || std::abs(*exponent) > kMostOfExponent) {
+    return leave_out("**", term.where,
+                     "The gauge reads powers with whole exponents, not above a thousand.");
+  }
+  if (*exponent < 0 && left.sign() == 0) {
+    return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
+                "A negative power of zero.");
+  }
+  const std::size_t bits = exact::size_of(left).bits;
+  const auto times = static_cast<std::size_t>(std::abs(*exponent));
+  if (bits * times > 4 * kLongest) {
+    return leave_out("expression", term.where,
+                     "The exact value has more digits than the gauge keeps.");
+  }
+  Number power = raised(left, std::abs(*exponent));
+  left = *exponent < 0 ? Number(1) / power : std::move(power);
+  return true;
+}
+
+// Operators of two values.
+bool Calculator::apply_two(const grammar::Term& term) {
+  const ClauseId clause = "NGC-EXP-06"_clause;
+  const Number right = std::move(stack_.back());
+  stack_.pop_back();
+  Number& left = stack_.back();
+  switch (term.kind) {
+    case TermKind::add:
+      left = left + right;
+      return true;
+    case TermKind::subtract:
+      left = left - right;
+      return true;
+    case TermKind::multiply:
+      left = left * right;
+      return true;
+    case TermKind::divide:
+      if (right.sign() == 0) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where, "A division by zero.");
+      }
+      left = left / right;
+      return true;
+    case TermKind::power:
+      return apply_power(term, left, right);
+    case TermKind::modulo: {
+      if (right.sign() == 0) return leave_out("MOD", term.where, "No text says what MOD 0 is.");
+      // NGC-EXP-04: what is left is not below zero.
+      const Number step = exact::abs(right);
+      left = left - (left / step).floor() * step;
+      return true;
+    }
+    case TermKind::atan:
+      if (left.sign() == 0 && right.sign() == 0) {
+        return leave_out("ATAN", term.where, "No text says what ATAN[0]/[0] is.");
+      }
+      left = signed_angle(right, left);
+      return true;
+    case TermKind::equal:
+      left = truth(are_equal(left, right));
+      return true;
+    case TermKind::not_equal:
+      left = truth(!are_equal(left, right));
+      return true;
+    case TermKind::greater:
+      left = truth(left > right);
+      return true;
+    case TermKind::not_less:
+      left = truth(left >= right);
+      return true;
+    case TermKind::less:
+      left = truth(left < right);
+      return true;
+    case TermKind::not_greater:
+      left = truth(left <= right);
+      return true;
+    case TermKind::logic_and:
+      left = truth(left.sign() != 0 && right.sign() != 0);
+      return true;
+    case TermKind::logic_or:
+      left = truth(left.sign() != 0 || right.sign() != 0);
+      return true;
+    default:
+      left = truth((left.sign() != 0) != (right.sign() != 0));
+      return true;
+  }
+}
+
+// NGC-EXP-03: functions and signs.
+bool Calculator::apply_one(const grammar::Term& term) {
+  const ClauseId clause = "NGC-EXP-06"_clause;
+  Number& top = stack_.back();
+  switch (term.kind) {
+    case TermKind::negate:
+    case TermKind::plus:
+      if (readings_.is(ReadingKey::ngc_sign_of_value, "syntax")) {
+        return fail(AlarmClass::syntax, "NGC-EXP-05"_clause, term.where,
+                    "A sign stands before digits alone.");
+      }
+      if (term.kind == TermKind::negate) top = -top;
+      return true;
+    case TermKind::abs:
+      top = exact::abs(top);
+      return true;
+    case TermKind::fix:
+      top = top.floor();
+      return true;
+    case TermKind::fup:
+      top = top.ceil();
+      return true;
+    case TermKind::round:
+      top = rounded(top);
+      return true;
+    case TermKind::sqrt:
+      if (top.sign() < 0) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where,
+                    "SQRT of a number below zero.");
+      }
+      top = exact::sqrt(top);
+      return true;
+    case TermKind::sin:
+      top = exact::sin_degrees(top);
+      return true;
+    case TermKind::cos:
+      top = exact::cos_degrees(top);
+      return true;
+    case TermKind::tan: {
+      const auto [cosine, sine] = exact::cos_sin_degrees(top);
+      if (cosine.sign() == 0) {
+        return leave_out("TAN", term.where, "No text says what TAN of a right angle is.");
+      }
+      top = sine / cosine;
+      return true;
+    }
+    case TermKind::acos:
+    case TermKind::asin:
+      if (exact::abs(top) > Number(1)) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where,
+                    "No angle has this sine or cosine.");
+      }
+      top = term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
+                                        : signed_angle(other_leg(top), top);
+      return true;
+    default:
+      return leave_out(term.kind == TermKind::ln ? "LN" : "EXP", term.where,
+                       "The gauge does not read this function.");
+  }
+}
+
+bool Calculator::apply(const grammar::Block& block, const grammar::Term& term) {
+  switch (term.kind) {
+    case TermKind::number:
+      stack_.push_back(to_number(term.number));
+      return true;
+    case TermKind::numbered:
+      return push_numbered(term);
+    case TermKind::named:
+    case TermKind::exists:
+      return push_named(block.names[static_cast<std::size_t>(term.number.magnitude)], term);
+    case TermKind::negate:
+    case TermKind::plus:
+    case TermKind::abs:
+    case TermKind::acos:
+    case TermKind::asin:
+    case TermKind::cos:
+    case TermKind::exp:
+    case TermKind::fix:
+    case TermKind::fup:
+    case TermKind::ln:
+    case TermKind::round:
+    case TermKind::sin:
+    case TermKind::sqrt:
+    case TermKind::tan:
+      return apply_one(term) && is_kept(term);
+    default:
+      return apply_two(term) && is_kept(term);
+  }
+}
+
+std::optional<Number> Calculator::value(const grammar::Block& block,
+                                        const grammar::TermRange& range) {
+  stack_.clear();
+  for (std::uint32_t i = 0; i < range.count; ++i) {
+    if (!apply(block, block.terms[range.first + i])) return std::nullopt;
+  }
+  return std::move(stack_.back());
+}
+
+// NGC-PAR-02
+bool Calculator::assign(const grammar::Block& block) {
+  struct Setting {
+    const grammar::Assignment* assignment;
+    std::int64_t number;
+    Number value;
+  };
+  std::vector<Setting> settings;
+  for (const grammar::Assignment& assignment : block.assignments) {
+    std::int64_t number = 0;
+    if (assignment.name.empty()) {
+      const std::optional<Number> index = value(block, assignment.index);
+      const auto named = index ? number_of_parameter(*index, assignment.where) : std::nullopt;
+      if (!named) return false;
+      number = *named;
+    }
+    const bool is_of_machine =
+        assignment.name.empty() ? number > kLastUserParameter : is_predefined(assignment.name);
+    if (is_of_machine) {  // NGC-PAR-04
+      return leave_out(assignment.name.empty() ? fmt::format("#{}", number)
+                                               : fmt::format("#<{}>", assignment.name),
+                       assignment.where,
+                       "The gauge does not read settings of parameters of the machine.");
+    }
+    std::optional<Number> to = value(block, assignment.value);
+    if (!to) return false;
+    settings.push_back({&assignment, number, *std::move(to)});
+  }
+  for (Setting& setting : settings) {
+    if (setting.assignment->name.empty()) {
+      parameters_.set(setting.number, std::move(setting.value));
+    } else {
+      parameters_.set(setting.assignment->name, std::move(setting.value));
+    }
+  }
+  return true;
+}
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// NGC-OWD-01 to NGC-OWD-10.
+#include "reference/rs274/o_words.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "grammar/parser.hpp"
+#include "reference/rs274/whole.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+using grammar::ControlKind;
+
+bool is_loop(ControlKind kind) {
+  return kind == ControlKind::while_ || kind == ControlKind::do_ || kind == ControlKind::repeat;
+}
+
+// Where the O word of a line would stand: behind '/', N and its number; nothing where there is
+// none. An O word may be parsed without need, never missed.
+bool may_be_o_word(std::string_view text, bool skips) {
+  std::size_t at = text.find_first_not_of(" \t");
+  if (at == std::string_view::npos) return false;
+  if (text[at] == '/') {
+    if (skips) return false;
+    ++at;
+  }
+  return text.find_first_of("oO", at) != std::string_view::npos;
+}
+
+bool is_tape_mark(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != std::string_view::npos && text[first] == '%';
+}
+
+}  // namespace
+
+// The lines of the program that a loop may need again, also while it has called a subroutine.
+bool OWords::is_recording() const {
+  return std::ranges::any_of(levels_.front().open,
+                             [](const Open& open) { return is_loop(open.kind); });
+}
+
+// The next line, whether it runs or not.
+bool OWords::read(grammar::LineSource& lines, grammar::Line& line) {
+  Level& level = levels_.back();
+  if (level.at < level.text->size()) {
+    const StoredLine& stored = (*level.text)[level.at++];
+    ++repeated_;
+    line.number = stored.number;
+    line.text = stored.text;
+    line.too_long = false;
+    return true;
+  }
+  if (!lines.next(line)) return false;
+  const bool is_recorded = is_recording() && !line.too_long;
+  if (!is_recorded && defined_ == nullptr) return true;
+  remembered_ += line.text.size() + sizeof(StoredLine);
+  Text& text = defined_ != nullptr ? *defined_ : tape_;
+  text.push_back({line.number, std::string(line.text)});
+  if (defined_ == nullptr) ++level.at;
+  return true;
+}
+
+// NGC-OWD-04: lines that do not run are not looked at but for their O words.
+bool OWords::is_wanted(std::string_view text) {
+  if (!may_be_o_word(text, skips_)) return false;
+  if (grammar::parse_block(grammar::Dialect::rs274, text, scratch_) || !scratch_.control) {
+    return false;
+  }
+  const grammar::Control& control = *scratch_.control;
+  if (defined_ != nullptr) {
+    return control.kind == ControlKind::sub ||
+           (control.kind == ControlKind::endsub && control.label == defined_label_);
+  }
+  const bool ends_sub = !is_main() && levels_.back().at == levels_.back().text->size();
+  return ends_sub || is_wanted(control);
+}
+
+bool OWords::is_wanted(const grammar::Control& control) const {
+  return control.label == wanted_->label &&
+         std::ranges::find(wanted_->kinds, control.kind) != wanted_->kinds.end();
+}
+
+bool OWords::next(grammar::LineSource& lines, grammar::Line& line) {
+  current_ = &line;
+  while (read(lines, line)) {
+    if (!passes_over() || is_beyond() || line.too_long) return true;
+    if (is_tape_mark(line.text) || is_wanted(line.text)) return true;
+  }
+  return false;
+}
+
+// What may not come again.
+void OWords::forget() {
+  if (is_recording() || levels_.front().at != tape_.size()) return;
+  for (const StoredLine& line : tape_) remembered_ -= line.text.size() + sizeof(StoredLine);
+  tape_.clear();
+  levels_.front().at = 0;
+}
+
+// NGC-OWD-08
+bool OWords::refuse(const Step& step, std::string message) const {
+  step.out.alarms.push_back(
+      {AlarmClass::syntax, "NGC-OWD-08"_clause, 'O', step.control.where, std::move(message)});
+  return false;
+}
+
+// NGC-OWD-10
+bool OWords::leave_out(const Step& step, std::string message) const {
+  step.out.not_covered =
+      NotCovered{current_->number, "o-word", std::move(message), step.control.where};
+  return false;
+}
+
+std::optional<Number> OWords::value(const Step& step) {
+  return step.calculator.value(step.block, step.control.values.front());
+}
+
+std::optional<bool> OWords::holds(const Step& step) {
+  const std::optional<Number> condition = value(step);
+  if (!condition) return std::nullopt;
+  return condition->sign() != 0;
+}
+
+// NGC-OWD-08: the label of a condition or a loop stands for one of them.
+bool OWords::is_new_label(const Step& step) {
+  const std::string name = levels_.back().sub + '#' + step.control.label;
+  const auto [place, is_new] = labels_.try_emplace(name, current_->number);
+  if (is_new) remembered_ += name.size() + sizeof(std::uint64_t);
+  if (is_new || place->second == current_->number) return true;
+  return refuse(step, "The label belongs to another O word.");
+}
+
+void OWords::open(const Step& step, bool is_done) {
+  Level& level = levels_.back();
+  const bool was_recording = is_recording();
+  level.open.push_back({step.control.kind, step.control.label, 0, 0, is_done});
+  if (is_main() && !was_recording && is_recording() && level.at == tape_.size()) {
+    remembered_ += current_->text.size() + sizeof(StoredLine);
+    tape_.push_back({current_->number, std::string(current_->text)});
+    ++level.at;
+  }
+  level.open.back().start = level.at == 0 ? 0 : level.at - 1;
+}
+
+OWords::Open* OWords::innermost(const Step& step, std::initializer_list<ControlKind> kinds) {
+  std::vector<Open>& all = levels_.back().open;
+  if (!all.empty() && all.back().label == step.control.label &&
+      std::ranges::find(kinds, all.back().kind) != kinds.end()) {
+    return &all.back();
+  }
+  refuse(step, "No condition or loop of this label is open here.");
+  return nullptr;
+}
+
+void OWords::want(const std::string& label, std::initializer_list<ControlKind> kinds) {
+  wanted_ = Wanted{label, kinds};
+}
+
+void OWords::go_back_to(std::size_t place) {
+  levels_.back().at = place;
+}
+
+// NGC-OWD-01
+void OWords::run_sub(const Step& step) {
+  if (defined_ != nullptr || !is_main()) {
+    refuse(step, "A subroutine stands within another one.");
+    return;
+  }
+  if (!levels_.back().open.empty()) {
+    leave_out(step, "The gauge does not read a subroutine within a loop or a condition.");
+    return;
+  }
+  auto [place, is_new] = subs_.try_emplace(step.control.label, std::make_unique<Text>());
+  if (!is_new) {
+    refuse(step, "There is another subroutine of this label.");
+    return;
+  }
+  defined_ = place->second.get();
+  defined_label_ = step.control.label;
+}
+
+// NGC-OWD-03: return and endsub.
+void OWords::run_return(const Step& step) {
+  if (defined_ != nullptr) {  // the end of one that is read
+    defined_ = nullptr;
+    return;
+  }
+  if (is_main() || levels_.back().sub != step.control.label) {
+    refuse(step, "No subroutine of this label runs here.");
+    return;
+  }
+  if (!step.control.values.empty()) {
+    std::optional<Number> returned = value(step);
+    if (!returned) return;
+    parameters_.returned = std::move(returned);
+  }
+  parameters_.leave();
+  levels_.pop_back();
+}
+
+// NGC-OWD-02
+void OWords::run_call(const Step& step) {
+  std::string label = step.control.label;
+  if (label.empty()) {
+    const std::optional<Number> number = step.calculator.value(step.block, step.control.number);
+    if (!number) return;
+    const auto whole = number->is_rational() ? number->to_int64() : std::nullopt;
+    if (!whole || *whole < 0) {
+      leave_out(step, "The gauge reads whole numbers as labels.");
+      return;
+    }
+    label = std::to_string(*whole);
+  }
+  std::vector<Number> arguments;
+  for (const grammar::TermRange& range : step.control.values) {
+    std::optional<Number> argument = step.calculator.value(step.block, range);
+    if (!argument) return;
+    arguments.push_back(*std::move(argument));
+  }
+  const auto sub = subs_.find(label);
+  if (sub == subs_.end()) {
+    leave_out(step, "No subroutine of this label stands before the call; a file may have it.");
+    return;
+  }
+  if (levels_.size() > kMostCalls) {
+    leave_out(step, "The gauge follows nine calls within each other.");
+    return;
+  }
+  parameters_.returned.reset();
+  parameters_.enter(std::move(arguments));
+  levels_.push_back({label, sub->second.get(), 0, {}});
+}
+
+// NGC-OWD-04
+void OWords::run_if(const Step& step) {
+  if (!is_new_label(step)) return;
+  const std::optional<bool> runs = holds(step);
+  if (!runs) return;
+  open(step, *runs);
+  if (*runs) return;
+  want(step.control.label, {ControlKind::elseif, ControlKind::else_, ControlKind::endif});
+}
+
+void OWords::run_elseif(const Step& step) {
+  Open* const condition = innermost(step, {ControlKind::if_});
+  if (condition == nullptr) return;
+  if (!condition->is_done) {
+    const std::optional<bool> runs = holds(step);
+    if (!runs) return;
+    condition->is_done = *runs;
+    if (*runs) return;
+    return want(step.control.label, {ControlKind::elseif, ControlKind::else_, ControlKind::endif});
+  }
+  want(step.control.label, {ControlKind::endif});
+}
+
+void OWords::run_else(const Step& step) {
+  Open* const condition = innermost(step, {ControlKind::if_});
+  if (condition == nullptr) return;
+  if (std::exchange(condition->is_done, true)) want(step.control.label, {ControlKind::endif});
+}
+
+void OWords::run_endif(const Step& step) {
+  if (innermost(step, {ControlKind::if_}) != nullptr) levels_.back().open.pop_back();
+}
+
+// NGC-OWD-05: the head of while, and the end of do.
+void OWords::run_while(const Step& step) {
+  std::vector<Open>& all = levels_.back().open;
+  const bool ends_do =
+      !all.empty() && all.back().kind == ControlKind::do_ && all.back().label == step.control.label;
+  if (ends_do && all.back().is_done) return all.pop_back();
+  if (!ends_do && !is_new_label(step)) return;
+  const std::optional<bool> runs = holds(step);
+  if (!runs) return;
+  if (ends_do) {
+    if (*runs) return go_back_to(all.back().start + 1);
+    return all.pop_back();
+  }
+  open(step, !*runs);
+  if (!*runs) want(step.control.label, {ControlKind::endwhile});
+}
+
+void OWords::run_endwhile(const Step& step) {
+  const Open* const loop = innermost(step, {ControlKind::while_});
+  if (loop == nullptr) return;
+  const Open ended = *loop;
+  // The head opens it again.
+  levels_.back().open.pop_back();
+  if (!ended.is_done) go_back_to(ended.start);
+}
+
+void OWords::run_do(const Step& step) {
+  if (is_new_label(step)) open(step, false);
+}
+
+// NGC-OWD-07
+void OWords::run_repeat(const Step& step) {
+  if (!is_new_label(step)) return;
+  const std::optional<Number> times = value(step);
+  if (!times) return;
+  const NearWhole number(*times);
+  const std::int64_t count = number.is_whole() ? number.nearest().to_int64().value_or(-1) : -1;
+  if (count < 0) {
+    leave_out(step,
+              "No text says how often a loop runs for a number that is not whole, or below "
+              "zero.");
+    return;
+  }
+  open(step, count == 0);
+  levels_.back().open.back().left = count;
+  if (count == 0) want(step.control.label, {ControlKind::endrepeat});
+}
+
+void OWords::run_endrepeat(const Step& step) {
+  Open* const loop = innermost(step, {ControlKind::repeat});
+  if (loop == nullptr) return;
+  if (loop->is_done || --loop->left == 0) return levels_.back().open.pop_back();
+  go_back_to(loop->start + 1);
+}
+
+// NGC-OWD-06: break and continue.
+void OWords::run_break(const Step& step) {
+  std::vector<Open>& all = levels_.back().open;
+  const auto found = std::find_if(all.rbegin(), all.rend(), [&](const Open& open) {
+    return open.label == step.control.label &&
+           (open.kind == ControlKind::while_ || open.kind == ControlKind::do_);
+  });
+  if (found == all.rend()) {
+    refuse(step, "No while or do of this label is open here.");
+    return;
+  }
+  all.erase(found.base(), all.end());
+  Open& loop = all.back();
+  const bool is_do = loop.kind == ControlKind::do_;
+  if (step.control.kind == ControlKind::break_) {
+    loop.is_done = true;
+    return want(loop.label, {is_do ? ControlKind::while_ : ControlKind::endwhile});
+  }
+  if (is_do) return want(loop.label, {ControlKind::while_});
+  const std::size_t start = loop.start;
+  all.pop_back();
+  go_back_to(start);
+}
+
+void OWords::take(const grammar::Block& block, Calculator& calculator, BlockOutput& out) {
+  const Step step{block, *block.control, calculator, out};
+  is_used_ = true;
+  if (wanted_ && !is_wanted(step.control)) {
+    leave_out(step, "The subroutine ends within a condition or a loop.");
+    return;
+  }
+  wanted_.reset();
+  if (!block.comments.empty()) out.accept("NGC-OWD-09"_clause);
+  const ControlKind kind = step.control.kind;
+  if (step.control.label.empty() && kind != ControlKind::call) {
+    leave_out(step, "The gauge reads calculated labels of calls alone.");
+    return;
+  }
+  if (levels_.back().open.size() > kMostOpen) {
+    leave_out(step, "The gauge follows a thousand loops and conditions within each other.");
+    return;
+  }
+  switch (kind) {
+    case ControlKind::sub:
+      run_sub(step);
+      break;
+    case ControlKind::endsub:
+    case ControlKind::return_:
+      run_return(step);
+      break;
+    case ControlKind::call:
+      run_call(step);
+      break;
+    case ControlKind::if_:
+      run_if(step);
+      break;
+    case ControlKind::elseif:
+      run_elseif(step);
+      break;
+    case ControlKind::else_:
+      run_else(step);
+      break;
+    case ControlKind::endif:
+      run_endif(step);
+      break;
+    case ControlKind::while_:
+      run_while(step);
+      break;
+    case ControlKind::endwhile:
+      run_endwhile(step);
+      break;
+    case ControlKind::do_:
+      run_do(step);
+      break;
+    case ControlKind::repeat:
+      run_repeat(step);
+      break;
+    case ControlKind::endrepeat:
+      run_endrepeat(step);
+      break;
+    case ControlKind::break_:
+    case ControlKind::continue_:
+      run_break(step);
+      break;
+  }
+  if (out.alarms.empty() && !out.not_covered) forget();
+}
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// O words: which line of the program comes next. A program is still read line by line; the lines of
+// a subroutine and of the outermost loop that runs are remembered, and no others.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grammar/line_source.hpp"
+#include "reference/expander.hpp"
+#include "reference/rs274/expression.hpp"
+
+namespace gonogo::reference::rs274 {
+
+// NGC-OWD-10: the bounds of what the gauge follows.
+inline constexpr std::size_t kMostRemembered = std::size_t{1} << 20;  // bytes of lines
+inline constexpr std::uint64_t kMostRepeated = 100'000;               // lines that ran before
+inline constexpr std::size_t kMostOpen = 1'000;                       // loops and conditions
+inline constexpr std::size_t kMostCalls = 9;                          // in each other
+
+class OWords {
+ public:
+  OWords(Parameters& parameters, bool skips) : parameters_(parameters), skips_(skips) {}
+  OWords(const OWords&) = delete;
+  OWords& operator=(const OWords&) = delete;
+
+  // The next line that runs; false at the end of the text.
+  bool next(grammar::LineSource& lines, grammar::Line& line);
+  // The line that came last is an O word. Alarms and what is not read go to `out`.
+  void take(const grammar::Block& block, Calculator& calculator, BlockOutput& out);
+  // Whether the line that came last is beyond what is followed.
+  bool is_beyond() const { return remembered_ > kMostRemembered || repeated_ > kMostRepeated; }
+  // Whether there was an O word.
+  bool is_used() const { return is_used_; }
+  // Whether lines are passed over now, up to an O word that has not come yet.
+  bool passes_over() const { return wanted_ || defined_ != nullptr; }
+
+ private:
+  struct StoredLine {
+    std::uint64_t number = 0;
+    std::string text;
+  };
+  using Text = std::vector<StoredLine>;
+  // A condition or a loop that is open.
+  struct Open {
+    grammar::ControlKind kind;
+    std::string label;
+    std::size_t start = 0;  // the line of the O word in the text
+    std::int64_t left = 0;  // of repeat
+    bool is_done = false;   // no branch runs any more; the loop ends at its end
+  };
+  // The program, or a subroutine that was called.
+  struct Level {
+    std::string sub;  // empty: the program
+    const Text* text;
+    std::size_t at = 0;  // the next line
+    std::vector<Open> open;
+  };
+  // What is looked for.
+  struct Wanted {
+    std::string label;
+    std::vector<grammar::ControlKind> kinds;
+  };
+  // One O word in the hands of the function for its kind.
+  struct Step {
+    const grammar::Block& block;
+    const grammar::Control& control;
+    Calculator& calculator;
+    BlockOutput& out;
+  };
+
+  bool read(grammar::LineSource& lines, grammar::Line& line);
+  bool is_wanted(std::string_view text);
+  bool is_wanted(const grammar::Control& control) const;
+  bool is_main() const { return levels_.size() == 1; }
+  bool is_recording() const;
+  void forget();
+  void open(const Step& step, bool is_done);
+  bool is_new_label(const Step& step);
+  Open* innermost(const Step& step, std::initializer_list<grammar::ControlKind> kinds);
+  void want(const std::string& label, std::initializer_list<grammar::ControlKind> kinds);
+  void go_back_to(std::size_t place);
+  std::optional<Number> value(const Step& step);
+  std::optional<bool> holds(const Step& step);
+  bool refuse(const Step& step, std::string message) const;
+  bool leave_out(const Step& step, std::string message) const;
+
+  void run_sub(const Step& step);
+  void run_return(const Step& step);
+  void run_call(const Step& step);
+  void run_if(const Step& step);
+  void run_elseif(const Step& step);
+  void run_else(const Step& step);
+  void run_endif(const Step& step);
+  void run_while(const Step& step);
+  void run_endwhile(const Step& step);
+  void run_do(const Step& step);
+  void run_repeat(const Step& step);
+  void run_endrepeat(const Step& step);
+  void run_break(const Step& step);
+
+  Parameters& parameters_;
+  bool skips_;  // lines behind '/'
+  Text tape_;   // lines of the program that may come again
+  std::map<std::string, std::unique_ptr<Text>> subs_;
+  Text* defined_ = nullptr;  // the subroutine that is read
+  std::string defined_label_;
+  std::vector<Level> levels_ = {Level{{}, &tape_, 0, {}}};
+  std::optional<Wanted> wanted_;
+  std::map<std::string, std::uint64_t> labels_;  // of conditions and loops, by subroutine; lines
+  grammar::Block scratch_;
+  const grammar::Line* current_ = nullptr;
+  bool is_used_ = false;
+  std::size_t remembered_ = 0;
+  std::uint64_t repeated_ = 0;
+};
+
+}  // namespace gonogo::reference::rs274

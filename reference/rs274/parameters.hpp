@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The values of parameters: numbered, and named.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/exact/number.hpp"
+
+namespace gonogo::reference::rs274 {
+
+using exact::Number;
+
+inline constexpr std::int64_t kLastParameter = 5602;
+inline constexpr std::int64_t kLastUserParameter = 5000;
+inline constexpr std::size_t kArguments = 30;  // #1 to #30 belong to a subroutine
+
+class Parameters {
+ public:
+  Parameters() : levels_(1) {}
+
+  // NGC-PAR-01. REQUIRES: 1 <= number <= kLastUserParameter.
+  Number numbered(std::int64_t number) const;
+  void set(std::int64_t number, Number value);
+  // NGC-OWD-02: whether a call has left the parameter without a value, and nothing has set it
+  // since.
+  bool is_inherited(std::int64_t number) const;
+  // NGC-PAR-03: nothing where it was never set, or in another subroutine alone.
+  std::optional<Number> named(const std::string& name) const;
+  void set(const std::string& name, Number value);
+
+  // NGC-OWD-02: a subroutine has parameters of its own, the first of them its arguments.
+  void enter(std::vector<Number> arguments);
+  void leave() { levels_.pop_back(); }
+  std::size_t levels() const { return levels_.size(); }
+
+  // NGC-OWD-03: what the last subroutine returned.
+  std::optional<Number> returned;
+
+ private:
+  struct Level {
+    std::array<Number, kArguments> arguments;
+    std::array<bool, kArguments> inherited = {};
+    std::map<std::string, Number> named;
+  };
+  std::vector<Level> levels_;
+  std::map<std::int64_t, Number> numbered_;
+  std::map<std::string, Number> global_;
+};
+
+// NGC-PAR-04: whether the language gives the name a meaning of its own.
+bool is_predefined(std::string_view name);
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameters and expressions. Values are the documents' examples, or what LinuxCNC 2.9 prints.
+#include <gtest/gtest.h>
+
+#include "ngc_expanding.hpp"
+
+namespace gonogo::reference::testing::ngc {
+namespace {
+
+// Where G0 goes along X by this value.
+std::string value(const std::string& text, const Profile& profile = ngc()) {
+  const Lines lines = path("G0 X1000\nX" + text, profile);
+  constexpr std::string_view kBefore = "rapid x";
+  const std::string& last = lines.back();
+  return last.starts_with(kBefore) ? last.substr(kBefore.size()) : last;
+}
+
+TEST(NgcExpression, HasTheDocumentsGroups) {
+  EXPECT_EQ(value("[2.0/3*1.5-5.5/11.0]"), "0.5");
+  EXPECT_EQ(value("[2**3**2]"), "64");
+  EXPECT_EQ(value("[-2**2]"), "4");
+  EXPECT_EQ(value("[1 OR 1 AND 0]"), "0");
+  EXPECT_EQ(value("[1 AND 0 OR 1]"), "1");
+  EXPECT_EQ(value("[1+1 EQ 2]"), "1");
+}
+
+TEST(NgcExpression, HasTheDocumentsFunctions) {
+  EXPECT_EQ(value(" FIX[2.8]"), "2");
+  EXPECT_EQ(value(" FIX[-2.8]"), "-3");
+  EXPECT_EQ(value(" FUP[2.8]"), "3");
+  EXPECT_EQ(value(" FUP[-2.8]"), "-2");
+  EXPECT_EQ(value(" SIN[30]"), "0.5");
+  EXPECT_EQ(value(" ATAN[1]/[-1]"), "135");
+  EXPECT_EQ(value(" ATAN[-1]/[-1]"), "-135");
+  EXPECT_EQ(value("[1+ACOS[0]-[2**[4.0/2]]]"), "87");
+  EXPECT_EQ(value(" ROUND[-2.5]"), "-3");
+  EXPECT_EQ(value("[-7 MOD 3]"), "2");
+  EXPECT_EQ(value("[7 MOD -3]"), "1");
+}
+
+TEST(NgcExpression, IsExact) {
+  EXPECT_EQ(value("[1/3*3]"), "1");
+  EXPECT_EQ(value("[1/3]"), "1/3");
+  EXPECT_EQ(value("[SQRT[2]*SQRT[2]]"), "2");
+  EXPECT_EQ(value("[0.1+0.2 EQ 0.3]"), "1");
+}
+
+TEST(NgcExpression, EqualityHasATolerance) {
+  EXPECT_EQ(value("[1 EQ 1.0000005]"), "1");
+  EXPECT_EQ(value("[1 EQ 1.00001]", ngc({{"ngc.equal", "millionth"}})), "0");
+  EXPECT_EQ(value("[1 EQ 1.00001]", ngc({{"ngc.equal", "ten-thousandth"}})), "1");
+  EXPECT_EQ(value("[1 EQ 1.0001]", ngc({{"ngc.equal", "ten-thousandth"}})), "0");
+  EXPECT_EQ(value("[1 GE 1.0000005]"), "0");
+}
+
+TEST(NgcExpression, HasNoValueWithoutANumber) {
+  for (const char* text : {"[1/0]", " SQRT[-1]", " ACOS[2]", "[0**-1]", "#<a>", "#5603", "#0"}) {
+    EXPECT_EQ(value(text), "alarm b2 value-out-of-range") << text;
+  }
+  EXPECT_EQ(value(" EXP[1]"), "not-covered b2 EXP");
+  EXPECT_EQ(value("[2**0.5]"), "not-covered b2 **");
+  EXPECT_EQ(value("#5161"), "not-covered b2 #5161");
+}
+
+TEST(NgcExpression, ASignBelongsToDigitsInTheTexts) {
+  EXPECT_EQ(path("#1=3\nG0 X-#1", ngc({{"ngc.sign-of-value", "taken"}})), Lines{"rapid x-3"});
+  EXPECT_EQ(ending_of("#1=3\nG0 X-#1", ngc({{"ngc.sign-of-value", "syntax"}})), "alarm b2 syntax");
+}
+
+// The documents: #3=6 G1 X#3 goes to 15, where #3 was.
+TEST(NgcParameters, SettingsTakeEffectBehindTheirLine) {
+  EXPECT_EQ(path("#3=15\n#3=6 G0 X#3\nX#3"), (Lines{"rapid x15", "rapid x6"}));
+  EXPECT_EQ(path("#1=2\n#2=3\n#1=#2 #2=#1\nG0 X#1 Y#2"), Lines{"rapid x3 y2"});
+  EXPECT_EQ(path("#3=15 #3=6\nG0 X#3"), Lines{"rapid x6"});
+}
+
+TEST(NgcParameters, NamesHaveNoCaseAndNoBlanks) {
+  EXPECT_EQ(path("#<P a R am>=2\nG0 X#<param>"), Lines{"rapid x2"});
+  EXPECT_EQ(value("[EXISTS[#<a>]]"), "0");
+}
+
+TEST(NgcParameters, SayWhereTheProgramIs) {
+  EXPECT_EQ(path("G0 X4\nG92 X7\nG20\nG1 F1 Y[#5420*25.4]").back(), "feed y177.8 f25.4");
+}
+
+TEST(NgcParameters, GrowNoFurtherThanTheGaugeKeeps) {
+  std::string program = "#1=3\n";
+  for (int i = 0; i < 20; ++i) program += "#1=[#1*#1]\n";
+  EXPECT_TRUE(ending_of(program).ends_with(" expression"));
+}
+
+}  // namespace
+}  // namespace gonogo::reference::testing::ngc
