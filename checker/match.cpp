@@ -207,8 +207,13 @@ class Match {
                   [&](const Record& due) { return alarm_block != 0 && due.block == alarm_block; });
     std::vector<Record> told;
     for (const Record& function : got_.functions) {
-      const bool may_be_of_alarm = alarm_block != 0 &&
-                                   says_m_function(vector_.program, alarm_block, function.m) &&
+      // A cycle has some of its own: where its alarm comes late, they are among the records before.
+      const bool is_due_there = std::ranges::any_of(want_.functions, [&](const Record& due) {
+        return due.block == alarm_block && due.m == function.m;
+      });
+      const bool is_of_line =
+          is_due_there || says_m_function(vector_.program, alarm_block, function.m);
+      const bool may_be_of_alarm = alarm_block != 0 && is_of_line &&
                                    (terms_.has_blocks ? function.block == alarm_block
                                                       : told.size() == want.size() || at_load);
       if (!may_be_of_alarm) told.push_back(function);

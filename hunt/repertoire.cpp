@@ -54,7 +54,7 @@ void add_spelling(const TextWord& word, bool is_code, std::set<std::string>& par
   add(point == text.size() - 1, "no digit behind the point");
   add(is_code && text[number] == '0' && number + 1 < text.size() &&
           std::isdigit(static_cast<unsigned char>(text[number + 1])) != 0,
-      "G01");
+      "zeros before a code");
 }
 
 // Digits that belong to the word before them: 2 of "M 0 2".

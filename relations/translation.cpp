@@ -94,7 +94,8 @@ Related moved_text(const generate::GeneratedProgram& program, const Way& way,
   related.program = {program.profile, text.text()};
   related.lines = same_lines(text.blocks.size());
   move_places(way, related.program.profile, related);
-  if (text.table->find(Kind::reference_point) == nullptr) return related;
+  const auto refers = [](const Code& code) { return code.kind == Kind::reference_point; };
+  if (!any_code(text, refers)) return related;
   for (std::size_t axis = 0; axis < way.size(); ++axis) {
     related.program.profile.reference_point.at[axis] += related.shift[axis];
   }
@@ -117,8 +118,9 @@ bool puts_pole(const Code& code) {
   return code.kind == Kind::pole;
 }
 
+// A tool length moves all places by the same.
 bool renames(const Code& code) {
-  return code.kind == Kind::rename;
+  return code.kind == Kind::rename && code.group != reference::Group::tool_length;
 }
 
 bool is_along_depth(Role role) {

@@ -17,8 +17,13 @@ TEST(EveryByte, AloneInALine) {
     const std::string line(1, static_cast<char>(value));
     const bool capital = value >= 'A' && value <= 'Z';
     const bool lower_case = value >= 'a' && value <= 'z';
-    if (std::string_view(" \t%/;#").find(line[0]) != std::string_view::npos) {
+    if (std::string_view(" \t%/;").find(line[0]) != std::string_view::npos) {
       parsed(line);
+      continue;
+    }
+    if (value == '#') {  // a parameter of rs274, which has a number
+      parsed(kLathes, line);
+      EXPECT_EQ(fault(Dialect::rs274, line).code, SyntaxCode::number_expected);
       continue;
     }
     for (const Dialect dialect : kLetterAddress) {
@@ -53,9 +58,12 @@ TEST(EveryByte, BehindAnAddressIsANumberOrLocated) {
   for (int value = 0; value < 256; ++value) {
     const std::string line = "X" + std::string(1, static_cast<char>(value)) + "5";
     const bool number = value == ' ' || value == '\t' || value == '+' || value == '-' ||
-                        value == '.' || (value >= '0' && value <= '9') || value == '#';
+                        value == '.' || (value >= '0' && value <= '9');
     if (number) {
       parsed(line);
+    } else if (value == '#') {
+      parsed(kLathes, line);
+      parsed(Dialect::rs274, line);
     } else {
       for (const Dialect dialect : kLetterAddress) {
         const SyntaxError error = fault(dialect, line);
@@ -82,13 +90,15 @@ TEST(Limits, ANumberOfTenThousandDigits) {
 
 TEST(Limits, AMebibyteOfBracketsNeedsNoStack) {
   std::string line = "X" + std::string(kMaximumLine - 1, '[');
-  EXPECT_EQ(fault(line).expected, "']'");
+  EXPECT_EQ(fault(kLathes, line).expected, "']'");
+  // A value of rs274 has at most 64 in each other.
+  EXPECT_EQ(fault(Dialect::rs274, line).where.begin, 66U);
   std::fill(line.begin() + 1 + kMaximumLine / 2, line.end(), ']');
-  EXPECT_EQ(fault(line).where.begin, kMaximumLine);  // one bracket too few
+  EXPECT_EQ(fault(kLathes, line).where.begin, kMaximumLine);  // one bracket too few
   line.pop_back();
   line.erase(1, 1);
   line += ']';
-  EXPECT_TRUE(parsed(line).outside);
+  EXPECT_TRUE(parsed(kLathes, line).outside);
 }
 
 TEST(Limits, AMebibyteOfComments) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace gonogo::mutations {
 
@@ -76,6 +77,15 @@ bool is_out_of_place(const Trace& trace, double tolerance, const Specimen& speci
   return false;
 }
 
+// Whether the program has O words that say which line is next: then the number of a line says
+// nothing of what comes before what.
+bool lines_may_come_again(const Specimen& specimen) {
+  if (specimen.profile.dialect != "rs274") return false;
+  static const std::regex kChoice(
+      R"((^|\n)[ \t]*[oO][^(\n]*(sub|call|if|do|while|repeat|return|break|continue))");
+  return std::regex_search(specimen.program, kChoice);
+}
+
 Statement state_functions(const Specimen& specimen, const Trace& mutant) {
   if (functions_of(mutant) != functions_of(specimen.right)) {
     // Of the block that alarms no text says which are passed on.
@@ -91,6 +101,7 @@ Statement state_functions(const Specimen& specimen, const Trace& mutant) {
     return wrong("other M functions");
   }
   if (is_out_of_place(mutant, specimen.tolerance(), specimen)) {
+    if (lines_may_come_again(specimen)) return {Answer::unsure, "lines may come again (J-CMP-05)"};
     return wrong("an M function out of its place");
   }
   return nothing();

@@ -91,7 +91,7 @@ TEST(NgcCycleAlarms, OfAxesAndWordsThatACycleLacks) {
       {"G81 X1 Z-1 R2\nA5", "R0,0,2 R1,0,2 F1,0,-1 R1,0,2 !b3:axis-not-in-plane", kSame, kUnknown},
       {"G93 G81 X1 Z-1 R2 F1", "?b2:G93"},
       {"G41 G81 X1 Z-1 R2", "?b2:G41"},
-      {"G53 G81 X1 Z-1 R2", "?b2:G53"},
+      {"G53 G81 X1 Z-1 R2", "!b2:conflicting-words"},
       {"G81 X1 Z-1 R2 B1", "?b2:B"},
       {"G17.1 G81 X1 Z-1 R2", "?b2:G17.1"},
       {"G87 X1 Y1 Z-5 R2 I3 J4 K-2", "?b2:G87"},
