@@ -39,8 +39,8 @@ Specimen Hunt::next_fitted() {
   constexpr std::size_t kMostDrawn = 50;
   for (std::size_t drawn = 1;; ++drawn) {
     Specimen specimen = next();
-    auto program = repertoire_.fitted(specimen.program);
-    if (program) specimen.program = *std::move(program);
+    const auto program = repertoire_.fitted(specimen.program);
+    if (program) specimen.program = *program;
     if (program || drawn == kMostDrawn) return specimen;
   }
 }

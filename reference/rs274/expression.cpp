@@ -237,33 +237,33 @@ bool Calculator::apply_two(const grammar::Term& term) {
       }
       left = signed_angle(right, left);
       return true;
-    case TermKind::equal:
-      left = truth(are_equal(left, right));
-      return true;
-    case TermKind::not_equal:
-      left = truth(!are_equal(left, right));
-      return true;
-    case TermKind::greater:
-      left = truth(left > right);
-      return true;
-    case TermKind::not_less:
-      left = truth(left >= right);
-      return true;
-    case TermKind::less:
-      left = truth(left < right);
-      return true;
-    case TermKind::not_greater:
-      left = truth(left <= right);
-      return true;
-    case TermKind::logic_and:
-      left = truth(left.sign() != 0 && right.sign() != 0);
-      return true;
-    case TermKind::logic_or:
-      left = truth(left.sign() != 0 || right.sign() != 0);
-      return true;
     default:
-      left = truth((left.sign() != 0) != (right.sign() != 0));
+      left = truth(holds(term.kind, left, right));
       return true;
+  }
+}
+
+// Comparisons and logic: 1 where it holds, else 0.
+bool Calculator::holds(TermKind kind, const Number& left, const Number& right) const {
+  switch (kind) {
+    case TermKind::equal:
+      return are_equal(left, right);
+    case TermKind::not_equal:
+      return !are_equal(left, right);
+    case TermKind::greater:
+      return left > right;
+    case TermKind::not_less:
+      return left >= right;
+    case TermKind::less:
+      return left < right;
+    case TermKind::not_greater:
+      return left <= right;
+    case TermKind::logic_and:
+      return left.sign() != 0 && right.sign() != 0;
+    case TermKind::logic_or:
+      return left.sign() != 0 || right.sign() != 0;
+    default:
+      return (left.sign() != 0) != (right.sign() != 0);
   }
 }
 

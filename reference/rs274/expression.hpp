@@ -34,6 +34,7 @@ class Calculator {
   bool apply(const grammar::Block& block, const grammar::Term& term);
   bool apply_one(const grammar::Term& term);
   bool apply_two(const grammar::Term& term);
+  bool holds(grammar::TermKind kind, const Number& left, const Number& right) const;
   bool apply_power(const grammar::Term& term, Number& left, const Number& right);
   bool push_numbered(const grammar::Term& term);
   bool push_named(const std::string& name, const grammar::Term& term);

@@ -365,7 +365,12 @@ void OWords::take(const grammar::Block& block, Calculator& calculator, BlockOutp
     leave_out(step, "The gauge follows a thousand loops and conditions within each other.");
     return;
   }
-  switch (kind) {
+  run(step);
+  if (out.alarms.empty() && !out.not_covered) forget();
+}
+
+void OWords::run(const Step& step) {
+  switch (step.control.kind) {
     case ControlKind::sub:
       run_sub(step);
       break;
@@ -408,7 +413,6 @@ void OWords::take(const grammar::Block& block, Calculator& calculator, BlockOutp
       run_break(step);
       break;
   }
-  if (out.alarms.empty() && !out.not_covered) forget();
 }
 
 }  // namespace gonogo::reference::rs274

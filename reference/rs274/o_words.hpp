@@ -89,6 +89,7 @@ class OWords {
   bool refuse(const Step& step, std::string message) const;
   bool leave_out(const Step& step, std::string message) const;
 
+  void run(const Step& step);
   void run_sub(const Step& step);
   void run_return(const Step& step);
   void run_call(const Step& step);

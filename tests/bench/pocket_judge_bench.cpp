@@ -26,7 +26,7 @@ std::string program_of(const region::Job& job) {
 
 reference::Profile machine() {
   auto profile = std::get<reference::Profile>(reference::default_profile("sinumerik802s"));
-  profile.tools["1"] = reference::Number(5);
+  profile.tools["1"].radius = reference::Number(5);
   return profile;
 }
 
