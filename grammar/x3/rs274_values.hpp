@@ -9,20 +9,11 @@
 #include <utility>
 
 #include "grammar/x3/letter_address.hpp"
+#include "grammar/x3/values.hpp"
 
 namespace gonogo::grammar::rs274 {
 
 using namespace x3;  // the vocabulary of the dialect grammars
-
-// Brackets and signs within each other in a value; it bounds the recursion of the grammar.
-inline constexpr std::size_t kDeepestNesting = 64;
-
-// Takes nothing of a context but what it is given.
-template <typename Self>
-struct Silent : spirit::parser<Self> {
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-};
 
 // Whether the text goes on with the word, in either case.
 inline bool goes_on_with(Iterator first, Iterator last, std::string_view word) {
@@ -46,35 +37,6 @@ std::optional<TermKind> take_word(Iterator& first, Iterator last, const WordOfTe
   }
   return std::nullopt;
 }
-
-// step<read>[operand]: an operator, a sign or a function and its operand, in postfix order. `read`
-// takes it and says which step it is.
-using ReadStep = std::optional<TermKind> (*)(Iterator& first, Iterator last);
-
-template <typename Subject, auto read>
-struct Step : spirit::unary_parser<Subject, Step<Subject, read>> {
-  using spirit::unary_parser<Subject, Step>::unary_parser;
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-
-  template <typename Context, typename RuleContext, typename Attribute>
-  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
-             Attribute&) const {
-    Target& into = target(context);
-    const Iterator begin = first;
-    const std::optional<TermKind> kind = read(first, last);
-    if (!kind) return false;
-    const Span where = into.span(begin, first);
-    if (!this->subject.parse(first, last, context, rule, spirit::unused)) {
-      first = begin;
-      return false;
-    }
-    into.block.terms.push_back({*kind, {}, where});
-    return true;
-  }
-};
-template <ReadStep read>
-inline constexpr DirectiveGenerator<Step, read> step{};
 
 // NGC-EXP-01: operators from the highest group to the lowest.
 inline std::optional<TermKind> read_power(Iterator& first, Iterator last) {
@@ -141,21 +103,6 @@ inline std::string read_name(Iterator& first, Iterator last) {
   return name;
 }
 
-// A number.
-struct Constant : Silent<Constant> {
-  template <typename Context, typename RuleContext, typename Attribute>
-  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&,
-             Attribute&) const {
-    Term term;
-    const Iterator end = read_decimal(first, last, term.number);
-    if (end == nullptr) return false;
-    term.where = target(context).span(first, end);
-    target(context).block.terms.push_back(std::move(term));
-    first = end;
-    return true;
-  }
-};
-
 // #<name>.
 template <TermKind kind>
 struct NamedParameter : Silent<NamedParameter<kind>> {
@@ -175,39 +122,6 @@ struct NamedParameter : Silent<NamedParameter<kind>> {
     return true;
   }
 };
-
-// Whether there is still room for a bracket, which nest[] counts.
-struct Shallow : Silent<Shallow> {
-  template <typename Context, typename RuleContext, typename Attribute>
-  bool parse(Iterator&, const Iterator&, const Context& context, RuleContext&, Attribute&) const {
-    return target(context).brackets < kDeepestNesting;
-  }
-};
-
-// nest[subject]: counts what is open.
-template <typename Subject>
-struct Nest : spirit::unary_parser<Subject, Nest<Subject>> {
-  using spirit::unary_parser<Subject, Nest>::unary_parser;
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-
-  template <typename Context, typename RuleContext, typename Attribute>
-  bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext& rule,
-             Attribute&) const {
-    ++target(context).brackets;
-    const bool met = this->subject.parse(first, last, context, rule, spirit::unused);
-    --target(context).brackets;
-    return met;
-  }
-};
-struct NestGenerator {
-  template <typename Subject>
-  constexpr auto operator[](const Subject& subject) const {
-    using Parser = typename spirit::extension::as_parser<Subject>::value_type;
-    return Nest<Parser>(spirit::as_parser(subject));
-  }
-};
-inline constexpr NestGenerator nest{};
 
 inline constexpr auto shallow = rule<struct ShallowId>{"nesting"} = Shallow{};
 inline constexpr auto close = rule<struct CloseId>{"closed-brackets"} = sole<']'>;
@@ -250,7 +164,7 @@ inline constexpr auto parameter =
     | step<read_hash>[expect[shallow] >> nest[expect[value]]];
 
 inline constexpr auto value_def =
-      Constant{}
+      Leaf<read_constant>{}
     | &sole<'#'> >> parameter
     | bracketed
     | function

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "grammar/x3/letter_address.hpp"
+#include "grammar/x3/values.hpp"
 
 namespace gonogo::grammar::sinumerik {
 
@@ -45,13 +46,6 @@ template <typename Context>
 NamedWord& current(const Context& context) {
   return target(context).block.named.back();
 }
-
-// Parsers without an attribute.
-template <typename Self>
-struct Silent : spirit::parser<Self> {
-  using attribute_type = spirit::unused_type;
-  static constexpr bool has_attribute = false;
-};
 
 inline bool is_digit(char byte) {
   return kDigit.contains(byte);
@@ -170,11 +164,6 @@ struct SomeOf : Silent<SomeOf<set>> {
     return first != begin;
   }
 };
-
-inline Iterator skip_blanks(Iterator first, Iterator last) {
-  while (first != last && kBlank.contains(*first)) ++first;
-  return first;
-}
 
 // The whole number between a letter and '='. One above 64 bits is the largest.
 struct Index : Silent<Index> {
