@@ -29,6 +29,16 @@ constexpr std::array<Take, 16> kParts = {{
     [](Profile& to, const Profile& from) { to.block_skip = from.block_skip; },
 }};
 
+// Sets part i to that of another profile.
+void take_part(Profile& to, const Profile& from, std::size_t part) {
+  if (part < kParts.size()) {
+    kParts[part](to, from);
+  } else {
+    const auto key = static_cast<reference::ReadingKey>(part - kParts.size());
+    to.readings.set(key, from.readings.get(key));
+  }
+}
+
 void choose_another_reading(program::Dice& dice, Profile& profile) {
   std::vector<const reference::Reading*> choices;
   for (const reference::Reading& reading : reference::readings()) {
@@ -46,15 +56,23 @@ std::size_t profile_parts() {
   return kParts.size() + reference::kReadings;
 }
 
+std::vector<std::size_t> parts_set(const Profile& profile) {
+  const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
+  std::vector<std::size_t> parts;
+  Profile other = profile;
+  for (std::size_t part = 0; part < profile_parts(); ++part) {
+    take_part(other, fallback, part);
+    if (other == profile) continue;
+    parts.push_back(part);
+    take_part(other, profile, part);
+  }
+  return parts;
+}
+
 bool reset_part(Profile& profile, std::size_t part) {
   const Profile fallback = std::get<Profile>(reference::default_profile(profile.dialect));
   const Profile before = profile;
-  if (part < kParts.size()) {
-    kParts[part](profile, fallback);
-  } else {
-    const auto key = static_cast<reference::ReadingKey>(part - kParts.size());
-    profile.readings.set(key, fallback.readings.get(key));
-  }
+  take_part(profile, fallback, part);
   return !(profile == before);
 }
 

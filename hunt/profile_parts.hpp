@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "program/mutator/dice.hpp"
 #include "reference/profile.hpp"
@@ -12,6 +13,8 @@
 namespace gonogo::hunt {
 
 std::size_t profile_parts();
+// Those that are not the default ones.
+std::vector<std::size_t> parts_set(const reference::Profile& profile);
 // Sets part i of the profile to its default; false where it is there already.
 bool reset_part(reference::Profile& profile, std::size_t part);
 // Changes one thing: a setting becomes that of `other`, which is of the same dialect, or a reading

@@ -97,15 +97,19 @@ std::string setting(std::size_t part) {
   return fmt::format("{}{}", kSetting, part);
 }
 
-// The parts of profiles but the first, which is all readings at once.
-constexpr std::size_t kFirstSetting = 1;
+// What of the profile is not the default: its parts but the first, which is all readings at once.
+std::vector<std::size_t> settings_of(const reference::Profile& profile) {
+  std::vector<std::size_t> parts = parts_set(profile);
+  std::erase(parts, std::size_t{0});
+  return parts;
+}
 
 // A single block of the program and its last one, on the default machine: of so few parts that most
 // of what a subject does comes to light.
 generate::GeneratedProgram single_block(const generate::GeneratedProgram& program,
                                         std::size_t which) {
   generate::GeneratedProgram made = program;
-  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) reset_part(made.profile, i);
+  for (const std::size_t part : settings_of(made.profile)) reset_part(made.profile, part);
   const ProgramText text(made.profile, made.text);
   std::vector<const TextBlock*> blocks;
   for (const TextBlock& block : text.blocks) {
@@ -155,10 +159,7 @@ Repertoire::Parts Repertoire::parts_of(const generate::GeneratedProgram& program
        std::span(text.blocks).first(std::min(blocks, text.blocks.size()))) {
     parts.merge(parts_of_block(block, *text.table));
   }
-  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) {
-    reference::Profile copy = program.profile;
-    if (reset_part(copy, i)) parts.insert(setting(i));
-  }
+  for (const std::size_t part : settings_of(program.profile)) parts.insert(setting(part));
   return parts;
 }
 
@@ -191,9 +192,8 @@ bool Repertoire::admits(const std::string& part, std::optional<std::string>& try
 
 void Repertoire::fit_settings(reference::Profile& profile, std::optional<std::string>& trying,
                               Try aim) const {
-  for (std::size_t i = kFirstSetting; i < profile_parts(); ++i) {
-    reference::Profile other = profile;
-    if (reset_part(other, i) && !admits(setting(i), trying, aim)) profile = other;
+  for (const std::size_t part : settings_of(profile)) {
+    if (!admits(setting(part), trying, aim)) reset_part(profile, part);
   }
 }
 
