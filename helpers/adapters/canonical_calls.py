@@ -40,7 +40,9 @@ class Calls:
         self.emit = emit
         self.scale, self.feed, self.per_turn = Decimal(1), Decimal(0), False
         self.rotary_feed = Decimal(0)
-        self.at, self.slack, self.rotary = [Decimal(0)] * 3, Decimal(0), ("0", "0", "0")
+        # Places are of the machine and in mm; calls give them less the sum of the offsets.
+        self.at, self.slack = dict.fromkeys("xyzabc", Decimal(0)), Decimal(0)
+        self.offsets = {}
         self.plane = PLANES["CANON_PLANE_XY"]
         self.lead = None  # of the path, while the spindle leads
         self.turning, self.exact_path = 5, False
@@ -62,9 +64,24 @@ class Calls:
 
     def use_length_units(self, units):
         # Where the tool stands is printed in the new units from here on; it was rounded in the old.
-        factor, self.scale = self.scale / UNITS[units], UNITS[units]
-        self.at = [word * factor for word in self.at]
-        self.slack = HALF_A_DIGIT * (factor + 1) if factor != 1 else self.slack
+        if self.scale != UNITS[units]:
+            self.slack = HALF_A_DIGIT * (self.scale + UNITS[units])
+        self.scale = UNITS[units]
+
+    def set_g5x_offset(self, _system, *words):
+        self._offset("system", words)
+
+    def set_g92_offset(self, *words):
+        self._offset("g92", words)
+
+    def use_tool_length_offset(self, *words):
+        self._offset("tool", " ".join(words).split())  # LinuxCNC's come in threes
+
+    def _offset(self, which, words):
+        self.offsets[which] = {axis: Decimal(word) * (self.scale if axis in "xyz" else 1)
+                               for axis, word in zip("xyzabc", words)}
+        # The offset before and this one are rounded, and so is the place on each side of the change.
+        self.slack = max(self.slack, 4 * HALF_A_DIGIT * self.scale)
 
     def select_plane(self, plane):
         if plane not in PLANES:
@@ -85,22 +102,21 @@ class Calls:
         self.emit("dwell", s=Decimal(seconds))
 
     def straight_traverse(self, *words):
-        self.emit("rapid", to=self._position("xyz", words[:3], words[3:]))
+        self.emit("rapid", to=self._go("xyz", words[:3], words[3:]))
 
     def straight_feed(self, *words):
         if self.lead is not None:
-            self._thread(words[:3], words[3:])
+            self._thread(self._place("xyzabc", words))
             return
-        turns_only = all(abs(Decimal(word) - at) <= self.slack
-                         for word, at in zip(words, self.at))
-        self.emit("feed", to=self._position("xyz", words[:3], words[3:]),
-                  **self._feeds(turns_only))
+        at, slack = self.at, self.slack
+        to = self._go("xyz", words[:3], words[3:])
+        turns_only = all(abs(to[axis] - at[axis]) <= slack for axis in "xyz")
+        self.emit("feed", to=to, **self._feeds(turns_only))
 
     def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *rotary):
         plane, axes = self.plane
-        centre = {axis: Decimal(word) * self.scale
-                  for axis, word in zip(axes, (centre1, centre2))}
-        self.emit("arc", to=self._position(axes, (end1, end2, axial), rotary), plane=plane,
+        centre = self._place(axes, (centre1, centre2))
+        self.emit("arc", to=self._go(axes, (end1, end2, axial), rotary), plane=plane,
                   c=centre, rot=int(turn), **self._feeds())
 
     # Threads: the lead is one of the path.
@@ -111,17 +127,18 @@ class Calls:
         self.lead = None
 
     def rigid_tap(self, *words):
-        back, sense = [str(at) for at in self.at], self.turning
-        for place, turns in ((words, 7 - sense), (back, sense)):
-            self._thread(place, self.rotary)
-            self._turn(turns)
+        back, sense = self.at, self.turning
+        self._thread({**back, **self._place("xyz", words)})
+        self._turn(7 - sense)
+        self._thread(back)
+        self._turn(sense)
 
-    def _thread(self, words, rotary):
-        ways = [abs(Decimal(word) - at) for word, at in zip(words, self.at)]
+    def _thread(self, place):
+        ways = [abs(place[axis] - self.at[axis]) for axis in "xyz"]
         length = sum(way * way for way in ways).sqrt()
         lead = self.lead * max(ways) / length if length else self.lead
-        self.emit("thread", to=self._position("xyz", words, rotary), lead=lead * self.scale,
-                  start=Decimal(0))
+        self.at = place
+        self.emit("thread", to=_told(place), lead=lead * self.scale, start=Decimal(0))
 
     # M functions.
     def start_spindle_clockwise(self, *_spindle):
@@ -200,12 +217,18 @@ class Calls:
         return {"f": self.rotary_feed if turns_only else self.feed,
                 "fm": "rev" if self.per_turn else None}
 
-    def _position(self, axes, words, rotary):
-        self.rotary = rotary
-        a, b, c = (Decimal(word) for word in rotary[:3])
-        if b:
-            raise Unsupported("The axis B has no place in a record.")
-        place = {axis: Decimal(word) for axis, word in zip(axes, words)}
-        self.at, self.slack = [place[axis] for axis in "xyz"], Decimal(0)
-        to = {axis: word * self.scale for axis, word in place.items()}
-        return {**to, "a": a, "c": c}
+    def _go(self, axes, words, rotary):
+        """Moves to a point of the program; what a record says of it."""
+        self.at, self.slack = self._place([*axes, *"abc"], [*words, *rotary[:3]]), Decimal(0)
+        return _told(self.at)
+
+    def _place(self, axes, words):
+        return {axis: Decimal(word) * (self.scale if axis in "xyz" else 1)
+                + sum(offset.get(axis, 0) for offset in self.offsets.values())
+                for axis, word in zip(axes, words)}
+
+
+def _told(place):
+    if place["b"]:
+        raise Unsupported("The axis B has no place in a record.")
+    return {axis: place[axis] for axis in "xyzac"}

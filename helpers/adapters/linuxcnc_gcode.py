@@ -16,8 +16,9 @@ import linuxcnc_shared as linuxcnc  # noqa: E402
 from gonogo_pipe import Subject, alarm, error, serve, skip  # noqa: E402
 from rs274_profile import one_of, refusal  # noqa: E402
 
-MM = Fraction(127, 5)
+MM = linuxcnc.MM
 M_PERTURB, ALL_BITS = -6, 0xff  # of glibc: new memory is all zero
+NO_TOOL = (-1, *12 * (0.0,), 0)
 PLANES = {1: ("G17", "xyz"), 3: ("G18", "zxy"), 2: ("G19", "yzx")}
 
 
@@ -28,12 +29,13 @@ class Unsupported(Exception):
 class Canon:
     """The callbacks of one program. `feed` is the one of the profile, in mm/min and degrees/min."""
 
-    def __init__(self, emit, folder, block_delete, feed):
-        self.emit, self.block_delete = emit, block_delete
-        self.parameter_file = os.path.join(folder, "rs274ngc.var")
+    def __init__(self, emit, parameter_file, tools, block_delete, feed):
+        self.emit, self.tools, self.block_delete = emit, tools, block_delete
+        self.parameter_file = parameter_file
         self.line, self.plane, self.per_turn = 0, 1, False
         self.feed = self.rotary_feed = feed
         self.inch, self.at, self.fault = False, (0, 0, 0), None
+        self.offsets = {}  # inches and degrees, of six axes
 
     def __getattr__(self, name):
         # The interpreter calls back for spindles, coolant, comments and more: no motion, no record.
@@ -60,21 +62,39 @@ class Canon:
     def set_plane(self, plane):
         self.plane = plane
 
-    def _feeds(self, xyz=None):
-        # A change of units leaves the last bits of the place changed.
-        turns_only = xyz and all(abs(to - at) < 1e-12 for to, at in zip(xyz, self.at))
+    def set_g5x_offset(self, _system, *place):
+        self.offsets["system"] = place[:6]
+
+    def set_g92_offset(self, *place):
+        self.offsets["g92"] = place[:6]
+
+    def tool_offset(self, *place):
+        self.offsets["tool"] = place[:6]
+
+    def _of_machine(self, axis, value):
+        """A coordinate of the program, in mm or degrees of the machine, without any rounding."""
+        i = "xyzabc".index(axis)
+        place = Fraction(value) + sum(Fraction(offset[i]) for offset in self.offsets.values())
+        return place * MM if axis in "xyz" else place
+
+    def _feeds(self, turns_only=False):
         return {"f": self.rotary_feed if turns_only else self.feed,
                 "fm": "rev" if self.per_turn else None}
 
     def _put(self, kind, to, others, **fields):
-        self.at = (to["x"], to["y"], to["z"])
+        to = {axis: self._of_machine(axis, value)
+              for axis, value in {**to, **dict(zip("abc", others))}.items()}
+        at, self.at = self.at, (to["x"], to["y"], to["z"])
         if not self.line:
             return  # the way to the profile's initial position
-        a, b, c, *uvw = others
-        if b or any(uvw):
+        if to.pop("b") or any(others[3:]):
             self._fail(Unsupported("The axes B, U, V and W have no place in a record."))
-        to = {axis: Fraction(value) * MM for axis, value in to.items()}
-        self._emit(kind, to={**to, "a": Fraction(a), "c": Fraction(c)}, **fields)
+        if kind != "rapid":
+            # A change of units or offsets leaves the last bits of the place changed.
+            turns_only = kind == "feed" and all(abs(new - old) < 1e-10
+                                                for new, old in zip(self.at, at))
+            fields.update(self._feeds(turns_only))
+        self._emit(kind, to=to, **fields)
 
     def _emit(self, kind, **fields):
         try:
@@ -91,14 +111,13 @@ class Canon:
         self._put("rapid", {"x": x, "y": y, "z": z}, others)
 
     def straight_feed(self, x, y, z, *others):
-        feeds = self._feeds((x, y, z))
-        self._put("feed", {"x": x, "y": y, "z": z}, others, **feeds)
+        self._put("feed", {"x": x, "y": y, "z": z}, others)
 
     def arc_feed(self, end1, end2, centre1, centre2, turn, axial, *others):
         plane, (first, second, third) = PLANES[self.plane]
-        centre = {first: Fraction(centre1) * MM, second: Fraction(centre2) * MM}
+        centre = {first: self._of_machine(first, centre1), second: self._of_machine(second, centre2)}
         self._put("arc", {first: end1, second: end2, third: axial}, others, plane=plane,
-                  c=centre, rot=turn, **self._feeds())
+                  c=centre, rot=turn)
 
     def rigid_tap(self, *_place):
         self._fail(Unsupported("The module tells nothing of the lead of a thread."))
@@ -106,9 +125,12 @@ class Canon:
     def dwell(self, seconds):
         self._emit("dwell", s=seconds)
 
+    def change_tool(self, pocket):
+        self.tools[0] = self.tools.get(pocket, NO_TOOL)  # the spindle
+
     # What the interpreter asks.
-    def get_tool(self, _number):
-        return (-1,) + 12 * (0.0,) + (0,)
+    def get_tool(self, pocket):
+        return self.tools.get(pocket, NO_TOOL)
 
     def get_external_length_units(self):
         return 1 / 25.4
@@ -145,15 +167,20 @@ class LinuxcncGcode(Subject):
     def configure(self, dialect, profile):
         at = {"initial." + word: _is_plain for word in "xyzacf"}
         refused = refusal(dialect, profile, {
-            **linuxcnc.READINGS, **at, "units": one_of("mm", "inch"),
+            **linuxcnc.READINGS, **linuxcnc.settable(profile), **at, "units": one_of("mm", "inch"),
             "block_skip": one_of(False, True), "initial.plane": one_of("G17", "G18", "G19"),
         })
         if refused:
             return refused
-        initial = profile.get("initial", {})
+        initial = dict(profile.get("initial", {}))
+        if "offsets" in profile:  # the module begins at the origin of G54
+            initial = {**dict.fromkeys("xyzac", 0), **initial}
         axes = "".join(" %s%s" % (axis.upper(), initial[axis])
                        for axis in "xyzac" if axis in initial)
-        self.place = "G21" + (" G0" + axes if axes else "")
+        self.place = "G21" + (" G53 G0" + axes if axes else "")
+        self.parameters = linuxcnc.parameters(profile)
+        self.tools = linuxcnc.tools(profile)
+        linuxcnc.load_tools(self.folder.name, profile)
         self.feed = initial.get("f", 0)  # without an F the module begins with F1
         # G80 forgets the G0 of the way there.
         units = "G20" if profile.get("units") == "inch" else "G21"
@@ -199,7 +226,11 @@ class LinuxcncGcode(Subject):
             put("outcome", error("%s: %s" % (type(fault).__name__, fault)))
 
     def _outcome(self, program, emit):
-        canon = Canon(emit, self.folder.name, self.block_skip, Fraction(self.feed))
+        parameter_file = os.path.join(self.folder.name, "rs274ngc.var")
+        # What programs leave behind in it would be the next one's start.
+        with open(parameter_file, "w", encoding="ascii") as file:
+            file.write(self.parameters)
+        canon = Canon(emit, parameter_file, dict(self.tools), self.block_skip, Fraction(self.feed))
         try:
             result = self._parse(program, canon, self.place, self.modes)
         except Exception:
@@ -214,13 +245,10 @@ class LinuxcncGcode(Subject):
         return alarm(message, linuxcnc.class_of(message), b=max(canon.line, 1))
 
     def _parse(self, program, canon, *start):
-        path = os.path.join(self.folder.name, "program.ngc")
-        with open(path, "wb") as file:
+        # In the current folder: some messages name the file.
+        with open("program.ngc", "wb") as file:
             file.write(program)
-        # What programs leave behind in the parameter file would be the next one's start.
-        with open(canon.parameter_file, "w"):
-            pass
-        return self.gcode.parse(path, canon, *start)[0]
+        return self.gcode.parse("program.ngc", canon, *start)[0]
 
 
 def _is_plain(value):

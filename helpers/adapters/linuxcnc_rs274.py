@@ -26,15 +26,21 @@ class LinuxcncRs274(Subject):
         self.folder = tempfile.TemporaryDirectory(prefix="gonogo-rs274-")
 
     def configure(self, dialect, profile):
-        self.flags = ["-b"] if profile.get("block_skip") else []
-        return refusal(dialect, profile, {
-            **linuxcnc.READINGS, "block_skip": one_of(False, True),
+        refused = refusal(dialect, profile, {
+            **linuxcnc.READINGS, **linuxcnc.settable(profile), "block_skip": one_of(False, True),
             "resolution": lambda value: Decimal(str(value)) >= Decimal("0.0001"),
         })
+        if refused is None:
+            self.flags = [*linuxcnc.tool_options(profile), "-v", "parameters.var",
+                          *["-b"] * bool(profile.get("block_skip"))]
+            self.parameters = linuxcnc.parameters(profile).encode()
+            self._write("tool.tbl", linuxcnc.tool_table(profile).encode())
+        return refused
 
     def run(self, program, emit):
-        with open(os.path.join(self.folder.name, "program.ngc"), "wb") as file:
-            file.write(program)
+        self._write("program.ngc", program)
+        # What a program leaves in the parameters would be the next one's start.
+        self._write("parameters.var", self.parameters)
         calls = Calls(emit)
         with tempfile.TemporaryFile() as complaints:
             with subprocess.Popen(["rs274", *self.flags, "-g", "program.ngc"],
@@ -49,6 +55,10 @@ class LinuxcncRs274(Subject):
             complaints.seek(0)
             said = complaints.read().decode("utf-8", "replace").splitlines()
         return _outcome(process.returncode, [line for line in said if line != "executing"])
+
+    def _write(self, name, content):
+        with open(os.path.join(self.folder.name, name), "wb") as file:
+            file.write(content)
 
 
 def _outcome(code, said):

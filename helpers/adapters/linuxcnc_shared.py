@@ -4,16 +4,23 @@ import ctypes
 import os
 import re
 import subprocess
+from fractions import Fraction
+
+from rs274_profile import flat
 
 FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines", "g81", "g73",
-            "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes"]
+            "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes", "offsets",
+            "parameters", "o-words"]
 THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
 _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Bad character|[Bb]ad number format|Unclosed comment|Nested comment|No characters found in "
      r"reading real|No digits found where|Unknown word where unary operation could be|"
-     r"Bad format unsigned integer", "syntax"),
+     r"Bad format unsigned integer|undefined O-word label|duplicate O-word label|redefining sub|"
+     r"[Nn]ested subroutine definition|not in a subroutine definition|no matching .*label|"
+     r"after O-word|Left bracket missing|Too many subroutine parameters|Unclosed expression|"
+     r"Slash missing after first atan", "syntax"),
     (r"Unknown [gm] code used|G.code out of range|M code greater than 99", "undefined-code"),
     (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|"
      r"Too many m codes on line", "duplicate-word"),
@@ -21,25 +28,30 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Cannot use axis values without a g code|words? (all )?missing for arc|word missing in "
      r"absolute center arc|Dwell time missing with g4|All axes missing with motion code|"
      r"R clearance plane unspecified|value unspecified in .. plane canned cycle|"
-     r"Q word missing with g|Dwell time p word missing with g8|I J or K words missing with G76",
-     "missing-word"),
+     r"Q word missing with g|Dwell time p word missing with g8|I J or K words missing with G76|"
+     r"All axes missing with g52 or g92|G10 does not have L", "missing-word"),
     (r"K word missing with g33|P word missing with G76", "lead-missing"),
     (r"R less than . in cycle", "reference-plane"),
     (r"Cannot do zero repeats|In G76, I must not be 0|In G76, K must be greater",
      "value-out-of-range"),
+    (r"P value out of range|Parameter number out of range|Named parameter .* not defined|"
+     r"divide by zero|Negative argument to sqrt|Argument to a(sin|cos) out of range|"
+     r"Calculation resulted in", "value-out-of-range"),
+    (r"Requested tool .* not found", "no-tool"),
     (r"Negative (or zero q value|[hlp] word) used|In G76, J must be greater", "value-sign"),
     (r"Cannot put an? [abc] in canned cycle|Cannot move rotary axes with G76",
      "axis-not-in-plane"),
     (r"[Ss]pindle (\(\d+\) )?not turning in", "spindle-stopped"),
     (r"Spindle turning (counter)?clockwise in G", "direction-conflict"),
     (r"F word used with a g33|canned cycles with cutter compensation|inverse time feed with canned|"
-     r"threading cycle with cutter radius compensation", "conflicting-words"),
+     r"threading cycle with cutter radius compensation|two g codes that both use axis values|"
+     r"Cannot use g53 incremental", "conflicting-words"),
     (r"[IJK] word given for arc in", "axis-not-in-plane"),
     (r"with zero feed rate", "feed-missing"),
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),
     (r"[Rr]adius too small|Zero.radius arc", "arc-radius"),
     (r"P value not an integer|Non integer value for integer", "not-an-integer"),
-    (r"^[A-Z] word with no ", "unused-word"),
+    (r"^[A-Z] word with no |R not allowed in G10", "unused-word"),
     (r"File ended with no percent sign", "program-end"),
 ]]
 
@@ -56,7 +68,58 @@ READINGS = {"readings.ngc." + name: lambda value, own=own: value in (own, "any")
                 "g83.return": "rapid", "peck.clearance": "ten-thou", "peck.d": "barred",
                 "peck.dwell": "none", "g73.end": "clear", "g85.out": "r-plane", "tap.p": "last",
                 "g74.l": "barred", "g33.k": "free", "g76.checks": "linuxcnc",
-                "g76.slide": "start", "g76.entry": "thread"}.items()}
+                "g92-other-axes": "kept", "equal": "ten-thousandth", "call-parameters": "zero",
+                "sign-of-value": "taken", "g76.slide": "start", "g76.entry": "thread"}.items()}
+
+MM = Fraction(127, 5)  # both interpreters are of a machine of inches
+SYSTEMS = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
+_LETTERS = "xyzabc"
+_PLACES = re.compile(r"(offsets\.(%s)|reference_point)\.[xyzac]|parameters\.518[12346]|"
+                     r"tools\.\d{1,5}\.(length|radius)" % "|".join(map(re.escape, SYSTEMS)))
+
+
+def settable(profile):
+    """What refusal() has to accept of a profile beside the readings: places, tools and G30."""
+    return {key: _is_decimal for key, _ in flat(profile) if _PLACES.fullmatch(key)}
+
+
+def parameters(profile):
+    """The parameter file of a profile: reference points, systems, and G54 in force."""
+    values = {5220: Fraction(1)}
+
+    def put(first, place):
+        for axis, value in place.items():
+            at = _LETTERS.index(axis)
+            values[first + at] = _inches(value) if at < 3 else Fraction(value)
+
+    put(5161, profile.get("reference_point", {}))
+    put(5181, {_LETTERS[int(number) - 5181]: value
+               for number, value in profile.get("parameters", {}).items()})
+    for system, place in profile.get("offsets", {}).items():
+        put(5221 + 20 * SYSTEMS.index(system), place)
+    return "".join("%d\t%r\n" % (number, float(value)) for number, value in sorted(values.items()))
+
+
+def tools(profile):
+    """The tools of a profile by pocket, as the module gcode asks for them: number, offsets of nine
+    axes, diameter, angles, orientation."""
+    return {pocket: (int(number), 0.0, 0.0, float(_inches(tool.get("length", 0))), *6 * (0.0,),
+                     float(2 * _inches(tool.get("radius", 0))), 0.0, 0.0, 0)
+            for pocket, (number, tool) in enumerate(profile.get("tools", {}).items(), 1)}
+
+
+def tool_table(profile):
+    """The tool table of a profile as a file."""
+    return "".join("T%d P%d Z%r D%r\n" % (tool[0], pocket, tool[3], tool[10])
+                   for pocket, tool in tools(profile).items())
+
+
+def _inches(value):
+    return Fraction(value) / MM
+
+
+def _is_decimal(value):
+    return re.fullmatch(r"-?\d+(\.\d+)?", str(value)) is not None
 
 
 def class_of(message):
@@ -83,13 +146,24 @@ def home(folder):
     return {**os.environ, "HOME": folder}
 
 
+def load_tools(folder, profile):
+    """Fills LinuxCNC's tool data in `folder` with the tools of the profile, if it has some."""
+    for name, text in (("empty.ngc", "M2\n"), ("tool.tbl", tool_table(profile))):
+        with open(os.path.join(folder, name), "w", encoding="ascii") as file:
+            file.write(text)
+    subprocess.run(["rs274", *tool_options(profile), "-g", "empty.ngc"], cwd=folder,
+                   env=home(folder), check=True, stdin=subprocess.DEVNULL,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def tool_options(profile):
+    # Without a table LinuxCNC has tools of its own making, of length zero.
+    return ["-t", "tool.tbl"] if profile.get("tools") else []
+
+
 def open_tools(folder):
     """Gives this process LinuxCNC's tool data. Without it the module gcode crashes at a T word."""
-    empty = os.path.join(folder, "empty.ngc")
-    with open(empty, "wb") as file:
-        file.write(b"M2\n")
-    subprocess.run(["rs274", "-g", empty], cwd=folder, env=home(folder), check=True,
-                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    load_tools(folder, {})
     os.environ["HOME"] = folder
     # C++'s name of tool_mmap_user(): LinuxCNC has no other door to it that needs no machine.
     ctypes.CDLL("libtooldata.so.0")._Z14tool_mmap_userv()

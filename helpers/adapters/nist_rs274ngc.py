@@ -26,10 +26,16 @@ PARAMETERS = sorted([5220] + [first + axis for axis in range(6) for first in
 
 
 class NistCalls(Calls):
-    def _position(self, axes, words, rotary):
+    def set_origin_offsets(self, *words):
+        self._offset("system", words)
+
+    def use_tool_length_offset(self, length):
+        self._offset("tool", ["0", "0", length])
+
+    def _go(self, axes, words, rotary):
         if len(rotary) == 2:
             raise Unsupported("Of two rotary axes it does not say which they are.")
-        return super()._position(axes, words, [*rotary, "0", "0", "0"][:3])
+        return super()._go(axes, words, [*rotary, "0", "0", "0"][:3])
 
 
 class NistRs274ngc(Subject):

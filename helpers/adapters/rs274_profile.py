@@ -10,7 +10,7 @@ def refusal(dialect, profile, accepted):
     """
     if dialect != "rs274":
         return "The dialect %s is not interpreted here." % dialect
-    for key, value in _flat(profile):
+    for key, value in flat(profile):
         test = accepted.get(key) or _HARMLESS.get(key) or _harmless(key)
         if test is None or not test(value):
             return "The profile's %s = %s cannot be set in this interpreter." % (key, value)
@@ -50,7 +50,8 @@ def _harmless(key):
     return _zero if key.startswith("offsets.") else None
 
 
-def _flat(profile):
+def flat(profile):
+    """The keys of a profile and their values: ("initial.x", "5")."""
     for key, value in profile.items():
         if not isinstance(value, dict):
             yield key, value
@@ -58,5 +59,5 @@ def _flat(profile):
             for name, choice in value.items():
                 yield "readings." + name, choice
         else:
-            for name, inner in _flat(value):
+            for name, inner in flat(value):
                 yield key + "." + name, inner

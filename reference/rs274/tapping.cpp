@@ -39,22 +39,26 @@ void take_dwell(BlockContext& block, HoleBlock& holes) {
   const auto reads = [&](std::string_view alternative) {
     return block.readings.is(ReadingKey::ngc_tap_p, alternative);
   };
-  if (block.words.has('P')) {
-    if (!reads("barred")) return;
-    // That of G4, or none.
-    cycle.words.p.reset();
-    holes.dwell_for(0);
-  } else if (!cycle.words.p) {
-    if (reads("needed")) holes.missing_dwell("NGC-G84-04"_clause);
-    if (reads("last")) holes.dwell_for(cycle.last_p.value_or(0));
+  if (block.words.has('P') || cycle.words.p) return;
+  if (reads("needed")) holes.missing_dwell("NGC-G84-04"_clause);
+  if (reads("last")) holes.dwell_for(cycle.last_p.value_or(0));
+}
+
+// NGC-G84-04: a P that a tap does not take is that of G4, or a word that nothing uses.
+OwnWord own_word(BlockContext& block) {
+  if (!block.words.has('P') || !block.readings.is(ReadingKey::ngc_tap_p, "barred")) {
+    return OwnWord::takes_p;
   }
+  block.machine.cycle.words.p.reset();
+  return OwnWord::none;
 }
 
 }  // namespace
 
 void run_tap(BlockContext& block, const Tap& tap) {
-  HoleBlock holes(block, OwnWord::takes_p);
-  take_dwell(block, holes);
+  const OwnWord own = own_word(block);
+  HoleBlock holes(block, own);
+  if (own == OwnWord::takes_p) take_dwell(block, holes);
   check_spindle(holes, tap);
   holes.run([tap](const Holes& ready) { return tap_hole(ready, tap); });
 }
