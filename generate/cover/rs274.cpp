@@ -9,6 +9,7 @@
 #include "generate/cover/arcs.hpp"
 #include "generate/cover/model.hpp"
 #include "generate/cover/ngc_cycles.hpp"
+#include "generate/cover/ngc_series.hpp"
 
 namespace gonogo::cover {
 namespace {
@@ -237,6 +238,7 @@ std::span<const Model> ngc_models() {
   static const std::vector<Model> kModels = [] {
     std::vector<Model> all = path_models();
     std::ranges::move(ngc_cycle_models(), std::back_inserter(all));
+    std::ranges::move(ngc_series_models(), std::back_inserter(all));
     return all;
   }();
   return kModels;
