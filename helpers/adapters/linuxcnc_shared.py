@@ -45,7 +45,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"Spindle turning (counter)?clockwise in G", "direction-conflict"),
     (r"F word used with a g33|canned cycles with cutter compensation|inverse time feed with canned|"
      r"threading cycle with cutter radius compensation|two g codes that both use axis values|"
-     r"Cannot use g53 incremental", "conflicting-words"),
+     r"Cannot use g53 incremental|Must use g0 or g1 with g53", "conflicting-words"),
     (r"[IJK] word given for arc in", "axis-not-in-plane"),
     (r"with zero feed rate", "feed-missing"),
     (r"Radius to end of arc differs|Current point same as end point of arc", "arc-end-point"),

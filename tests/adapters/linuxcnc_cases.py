@@ -20,6 +20,70 @@ class Linuxcnc(Lines, Distances, Arcs):
     def run_program(self, program, profile=None):
         return super().run_program(ended(program), profile)
 
+    PLACES = {"offsets": {"G54": {"x": "10", "z": "-2.5"}, "G59.3": {"y": "1", "a": "30"}},
+              "reference_point": {"x": "-1", "z": "50"}, "parameters": {"5181": "7", "5183": "60"},
+              "tools": {"2": {"length": "25.5", "radius": "3"}, "11": {"length": "-4"}}}
+
+    def test_what_cannot_be_set_is_refused(self):
+        self.addCleanup(self.talk.configure, "rs274", {})
+        for profile in ({"offsets": {"G53": {"x": "1"}}}, {"offsets": {"G54": {"x": "1e3"}}},
+                        {"x_diameter": True}, {"parameters": {"5920": "1"}},
+                        {"readings": {"ngc.arc-tolerance": "nist"}}, {"initial": {"a": "1e3"}}):
+            reply = self.talk.configure("rs274", profile)
+            self.assertIs(reply["ok"], False, profile)
+            self.assertIn("cannot be set", reply["message"])
+
+    def test_places_are_of_the_machine(self):
+        self.assertRecords("G0 X1 Z1\nG59.3 X1 Y1 Z1 A1\nG54 G2 X-7 I1 F60\n", [
+            {"k": "rapid", "b": 1, "to": {"x": 11, "y": 0, "z": "-1.5", "a": 0}},
+            {"k": "rapid", "b": 2, "to": {"x": 1, "y": 2, "z": 1, "a": 31}},
+            {"k": "arc", "b": 3, "c": {"x": 2, "y": 2}, "to": {"x": 3, "y": 2, "z": 1, "a": 31}}],
+            {**self.PLACES, "readings": {"ngc.arc-tolerance": "any"}})
+
+    def test_places_that_a_program_sets(self):
+        self.assertRecords("G10 L2 P2 X5\nG55 G0 X1\nG92 X2 Y3\nX3 Y3\nG92.1\nX3\n", [
+            {"k": "rapid", "b": 2, "to": {"x": 6, "y": 0}},
+            {"k": "rapid", "b": 4, "to": {"x": 7, "y": 0}},
+            {"k": "rapid", "b": 6, "to": {"x": 8}}])
+
+    def test_lengths_of_tools(self):
+        self.assertRecords("G43 H11 G0 Z1\nT2 M6\nG43 Z1\nG49 Z1\nG43.1 X1 Z2\nX1 Z1\n", [
+            {"k": "rapid", "b": 1, "to": {"x": 0, "z": "-5.5"}},
+            {"k": "rapid", "b": 3, "to": {"z": 24}}, {"k": "rapid", "b": 4, "to": {"z": "-1.5"}},
+            {"k": "rapid", "b": 6, "to": {"x": 12, "z": "0.5"}}], self.PLACES)
+
+    def test_reference_points(self):
+        self.assertRecords("G28 Z1\nG30\nG53 G0 X3\n", [
+            {"k": "rapid", "b": 1, "to": {"z": "-1.5"}}, {"k": "rapid", "b": 1, "to": {"z": 50}},
+            {"k": "rapid", "b": 2, "to": {"x": 0, "z": 50}},
+            {"k": "rapid", "b": 2, "to": {"x": 7, "z": 60}},
+            {"k": "rapid", "b": 3, "to": {"x": 3, "z": 60}}], self.PLACES)
+
+    def test_nothing_is_left_of_places_that_a_program_set(self):
+        self.run_program("G10 L2 P1 X5\nG28.1\nG92 Y1\n#5=7\n")
+        self.assertRecords("G28\nG0 X1 Y1 Z#5\n", [{"k": "rapid"}, {"k": "rapid"}, {
+            "k": "rapid", "to": {"x": 1, "y": 1, "z": 0}}])
+
+    def test_an_offset_moves_no_linear_axis(self):
+        # A feed of degrees, though 1/3 in is printed with four decimals on either side of G92.
+        self.assertRecords("G20\nG1 X.333333 F10\nG92 X.1\nA90\n", [
+            {"k": "feed", "b": 2, "f": 254}, {"k": "feed", "b": 4, "f": 10}])
+
+    def test_parameters_and_o_words(self):
+        self.assertRecords("o1 sub\nG0 X[#1*2]\no1 endsub\no2 repeat [2]\n#9=[#9+1]\n"
+                           "o1 call [#9]\no2 endrepeat\n", [
+                               {"k": "rapid", "b": 2, "to": {"x": x}} for x in (2, 4)])
+
+    def test_alarms_of_offsets_and_values(self):
+        for block, cls in {
+                "G10 L2 P10 X1": "value-out-of-range", "G10 P1 X1": "missing-word",
+                "G92": "missing-word", "G92 G1 X1": "conflicting-words", "G43 H-1": "no-tool",
+                "G91 G53 G0 X1": "conflicting-words", "G0 X#<d>": "value-out-of-range",
+                "G0 X[1/0]": "value-out-of-range", "G0 X[1": "syntax", "o1 endif": "syntax",
+                "o1 if": "syntax"}.items():
+            with self.subTest(block=block):
+                self.assertAlarm(block + "\n", cls, 1, "")
+
     def test_a_program_without_an_end_alarms(self):
         reply = super().run_program("G0 X1\nX2\n")
         self.assertEqual(reply["alarm"]["class"], "program-end")
