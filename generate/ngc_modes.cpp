@@ -82,7 +82,9 @@ void NgcWriter::setting_block() {
 // Before the motion of its block. An arc has a use of its own for P.
 void NgcWriter::dwell_block() {
   count("dwell");
-  Words words = {code(4), fmt::format("P{}.{}", choices_.below(9), choices_.below(10))};
+  const auto seconds = choices_.below(9);
+  const auto tenths = choices_.below(10);
+  Words words = {code(4), fmt::format("P{}.{}", seconds, tenths)};
   if (choices_.one_in(3)) {
     enter(words, choices_.one_in(2) ? 1 : 0);
     // The block that set the mode may have been skipped.

@@ -76,7 +76,7 @@ const Code* find_code(Fixed tenths) {
 }
 
 Function find_function(Fixed m) {
-  if (m == 19 || m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
+  if (m == 19 || m == 72 || m == 73 || m == 98 || m == 99 || (m >= 100 && m <= 199)) return Function::kOutside;
   const bool known = (m >= 0 && m <= 9) || m == 30 || (m >= 48 && m <= 53) ||
                      (m >= 60 && m <= 68) || (m >= 70 && m <= 73);
   return known ? Function::kKnown : Function::kUnknown;

@@ -90,7 +90,7 @@ inline constexpr FaultDescription kFaultTable[] = {
      "absolute words of a cycle count from where the machine was switched on", "NGC-CYC-05",
      "cycle in coordinates of its own (Smoothieware PR 925)"},
     {"cycle-plane-ignored", "a cycle drills along Z in every plane", "NGC-CYC-16",
-     "R kept apart from the axis of the plane (LinuxCNC issue 2948)"},
+     "axes of G17 taken for those of the plane"},
     {"depth-from-tool", "under G91 the depth counts from the tool", "NGC-CYC-06",
      "increments all from one place"},
     {"stale-step", "under G91 a plane word left out steps by its last number", "NGC-CYC-02",
@@ -115,7 +115,7 @@ inline constexpr FaultDescription kFaultTable[] = {
     {"rapid-through-stock", "a tool below R crosses to the hole where it is", "NGC-CYC-11",
      "way up left out (FreeCAD PR 32281)"},
     {"diagonal-approach", "the first rapid goes to the hole and to R at once", "NGC-CYC-12",
-     "one rapid to the place of the hole (FreeCAD PR 25023)"},
+     "one rapid to the place of the hole"},
     {"drop-before-crossing", "the tool goes down to R before it crosses", "NGC-CYC-12",
      "order of the two rapids"},
     // hole cycles: repeats, words, feeds

@@ -88,7 +88,9 @@ Name find_name(std::string_view name, Control control) {
     if (const Name* found = find_in(kCycleNames, name)) return *found;
   }
   if (contains(kControl, name)) return {NameKind::kControl};
-  if (contains(kPassedOver, name)) return {NameKind::kPassedOver};
+  // No offset that the 840D is read with could be left out.
+  const bool no_offsets = name == "SUPA" && control == Control::k840D;
+  if (contains(kPassedOver, name) || no_offsets) return {NameKind::kPassedOver};
   // LCYC is the maker's prefix; any other name is one of the control's that this expander lacks, or
   // may be a subprogram or a variable of the owner.
   if (is_cycle(name) && !contains(kOutside, name)) return {};

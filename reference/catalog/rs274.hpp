@@ -58,8 +58,8 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "A line with a slash runs unless blocks are skipped. A word or a modal group twice in a "
      "block, more than four M functions, a code that the language lacks, and R with I J K are "
      "alarms. G40 G61 G64 S, and M6 and T without G43, are passed over. M functions, G codes times "
-     "ten and P of an arc are whole "
-     "numbers.",
+     "ten and P of an arc are whole numbers. M70 and M71 save modes and forget them; M72 and M73, "
+     "which restore them, the gauge does not read.",
      "reference/rs274/interpreter.cpp"},
     {"NGC-COM-02", must, kGroups,
      "A word that no code of the block uses is an alarm, also in a block without a motion: I J K "

@@ -344,6 +344,10 @@ constexpr bool is_of_840d(const Code& code) {
 inline constexpr auto kCodes840d = [] {
   std::array<Code, static_cast<std::size_t>(std::ranges::count_if(kCodes, is_of_840d))> some{};
   std::ranges::copy_if(kCodes, some.begin(), is_of_840d);
+  for (Code& code : some) {
+    // SIE-MOD-02: nothing that is read moves its zero.
+    if (code.name == "SUPA") code.treatment = Treatment::without_effect;
+  }
   return some;
 }();
 

@@ -215,6 +215,8 @@ TEST(NgcCycleReadings, POfATap) {
   const Choice barred = {"ngc.tap.p", "barred"};
   EXPECT_EQ(under({barred}, without), in + out);
   EXPECT_EQ(under({barred}, without + " P2"), "!b2:unused-word");
+  // Nor is the sign looked at of a word that is not read.
+  EXPECT_EQ(under({barred, {"ngc.unused-words", "ignored"}}, without + " P-1"), in + out);
   // P beside G4 is that of G4.
   EXPECT_EQ(under({}, without + " G4 P2"), "M3 D2 F0,0,-1 M5 M4 D2 " + out);
   EXPECT_EQ(under({barred}, without + " G4 P2\nX0"),
