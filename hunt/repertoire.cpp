@@ -7,6 +7,7 @@
 #include <cctype>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "hunt/profile_parts.hpp"
 #include "oracle/differential/reference_run.hpp"
@@ -163,6 +164,13 @@ Repertoire::Parts Repertoire::parts_of(const generate::GeneratedProgram& program
   return parts;
 }
 
+bool Repertoire::is_declared(const generate::GeneratedProgram& program) const {
+  if (info_.everything) return true;
+  return std::ranges::all_of(
+      program::features_needed({program.profile, program.text}),
+      [&](const std::string& feature) { return info_.declares(dialect_, feature); });
+}
+
 bool Repertoire::is_undeclared(const std::string& part) const {
   return is_feature(part) && !info_.declares(dialect_, part.substr(kFeature.size()));
 }
@@ -250,8 +258,11 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
     const generate::GeneratedProgram& program) const {
   constexpr std::size_t kSingleBlocks = 60;
   constexpr std::size_t kLeast = 2;  // blocks
-  if (info_.everything && !skips_) return program;
-  if (skips_ && runs_ <= kSingleBlocks) return single_block(program, runs_);
+  if (!skips_ && is_declared(program)) return program;
+  if (skips_ && runs_ <= kSingleBlocks) {
+    const generate::GeneratedProgram single = single_block(program, runs_);
+    if (is_declared(single)) return single;
+  }
   const Try aim = aim_of_next();
   std::optional<std::string> trying;
   if (aim == Try::what_is_out) trying = least_blamed();
@@ -266,11 +277,34 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
   }
   const bool is_whole = made.text == program.text;
   if (!is_whole && program::count_blocks(made.text) < kLeast) return std::nullopt;
+  if (!is_declared(made)) return std::nullopt;
   return made;
 }
 
 void Repertoire::ran(const generate::GeneratedProgram& program) {
-  if (info_.everything && !skips_) return;
+  skips_ ? learn_ran(program) : note(program, true);
+}
+
+void Repertoire::skipped(const generate::GeneratedProgram& program) {
+  skips_ ? learn_skipped(program) : note(program, false);
+}
+
+void Repertoire::note(const generate::GeneratedProgram& program, bool ran) {
+  constexpr std::size_t kMostBefore = 64;
+  constexpr std::size_t kFewSkipped = 3;
+  constexpr std::size_t kSkippedOneIn = 20;
+  before_.push_back({program, ran});
+  if (before_.size() > kMostBefore) before_.pop_front();
+  ++tried_;
+  if (!ran) ++skipped_before_;
+  skips_ = skipped_before_ >= kFewSkipped && skipped_before_ * kSkippedOneIn >= tried_;
+  if (!skips_) return;
+  for (const Tried& tried : std::exchange(before_, {})) {
+    tried.ran ? learn_ran(tried.program) : learn_skipped(tried.program);
+  }
+}
+
+void Repertoire::learn_ran(const generate::GeneratedProgram& program) {
   ++runs_;
   for (const std::string& part : parts_of(program, blocks_run(program))) {
     ++in_[part].ran;
@@ -278,12 +312,11 @@ void Repertoire::ran(const generate::GeneratedProgram& program) {
   }
 }
 
-void Repertoire::skipped(const generate::GeneratedProgram& program) {
+void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   // Of known parts together with others: a part that hardly ever ran, and why it did is unclear
   // (an alarm before it).
   constexpr std::size_t kSkippedOften = 4;
   constexpr std::size_t kToOneThatRan = 1;
-  skips_ = true;
   ++runs_;
   const Parts parts = parts_of(program, std::string::npos);
   Parts untried;

@@ -29,6 +29,7 @@ hunt::HuntOptions hunt_options(const HuntWords& words) {
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
   options.settings = settings_option(words.settings);
+  options.everywhere = words.everywhere;
   return options;
 }
 
@@ -91,10 +92,12 @@ void take(const HuntWords& words, hunt::Hunt& hunt, hunt::Finding& finding, Hunt
 std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally) {
   const hunt::HuntCount& count = hunt.count();
   return fmt::format(
-      "{}, {}: {} programs from seed {}, {} judged, {} skipped, {} undecided, {} too long; {} "
-      "features of the reference in {} programs; {} findings{}\n",
+      "{}, {}: {} programs from seed {}, {} judged, {} skipped, {} undecided, {} too long{}; "
+      "{} features of the reference in {} programs; {} findings{}\n",
       words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.skipped,
-      count.gaps, count.too_long, hunt.pool().features(), hunt.pool().size(), tally.findings(),
+      count.gaps, count.too_long,
+      count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
+      hunt.pool().features(), hunt.pool().size(), tally.findings(),
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
@@ -166,6 +169,8 @@ void add_hunt(Command& program) {
   command.choice("--method", words->method, {"reference", "properties"},
                  "held against the reference, or against the subject's own answers (reference)");
   command.option("--profile", words->profile, "the machine of every program; without: any");
+  command.flag("--everywhere", words->everywhere,
+               "departures outside of the domain (docs/domain.md) are findings, too");
   command.repeated_option("--reading", words->readings, "one reading as key=value");
   command.option("--settings", words->settings,
                  "what generated programs are like: valid=1,boundary=2,blocks=4");
