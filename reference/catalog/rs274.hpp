@@ -70,7 +70,7 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "M50 to M53 and M62 to M66; Q to G64, G73, G83, G76, M61 and M66 to M68; H to G43 and G76, E "
      "to "
      "G76 and M66 to M68; D to no code that the gauge reads.",
-     "reference/rs274/interpreter.cpp"},
+     "reference/rs274/unused_words.cpp"},
     {"NGC-COM-03", open, kGroups,
      "Two codes of a modal group in a block are an alarm. LinuxCNC forgets G80 beside another code "
      "of the motion group, wherever it stands: the other one acts and stays in force.",

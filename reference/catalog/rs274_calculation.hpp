@@ -44,26 +44,26 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "for equal that differ by less than a millionth, as the documents say, or a ten-thousandth, "
      "as "
      "LinuxCNC 2.9 has it.",
-     "reference/rs274/expression.cpp"},
+     "reference/rs274/operators.cpp"},
     {"NGC-EXP-03", must, kExpressions,
      "ABS, SQRT; FIX is the whole number below and FUP that above, ROUND the nearest one; SIN COS "
      "TAN of degrees, ASIN ACOS and ATAN[y]/[x] in degrees; EXISTS whether a named parameter was "
      "set.",
-     "reference/rs274/expression.cpp"},
+     "reference/rs274/operators.cpp"},
     {"NGC-EXP-04", open, kExpressions,
      "MOD leaves what is not below zero, ROUND takes halves away from zero, and ATAN gives -180 to "
      "180. No text says so, NIST's interpreter and LinuxCNC have it; our judgement.",
-     "reference/rs274/expression.cpp"},
+     "reference/rs274/operators.cpp"},
     {"NGC-EXP-05", open, kExpressions,
      "A sign before a parameter, brackets or a function changes its sign in LinuxCNC; in the texts "
      "a "
      "sign belongs to digits.",
-     "reference/rs274/expression.cpp"},
+     "reference/rs274/operators.cpp"},
     {"NGC-EXP-06", derived, kExpressions,
      "A division by zero, SQRT of a number below zero, ASIN and ACOS of one above 1, and a "
      "negative "
      "power of zero are alarms.",
-     "reference/rs274/expression.cpp"},
+     "reference/rs274/operators.cpp"},
     {"NGC-EXP-07", open, kExpressions,
      "EXP, LN, powers whose exponent is not whole, TAN of a right angle, MOD 0 and ATAN[0]/[0] are "
      "not read, nor what grows beyond what the gauge keeps.",

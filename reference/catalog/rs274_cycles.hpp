@@ -106,7 +106,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
     {"NGC-CYC-23", must, kCycles,
      "Beside the words of all motions a cycle has R and L; P has G74, G82, G84, G86 and G89, Q has "
      "G73 and G83. Any other one is a word that nothing uses.",
-     "reference/rs274/interpreter.cpp"},
+     "reference/rs274/unused_words.cpp"},
     {"NGC-CYC-24", must, kCycles,
      "Another code of motion cancels a cycle, also without G80. Behind G80 an axis word has no "
      "motion. The next cycle is a first one, and begins a series.",
@@ -204,7 +204,7 @@ inline constexpr auto kCycleClauses = std::to_array<Clause>({
      "In G18 and G19 both go along the third axis like all cycles.", "reference/rs274/tapping.cpp"},
     {"NGC-G74-01", open, kTapping,
      "The documents list L with the words of G74; LinuxCNC does not take it.",
-     "reference/rs274/interpreter.cpp", Basis::text},
+     "reference/rs274/unused_words.cpp", Basis::text},
     {"NGC-G87-01", must, kCycles,
      "G87, back boring, is not read: the documents accept it and leave what it does undefined.",
      "reference/rs274/codes.cpp"},

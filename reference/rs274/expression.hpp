@@ -3,8 +3,11 @@
 // The values of words, settings and conditions. All of it exact.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grammar/ast.hpp"
@@ -15,6 +18,15 @@
 namespace gonogo::reference::rs274 {
 
 struct Machine;
+
+// NGC-EXP-07: bits of a number that is still kept, for programs that calculate can make it grow
+// without end.
+inline constexpr std::size_t kLongest = 16'384;
+
+// NGC-EXP-02
+inline Number truth(bool holds) {
+  return holds ? 1 : 0;
+}
 
 class Calculator {
  public:

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "reference/rs274/calculated_words.hpp"
+#include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/o_words.hpp"
 #include "reference/rs274/program_text.hpp"
-#include "reference/rs274/whole.hpp"
+#include "reference/rs274/unused_words.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
@@ -99,13 +99,6 @@ void Interpreter::move_out(BlockOutput& out) const {
   out.cycle = moved(std::move(out.cycle), offsets.origin);
 }
 
-// NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
-std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
-  const NearWhole number(to_number(word.value));
-  if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
-  return number.nearest().to_int64();
-}
-
 // NGC-MOD-01: the feed comes before the units of its own block.
 void Interpreter::take_feed(const BlockWords& words) {
   if (!words.has('F')) return;
@@ -170,85 +163,6 @@ void check_axes(const grammar::Block& block, std::uint64_t line, BlockOutput& ou
   }
 }
 
-// NGC-COM-01
-void take_m_function(const grammar::Word& word, std::uint64_t line, const ReadingsInUse& readings,
-                     BlockOutput& out) {
-  const ClauseId clause = "NGC-COM-01"_clause;
-  const NearWhole value(to_number(word.value));
-  if (!value.counts_as_whole(Whole::m_function, readings)) {
-    out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
-                          "The number of an M function is whole."});
-    return;
-  }
-  const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large
-  const Code* const function = number ? m_function(*number) : nullptr;
-  if (function == nullptr) {
-    out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
-                          fmt::format("The control has no function {}.", text_of(word))});
-    return;
-  }
-  if (function->treatment == Treatment::outside) {
-    if (!out.not_covered) {
-      out.not_covered = m_function_outside(*number, function->title, word, line);
-    }
-    return;
-  }
-  Record record;
-  record.kind = RecordKind::m;
-  record.clause = clause;
-  record.block = line;
-  record.m = static_cast<std::int32_t>(*number);
-  const bool before = function->kind == Kind::machine;
-  (before ? out.items : out.after).emplace_back(std::move(record));
-  if (function->kind == Kind::program_end) out.program_end = true;
-}
-
-// NGC-MOD-01: whatever their order on the line, functions run by their groups.
-std::ptrdiff_t place_in_order(const Item& function) {
-  constexpr std::array kOrder = {Group::signals,     Group::tool,    Group::spindle,
-                                 Group::saved_modes, Group::coolant, Group::override_switches};
-  const Group group = m_function(std::get<Record>(function).m)->group;
-  return std::ranges::find(kOrder, group) - kOrder.begin();
-}
-
-void take_m_functions(const grammar::Block& block, std::uint64_t line,
-                      const ReadingsInUse& readings, BlockOutput& out) {
-  for (const grammar::Word& word : block.words) {
-    if (word.address == 'M') take_m_function(word, line, readings, out);
-  }
-  // Few of them, and std::stable_sort warns under clang-19.
-  for (auto next = out.items.begin(); next != out.items.end(); ++next) {
-    const auto behind = std::ranges::upper_bound(out.items.begin(), next, place_in_order(*next), {},
-                                                 place_in_order);
-    std::rotate(behind, next, next + 1);
-  }
-}
-
-// NGC-COM-01: of a modal group one M function, and four in all.
-void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
-                    std::vector<Alarm>& alarms) {
-  constexpr int kMostFunctions = 4;
-  std::uint32_t seen = 0;
-  int functions = 0;
-  for (const grammar::Word& word : block.words) {
-    if (word.address != 'M') continue;
-    if (++functions == kMostFunctions + 1) {
-      alarms.push_back({AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
-                        "A block has four M functions at most."});
-    }
-    const std::optional<std::int64_t> number = m_number(word, readings);
-    const Code* const function = number ? m_function(*number) : nullptr;
-    if (function == nullptr) continue;
-    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(function->group);
-    if ((seen & group) != 0) {
-      alarms.push_back(
-          {AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
-           fmt::format("{} is of the group of an M function before it.", text_of(word))});
-    }
-    seen |= group;
-  }
-}
-
 bool is_arc(int motion) {
   return motion == 2 || motion == 3;
 }
@@ -260,59 +174,6 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
   if (codes.motion >= 0 || words.has_axis_word()) return true;
   return is_arc(machine.motion) && words.has_offset() &&
          readings.is(ReadingKey::ngc_arc_words_alone, "arc");
-}
-
-// The words that the codes of a block take.
-class WordTakers {
- public:
-  explicit WordTakers(const BlockContext& block) : block_(block), own_(block.letters) {
-    for (const grammar::Word& word : block.words.block().words) {
-      if (word.address != 'M') continue;
-      const Code* const function = m_function(m_number(word, block.readings).value_or(-1));
-      if (function != nullptr) own_ |= function->letters;
-    }
-    if (block.runs_motion) motion_ = words_of_motion(block.machine.motion);
-  }
-
-  // P belongs to the motion where no other code of the block takes it.
-  bool beside_motion(char address) const { return (own_ & letter_bit(address)) != 0; }
-  bool take(char address) const {
-    // Codes, axes, and what is passed on.
-    constexpr Letters kAlways = letters_of("A C F G M S T X Y Z");
-    if (((kAlways | own_ | block_.codes.of_motions) & letter_bit(address)) != 0) return true;
-    return (motion_ & letter_bit(address)) != 0 && by_reading(address);
-  }
-
- private:
-  // NGC-CYC-23: whether a word that a cycle may have is read, where that is a reading.
-  bool by_reading(char address) const {
-    const int motion = block_.machine.motion;
-    const ReadingsInUse& readings = block_.readings;
-    // NGC-G83-08
-    if (address == 'D') return readings.is(ReadingKey::ngc_peck_d, "clearance");
-    // NGC-G84-04
-    const bool taps = motion == 74 || motion == 84;
-    if (address == 'P' && taps) return !readings.is(ReadingKey::ngc_tap_p, "barred");
-    // NGC-G74-01
-    if (address == 'L' && motion == 74) return readings.is(ReadingKey::ngc_g74_l, "allowed");
-    return true;
-  }
-
-  const BlockContext& block_;
-  Letters own_;
-  Letters motion_ = 0;
-};
-
-// NGC-COM-02
-void check_unused_words(BlockContext& block) {
-  const WordTakers takers{block};
-  for (const grammar::Word& word : block.words.block().words) {
-    if (takers.take(word.address)) continue;
-    if (block.readings.is(ReadingKey::ngc_unused_words, "ignored")) return;
-    block.out.alarms.push_back({AlarmClass::unused_word, "NGC-COM-02"_clause, word.address,
-                                word.where,
-                                fmt::format("No code of the block uses {}.", text_of(word))});
-  }
 }
 
 // NGC-MOD-01: the motion in force.
@@ -456,7 +317,7 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
       runs_motion(machine_, words, codes, readings_)};
   context.p_is_turns = context.runs_motion && is_arc(machine_.motion) && words.has('P') &&
-                       !WordTakers{context}.beside_motion('P');
+                       !is_taken_beside_motion(context, 'P');
   run_block(context);
   move_out(out);
   if (out.not_covered) out.alarms.clear();  // what is not covered goes before what is wrong

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/rs274/m_functions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "reference/rs274/codes.hpp"
+#include "reference/rs274/whole.hpp"
+#include "reference/rs274/words.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+// NGC-COM-01
+void take_m_function(const grammar::Word& word, std::uint64_t line, const ReadingsInUse& readings,
+                     BlockOutput& out) {
+  const ClauseId clause = "NGC-COM-01"_clause;
+  const NearWhole value(to_number(word.value));
+  if (!value.counts_as_whole(Whole::m_function, readings)) {
+    out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
+                          "The number of an M function is whole."});
+    return;
+  }
+  const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large
+  const Code* const function = number ? m_function(*number) : nullptr;
+  if (function == nullptr) {
+    out.alarms.push_back({AlarmClass::undefined_code, clause, 'M', word.where,
+                          fmt::format("The control has no function {}.", text_of(word))});
+    return;
+  }
+  if (function->treatment == Treatment::outside) {
+    if (!out.not_covered) {
+      out.not_covered = m_function_outside(*number, function->title, word, line);
+    }
+    return;
+  }
+  Record record;
+  record.kind = RecordKind::m;
+  record.clause = clause;
+  record.block = line;
+  record.m = static_cast<std::int32_t>(*number);
+  const bool before = function->kind == Kind::machine;
+  (before ? out.items : out.after).emplace_back(std::move(record));
+  if (function->kind == Kind::program_end) out.program_end = true;
+}
+
+// NGC-MOD-01: whatever their order on the line, functions run by their groups.
+std::ptrdiff_t place_in_order(const Item& function) {
+  constexpr std::array kOrder = {Group::signals,     Group::tool,    Group::spindle,
+                                 Group::saved_modes, Group::coolant, Group::override_switches};
+  const Group group = m_function(std::get<Record>(function).m)->group;
+  return std::ranges::find(kOrder, group) - kOrder.begin();
+}
+
+}  // namespace
+
+// NGC-COM-01
+std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings) {
+  const NearWhole number(to_number(word.value));
+  if (!number.counts_as_whole(Whole::m_function, readings)) return std::nullopt;
+  return number.nearest().to_int64();
+}
+
+void take_m_functions(const grammar::Block& block, std::uint64_t line,
+                      const ReadingsInUse& readings, BlockOutput& out) {
+  for (const grammar::Word& word : block.words) {
+    if (word.address == 'M') take_m_function(word, line, readings, out);
+  }
+  // Few of them, and std::stable_sort warns under clang-19.
+  for (auto next = out.items.begin(); next != out.items.end(); ++next) {
+    const auto behind = std::ranges::upper_bound(out.items.begin(), next, place_in_order(*next), {},
+                                                 place_in_order);
+    std::rotate(behind, next, next + 1);
+  }
+}
+
+// NGC-COM-01
+void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
+                    std::vector<Alarm>& alarms) {
+  constexpr int kMostFunctions = 4;
+  std::uint32_t seen = 0;
+  int functions = 0;
+  for (const grammar::Word& word : block.words) {
+    if (word.address != 'M') continue;
+    if (++functions == kMostFunctions + 1) {
+      alarms.push_back({AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
+                        "A block has four M functions at most."});
+    }
+    const std::optional<std::int64_t> number = m_number(word, readings);
+    const Code* const function = number ? m_function(*number) : nullptr;
+    if (function == nullptr) continue;
+    const std::uint32_t group = std::uint32_t{1} << static_cast<unsigned>(function->group);
+    if ((seen & group) != 0) {
+      alarms.push_back(
+          {AlarmClass::duplicate_word, "NGC-COM-01"_clause, 'M', word.where,
+           fmt::format("{} is of the group of an M function before it.", text_of(word))});
+    }
+    seen |= group;
+  }
+}
+
+}  // namespace gonogo::reference::rs274

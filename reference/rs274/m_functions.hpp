@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// M functions: their numbers, their order and their groups.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "grammar/ast.hpp"
+#include "reference/block_base.hpp"
+#include "reference/reading.hpp"
+
+namespace gonogo::reference::rs274 {
+
+// NGC-COM-01: the number of an M function; nothing when it is none, or has too many digits.
+std::optional<std::int64_t> m_number(const grammar::Word& word, const ReadingsInUse& readings);
+// What the M functions of the block put out, in the order of execution.
+void take_m_functions(const grammar::Block& block, std::uint64_t line,
+                      const ReadingsInUse& readings, BlockOutput& out);
+// NGC-COM-01: of a modal group one M function, and four in all.
+void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
+                    std::vector<Alarm>& alarms);
+
+}  // namespace gonogo::reference::rs274

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Operators and functions of values.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "reference/exact/size.hpp"
+#include "reference/rs274/expression.hpp"
+#include "reference/rs274/whole.hpp"
+
+namespace gonogo::reference::rs274 {
+namespace {
+
+using grammar::TermKind;
+
+constexpr std::int64_t kMostOfExponent = 1'000;
+
+// NGC-EXP-02: values that differ by less are equal.
+const Number kMillionth = Number::millionths(1);
+const Number kTenThousandth = Number::millionths(100);
+
+// NGC-EXP-04: the angle of (x, y), from above -180 to 180.
+Number signed_angle(const Number& x, const Number& y) {
+  Number angle = exact::angle_degrees(x, y);
+  return y.sign() < 0 ? angle - Number(360) : angle;
+}
+
+// NGC-EXP-04: halves away from zero.
+Number rounded(const Number& value) {
+  const Number half = Number::millionths(500'000);
+  return value.sign() < 0 ? (value - half).ceil() : (value + half).floor();
+}
+
+Number raised(Number base, std::int64_t exponent) {
+  Number power = 1;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 != 0) power = power * base;
+    base = base * base;
+  }
+  return power;
+}
+
+Number other_leg(const Number& value) {
+  return exact::sqrt(Number(1) - value * value);
+}
+
+}  // namespace
+
+// NGC-EXP-02
+bool Calculator::are_equal(const Number& left, const Number& right) const {
+  const Number apart = exact::abs(left - right);
+  if (apart < kMillionth) return true;
+  if (apart >= kTenThousandth) return false;
+  return readings_.is(ReadingKey::ngc_equal, "ten-thousandth");
+}
+
+// NGC-EXP-01
+bool Calculator::apply_power(const grammar::Term& term, Number& left, const Number& right) {
+  const std::optional<std::int64_t> exponent =
+      right.is_rational() ? right.to_int64() : std::nullopt;
+  if (!exponent || std::abs(*exponent) > kMostOfExponent) {
+    return leave_out("**", term.where,
+                     "The gauge reads powers with whole exponents, not above a thousand.");
+  }
+  if (*exponent < 0 && left.sign() == 0) {
+    return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
+                "A negative power of zero.");
+  }
+  const std::size_t bits = exact::size_of(left).bits;
+  const auto times = static_cast<std::size_t>(std::abs(*exponent));
+  if (bits * times > 4 * kLongest) {
+    return leave_out("expression", term.where,
+                     "The exact value has more digits than the gauge keeps.");
+  }
+  Number power = raised(left, std::abs(*exponent));
+  left = *exponent < 0 ? Number(1) / power : std::move(power);
+  return true;
+}
+
+// Operators of two values.
+bool Calculator::apply_two(const grammar::Term& term) {
+  const ClauseId clause = "NGC-EXP-06"_clause;
+  const Number right = std::move(stack_.back());
+  stack_.pop_back();
+  Number& left = stack_.back();
+  switch (term.kind) {
+    case TermKind::add:
+      left = left + right;
+      return true;
+    case TermKind::subtract:
+      left = left - right;
+      return true;
+    case TermKind::multiply:
+      left = left * right;
+      return true;
+    case TermKind::divide:
+      if (right.sign() == 0) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where, "A division by zero.");
+      }
+      left = left / right;
+      return true;
+    case TermKind::power:
+      return apply_power(term, left, right);
+    case TermKind::modulo: {
+      if (right.sign() == 0) return leave_out("MOD", term.where, "No text says what MOD 0 is.");
+      // NGC-EXP-04: what is left is not below zero.
+      const Number step = exact::abs(right);
+      left = left - (left / step).floor() * step;
+      return true;
+    }
+    case TermKind::atan:
+      if (left.sign() == 0 && right.sign() == 0) {
+        return leave_out("ATAN", term.where, "No text says what ATAN[0]/[0] is.");
+      }
+      left = signed_angle(right, left);
+      return true;
+    default:
+      left = truth(holds(term.kind, left, right));
+      return true;
+  }
+}
+
+// Comparisons and logic: 1 where it holds, else 0.
+bool Calculator::holds(TermKind kind, const Number& left, const Number& right) const {
+  switch (kind) {
+    case TermKind::equal:
+      return are_equal(left, right);
+    case TermKind::not_equal:
+      return !are_equal(left, right);
+    case TermKind::greater:
+      return left > right;
+    case TermKind::not_less:
+      return left >= right;
+    case TermKind::less:
+      return left < right;
+    case TermKind::not_greater:
+      return left <= right;
+    case TermKind::logic_and:
+      return left.sign() != 0 && right.sign() != 0;
+    case TermKind::logic_or:
+      return left.sign() != 0 || right.sign() != 0;
+    default:
+      return (left.sign() != 0) != (right.sign() != 0);
+  }
+}
+
+// NGC-EXP-03: functions and signs.
+bool Calculator::apply_one(const grammar::Term& term) {
+  const ClauseId clause = "NGC-EXP-06"_clause;
+  Number& top = stack_.back();
+  switch (term.kind) {
+    case TermKind::negate:
+    case TermKind::plus:
+      if (readings_.is(ReadingKey::ngc_sign_of_value, "syntax")) {
+        return fail(AlarmClass::syntax, "NGC-EXP-05"_clause, term.where,
+                    "A sign stands before digits alone.");
+      }
+      if (term.kind == TermKind::negate) top = -top;
+      return true;
+    case TermKind::abs:
+      top = exact::abs(top);
+      return true;
+    case TermKind::fix:
+      top = top.floor();
+      return true;
+    case TermKind::fup:
+      top = top.ceil();
+      return true;
+    case TermKind::round:
+      top = rounded(top);
+      return true;
+    case TermKind::sqrt:
+      if (top.sign() < 0) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where,
+                    "SQRT of a number below zero.");
+      }
+      top = exact::sqrt(top);
+      return true;
+    case TermKind::sin:
+      top = exact::sin_degrees(top);
+      return true;
+    case TermKind::cos:
+      top = exact::cos_degrees(top);
+      return true;
+    case TermKind::tan: {
+      const auto [cosine, sine] = exact::cos_sin_degrees(top);
+      if (cosine.sign() == 0) {
+        return leave_out("TAN", term.where, "No text says what TAN of a right angle is.");
+      }
+      top = sine / cosine;
+      return true;
+    }
+    case TermKind::acos:
+    case TermKind::asin:
+      if (exact::abs(top) > Number(1)) {
+        return fail(AlarmClass::value_out_of_range, clause, term.where,
+                    "No angle has this sine or cosine.");
+      }
+      top = term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
+                                        : signed_angle(other_leg(top), top);
+      return true;
+    default:
+      return leave_out(term.kind == TermKind::ln ? "LN" : "EXP", term.where,
+                       "The gauge does not read this function.");
+  }
+}
+
+}  // namespace gonogo::reference::rs274
