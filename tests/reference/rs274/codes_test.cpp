@@ -70,13 +70,13 @@ TEST(NgcCodes, AnyLetterButGAndMTwiceIsADuplicate) {
 }
 
 TEST(NgcCodes, MFunctionsAreKnownOrNot) {
-  for (int m : {0, 1, 3, 4, 5, 6, 7, 8, 9, 48, 49, 50, 53, 60, 61, 73}) {
+  for (int m : {0, 1, 3, 4, 5, 6, 7, 8, 9, 48, 49, 50, 53, 60, 61, 70, 71}) {
     EXPECT_EQ(lines("M" + std::to_string(m), ngc()), Lines{"m" + std::to_string(m)});
   }
   for (int m : {10, 29, 31, 47, 54, 59, 69, 74, 97, 200, 99999}) {
     EXPECT_EQ(ending_of("M" + std::to_string(m)), "alarm b1 undefined-code") << m;
   }
-  for (int m : {98, 99, 100, 199}) {
+  for (int m : {72, 73, 98, 99, 100, 199}) {
     EXPECT_EQ(ending_of("M" + std::to_string(m)), "not-covered b1 M" + std::to_string(m));
   }
   EXPECT_EQ(ending_of("M3.5"), "alarm b1 not-an-integer");
