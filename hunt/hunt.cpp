@@ -122,22 +122,28 @@ std::optional<Finding> Hunt::step() {
     ++count_.too_long;
     return std::nullopt;
   }
-  if (options_.guided) pool_.offer(specimen, *features);
   const std::optional<Verdict> verdict = trial_.run(specimen.program);
   if (verdict && verdict->kind == VerdictKind::skip) {
     repertoire_.skipped(specimen.program);
   } else {
     repertoire_.ran(specimen.program);
+    // Mutants of what is skipped are skipped.
+    if (options_.guided) pool_.offer(specimen, *features);
   }
   if (!verdict) {
     ++count_.too_long;
-  } else if (is_finding(*verdict)) {
+    return std::nullopt;
+  }
+  const Decision decided = decision(verdict->kind);
+  const bool is_judged = decided == Decision::go || decided == Decision::no_go;
+  if (is_judged && trial_.moved()) ++count_.moved;
+  if (is_finding(*verdict)) {
     ++count_.judged;
     ++count_.no_go;
     return examine(*verdict, specimen.program);
   } else if (verdict->kind == VerdictKind::skip) {
     ++count_.skipped;
-  } else if (decision(verdict->kind) == Decision::undecided) {
+  } else if (decided == Decision::undecided) {
     ++count_.gaps;
   } else {
     ++count_.judged;

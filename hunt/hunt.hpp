@@ -40,6 +40,7 @@ struct Finding {
 struct HuntCount {
   std::size_t programs = 0;
   std::size_t judged = 0;    // GO or NO-GO
+  std::size_t moved = 0;     // of those judged, with a motion of the subject's
   std::size_t skipped = 0;   // by the subject, or for what it does not declare
   std::size_t gaps = 0;      // the gauge cannot say
   std::size_t outside = 0;   // departures outside of the domain
