@@ -109,6 +109,11 @@ bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& prog
   return oracle::outside_domain(program.profile, program.text, options_.most_items).empty();
 }
 
+void Hunt::offer(const generate::GeneratedProgram& program) {
+  const auto features = features_of(program, options_.most_items);
+  if (options_.guided && features) pool_.offer({program, {}}, *features);
+}
+
 std::optional<Finding> Hunt::step() {
   ++count_.programs;
   const std::optional<Specimen> fitted = next_fitted();
@@ -155,6 +160,7 @@ std::optional<Finding> Hunt::step() {
 std::optional<Finding> Hunt::examine(const Verdict& verdict,
                                      const generate::GeneratedProgram& program) {
   Finding finding{signature_of(verdict, program), verdict, {{}, program}, count_.programs};
+  ++seen_[finding.signature];
   if (known_.contains(finding.signature)) return std::nullopt;
   if (oracle::contradicts_itself(program.profile, program.text, options_.most_items)) {
     --count_.no_go;

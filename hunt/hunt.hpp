@@ -60,6 +60,12 @@ class Hunt {
   // holds of the result too.
   void reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also = nullptr);
 
+  // Of an earlier hunt: a program that showed something new, and a signature that is no news.
+  void offer(const generate::GeneratedProgram& program);
+  void know(const Signature& signature) { known_.insert(signature); }
+  // How many programs showed each signature, before they were run again alone.
+  const std::map<Signature, std::size_t>& seen() const { return seen_; }
+
   const HuntCount& count() const { return count_; }
   const Pool& pool() const { return pool_; }
   const Repertoire& repertoire() const { return repertoire_; }
@@ -87,6 +93,7 @@ class Hunt {
   Specimen parent_;         // of the text mutants that are due
   std::size_t litter_ = 0;  // how many of them
   std::set<Signature> known_;
+  std::map<Signature, std::size_t> seen_;
   HuntCount count_;
 };
 
