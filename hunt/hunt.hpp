@@ -83,6 +83,7 @@ class Hunt {
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);
+  std::optional<Finding> flicker(const generate::GeneratedProgram& program);
 
   Trial trial_;
   HuntOptions options_;
