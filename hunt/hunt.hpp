@@ -40,6 +40,7 @@ struct Finding {
 struct HuntCount {
   std::size_t programs = 0;
   std::size_t judged = 0;    // GO or NO-GO
+  std::size_t moved = 0;     // of those judged, with a motion of the subject's
   std::size_t skipped = 0;   // by the subject, or for what it does not declare
   std::size_t gaps = 0;      // the gauge cannot say
   std::size_t outside = 0;   // departures outside of the domain
@@ -59,6 +60,12 @@ class Hunt {
   // holds of the result too.
   void reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also = nullptr);
 
+  // Of an earlier hunt: a program that showed something new, and a signature that is no news.
+  void offer(const generate::GeneratedProgram& program);
+  void know(const Signature& signature) { known_.insert(signature); }
+  // How many programs showed each signature, before they were run again alone.
+  const std::map<Signature, std::size_t>& seen() const { return seen_; }
+
   const HuntCount& count() const { return count_; }
   const Pool& pool() const { return pool_; }
   const Repertoire& repertoire() const { return repertoire_; }
@@ -76,6 +83,7 @@ class Hunt {
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);
+  std::optional<Finding> flicker(const generate::GeneratedProgram& program);
 
   Trial trial_;
   HuntOptions options_;
@@ -86,6 +94,7 @@ class Hunt {
   Specimen parent_;         // of the text mutants that are due
   std::size_t litter_ = 0;  // how many of them
   std::set<Signature> known_;
+  std::map<Signature, std::size_t> seen_;
   HuntCount count_;
 };
 

@@ -138,6 +138,7 @@ void ProgramJudge::take_motion(const Record& record) {
 // Equal motions between two of them do not come this far: it is for each record that goes the whole
 // way to forget, or a program of motions and dwells in turn would be kept whole.
 void ProgramJudge::forget_passed() {
+  if (verdict_) return;  // there may be no hypothesis left
   reference_.forget_before(std::min(noted_, alignment_.first_step()));
 }
 
