@@ -122,12 +122,13 @@ std::string CaptureTally::files_text(
     const std::function<std::set<std::string>()>& all_cases) const {
   namespace fs = std::filesystem;
   std::set<std::string> stems;
+  std::set<std::string> missing = missing_;
   const fs::path own = fs::path(folder) / "manifest.json";
   if (!manifest.empty() || fs::exists(own)) {
-    for (const auto& [id, program] :
-         read_export_manifest(manifest.empty() ? own.string() : manifest)) {
-      stems.insert(program.stem);
-    }
+    const auto programs = read_export_manifest(manifest.empty() ? own.string() : manifest);
+    for (const auto& [id, program] : programs) stems.insert(program.stem);
+    // What was not exported could not come back.
+    std::erase_if(missing, [&](const std::string& id) { return !programs.contains(id); });
   }
   std::set<std::string> strangers;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -148,8 +149,8 @@ std::string CaptureTally::files_text(
   if (!strangers.empty()) {
     text += fmt::format("  files that belong to no case: {}\n", listed(strangers));
   }
-  if (!missing_.empty()) {
-    text += fmt::format("  cases without a file: {}: {}\n", missing_.size(), listed(missing_));
+  if (!missing.empty()) {
+    text += fmt::format("  cases without a file: {}: {}\n", missing.size(), listed(missing));
   }
   return text;
 }

@@ -167,8 +167,8 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
     return;
   }
   const std::string least = fmt::format("GO from {} mm up.", go_from->text());
-  // J-SAM-01
-  const bool too_fine = terms_.tolerance < noise && *go_from <= noise * 2;
+  constexpr int kPeak = 3;  // times the noise: what scatters like it comes as far as that
+  const bool too_fine = terms_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
   if (!too_fine) {
     verdict.message += " " + least;
     return;

@@ -8,6 +8,7 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::size_t kMostSets = 1'000'000;
+constexpr std::size_t kFewest = 4;  // sets: of fewer one sample would be the noise
 constexpr double kNothing = 1e-9;  // mm; of sums of doubles
 
 // What is left over of an axis when a uniform motion is taken away.
@@ -82,16 +83,14 @@ NoiseFigures NoiseWatch::figures() const {
     for (const Set& set : sets_) {
       if (set.moving == moving) scatter.push_back(set.scatter);
     }
-    if (scatter.empty()) continue;
-    const auto quartile = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 4);
-    std::ranges::nth_element(scatter, quartile);
-    const double most = 2 * static_cast<double>(*quartile) + kNothing;
-    for (const Set& set : sets_) {
-      if (set.moving != moving || static_cast<double>(set.scatter) > most) continue;
-      ++figures.sets;
-      figures.noise = std::max(figures.noise, static_cast<double>(set.scatter));
-      if (moving) figures.following = std::max(figures.following, static_cast<double>(set.least_off));
-    }
+    if (scatter.size() < kFewest) continue;
+    const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
+    std::ranges::nth_element(scatter, middle);
+    figures.noise = std::max(figures.noise, static_cast<double>(*middle));
+  }
+  for (const Set& set : sets_) {
+    if (!set.moving || static_cast<double>(set.scatter) > 2 * figures.noise + kNothing) continue;
+    figures.following = std::max(figures.following, static_cast<double>(set.least_off));
   }
   return figures;
 }

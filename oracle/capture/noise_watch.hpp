@@ -20,9 +20,8 @@
 namespace gonogo::oracle {
 
 struct NoiseFigures {
-  double noise = 0;      // mm, the most on an axis; 0: none was seen
+  double noise = 0;      // mm, the most of sixteen on an axis, as a rule; 0: none was seen
   double following = 0;  // mm, from the path, for sixteen samples on end of a constant speed
-  std::size_t sets = 0;  // that count
 };
 
 class NoiseWatch {

@@ -17,6 +17,7 @@ using reference::kAllAxes;
 
 constexpr double kTimeNoise = 1e-9;  // s; of sums of doubles
 constexpr std::size_t kNamedUnseen = 10;
+constexpr double kCorner = 20;  // times the allowance for blending: how far a corner reaches
 
 double half_unit(int decimals) {
   return 0.5 * std::pow(10.0, -decimals);
@@ -48,6 +49,7 @@ SampledRun::SampledRun(const reference::Profile& profile, const ProgramText& pro
       granted_(approximate(sampled.feed_tolerance)),
       clock_(half_unit(sampled.time_decimals)),
       wide_{terms.tolerance + sampled.blend, approximate(terms.tolerance + sampled.blend), strict},
+      corner_(kCorner * approximate(sampled.blend)),
       last_at_(start_) {}
 
 const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoint& point) {
@@ -122,9 +124,7 @@ double SampledRun::least_time_to(const PathPiece& piece, const Stretch& place) c
 
 // Off the motion to which a corner led it has to come back first, unless it is a short one.
 bool SampledRun::may_pass(Spot spot) const {
-  constexpr double kShort = 10;  // times the allowance
-  return spot.phase != Phase::arriving ||
-         path_.kept(spot.piece).length() < kShort * approximate(sampled_.blend);
+  return spot.phase != Phase::arriving || path_.kept(spot.piece).length() <= corner_;
 }
 
 // On to later pieces as far as their feeds allow in the time since the last sample.
@@ -156,7 +156,8 @@ void SampledRun::go_on(Spot spot, State& state, const SamplePoint& point, double
     }
     if (i == from + 1 && is_motion_piece(here) && stretches(i, point).empty()) {
       for (const Stretch& stretch : wide_stretches(i, point)) {
-        if (spent + least_time_to(*piece, stretch) > budget) continue;
+        const bool in_time = spent + least_time_to(*piece, stretch) <= budget;
+        if (!in_time || !near_corner({i, Phase::arriving}, stretch)) continue;
         enter(from, state, {i, Phase::arriving}, stretch, next);
         break;
       }
@@ -172,20 +173,25 @@ bool SampledRun::stay(Spot spot, const State& state, const std::vector<Stretch>&
   for (const Stretch& stretch : places) {
     State stays = state;
     stays.place = stretch;
-    if (!stays.place.go_on_from(state.place.low)) continue;
+    if (!stays.place.go_on_from(state.place.low) || !near_corner(spot, stays.place)) continue;
     merge(next, spot, std::move(stays));
     return true;
   }
   return false;
 }
 
+// Off the path it may be near the corner that it cuts alone.
+bool SampledRun::near_corner(Spot spot, const Stretch& place) const {
+  if (spot.phase == Phase::followed) return true;
+  const PathPiece& piece = path_.kept(spot.piece);
+  const double way = spot.phase == Phase::leaving ? piece.after(place) : piece.before(place);
+  return way <= corner_;
+}
+
 void SampledRun::step(const SamplePoint& point, double time, States& next) {
   for (auto& [spot, state] : states_) {
     const std::size_t i = spot.piece;
-    // What leaves a motion comes back on another one.
-    const bool on_path =
-        spot.phase != Phase::leaving && stay({i}, state, stretches(i, point), next);
-    if (!on_path) {
+    if (!stay({i}, state, stretches(i, point), next)) {
       const Phase away = spot.phase == Phase::arriving ? Phase::arriving : Phase::leaving;
       stay({i, away}, state, wide_stretches(i, point), next);
     }

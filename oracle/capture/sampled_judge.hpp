@@ -10,9 +10,9 @@
 //   machine that stands still with noise within the tolerance does not go back.) A traverse is
 //   monotone like that on each axis.
 // Blending. Where the certifier grants an allowance (--blend), a machine may cut corners: samples
-//   that are farther from the path than the tolerance, but not by more than the allowance, are GO
-//   where they begin on one motion and come back to the tolerance on the next one. A motion shorter
-//   than ten times the allowance may be rounded over as a whole.
+//   that are farther from the path than the tolerance, but not by more than the allowance as well,
+//   are GO within twenty times the allowance, along the path, of the corner of two motions. A motion
+//   no longer than that may be rounded over as a whole.
 // Completeness. From one sample to the next the path goes on by no more than the programmed feeds
 //   allow in the time between them, the granted part of the feed and the resolution of the clock
 //   included; traverses, threads and feeds per revolution by no more than `fastest`. So each corner
@@ -120,6 +120,7 @@ class SampledRun {
   void go_on(Spot spot, State& state, const SamplePoint& point, double time, States& next);
   // Whether the way from a spot may lead to a later piece, and cut its corner.
   bool may_pass(Spot spot) const;
+  bool near_corner(Spot spot, const Stretch& place) const;
   const std::vector<Stretch>& stretches(std::size_t i, const SamplePoint& point);
   // Within the allowance for blending; empty where corners are not cut.
   const std::vector<Stretch>& wide_stretches(std::size_t i, const SamplePoint& point);
@@ -161,6 +162,7 @@ class SampledRun {
   std::map<std::size_t, std::vector<Stretch>> cache_;
   std::map<std::size_t, std::vector<Stretch>> wide_cache_;
   Tube wide_;
+  double corner_;  // mm of path from a corner within which it may be cut
   WorstSample worst_;
   double off_ = 0;
   bool moved_ = false;
