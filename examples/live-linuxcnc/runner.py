@@ -142,6 +142,10 @@ class Machine:
         self.command.wait_complete(self.patience)
         self._mdi("M5 M9 G17 G21 G40 G49 G54 G80 G90 G94 G97 G98 " + self.modes,
                   "the modes are not set")
+        # The interpreter keeps what the last program set.
+        self._mdi("G92.1", "the offsets are not taken back")
+        for system in range(1, 10):
+            self._mdi("G10 L2 P%d X0 Y0 Z0 A0 C0 R0" % system, "the offsets are not taken back")
         # What the program's own header does not lead to its start.
         self._mdi("G0 " + " ".join("%s%s" % (axis.upper(), start.get(axis, "0"))
                                    for axis in AXES), "the axes do not come to their start")
@@ -220,5 +224,10 @@ def alarm_of(texts):
     for text in texts:
         near = NEAR.match(text)
         if near:
-            return near.group(2).strip(), int(near.group(1))
-    return (texts[0].strip(), 0) if texts else None
+            return name_of(near.group(2)), int(near.group(1))
+    return (name_of(texts[0]), 0) if texts else None
+
+
+def name_of(text):
+    """A text without the numbers that it was filled with."""
+    return re.split(r": ?start=", text.strip())[0]

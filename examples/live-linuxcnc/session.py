@@ -59,11 +59,12 @@ def children(pid):
 class Session:
     """with Session(machine, work): LinuxCNC runs, homed and on; after it nothing is left."""
 
-    def __init__(self, machine, work, patience=60.0, lag=0.0):
+    def __init__(self, machine, work, patience=60.0, lag=0.0, modes=""):
         self.machine = machine
         self.work = work
         self.patience = patience
         self.lag = lag
+        self.modes = modes
         self.lock = None
         self.sampler = None
         self.log = None
@@ -86,6 +87,8 @@ class Session:
         self._take_lock()
         for source in os.listdir(self.machine):
             shutil.copy(os.path.join(self.machine, source), self.work)
+        with open(os.path.join(self.work, "gauge.ini"), "a", encoding="ascii") as ini:
+            ini.write("RS274NGC_STARTUP_CODE = %s\n" % self.modes)
         self.log = open(os.path.join(self.work, "linuxcnc.log"), "wb")
         realtime = os.path.join(self.work, "realtime")
         os.mkdir(realtime)

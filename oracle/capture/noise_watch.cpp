@@ -8,7 +8,7 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::size_t kMostSets = 1'000'000;
-constexpr std::size_t kFewest = 4;  // sets: of fewer one sample would be the noise
+constexpr std::size_t kFewestSets = 4;  // sets: of fewer one sample would be the noise
 constexpr double kNothing = 1e-9;  // mm; of sums of doubles
 
 // What is left over of an axis when a uniform motion is taken away.
@@ -83,7 +83,7 @@ NoiseFigures NoiseWatch::figures() const {
     for (const Set& set : sets_) {
       if (set.moving == moving) scatter.push_back(set.scatter);
     }
-    if (scatter.size() < kFewest) continue;
+    if (scatter.size() < kFewestSets) continue;
     const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
     std::ranges::nth_element(scatter, middle);
     figures.noise = std::max(figures.noise, static_cast<double>(*middle));
