@@ -19,10 +19,15 @@ struct HuntWords {
   std::string profile;
   std::vector<std::string> readings;
   std::string settings;
+  bool everywhere = false;  // outside of the domain, too
   std::string time;
   long seed = 1;
-  long programs = 0;    // 0: no limit
-  long stop_after = 0;  // findings; 0: no limit
+  long programs = 0;     // 0: no limit
+  long stop_after = 0;   // findings; 0: no limit
+  std::string campaign;  // folder of a long hunt; empty: none
+  std::string shard = "1/1";
+  long jobs = 1;
+  long round = 2'000;  // programs
 };
 
 // "90", "90s", "10m", "2h". Throws UsageError.
@@ -49,6 +54,9 @@ struct HuntEnd {
   bool reached(std::size_t tried, std::size_t found) const;
   double seconds_left(std::size_t tried) const;
 };
+
+// gonogo hunt --campaign DIR
+int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options);
 
 // gonogo hunt --method properties
 int hunt_properties(const HuntWords& words);

@@ -23,6 +23,8 @@ struct HuntOptions {
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
   generate::GeneratorSettings settings;  // of the programs that are generated
   std::size_t most_items = 3'000;        // of the reference, of one program
+  // What a subject does on a program outside of docs/domain.md is no finding, but for what ends it.
+  bool everywhere = false;
 };
 
 struct Finding {
@@ -38,8 +40,10 @@ struct Finding {
 struct HuntCount {
   std::size_t programs = 0;
   std::size_t judged = 0;    // GO or NO-GO
+  std::size_t moved = 0;     // of those judged, with a motion of the subject's
   std::size_t skipped = 0;   // by the subject, or for what it does not declare
   std::size_t gaps = 0;      // the gauge cannot say
+  std::size_t outside = 0;   // departures outside of the domain
   std::size_t too_long = 0;  // more records than they can be worth
   std::size_t no_go = 0;     // those of known signatures among them
 };
@@ -56,22 +60,30 @@ class Hunt {
   // holds of the result too.
   void reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also = nullptr);
 
+  // Of an earlier hunt: a program that showed something new, and a signature that is no news.
+  void offer(const generate::GeneratedProgram& program);
+  void know(const Signature& signature) { known_.insert(signature); }
+  // How many programs showed each signature, before they were run again alone.
+  const std::map<Signature, std::size_t>& seen() const { return seen_; }
+
   const HuntCount& count() const { return count_; }
   const Pool& pool() const { return pool_; }
   const Repertoire& repertoire() const { return repertoire_; }
   Trial& trial() { return trial_; }
 
  private:
-  // One that the subject may run, as far as that is known.
-  Specimen next_fitted();
+  // One that the subject may run, as far as that is known; nothing: none of many was.
+  std::optional<Specimen> next_fitted();
   Specimen next();
   Specimen fresh();
   Specimen mutant();
   void settle(Specimen& specimen) const;
-  bool is_declared(const generate::GeneratedProgram& program) const;
+  // Whether what the verdict says of the program is worth telling.
+  bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);
+  std::optional<Finding> flicker(const generate::GeneratedProgram& program);
 
   Trial trial_;
   HuntOptions options_;
@@ -82,6 +94,7 @@ class Hunt {
   Specimen parent_;         // of the text mutants that are due
   std::size_t litter_ = 0;  // how many of them
   std::set<Signature> known_;
+  std::map<Signature, std::size_t> seen_;
   HuntCount count_;
 };
 

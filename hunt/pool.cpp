@@ -16,6 +16,12 @@ bool Pool::offer(const Specimen& specimen, const std::vector<std::uint64_t>& fea
   return true;
 }
 
+std::vector<generate::GeneratedProgram> Pool::programs() const {
+  std::vector<generate::GeneratedProgram> programs;
+  for (const Entry& entry : entries_) programs.push_back(entry.specimen.program);
+  return programs;
+}
+
 const Specimen& Pool::pick(program::Dice& dice) {
   // The best of three at random.
   constexpr int kTries = 3;

@@ -17,6 +17,8 @@ class Pool {
   bool empty() const { return entries_.empty(); }
   std::size_t size() const { return entries_.size(); }
   std::size_t features() const { return seen_.size(); }
+  // Those that it holds, oldest first.
+  std::vector<generate::GeneratedProgram> programs() const;
   // One of the programs: rather one that showed much and has been picked seldom. REQUIRES: !empty()
   const Specimen& pick(program::Dice& dice);
 

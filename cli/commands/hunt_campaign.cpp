@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo hunt --campaign DIR: a hunt of hours, in a folder that holds all that it needs to go on.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "cli/exit_code.hpp"
+#include "cli/hunt_words.hpp"
+#include "cli/output.hpp"
+#include "cli/version.hpp"
+#include "hunt/campaign.hpp"
+#include "oracle/records/text.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using hunt::CampaignState;
+
+struct Shard {
+  unsigned number = 1;
+  unsigned of = 1;
+};
+
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%5u/%5u%c", &shard.number, &shard.of, &rest) != 2 ||
+      shard.number < 1 || shard.number > shard.of) {
+    throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
+  }
+  return shard;
+}
+
+std::string folder_of(const HuntWords& words, std::size_t shard, std::size_t shards) {
+  return fmt::format("{}/shard-{}-of-{}", words.campaign, shard, shards);
+}
+
+// What the jobs of this process share.
+class Board {
+ public:
+  Board(const HuntWords& words, const HuntEnd& end)
+      : words_(words), end_(end), on_(::isatty(STDERR_FILENO) == 1) {}
+
+  void tell(const hunt::Finding& finding, const std::string& folder, const std::string& id) {
+    const std::lock_guard lock(mutex_);
+    ++findings_;
+    clear();
+    Output output;
+    output.text() = fmt::format("{}. {}  {}\n{}", findings_, finding.signature.text(), id,
+                                finding_text(finding));
+    output.text() +=
+        fmt::format("  again: gonogo reduce {0} --subject {1} --profile {2}\n\n",
+                    oracle::shell_quoted(folder + "/findings/" + id + "/program.nc"),
+                    oracle::shell_quoted(words_.trial.subject),
+                    oracle::shell_quoted(folder + "/findings/" + id + "/profile.json"));
+    output.flush();
+  }
+
+  // Whether to go on, after one more program.
+  bool tick() {
+    const std::size_t tried = ++programs_;
+    if (failed_ || end_.reached(tried, findings_)) return false;
+    if (on_) show(tried);
+    return true;
+  }
+
+  void fail(const char* what) {
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+    clear();
+    complain("gonogo: {}\n", what);
+  }
+  bool failed() const { return failed_; }
+  bool is_over() const { return failed_ || end_.reached(programs_, findings_); }
+  std::size_t programs() const { return programs_; }
+
+ private:
+  void clear() const {
+    if (on_) complain("\r\033[K");
+  }
+  void show(std::size_t tried) {
+    const std::lock_guard lock(mutex_);
+    if (Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
+    shown_ = Clock::now();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+    complain("\r\033[K{} programs, {:.0f} a second, {} new findings, about {:.0f} s left", tried,
+             static_cast<double>(tried) / std::max(seconds, 0.001), findings_.load(),
+             end_.seconds_left(tried));
+    std::fflush(stderr);
+  }
+
+  const HuntWords& words_;
+  const HuntEnd& end_;
+  bool on_;
+  std::mutex mutex_;
+  std::atomic<std::size_t> programs_ = 0;
+  std::atomic<std::size_t> findings_ = 0;
+  std::atomic<bool> failed_ = false;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point shown_{};
+};
+
+CampaignState wanted_state(const HuntWords& words, std::size_t shard, std::size_t shards) {
+  CampaignState state;
+  state.dialect = words.dialect;
+  state.subject = words.trial.subject;
+  state.seed = static_cast<std::uint64_t>(words.seed);
+  state.programs_of_round = static_cast<std::size_t>(words.round);
+  state.shard = shard;
+  state.shards = shards;
+  return state;
+}
+
+void run_job(hunt::HuntCampaign& campaign, const std::string& folder, Board& board) {
+  try {
+    while (!board.is_over()) {
+      campaign.round([&](const hunt::Finding& finding,
+                         const std::string& id) { board.tell(finding, folder, id); },
+                     [&](const hunt::Hunt&) { return board.tick(); });
+    }
+  } catch (const std::exception& error) {
+    board.fail(error.what());
+  }
+}
+
+// Of all shards that lie in the folder, whoever ran them.
+struct Total {
+  std::size_t shards = 0;
+  std::size_t rounds = 0;
+  std::size_t programs = 0;
+  std::size_t moved = 0;
+  struct Seen {
+    std::string id;
+    std::size_t programs = 0;
+    std::size_t shards = 0;
+  };
+  std::map<hunt::Signature, Seen> findings;
+};
+
+Total total_of(const std::string& folder) {
+  Total total;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_directory()) continue;
+    const auto state = hunt::read_campaign_state(entry.path().string());
+    if (!state) continue;
+    ++total.shards;
+    total.rounds += state->rounds;
+    total.programs += state->count.programs;
+    total.moved += state->count.moved;
+    for (const auto& [signature, finding] : state->findings) {
+      Total::Seen& seen = total.findings[signature];
+      if (seen.id.empty()) seen.id = entry.path().filename().string() + "/findings/" + finding.id;
+      seen.programs += finding.times;
+      ++seen.shards;
+    }
+  }
+  return total;
+}
+
+// Findings by their clause: one defect has often many faces.
+std::string total_text(const Total& total) {
+  std::map<std::string, std::vector<const std::pair<const hunt::Signature, Total::Seen>*>> clauses;
+  for (const auto& each : total.findings) clauses[each.first.clause].push_back(&each);
+  std::string text;
+  for (auto& [clause, faces] : clauses) {
+    std::ranges::stable_sort(faces, std::greater{},
+                             [](const auto* face) { return face->second.programs; });
+    text += fmt::format("{}: {} {}\n", clause.empty() ? "no clause" : clause, faces.size(),
+                        faces.size() == 1 ? "finding" : "findings");
+    for (const auto* face : faces) {
+      text += fmt::format("  {:>7} x {}  {}\n", face->second.programs, face->first.text(),
+                          face->second.id);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options) {
+  if (!words.trial.out.empty()) {
+    throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
+  }
+  const Shard machine = shard_of(words.shard);
+  const auto jobs = static_cast<std::size_t>(words.jobs);
+  const std::size_t shards = machine.of * jobs;
+  const HuntEnd end(words);
+  std::filesystem::create_directories(words.campaign);
+  Board board(words, end);
+  struct Job {
+    std::string folder;
+    hunt::HuntCampaign campaign;
+  };
+  std::vector<std::unique_ptr<Job>> work;
+  for (std::size_t job = 1; job <= jobs; ++job) {
+    const std::size_t shard = (machine.number - 1) * jobs + job;
+    const std::string folder = folder_of(words, shard, shards);
+    try {
+      work.push_back(std::make_unique<Job>(
+          Job{folder, hunt::HuntCampaign(folder, wanted_state(words, shard, shards),
+                                         trial_subject(words.trial), trial_options(words.trial),
+                                         options, fmt::format("gonogo {}", kVersion))}));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(fmt::format("{} ({})", error.what(), folder));
+    }
+  }
+  std::vector<std::thread> threads;
+  for (const auto& job : work) {
+    threads.emplace_back([&board, &job] { run_job(job->campaign, job->folder, board); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const Total total = total_of(words.campaign);
+  Output output;
+  output.text() = total_text(total);
+  output.text() += fmt::format(
+      "{}, {}: {} programs now; {} rounds of {} shards with {} programs are done, {} of them "
+      "judged with motion; {} findings\n",
+      words.trial.subject, words.dialect, board.programs(), total.rounds, total.shards,
+      total.programs, total.moved, total.findings.size());
+  output.flush();
+  if (board.failed()) return kUndecided;
+  if (!total.findings.empty()) return kNoGo;
+  return total.programs == 0 || total.moved * 10 < total.programs ? kUndecided : kGo;
+}
+
+}  // namespace gonogo::cli

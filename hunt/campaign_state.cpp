@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hunt/campaign_state.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "oracle/records/output_file.hpp"
+
+namespace gonogo::hunt {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+std::string text_of_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error(fmt::format("{} cannot be read.", path.string()));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// FNV-1a. Only names hang on it: two programs of one name are one input less.
+std::string name_of(const generate::GeneratedProgram& program) {
+  std::uint64_t hash = 14'695'981'039'346'656'037U;
+  for (const std::string& text : {program.text, reference::profile_json(program.profile)}) {
+    for (const char c : text) {
+      hash = (hash ^ static_cast<unsigned char>(c)) * 1'099'511'628'211U;
+    }
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+Json json_of(const HuntCount& count) {
+  return {{"programs", count.programs}, {"judged", count.judged}, {"moved", count.moved},
+          {"skipped", count.skipped},   {"gaps", count.gaps},     {"outside", count.outside},
+          {"too_long", count.too_long}, {"no_go", count.no_go}};
+}
+
+HuntCount count_of(const Json& json) {
+  HuntCount count;
+  count.programs = json.at("programs").get<std::size_t>();
+  count.judged = json.at("judged").get<std::size_t>();
+  count.moved = json.at("moved").get<std::size_t>();
+  count.skipped = json.at("skipped").get<std::size_t>();
+  count.gaps = json.at("gaps").get<std::size_t>();
+  count.outside = json.at("outside").get<std::size_t>();
+  count.too_long = json.at("too_long").get<std::size_t>();
+  count.no_go = json.at("no_go").get<std::size_t>();
+  return count;
+}
+
+Json json_of(const Signature& signature, const KnownFinding& finding) {
+  return {{"kind", oracle::name(signature.kind)},
+          {"clause", signature.clause},
+          {"what", signature.what},
+          {"code", signature.code},
+          {"id", finding.id},
+          {"first_round", finding.first},
+          {"last_round", finding.last},
+          {"programs", finding.times}};
+}
+
+void read_finding(const Json& json, CampaignState& state) {
+  const auto kind = oracle::verdict_kind(json.at("kind").get<std::string>());
+  if (!kind) throw std::runtime_error("a finding is of no known kind");
+  const Signature signature{state.dialect, *kind, json.at("clause").get<std::string>(),
+                            json.at("what").get<std::string>(), json.at("code").get<std::string>()};
+  state.findings[signature] = {
+      json.at("id").get<std::string>(), json.at("first_round").get<std::size_t>(),
+      json.at("last_round").get<std::size_t>(), json.at("programs").get<std::size_t>()};
+}
+
+CampaignState state_of(const Json& json) {
+  if (json.at("format").get<int>() != kFormat) throw std::runtime_error("it is of another format");
+  CampaignState state;
+  state.dialect = json.at("dialect").get<std::string>();
+  state.subject = json.at("subject").get<std::string>();
+  state.seed = json.at("seed").get<std::uint64_t>();
+  state.programs_of_round = json.at("programs_of_round").get<std::size_t>();
+  state.shard = json.at("shard").get<std::size_t>();
+  state.shards = json.at("shards").get<std::size_t>();
+  state.rounds = json.at("rounds").get<std::size_t>();
+  state.count = count_of(json.at("count"));
+  for (const Json& finding : json.at("findings")) read_finding(finding, state);
+  state.inputs = json.at("inputs").get<std::vector<std::string>>();
+  return state;
+}
+
+fs::path state_file(const std::string& folder) {
+  return fs::path(folder) / "hunt.json";
+}
+
+}  // namespace
+
+std::optional<CampaignState> read_campaign_state(const std::string& folder) {
+  const fs::path path = state_file(folder);
+  if (!fs::exists(path)) return std::nullopt;
+  try {
+    return state_of(Json::parse(text_of_file(path)));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{} is not what a hunt wrote: {}", path.string(), error.what()));
+  }
+}
+
+void write_campaign_state(const std::string& folder, const CampaignState& state) {
+  Json findings = Json::array();
+  for (const auto& [signature, finding] : state.findings) {
+    findings.push_back(json_of(signature, finding));
+  }
+  const Json json = {{"format", kFormat},
+                     {"dialect", state.dialect},
+                     {"subject", state.subject},
+                     {"seed", state.seed},
+                     {"programs_of_round", state.programs_of_round},
+                     {"shard", state.shard},
+                     {"shards", state.shards},
+                     {"rounds", state.rounds},
+                     {"count", json_of(state.count)},
+                     {"findings", findings},
+                     {"inputs", state.inputs}};
+  fs::create_directories(folder);
+  oracle::write_file(state_file(folder), json.dump(1) + "\n");
+}
+
+std::vector<generate::GeneratedProgram> read_inputs(const std::string& folder,
+                                                    const CampaignState& state) {
+  std::vector<generate::GeneratedProgram> programs;
+  for (const std::string& name : state.inputs) {
+    const fs::path path = fs::path(folder) / "inputs" / name;
+    auto profile =
+        reference::profile_from_json(text_of_file(path.string() + ".json"), state.dialect);
+    auto* read = std::get_if<reference::Profile>(&profile);
+    if (read == nullptr) {
+      throw std::runtime_error(fmt::format("{}.json is no machine of the gauge.", path.string()));
+    }
+    programs.push_back({*read, text_of_file(path.string() + ".nc")});
+  }
+  return programs;
+}
+
+std::vector<std::string> write_inputs(const std::string& folder,
+                                      const std::vector<generate::GeneratedProgram>& programs) {
+  const fs::path inputs = fs::path(folder) / "inputs";
+  fs::create_directories(inputs);
+  std::vector<std::string> names;
+  for (const generate::GeneratedProgram& program : programs) {
+    names.push_back(name_of(program));
+    const fs::path path = inputs / names.back();
+    if (fs::exists(path.string() + ".nc")) continue;
+    oracle::write_file(path.string() + ".json", reference::profile_json(program.profile) + "\n");
+    oracle::write_file(path.string() + ".nc", program.text);
+  }
+  return names;
+}
+
+}  // namespace gonogo::hunt
