@@ -41,7 +41,7 @@ bool SampleThinner::on_the_way(const Sample& next) const {
 
 void SampleThinner::put(const Sample& sample) {
   if (kept_.size() == kMostKept) return;
-  std::string line = fmt::format("{{\"k\":\"feed\",\"to\":{}", point_text(sample.at, seen_));
+  std::string line = fmt::format("{{\"k\":\"rapid\",\"to\":{}", point_text(sample.at, seen_));
   if (sample.block > header_lines_) {
     line += fmt::format(",\"b\":{}", sample.block - header_lines_);
   }

@@ -8,7 +8,7 @@
 
 namespace gonogo::oracle {
 
-// Samples as records for a drawing: feeds from one to the next, each with the number of its sample
+// Samples as records for a drawing: traverses, which have no feed, from one to the next, each with the number of its sample
 // as "x-sample". What lies on the way between its neighbours within a thousandth is left out.
 class SampleThinner {
  public:
