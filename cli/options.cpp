@@ -37,6 +37,10 @@ void add_subject_options(Command& command, LimitOptions& options) {
   add_run_options(command, options);
   command.option("--feed-tolerance", options.feed_tolerance,
                  "of feeds from sampled positions, percent, a decimal (5)");
+  command.option("--blend", options.blend,
+                 "by how much sampled positions may cut corners, mm, a decimal (0)");
+  command.option("--columns", options.columns,
+                 "what the columns of sampled positions are: t=Time[ms],x=X_act:diameter,...");
   command.option("--manifest", options.manifest, "manifest.json of the export, of captured output");
 }
 
@@ -49,6 +53,8 @@ oracle::Limits LimitOptions::limits() const {
         *decimal_option(feed_tolerance, "--feed-tolerance", "percent") / 100;
   }
   limits.capture.manifest = manifest;
+  limits.capture.blend = length_option(blend, "--blend");
+  limits.capture.columns = columns;
   return limits;
 }
 

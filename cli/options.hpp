@@ -26,6 +26,8 @@ struct LimitOptions {
   bool strict = false;
   std::string feed_tolerance;
   std::string manifest;
+  std::string blend;
+  std::string columns;
   oracle::Limits limits() const;
   oracle::Grants grants() const;
 };
@@ -35,7 +37,7 @@ void add_tolerance_options(Command& command, LimitOptions& options);
 void add_strict_option(Command& command, LimitOptions& options);
 // --tolerance, --chord, --feed-resolution, and of a subject that runs --timeout, --memory
 void add_run_options(Command& command, LimitOptions& options);
-// Those, and of captured output --feed-tolerance, --manifest
+// Those, and of captured output --feed-tolerance, --blend, --columns, --manifest
 void add_subject_options(Command& command, LimitOptions& options);
 
 // What is not below zero, as a decimal: "a feed in mm/min". Throws UsageError.

@@ -92,6 +92,8 @@ struct CaptureOptions {
   std::string manifest;                  // of the export; empty: the one beside the files, if any
   std::optional<Number> feed_tolerance;  // part of the feed, for feeds from samples; 0.05
   std::optional<Number> fastest;         // mm/min: the most of traverses and threads; 60,000
+  std::optional<Number> blend;           // mm: by how much corners may be cut; 0
+  std::string columns;                   // which column of samples is what (sample_columns.hpp)
 };
 
 // Limits of a subject (docs/protocol.md).

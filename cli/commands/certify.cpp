@@ -27,6 +27,7 @@
 #include "expanders/registry.hpp"
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/trace_file.hpp"
+#include "oracle/capture/capture_tally.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
@@ -170,6 +171,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   if (grants.chord) header.chord = grants.chord->text();
   if (grants.feed_resolution) header.feed_resolution = grants.feed_resolution->text();
   header.strict = grants.strict;
+  if (campaign.limits.capture.blend) header.blend = campaign.limits.capture.blend->text();
   header.capped = capped_declarations(campaign, info);
   header.shard = options.shard;
   header.argv = options.argv;
@@ -206,7 +208,8 @@ oracle::CampaignEnd run_cases(const oracle::Corpus& corpus, oracle::CampaignOpti
 
 // Sorts the journal into the results.
 CampaignSummary close_results(const oracle::CampaignOptions& campaign,
-                              const oracle::CampaignEnd& end, oracle::ResultsWriter& results) {
+                              const oracle::CampaignEnd& end, oracle::ResultsWriter& results,
+                              oracle::CaptureTally* captured) {
   CampaignSummary summary;
   summary.complete = end.complete;
   oracle::ResultsWriter::Ending ending;
@@ -217,6 +220,7 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   summary.answer =
       results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
+        if (captured != nullptr) captured->take(line);
         const bool is_finding =
             decision(kind) == oracle::Decision::no_go ||
             kind == oracle::VerdictKind::oracle_error ||
@@ -226,6 +230,20 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
         }
       });
   return summary;
+}
+
+// What recorded output says beside its verdicts.
+std::string captured_text(const CertifyOptions& options, const std::string& subject,
+                          const oracle::Corpus& corpus, const oracle::CaptureTally& tally) {
+  const std::string folder = oracle::parse_subject_spec(subject)->rest;
+  return tally.text() + tally.files_text(folder, options.limits.manifest, [&] {
+    std::set<std::string> ids;
+    corpus.for_each([&](const oracle::Case& test) {
+      ids.insert(test.id);
+      return true;
+    });
+    return ids;
+  });
 }
 
 // Nothing has been judged yet: another folder is what helps.
@@ -248,11 +266,12 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   begin_trace_folder(options.traces, info);
   const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;
+  oracle::CaptureTally captured;
   try {
     oracle::ResultsWriter results = open_results(
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
-    summary = close_results(campaign, end, results);
+    summary = close_results(campaign, end, results, info.recorded ? &captured : nullptr);
   } catch (const oracle::ResumeError& error) {
     throw UsageError(error.what());
   } catch (const oracle::CorpusError& error) {
@@ -270,8 +289,10 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                     "the cases.",
                     corpus.folder()));
   }
+  const std::string beside =
+      info.recorded ? captured_text(options, subject, corpus, captured) : std::string();
   tell_run(
-      {summary_text(summary, subject),
+      {summary_text(summary, subject) + beside,
        summary.answer.exit_code,
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,

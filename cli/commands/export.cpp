@@ -13,6 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
+#include "oracle/campaign/selection.hpp"
 #include "oracle/capture/exporter.hpp"
 
 namespace gonogo::cli {
@@ -26,7 +27,11 @@ struct ExportArguments {
   std::string envelope;
   std::string feed_max;
   std::string header;
+  std::string x_zero_at;
+  std::string profile;
+  std::vector<std::string> readings;
   bool all_profiles = false;
+  bool expected = false;
 };
 
 bool selected(const ExportArguments& arguments, const oracle::Case& test) {
@@ -53,19 +58,34 @@ oracle::ExportOptions export_options(const ExportArguments& arguments) {
   if (!arguments.header.empty())
     options.header = read_file(arguments.header, "the text before each program");
   options.all_profiles = arguments.all_profiles;
+  options.expected = arguments.expected;
+  options.x_zero_at = length_option(arguments.x_zero_at, "--x-zero-at");
   return options;
+}
+
+// The machine, and the readings that it follows.
+oracle::CampaignOptions machine_of(const ExportArguments& arguments) {
+  oracle::CampaignOptions machine;
+  machine.readings = arguments.readings;
+  if (!arguments.profile.empty()) {
+    const bool one = arguments.dialects.size() == 1;
+    machine.profile = load_profile({one ? arguments.dialects.front() : "", arguments.profile, {}});
+  }
+  return machine;
 }
 
 int run_export(const ExportArguments& arguments) {
   for (const std::string& dialect : arguments.dialects) load_profile({dialect, "", {}});
   const oracle::ExportOptions options = export_options(arguments);
+  const oracle::CampaignOptions machine = machine_of(arguments);
   const oracle::Corpus corpus(corpus_folder(arguments.corpus));
   Output output;
   try {
     oracle::Exporter exporter(arguments.out, options,
                               {kVersion, corpus.version(), corpus.sha256()});
     corpus.for_each([&](const oracle::Case& test) {
-      if (selected(arguments, test)) exporter.add(test);
+      if (!selected(arguments, test)) return true;
+      if (const auto led = oracle::under(machine, test)) exporter.add(*led);
       return true;
     });
     output.text() = exporter.finish();
@@ -94,6 +114,12 @@ void add_export(Command& program) {
                  "only paths inside X..X,Y..Y,Z..Z, mm, X of a lathe as a radius");
   command.option("--feed-max", arguments->feed_max, "only feeds up to this, mm/min");
   command.option("--header", arguments->header, "file with lines to put before each program");
+  command.option("--x-zero-at", arguments->x_zero_at,
+                 "of a lathe: radius at which its work offset puts X0, mm");
+  command.option("--profile", arguments->profile, "the machine's profile");
+  command.repeated_option("--reading", arguments->readings, "one reading as key=value");
+  command.flag("--expected", arguments->expected,
+               "with the expected paths and a comparer that says GO or NO-GO on the spot");
   command.flag("--all-profiles", arguments->all_profiles,
                "also cases that need the machine set up otherwise");
   command.run([arguments] { return run_export(*arguments); });

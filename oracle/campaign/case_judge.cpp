@@ -228,13 +228,18 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
   if (!is_cut) {
     for (const Record& record : attempt.records) result.trace.push_back(record_text(record));
   }
+  if (attempt.session.verdict.sampled != nullptr) {
+    result.trace = attempt.session.verdict.sampled->drawn;
+  }
   const bool comparable =
       attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
   const bool departs = decision(result.verdict.kind) == Decision::no_go ||
                        result.verdict.kind == VerdictKind::advice;
   if (departs && comparable && attempt.whole) {
+    JudgeTerms plain = terms;
+    plain.measure = false;
     result.verdict.reading =
-        explaining_reading(test.profile, test.program, terms, attempt.records, attempt.end);
+        explaining_reading(test.profile, test.program, plain, attempt.records, attempt.end);
   }
 }
 

@@ -148,6 +148,19 @@ void append_departure(const Verdict& verdict, LineText& line) {
   if (!verdict.message.empty()) line.text("message", verdict.message);
 }
 
+void append_sampled(const SampledFigures& figures, LineText& line) {
+  line.open("sampled");
+  line.number("samples", figures.samples);
+  line.text("tolerance", figures.tolerance);
+  line.text("noise", figures.noise);
+  line.text("following", figures.following);
+  if (!figures.go_from.empty()) line.text("go_from", figures.go_from);
+  if (!figures.worst.empty()) line.text("worst", figures.worst);
+  if (!figures.worst_at.empty()) line.json("at", figures.worst_at);
+  if (figures.worst_block != 0) line.number("b", figures.worst_block);
+  line.close();
+}
+
 void append_readings(const OpenReadings& readings, LineText& line) {
   line.open("readings");
   line.texts("open", readings.open);
@@ -213,6 +226,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   }
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
+  if (verdict.sampled != nullptr) append_sampled(*verdict.sampled, line);
   if (with_timing) {
     line.number("us", result.microseconds);
     line.number("attempts", result.attempts);

@@ -70,6 +70,7 @@ std::string header_line(const ResultsHeader& header) {
   line["chord"] = text_or_null(header.chord);
   line["feed_resolution"] = text_or_null(header.feed_resolution);
   line["strict"] = header.strict;
+  if (!header.blend.empty()) line["blend"] = header.blend;
   line["capped"] = capped_json(header);
   line["selection"] = {
       {"dialects", header.dialects}, {"only", header.only}, {"case", text_or_null(header.case_id)}};

@@ -33,6 +33,7 @@ struct ResultsHeader {
   std::string tolerance;              // empty: as declared
   std::string chord;                  // empty: none
   std::string feed_resolution;        // empty: as declared
+  std::string blend;  // mm; empty: corners of sampled positions are not cut
   bool strict = false;                // advices are NO-GO
   // By dialect: what the subject declares, but counts for less.
   std::vector<std::pair<std::string, Capped>> capped;

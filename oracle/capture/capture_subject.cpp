@@ -103,6 +103,10 @@ class CaptureSubject : public Subject {
                                                            : std::string();
     if (!manifest.empty()) programs_ = read_export_manifest(manifest);
     if (options.feed_tolerance) sampled_.feed_tolerance = *options.feed_tolerance;
+    if (options.blend) sampled_.blend = *options.blend;
+    if (const auto fault = read_columns(options.columns, sampled_.columns)) {
+      throw SubjectUnusable(fmt::format("--columns: {}", *fault));
+    }
     if (options.fastest) sampled_.fastest = *options.fastest / 60;
   }
 

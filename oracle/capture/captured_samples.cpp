@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
+#include <utility>
 
+#include "oracle/capture/noise_watch.hpp"
+#include "oracle/capture/sample_thinner.hpp"
 #include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -14,7 +18,12 @@ class CapturedSamples::Judging {
  public:
   Judging(const CapturedSamples& samples, const reference::Profile& profile,
           const ProgramText& program, const JudgeTerms& terms, const RunEnd& end)
-      : samples_(samples), profile_(profile), program_(program), terms_(terms), end_(end) {
+      : samples_(samples),
+        profile_(profile),
+        program_(program),
+        terms_(terms),
+        end_(end),
+        sampled_(samples.sampled_) {
     Number tau = profile.resolution();
     if (terms.resolution) tau = min(tau, *terms.resolution);
     terms_.tolerance = tau + terms.granted;
@@ -25,6 +34,15 @@ class CapturedSamples::Judging {
   SampledVerdict judge();
 
  private:
+  // What is said at the tolerance in force.
+  SampledVerdict judge_here();
+  // The least tolerance at which it would be GO, in steps of 1e-4 mm; nothing up to 1 mm.
+  std::optional<Number> go_from();
+  bool go_at(const Number& tolerance);
+  // What NO-GO means where the tolerance is finer than the samples are, or X a diameter.
+  void explain(Verdict& verdict, const Number& noise, const std::optional<Number>& go_from);
+  bool go_with_half_x();
+  std::vector<std::string> drawn_samples(const Verdict& verdict) const;
   std::unique_ptr<SampledRun> run(bool strict, double patience) const;
   SampledVerdict complete(const SampledRun& run) const;
   SampledVerdict departed(const SampledRun& run) const;
@@ -38,9 +56,18 @@ class CapturedSamples::Judging {
   const RunEnd& end_;
   mutable Sample last_;
   mutable reference::AxisSet seen_;
+  mutable double following_ = 0;
+  WorstSample worst_;
+  SampledTerms sampled_;
 };
 
 namespace {
+
+// Steps of 1e-4 mm, upward.
+Number upward(double value) {
+  constexpr double kSteps = 1e4;
+  return Number::millionths(100 * static_cast<std::int64_t>(std::ceil(value * kSteps - 1e-6)));
+}
 
 Verdict gap(std::string message) {
   Verdict verdict;
@@ -52,22 +79,128 @@ Verdict gap(std::string message) {
 }  // namespace
 
 std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double patience) const {
-  SampleReader reader(samples_.path_);
+  SampleReader reader(samples_.path_, sampled_.columns);
   seen_ = reader.axes();
-  auto run = std::make_unique<SampledRun>(profile_, program_, terms_, samples_.sampled_, seen_,
-                                          strict, patience);
+  auto run = std::make_unique<SampledRun>(profile_, program_, terms_, sampled_, seen_, strict,
+                                          patience);
+  NoiseWatch noise;
   Sample sample;
   while (reader.next(sample)) {
     last_ = sample;
     if (!run->take(sample)) break;
+    noise.add(SamplePoint(sample), quick(sample.time), run->off());
   }
   run->finish();
+  following_ = noise.figures().following;
   return run;
 }
 
+bool CapturedSamples::Judging::go_at(const Number& tolerance) {
+  const Number kept = std::exchange(terms_.tolerance, tolerance);
+  const bool is_go = decision(judge_here().verdict.kind) == Decision::go;
+  terms_.tolerance = kept;
+  return is_go;
+}
+
+std::optional<Number> CapturedSamples::Judging::go_from() {
+  const Number step = Number::millionths(100);
+  std::int64_t low = (terms_.tolerance / step).floor().to_int64().value_or(0);
+  std::int64_t high = std::max<std::int64_t>(2 * low, 1);
+  constexpr std::int64_t kMost = 10'000;
+  while (!go_at(step * high)) {
+    low = high;
+    if (high == kMost) return std::nullopt;
+    high = std::min(2 * high, kMost);
+  }
+  while (high - low > 1) {
+    const std::int64_t half = (low + high) / 2;
+    (go_at(step * half) ? high : low) = half;
+  }
+  return step * high;
+}
+
 SampledVerdict CapturedSamples::Judging::judge() {
+  SampledVerdict said = judge_here();
+  if (!terms_.measure) return said;
+  auto figures = std::make_shared<SampledFigures>();
+  figures->samples = sampled_.samples;
+  figures->tolerance = terms_.tolerance.text();
+  const VerdictKind kind = said.verdict.kind;
+  if (decision(kind) == Decision::go) {
+    figures->worst = worst_.deviation.text();
+    figures->worst_at = worst_.sample;
+    figures->worst_block = worst_.block;
+  }
+  const bool of_the_path = kind == VerdictKind::fail_geometry || kind == VerdictKind::fail_order ||
+                           kind == VerdictKind::fail_overrun;
+  const Number noise = upward(sampled_.noise);
+  figures->noise = noise.text();
+  figures->following = upward(following_).text();
+  if (of_the_path) {
+    const std::optional<Number> from = go_from();
+    if (from) figures->go_from = from->text();
+    explain(said.verdict, noise, from);
+  }
+  if (decision(kind) != Decision::go) figures->drawn = drawn_samples(said.verdict);
+  said.verdict.sampled = std::move(figures);
+  return said;
+}
+
+// A machine that goes twice as far and one whose log says diameters cannot be told apart by one
+// file: it stays NO-GO, and the sentence says what to look at.
+bool CapturedSamples::Judging::go_with_half_x() {
+  if (!seen_.has(reference::Axis::x)) return false;
+  sampled_.x_scale = Number(1) / Number(2);
+  const bool is_go = decision(judge_here().verdict.kind) == Decision::go;
+  sampled_.x_scale = 1;
+  return is_go;
+}
+
+void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
+                                       const std::optional<Number>& go_from) {
+  if (!go_from) {
+    if (go_with_half_x()) {
+      verdict.message +=
+          " With half of X it is GO: is the column a diameter? Then say so with --columns, as "
+          "x=NAME:diameter.";
+    }
+    return;
+  }
+  const std::string least = fmt::format("GO from {} mm up.", go_from->text());
+  constexpr int kPeak = 3;  // times the noise: what scatters like it comes as far as that
+  const bool too_fine = terms_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
+  if (!too_fine) {
+    verdict.message += " " + least;
+    return;
+  }
+  Verdict open = gap(
+      fmt::format("The samples scatter by {} mm, more than the tolerance of {} mm, which they "
+                  "therefore cannot be held to. {} Say which tolerance counts with --tolerance.",
+                  noise.text(), terms_.tolerance.text(), least));
+  open.want = verdict.want;
+  open.got = verdict.got;
+  open.block = verdict.block;
+  open.record = verdict.record;
+  open.clause = verdict.clause;
+  open.witness = verdict.witness;
+  open.deviation_exact = verdict.deviation_exact;
+  open.deviation_mm = verdict.deviation_mm;
+  verdict = std::move(open);
+}
+
+// Those of the program's own lines that a drawing needs, and the one that the verdict speaks of.
+std::vector<std::string> CapturedSamples::Judging::drawn_samples(const Verdict& verdict) const {
+  SampleReader reader(samples_.path_, sampled_.columns);
+  SampleThinner thinner(seen_, sampled_.header_lines, verdict.record);
+  Sample sample;
+  while (reader.next(sample)) thinner.add(sample);
+  return thinner.finish();
+}
+
+SampledVerdict CapturedSamples::Judging::judge_here() {
   constexpr double kTwice = 2;
   const auto sure = run(true, 1);
+  worst_ = sure->worst();
   if (!sure->departure()) return complete(*sure);
   const auto doubtful = run(false, 1);
   if (!doubtful->departure()) {
@@ -157,12 +290,16 @@ SampledVerdict CapturedSamples::judge(const reference::Profile& profile, const P
 }
 
 RunEnd check_samples(const std::string& path, SampledTerms& sampled) {
-  SampleReader reader(path);
+  SampleReader reader(path, sampled.columns);
   Sample sample;
-  std::size_t count = 0;
-  while (reader.next(sample)) ++count;
-  if (count == 0) throw SampleFault(fmt::format("{}: There is no sample.", path));
+  NoiseWatch noise;
+  sampled.samples = 0;
+  for (; reader.next(sample); ++sampled.samples) {
+    noise.add(SamplePoint(sample), quick(sample.time), 0);
+  }
+  if (sampled.samples == 0) throw SampleFault(fmt::format("{}: There is no sample.", path));
   sampled.time_decimals = reader.time_decimals();
+  sampled.noise = noise.figures().noise;
   RunEnd end;
   if (reader.alarm()) {
     end.kind = RunEnd::Kind::alarm;

@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "oracle/capture/expected_paths.hpp"
 #include "oracle/capture/export_header.hpp"
 #include "oracle/records/output_file.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -31,6 +33,9 @@ constexpr auto kReasons = std::to_array<std::pair<std::string_view, std::string_
     {"header-changes-meaning",
      "No header was found that leads to the initial position and leaves the program's meaning as "
      "it is."},
+    {"start-on-spindle-axis",
+     "The program starts at X0 or beyond it, and the header would traverse to the spindle's axis. "
+     "Set a work offset that puts X0 at a safe radius, and say which with --x-zero-at."},
     {"undecided", "Whether the path lies inside the envelope could not be decided."},
     {"too-many-readings", "The program leaves too many readings open to bound its path."},
 });
@@ -73,19 +78,24 @@ struct Exporter::Impl {
   std::uint64_t header_lines = 0;  // of the certifier's text
   std::size_t cases = 0;
   std::size_t alarms = 0;
+  std::string expected;  // a line a program
   Json programs = Json::array();
   std::map<std::string, std::size_t> set_ups;                // dialect and keys -> cases
   std::map<std::string, std::vector<std::string>> left_out;  // reason -> ids
 
   // Why the case is not exported; empty: it is.
-  std::string_view obstacle(const Extents& extents) const;
+  std::string_view obstacle(const Case& test, const Extents& extents) const;
   void write(const Case& test, const Extents& extents, const ExportHeader& header,
              const Json& set_up);
   Json manifest() const;
 };
 
-std::string_view Exporter::Impl::obstacle(const Extents& extents) const {
+std::string_view Exporter::Impl::obstacle(const Case& test, const Extents& extents) const {
   if (extents.not_covered) return "not-covered";
+  if (reference::find_dialect(test.dialect)->lathe &&
+      test.profile.initial.at[Axis::x] + options.x_zero_at.value_or(Number(0)) <= 0) {
+    return "start-on-spindle-axis";
+  }
   if (options.envelope) {
     for (Axis axis : reference::kLinearAxes) {
       const auto& [low, high] = (*options.envelope)[reference::index(axis)];
@@ -122,6 +132,12 @@ void Exporter::Impl::write(const Case& test, const Extents& extents, const Expor
   entry["feed_per_revolution"] = extents.per_revolution;
   entry["thread"] = extents.threads;
   entry["alarms"] = extents.alarms;
+  if (options.expected) {
+    Json line = {{"id", test.id}, {"file", file}, {"header_lines", entry["header_lines"]}};
+    expected += line.dump();
+    expected.back() = ',';
+    expected += fmt::format("\"expected\":{}}}\n", expected_paths(test.profile, test.program));
+  }
   programs.push_back(std::move(entry));
   if (extents.alarms) ++alarms;
   ++set_ups[fmt::format("{} {}", test.dialect, set_up.dump())];
@@ -140,6 +156,7 @@ Json Exporter::Impl::manifest() const {
     }
   }
   if (options.feed_max) json["feed_max"] = options.feed_max->text();
+  if (options.x_zero_at) json["x_zero_at"] = options.x_zero_at->text();
   json["header_file_lines"] = header_lines;
   json["warning"] =
       "Programs with \"alarms\": true break a rule on purpose. A controller that does not alarm "
@@ -191,7 +208,7 @@ void Exporter::add(const Case& test) {
   try {
     const std::optional<Extents> extents = extents_of(test.profile, test.program);
     if (!extents) return leave_out("too-many-readings");
-    const std::string_view obstacle = impl_->obstacle(*extents);
+    const std::string_view obstacle = impl_->obstacle(test, *extents);
     if (!obstacle.empty()) return leave_out(obstacle);
     const auto header = export_header(test.profile, test.program, extents->moved);
     if (!header) return leave_out("header-changes-meaning");
@@ -203,6 +220,10 @@ void Exporter::add(const Case& test) {
 
 std::string Exporter::finish() {
   write_file(impl_->folder / "manifest.json", impl_->manifest().dump(1) + "\n");
+  if (impl_->options.expected) {
+    write_file(impl_->folder / "expected.jsonl", impl_->expected);
+    write_file(impl_->folder / "compare.py", std::string(kComparer));
+  }
   std::string text = fmt::format("{} of {} cases exported to {}\n", impl_->programs.size(),
                                  impl_->cases, impl_->folder.string());
   for (const auto& [reason, sentence] : kReasons) {

@@ -239,6 +239,25 @@ Number PathPiece::line_deviation(const Position& point) const {
   return *least;
 }
 
+double PathPiece::off(const SamplePoint& sample) const {
+  double most = 0;
+  if (kind_ == PieceKind::round) return round_->off(sample);
+  const double whole = quick(travel_[longest_]);
+  double part = 0;
+  if (kind_ == PieceKind::line && whole != 0) {
+    part = std::clamp((sample.near[longest_] - quick(motion_.from.at[longest_])) / whole, 0.0, 1.0);
+  }
+  for (std::size_t i = 0; i < kAxes; ++i) {
+    const double from = quick(motion_.from.at[i]);
+    if (kind_ == PieceKind::traverse) {
+      most = std::max({most, low_[i] - sample.near[i], sample.near[i] - high_[i]});
+    } else {
+      most = std::max(most, std::abs(sample.near[i] - from - part * quick(travel_[i])));
+    }
+  }
+  return most;
+}
+
 Number PathPiece::deviation(const Position& point) const {
   if (kind_ == PieceKind::round) return round_->deviation(point);
   if (kind_ == PieceKind::line) return line_deviation(point);

@@ -170,6 +170,14 @@ void RoundTube::spans(const SamplePoint& sample, const Tube& tube, std::vector<S
   if (agree(sample.exact, motion_.to(), tube.tolerance)) out.push_back({whole_, whole_});
 }
 
+double RoundTube::off(const SamplePoint& sample) const {
+  if (curve_.arc() == nullptr) return 0;
+  const reference::PlaneAxes axes = reference::axes_of(curve_.arc()->record.plane);
+  return std::abs(std::hypot(sample.near[reference::index(axes.p)] - centre_[0],
+                             sample.near[reference::index(axes.q)] - centre_[1]) -
+                  radius_);
+}
+
 Number RoundTube::deviation(const Position& point) const {
   const Number to_end =
       min(largest_difference(point, motion_.from), largest_difference(point, motion_.to()));

@@ -26,6 +26,8 @@ class RoundTube {
   };
   // In ascending order, several where the motion makes several turns.
   void spans(const SamplePoint& sample, const Tube& tube, std::vector<Span>& out) const;
+  // How far the sample lies from the circle, about; mm. Nothing is known of circles in space: 0.
+  double off(const SamplePoint& sample) const;
   double whole() const { return whole_; }    // turns
   double length() const { return length_; }  // mm
   // How far the point lies from the curve: of the radius, or of the nearer end where the sweep does

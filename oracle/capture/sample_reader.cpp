@@ -28,15 +28,35 @@ bool is_plain_decimal(std::string_view text) {
 
 }  // namespace
 
-SampleReader::SampleReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+SampleReader::SampleReader(const std::string& path, const SampleColumns& columns)
+    : path_(path), file_(path, std::ios::binary) {
+  constexpr int kPreamble = 1'000;  // lines that a log may put before the names
   if (!file_) throw SampleFault(fmt::format("{}: The file cannot be opened.", path));
-  if (!next_line()) {
+  for (int line = 0; line < kPreamble && next_line(); ++line) {
+    find_separator();
+    split();
+    if (!is_header(columns)) continue;
+    read_header(columns);
+    return;
+  }
+  if (columns.named.empty()) {
     throw SampleFault(
         fmt::format("{}: The file is empty. Its first line must name the columns, "
                     "as t,x,z.",
                     path));
   }
-  read_header();
+  throw SampleFault(
+      fmt::format("{}: No line has the column of the time that --columns names.", path));
+}
+
+void SampleReader::find_separator() {
+  const bool semicolon = text_.find(';') != std::string::npos;
+  separator_ = semicolon ? ';' : text_.find('\t') != std::string::npos ? '\t' : ',';
+}
+
+bool SampleReader::is_header(const SampleColumns& columns) const {
+  const auto time = std::ranges::find(columns.named, SampleField::time, &SampleColumn::field);
+  return time == columns.named.end() || std::ranges::find(cells_, time->name) != cells_.end();
 }
 
 void SampleReader::fail(std::size_t column, const std::string& sentence) const {
@@ -59,60 +79,78 @@ void SampleReader::split() {
   cells_.clear();
   std::string_view rest = text_;
   while (true) {
-    const std::size_t comma = rest.find(',');
+    const std::size_t comma = rest.find(separator_);
     cells_.push_back(trimmed(rest.substr(0, comma)));
     if (comma == std::string_view::npos) return;
     rest.remove_prefix(comma + 1);
   }
 }
 
-void SampleReader::read_header() {
-  constexpr auto kNames =
-      std::to_array<std::pair<std::string_view, Field>>({{"t", Field::time},
-                                                         {"time", Field::time},
-                                                         {"x", Field::x},
-                                                         {"y", Field::y},
-                                                         {"z", Field::z},
-                                                         {"a", Field::a},
-                                                         {"c", Field::c},
-                                                         {"f", Field::feed},
-                                                         {"block", Field::block},
-                                                         {"line", Field::block},
-                                                         {"alarm", Field::alarm}});
+SampleColumn SampleReader::column_of(const std::string& cell, std::size_t place) const {
+  std::string name = cell.substr(0, cell.find('['));
+  while (!name.empty() && name.back() == ' ') name.pop_back();
+  for (char& each : name) {
+    if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
+  }
+  const auto field = sample_field(name);
+  SampleColumn column;
+  column.name = cell;
+  if (field) column.field = *field;
+  const std::string_view unit = unit_in_brackets(cell);
+  if (!field || (!unit.empty() && !set_unit(column, unit))) {
+    fail(place, fmt::format("\"{}\" names no column. Write t or time, x, y, z, a, c, f, block or "
+                            "line, motion, alarm, or say with --columns what it is.",
+                            cell));
+  }
+  return column;
+}
+
+void SampleReader::read_header(const SampleColumns& columns) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    std::string name = cells_[i];
-    for (char& each : name) {
-      if (each >= 'A' && each <= 'Z') each = static_cast<char>(each - 'A' + 'a');
+    SampleColumn column;
+    if (columns.named.empty()) {
+      column = column_of(cells_[i], i);
+    } else {
+      const auto named = std::ranges::find(columns.named, cells_[i], &SampleColumn::name);
+      if (named != columns.named.end()) column = *named;
     }
-    const auto* found = std::ranges::find(kNames, name, &std::pair<std::string_view, Field>::first);
-    if (found == kNames.end()) {
-      fail(i, fmt::format("\"{}\" names no column. Write t or time, x, y, z, a, c, f, block or "
-                          "line, alarm.",
-                          cells_[i]));
-    }
-    if (std::ranges::find(columns_, found->second) != columns_.end()) {
+    const SampleField field = column.field;
+    if (field != SampleField::other &&
+        std::ranges::find(columns_, field, &SampleColumn::field) != columns_.end()) {
       fail(i, fmt::format("The column \"{}\" stands twice.", cells_[i]));
     }
-    columns_.push_back(found->second);
-    for (reference::Axis axis : reference::kAllAxes) {
-      if (name.size() == 1 && name.front() == letter(axis)) axes_.add(axis);
+    columns_.push_back(std::move(column));
+    if (field >= SampleField::x && field <= SampleField::c) {
+      axes_.add(static_cast<reference::Axis>(static_cast<int>(field) - 1));
     }
   }
-  if (std::ranges::find(columns_, Field::time) == columns_.end()) {
+  for (const SampleColumn& column : columns.named) {
+    if (std::ranges::find(cells_, column.name) == cells_.end()) {
+      fail(0, fmt::format("There is no column \"{}\", which --columns names.", column.name));
+    }
+  }
+  if (std::ranges::find(columns_, SampleField::time, &SampleColumn::field) == columns_.end()) {
     fail(0, "There is no column of the time. Name one t or time, in seconds.");
   }
   if (axes_.empty()) fail(0, "There is no column of an axis. Name at least one of x, y, z, a, c.");
 }
 
-Number SampleReader::number_at(std::size_t column) const {
-  const std::string& text = cells_[column];
+std::string SampleReader::decimal_at(std::size_t column) const {
+  std::string text = cells_[column];
+  if (separator_ != ',') std::ranges::replace(text, ',', '.');
   if (!is_plain_decimal(text)) {
-    fail(column, fmt::format("\"{}\" is no decimal number.", text));
+    fail(column, fmt::format("\"{}\" is no decimal number.", cells_[column]));
   }
+  return text;
+}
+
+Number SampleReader::number_at(std::size_t column) const {
+  const std::string text = decimal_at(column);
   const std::size_t sign = text.front() == '+' ? 1 : 0;
   auto value = Number::parse(std::string_view(text).substr(sign));
   if (!value) fail(column, fmt::format("\"{}\" is no decimal number.", text));
-  return *value;
+  const SampleColumn& named = columns_[column];
+  return named.scale == Number(1) ? *value : *value * named.scale;
 }
 
 std::uint64_t SampleReader::line_number_at(std::size_t column) const {
@@ -149,12 +187,13 @@ void SampleReader::read_row(Sample& sample) {
   }
   sample.block = 0;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    switch (columns_[i]) {
-      case Field::time: {
+    switch (columns_[i].field) {
+      case SampleField::time: {
         sample.time = number_at(i);
-        const std::size_t point = cells_[i].find('.');
-        const std::size_t decimals = point == std::string::npos ? 0 : cells_[i].size() - point - 1;
-        time_decimals_ = std::max(time_decimals_, static_cast<int>(decimals));
+        const std::string text = decimal_at(i);
+        const std::size_t point = text.find('.');
+        const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
+        time_decimals_ = std::max(time_decimals_, static_cast<int>(decimals) + columns_[i].decimals);
         if (last_time_ && sample.time <= *last_time_) {
           fail(i, fmt::format("The time {} does not grow: the sample before has {}.", cells_[i],
                               last_time_->text()));
@@ -162,17 +201,20 @@ void SampleReader::read_row(Sample& sample) {
         last_time_ = sample.time;
         break;
       }
-      case Field::feed:
+      case SampleField::feed:
         if (!cells_[i].empty()) number_at(i);
         break;
-      case Field::block:
+      case SampleField::motion:
+      case SampleField::other:
+        break;
+      case SampleField::block:
         sample.block = line_number_at(i);
         break;
-      case Field::alarm:
+      case SampleField::alarm:
         if (!cells_[i].empty()) set_alarm(cells_[i], i);
         break;
       default: {
-        const auto axis = static_cast<reference::Axis>(static_cast<int>(columns_[i]) - 1);
+        const auto axis = static_cast<reference::Axis>(static_cast<int>(columns_[i].field) - 1);
         sample.at[axis] = number_at(i);
         break;
       }

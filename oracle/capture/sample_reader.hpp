@@ -8,8 +8,10 @@
 //   0.004,49.9,5,,1       block or line (source line of the program that was run), alarm.
 //   alarm,PS0061,3        what ends a program that alarms: class or the machine's own name, line
 //
-// Every number is an exact decimal and never passes through binary floating point. Lines that are
-// empty are passed over; the comma alone separates; CR LF and a byte order mark are taken.
+// Other names and units: sample_columns.hpp. Every number is an exact decimal and never passes
+// through binary floating point. Lines that are empty are passed over; CR LF and a byte order mark
+// are taken. The first line tells what separates: a semicolon where it has one, else a tab, else
+// the comma; where the comma does not separate, it may stand for the point of a decimal.
 #pragma once
 
 #include <array>
@@ -20,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/capture/sample_columns.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::oracle {
@@ -40,8 +43,9 @@ class SampleFault : public std::runtime_error {
 
 class SampleReader {
  public:
-  // Reads the header line. Throws SampleFault.
-  explicit SampleReader(const std::string& path);
+  // Reads the header line: where columns are named, the first one that has that of the time.
+  // Throws SampleFault.
+  explicit SampleReader(const std::string& path, const SampleColumns& columns = {});
   // The next sample; false after the last one. Throws SampleFault.
   bool next(Sample& sample);
   // After the last sample: the alarm that closed the file.
@@ -52,13 +56,16 @@ class SampleReader {
   int time_decimals() const { return time_decimals_; }
 
  private:
-  enum class Field : std::uint8_t { time, x, y, z, a, c, feed, block, alarm };
   bool next_line();
   void split();
-  void read_header();
+  void find_separator();
+  bool is_header(const SampleColumns& columns) const;
+  void read_header(const SampleColumns& columns);
+  SampleColumn column_of(const std::string& cell, std::size_t place) const;
   void read_row(Sample& sample);
   void read_alarm_row();
   void set_alarm(const std::string& name, std::size_t column);
+  std::string decimal_at(std::size_t column) const;
   Number number_at(std::size_t column) const;
   std::uint64_t line_number_at(std::size_t column) const;
   [[noreturn]] void fail(std::size_t column, const std::string& sentence) const;
@@ -67,7 +74,8 @@ class SampleReader {
   std::ifstream file_;
   std::string text_;
   std::vector<std::string> cells_;
-  std::vector<Field> columns_;
+  std::vector<SampleColumn> columns_;
+  char separator_ = ',';
   reference::AxisSet axes_;
   std::uint64_t line_ = 0;
   std::size_t samples_ = 0;

@@ -53,7 +53,7 @@ std::optional<std::size_t> SampledRun::fits(const SamplePoint& point, std::size_
   for (std::size_t i = first; i < first + count; ++i) {
     const PathPiece* piece = path_.piece(i);
     if (piece == nullptr) break;
-    const bool counts = is_cut(*piece) || states_.contains(i);
+    const bool counts = is_cut(*piece) || stands_on(i);
     if (counts && !stretches(i, point).empty()) return i;
   }
   return std::nullopt;
@@ -77,8 +77,8 @@ Verdict SampledRun::departure_at_start(const Sample& sample) const {
 }
 
 Verdict SampledRun::departure_of(const Sample& sample, const SamplePoint& point) {
-  const std::size_t first = states_.begin()->first;
-  const PathPiece& piece = *path_.piece(states_.rbegin()->first);
+  const std::size_t first = states_.begin()->first.piece;
+  const PathPiece& piece = *path_.piece(states_.rbegin()->first.piece);
   if (piece.kind() == PieceKind::stand) {
     left_end_ = true;
     last_at_ = sample.at;
@@ -101,9 +101,9 @@ Verdict SampledRun::departure_of(const Sample& sample, const SamplePoint& point)
 }
 
 Verdict SampledRun::departure_towards(std::size_t later, const Sample& sample) {
-  const std::size_t frontier = states_.rbegin()->first;
+  const std::size_t frontier = states_.rbegin()->first.piece;
   const PathPiece& piece = *path_.piece(frontier);
-  if (states_.contains(later)) {
+  if (stands_on(later)) {
     Verdict verdict = verdict_at(VerdictKind::fail_geometry, *path_.piece(later),
                                  "The machine goes back along the motion.");
     measure(verdict, largest_difference(sample.at, last_at_));
@@ -123,10 +123,10 @@ Verdict SampledRun::departure_towards(std::size_t later, const Sample& sample) {
 }
 
 Verdict SampledRun::departure_from_path(const Sample& sample) {
-  const std::size_t frontier = states_.rbegin()->first;
+  const std::size_t frontier = states_.rbegin()->first.piece;
   const PathPiece* nearest = path_.piece(frontier);
   std::optional<Number> least;
-  for (std::size_t i = states_.begin()->first; i <= frontier + 1; ++i) {
+  for (std::size_t i = states_.begin()->first.piece; i <= frontier + 1; ++i) {
     const PathPiece* each = path_.piece(i);
     if (each == nullptr) break;
     if (each->kind() == PieceKind::open) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "oracle/judge/step_text.hpp"
 
@@ -16,6 +17,7 @@ using reference::kAllAxes;
 
 constexpr double kTimeNoise = 1e-9;  // s; of sums of doubles
 constexpr std::size_t kNamedUnseen = 10;
+constexpr double kCorner = 20;  // times the allowance for blending: how far a corner reaches
 
 double half_unit(int decimals) {
   return 0.5 * std::pow(10.0, -decimals);
@@ -46,6 +48,8 @@ SampledRun::SampledRun(const reference::Profile& profile, const ProgramText& pro
       patience_(patience),
       granted_(approximate(sampled.feed_tolerance)),
       clock_(half_unit(sampled.time_decimals)),
+      wide_{terms.tolerance + sampled.blend, approximate(terms.tolerance + sampled.blend), strict},
+      corner_(kCorner * approximate(sampled.blend)),
       last_at_(start_) {}
 
 const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoint& point) {
@@ -54,9 +58,18 @@ const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoi
   return found->second;
 }
 
+const std::vector<Stretch>& SampledRun::wide_stretches(std::size_t i, const SamplePoint& point) {
+  const auto [found, fresh] = wide_cache_.try_emplace(i);
+  const PathPiece& piece = *path_.piece(i);
+  if (fresh && sampled_.blend.sign() > 0 && is_motion_piece(piece)) {
+    piece.stretches(point, wide_, found->second);
+  }
+  return found->second;
+}
+
 // The state that admits more holds: it began earlier, and lies no farther along.
-void SampledRun::merge(States& states, std::size_t i, State state) {
-  const auto [found, fresh] = states.try_emplace(i, state);
+void SampledRun::merge(States& states, Spot spot, State state) {
+  const auto [found, fresh] = states.try_emplace(spot, state);
   if (fresh) return;
   State& known = found->second;
   bool earlier = true;
@@ -74,8 +87,9 @@ void SampledRun::merge(States& states, std::size_t i, State state) {
 
 // From a place on one piece, seen by the sample before, to one on a later piece: the piece that is
 // left and those between count as seen where samples show them, or both their ends.
-void SampledRun::enter(std::size_t from, const State& before, std::size_t i, const Stretch& place,
+void SampledRun::enter(std::size_t from, const State& before, Spot spot, const Stretch& place,
                        States& next) {
+  const std::size_t i = spot.piece;
   const PathPiece& left = *path_.piece(from);
   const PathPiece& piece = *path_.piece(i);
   State state{place, last_time_, false, {}, before.unseen};
@@ -91,7 +105,7 @@ void SampledRun::enter(std::size_t from, const State& before, std::size_t i, con
     if (is_motion_piece(*path_.piece(between)) && !joins_two) state.unseen.insert(between);
   }
   state.visit.start = i == from + 1 && from_end;
-  merge(next, i, std::move(state));
+  merge(next, spot, std::move(state));
 }
 
 // The longest that the machine may have stood at a dwell.
@@ -108,9 +122,16 @@ double SampledRun::least_time_to(const PathPiece& piece, const Stretch& place) c
   return is_motion_piece(piece) ? piece.before(place) / (piece.speed() * haste()) : 0;
 }
 
+// Off the motion to which a corner led it has to come back first, unless it is a short one.
+bool SampledRun::may_pass(Spot spot) const {
+  return spot.phase != Phase::arriving || path_.kept(spot.piece).length() <= corner_;
+}
+
 // On to later pieces as far as their feeds allow in the time since the last sample.
-void SampledRun::go_on(std::size_t from, State& state, const SamplePoint& point, double time,
+void SampledRun::go_on(Spot spot, State& state, const SamplePoint& point, double time,
                        States& next) {
+  if (!may_pass(spot)) return;
+  const std::size_t from = spot.piece;
   const PathPiece& here = *path_.piece(from);
   if (here.kind() == PieceKind::stand || here.kind() == PieceKind::open) return;
   const double noise = tube_.strict ? -kTimeNoise : kTimeNoise;
@@ -130,25 +151,89 @@ void SampledRun::go_on(std::size_t from, State& state, const SamplePoint& point,
     if (piece == nullptr) return;
     for (const Stretch& stretch : stretches(i, point)) {
       if (spent + least_time_to(*piece, stretch) > budget) continue;
-      enter(from, state, i, stretch, next);
+      enter(from, state, {i}, stretch, next);
       break;
+    }
+    if (i == from + 1 && is_motion_piece(here) && stretches(i, point).empty()) {
+      for (const Stretch& stretch : wide_stretches(i, point)) {
+        const bool in_time = spent + least_time_to(*piece, stretch) <= budget;
+        if (!in_time || !near_corner({i, Phase::arriving}, stretch)) continue;
+        enter(from, state, {i, Phase::arriving}, stretch, next);
+        break;
+      }
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) return;
     spent += least_time(*piece);
   }
 }
 
-void SampledRun::step(const SamplePoint& point, double time, States& next) {
-  for (auto& [i, state] : states_) {
-    for (const Stretch& stretch : stretches(i, point)) {
-      State stays = state;
-      stays.place = stretch;
-      if (!stays.place.go_on_from(state.place.low)) continue;
-      merge(next, i, std::move(stays));
-      break;
-    }
-    go_on(i, state, point, time, next);
+// Farther along the same piece; false when no place of it lies there.
+bool SampledRun::stay(Spot spot, const State& state, const std::vector<Stretch>& places,
+                      States& next) {
+  for (const Stretch& stretch : places) {
+    State stays = state;
+    stays.place = stretch;
+    if (!stays.place.go_on_from(state.place.low) || !near_corner(spot, stays.place)) continue;
+    merge(next, spot, std::move(stays));
+    return true;
   }
+  return false;
+}
+
+// Off the path it may be near the corner that it cuts alone.
+bool SampledRun::near_corner(Spot spot, const Stretch& place) const {
+  if (spot.phase == Phase::followed) return true;
+  const PathPiece& piece = path_.kept(spot.piece);
+  const double way = spot.phase == Phase::leaving ? piece.after(place) : piece.before(place);
+  return way <= corner_;
+}
+
+void SampledRun::step(const SamplePoint& point, double time, States& next) {
+  for (auto& [spot, state] : states_) {
+    const std::size_t i = spot.piece;
+    if (!stay({i}, state, stretches(i, point), next)) {
+      const Phase away = spot.phase == Phase::arriving ? Phase::arriving : Phase::leaving;
+      stay({i, away}, state, wide_stretches(i, point), next);
+    }
+    go_on(spot, state, point, time, next);
+  }
+}
+
+bool SampledRun::stands_on(std::size_t i) const {
+  return std::ranges::any_of(states_, [&](const auto& state) { return state.first.piece == i; });
+}
+
+// The least tube that the sample lies in, found where it lies outside the worst so far.
+void SampledRun::note_worst(const Sample& sample, const SamplePoint& point) {
+  constexpr int kMostSteps = 20;
+  std::vector<Stretch> found;
+  std::optional<WorstSample> least;
+  off_ = std::numeric_limits<double>::infinity();
+  for (const auto& [spot, state] : states_) {
+    const PathPiece& piece = *path_.piece(spot.piece);
+    if (piece.kind() == PieceKind::open) return;
+    off_ = std::min(off_, piece.off(point));
+    const auto lies_within = [&](const Number& tolerance) {
+      found.clear();
+      piece.stretches(point, Tube{tolerance, approximate(tolerance), true}, found);
+      return !found.empty();
+    };
+    if (lies_within(worst_.deviation)) return;
+    Number low = 0;
+    Number high = Number::millionths(100);
+    for (int i = 0; i < kMostSteps && !lies_within(high); ++i) {
+      low = high;
+      high = high * 2;
+    }
+    while (high - low > Number::millionths(100)) {
+      const Number half = low + Number::millionths(100) * ((high - low) / Number::millionths(200)).floor();
+      (lies_within(half) ? high : low) = half;
+    }
+    if (!least || high < least->deviation) least = {high, {}, piece.block()};
+  }
+  if (!least || least->deviation <= worst_.deviation) return;
+  worst_ = *std::move(least);
+  worst_.sample = sample_text(sample, seen_);
 }
 
 // The first sample stands at the start; or where the machine comes from there since the last line
@@ -162,7 +247,7 @@ bool SampledRun::begin(const SamplePoint& point, double time) {
     if (piece == nullptr) break;
     for (const Stretch& stretch : stretches(i, point)) {
       if (spent + least_time_to(*piece, stretch) > budget) continue;
-      merge(states_, i, {stretch, time, true, {}, passed});
+      merge(states_, {i}, {stretch, time, true, {}, passed});
       break;
     }
     if (piece->kind() == PieceKind::stand || piece->kind() == PieceKind::open) break;
@@ -178,11 +263,13 @@ bool SampledRun::take(const Sample& given) {
   for (Axis axis : kAllAxes) {
     if (!seen_.has(axis)) sample.at[axis] = start_[axis];
   }
+  if (sampled_.x_scale != Number(1)) sample.at[Axis::x] = sample.at[Axis::x] * sampled_.x_scale;
   const double time = quick(sample.time);
   if (!first_) first_ = sample;
   const bool in_header = sample.block != 0 && sample.block <= sampled_.header_lines;
   const SamplePoint point(sample);
   cache_.clear();
+  wide_cache_.clear();
   if (!begun_) {
     const bool approach =
         sampled_.header_lines > 0 && !header_seen_ && !agree(sample.at, start_, tube_.tolerance);
@@ -208,17 +295,18 @@ bool SampledRun::take(const Sample& given) {
   last_at_ = sample.at;
   moved_ = moved_ || !agree(sample.at, start_, tube_.tolerance);
   last_number_ = sample.number;
+  note_worst(sample, point);
   note_visits(states_);
   watch_feeds(states_, time);
-  close_pieces(states_.begin()->first);
-  const PathPiece& least = *path_.piece(states_.begin()->first);
+  close_pieces(states_.begin()->first.piece);
+  const PathPiece& least = *path_.piece(states_.begin()->first.piece);
   if (least.kind() == PieceKind::open) open_ = least.why();
   return open_.empty();
 }
 
 void SampledRun::note_visits(States& states) {
-  for (auto& [i, state] : states) {
-    const PathPiece& piece = *path_.piece(i);
+  for (auto& [spot, state] : states) {
+    const PathPiece& piece = *path_.piece(spot.piece);
     if (!is_motion_piece(piece)) continue;
     Visit& visit = state.visit;
     const bool start = piece.before(state.place) <= 0;
@@ -232,7 +320,7 @@ void SampledRun::note_visits(States& states) {
 // Pieces that every way passes unseen are; those that only some do wait for what becomes of them.
 void SampledRun::note_unseen(std::size_t before) {
   std::set<std::size_t> some;
-  for (auto& [i, state] : states_) some.insert(state.unseen.begin(), state.unseen.end());
+  for (auto& [spot, state] : states_) some.insert(state.unseen.begin(), state.unseen.end());
   std::erase_if(named_, [&](const auto& name) { return !some.contains(name.first); });
   for (const std::size_t i : some) {
     if (i >= before) break;
@@ -251,7 +339,8 @@ void SampledRun::note_unseen(std::size_t before) {
 
 void SampledRun::watch_feeds(const States& states, double time) {
   if (states.size() != 1) return;
-  const auto& [i, state] = *states.begin();
+  const auto& [spot, state] = *states.begin();
+  const std::size_t i = spot.piece;
   const PathPiece& piece = *path_.piece(i);
   if (!is_motion_piece(piece) || !piece.has_feed()) return;
   FeedWatch& watch = watches_.try_emplace(i, piece.speed(), granted_, clock_).first->second;
@@ -293,7 +382,7 @@ void SampledRun::finish() {
     departure_ = std::move(verdict);
     return;
   }
-  const std::size_t farthest = states_.rbegin()->first;
+  const std::size_t farthest = states_.rbegin()->first.piece;
   State& state = states_.rbegin()->second;
   const PathPiece& piece = *path_.piece(farthest);
   at_end_ = piece.kind() == PieceKind::stand;

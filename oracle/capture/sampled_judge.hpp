@@ -9,6 +9,10 @@
 // Order. There are points of the path, one within the tube of each sample, that never go back. (A
 //   machine that stands still with noise within the tolerance does not go back.) A traverse is
 //   monotone like that on each axis.
+// Blending. Where the certifier grants an allowance (--blend), a machine may cut corners: samples
+//   that are farther from the path than the tolerance, but not by more than the allowance as well,
+//   are GO within twenty times the allowance, along the path, of the corner of two motions. A motion
+//   no longer than that may be rounded over as a whole.
 // Completeness. From one sample to the next the path goes on by no more than the programmed feeds
 //   allow in the time between them, the granted part of the feed and the resolution of the clock
 //   included; traverses, threads and feeds per revolution by no more than `fastest`. So each corner
@@ -43,6 +47,18 @@ struct SampledTerms {
   Number fastest = 1000;                           // mm/s, of what has no feed of its own
   std::uint64_t header_lines = 0;                  // of the program that was run, before the case's
   int time_decimals = 0;                           // of the file
+  Number blend = 0;                                // mm, granted; 0: corners are not cut
+  SampleColumns columns;                           // of the file
+  Number x_scale = 1;                              // tried: X as a diameter
+  std::size_t samples = 0;                         // of the file
+  double noise = 0;                                // ... mm, estimated (noise_watch.hpp)
+};
+
+// How far the samples were from the path at most, rounded up.
+struct WorstSample {
+  Number deviation = 0;  // mm, in steps of 1e-4
+  std::string sample;    // empty: none was off the path at all
+  std::uint64_t block = 0;
 };
 
 // The samples of one program against the reference under one assignment of readings.
@@ -66,6 +82,9 @@ class SampledRun {
   const Position& last() const { return last_at_; }
   std::size_t progress() const { return progress_; }  // pieces that are done for certain
   std::string summary() const;                        // what was checked and what not
+  const WorstSample& worst() const { return worst_; }
+  // How far the last sample is from the path where the machine may be, about; mm.
+  double off() const { return off_; }
   bool unseen() const { return !unseen_.empty(); }
 
  private:
@@ -85,15 +104,30 @@ class SampledRun {
     // Pieces that one of these ways passes without a sample that shows them.
     std::set<std::size_t> unseen = {};
   };
-  using States = std::map<std::size_t, State>;
+  // Where it is: on the path, or cutting a corner: off the motion that it leaves, or off the next
+  // one, to which it comes.
+  enum class Phase : std::uint8_t { followed, leaving, arriving };
+  struct Spot {
+    std::size_t piece = 0;
+    Phase phase = Phase::followed;
+    auto operator<=>(const Spot&) const = default;
+  };
+  using States = std::map<Spot, State>;
 
   bool begin(const SamplePoint& point, double time);
   void step(const SamplePoint& point, double time, States& next);
-  void go_on(std::size_t from, State& state, const SamplePoint& point, double time, States& next);
+  bool stay(Spot spot, const State& state, const std::vector<Stretch>& places, States& next);
+  void go_on(Spot spot, State& state, const SamplePoint& point, double time, States& next);
+  // Whether the way from a spot may lead to a later piece, and cut its corner.
+  bool may_pass(Spot spot) const;
+  bool near_corner(Spot spot, const Stretch& place) const;
   const std::vector<Stretch>& stretches(std::size_t i, const SamplePoint& point);
-  static void merge(States& states, std::size_t i, State state);
-  void enter(std::size_t from, const State& before, std::size_t i, const Stretch& place,
-             States& next);
+  // Within the allowance for blending; empty where corners are not cut.
+  const std::vector<Stretch>& wide_stretches(std::size_t i, const SamplePoint& point);
+  static void merge(States& states, Spot spot, State state);
+  void enter(std::size_t from, const State& before, Spot spot, const Stretch& place, States& next);
+  bool stands_on(std::size_t i) const;
+  void note_worst(const Sample& sample, const SamplePoint& point);
   double stood(const State& state, double time) const;
   // How many times its feed a motion may have at most.
   double haste() const { return (1 + granted_) * patience_; }
@@ -124,7 +158,13 @@ class SampledRun {
   double granted_;
   double clock_;
   States states_;
-  std::map<std::size_t, std::vector<Stretch>> cache_;  // of the present sample
+  // Of the present sample.
+  std::map<std::size_t, std::vector<Stretch>> cache_;
+  std::map<std::size_t, std::vector<Stretch>> wide_cache_;
+  Tube wide_;
+  double corner_;  // mm of path from a corner within which it may be cut
+  WorstSample worst_;
+  double off_ = 0;
   bool moved_ = false;
   std::map<std::size_t, FeedWatch> watches_;
   bool begun_ = false;

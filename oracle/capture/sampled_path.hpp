@@ -24,6 +24,7 @@ class SampledPath {
   // Keeps a few before piece `i`, for the report.
   void drop_before(std::size_t i);
   std::size_t first_kept() const { return first_; }
+  const PathPiece& kept(std::size_t i) const { return *pieces_[i - first_]; }
 
   // The reference's own records up to, not including, piece `i`, to a judge of records.
   static void replay(const reference::Profile& profile, const ProgramText& program,

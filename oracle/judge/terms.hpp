@@ -20,6 +20,7 @@ struct JudgeTerms {
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
   bool strict = false;         // a departure from what no text states is NO-GO, no advice
+  bool measure = true;         // of samples: figures beside the verdict, which take longer
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
 

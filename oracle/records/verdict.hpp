@@ -3,10 +3,12 @@
 // What the judge says of one program and one subject.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "oracle/records/sampled_figures.hpp"
 #include "reference/record.hpp"
 #include "reference/word_name.hpp"
 
@@ -72,6 +74,7 @@ struct Verdict {
   std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
   std::string feature;          // what the subject skips; empty: it refused a profile
   std::string message;          // a sentence for people
+  std::shared_ptr<const SampledFigures> sampled = nullptr;  // of sampled positions
 };
 
 }  // namespace gonogo::oracle

@@ -30,12 +30,24 @@ std::optional<std::size_t> wanted_record(const Path& path, const std::string& wa
   return found;
 }
 
+// Of samples the place counts all of them, and the trace holds those that a drawing needs, with
+// their places.
+std::optional<std::size_t> departing_motion(const Json& line) {
+  const auto record = count_of(line, "record");
+  if (!record || !line.contains("sampled")) return record;
+  const Json trace = line.value("trace", Json::array());
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    if (count_of(trace[i], "x-sample") == record) return i;
+  }
+  return std::nullopt;
+}
+
 // Where the departure is marked: the witness; what it leaves open, and all when there is none,
 // comes from the end of the subject's record, else of the reference's.
 std::optional<Point3> departure(const Json& line, const Path& reference, const Path& subject,
                                 std::optional<std::size_t> wanted) {
   std::optional<Point3> end;
-  if (auto record = count_of(line, "record"); record && *record < subject.motions.size()) {
+  if (auto record = departing_motion(line); record && *record < subject.motions.size()) {
     end = subject.motions[*record].points.back();
   } else if (wanted) {
     end = reference.motions[*wanted].points.back();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "oracle/capture/export_header.hpp"
 #include "oracle/capture/exporter.hpp"
 
@@ -75,6 +77,39 @@ TEST(Envelope, IsThreeRangesOfDecimals) {
        {"", "1..2", "1..2,3..4", "2..1,0..1,0..1", "1..2,3..4,5..6,7..8", "a..2,0..1,0..1"}) {
     EXPECT_FALSE(envelope_of(text)) << text;
   }
+}
+
+// The header of a lathe's program that starts at X0 would traverse to the spindle's axis.
+TEST(Exporter, NoHeaderLeadsToTheSpindlesAxis) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "gonogo-export-lathe";
+  Case turned;
+  turned.id = "a.1";
+  turned.dialect = "hnc21t";
+  turned.profile = plain("hnc21t");
+  turned.program = "G01 X50 F100\n";
+  Case milled = turned;
+  milled.id = "a.2";
+  milled.dialect = "rs274";
+  milled.profile = plain("rs274");
+  const auto exported = [&](const std::optional<Number>& x_zero_at) {
+    fs::remove_all(folder);
+    ExportOptions options;
+    options.x_zero_at = x_zero_at;
+    options.expected = true;
+    Exporter exporter(folder.string(), options, {});
+    exporter.add(turned);
+    exporter.add(milled);
+    return exporter.finish();
+  };
+  const std::string left_out = exported(std::nullopt);
+  EXPECT_NE(left_out.find("1 of 2 cases"), std::string::npos) << left_out;
+  EXPECT_NE(left_out.find("start-on-spindle-axis"), std::string::npos) << left_out;
+  const std::string all = exported(Number(100));
+  EXPECT_NE(all.find("2 of 2 cases"), std::string::npos) << all;
+  EXPECT_TRUE(fs::exists(folder / "compare.py"));
+  EXPECT_GT(fs::file_size(folder / "expected.jsonl"), 0U);
+  fs::remove_all(folder);
 }
 
 }  // namespace

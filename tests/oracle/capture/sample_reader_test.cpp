@@ -42,7 +42,7 @@ TEST(SampleReader, AFaultSaysLineColumnAndWhat) {
   EXPECT_EQ(fault_of("t,x\n0,1\n0.1,1e3\n"), ", line 3, column 2: \"1e3\" is no decimal number.");
   EXPECT_EQ(fault_of("t,x,u\n"),
             ", line 1, column 3: \"u\" names no column. Write t or time, x, y, z, a, c, f, block "
-            "or line, alarm.");
+            "or line, motion, alarm, or say with --columns what it is.");
 }
 
 TEST(SampleReader, RefusesWhatIsNoSample) {

@@ -101,6 +101,8 @@ Verdict judge_samples(const SampledCase& test, const std::string& csv) {
   SampledTerms sampled;
   sampled.header_lines = test.header_lines;
   sampled.feed_tolerance = *Number::parse(test.feed_tolerance);
+  sampled.blend = *Number::parse(test.blend);
+  if (const auto fault = read_columns(test.columns, sampled.columns)) throw SampleFault(*fault);
   RunEnd end = check_samples(file.path(), sampled);
   if (end.alarm.block > test.header_lines) end.alarm.block -= test.header_lines;
   end.sampled = std::make_shared<const CapturedSamples>(file.path(), sampled);

@@ -54,6 +54,8 @@ struct SampledCase {
   std::string tolerance = {};  // granted, mm
   std::uint64_t header_lines = 0;
   std::string feed_tolerance = "1/20";
+  std::string blend = "0";
+  std::string columns = {};
 };
 // What the session says of the samples.
 Verdict judge_samples(const SampledCase& test, const std::string& csv);
