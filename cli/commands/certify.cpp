@@ -10,6 +10,8 @@
 #include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/causes.hpp"
+#include "cli/colour.hpp"
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
@@ -50,6 +52,7 @@ struct CertifyOptions {
   std::string case_id;
   std::string shard = "1/1";
   long jobs = 0;
+  long causes = 3;
   bool fail_fast = false;
   bool resume = false;
   std::string known_failures;
@@ -217,12 +220,10 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   if (campaign.alarm_map && campaign.is_whole()) ending.alarms = campaign.alarm_map->natives();
   summary.answer =
       results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
-        const bool is_finding =
-            decision(kind) == oracle::Decision::no_go ||
-            kind == oracle::VerdictKind::oracle_error ||
-            (kind == oracle::VerdictKind::oracle_gap && !oracle::facts_of(line).expected_gap);
-        if (is_finding && summary.failures.size() <= kShownFailures) {
-          summary.failures.push_back(oracle::result_of_line(line));
+        const oracle::CaseFacts facts = oracle::facts_of(line);
+        const oracle::Finding* finding = summary.findings.add(facts.head, kind);
+        if (finding != nullptr && summary.findings.is_smallest()) {
+          summary.smallest[finding->number] = oracle::result_of_line(line);
         }
       });
   return summary;
@@ -233,6 +234,21 @@ void begin_trace_folder(const std::string& folder, const oracle::SubjectInfo& in
   if (!folder.empty()) oracle::begin_traces(folder, info);
 } catch (const oracle::ResultsUnwritable& error) {
   throw UsageError(fmt::format("--traces: {}.", error.what()));
+}
+
+// Recorded output cannot be asked for more programs, and a part of a run is not the place to look.
+void name_causes(const CertifyOptions& options, const oracle::Corpus& corpus,
+                 const oracle::CampaignOptions& campaign, const oracle::SubjectMaker& maker,
+                 const std::string& subject, const std::string& report, CampaignSummary& summary) {
+  oracle::evidence::Causes causes;
+  const bool can_ask =
+      !subject.starts_with("capture:") && campaign.shards == 1 && !campaign.fail_fast;
+  if (can_ask && options.causes > 0 && !summary.findings.empty()) {
+    causes =
+        find_causes(summary, corpus, campaign, maker, static_cast<std::size_t>(options.causes));
+  }
+  for (const auto& [key, cause] : causes) summary.findings.set_cause(key, cause);
+  oracle::evidence::write_causes(report, causes);
 }
 
 int certify_one(const CertifyOptions& options, const std::string& subject,
@@ -253,6 +269,7 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
     summary = close_results(campaign, end, results);
+    name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::ResumeError& error) {
     throw UsageError(error.what());
   } catch (const oracle::CorpusError& error) {
@@ -271,7 +288,7 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                     corpus.folder()));
   }
   tell_run(
-      {summary_text(summary, subject),
+      {summary_text(summary, subject, wants_colour(STDOUT_FILENO)),
        summary.answer.exit_code,
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,
@@ -335,6 +352,8 @@ void add_certify(Command& program) {
   command.option("--case", options->case_id, "only this case");
   command.option("--shard", options->shard, "part i of n: i/n");
   command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
+  command.number("--causes", options->causes, 0, 1000,
+                 "findings of which the likely cause is looked for (3)");
   command.option("--known-failures", options->known_failures,
                  "TOML file of cases that the subject is known to fail");
   command.option("--alarm-map", options->alarm_map,

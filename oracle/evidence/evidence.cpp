@@ -8,6 +8,7 @@
 
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/evidence/badge.hpp"
+#include "oracle/evidence/causes.hpp"
 #include "oracle/evidence/junit.hpp"
 #include "oracle/evidence/markdown.hpp"
 #include "oracle/evidence/programs.hpp"
@@ -36,24 +37,26 @@ bool is_told_by_head(const CaseRow& row) {
 // What the lines of a run are written to, in one pass over them.
 class Writers {
  public:
-  Writers(ResultsReader& reader, const fs::path& folder)
+  Writers(ResultsReader& reader, const fs::path& folder, const Causes& causes)
       : reader_(reader),
         folder_(folder),
         junit_(folder / "junit.xml", reader.header()),
         sarif_(folder / "results.sarif", reader.header()),
         markdown_(reader.header()),
         programs_(folder / "programs"),
-        page_(folder, reader.header()) {}
+        page_(folder, reader.header()) {
+    for (const auto& [key, cause] : causes) summary_.set_cause(key, cause);
+  }
 
   // All lines that the reader still has.
   void write_lines() {
     CaseHead head;
     while (reader_.next(head)) {
-      summary_.add(head);
-      page_.add(head);
+      finding_ = summary_.add(head);
+      page_.add(head, finding_);
       const CaseRow row = case_row(head);
       if (is_told_by_head(row)) {
-        junit_.add(row);
+        junit_.add(row, nullptr);
       } else {
         write_whole(reader_.json());
       }
@@ -77,9 +80,9 @@ class Writers {
  private:
   void write_whole(const Json& line) {
     const CaseRow row = case_row(line);
-    junit_.add(row);
-    sarif_.add(row);
-    markdown_.add(row);
+    junit_.add(row, finding_);
+    sarif_.add(row, finding_);
+    markdown_.add(row, finding_, summary_.findings().is_smallest());
     programs_.add(row);
     if (!is_told_by_head(row)) page_.add_detail(line);
   }
@@ -92,6 +95,7 @@ class Writers {
   ProgramFolder programs_;
   report::HtmlPage page_;
   report::Summary summary_;
+  const Finding* finding_ = nullptr;  // of the line read last
 };
 
 }  // namespace
@@ -100,10 +104,12 @@ std::optional<std::string> write_evidence(const std::string& results, const std:
   try {
     ResultsReader reader(results);
     fs::create_directories(folder);
-    Writers writers(reader, folder);
+    const Causes causes = read_causes(fs::path(results).parent_path());
+    Writers writers(reader, folder, causes);
     writers.write_lines();
     writers.finish();
     copy_results(results, fs::path(folder) / "results.jsonl");
+    write_causes(folder, causes);
     if (auto error = writers.finish_page()) {
       throw std::system_error(std::make_error_code(std::errc::io_error), error->message);
     }

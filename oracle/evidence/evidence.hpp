@@ -10,6 +10,7 @@ namespace gonogo::oracle::evidence {
 
 // Reads a results file and writes into `folder`, which is made when it is missing:
 //   results.jsonl     the file itself, unless it lies there already
+//   causes.json       what the findings are likely to come from, when it is known
 //   index.html        the report for people
 //   junit.xml         a test suite a dialect, a test case a case
 //   results.sarif     SARIF 2.1.0: what is not GO, at the lines of programs/<id>.nc

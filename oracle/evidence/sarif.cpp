@@ -110,7 +110,7 @@ std::size_t SarifWriter::rule_index(const std::string& id) {
   return place->second;
 }
 
-Json SarifWriter::result(const CaseRow& facts) {
+Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
   const std::string rule = rule_of(facts);
   const bool undecided = facts.decision() == Decision::undecided;
   const bool advice = facts.kind == VerdictKind::advice;
@@ -128,15 +128,19 @@ Json SarifWriter::result(const CaseRow& facts) {
         {{{"kind", "external"}, {"status", "accepted"}, {"justification", facts.message}}});
   }
   result["properties"] = properties(facts, command_);
+  if (finding != nullptr) {
+    result["properties"]["finding"] = finding->text();
+    if (!finding->cause.empty()) result["properties"]["cause"] = finding->cause;
+  }
   return result;
 }
 
-void SarifWriter::add(const CaseRow& facts) {
+void SarifWriter::add(const CaseRow& facts, const Finding* finding) {
   const bool told = facts.decision() == Decision::no_go || facts.kind == VerdictKind::xfail ||
                     facts.kind == VerdictKind::advice || facts.is_unexpected_gap();
   if (!told) return;
   out_.write(any_ ? ",\n" : "\n");
-  out_.write(dump(result(facts)));
+  out_.write(dump(result(facts, finding)));
   any_ = true;
 }
 

@@ -89,7 +89,7 @@ HtmlPage::~HtmlPage() {
   std::filesystem::remove(part_, ignored);
 }
 
-void HtmlPage::add(const CaseHead& line) {
+void HtmlPage::add(const CaseHead& line, const Finding* finding) {
   if (!rows_.empty()) rows_ += ',';
   char between = '[';
   for (const std::string* text :
@@ -102,7 +102,7 @@ void HtmlPage::add(const CaseHead& line) {
     if (i > 0) rows_ += ',';
     append_text(line.clauses[i], rows_);
   }
-  rows_ += "]]";
+  rows_ += fmt::format("],{}]", finding == nullptr ? 0 : finding->number);
   ++index_;
   if (rows_.size() > kRowBytes) flush_rows();
 }
@@ -156,8 +156,7 @@ std::optional<ReportError> write_html_report(const std::string& results,
     if (line.empty()) continue;
     const bool is_object = read_case_head(line, head);
     if (is_object && !head.id.empty() && !head.verdict.empty()) {
-      summary.add(head);
-      page.add(head);
+      page.add(head, summary.add(head));
       const bool is_told = head.verdict == "skip" || decision_of(head.verdict) == Decision::go;
       if (!is_told) page.add_detail(Json::parse(line));
       continue;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::oracle::report {
 
@@ -30,7 +31,8 @@ class HtmlPage {
   HtmlPage(const HtmlPage&) = delete;
   HtmlPage& operator=(const HtmlPage&) = delete;
 
-  void add(const CaseHead& line);
+  // `finding`: what the case belongs to; null: none.
+  void add(const CaseHead& line, const Finding* finding);
   // The whole line of the case that was added last. REQUIRES: it is not GO.
   void add_detail(const Json& line);
   // What Summary::finish() says. An error when anything could not be written.
