@@ -292,7 +292,8 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
        summary.answer.exit_code,
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,
-       options.certificate});
+       options.certificate,
+       &corpus});
   return summary.answer.exit_code;
 }
 
