@@ -299,6 +299,16 @@ TEST_F(Evidence, JunitNamesEachFindingOnceASuiteAndAtEachOfItsCases) {
   EXPECT_EQ(occurrences(junit, "\nfinding    fail.geometry"), 3U);
 }
 
+TEST_F(Evidence, SarifSaysWhereClausesAreReadAndFromWhereProgramsAreNamed) {
+  write(all_kinds());
+  const json run = json::parse(read("results.sarif"))["runs"][0];
+  EXPECT_TRUE(run["originalUriBaseIds"].contains("REPORT"));
+  EXPECT_TRUE(run["tool"]["driver"].contains("informationUri"));
+  for (const json& rule : run["tool"]["driver"]["rules"]) {
+    EXPECT_TRUE(rule.value("helpUri", "").starts_with("https://")) << rule;
+  }
+}
+
 TEST_F(Evidence, SummaryNamesAFindingOnceWithItsSmallestCase) {
   std::vector<std::string> lines;
   for (int i = 10; i < 25; ++i) {
