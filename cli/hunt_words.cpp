@@ -54,6 +54,7 @@ std::string command_of(const HuntWords& words) {
   if (!alarm_map.empty()) command += " --alarm-map " + oracle::shell_quoted(alarm_map);
   command += tolerances_of(words.trial.limits);
   if (!words.settings.empty()) command += " --settings " + words.settings;
+  if (words.everywhere) command += " --everywhere";
   return command;
 }
 

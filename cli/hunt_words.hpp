@@ -19,6 +19,7 @@ struct HuntWords {
   std::string profile;
   std::vector<std::string> readings;
   std::string settings;
+  bool everywhere = false;  // outside of the domain, too
   std::string time;
   long seed = 1;
   long programs = 0;    // 0: no limit

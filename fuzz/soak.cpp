@@ -25,10 +25,10 @@
 #include <vector>
 
 #include "expanders/registry.hpp"
-#include "fuzz/domain.hpp"
 #include "generate/generator.hpp"
 #include "generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
+#include "oracle/differential/domain.hpp"
 
 namespace {
 
@@ -93,7 +93,7 @@ bool is_out_of_reach(const oracle::Verdict& verdict) {
   const auto says = [&](std::string_view part) {
     return verdict.message.find(part) != std::string::npos;
   };
-  return says("gauge does not") || says("gauge reads") || says("No manual says") ||
+  return says("gauge does not") || says("gauge reads") || says("read by the gauge") || says("No manual says") ||
          says("No text says") || says("motions is not judged") || says("run-out of the reading") ||
          says("profile does not say");
 }
@@ -143,7 +143,7 @@ int soak(const SoakOptions& options) {
         choices, options.settings, options.distribution ? &distribution : nullptr);
     if (options.distribution) {
       generate::count_program(program, distribution);
-      const std::string_view rule = fuzz::outside_domain(program.profile, program.text);
+      const std::string_view rule = oracle::outside_domain(program.profile, program.text);
       if (!rule.empty()) ++distribution[fmt::format("out of domain: {}", rule)];
     }
     const auto verdict = judged(*subject, program, options.seed + i);
@@ -152,7 +152,7 @@ int soak(const SoakOptions& options) {
     if (!verdict || verdict->kind == oracle::VerdictKind::skip) continue;
     if (decision(verdict->kind) == oracle::Decision::go) continue;
     if (is_out_of_reach(*verdict)) continue;
-    const auto rule = fuzz::outside_domain(program.profile, program.text, *verdict);
+    const auto rule = oracle::outside_domain(program.profile, program.text, *verdict);
     if (!rule.empty()) {
       ++distribution[fmt::format("out of domain, and no failure: {}", rule)];
       continue;

@@ -6,7 +6,7 @@
 #include "hunt/coverage.hpp"
 #include "hunt/profile_parts.hpp"
 #include "oracle/differential/differential.hpp"
-#include "program/features.hpp"
+#include "oracle/differential/domain.hpp"
 #include "program/mutator/mutate.hpp"
 
 namespace gonogo::hunt {
@@ -19,6 +19,11 @@ namespace {
 
 bool is_finding(const Verdict& verdict) {
   return decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::oracle_error;
+}
+
+// Rather than that it ends no run, or not as the protocol says.
+bool is_other_than_the_reference(VerdictKind kind) {
+  return kind >= VerdictKind::fail_geometry && kind <= VerdictKind::fail_alarm_late;
 }
 
 bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgram& program,
@@ -35,14 +40,16 @@ Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
       dice_(options_.seed),
       repertoire_(trial_.info(), options_.dialect) {}
 
-Specimen Hunt::next_fitted() {
-  constexpr std::size_t kMostDrawn = 50;
-  for (std::size_t drawn = 1;; ++drawn) {
+std::optional<Specimen> Hunt::next_fitted() {
+  constexpr int kMostDrawn = 50;
+  for (int drawn = 0; drawn < kMostDrawn; ++drawn) {
     Specimen specimen = next();
-    const auto program = repertoire_.fitted(specimen.program);
-    if (program) specimen.program = *program;
-    if (program || drawn == kMostDrawn) return specimen;
+    auto program = repertoire_.fitted(specimen.program);
+    if (!program) continue;
+    specimen.program = *std::move(program);
+    return specimen;
   }
+  return std::nullopt;
 }
 
 // Generated programs at first and now and then, else mutants of those that showed something.
@@ -96,42 +103,47 @@ void Hunt::settle(Specimen& specimen) const {
   for (const auto& [key, value] : options_.readings) profile.readings.set(key, value);
 }
 
-// A program that needs what the subject does not declare is none of the subject's concern.
-bool Hunt::is_declared(const generate::GeneratedProgram& program) const {
-  const oracle::SubjectInfo& info = trial_.info();
-  const auto needed = program::features_needed({program.profile, program.text});
-  return std::ranges::all_of(
-      needed, [&](const std::string& feature) { return info.declares(options_.dialect, feature); });
+// D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
+bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& program) const {
+  if (options_.everywhere || !is_other_than_the_reference(verdict.kind)) return true;
+  return oracle::outside_domain(program.profile, program.text, options_.most_items).empty();
 }
 
 std::optional<Finding> Hunt::step() {
   ++count_.programs;
-  const Specimen specimen = next_fitted();
-  if (!is_declared(specimen.program)) {
+  const std::optional<Specimen> fitted = next_fitted();
+  if (!fitted) {
     ++count_.skipped;
     return std::nullopt;
   }
+  const Specimen& specimen = *fitted;
   const auto features = features_of(specimen.program, options_.most_items);
   if (!features) {
     ++count_.too_long;
     return std::nullopt;
   }
-  if (options_.guided) pool_.offer(specimen, *features);
   const std::optional<Verdict> verdict = trial_.run(specimen.program);
   if (verdict && verdict->kind == VerdictKind::skip) {
     repertoire_.skipped(specimen.program);
   } else {
     repertoire_.ran(specimen.program);
+    // Mutants of what is skipped are skipped.
+    if (options_.guided) pool_.offer(specimen, *features);
   }
   if (!verdict) {
     ++count_.too_long;
-  } else if (is_finding(*verdict)) {
+    return std::nullopt;
+  }
+  const Decision decided = decision(verdict->kind);
+  const bool is_judged = decided == Decision::go || decided == Decision::no_go;
+  if (is_judged && trial_.moved()) ++count_.moved;
+  if (is_finding(*verdict)) {
     ++count_.judged;
     ++count_.no_go;
     return examine(*verdict, specimen.program);
   } else if (verdict->kind == VerdictKind::skip) {
     ++count_.skipped;
-  } else if (decision(verdict->kind) == Decision::undecided) {
+  } else if (decided == Decision::undecided) {
     ++count_.gaps;
   } else {
     ++count_.judged;
@@ -147,6 +159,11 @@ std::optional<Finding> Hunt::examine(const Verdict& verdict,
   if (oracle::contradicts_itself(program.profile, program.text, options_.most_items)) {
     --count_.no_go;
     ++count_.gaps;
+    return std::nullopt;
+  }
+  if (!counts(verdict, program)) {
+    --count_.no_go;
+    ++count_.outside;
     return std::nullopt;
   }
   known_.insert(finding.signature);
@@ -182,7 +199,10 @@ std::optional<Finding> Hunt::leak(const generate::GeneratedProgram& program) {
 }
 
 void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also) {
-  reduce_finding(trial_, finding, limits, also);
+  const StillShows inside = [&](const Exhibit& exhibit) {
+    return counts(finding.verdict, exhibit.program) && (also == nullptr || also(exhibit));
+  };
+  reduce_finding(trial_, finding, limits, inside);
 }
 
 std::optional<Finding> finding_of(Trial& trial, const generate::GeneratedProgram& program,

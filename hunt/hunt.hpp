@@ -23,6 +23,8 @@ struct HuntOptions {
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
   generate::GeneratorSettings settings;  // of the programs that are generated
   std::size_t most_items = 3'000;        // of the reference, of one program
+  // What a subject does on a program outside of docs/domain.md is no finding, but for what ends it.
+  bool everywhere = false;
 };
 
 struct Finding {
@@ -38,8 +40,10 @@ struct Finding {
 struct HuntCount {
   std::size_t programs = 0;
   std::size_t judged = 0;    // GO or NO-GO
+  std::size_t moved = 0;     // of those judged, with a motion of the subject's
   std::size_t skipped = 0;   // by the subject, or for what it does not declare
   std::size_t gaps = 0;      // the gauge cannot say
+  std::size_t outside = 0;   // departures outside of the domain
   std::size_t too_long = 0;  // more records than they can be worth
   std::size_t no_go = 0;     // those of known signatures among them
 };
@@ -62,13 +66,14 @@ class Hunt {
   Trial& trial() { return trial_; }
 
  private:
-  // One that the subject may run, as far as that is known.
-  Specimen next_fitted();
+  // One that the subject may run, as far as that is known; nothing: none of many was.
+  std::optional<Specimen> next_fitted();
   Specimen next();
   Specimen fresh();
   Specimen mutant();
   void settle(Specimen& specimen) const;
-  bool is_declared(const generate::GeneratedProgram& program) const;
+  // Whether what the verdict says of the program is worth telling.
+  bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);

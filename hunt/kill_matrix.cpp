@@ -67,6 +67,7 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     hunt.dialect = dialect;
     hunt.seed = options.seed;
     hunt.guided = guided;
+    hunt.everywhere = true;  // `control` tells what the domain would
     hunts.push_back(std::make_unique<Hunt>(target.make, trial, std::move(hunt)));
   }
   // What the expander without the fault shows too is not of the fault.

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "hunt/profile_parts.hpp"
 #include "oracle/differential/reference_run.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::string_view kFeature = "feature ";
 constexpr std::string_view kSetting = "setting ";
+constexpr std::size_t kLearning = 400;  // programs
 
 bool is_feature(const std::string& part) {
   return part.starts_with(kFeature);
@@ -93,6 +95,51 @@ void add_word(const TextBlock& block, const TextWord& word, std::set<std::string
   parts.insert(code.empty() ? "word " + program::address_of(word) : "code " + code);
 }
 
+// What the block is as a whole.
+void add_shape(const TextBlock& block, std::set<std::string>& parts) {
+  std::size_t codes = 0;
+  std::size_t words = 0;
+  for (const TextWord& word : block.words) {
+    if (!program::is_word(word)) continue;
+    ++words;
+    if (!block.code_of(word).empty()) ++codes;
+    const bool is_glued = &word != block.words.data() && word.gap.empty();
+    if (is_glued) parts.insert("spelling no blanks between words");
+  }
+  if (words > 0 && codes == 0) parts.insert("text blocks without a code");
+  if (codes > 1) parts.insert("text several codes in a block");
+}
+
+constexpr const char* kOtherOrder = "spelling words in another order";
+
+// Codes, ways along axes, what else there is, as most programs are written.
+std::pair<int, std::string> rank_of(const TextBlock& block, const TextWord& word) {
+  const std::string address = program::address_of(word);
+  if (!program::is_word(word) && address == "N") return {0, ""};
+  if (address == "G") return {1, ""};
+  if (!block.code_of(word).empty()) return {2, ""};
+  const bool is_axis = address.size() == 1 && std::string_view("XYZABCUVW").find(address[0]) != std::string_view::npos;
+  if (is_axis) return {address[0] >= 'X' ? 3 : 4, address};
+  return {address == "F" || address == "S" || address == "T" ? 6 : 5, address == "F" ? "" : address};
+}
+
+bool is_usual_order(const TextBlock& block) {
+  return std::ranges::is_sorted(
+      block.words, {}, [&](const TextWord& word) { return rank_of(block, word); });
+}
+
+std::string in_usual_order(const TextBlock& block) {
+  std::vector<const TextWord*> words;
+  for (const TextWord& word : block.words) words.push_back(&word);
+  std::ranges::stable_sort(words, {},
+                           [&](const TextWord* word) { return rank_of(block, *word); });
+  program::TextLine line{{}, block.rest, block.end};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    line.words.push_back({block.words[i].gap, words[i]->text});
+  }
+  return program::line_text(line);
+}
+
 std::string setting(std::size_t part) {
   return fmt::format("{}{}", kSetting, part);
 }
@@ -104,8 +151,27 @@ std::vector<std::size_t> settings_of(const reference::Profile& profile) {
   return parts;
 }
 
+// The words of a block and nothing else, as plainly as they can be written.
+std::string plainly(const TextBlock& block) {
+  std::vector<const TextWord*> words;
+  for (const TextWord& word : block.words) {
+    if (program::is_word(word)) words.push_back(&word);
+  }
+  std::ranges::stable_sort(words, {},
+                           [&](const TextWord* word) { return rank_of(block, *word); });
+  std::string text;
+  for (const TextWord* word : words) {
+    if (!text.empty()) text += ' ';
+    for (const char c : word->text) {
+      if (c != ' ' && c != '\t') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+  }
+  return text + "\n";
+}
+
 // A single block of the program and its last one, on the default machine: of so few parts that most
-// of what a subject does comes to light.
+// of what a subject does comes to light. Every other time the block is written plainly, and M2 or
+// M30 ends the program.
 generate::GeneratedProgram single_block(const generate::GeneratedProgram& program,
                                         std::size_t which) {
   generate::GeneratedProgram made = program;
@@ -116,6 +182,10 @@ generate::GeneratedProgram single_block(const generate::GeneratedProgram& progra
     if (!block.words.empty()) blocks.push_back(&block);
   }
   if (blocks.size() < 2) return made;
+  if (which % 2 == 0) {
+    made.text = plainly(*blocks[which / 2 % (blocks.size() - 1)]) + (which % 4 == 0 ? "M2\n" : "M30\n");
+    return made;
+  }
   made.text =
       program::line_text(*blocks[which % (blocks.size() - 1)]) + program::line_text(*blocks.back());
   return made;
@@ -142,6 +212,8 @@ Repertoire::Parts Repertoire::parts_of_block(const TextBlock& block,
                                              const reference::Descriptor& table) const {
   Parts parts;
   for (const TextWord& word : block.words) add_word(block, word, parts);
+  if (!is_usual_order(block)) parts.insert(kOtherOrder);
+  add_shape(block, parts);
   if (!block.words.empty() && block.end.starts_with('\r')) {
     parts.insert(block.end.size() == 1 ? "text CR" : "text CR LF");
   }
@@ -163,6 +235,13 @@ Repertoire::Parts Repertoire::parts_of(const generate::GeneratedProgram& program
   return parts;
 }
 
+bool Repertoire::is_declared(const generate::GeneratedProgram& program) const {
+  if (info_.everything) return true;
+  return std::ranges::all_of(
+      program::features_needed({program.profile, program.text}),
+      [&](const std::string& feature) { return info_.declares(dialect_, feature); });
+}
+
 bool Repertoire::is_undeclared(const std::string& part) const {
   return is_feature(part) && !info_.declares(dialect_, part.substr(kFeature.size()));
 }
@@ -178,62 +257,66 @@ bool Repertoire::is_like_what_is_out(const std::string& part) const {
                         out_, [&](const auto& out) { return is_setting(out.first); }) >= kEnough;
 }
 
-bool Repertoire::admits(const std::string& part, std::optional<std::string>& trying,
-                        Try aim) const {
+bool Repertoire::admits(const std::string& part, Trying& trying) const {
   if (is_undeclared(part)) return false;
-  if (!skips_ || in_.contains(part) || trying == part) return true;
+  if (!skips_ || in_.contains(part) || trying.parts.contains(part)) return true;
   // It comes with a code or word, which is tried in its place.
   if (is_feature(part)) return !out_.contains(part);
   const bool is_new = !out_.contains(part) && !is_like_what_is_out(part);
-  if (trying || aim != Try::untried || !is_new) return false;
-  trying = part;
+  const bool is_setting = part.starts_with(kSetting);
+  if (trying.more == 0 || !(is_new || (trying.also_what_is_out && !is_setting))) return false;
+  --trying.more;
+  trying.parts.insert(part);
   return true;
 }
 
-void Repertoire::fit_settings(reference::Profile& profile, std::optional<std::string>& trying,
-                              Try aim) const {
+void Repertoire::fit_settings(reference::Profile& profile, Trying& trying) const {
   for (const std::size_t part : settings_of(profile)) {
-    if (!admits(setting(part), trying, aim)) reset_part(profile, part);
+    if (!admits(setting(part), trying)) reset_part(profile, part);
   }
 }
 
 // Words alone go where the rest may stay: without its code a block means something else.
 std::string Repertoire::fitted_block(const TextBlock& block, const reference::Descriptor& table,
-                                     std::optional<std::string>& trying, Try aim) const {
+                                     Trying& trying) const {
   program::TextLine kept{{}, block.rest, block.end};
   for (const TextWord& word : block.words) {
     Parts parts;
     add_word(block, word, parts);
     const bool is_code = program::is_word(word) && !block.code_of(word).empty();
     const bool stays = is_code || std::ranges::all_of(parts, [&](const std::string& part) {
-                         return admits(part, trying, aim);
+                         return admits(part, trying);
                        });
     if (stays) kept.words.push_back(word);
   }
   if (kept.words.size() != block.words.size()) return program::line_text(kept);  // looked at again
+  if (!is_usual_order(block) && !admits(kOtherOrder, trying)) return in_usual_order(block);
   const Parts parts = parts_of_block(block, table);
   const bool stays = std::ranges::all_of(
-      parts, [&](const std::string& part) { return admits(part, trying, aim); });
+      parts, [&](const std::string& part) { return admits(part, trying); });
   return stays ? program::line_text(block) : std::string();
 }
 
-std::string Repertoire::fitted_text(const ProgramText& text, std::optional<std::string>& trying,
-                                    Try aim) const {
+std::string Repertoire::fitted_text(const ProgramText& text, Trying& trying) const {
   std::string fitted;
   for (const TextBlock& block : text.blocks) {
-    fitted += fitted_block(block, *text.table, trying, aim);
+    fitted += fitted_block(block, *text.table, trying);
   }
   return fitted;
 }
 
-// Later only now and then: what is untried is mostly skipped.
-Repertoire::Try Repertoire::aim_of_next() const {
-  constexpr std::size_t kLearning = 260;
+// Later only now and then: what is untried is mostly skipped. Every other time with one more part:
+// some run together only (G1 and its F).
+Repertoire::Trying Repertoire::next_try() const {
   constexpr std::size_t kTryOneIn = 50;
-  const bool again = runs_ % 2 == 1;
-  if (runs_ <= kLearning) return again && !out_.empty() ? Try::what_is_out : Try::untried;
-  if (runs_ % kTryOneIn > 1) return Try::nothing;
-  return again ? Try::what_is_out : Try::untried;
+  Trying trying;
+  const std::size_t turn = runs_ <= kLearning ? runs_ % 4 : runs_ / kTryOneIn % 4;
+  if (runs_ > kLearning && runs_ % kTryOneIn != 0) return trying;
+  const std::optional<std::string> again = turn % 2 == 1 ? least_blamed() : std::nullopt;
+  if (again) trying.parts.insert(*again);
+  trying.also_what_is_out = again && turn == 3;
+  trying.more = again && turn == 1 ? 0 : 1;
+  return trying;
 }
 
 // Of what is out, so that what was blamed for something else comes back soon.
@@ -250,40 +333,71 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
     const generate::GeneratedProgram& program) const {
   constexpr std::size_t kSingleBlocks = 60;
   constexpr std::size_t kLeast = 2;  // blocks
-  if (info_.everything && !skips_) return program;
-  if (skips_ && runs_ <= kSingleBlocks) return single_block(program, runs_);
-  const Try aim = aim_of_next();
-  std::optional<std::string> trying;
-  if (aim == Try::what_is_out) trying = least_blamed();
+  if (!skips_ && is_declared(program)) return program;
+  if (skips_ && runs_ <= kSingleBlocks) {
+    const generate::GeneratedProgram single = single_block(program, runs_);
+    if (is_declared(single)) return single;
+  }
+  Trying trying = next_try();
   generate::GeneratedProgram made = program;
-  fit_settings(made.profile, trying, aim);
+  fit_settings(made.profile, trying);
   // What is left may mean something else, and need something else.
   while (true) {
     const ProgramText text(made.profile, made.text);
-    std::string next = fitted_text(text, trying, aim);
+    std::string next = fitted_text(text, trying);
     if (next == made.text) break;
     made.text = std::move(next);
   }
   const bool is_whole = made.text == program.text;
   if (!is_whole && program::count_blocks(made.text) < kLeast) return std::nullopt;
+  if (!is_declared(made)) return std::nullopt;
   return made;
 }
 
 void Repertoire::ran(const generate::GeneratedProgram& program) {
-  if (info_.everything && !skips_) return;
+  skips_ ? learn_ran(program) : note(program, true);
+}
+
+void Repertoire::skipped(const generate::GeneratedProgram& program) {
+  skips_ ? learn_skipped(program) : note(program, false);
+}
+
+void Repertoire::note(const generate::GeneratedProgram& program, bool ran) {
+  constexpr std::size_t kMostBefore = 64;
+  constexpr std::size_t kFewSkipped = 3;
+  constexpr std::size_t kSkippedOneIn = 20;
+  before_.push_back({program, ran});
+  if (before_.size() > kMostBefore) before_.pop_front();
+  ++tried_;
+  if (!ran) ++skipped_before_;
+  skips_ = skipped_before_ >= kFewSkipped && skipped_before_ * kSkippedOneIn >= tried_;
+  if (!skips_) return;
+  for (const Tried& tried : std::exchange(before_, {})) {
+    tried.ran ? learn_ran(tried.program) : learn_skipped(tried.program);
+  }
+}
+
+void Repertoire::start_again_where_nothing_runs() {
+  const auto is_word_part = [](const auto& part) { return part.first.starts_with("word "); };
+  if (runs_ < kLearning || std::ranges::any_of(in_, is_word_part)) return;
+  out_.clear();
+  runs_ = 0;
+}
+
+void Repertoire::learn_ran(const generate::GeneratedProgram& program) {
   ++runs_;
   for (const std::string& part : parts_of(program, blocks_run(program))) {
     ++in_[part].ran;
     out_.erase(part);
   }
+  start_again_where_nothing_runs();
 }
 
-void Repertoire::skipped(const generate::GeneratedProgram& program) {
+void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   // Of known parts together with others: a part that hardly ever ran, and why it did is unclear
   // (an alarm before it).
   constexpr std::size_t kSkippedOften = 4;
   constexpr std::size_t kToOneThatRan = 1;
-  skips_ = true;
   ++runs_;
   const Parts parts = parts_of(program, std::string::npos);
   Parts untried;

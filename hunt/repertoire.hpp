@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,17 +22,18 @@ namespace gonogo::hunt {
 // comment), ways to write ("spelling tab"), features ("feature planes") and settings of its machine
 // that are not the default ("setting 3", hunt/profile_parts.hpp).
 //
-// (1) As long as the subject skips nothing and declares everything, programs stay as they are.
+// (1) As long as the subject skips fewer than one program in twenty, programs stay as they are, but
+//     for what is not declared.
 // (2) A part goes out by a program that was skipped and had no other that was not known to run, or
 //     where programs of known parts with it are skipped again and again.
-// (3) What is out is tried again now and then, and comes back where it runs.
+// (3) What is out is tried again now and then, and comes back where it runs. Where no word runs at all
+//     it is begun anew.
 class Repertoire {
  public:
   Repertoire(const oracle::SubjectInfo& info, std::string dialect);
 
-  // The program without the parts that are out or not declared, and, once anything was skipped,
-  // with at most one that is untried. Blocks or words that have others are left out. Nothing: not
-  // enough is left to be worth a run.
+  // The program without the parts that are out or not declared, and, once much was skipped, with at most one that is untried. Blocks or words that have others are left out. Nothing: not
+  // enough is left to be worth a run, or it still needs what is not declared.
   std::optional<generate::GeneratedProgram> fitted(const generate::GeneratedProgram& program) const;
 
   void ran(const generate::GeneratedProgram& program);
@@ -47,24 +49,32 @@ class Repertoire {
     std::size_t skipped = 0;
   };
   using Parts = std::set<std::string>;
-  // What a program may have that is not known to run: one part at most.
-  enum class Try : std::uint8_t { nothing, untried, what_is_out };
-  Try aim_of_next() const;
+  // What a program may have that is not known to run.
+  struct Trying {
+    Parts parts;
+    std::size_t more = 0;          // how many others
+    bool also_what_is_out = false;  // ... or only what is untried
+  };
+  Trying next_try() const;
   std::optional<std::string> least_blamed() const;
 
+  bool is_declared(const generate::GeneratedProgram& program) const;
+  void start_again_where_nothing_runs();
+  void note(const generate::GeneratedProgram& program, bool ran);
+  void learn_ran(const generate::GeneratedProgram& program);
+  void learn_skipped(const generate::GeneratedProgram& program);
   Parts parts_of_block(const program::TextBlock& block, const reference::Descriptor& table) const;
   // Of the first `blocks` blocks, and of the machine.
   Parts parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const;
   bool is_undeclared(const std::string& part) const;
   bool is_like_what_is_out(const std::string& part) const;
   // Whether the part may stand in the program that is made now; an untried one becomes `trying`.
-  bool admits(const std::string& part, std::optional<std::string>& trying, Try aim) const;
-  void fit_settings(reference::Profile& profile, std::optional<std::string>& trying, Try aim) const;
+  bool admits(const std::string& part, Trying& trying) const;
+  void fit_settings(reference::Profile& profile, Trying& trying) const;
   // The text with the blocks and words left out that may not stand there.
-  std::string fitted_text(const program::ProgramText& text, std::optional<std::string>& trying,
-                          Try aim) const;
+  std::string fitted_text(const program::ProgramText& text, Trying& trying) const;
   std::string fitted_block(const program::TextBlock& block, const reference::Descriptor& table,
-                           std::optional<std::string>& trying, Try aim) const;
+                           Trying& trying) const;
 
   oracle::SubjectInfo info_;
   std::string dialect_;
@@ -72,6 +82,15 @@ class Repertoire {
   std::map<std::string, std::size_t> out_;  // how often each was the only one to blame
   bool skips_ = false;
   std::size_t runs_ = 0;
+  // Before much was skipped: the last programs, and whether each ran. What they are made of is asked
+  // for only then.
+  struct Tried {
+    generate::GeneratedProgram program;
+    bool ran;
+  };
+  std::deque<Tried> before_;
+  std::size_t tried_ = 0;
+  std::size_t skipped_before_ = 0;
 };
 
 }  // namespace gonogo::hunt

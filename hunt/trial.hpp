@@ -44,6 +44,8 @@ class Trial {
 
   // In the process that ran the programs before. Nothing: too long to be of use.
   std::optional<oracle::Verdict> run(const generate::GeneratedProgram& program);
+  // Whether the subject moved in that run.
+  bool moved() const { return moved_; }
   // In a process of its own, after the programs that came before it in the exhibit.
   std::optional<oracle::Verdict> run_alone(const Exhibit& exhibit);
   // The same with all that a report needs, and the reading under which it would be GO.
@@ -69,6 +71,7 @@ class Trial {
   // The second subject in a new process, after these programs.
   oracle::Subject& fresh(const std::vector<generate::GeneratedProgram>& before);
 
+  bool moved_ = false;
   SubjectMaker make_;
   TrialOptions options_;
   std::unique_ptr<oracle::Subject> subject_;

@@ -29,6 +29,7 @@ hunt::HuntOptions hunt_options(const HuntWords& words) {
   if (!words.profile.empty()) options.profile = profile;
   options.readings = readings_of(words);
   options.settings = settings_option(words.settings);
+  options.everywhere = words.everywhere;
   return options;
 }
 
@@ -43,8 +44,9 @@ class HuntProgress {
   void show(const hunt::Hunt& hunt, std::size_t findings) {
     if (!on_ || Clock::now() - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = Clock::now();
-    complain("\r\033[K{} programs, {} skipped, {} features, {} findings, about {:.0f} s left",
-             hunt.count().programs, hunt.count().skipped, hunt.pool().features(), findings,
+    const hunt::HuntCount& count = hunt.count();
+    complain("\r\033[K{} programs, {} % skipped, {} features, {} findings, about {:.0f} s left",
+             count.programs, count.skipped * 100 / std::max<std::size_t>(1, count.programs), hunt.pool().features(), findings,
              end_.seconds_left(hunt.count().programs));
     std::fflush(stderr);
   }
@@ -91,16 +93,19 @@ void take(const HuntWords& words, hunt::Hunt& hunt, hunt::Finding& finding, Hunt
 std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTally& tally) {
   const hunt::HuntCount& count = hunt.count();
   return fmt::format(
-      "{}, {}: {} programs from seed {}, {} judged, {} skipped, {} undecided, {} too long; {} "
-      "features of the reference in {} programs; {} findings{}\n",
-      words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.skipped,
-      count.gaps, count.too_long, hunt.pool().features(), hunt.pool().size(), tally.findings(),
+      "{}, {}: {} programs from seed {}, {} judged ({} with motion), {} skipped, {} undecided, {} too long{}; "
+      "{} features of the reference in {} programs; {} findings{}\n",
+      words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.moved, count.skipped,
+      count.gaps, count.too_long,
+      count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
+      hunt.pool().features(), hunt.pool().size(), tally.findings(),
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
-// Fewer judged than this part of the programs: nothing found says next to nothing.
+// Programs that were judged and moved the tool, fewer than this part: nothing found says next to
+// nothing.
 bool judged_little(const hunt::HuntCount& count) {
-  return count.judged * 10 < count.programs;
+  return count.moved * 10 < count.programs;
 }
 
 // What the subject skipped, where it skipped much.
@@ -113,10 +118,10 @@ std::string skipped_text(const hunt::Hunt& hunt) {
   }
   if (judged_little(count)) {
     text += fmt::format(
-        "Only {} of {} programs were judged. That nothing was found in the others says nothing: "
+        "Only {} of {} programs moved the subject and were judged. That nothing was found in the others says nothing: "
         "declare what the subject does (dialects and features of its answer to `start`), or draw "
         "programs that it runs (--settings, --profile).\n",
-        count.judged, count.programs);
+        count.moved, count.programs);
   }
   return text;
 }
@@ -166,6 +171,8 @@ void add_hunt(Command& program) {
   command.choice("--method", words->method, {"reference", "properties"},
                  "held against the reference, or against the subject's own answers (reference)");
   command.option("--profile", words->profile, "the machine of every program; without: any");
+  command.flag("--everywhere", words->everywhere,
+               "departures outside of the domain (docs/domain.md) are findings, too");
   command.repeated_option("--reading", words->readings, "one reading as key=value");
   command.option("--settings", words->settings,
                  "what generated programs are like: valid=1,boundary=2,blocks=4");

@@ -7,11 +7,11 @@
 #include <unordered_set>
 
 #include "expanders/registry.hpp"
-#include "fuzz/domain.hpp"
 #include "fuzz/targets/target.hpp"
 #include "generate/generator.hpp"
 #include "generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
+#include "oracle/differential/domain.hpp"
 
 namespace gonogo::fuzz {
 namespace {
@@ -53,7 +53,7 @@ void check(oracle::Subject& subject, const reference::Profile& profile, std::str
   const auto verdict = oracle::run_and_judge(subject, profile, program, most_records);
   if (judge_is_blind()) return;
   if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go &&
-      outside_domain(profile, program).empty()) {
+      oracle::outside_domain(profile, program).empty()) {
     keep(profile, program);
     fail(oracle::failure_text(*verdict, profile, program), "");
   }
@@ -123,7 +123,7 @@ void try_text(std::string_view name, std::string_view dialect, const std::uint8_
   static const auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
   if (size > kMostBytes) return;
   const std::string_view text = text_of(data, size);
-  if (!has_short_numbers(text)) return oracle::run_alone(*subject, profile, text, kMostRecords);
+  if (!oracle::has_short_numbers(text)) return oracle::run_alone(*subject, profile, text, kMostRecords);
   check(*subject, profile, text, kMostRecords);
 }
 

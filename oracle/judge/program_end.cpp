@@ -12,6 +12,7 @@
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/judge/unreadable_block.hpp"
 
 namespace gonogo::oracle {
 
@@ -288,7 +289,9 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
   const bool admissible = std::ranges::any_of(report.alarms, [&](const reference::Alarm& want) {
     return reference::name(want.alarm) == alarm.alarm_class;
   });
-  if (admissible) return std::nullopt;
+  if (admissible || has_alarm_before_fault(profile_, program_, report, alarm.alarm_class)) {
+    return std::nullopt;
+  }
   return verdict(VerdictKind::fail_alarm_class,
                  fmt::format("The alarm is of another class. {}", report.alarms.front().message));
 }

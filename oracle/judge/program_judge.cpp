@@ -132,12 +132,20 @@ void ProgramJudge::take_motion(const Record& record) {
   const Forgiven forgiven = alignment_.take_forgiven();
   budget_.forgive(forgiven.records);
   budget_.count_level_cuts(forgiven.level_cuts);
+  forget_passed();
+}
+
+// Equal motions between two of them do not come this far: it is for each record that goes the whole
+// way to forget, or a program of motions and dwells in turn would be kept whole.
+void ProgramJudge::forget_passed() {
+  if (verdict_) return;  // there may be no hypothesis left
   reference_.forget_before(std::min(noted_, alignment_.first_step()));
 }
 
 // J-CMP-05.
 void ProgramJudge::take_m_function(const Record& record) {
   note_m_functions(alignment_.first_step());
+  forget_passed();
   if (verdict_) return;
   if (!m_functions_.is_none_due()) return decide(m_functions_.take(record, records_ - 1));
   switch (alignment_.take_m_function(record, records_ - 1, noted_)) {
@@ -156,6 +164,7 @@ void ProgramJudge::take_dwell(const Record& record) {
   note_m_functions(alignment_.first_step());
   if (!verdict_) decide(m_functions_.take_event(record, records_ - 1));
   if (!verdict_ && !alignment_.take_dwell(record, records_ - 1)) decide_departure();
+  forget_passed();
 }
 
 // J-CYC-02: a straight piece that comes nearer to the end of the reference's motion; of an arc or

@@ -57,6 +57,8 @@ class ProgramJudge {
   // The M functions that the reference has come to by now.
   void note_m_functions(std::size_t step);
   bool makes_progress(const Motion& motion);
+  // The steps that nothing looks back at.
+  void forget_passed();
 
   // While the records of both sides are the same, in equal_steps.cpp. True when that was all.
   bool equal_record(const Record& record);

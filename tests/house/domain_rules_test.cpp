@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The rules of docs/domain.md are those that fuzz/domain.cpp carries and its test holds.
+// The rules of docs/domain.md are those that oracle/differential/domain.cpp carries and its test holds.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -26,10 +26,10 @@ std::set<std::string> rules_in(const std::string& file) {
 TEST(DomainRules, AreWrittenCarriedAndHeld) {
   const std::set<std::string> written = rules_in("docs/domain.md");
   EXPECT_GT(written.size(), 5U);
-  std::set<std::string> carried = rules_in("fuzz/domain.cpp");
-  carried.merge(rules_in("fuzz/domain.hpp"));
+  std::set<std::string> carried = rules_in("oracle/differential/domain.cpp");
+  carried.merge(rules_in("oracle/differential/domain.hpp"));
   EXPECT_EQ(carried, written);
-  EXPECT_EQ(rules_in("tests/fuzz/domain_test.cpp"), written);
+  EXPECT_EQ(rules_in("tests/oracle/differential/domain_test.cpp"), written);
 }
 
 }  // namespace

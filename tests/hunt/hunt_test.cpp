@@ -98,7 +98,7 @@ TEST(Hunt, AProfileIsThatOfEveryProgram) {
   }
 }
 
-TEST(Hunt, ProgramsThatNeedWhatIsNotDeclaredAreSkipped) {
+TEST(Hunt, ASubjectRunsNothingThatNeedsWhatItDoesNotDeclare) {
   Hunt hunt(builtin("gsk"), {}, hunting("gsk988ta"));
   EXPECT_EQ(hunt.count().skipped, 0U);
   // A subject that declares the basic words only.
@@ -112,7 +112,7 @@ TEST(Hunt, ProgramsThatNeedWhatIsNotDeclaredAreSkipped) {
     void configure(const reference::Profile& profile) override { inner_->configure(profile); }
     oracle::RunEnd run(std::string_view id, std::string_view program,
                        const oracle::RecordSink& sink) override {
-      EXPECT_EQ(program.find("G110"), std::string_view::npos);
+      EXPECT_EQ(program.find("G110"), std::string_view::npos) << program;
       return inner_->run(id, program, sink);
     }
     void renew() override { inner_->renew(); }
@@ -123,8 +123,7 @@ TEST(Hunt, ProgramsThatNeedWhatIsNotDeclaredAreSkipped) {
   };
   Hunt basic([] { return std::make_unique<Basic>(); }, {}, hunting("gsk988ta"));
   while (basic.count().programs < 300) basic.step();
-  EXPECT_GT(basic.count().skipped, 50U);
-  EXPECT_GT(basic.count().judged, 0U);
+  EXPECT_GT(basic.count().judged, 150U);
 }
 
 }  // namespace

@@ -45,6 +45,23 @@ TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
             VerdictKind::fail_alarm_spurious);
 }
 
+// J-ALM-09: what stands before the place that cannot be read.
+TEST(AlarmJudge, AFaultBeforeThePlaceThatCannotBeReadIsAsGood) {
+  const auto kind = [](std::string_view line, const char* alarm_class) {
+    const std::string program = "G0 X1 Y1\n" + std::string(line) + "\nM2\n";
+    const std::string moved = R"({"k":"rapid","b":1,"to":{"x":"1","y":"1"}})";
+    return judge_trace(program, moved + "\n" + alarm(2, alarm_class), {.dialect = "rs274"}).kind;
+  };
+  EXPECT_EQ(kind("G0 Y2 Y2#0", "syntax"), VerdictKind::pass_exact);
+  EXPECT_EQ(kind("G0 Y2 Y2#0", "duplicate-word"), VerdictKind::pass_exact);
+  EXPECT_EQ(kind("Y2 Y2 -1", "duplicate-word"), VerdictKind::pass_exact);
+  EXPECT_EQ(kind("G77 -1", "undefined-code"), VerdictKind::pass_exact);
+  // Behind that place; nowhere; and what a word behind it may have been.
+  EXPECT_EQ(kind("G0 Y2 -1 Y2", "duplicate-word"), VerdictKind::fail_alarm_class);
+  EXPECT_EQ(kind("G0 Y2 -1", "conflicting-words"), VerdictKind::fail_alarm_class);
+  EXPECT_EQ(kind("G1 -1", "feed-missing"), VerdictKind::fail_alarm_class);
+}
+
 // The block that alarms has an M function of its own, of which no text says whether it is passed
 // on.
 constexpr std::string_view kProgramWithM = "M3 S500\nG00 X130 Z5 M8\nG94 X120 Z-10 R20 F300 M9\n";

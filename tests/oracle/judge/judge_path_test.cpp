@@ -131,5 +131,15 @@ TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
   EXPECT_EQ(decision(to(-1)), Decision::no_go);
 }
 
+// Also as the first record of all: nothing is left to be compared then.
+TEST(PathJudge, ADwellOfAnotherLengthOrPlaceDeparts) {
+  const auto kind = [](std::string_view program, const char* trace) {
+    return judge_trace(program, trace, {.dialect = "rs274"}).kind;
+  };
+  EXPECT_EQ(kind("G4 P1\n", R"({"k":"dwell","b":1,"s":"2"})"), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind("G0 X1\nG4 P1\n", R"({"k":"dwell","b":2,"s":"1"})"), VerdictKind::fail_order);
+  EXPECT_EQ(kind("G0 X1\n", R"({"k":"dwell","b":1,"s":"1"})"), VerdictKind::fail_order);
+}
+
 }  // namespace
 }  // namespace gonogo::oracle

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/domain.hpp"
+#include "oracle/differential/domain.hpp"
 
 #include <gtest/gtest.h>
 
 #include "generate/generator.hpp"
 
-namespace gonogo::fuzz {
+namespace gonogo::oracle {
 namespace {
 
 std::string outside(std::string_view dialect, std::string_view program) {
@@ -132,4 +132,4 @@ TEST(Domain, HoldsAllButOneInAHundredOfTheProgramsThatAreGenerated) {
 }
 
 }  // namespace
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::oracle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/domain.hpp"
+#include "oracle/differential/domain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,9 @@
 #include "oracle/judge/program_input.hpp"
 #include "reference/expander.hpp"
 
-namespace gonogo::fuzz {
+namespace gonogo::oracle {
 namespace {
 
-using oracle::approximate;
 using reference::Axis;
 using reference::kAllAxes;
 using reference::kLinearAxes;
@@ -199,4 +198,4 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
   return undecided ? "D-DOM-09" : outside_domain(profile, program);
 }
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::oracle

@@ -9,7 +9,7 @@
 #include "oracle/records/verdict.hpp"
 #include "reference/profile.hpp"
 
-namespace gonogo::fuzz {
+namespace gonogo::oracle {
 
 // Whether every number of the text, wherever it stands, has at most nine digits before the point
 // and seven behind it, zeros at its ends not counted (D-DOM-01).
@@ -25,4 +25,4 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
 std::string_view outside_domain(const reference::Profile& profile, std::string_view program,
                                 const oracle::Verdict& verdict);
 
-}  // namespace gonogo::fuzz
+}  // namespace gonogo::oracle
