@@ -22,8 +22,16 @@ Cell cell_of(const Point3& point) {
           std::llround(point.z * kUnit)};
 }
 
-const char* plane_name(reference::Plane plane) {
-  return plane == reference::Plane::g17 ? "G17" : plane == reference::Plane::g18 ? "G18" : "G19";
+// Places of the two axes of a plane in a point.
+Json places_of_axes(reference::Plane plane) {
+  switch (plane) {
+    case reference::Plane::g17:
+      return {0, 1};
+    case reference::Plane::g18:
+      return {2, 0};
+    default:
+      return {1, 2};
+  }
 }
 
 void append_step(Json& out, const Cell& from, const Cell& to) {
@@ -74,7 +82,7 @@ Json limits_json(const std::vector<Limit>& limits) {
                 {"points", points}};
     if (limit.level) {
       one["tool"] = limit.level->tool_radius;
-      one["plane"] = plane_name(limit.level->plane);
+      one["axes"] = places_of_axes(limit.level->plane);
     }
     list.push_back(std::move(one));
   }

@@ -13,7 +13,8 @@ namespace gonogo::oracle::report {
 // each. A record that does not move has an empty list. Curves have at most `steps_of_turn` steps a
 // turn.
 Json moves_json(const Path& path, std::size_t steps_of_turn);
-// The points of limits, with the tool's radius where it is known: {"kind", "points", "tool"}.
+// The points of limits: {"kind", "text", "points"}, of the border of a pocket with "tool", its
+// radius, and "axes", the places of the plane's axes in a point.
 Json limits_json(const std::vector<Limit>& limits);
 
 }  // namespace gonogo::oracle::report

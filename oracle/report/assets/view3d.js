@@ -23,14 +23,14 @@ function pathOf(moves) {
   });
 }
 
-function limitOf({ kind, points, tool, plane }) {
+function limitOf({ kind, points, tool, axes }) {
   let at = [0, 0, 0];
   const line = [];
   for (let i = 0; i + 2 < points.length; i += 3) {
     at = [at[0] + points[i] * kUnit3d, at[1] + points[i + 1] * kUnit3d, at[2] + points[i + 2] * kUnit3d];
     line.push(at);
   }
-  return { kind, line, tool, plane };
+  return { kind, line, tool, axes };
 }
 
 // Turned about the upright axis, then tilted; as third-angle views stand: right, up, to the viewer.
@@ -164,8 +164,7 @@ class View3d {
     if (pocket) this.strokes.disc.setAttribute('d', `${this.line(this.disc(motion.end, pocket))}Z`);
   }
 
-  disc(middle, { tool, plane }) {
-    const [p, q] = { G17: [0, 1], G18: [2, 0], G19: [1, 2] }[plane];
+  disc(middle, { tool, axes: [p, q] }) {
     return Array.from({ length: 48 }, (_, i) => {
       const point = [...middle];
       point[p] += tool * Math.cos(i * Math.PI / 24);
