@@ -127,7 +127,9 @@ void Corpus::read_manifest(std::vector<std::string>& listed) {
 void Corpus::index(std::size_t file) {
   const Json root = parse_json(files_[file].text);
   for (const Json& group : root.member("groups", Json::Kind::list).items) {
-    groups_.push_back({root.text_of("dialect"), group.member("features", Json::Kind::list).texts(),
+    groups_.push_back({{root.text_of("dialect"), root.text_of("cycle"),
+                        group.member("clauses", Json::Kind::list).texts()},
+                       group.member("features", Json::Kind::list).texts(),
                        group.member("profile", Json::Kind::object)});
     for (const Json& one : group.member("cases", Json::Kind::list).items) {
       const std::string& id = one.text_of("id");
@@ -138,8 +140,8 @@ void Corpus::index(std::size_t file) {
 }
 
 void Corpus::for_each(
-    const std::function<void(const std::string& id, const std::string& dialect)>& visit) const {
-  for (const auto& [id, place] : cases_) visit(id, groups_[place.group].dialect);
+    const std::function<void(const std::string& id, const Topic& topic)>& visit) const {
+  for (const auto& [id, place] : cases_) visit(id, groups_[place.group].topic);
 }
 
 Vector Corpus::read(const std::string& id) const {
@@ -147,7 +149,7 @@ Vector Corpus::read(const std::string& id) const {
   const Group& group = groups_[place.group];
   const std::string& text = files_[place.file].text;
   const Json one = parse_json(std::string_view(text).substr(place.begin, place.end - place.begin));
-  Vector vector{id, group.dialect, group.features, group.profile, {}, {}};
+  Vector vector{id, group.topic.dialect, group.features, group.profile, {}, {}};
   const Json* program = one.find("program");
   if (program == nullptr) throw Fault("The program is missing.");
   vector.program = program_bytes(*program);

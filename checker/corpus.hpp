@@ -38,6 +38,13 @@ struct Vector {
   std::vector<Expectation> expect;
 };
 
+// What a selection asks of a vector.
+struct Topic {
+  std::string dialect;
+  std::string cycle;
+  std::vector<std::string> clauses;
+};
+
 class Corpus {
  public:
   struct File {
@@ -59,18 +66,16 @@ class Corpus {
 
   bool has(const std::string& id) const { return cases_.contains(id); }
   // Of an id that is there.
-  const std::string& dialect_of(const std::string& id) const {
-    return groups_[cases_.at(id).group].dialect;
-  }
-  // Id and dialect of every vector, by id.
-  void for_each(
-      const std::function<void(const std::string& id, const std::string& dialect)>& visit) const;
+  const std::string& dialect_of(const std::string& id) const { return topic_of(id).dialect; }
+  const Topic& topic_of(const std::string& id) const { return groups_[cases_.at(id).group].topic; }
+  // Id and topic of every vector, by id.
+  void for_each(const std::function<void(const std::string& id, const Topic& topic)>& visit) const;
   // Of an id that is there. Throws Fault for a vector that cannot be read.
   Vector read(const std::string& id) const;
 
  private:
   struct Group {
-    std::string dialect;
+    Topic topic;
     std::vector<std::string> features;
     Json profile;
   };

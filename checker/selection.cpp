@@ -18,12 +18,25 @@ Selection::Selection(const Json& header) {
   if (selection == nullptr) return;
   dialects_ = selection->member("dialects", Json::Kind::list).texts();
   only_ = selection->member("only", Json::Kind::list).texts();
-  if (const Json* one = selection->find("case")) case_ = one->text;
+  if (const Json* one = selection->find("case"); one != nullptr && !one->text.empty()) {
+    cases_ = {one->text};
+  }
+  if (const Json* list = selection->find("cases")) cases_ = list->texts();
+  if (const Json* list = selection->find("cycles")) cycles_ = list->texts();
+  if (const Json* list = selection->find("clauses")) clauses_ = list->texts();
 }
 
-bool Selection::takes(const std::string& id, const std::string& dialect) const {
-  if (!dialects_.empty() && std::ranges::find(dialects_, dialect) == dialects_.end()) return false;
-  if (!case_.empty() && id != case_) return false;
+bool Selection::takes(const std::string& id, const Topic& topic) const {
+  const auto names = [](const std::vector<std::string>& list, const std::string& word) {
+    return list.empty() || std::ranges::find(list, word) != list.end();
+  };
+  if (!names(dialects_, topic.dialect) || !names(cases_, id) || !names(cycles_, topic.cycle)) {
+    return false;
+  }
+  if (!clauses_.empty() &&
+      std::ranges::none_of(topic.clauses, [&](const auto& one) { return names(clauses_, one); })) {
+    return false;
+  }
   const bool is_named = only_.empty() || std::ranges::any_of(only_, [&](const std::string& glob) {
                           return matches_glob(glob, id);
                         });

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "checker/corpus.hpp"
 #include "checker/json.hpp"
 
 namespace gonogo::checker {
@@ -15,12 +16,14 @@ class Selection {
  public:
   // Throws Fault.
   explicit Selection(const Json& header);
-  bool takes(const std::string& id, const std::string& dialect) const;
+  bool takes(const std::string& id, const Topic& topic) const;
 
  private:
   std::vector<std::string> dialects_;  // empty: all
   std::vector<std::string> only_;      // globs over ids; empty: all
-  std::string case_;                   // empty: all
+  std::vector<std::string> cases_;     // empty: all
+  std::vector<std::string> cycles_;    // empty: all
+  std::vector<std::string> clauses_;   // empty: all
   unsigned long shard_ = 1;
   unsigned long shards_ = 1;
 };

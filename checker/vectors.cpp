@@ -48,7 +48,7 @@ int check_vectors(const std::string& folder, std::FILE* out) {
   std::size_t records = 0;
   std::size_t half_told = 0;
   std::size_t enclosed_arcs = 0;
-  corpus.for_each([&](const std::string& id, const std::string&) {
+  corpus.for_each([&](const std::string& id, const Topic&) {
     ++cases;
     if (retired.contains(id)) report.fault(id + ": This id is retired.");
     try {

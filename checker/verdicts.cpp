@@ -233,12 +233,12 @@ void Verdicts::check_complete() {
   const Selection selection(results_.header());
   std::size_t missing = 0;
   std::string first;
-  corpus_.for_each([&](const std::string& id, const std::string& dialect) {
-    if (!selection.takes(id, dialect) || seen_.contains(id)) return;
+  corpus_.for_each([&](const std::string& id, const Topic& topic) {
+    if (!selection.takes(id, topic) || seen_.contains(id)) return;
     if (++missing == 1) first = id;
   });
   for (const std::string& id : seen_) {
-    if (corpus_.has(id) && !selection.takes(id, corpus_.dialect_of(id))) {
+    if (corpus_.has(id) && !selection.takes(id, corpus_.topic_of(id))) {
       file_fault("The case " + id + " was not asked for.");
     }
   }

@@ -150,6 +150,36 @@ CommandLine::~CommandLine() = default;
 
 namespace {
 
+// How many letters have to be changed, left out or put in between two words.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
+      diagonal = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// The known word that is nearest to one that is not known; empty: none is near.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t kNear = 3;
+  std::string best;
+  std::size_t least = std::min(kNear, word.size() / 2) + 1;
+  for (const std::string& one : known) {
+    const std::size_t here = distance(word, one);
+    if (here >= least) continue;
+    least = here;
+    best = one;
+  }
+  return best;
+}
+
 // Empty: the first word is a command, or none.
 std::string unknown_command(const CLI::App& app, const std::string& word) {
   if (word.empty() || word.front() == '-') return {};
@@ -159,7 +189,37 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
     if (command->get_group().empty()) continue;
     known += (known.empty() ? "" : ", ") + command->get_name();
   }
-  return "There is no command \"" + word + "\". There are " + known + ".\n";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  }
+  const std::string near = nearest_word(word, names);
+  return "There is no command \"" + word + "\". " +
+         (near.empty() ? "" : "Did you mean " + near + "? ") + "There are " + known + ".\n";
+}
+
+// "Did you mean --dialect?" for each option that the command does not have.
+std::string suggestions(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* command = &app;
+  std::string text;
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (!word.starts_with("--")) {
+      for (const CLI::App* own : command->get_subcommands([](const CLI::App*) { return true; })) {
+        if (own->get_name() == word) command = own;
+      }
+      continue;
+    }
+    word = word.substr(0, word.find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    if (std::ranges::find(known, word) != known.end()) continue;
+    const std::string near = nearest_word(word, known);
+    if (!near.empty()) text += "There is no " + word + ". Did you mean " + near + "?\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -173,7 +233,10 @@ int CommandLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app_->exit(error) == 0 ? kGo : kWrongUse;
+    const int code = app_->exit(error);
+    if (code == 0) return kGo;
+    complain("{}", suggestions(*app_, argc, argv));
+    return kWrongUse;
   }
   return exit_code_;
 }

@@ -9,6 +9,13 @@
 #include "grammar/parser.hpp"
 
 namespace gonogo::cli {
+namespace {
+
+constexpr std::string_view kToolHint =
+    "A tool is chosen by T in the program, and the profile says what it is; write there, for "
+    "example: tools = {\"1\" = {radius = \"5\"}}\n";
+
+}  // namespace
 
 void report_alarms(const reference::AlarmReport& report, std::string_view file,
                    std::string_view line) {
@@ -23,6 +30,7 @@ void report_alarms(const reference::AlarmReport& report, std::string_view file,
         fmt::format("alarm: {} [{}, {}]", alarm.message, reference::name(alarm.alarm),
                     reference::clause_name(alarm.clause));
     complain("{}", grammar::render(message, alarm.where, file, report.block, line));
+    if (alarm.alarm == reference::AlarmClass::no_tool) complain("{}", kToolHint);
   }
 }
 
@@ -37,6 +45,7 @@ void report_not_covered(const reference::NotCovered& outside, std::string_view f
   const std::string_view kind = outside.lacks.empty() ? "not covered" : "the profile lacks";
   const std::string message = fmt::format("{}: {}", kind, outside.message);
   complain("{}", grammar::render(message, outside.where, file, outside.block, line));
+  if (!outside.lacks.empty()) complain("Write in the profile: {}\n", outside.lacks);
 }
 
 void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,

@@ -24,8 +24,8 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
   shown_ = now;
   const std::chrono::duration<double> spent = now - start_;
   const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-  complain("\r\033[K{}: {} of about {} cases, {} NO-GO, about {:.0f} s left", subject_, done, all,
-           no_go, left);
+  complain("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left", subject_, done, all, no_go,
+           left);
   std::fflush(stderr);
 }
 

@@ -14,6 +14,7 @@ class ProgressLine {
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
+  bool is_on() const { return on_; }
   // Called after each case.
   void show(std::size_t done, std::size_t all, std::size_t no_go);
 

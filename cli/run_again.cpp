@@ -75,7 +75,10 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   const Json selection = header.value("selection", Json::object());
   campaign.dialects = texts(selection.value("dialects", Json::array()));
   campaign.only = texts(selection.value("only", Json::array()));
-  campaign.case_id = text_of(selection, "case");
+  campaign.cases = texts(selection.value("cases", Json::array()));
+  if (const std::string one = text_of(selection, "case"); !one.empty()) campaign.cases = {one};
+  campaign.cycles = texts(selection.value("cycles", Json::array()));
+  campaign.clauses = texts(selection.value("clauses", Json::array()));
   campaign.readings = texts(header.value("readings", Json::array()));
   campaign.grants = {
       length_option(text_of(header, "tolerance"), "the tolerance of the run"),

@@ -14,7 +14,7 @@ namespace {
 
 // What was written where, line by line.
 void write_report(const FinishedRun& run, std::string& written) {
-  auto failed = oracle::evidence::write_evidence(run.files.results, run.report);
+  auto failed = oracle::evidence::write_evidence(run.files.results, run.report, run.corpus);
   if (failed) throw OutputError(*failed, false);
   written += fmt::format("report:  {}/index.html\n", run.report);
   if (run.certificate.empty()) return;

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "oracle/corpus/corpus.hpp"
 #include "oracle/evidence/certificate.hpp"
 
 namespace gonogo::cli {
@@ -15,6 +16,7 @@ struct FinishedRun {
   oracle::evidence::CertificateSources files;  // results, and what the run had
   std::string report;                          // folder
   std::string certificate;                     // folder; empty: none
+  const oracle::Corpus* corpus = nullptr;      // for the programs of the passes; null: without
 };
 
 // Tells the summary and writes report and certificate. Throws what keeps one of them from being

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 
+#include "cli/colour.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "oracle/report/clauses.hpp"
 
@@ -106,17 +108,96 @@ std::string advices_text(const oracle::RunScope& scope) {
 
 }  // namespace
 
-std::string summary_text(const CampaignSummary& summary, const std::string& subject) {
+namespace {
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", oracle::grouped(count), count == 1 ? one : many);
+}
+
+// The cycles with their cases, those with most first.
+std::string cycles_text(const oracle::Finding& finding) {
+  std::vector<std::pair<std::string, std::size_t>> cycles(finding.by_cycle.begin(),
+                                                          finding.by_cycle.end());
+  std::ranges::stable_sort(cycles, [](auto& a, auto& b) { return a.second > b.second; });
   std::string text;
-  std::size_t shown = 0;
-  for (const oracle::CaseResult& failure : summary.failures) {
-    if (shown++ == kShownFailures) {
-      text += fmt::format("... and more; all are in the results and the report.\n\n");
-      break;
-    }
-    text += fmt::format("{} {}\n{}\n", failure.id, name(failure.verdict.kind),
-                        evidence(failure.verdict, "  "));
+  for (const auto& [cycle, cases] : cycles) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cycle, oracle::grouped(cases));
   }
+  return text;
+}
+
+std::string finding_head(const oracle::Finding& finding) {
+  if (finding.cases == 1) {
+    return fmt::format("{} {}", finding.smallest.id, name(finding.key.kind));
+  }
+  return finding.line();
+}
+
+std::string finding_text(const oracle::Finding& finding, const oracle::CaseResult* smallest,
+                         bool colour) {
+  std::string text = in_tone(finding_head(finding), Tone::strong, colour) + "\n";
+  if (smallest != nullptr) text += evidence(smallest->verdict, "  ");
+  if (finding.cases == 1) return text + "\n";
+  text += fmt::format("  {:<11}{}\n", "cases of", cycles_text(finding));
+  std::vector<std::string> others;
+  for (const std::string& id : finding.first) {
+    if (id != finding.smallest.id && others.size() < kShownIds) others.push_back(id);
+  }
+  return text + fmt::format("  {:<11}{}{}\n\n", "as well", fmt::join(others, ", "),
+                            finding.cases > others.size() + 1 ? ", ..." : "");
+}
+
+// Each finding once, those of one cause below it.
+std::string findings_text(const CampaignSummary& summary, bool colour) {
+  std::string text;
+  std::string cause;
+  std::size_t shown = 0;
+  for (const oracle::Finding* finding : summary.findings.list()) {
+    if (!finding->cause.empty() && finding->cause != cause) {
+      text +=
+          in_tone(fmt::format("Likely cause: {}.", finding->cause), Tone::unsure, colour) + "\n";
+    }
+    cause = finding->cause;
+    if (++shown > kShownFindings) {
+      text += finding_head(*finding) + "\n";
+      continue;
+    }
+    const auto smallest = summary.smallest.find(finding->number);
+    text += finding_text(*finding, smallest == summary.smallest.end() ? nullptr : &smallest->second,
+                         colour);
+  }
+  return shown > kShownFindings ? text + "\n" : text;
+}
+
+// What the subject does not claim, dialect by dialect, feature by feature.
+std::string not_claimed_text(const oracle::RunScope& scope) {
+  struct Skips {
+    std::size_t cases = 0;
+    std::map<std::string, std::size_t, oracle::NaturalOrder> features;
+  };
+  std::map<std::string, Skips> by_dialect;
+  for (const auto& [key, group] : scope.not_claimed()) {
+    Skips& skips = by_dialect[key.dialect];
+    skips.cases += group.cases;
+    skips.features[key.feature.empty() ? "other reasons" : key.feature] += group.cases;
+  }
+  std::string text;
+  for (const auto& [dialect, skips] : by_dialect) {
+    std::string features;
+    for (const auto& [feature, cases] : skips.features) {
+      features +=
+          fmt::format("{}{} {}", features.empty() ? "" : ", ", feature, oracle::grouped(cases));
+    }
+    text += fmt::format("  not claimed of {}: {} ({})\n", dialect,
+                        counted(skips.cases, "case", "cases"), features);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_text(const CampaignSummary& summary, const std::string& subject, bool colour) {
+  std::string text = findings_text(summary, colour);
   text += advices_text(summary.answer.scope);
   text += fmt::format("{}: {} cases\n", subject, summary.answer.cases);
   for (std::string_view verdict : oracle::verdict_names()) {
@@ -125,6 +206,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
       text += fmt::format("  {:<20} {:>6}\n", verdict, total->second);
     }
   }
+  text += not_claimed_text(summary.answer.scope);
   for (const std::string& assignment : summary.footer.assignments) {
     text += fmt::format("  follows {}\n", assignment);
   }
@@ -137,7 +219,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
   if (summary.answer.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
-  text += summary.answer.head + "\n";
+  text += in_tone(summary.answer.head, tone_of(summary.answer.decision), colour) + "\n";
   return text;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "cli/exit_code.hpp"
 #include "oracle/campaign/results.hpp"
+#include "oracle/records/finding.hpp"
 #include "oracle/records/verdict.hpp"
 
 namespace gonogo::cli {
@@ -18,11 +20,13 @@ ExitCode exit_code_of(const oracle::Verdict& verdict);
 struct CampaignSummary {
   oracle::RunAnswer answer;
   oracle::ResultsFooter footer;
-  std::vector<oracle::CaseResult> failures;  // the first of them, one more than are shown
-  bool complete = true;                      // not stopped at the first NO-GO
+  oracle::Findings findings;
+  std::map<std::size_t, oracle::CaseResult> smallest;  // case of a finding, by its number
+  bool complete = true;                                // not stopped at the first NO-GO
 };
-inline constexpr std::size_t kShownFailures = 10;
-// Totals, the first failures, GO or NO-GO.
-std::string summary_text(const CampaignSummary& summary, const std::string& subject);
+// Findings that are shown with their evidence; of the others a line each.
+inline constexpr std::size_t kShownFindings = 10;
+// What was found, each kind once, totals, GO or NO-GO.
+std::string summary_text(const CampaignSummary& summary, const std::string& subject, bool colour);
 
 }  // namespace gonogo::cli

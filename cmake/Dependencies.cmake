@@ -8,7 +8,7 @@ find_package(simdjson REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Threads REQUIRED)
 
-foreach(library gmp gmpxx mpfr nettle)
+foreach(library gmp gmpxx mpfr nettle z)
   find_library(GONOGO_${library} ${library} REQUIRED)
   add_library(gonogo_external_${library} INTERFACE)
   target_link_libraries(gonogo_external_${library} INTERFACE

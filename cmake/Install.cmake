@@ -38,7 +38,7 @@ target_link_libraries(gonogo_oracle INTERFACE ${libraries} simdjson::simdjson)
 target_compile_features(gonogo_oracle INTERFACE cxx_std_20)
 set_target_properties(gonogo_oracle PROPERTIES EXPORT_NAME oracle)
 install(TARGETS gonogo_oracle ${libraries}
-  gonogo_external_gmp gonogo_external_gmpxx gonogo_external_mpfr gonogo_external_nettle
+  gonogo_external_gmp gonogo_external_gmpxx gonogo_external_mpfr gonogo_external_nettle gonogo_external_z
   EXPORT gonogo-oracle ARCHIVE DESTINATION lib/gonogo COMPONENT oracle)
 install(DIRECTORY grammar reference oracle DESTINATION include/gonogo-oracle COMPONENT oracle
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.def" PATTERN x3 EXCLUDE PATTERN assets EXCLUDE)

@@ -27,7 +27,7 @@ set(CPACK_COMPONENT_GONOGO_DESCRIPTION
 set(CPACK_DEBIAN_ORACLE_PACKAGE_NAME libgonogo-oracle-dev)
 set(CPACK_DEBIAN_ORACLE_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_ORACLE_PACKAGE_DEPENDS
-  "gonogo (= ${PROJECT_VERSION}), libfmt-dev, libgmp-dev, libmpfr-dev, libsimdjson-dev, libtomlplusplus-dev, nettle-dev, nlohmann-json3-dev")
+  "gonogo (= ${PROJECT_VERSION}), libfmt-dev, libgmp-dev, libmpfr-dev, libsimdjson-dev, libtomlplusplus-dev, nettle-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_COMPONENT_ORACLE_DESCRIPTION
 "master gauge for CNC canned cycles, static libraries
  Grammar, reference and oracle of GoNoGo as C++ libraries, for programs that

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "cli/arguments.hpp"
+#include "cli/causes.hpp"
+#include "cli/colour.hpp"
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
@@ -18,6 +21,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/results_file.hpp"
 #include "cli/run_end.hpp"
 #include "cli/run_limits.hpp"
 #include "cli/subject_files.hpp"
@@ -25,10 +29,13 @@
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
 #include "expanders/registry.hpp"
+#include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/trace_file.hpp"
 #include "oracle/capture/capture_tally.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "oracle/report/clauses.hpp"
+#include "oracle/report/json_value.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
@@ -39,7 +46,7 @@ namespace {
 constexpr std::string_view kAnyDialect = "gsk988ta";
 
 struct CertifyOptions {
-  std::string subject;
+  std::vector<std::string> subjects;
   std::vector<std::string> dialects;
   std::string corpus;
   std::string report;
@@ -48,9 +55,13 @@ struct CertifyOptions {
   std::string profile;
   std::vector<std::string> readings;
   std::vector<std::string> only;
-  std::string case_id;
+  std::vector<std::string> cases;
+  std::string failed_of;
+  std::vector<std::string> cycles;
+  std::vector<std::string> clauses;
   std::string shard = "1/1";
   long jobs = 0;
+  long causes = 3;
   bool fail_fast = false;
   bool resume = false;
   std::string known_failures;
@@ -100,7 +111,9 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   for (const std::string& dialect : options.dialects) load_profile({dialect, "", {}});
   campaign.dialects = options.dialects;
   campaign.only = options.only;
-  campaign.case_id = options.case_id;
+  campaign.cases = options.cases;
+  campaign.cycles = options.cycles;
+  campaign.clauses = options.clauses;
   campaign.traces = options.traces;
   campaign.readings = options.readings;
   if (!options.profile.empty()) {
@@ -163,7 +176,9 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.readings = options.readings;
   header.dialects = options.dialects;
   header.only = options.only;
-  header.case_id = options.case_id;
+  header.cases = options.cases;
+  header.cycles = options.cycles;
+  header.clauses = options.clauses;
   header.known_failures_sha256 = sha256_of(options.known_failures);
   header.alarm_map_sha256 = sha256_of(options.alarm_map);
   const oracle::Grants& grants = campaign.grants;
@@ -199,6 +214,7 @@ oracle::CampaignEnd run_cases(const oracle::Corpus& corpus, oracle::CampaignOpti
                               oracle::ResultsWriter& results) {
   campaign.is_done = [&](std::string_view id) { return results.has(id); };
   ProgressLine progress(subject);
+  if (progress.is_on()) campaign.expected = oracle::count_cases(corpus, campaign);
   return oracle::run_campaign(
       corpus, campaign, maker, [&](const oracle::CaseResult& result) { results.add(result); },
       [&](std::size_t done, std::size_t all, std::size_t no_go) {
@@ -221,12 +237,10 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
   summary.answer =
       results.close(ending, summary.footer, [&](const std::string& line, oracle::VerdictKind kind) {
         if (captured != nullptr) captured->take(line);
-        const bool is_finding =
-            decision(kind) == oracle::Decision::no_go ||
-            kind == oracle::VerdictKind::oracle_error ||
-            (kind == oracle::VerdictKind::oracle_gap && !oracle::facts_of(line).expected_gap);
-        if (is_finding && summary.failures.size() <= kShownFailures) {
-          summary.failures.push_back(oracle::result_of_line(line));
+        const oracle::CaseFacts facts = oracle::facts_of(line);
+        const oracle::Finding* finding = summary.findings.add(facts.head, kind);
+        if (finding != nullptr && summary.findings.is_smallest()) {
+          summary.smallest[finding->number] = oracle::result_of_line(line);
         }
       });
   return summary;
@@ -253,6 +267,47 @@ void begin_trace_folder(const std::string& folder, const oracle::SubjectInfo& in
   throw UsageError(fmt::format("--traces: {}.", error.what()));
 }
 
+// Recorded output cannot be asked for more programs, and a part of a run is not the place to look.
+void name_causes(const CertifyOptions& options, const oracle::Corpus& corpus,
+                 const oracle::CampaignOptions& campaign, const oracle::SubjectMaker& maker,
+                 const std::string& subject, const std::string& report, CampaignSummary& summary) {
+  oracle::evidence::Causes causes;
+  const bool can_ask =
+      !subject.starts_with("capture:") && campaign.shards == 1 && !campaign.fail_fast;
+  if (can_ask && options.causes > 0 && !summary.findings.empty()) {
+    causes =
+        find_causes(summary, corpus, campaign, maker, static_cast<std::size_t>(options.causes));
+  }
+  for (const auto& [key, cause] : causes) summary.findings.set_cause(key, cause);
+  oracle::evidence::write_causes(report, causes);
+}
+
+// A few cases do not go where a campaign is, unless they are sent there.
+std::string report_folder(const CertifyOptions& options) {
+  if (!options.report.empty()) return options.report;
+  return options.cases.empty() ? "report" : "again";
+}
+
+// The results of a whole campaign are not replaced by those of a part of it.
+void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& results_path) {
+  if (!campaign.is_part() || !std::filesystem::exists(results_path)) return;
+  try {
+    const nlohmann::ordered_json header = oracle::ResultsReader(results_path).header();
+    const auto selection = header.value("selection", nlohmann::ordered_json::object());
+    const auto none = nlohmann::ordered_json::array();
+    const bool is_part = selection.value("only", none).size() > 0 || selection.contains("cases") ||
+                         selection.contains("cycles") || selection.contains("clauses") ||
+                         !oracle::report::text_of(selection, "case").empty();
+    if (is_part || !header.contains("selection")) return;
+  } catch (const oracle::ResultsError&) {
+    return;  // no results: nothing is lost
+  }
+  throw UsageError(
+      fmt::format("{} is of a whole campaign, and a run of a part of it would replace it. Name "
+                  "another folder with --report.",
+                  results_path));
+}
+
 int certify_one(const CertifyOptions& options, const std::string& subject,
                 const std::string& report) {
   const oracle::CampaignOptions campaign = campaign_options(options);
@@ -261,10 +316,11 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
+  const std::string results_path = report + "/results.jsonl";
+  keep_campaign(campaign, results_path);
   std::filesystem::create_directories(report);
   if (!options.certificate.empty()) std::filesystem::create_directories(options.certificate);
   begin_trace_folder(options.traces, info);
-  const std::string results_path = report + "/results.jsonl";
   CampaignSummary summary;
   oracle::CaptureTally captured;
   try {
@@ -272,6 +328,7 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
     summary = close_results(campaign, end, results, info.recorded ? &captured : nullptr);
+    name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::ResumeError& error) {
     throw UsageError(error.what());
   } catch (const oracle::CorpusError& error) {
@@ -292,11 +349,12 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   const std::string beside =
       info.recorded ? captured_text(options, subject, corpus, captured) : std::string();
   tell_run(
-      {summary_text(summary, subject) + beside,
+      {summary_text(summary, subject, wants_colour(STDOUT_FILENO)) + beside,
        summary.answer.exit_code,
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,
-       options.certificate});
+       options.certificate,
+       &corpus});
   return summary.answer.exit_code;
 }
 
@@ -314,23 +372,90 @@ std::optional<CertifyOptions> with_own_dialects(const CertifyOptions& options,
   return own;
 }
 
-int certify(const CertifyOptions& options) {
+// Each below a folder of its own.
+CertifyOptions below(const CertifyOptions& options, const std::string& name) {
+  CertifyOptions own = options;
+  if (!own.certificate.empty()) own.certificate += "/" + name;
+  if (!own.traces.empty()) own.traces += "/" + name;
+  return own;
+}
+
+// "builtin-gsk" of builtin:gsk, for a folder; what cannot be kept of a command is left out.
+std::string folder_name(const std::string& subject) {
+  constexpr std::size_t kLongest = 60;
+  std::string name;
+  for (const char c : subject) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                       c == '.' || c == '_' || c == '+';
+    if (plain && !(c == '.' && name.empty())) {
+      name += c;
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+    if (name.size() == kLongest) break;
+  }
+  while (name.ends_with('-')) name.pop_back();
+  return name.empty() ? "subject" : name;
+}
+
+// Several subjects one after the other: the answer is the gravest.
+int certify_each(const CertifyOptions& options, const std::string& report) {
+  int exit_code = kGo;
+  std::set<std::string> names;
+  for (const std::string& subject : options.subjects) {
+    std::string name = folder_name(subject);
+    while (!names.insert(name).second) name += "-again";
+    const int one = certify_one(below(options, name), subject, fmt::format("{}/{}", report, name));
+    if (one == kNoGo || exit_code == kGo) exit_code = one;
+  }
+  return exit_code;
+}
+
+// What was found in a run before is run again, whatever else is asked for.
+CertifyOptions with_failed_cases(CertifyOptions options) {
+  if (options.failed_of.empty()) return options;
+  const std::string path = results_in(options.failed_of);
+  oracle::Findings findings;
+  try {
+    oracle::ResultsReader results(path);
+    for (oracle::CaseHead head; results.next(head);) {
+      const auto kind =
+          oracle::verdict_kind(head.verdict).value_or(oracle::VerdictKind::oracle_error);
+      if (findings.add(head, kind) != nullptr) options.cases.push_back(head.id);
+    }
+  } catch (const oracle::ResultsError& error) {
+    throw UsageError(error.what());
+  }
+  if (findings.empty()) {
+    throw UsageError(fmt::format("No case of {} failed: there is nothing to run again.", path));
+  }
+  return options;
+}
+
+void check_clauses(const CertifyOptions& options) {
+  for (const std::string& id : options.clauses) {
+    if (oracle::report::find_clause(id) != nullptr) continue;
+    throw UsageError(fmt::format("There is no clause {}. `gonogo spec` prints them all.", id));
+  }
+}
+
+int certify(const CertifyOptions& asked) {
+  const CertifyOptions options = with_failed_cases(asked);
+  check_clauses(options);
   check_readings(options);
   if (options.fail_fast && !options.certificate.empty()) {
     throw UsageError("A certificate is of a whole run: leave --fail-fast or --certificate out.");
   }
-  const std::string report = options.report.empty() ? "report" : options.report;
-  if (!options.subject.empty()) return certify_one(options, options.subject, report);
+  const std::string report = report_folder(options);
+  if (options.subjects.size() == 1) return certify_one(options, options.subjects.front(), report);
+  if (!options.subjects.empty()) return certify_each(options, report);
   // The main job: every built-in expander, each with its own report.
   int exit_code = kGo;
   for (std::string_view name : expanders::names()) {
     const std::string subject = fmt::format("builtin:{}", name);
     std::optional<CertifyOptions> own = with_own_dialects(options, subject);
     if (!own) continue;
-    if (!options.certificate.empty()) {
-      own->certificate = fmt::format("{}/{}", options.certificate, name);
-    }
-    if (!options.traces.empty()) own->traces = fmt::format("{}/{}", options.traces, name);
+    own = below(*own, std::string(name));
     const int one = certify_one(*own, subject, fmt::format("{}/{}", report, name));
     if (one == kNoGo || exit_code == kGo) exit_code = one;
   }
@@ -342,20 +467,28 @@ int certify(const CertifyOptions& options) {
 void add_certify(Command& program) {
   auto options = std::make_shared<CertifyOptions>();
   Command command = program.add_command("certify", "Judge a subject with the corpus");
-  command.option("--subject", options->subject,
-                 "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND, lib:PATH.so or capture:DIR");
+  command.repeated_option(
+      "--subject", options->subjects,
+      "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND, lib:PATH.so or capture:DIR");
   command.repeated_option("--dialect", options->dialects, "only this dialect");
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
-  command.option("--report", options->report, "folder for results and report (report)");
+  command.option("--report", options->report,
+                 "folder for results and report (report; of a few cases: again)");
   command.option("--certificate", options->certificate, "folder for a certificate as well");
   command.option("--traces", options->traces,
                  "folder for what the subject sends for each case, as capture:DIR reads it");
   command.option("--profile", options->profile, "the machine's profile");
   command.repeated_option("--reading", options->readings, "one reading as key=value");
   command.repeated_option("--only", options->only, "only ids that match the glob");
-  command.option("--case", options->case_id, "only this case");
+  command.repeated_option("--case", options->cases, "only this case");
+  command.option("--failed-of", options->failed_of,
+                 "only the cases that are findings of these results, a file or its folder");
+  command.repeated_option("--cycle", options->cycles, "only cases of this cycle, as g94");
+  command.repeated_option("--clause", options->clauses, "only cases that test this clause");
   command.option("--shard", options->shard, "part i of n: i/n");
   command.number("--jobs", options->jobs, 1, 256, "subjects that run at the same time");
+  command.number("--causes", options->causes, 0, 1000,
+                 "findings of which the likely cause is looked for (3)");
   command.option("--known-failures", options->known_failures,
                  "TOML file of cases that the subject is known to fail");
   command.option("--alarm-map", options->alarm_map,

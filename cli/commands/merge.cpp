@@ -3,10 +3,12 @@
 // gonogo merge: the results of the shards of a run put together.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 
 #include "cli/arguments.hpp"
+#include "cli/colour.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
@@ -61,7 +63,10 @@ int merge(oracle::MergeOptions options) {
   for (const std::string& shard : outcome.missing) complain("gonogo: {}.\n", shard);
   Output output;
   if (outcome.missing.empty()) {
-    output.text() = summary_text({outcome.answer, outcome.footer, {}, true}, "merged");
+    CampaignSummary summary;
+    summary.answer = outcome.answer;
+    summary.footer = outcome.footer;
+    output.text() = summary_text(summary, "merged", wants_colour(STDOUT_FILENO));
   }
   output.text() += outcome.written ? fmt::format("results: {}{}\n", options.out,
                                                  outcome.missing.empty() ? "" : " (incomplete)")

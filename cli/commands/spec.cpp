@@ -4,12 +4,14 @@
 // with drawings.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "oracle/manual/examples.hpp"
 #include "oracle/manual/page.hpp"
 #include "oracle/records/features.hpp"
 #include "oracle/records/output_file.hpp"
@@ -22,6 +24,7 @@ namespace {
 struct SpecOptions {
   std::string dialect;
   bool features = false;
+  bool alarms = false;
   std::string format = "text";
   std::string out;
 };
@@ -30,6 +33,33 @@ void append_features(std::string& out) {
   for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
     out += fmt::format("{:<12} {:<10} {}\n", feature.dialect, feature.name, feature.text);
   }
+}
+
+// The first example of an alarm class, as "dialect: program"; empty: there is none.
+std::string example_of(std::string_view alarm) {
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    for (const oracle::manual::Examples& part : oracle::manual::examples_of(dialect.name)) {
+      for (const oracle::manual::AlarmExample& example : part.alarms) {
+        if (example.alarm != alarm) continue;
+        std::string text = fmt::format("{:8}{}, {}:\n", "", dialect.name, example.clause);
+        for (std::size_t from = 0; from < example.program.size();) {
+          const std::size_t end =
+              std::min(example.program.find('\n', from), example.program.size());
+          text += fmt::format("{:12}{}\n", "", example.program.substr(from, end - from));
+          from = end + 1;
+        }
+        return text;
+      }
+    }
+  }
+  return {};
+}
+
+// Every class with what it means and a program that raises it.
+void append_alarm_classes(std::string& out) {
+#define GONOGO_ALARM(name, text, sentence) \
+  out += fmt::format("{}\n    {}\n{}", text, sentence, example_of(text));
+#include "reference/alarm_classes.def"
 }
 
 // Below the document and section where each stands: level, basis and text.
@@ -116,6 +146,11 @@ int write_pages(const SpecOptions& options) {
 
 int spec(const SpecOptions& options) {
   Output output;
+  if (options.alarms) {
+    append_alarm_classes(output.text());
+    output.flush();
+    return kGo;
+  }
   if (options.features) {
     append_features(output.text());
     output.flush();
@@ -144,6 +179,8 @@ void add_spec(Command& program) {
   command.option("--dialect", options->dialect, "one of: " + reference::dialect_names() + " (all)");
   command.flag("--features", options->features,
                "the words by which a subject declares what it has");
+  command.flag("--alarms", options->alarms,
+               "the classes of alarms, each with its meaning and an example");
   command.choice("--format", options->format, {"text", "markdown"},
                  "text, or markdown: a page with drawings (text)");
   command.option("--out", options->out, "folder for pages and drawings");

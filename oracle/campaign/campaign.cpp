@@ -74,7 +74,8 @@ void Run::finish_case(CaseResult result) {
     stopped_ = true;  // before another worker gets the lock: nothing more can be written
     throw;
   }
-  if (progress_) progress_(finished_, queue_.expected(), no_go_);
+  if (progress_)
+    progress_(finished_, options_.expected > 0 ? options_.expected : queue_.expected(), no_go_);
   if (stopped_) queue_.stop();
 }
 
@@ -120,6 +121,17 @@ CampaignEnd Run::end() {
 }
 
 }  // namespace
+
+std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options) {
+  std::size_t count = 0;
+  CaseReader reader(corpus, Detail::to_run);
+  while (auto test = reader.next()) {
+    if (!is_selected(options, *test)) continue;
+    auto merged = under(options, *std::move(test));
+    if (merged && !(options.is_done && options.is_done(merged->id))) ++count;
+  }
+  return count;
+}
 
 CampaignEnd run_campaign(const Corpus& corpus, const CampaignOptions& options,
                          const SubjectMaker& make_subject, const ResultSink& results,

@@ -20,7 +20,9 @@ namespace gonogo::oracle {
 struct CampaignOptions {
   std::vector<std::string> dialects;  // empty: all
   std::vector<std::string> only;      // globs over ids; empty: all
-  std::string case_id;                // one case
+  std::vector<std::string> cases;     // ids; empty: all
+  std::vector<std::string> cycles;    // empty: all
+  std::vector<std::string> clauses;   // cases that are there to test one of them; empty: all
   std::vector<std::string> readings;  // "k=v" over the case's profile
   // A certifier's profile: what it sets holds for every case, and groups that contradict it are
   // left out.
@@ -33,13 +35,18 @@ struct CampaignOptions {
   Limits limits;
   std::vector<KnownFailure> known_failures;
   std::shared_ptr<const AlarmMap> alarm_map;  // null: the subject's classes are taken as they are
-  std::string traces;  // folder for what the subject sends for each case; empty: none
+  std::size_t expected = 0;  // what count_cases() says, for the progress; 0: not counted
+  std::string traces;        // folder for what the subject sends for each case; empty: none
   // Cases whose results are there already, of a run that goes on; null: none.
   std::function<bool(std::string_view id)> is_done;
 
   // Nothing is left out by choice, or by this run's being a shard of such a one. A profile or
   // readings that the subject follows leave nothing out that it could be asked for.
-  bool is_whole() const { return only.empty() && case_id.empty() && !fail_fast; }
+  bool is_whole() const { return !is_part() && !fail_fast; }
+  // Only some cases of the dialects were asked for.
+  bool is_part() const {
+    return !only.empty() || !cases.empty() || !cycles.empty() || !clauses.empty();
+  }
 };
 
 // What the case lines do not say of a campaign.
@@ -52,12 +59,15 @@ struct CampaignEnd {
 };
 
 using SubjectMaker = std::function<std::unique_ptr<Subject>()>;
-// Called after each case, one at a time: done, all (estimated until the corpus has been read),
-// NO-GO so far.
+// Called after each case, one at a time: done, all (options.expected, or estimated until the corpus
+// has been read), NO-GO so far.
 using Progress = std::function<void(std::size_t done, std::size_t all, std::size_t no_go)>;
 
 // Takes each result, one at a time, in any order, before the readings of the run are reconciled.
 using ResultSink = std::function<void(const CaseResult&)>;
+
+// How many cases a campaign will take from the corpus. Throws CorpusError.
+std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options);
 
 // Throws what the corpus, the subject's making and the sink throw.
 CampaignEnd run_campaign(const Corpus& corpus, const CampaignOptions& options,

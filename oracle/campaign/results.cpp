@@ -51,6 +51,21 @@ std::string text_in(const Json& object, const char* key) {
 
 }  // namespace
 
+namespace {
+
+// Several cases, cycles and clauses stand there only where they were asked for.
+Json selection_json(const ResultsHeader& header) {
+  Json selection = {{"dialects", header.dialects}, {"only", header.only}};
+  const bool is_one = header.cases.size() == 1;
+  selection["case"] = is_one ? Json(header.cases.front()) : Json(nullptr);
+  if (header.cases.size() > 1) selection["cases"] = header.cases;
+  if (!header.cycles.empty()) selection["cycles"] = header.cycles;
+  if (!header.clauses.empty()) selection["clauses"] = header.clauses;
+  return selection;
+}
+
+}  // namespace
+
 std::string header_line(const ResultsHeader& header) {
   Json line;
   line["format"] = 1;
@@ -72,8 +87,7 @@ std::string header_line(const ResultsHeader& header) {
   line["strict"] = header.strict;
   if (!header.blend.empty()) line["blend"] = header.blend;
   line["capped"] = capped_json(header);
-  line["selection"] = {
-      {"dialects", header.dialects}, {"only", header.only}, {"case", text_or_null(header.case_id)}};
+  line["selection"] = selection_json(header);
   line["known_failures"] = text_or_null(header.known_failures_sha256);
   line["alarm_map"] = text_or_null(header.alarm_map_sha256);
   line["seed"] = header.seed;

@@ -39,7 +39,9 @@ struct ResultsHeader {
   std::vector<std::pair<std::string, Capped>> capped;
   std::vector<std::string> dialects;  // empty: all
   std::vector<std::string> only;      // globs over ids; empty: all
-  std::string case_id;                // empty: all
+  std::vector<std::string> cases;     // empty: all
+  std::vector<std::string> cycles;    // empty: all
+  std::vector<std::string> clauses;   // empty: all
   std::string known_failures_sha256;  // of the file; empty: none
   std::string alarm_map_sha256;       // of the file; empty: none
   std::uint64_t seed = 0;

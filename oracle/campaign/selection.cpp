@@ -46,7 +46,15 @@ unsigned shard_of(std::string_view id, unsigned shards) {
 }
 
 bool is_selected(const CampaignOptions& options, const Case& test) {
-  if (!options.case_id.empty() && test.id != options.case_id) return false;
+  const auto is_named = [](const std::vector<std::string>& names, const std::string& name) {
+    return names.empty() || std::ranges::find(names, name) != names.end();
+  };
+  if (!is_named(options.cases, test.id) || !is_named(options.cycles, test.cycle)) return false;
+  if (!options.clauses.empty() && std::ranges::none_of(test.clauses, [&](const auto& clause) {
+        return is_named(options.clauses, clause);
+      })) {
+    return false;
+  }
   if (!options.dialects.empty() &&
       std::ranges::find(options.dialects, test.dialect) == options.dialects.end()) {
     return false;

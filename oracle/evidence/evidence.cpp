@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <system_error>
 
+#include "oracle/campaign/encoding.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/evidence/badge.hpp"
+#include "oracle/evidence/causes.hpp"
 #include "oracle/evidence/junit.hpp"
 #include "oracle/evidence/markdown.hpp"
 #include "oracle/evidence/programs.hpp"
@@ -33,27 +36,51 @@ bool is_told_by_head(const CaseRow& row) {
          (row.decision() == Decision::go && row.kind != VerdictKind::xfail);
 }
 
+// The programs of a corpus, as far as there is room for them.
+std::map<std::string, report::CorpusCase> programs_of(const Corpus* corpus, const Json& header) {
+  constexpr std::size_t kMostBytes = std::size_t{48} << 20;
+  std::map<std::string, report::CorpusCase> programs;
+  const Json about = header.value("corpus", Json::object());
+  if (corpus == nullptr || report::text_of(about, "sha256") != corpus->sha256()) return programs;
+  std::size_t bytes = 0;
+  CaseReader reader(*corpus, Detail::to_run);
+  while (bytes < kMostBytes) {
+    const auto test = reader.next();
+    if (!test) break;
+    bytes += test->program.size() + test->comment.size();
+    programs[test->id] = {test->dialect, test->comment,
+                          Json::parse(reference::profile_json(test->profile)),
+                          program_json(test->program)};
+  }
+  return programs;
+}
+
 // What the lines of a run are written to, in one pass over them.
 class Writers {
  public:
-  Writers(ResultsReader& reader, const fs::path& folder)
+  Writers(ResultsReader& reader, const fs::path& folder, const Causes& causes,
+          std::map<std::string, report::CorpusCase> programs)
       : reader_(reader),
         folder_(folder),
         junit_(folder / "junit.xml", reader.header()),
         sarif_(folder / "results.sarif", reader.header()),
         markdown_(reader.header()),
         programs_(folder / "programs"),
-        page_(folder, reader.header()) {}
+        page_(folder, reader.header()),
+        programs_of_passes_(std::move(programs)) {
+    for (const auto& [key, cause] : causes) summary_.set_cause(key, cause);
+  }
 
   // All lines that the reader still has.
   void write_lines() {
     CaseHead head;
     while (reader_.next(head)) {
-      summary_.add(head);
-      page_.add(head);
+      finding_ = summary_.add(head);
+      page_.add(head, finding_);
       const CaseRow row = case_row(head);
       if (is_told_by_head(row)) {
-        junit_.add(row);
+        junit_.add(row, nullptr);
+        if (row.kind != VerdictKind::skip) add_pass(head.id);
       } else {
         write_whole(reader_.json());
       }
@@ -75,13 +102,17 @@ class Writers {
   }
 
  private:
+  void add_pass(const std::string& id) {
+    const auto program = programs_of_passes_.find(id);
+    if (program != programs_of_passes_.end()) page_.add_pass(program->second);
+  }
   void write_whole(const Json& line) {
     const CaseRow row = case_row(line);
-    junit_.add(row);
-    sarif_.add(row);
-    markdown_.add(row);
+    junit_.add(row, finding_);
+    sarif_.add(row, finding_);
+    markdown_.add(row, finding_, summary_.findings().is_smallest());
     programs_.add(row);
-    if (!is_told_by_head(row)) page_.add_detail(line);
+    if (!is_told_by_head(row)) page_.add_detail(line, summary_.findings().is_smallest());
   }
 
   ResultsReader& reader_;
@@ -92,18 +123,23 @@ class Writers {
   ProgramFolder programs_;
   report::HtmlPage page_;
   report::Summary summary_;
+  std::map<std::string, report::CorpusCase> programs_of_passes_;
+  const Finding* finding_ = nullptr;  // of the line read last
 };
 
 }  // namespace
 
-std::optional<std::string> write_evidence(const std::string& results, const std::string& folder) {
+std::optional<std::string> write_evidence(const std::string& results, const std::string& folder,
+                                          const Corpus* corpus) {
   try {
     ResultsReader reader(results);
     fs::create_directories(folder);
-    Writers writers(reader, folder);
+    const Causes causes = read_causes(fs::path(results).parent_path());
+    Writers writers(reader, folder, causes, programs_of(corpus, reader.header()));
     writers.write_lines();
     writers.finish();
     copy_results(results, fs::path(folder) / "results.jsonl");
+    write_causes(folder, causes);
     if (auto error = writers.finish_page()) {
       throw std::system_error(std::make_error_code(std::errc::io_error), error->message);
     }

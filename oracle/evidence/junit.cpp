@@ -39,9 +39,12 @@ std::string suite_properties(const Json& header) {
 }
 
 // <failure type="fail.feed" message="...">facts</failure>
-std::string element(std::string_view tag, const CaseRow& facts, const std::string& command) {
+std::string element(std::string_view tag, const CaseRow& facts, const Finding* finding,
+                    const std::string& command) {
   const std::string body =
-      row_text(facts) + "again      " + command + report::shell_word(facts.id) + "\n";
+      row_text(facts) +
+      (finding == nullptr ? std::string() : "finding    " + finding->text() + "\n") +
+      "again      " + command + report::shell_word(facts.id) + "\n";
   return fmt::format("<{} type=\"{}\" message=\"{}\">{}</{}>", tag, facts.verdict(),
                      xml_attribute(facts.message), markup_text(body), tag);
 }
@@ -114,7 +117,7 @@ JunitWriter::Suite& JunitWriter::suite(const std::string& dialect) {
   return suite;
 }
 
-void JunitWriter::add(const CaseRow& facts) {
+void JunitWriter::add(const CaseRow& facts, const Finding* finding) {
   const JunitMark mark = junit_mark(facts);
   Suite& own = suite(facts.dialect);
   own.counts.add(mark, facts.microseconds);
@@ -127,10 +130,10 @@ void JunitWriter::add(const CaseRow& facts) {
       own.out << "/>\n";
       return;
     case JunitMark::failure:
-      own.out << '>' << element("failure", facts, command_);
+      own.out << '>' << element("failure", facts, finding, command_);
       break;
     case JunitMark::error:
-      own.out << '>' << element("error", facts, command_);
+      own.out << '>' << element("error", facts, finding, command_);
       break;
     case JunitMark::skipped:
       own.out << '>' << skipped(facts);
@@ -163,6 +166,9 @@ std::string JunitWriter::properties(const RunState& state) const {
                     property("judged", headline["judged"].dump()) +
                     property("advices", headline["advices"].dump()) +
                     property("not-claimed", headline["notClaimed"].dump());
+  for (const Json& finding : state.summary["findings"]) {
+    own += property("finding", report::text_of(finding, "line"));
+  }
   constexpr std::string_view kEnd = "</properties>\n";
   return properties_.substr(0, properties_.size() - kEnd.size()) + own + std::string(kEnd);
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "oracle/evidence/run_state.hpp"
+#include "oracle/records/finding.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -29,7 +30,8 @@ class JunitWriter {
   JunitWriter(const JunitWriter&) = delete;
   JunitWriter& operator=(const JunitWriter&) = delete;
 
-  void add(const CaseRow& facts);
+  // `finding`: what the case belongs to; null: none.
+  void add(const CaseRow& facts, const Finding* finding);
   // What the run lacks becomes a suite with one error.
   void finish(const RunState& state);
 

@@ -141,21 +141,12 @@ std::string named_cases(const Json& group) {
 MarkdownSummary::MarkdownSummary(const Json& header)
     : header_(header), command_(report::command_for_case(header)) {}
 
-void MarkdownSummary::add(const CaseRow& facts) {
-  if (facts.decision() == Decision::no_go) {
-    ++no_go_;
-    if (first_.size() < kShown) first_.push_back(facts);
-  } else if (facts.is_unexpected_gap()) {
-    ++unexpected_;
-    if (undecided_.size() < kShown) {
-      undecided_.push_back(fmt::format("- {} {}: {}\n", markdown_code(facts.id), facts.verdict(),
-                                       markdown_text(facts.message)));
-    }
-  }
+void MarkdownSummary::add(const CaseRow& facts, const Finding* finding, bool is_smallest) {
+  if (finding != nullptr && is_smallest) smallest_[finding->number] = facts;
 }
 
 std::string MarkdownSummary::failure(const CaseRow& facts) const {
-  std::string text = fmt::format("### {} {}\n\n", markdown_code(facts.id), facts.verdict());
+  std::string text;
   if (!facts.message.empty()) text += markdown_text(facts.message) + "\n\n";
   if (!facts.clause.empty()) {
     const reference::Clause* clause = report::find_clause(facts.clause);
@@ -176,20 +167,23 @@ std::string MarkdownSummary::failure(const CaseRow& facts) const {
   return text + "\n" + markdown_fence(command_ + report::shell_word(facts.id)) + "\n";
 }
 
-std::string MarkdownSummary::failures() const {
+// Each finding once, the first with the evidence of their smallest case.
+std::string MarkdownSummary::findings(const RunState& state) const {
   std::string text;
-  if (no_go_ > 0) {
-    text += "\n## First failures\n\n";
-    for (const CaseRow& facts : first_) text += failure(facts);
-    if (no_go_ > first_.size()) {
-      text += fmt::format("{} more: see the report.\n", grouped(no_go_ - first_.size()));
+  std::string cause;
+  std::size_t shown = 0;
+  for (const Json& finding : state.summary["findings"]) {
+    if (shown == 0) text += "\n## Findings\n\n";
+    if (const std::string own = text_of(finding, "cause"); !own.empty() && own != cause) {
+      text += "Likely cause: " + markdown_text(own) + ".\n\n";
     }
-  }
-  if (unexpected_ > 0) {
-    text += "\n## Cases that the gauge could not decide\n\n";
-    for (const std::string& line : undecided_) text += line;
-    if (unexpected_ > undecided_.size()) {
-      text += fmt::format("- and {} more\n", grouped(unexpected_ - undecided_.size()));
+    cause = text_of(finding, "cause");
+    const std::string line = markdown_text(text_of(finding, "line"));
+    const auto smallest = smallest_.find(finding["number"].get<std::size_t>());
+    if (++shown > kShown || smallest == smallest_.end()) {
+      text += "- " + line + "\n";
+    } else {
+      text += "### " + line + "\n\n" + failure(smallest->second);
     }
   }
   return text;
@@ -220,7 +214,7 @@ std::string MarkdownSummary::text(const RunState& state) const {
          list_of_texts(state.footer, "assignments",
                        "Readings that explain everything that passed:") +
          list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
-         part("Declared, but skipped", declared_but_skipped_list(scope)) + failures() +
+         part("Declared, but skipped", declared_but_skipped_list(scope)) + findings(state) +
          part(kAdvicesTitle, advice_list(scope)) + part(kNotClaimedTitle, not_claimed_list(scope)) +
          "\n## What this run did not check\n\n" + not_checked_list(state);
 }

@@ -3,32 +3,32 @@
 // The run on one page of Markdown, for the step summary of a CI job.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "oracle/evidence/run_state.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::oracle::evidence {
 
 class MarkdownSummary {
  public:
   explicit MarkdownSummary(const Json& header);
-  void add(const CaseRow& facts);
+  // `finding`: what the case belongs to, null: none; whether it is the smallest of it so far.
+  void add(const CaseRow& facts, const Finding* finding, bool is_smallest);
   std::string text(const RunState& state) const;
 
  private:
   static constexpr std::size_t kShown = 10;
 
   std::string head(const RunState& state) const;
-  std::string failures() const;
+  std::string findings(const RunState& state) const;
   std::string failure(const CaseRow& facts) const;
 
   Json header_;
   std::string command_;
-  std::vector<CaseRow> first_;  // NO-GO
-  std::size_t no_go_ = 0;
-  std::vector<std::string> undecided_;  // the first, with why
-  std::size_t unexpected_ = 0;
+  std::map<std::size_t, CaseRow> smallest_;  // by the number of the finding
 };
 
 // | verdict | | cases |

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/evidence/text.hpp"
 #include "oracle/evidence/verdict_meaning.hpp"
@@ -10,6 +12,7 @@
 #include "oracle/report/clauses.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::oracle::evidence {
 
@@ -17,6 +20,26 @@ using report::dump;
 using report::text_of;
 
 namespace {
+
+// The folder of the report, from which the programs are named.
+constexpr const char* kReportBase = "REPORT";
+// Where the project's pages are read; the place of a clause is its anchor on the page of a dialect.
+constexpr std::string_view kHome = "https://gonogo.example/gonogo";
+
+std::string clause_page(const std::string& id) {
+  std::string anchor;
+  for (const char c : id) {
+    anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    for (const reference::Clause& clause : dialect.clauses) {
+      if (clause.id == id) {
+        return fmt::format("{}/docs/dialects/{}.md#{}", kHome, dialect.name, anchor);
+      }
+    }
+  }
+  return fmt::format("{}/docs/dialects", kHome);
+}
 
 Json text_json(std::string_view text) {
   return {{"text", text}};
@@ -38,7 +61,8 @@ Json location(const CaseRow& facts) {
   Json place;
   if (facts.program) {
     place["physicalLocation"] = {
-        {"artifactLocation", {{"uri", "programs/" + file_stem(facts.id) + ".nc"}}},
+        {"artifactLocation",
+         {{"uri", "programs/" + file_stem(facts.id) + ".nc"}, {"uriBaseId", kReportBase}}},
         {"region", {{"startLine", facts.block.value_or(1)}}}};
   }
   place["logicalLocations"] =
@@ -88,9 +112,11 @@ Json rule_json(const std::string& id) {
   if (const reference::Clause* clause = report::find_clause(id)) {
     rule["shortDescription"] = text_json(clause->text);
     rule["fullDescription"] = text_json(fmt::format("{} ({})", clause->text, clause->source));
+    rule["helpUri"] = clause_page(id);
     rule["properties"] = {{"document", clause->source}, {"level", reference::name(clause->level)}};
   } else if (const auto kind = verdict_kind(id)) {
     rule["shortDescription"] = text_json(meaning_of(*kind));
+    rule["helpUri"] = fmt::format("{}/docs/judging.md", kHome);
   }
   return rule;
 }
@@ -110,7 +136,7 @@ std::size_t SarifWriter::rule_index(const std::string& id) {
   return place->second;
 }
 
-Json SarifWriter::result(const CaseRow& facts) {
+Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
   const std::string rule = rule_of(facts);
   const bool undecided = facts.decision() == Decision::undecided;
   const bool advice = facts.kind == VerdictKind::advice;
@@ -128,15 +154,19 @@ Json SarifWriter::result(const CaseRow& facts) {
         {{{"kind", "external"}, {"status", "accepted"}, {"justification", facts.message}}});
   }
   result["properties"] = properties(facts, command_);
+  if (finding != nullptr) {
+    result["properties"]["finding"] = finding->text();
+    if (!finding->cause.empty()) result["properties"]["cause"] = finding->cause;
+  }
   return result;
 }
 
-void SarifWriter::add(const CaseRow& facts) {
+void SarifWriter::add(const CaseRow& facts, const Finding* finding) {
   const bool told = facts.decision() == Decision::no_go || facts.kind == VerdictKind::xfail ||
                     facts.kind == VerdictKind::advice || facts.is_unexpected_gap();
   if (!told) return;
   out_.write(any_ ? ",\n" : "\n");
-  out_.write(dump(result(facts)));
+  out_.write(dump(result(facts, finding)));
   any_ = true;
 }
 
@@ -148,7 +178,7 @@ Json SarifWriter::rules() const {
 
 void SarifWriter::finish(const std::string& unfinished) {
   const Json subject = header_.value("subject", Json::object());
-  Json driver = {{"name", "gonogo"}};
+  Json driver = {{"name", "gonogo"}, {"informationUri", kHome}};
   if (const std::string version = text_of(header_, "gonogo"); !version.empty()) {
     driver["version"] = version;
   }
@@ -160,6 +190,8 @@ void SarifWriter::finish(const std::string& unfinished) {
         Json::array({{{"level", "error"}, {"message", text_json(unfinished)}}});
   }
   out_.write("\n],\n\"tool\":" + dump({{"driver", driver}}));
+  const Json base = {{kReportBase, {{"description", text_json("The folder of the report.")}}}};
+  out_.write(",\n\"originalUriBaseIds\":" + dump(base));
   out_.write(",\n\"invocations\":" + dump(Json::array({invocation})));
   const Json details = {{"id", "gonogo/" + text_of(subject, "name") + "/"}};
   out_.write(",\n\"automationDetails\":" + dump(details));

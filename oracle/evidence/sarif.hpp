@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/evidence/case_row.hpp"
+#include "oracle/records/finding.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -18,13 +19,14 @@ class SarifWriter {
  public:
   // Throws std::system_error, as all others.
   SarifWriter(const std::filesystem::path& path, const Json& header);
-  void add(const CaseRow& facts);
+  // `finding`: what the case belongs to; null: none.
+  void add(const CaseRow& facts, const Finding* finding);
   // `unfinished`: what the run lacks, a sentence; or empty.
   void finish(const std::string& unfinished);
 
  private:
   std::size_t rule_index(const std::string& id);
-  Json result(const CaseRow& facts);
+  Json result(const CaseRow& facts, const Finding* finding);
   Json rules() const;
 
   OutputFile out_;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "oracle/manual/limits.hpp"
 #include "oracle/manual/motion_text.hpp"
+#include "oracle/report/limits.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::manual {
@@ -107,7 +107,7 @@ Trial try_program(const reference::Profile& profile, std::string_view program) {
   trial.path = sampler.take();
   leave_out_positioning(trial);
   for_each_item(profile, program, reference::OpenPaths::judged, [&](const reference::Item& item) {
-    for (report::Limit& limit : limits_of(item)) trial.limits.push_back(std::move(limit));
+    for (report::Limit& limit : report::limits_of(item)) trial.limits.push_back(std::move(limit));
   });
   return trial;
 }

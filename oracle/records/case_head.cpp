@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "oracle/records/base64.hpp"
 #include "oracle/records/json_document.hpp"
 
 namespace gonogo::oracle {
@@ -21,6 +22,33 @@ void take_texts(const element& value, std::vector<std::string>& texts) {
   }
 }
 
+std::size_t lines_not_blank(std::string_view text) {
+  std::size_t lines = 0;
+  bool blank = true;
+  for (const char c : text) {
+    if (c == '\n' || c == '\r') {
+      blank = true;
+    } else if (blank && c != ' ' && c != '\t') {
+      blank = false;
+      ++lines;
+    }
+  }
+  return lines;
+}
+
+void take_program(const element& value, CaseHead& head) {
+  std::string_view text;
+  std::optional<std::string> bytes;
+  if (value.get(text) != simdjson::SUCCESS) {
+    if (value["base64"].get(text) != simdjson::SUCCESS) return;
+    bytes = decode_base64(text);
+    if (!bytes) return;
+    text = *bytes;
+  }
+  head.program_blocks = lines_not_blank(text);
+  head.program_bytes = text.size();
+}
+
 }  // namespace
 
 bool read_case_head(std::string_view line, CaseHead& head) {
@@ -28,7 +56,7 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   auto parsed = document.parse(line);
   auto* object = std::get_if<simdjson::dom::object>(&parsed);
   if (object == nullptr) return false;
-  const std::array<std::pair<std::string_view, std::string*>, 8> texts = {{
+  const std::array<std::pair<std::string_view, std::string*>, 10> texts = {{
       {"id", &head.id},
       {"dialect", &head.dialect},
       {"cycle", &head.cycle},
@@ -37,17 +65,23 @@ bool read_case_head(std::string_view line, CaseHead& head) {
       {"departure", &head.departure},
       {"feature", &head.feature},
       {"message", &head.message},
+      {"want", &head.want},
+      {"got", &head.got},
   }};
   for (const auto& [key, text] : texts) text->clear();
   head.features.clear();
   head.clauses.clear();
   head.microseconds = 0;
+  head.program_blocks = 0;
+  head.program_bytes = 0;
   head.expected = false;
   for (auto field : *object) {
     if (field.key == "clauses") {
       take_texts(field.value, head.clauses);
     } else if (field.key == "features") {
       take_texts(field.value, head.features);
+    } else if (field.key == "program") {
+      take_program(field.value, head);
     } else if (field.key == "us") {
       if (field.value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
     } else if (field.key == "expected") {

@@ -20,9 +20,14 @@ struct CaseHead {
   std::string departure;  // of an advice: the verdict that it would be
   std::string feature;    // that was skipped
   std::string message;
+  std::string want;                   // the reference's record or alarm that was departed from
+  std::string got;                    // the subject's
   std::vector<std::string> features;  // that the case needs
   std::vector<std::string> clauses;
   std::uint64_t microseconds = 0;
+  std::size_t program_blocks =
+      0;  // of the program, where the line has it: lines that are not blank
+  std::size_t program_bytes = 0;
   bool expected = false;  // an oracle-gap that the corpus expects
 };
 

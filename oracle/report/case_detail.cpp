@@ -3,10 +3,14 @@
 
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
+#include "oracle/report/page_paths.hpp"
 #include "oracle/report/sheet.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
+
+constexpr std::size_t kStepsOfTurn = 32;  // of a failure in space
+constexpr std::size_t kStepsOfPass = 16;
 
 Json motions_json(const Path& path) {
   Json motions = Json::array();
@@ -80,7 +84,15 @@ void add_paths(Json& detail, const Json& line, const std::string& program,
   sheet.reference = &reference.path;
   sheet.departing = &subject.path;
   sheet.witness = departure(line, reference.path, subject.path, wanted);
+  if (wanted) sheet.expected = reference.path.motions[*wanted].points.back();
+  sheet.block = count_of(line, "b").value_or(0);
+  sheet.limits = limits_of_program(machine, program);
   detail["svg"] = svg_sheet(sheet);
+  detail["lathe"] = sheet.lathe;
+  detail["moves"] = {{"r", moves_json(reference.path, kStepsOfTurn)},
+                     {"s", moves_json(subject.path, kStepsOfTurn)}};
+  if (!sheet.limits.empty()) detail["limits"] = limits_json(sheet.limits);
+  if (sheet.witness) detail["at"] = {sheet.witness->x, sheet.witness->y, sheet.witness->z};
   detail["reference"] = motions_json(reference.path);
   detail["trace"] = motions_json(subject.path);
   if (wanted) detail["wanted"] = *wanted;
@@ -102,6 +114,26 @@ std::optional<std::string> program_bytes(const Json& line) {
     return text;
   }
   return from_base64(text_of(*program, "base64"));
+}
+
+Json pass_detail(const CorpusCase& test) {
+  Json detail = {{"comment", test.comment}, {"profile", test.profile}, {"program", test.program}};
+  const auto profile = case_profile(test.dialect, test.profile);
+  const auto* machine = std::get_if<reference::Profile>(&profile);
+  const auto program = program_bytes(detail);
+  if (machine == nullptr || !program) return detail;
+  const DrawnPath reference = reference_path(*machine, *program);
+  detail["lathe"] = is_lathe(test.dialect);
+  detail["moves"] = {{"r", moves_json(reference.path, kStepsOfPass)}};
+  if (auto limits = limits_of_program(*machine, *program); !limits.empty()) {
+    detail["limits"] = limits_json(limits);
+  }
+  Json motions = Json::array();
+  for (const Motion& motion : reference.path.motions) {
+    motions.push_back(Json::array({motion.kind, motion.block, motion.clause}));
+  }
+  detail["motions"] = motions;
+  return detail;
 }
 
 Json case_detail(const Json& line, std::string_view subject_name, bool with_paths) {

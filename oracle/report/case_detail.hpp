@@ -15,6 +15,17 @@ namespace gonogo::oracle::report {
 // The bytes of a case's program; nothing when the line has none.
 std::optional<std::string> program_bytes(const Json& line);
 
+// A case as it stands in the corpus.
+struct CorpusCase {
+  std::string dialect;
+  std::string comment;
+  Json profile;  // the keys that differ from the defaults
+  Json program;  // a text, or {"base64"}
+};
+// What the page shows of a case whose line holds no program: that it is GO says enough of the
+// subject, so the path is the reference's.
+Json pass_detail(const CorpusCase& test);
+
 // `line` is a case line of a results file; `subject_name` stands on the sheet. `with_paths` false:
 // without drawing and records, to keep a page of very many failures small.
 Json case_detail(const Json& line, std::string_view subject_name, bool with_paths);

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "oracle/records/trace_reader.hpp"
+#include "oracle/report/limits.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle::report {
@@ -84,6 +85,23 @@ DrawnPath reference_path(const reference::Profile& profile, std::string_view pro
   }
   drawn.path = sampler.take();
   return drawn;
+}
+
+std::vector<Limit> limits_of_program(const reference::Profile& profile, std::string_view program) {
+  constexpr std::size_t kMostLimits = 40;
+  std::vector<Limit> limits;
+  try {
+    grammar::MemorySource bytes(program);
+    grammar::LineSource lines(bytes);
+    reference::Expander expander(profile, lines, reference::OpenPaths::judged);
+    while (const reference::Item* item = expander.next()) {
+      for (Limit& limit : limits_of(*item)) limits.push_back(std::move(limit));
+      if (limits.size() >= kMostLimits) break;
+    }
+  } catch (const std::exception&) {
+    // As many as there are: a drawing is no verdict.
+  }
+  return limits;
 }
 
 DrawnPath subject_path(const reference::Position& start, const Json& trace) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "oracle/report/figure.hpp"
 #include "oracle/report/path.hpp"
 #include "reference/profile.hpp"
 
@@ -29,6 +30,8 @@ struct DrawnPath {
 std::variant<reference::Profile, std::string> case_profile(const std::string& dialect,
                                                            const Json& profile);
 
+// What the manual fixes where it leaves the path of the program open.
+std::vector<Limit> limits_of_program(const reference::Profile& profile, std::string_view program);
 DrawnPath reference_path(const reference::Profile& profile, std::string_view program);
 DrawnPath subject_path(const reference::Position& start, const Json& trace);
 

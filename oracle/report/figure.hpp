@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,21 @@
 
 namespace gonogo::oracle::report {
 
+// What a tool clears at one depth.
+struct PocketFloor {
+  std::uint64_t block = 0;
+  reference::Plane plane = reference::Plane::g17;
+  double depth = 0;  // coordinate of the depth axis, mm
+  double tool_radius = 0;
+};
+
 // A line that is no motion: the border of what may be cut, or how far the tool's centre may go.
 struct Limit {
   enum class Kind : std::uint8_t { border, reach };
   Kind kind = Kind::border;
   std::string text;  // of the legend, which names equal ones once
   std::vector<Point3> points;
+  std::optional<PocketFloor> level = std::nullopt;  // of the border of a pocket
 };
 
 struct Figure {

@@ -8,15 +8,20 @@
 
 #include "oracle/report/assets.hpp"
 #include "oracle/report/case_detail.hpp"
+#include "oracle/report/deflate.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
+#include "oracle/report/sheet_parts.hpp"
 #include "oracle/report/summary.hpp"
 
 namespace gonogo::oracle::report {
 namespace {
 
-// What drawings and records of all failures together may take of the page.
-constexpr std::size_t kMostPathBytes = std::size_t{64} << 20;
+// What failures and passes may take of the page, packed. Beyond them a failure has no drawing, and
+// a pass no program.
+constexpr std::size_t kMostPathBytes = std::size_t{5} << 20;
+constexpr std::size_t kMostPassBytes = std::size_t{3} << 20;
+constexpr std::size_t kPassesOfAPack = 48;
 
 constexpr std::size_t kRowBytes = std::size_t{1} << 20;
 
@@ -26,13 +31,13 @@ std::optional<Json> parse_object(const std::string& line) {
   return value;
 }
 
-bool is_plain_in_script(char c) {
-  return c >= 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '<' && c != '>' && c != '&';
+bool is_plain_in_json(char c) {
+  return c >= 0x20 && c < 0x7F && c != '"' && c != '\\';
 }
 
 void append_text(std::string_view text, std::string& out) {
-  if (!std::ranges::all_of(text, is_plain_in_script)) {
-    out += script_json(dump(Json(text)));
+  if (!std::ranges::all_of(text, is_plain_in_json)) {
+    out += dump(Json(text));
     return;
   }
   out += '"';
@@ -63,7 +68,12 @@ Skeleton skeleton() {
   const std::size_t at = page.find("{{data}}");
   Skeleton parts{page.substr(0, at), page.substr(at + std::string_view("{{data}}").size())};
   replace(parts.before, "{{script-hash}}", "sha256-" + base64_of_hex(kReportJs.sha256));
-  replace(parts.before, "{{style}}", kReportCss.text);
+  // The view in space has no sheet of its own to bring the styles of a drawing.
+  const std::string_view open = "<style>";
+  const std::string_view drawing = sheet_style();
+  const std::size_t from = drawing.find(open) + open.size();
+  const std::string styles(drawing.substr(from, drawing.find("</style>") - from));
+  replace(parts.before, "{{style}}", std::string(kReportCss.text) + styles);
   replace(parts.after, "{{script}}", kReportJs.text);
   return parts;
 }
@@ -89,7 +99,7 @@ HtmlPage::~HtmlPage() {
   std::filesystem::remove(part_, ignored);
 }
 
-void HtmlPage::add(const CaseHead& line) {
+void HtmlPage::add(const CaseHead& line, const Finding* finding) {
   if (!rows_.empty()) rows_ += ',';
   char between = '[';
   for (const std::string* text :
@@ -102,28 +112,46 @@ void HtmlPage::add(const CaseHead& line) {
     if (i > 0) rows_ += ',';
     append_text(line.clauses[i], rows_);
   }
-  rows_ += "]]";
+  rows_ += fmt::format("],{}]", finding == nullptr ? 0 : finding->number);
   ++index_;
   if (rows_.size() > kRowBytes) flush_rows();
 }
 
-void HtmlPage::add_detail(const Json& line) {
-  const bool with_paths = path_bytes_ < kMostPathBytes;
-  const std::string detail = script_json(dump(case_detail(line, subject_, with_paths)));
+void HtmlPage::add_detail(const Json& line, bool always) {
+  const bool with_paths = always || path_bytes_ < kMostPathBytes;
+  const std::string detail = packed(dump(case_detail(line, subject_, with_paths)));
   path_bytes_ += detail.size();
-  out_ << "<script type=\"application/json\" id=\"d" << index_ - 1 << "\">" << detail
-       << "</script>\n";
+  out_ << "<script type=\"text/plain\" id=\"d" << index_ - 1 << "\">" << detail << "</script>\n";
+}
+
+bool HtmlPage::add_pass(const CorpusCase& test) {
+  if (pass_bytes_ >= kMostPassBytes) return false;
+  if (passes_.empty()) first_pass_ = index_ - 1;
+  passes_[std::to_string(index_ - 1)] = pass_detail(test);
+  if (passes_.size() >= kPassesOfAPack) flush_passes();
+  return true;
+}
+
+void HtmlPage::flush_passes() {
+  if (passes_.empty()) return;
+  const std::string text = packed(dump(passes_));
+  pass_bytes_ += text.size();
+  out_ << "<script type=\"text/plain\" class=\"passes\" data-first=\"" << first_pass_
+       << "\" data-last=\"" << index_ - 1 << "\">" << text << "</script>\n";
+  passes_ = Json::object();
 }
 
 void HtmlPage::flush_rows() {
   if (rows_.empty()) return;
-  out_ << "<script type=\"application/json\" class=\"rows\">[" << rows_ << "]</script>\n";
+  out_ << "<script type=\"text/plain\" class=\"rows\">" << packed("[" + rows_ + "]")
+       << "</script>\n";
   rows_.clear();
 }
 
 std::optional<ReportError> HtmlPage::finish(const Json& summary) {
   if (!out_.is_open()) return ReportError{fmt::format("{} cannot be written.", part_.string())};
   flush_rows();
+  flush_passes();
   out_ << "<script type=\"application/json\" id=\"summary\">" << script_json(dump(summary))
        << "</script>\n"
        << after_;
@@ -156,10 +184,9 @@ std::optional<ReportError> write_html_report(const std::string& results,
     if (line.empty()) continue;
     const bool is_object = read_case_head(line, head);
     if (is_object && !head.id.empty() && !head.verdict.empty()) {
-      summary.add(head);
-      page.add(head);
+      page.add(head, summary.add(head));
       const bool is_told = head.verdict == "skip" || decision_of(head.verdict) == Decision::go;
-      if (!is_told) page.add_detail(Json::parse(line));
+      if (!is_told) page.add_detail(Json::parse(line), summary.findings().is_smallest());
       continue;
     }
     std::optional<Json> value = parse_object(line);

@@ -10,6 +10,8 @@
 #include <string>
 
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/finding.hpp"
+#include "oracle/report/case_detail.hpp"
 
 namespace gonogo::oracle::report {
 
@@ -30,14 +32,20 @@ class HtmlPage {
   HtmlPage(const HtmlPage&) = delete;
   HtmlPage& operator=(const HtmlPage&) = delete;
 
-  void add(const CaseHead& line);
-  // The whole line of the case that was added last. REQUIRES: it is not GO.
-  void add_detail(const Json& line);
+  // `finding`: what the case belongs to; null: none.
+  void add(const CaseHead& line, const Finding* finding);
+  // The whole line of the case that was added last. REQUIRES: it is not GO. `always`: with its
+  // drawing, however large the page has become.
+  void add_detail(const Json& line, bool always);
+  // What is known of the case that was added last, which is GO. Only so much is kept in a page;
+  // false: no more is.
+  bool add_pass(const CorpusCase& test);
   // What Summary::finish() says. An error when anything could not be written.
   std::optional<ReportError> finish(const Json& summary);
 
  private:
   void flush_rows();
+  void flush_passes();
 
   std::filesystem::path target_;
   std::filesystem::path part_;
@@ -47,6 +55,9 @@ class HtmlPage {
   std::string rows_;
   std::size_t index_ = 0;
   std::size_t path_bytes_ = 0;
+  nlohmann::ordered_json passes_ = Json::object();  // by the place of their rows
+  std::size_t first_pass_ = 0;
+  std::size_t pass_bytes_ = 0;
   bool done_ = false;
 };
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A drawing sheet as SVG: front, top, right side and isometric view in third-angle projection, one
-// or two paths, the departure, scale bar and title block.
+// or two paths, the departure, scale bar and title block. Points and planes have the names of their
+// clauses; a pocket shows what is cut, left and gouged at the level of the departure. Below stand,
+// where they help, pecks or passes motion beside motion and a departure below a pixel drawn large.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "oracle/report/figure.hpp"
 #include "oracle/report/path.hpp"
 
 namespace gonogo::oracle::report {
@@ -20,6 +24,9 @@ struct Sheet {
   const Path* reference = nullptr;  // drawn first; required
   const Path* departing = nullptr;  // the subject's; null: one path
   std::optional<Point3> witness;    // where the subject departs
+  std::optional<Point3> expected;   // where the motion had to end
+  std::uint64_t block = 0;          // of the departure; 0: none
+  std::vector<Limit> limits;        // walls of pockets, and how far the tool may go
 };
 
 // A well-formed SVG document without external parts. Colours can be changed from outside by the

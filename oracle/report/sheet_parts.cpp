@@ -41,6 +41,17 @@ constexpr std::string_view kStyle = R"css(<style>
 .gs-sheet .gs-end.gs-r{fill:var(--gs-reference,#0072b2)}
 .gs-sheet .gs-end.gs-s{fill:var(--gs-subject,#d55e00)}
 .gs-sheet .gs-witness circle,.gs-sheet .gs-witness path{stroke:var(--gs-witness,#a3195b);stroke-width:2}
+.gs-sheet .gs-border-line{stroke:var(--gs-limit,#3f7f3f);stroke-width:2}
+.gs-sheet .gs-reach{stroke:var(--gs-limit,#3f7f3f);stroke-width:1.1;stroke-dasharray:10 3 2 3}
+.gs-sheet path.gs-swept{vector-effect:none;stroke-linecap:round;stroke-linejoin:round}
+.gs-sheet .gs-gouged{stroke:var(--gs-gouged,#d64545);opacity:.75}
+.gs-sheet path.gs-uncut,.gs-sheet rect.gs-patch-uncut{fill:var(--gs-uncut,#f2c14e)}
+.gs-sheet .gs-cut{stroke:var(--gs-cut,#e8edf2)}
+.gs-sheet rect.gs-patch-cut{fill:var(--gs-cut,#e8edf2);stroke:var(--gs-zero,#aab6c3)}
+.gs-sheet rect.gs-patch-gouged{fill:var(--gs-gouged,#d64545);opacity:.75}
+.gs-sheet circle.gs-disc{stroke:var(--gs-witness,#a3195b);stroke-width:1.4;stroke-dasharray:5 4}
+.gs-sheet .gs-plane{stroke:var(--gs-limit,#3f7f3f);stroke-width:1;stroke-dasharray:2 4}
+.gs-sheet .gs-point{font-weight:700;font-size:12px;fill:var(--gs-limit,#2f6f2f);paint-order:stroke;stroke:var(--gs-paper,#fff);stroke-width:3px;stroke-linejoin:round}
 </style>
 )css";
 
@@ -124,6 +135,7 @@ void append_axis(std::string& out, SheetPoint from, double dx, double dy, char l
 
 // The three axes as this view shows them, beside its title.
 void append_axes(std::string& out, const View& view) {
+  if (view.shown_axis != 0) return;
   const SheetPoint corner{view.frame.x + view.frame.width - 46, view.frame.y + 32};
   const std::array<Direction, 3> axes = {Direction{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Direction& axis : axes) {
@@ -131,15 +143,6 @@ void append_axes(std::string& out, const View& view) {
     const Point3 unit{axis.x, axis.y, axis.z};
     append_axis(out, corner, view.right.of(unit), -view.up.of(unit), axis_of(axis));
   }
-}
-
-std::string view_title(const View& view) {
-  if (view.isometric) return std::string(view.title) + ", own scale";
-  if (view.spread_axis != 0) {
-    const char shown = axis_of(axis_of(view.right) == view.spread_axis ? view.up : view.right);
-    return fmt::format("{}  {}, motions side by side", view.title, shown);
-  }
-  return fmt::format("{}  {}\xE2\x80\x93{}", view.title, axis_of(view.right), axis_of(view.up));
 }
 
 void append_legend_line(std::string& out, double x, double y, std::string_view style,
@@ -226,19 +229,75 @@ void append_names(std::string& out, const Sheet& sheet, double x, double y) {
 
 }  // namespace
 
+std::string view_title(const View& view) {
+  if (view.isometric) return std::string(view.title) + ", own scale";
+  if (view.spread_axis != 0) {
+    const char shown =
+        view.shown_axis != 0
+            ? view.shown_axis
+            : axis_of(axis_of(view.right) == view.spread_axis ? view.up : view.right);
+    if (view.shown_axis != 0) return fmt::format("{}  {}", view.title, shown);
+    return fmt::format("{}  {}, motions side by side", view.title, shown);
+  }
+  std::string names;
+  for (const auto& [name, axis] : view.axis_names) {
+    if (axis != axis_of(view.right) && axis != axis_of(view.up)) continue;
+    names += fmt::format("{}{} = {}", names.empty() ? "  " : ", ", name, axis);
+  }
+  return fmt::format("{}  {}\xE2\x80\x93{}{}", view.title, axis_of(view.right), axis_of(view.up),
+                     names);
+}
+
 std::string_view sheet_style() {
   return kStyle;
 }
 
-void append_sheet_head(std::string& out, const Sheet& sheet) {
+void append_sheet_head(std::string& out, const Sheet& sheet, double height) {
   out += fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"gs-sheet\" viewBox=\"0 0 {0} "
       "{1}\" width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n",
-      svg::number(kSheetWidth), svg::number(kSheetHeight),
+      svg::number(kSheetWidth), svg::number(height),
       markup_text("Drawing of " + shortened(sheet.title, 80)));
   out += kStyle;
   out += fmt::format("<rect class=\"gs-paper\" x=\"0\" y=\"0\" width=\"{}\" height=\"{}\"/>\n",
-                     svg::number(kSheetWidth), svg::number(kSheetHeight));
+                     svg::number(kSheetWidth), svg::number(height));
+}
+
+void append_limit(std::string& out, const View& view, const Limit& limit) {
+  std::string d;
+  svg::append_subpath(d, view, limit.points);
+  out += fmt::format("<path class=\"{}\" d=\"{}\"/>\n",
+                     limit.kind == Limit::Kind::border ? "gs-border-line" : "gs-reach", d);
+}
+
+void append_names(std::string& out, const View& view, const Names& names) {
+  for (const NamedPlane& plane : names.planes) {
+    const Point3 at{plane.axis == 'X' ? plane.at : 0, plane.axis == 'Y' ? plane.at : 0,
+                    plane.axis == 'Z' ? plane.at : 0};
+    const SheetPoint place = view.place(at);
+    const SheetBox& field = view.field;
+    if (view.isometric) continue;
+    if (axis_of(view.up) == plane.axis) {
+      out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}h{}\"/>", svg::number(field.x),
+                         svg::number(place.y), svg::number(field.width));
+      svg::append_text(out, {field.x + field.width - 4, place.y - 4}, "gs-point", plane.name,
+                       "text-anchor=\"end\"");
+    } else if (axis_of(view.right) == plane.axis) {
+      out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}v{}\"/>", svg::number(place.x),
+                         svg::number(field.y), svg::number(field.height));
+      svg::append_text(out, {place.x + 4, field.y + 10}, "gs-point", plane.name);
+    }
+  }
+  for (std::size_t i = 0; i < names.points.size(); ++i) {
+    const SheetPoint place = view.place(names.points[i].at);
+    // Points that lie at one place have their names side by side.
+    double aside = 0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const SheetPoint other = view.place(names.points[j].at);
+      if (std::hypot(other.x - place.x, other.y - place.y) < 10) aside += 14;
+    }
+    svg::append_text(out, {place.x + 9 + aside, place.y - 8}, "gs-point", names.points[i].name);
+  }
 }
 
 void append_view_frame(std::string& out, const View& view) {

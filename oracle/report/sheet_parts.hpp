@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracle/report/named_points.hpp"
 #include "oracle/report/sheet.hpp"
 #include "oracle/report/svg.hpp"
 #include "oracle/report/views.hpp"
@@ -22,9 +23,14 @@ inline constexpr SheetBox kDrawingArea{kMargin + 6, kMargin + 6, kSheetWidth - 2
 
 // The <style> of every drawing.
 std::string_view sheet_style();
-void append_sheet_head(std::string& out, const Sheet& sheet);
+void append_sheet_head(std::string& out, const Sheet& sheet, double height);
+// "TOP  X-Y  p = X"
+std::string view_title(const View& view);
 // Title, grid with coordinates, axes.
 void append_view_frame(std::string& out, const View& view);
+// The lines of a limit, and the points and planes of a cycle by name.
+void append_limit(std::string& out, const View& view, const Limit& limit);
+void append_names(std::string& out, const View& view, const Names& names);
 void append_blank_note(std::string& out);
 // Legend, names, verdict, scale bar, projection symbol, remarks.
 void append_title_block(std::string& out, const Sheet& sheet, const Layout& layout);

@@ -10,16 +10,6 @@
 namespace gonogo::oracle::report {
 namespace {
 
-std::string maker_of(std::string_view clause) {
-  return std::string(clause.substr(0, clause.find('-')));
-}
-
-// GSK of gsk988ta: the beginning of its clauses' ids. Empty for a dialect that is not read.
-std::string maker_of_dialect(const std::string& dialect) {
-  const reference::Dialect* known = reference::find_dialect(dialect);
-  return known == nullptr ? std::string() : maker_of(known->clauses.front().id);
-}
-
 Json clause_json(const reference::Clause& clause) {
   return {{"id", clause.id},
           {"level", reference::name(clause.level)},
@@ -123,14 +113,38 @@ Json scope_json(const RunScope& scope) {
           {"advices", advices}};
 }
 
-void Summary::add(const CaseHead& line) {
-  scope_.add(line, verdict_kind(line.verdict).value_or(VerdictKind::oracle_error));
+Json findings_json(const Findings& findings) {
+  Json list = Json::array();
+  for (const Finding* finding : findings.list()) {
+    Json cycles = Json::object();
+    for (const auto& [cycle, cases] : finding->by_cycle) cycles[cycle] = cases;
+    Json one = {{"number", finding->number},
+                {"text", finding->text()},
+                {"line", finding->line()},
+                {"verdict", name(finding->key.kind)},
+                {"dialect", finding->key.dialect},
+                {"clause", finding->key.clause},
+                {"cases", finding->cases},
+                {"cycles", cycles},
+                {"smallest",
+                 {{"id", finding->smallest.id},
+                  {"blocks", finding->smallest.blocks},
+                  {"message", finding->smallest.message}}}};
+    if (!finding->cause.empty()) one["cause"] = finding->cause;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+const Finding* Summary::add(const CaseHead& line) {
+  const VerdictKind kind = verdict_kind(line.verdict).value_or(VerdictKind::oracle_error);
+  scope_.add(line, kind);
   ++cases_;
   ++totals_[line.verdict];
-  cycles_.insert(line.cycle);
   std::uint64_t& judged = judged_[line.dialect];
   const Decision its = decision_of(line.verdict);
-  if (line.verdict == "skip") return;
+  if (line.verdict == "skip") return nullptr;
+  cycles_.insert(line.cycle);
   if (its != Decision::undecided) ++judged;
   auto hit = [&](const std::string& clause) {
     MatrixCell& cell = cells_[clause][line.cycle];
@@ -156,6 +170,7 @@ void Summary::add(const CaseHead& line) {
       hit(*clause);
     }
   }
+  return findings_.add(line, kind);
 }
 
 Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
@@ -244,13 +259,18 @@ Json Summary::not_checked(const Json& header) const {
 }
 
 Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
-  std::set<std::string> makers;
-  for (const auto& [dialect, judged] : judged_) makers.insert(maker_of_dialect(dialect));
-  for (const auto& [clause, by_cycle] : cells_) makers.insert(maker_of(clause));
+  // Of the dialects that were judged, and what else was hit.
+  std::set<std::string_view> shown;
+  for (const auto& [dialect, judged] : judged_) {
+    const reference::Dialect* known = reference::find_dialect(dialect);
+    if (judged == 0 || known == nullptr) continue;
+    for (const reference::Clause& clause : known->clauses) shown.insert(clause.id);
+  }
+  for (const auto& [clause, by_cycle] : cells_) shown.insert(clause);
   Json catalog = Json::array();
   std::uint64_t others = 0;
   for (const reference::Clause& clause : reference::clauses()) {
-    if (makers.contains(maker_of(clause.id))) {
+    if (shown.contains(clause.id)) {
       catalog.push_back(clause_json(clause));
     } else {
       ++others;
@@ -271,6 +291,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
           {"catalog", catalog},
           {"otherClauses", others},
           {"matrix", matrix()},
+          {"findings", findings_json(findings_)},
           {"scope", scope_json(scope_)},
           {"notChecked", not_checked(header)},
           {"command", command_for_case(header)}};

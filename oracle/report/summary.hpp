@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/finding.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/verdict.hpp"
 
@@ -33,7 +34,13 @@ struct MatrixCell {
 
 class Summary {
  public:
-  void add(const CaseHead& line);
+  // The finding that the case belongs to; null: it is none.
+  const Finding* add(const CaseHead& line);
+  // What a finding is likely to come from, as find_causes() of the program says it.
+  void set_cause(const Finding::Key& key, std::string cause) {
+    findings_.set_cause(key, std::move(cause));
+  }
+  const Findings& findings() const { return findings_; }
   // `footer` null when the file has none; `bad_lines` could not be read.
   Json finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
   const RunScope& scope() const { return scope_; }
@@ -49,8 +56,11 @@ class Summary {
   std::map<std::string, std::map<std::string, MatrixCell>> cells_;  // clause -> cycle
   std::set<std::string> cycles_;
   RunScope scope_;
+  Findings findings_;
 };
 
+// The findings in their order, for the page.
+Json findings_json(const Findings& findings);
 // The groups of a scope: what was not claimed, what was declared and skipped, the advices.
 Json scope_json(const RunScope& scope);
 

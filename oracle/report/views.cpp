@@ -156,4 +156,10 @@ Layout lay_out(const Extent& extent, bool lathe, const SheetBox& area) {
   return layout;
 }
 
+void set_view(View& view, const SheetBox& frame, const Extent& extent) {
+  settle(view, frame, extent, 1);
+  view.scale = fit(range_along(view.right, extent), range_along(view.up, extent), view.field.width,
+                   view.field.height);
+}
+
 }  // namespace gonogo::oracle::report

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,8 @@ struct View {
   double middle_right = 0;  // mm, at the middle of the field
   double middle_up = 0;
   char spread_axis = 0;  // motions stand side by side along it, so it has no scale; 0: none
+  char shown_axis = 0;   // of a view of one coordinate: which; 0: as its directions say
+  std::map<char, char> axis_names{};  // 'p' -> 'Z', as the clauses call them
 
   SheetPoint place(const Point3& point) const;
 };
@@ -69,5 +72,8 @@ struct Layout {
 // `lathe`: Z to the right and X up in the front view, as lathes are drawn; else X right and Z up.
 // When at most two axes move there is one view. REQUIRES: the extent is not empty.
 Layout lay_out(const Extent& extent, bool lathe, const SheetBox& area);
+
+// Sets one view of the extent into a frame, as large as it fits.
+void set_view(View& view, const SheetBox& frame, const Extent& extent);
 
 }  // namespace gonogo::oracle::report

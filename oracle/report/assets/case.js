@@ -8,7 +8,7 @@ function showCase(c) {
   openCase = c;
   stepper = null;
   const block = byId(`d${c.index}`);
-  const data = block ? json(block) : null;
+  const data = block ? unpack(block) : null;
   const place = shown.indexOf(c);
   const detail = byId('detail');
   detail.hidden = false;
@@ -16,13 +16,10 @@ function showCase(c) {
     el('div', { class: 'detail-head' }, el('h2', {}, c.id), badge(c.verdict), el('span', { class: 'spring' }),
       el('button', { type: 'button', id: 'previous', disabled: place <= 0, on: { click: () => choose(place - 1, false) } }, 'Previous case'),
       el('button', { type: 'button', id: 'next', disabled: place < 0 || place + 1 >= shown.length, on: { click: () => choose(place + 1, false) } }, 'Next case')),
-    c.verdict === 'advice' && el('p', { class: 'note' }, 'An advice: no text of a manual states what was expected here, so this is no NO-GO.'),
+    ...(c.verdict !== 'advice' ? [] : [el('p', { class: 'note' }, 'An advice: no text of a manual states what was expected here, so this is no NO-GO.')]),
     el('p', { class: 'message' }, c.message || (decisionOf(c.verdict) === 'go' ? 'This case is GO.' : 'No message.')));
   if (data) showFailure(detail, c, data);
-  else {
-    detail.append(el('dl', { class: 'pairs' }, el('dt', {}, 'Dialect, cycle'), el('dd', {}, `${c.dialect}, ${c.cycle}`),
-      el('dt', {}, 'Clauses'), el('dd', {}, ...clauseList(c.clauses))));
-  }
+  else showPass(detail, c, passOf(c.index));
   detail.append(commandBox(c));
   const hash = `#case=${encodeURIComponent(c.id)}`;
   if (location.hash !== hash) history.replaceState(null, '', hash);
@@ -30,6 +27,59 @@ function showCase(c) {
 
 function clauseList(ids) {
   return ids.flatMap((id, i) => [i > 0 ? ', ' : '', el('span', { class: 'mono', title: clauseTitle(id) }, id)]);
+}
+
+// ---- a case that is GO, or was not judged: its program, its clauses, the path of the reference ----
+
+// Many passes lie packed together; the pack that was opened last is kept.
+const packs = [...document.querySelectorAll('script.passes')].map((node) => ({ node, first: Number(node.dataset.first), last: Number(node.dataset.last) }));
+let openPack = null;
+
+function passOf(index) {
+  const pack = packs.find(({ first, last }) => index >= first && index <= last);
+  if (!pack) return null;
+  if (openPack?.pack !== pack) openPack = { pack, cases: unpack(pack.node) };
+  return openPack.cases[index] ?? null;
+}
+
+function showPass(detail, c, data) {
+  const facts = el('dl', { class: 'pairs' }, el('dt', {}, 'Dialect, cycle'), el('dd', {}, `${c.dialect}, ${c.cycle}`));
+  if (data?.comment) facts.append(el('dt', {}, 'About'), el('dd', {}, data.comment));
+  if (data?.profile && Object.keys(data.profile).length > 0) facts.append(el('dt', {}, 'Profile'), el('dd', { class: 'mono' }, JSON.stringify(data.profile)));
+  const left = el('div', {}, facts, clauseTable(c.clauses));
+  if (!data) {
+    detail.append(left, el('p', { class: 'note' }, 'The program of this case is not in this page: only so many passes are. Run the command for this case to see it.'));
+    return;
+  }
+  detail.append(el('div', { class: 'columns' }, left, programBox(data)));
+  const space = data.moves ? spaceBox(data) : null;
+  if (!space) return;
+  detail.append(...space.nodes, motionTable(data, space.view));
+}
+
+function clauseTable(ids) {
+  if (ids.length === 0) return el('p', { class: 'note' }, 'No clause.');
+  return el('div', {}, el('h3', {}, 'Clauses'), el('dl', { class: 'pairs', id: 'case-clauses' }, ...ids.flatMap((id) => {
+    const clause = catalog.get(id);
+    return [el('dt', { class: 'mono' }, id), el('dd', {}, clause ? clause.text : 'not in the catalog',
+      clause && el('div', { class: 'level' }, `${clause.source}; ${clause.level}`))];
+  })));
+}
+
+// The reference's motions, each with its clause; a choice marks it in the drawing.
+function motionTable(data, view) {
+  const rows = data.motions.map(([kind, block, clause], index) => {
+    const row = el('tr', { title: clause ? clauseTitle(clause) : null, on: { click: () => choose_(index) } }, el('td', {}, String(index + 1)),
+      el('td', {}, kind), el('td', {}, block > 0 ? `line ${block}` : ''), el('td', { class: 'mono' }, clause));
+    return row;
+  });
+  const choose_ = (index) => {
+    rows.forEach((row, i) => row.classList.toggle('now', i === index));
+    view.show('r', index);
+    for (const line of document.querySelectorAll('#program .line')) line.classList.toggle('now', Number(line.dataset.n) === data.motions[index][1]);
+  };
+  return el('div', {}, el('h3', {}, 'Motions of the reference'), el('div', { class: 'scroll motions', tabindex: 0 }, el('table', { id: 'motions' },
+    el('thead', {}, el('tr', {}, ...['', 'Motion', 'Line', 'Clause'].map((name) => el('th', { scope: 'col' }, name)))), el('tbody', {}, ...rows))));
 }
 
 function showFailure(detail, c, data) {

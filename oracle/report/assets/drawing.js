@@ -58,7 +58,10 @@ function showDrawing(detail, data) {
   const sheet = el('div', { class: 'sheet', id: 'sheet' });
   sheet.append(el('div', { class: 'layers' }, svg, layer));
   svg.addEventListener('click', (event) => pick(s, event));
-  detail.append(el('h3', {}, 'Drawing'), sheet, controls(s), el('div', { class: 'records', id: 'stepped' }));
+  const space = data.moves ? spaceBox(data) : null;
+  s.space = space?.view;
+  detail.append(el('h3', {}, 'Drawing'), zoomBar(svg, layer), sheet, controls(s), el('div', { class: 'records', id: 'stepped' }),
+    ...(space?.nodes ?? []));
   for (const note of [data.referenceNote, data.traceNote, data.note,
     data.referenceCut && 'The reference\u2019s path is longer than what is shown.',
     data.traceCut && 'The subject\u2019s path is longer than what is shown.']) {
@@ -68,6 +71,53 @@ function showDrawing(detail, data) {
   if (departed) goTo('s', data.record);
   else if (data.wanted !== undefined) goTo('r', data.wanted);
   else goTo(s.owner, s.owner === 's' ? s.last.s : 0);
+}
+
+// The sheet magnified and moved: its view box, and that of the layer with the marks.
+function zoomBar(svg, layer) {
+  const [, , width, height] = svg.getAttribute('viewBox').split(' ').map(Number);
+  let box = { x: 0, y: 0, width, height };
+  const set = (next) => {
+    box = next;
+    for (const one of [svg, layer]) one.setAttribute('viewBox', `${box.x} ${box.y} ${box.width} ${box.height}`);
+  };
+  // About a point of the sheet.
+  const zoom = (by, x = box.x + box.width / 2, y = box.y + box.height / 2) => {
+    const wide = Math.min(width, Math.max(width / 400, box.width / by));
+    const factor = wide / box.width;
+    const next = { width: wide, height: box.height * factor };
+    next.x = Math.min(width - next.width, Math.max(0, x - (x - box.x) * factor));
+    next.y = Math.min(height - next.height, Math.max(0, y - (y - box.y) * factor));
+    set(next);
+  };
+  svg.addEventListener('wheel', (event) => {
+    if (!event.ctrlKey && box.width === width && event.deltaY > 0) return;  // the page scrolls on
+    event.preventDefault();
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    zoom(event.deltaY < 0 ? 1.25 : 0.8, at.x, at.y);
+  }, { passive: false });
+  let last = null;
+  svg.addEventListener('pointerdown', (event) => { last = box.width < width ? [event.clientX, event.clientY] : null; });
+  for (const end of ['pointerup', 'pointerleave']) svg.addEventListener(end, () => { last = null; });
+  svg.addEventListener('pointermove', (event) => {
+    if (!last) return;
+    const scale = box.width / Math.max(1, svg.getBoundingClientRect().width);
+    const x = box.x - (event.clientX - last[0]) * scale;
+    const y = box.y - (event.clientY - last[1]) * scale;
+    last = [event.clientX, event.clientY];
+    set({ ...box, x: Math.min(width - box.width, Math.max(0, x)), y: Math.min(height - box.height, Math.max(0, y)) });
+  });
+  const button = (id, label, title, act) => el('button', { type: 'button', id, title, on: { click: act } }, label);
+  const witness = svg.querySelector('[data-view] .gs-witness circle');
+  return el('div', { class: 'sheet-tools', role: 'group', 'aria-label': 'Magnify the drawing' },
+    button('zoom-in', '+', 'Magnify', () => zoom(1.6)), button('zoom-out', '\u2212', 'Make smaller', () => zoom(0.625)),
+    witness && button('zoom-departure', 'Departure', 'Magnify the departure', () => {
+      set({ x: 0, y: 0, width, height });
+      const [x, y] = ['cx', 'cy'].map((name) => Number(witness.getAttribute(name)));
+      zoom(8, x, y);
+    }),
+    button('zoom-all', 'Whole sheet', 'The whole sheet', () => set({ x: 0, y: 0, width, height })),
+    el('span', { class: 'note' }, 'The wheel magnifies, a drag moves what is magnified.'));
 }
 
 function indexParts(s) {
@@ -144,6 +194,7 @@ function drawSteps(s) {
     mark.core.setAttribute('d', now);
     placeTool(s, view, mark.tool, index, now);
   }
+  s.space?.show(s.owner, index);
   if (!s.upTo && !s.wasUpTo) return;
   s.wasUpTo = s.upTo;
   for (const strand of s.strands) {

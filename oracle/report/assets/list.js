@@ -22,9 +22,11 @@ function setUpFilters() {
     ['@neither', 'neither GO nor NO-GO'], ['@go', 'all GO'], ...Object.keys(summary.totals).sort().map((value) => [value])], 'all');
   fillSelect('by-dialect', present((c) => c.dialect), 'all');
   fillSelect('by-cycle', present((c) => c.cycle), 'all');
+  fillSelect('by-finding', summary.findings.map((finding) => [String(finding.number), `${finding.text} (${count(finding.cases)})`]), 'all');
+  byId('by-finding').parentElement.hidden = summary.findings.length === 0;
   fillSelect('by-clause', present((c) => [...c.clauses, c.clause].filter(Boolean)), 'all');
   byId('search').addEventListener('input', applyFilters);
-  for (const id of ['by-verdict', 'by-dialect', 'by-cycle', 'by-clause']) {
+  for (const id of ['by-verdict', 'by-dialect', 'by-cycle', 'by-clause', 'by-finding']) {
     byId(id).addEventListener('change', applyFilters);
   }
   byId('filters').addEventListener('submit', (event) => event.preventDefault());
@@ -35,12 +37,12 @@ function setUpFilters() {
 function applyFilters() {
   const words = byId('search').value.toLowerCase().split(/\s+/).filter(Boolean);
   const verdict = byId('by-verdict').value;
-  const [dialect, cycle, clause] = ['by-dialect', 'by-cycle', 'by-clause'].map((id) => byId(id).value);
+  const [dialect, cycle, clause, finding] = ['by-dialect', 'by-cycle', 'by-clause', 'by-finding'].map((id) => byId(id).value);
   shown = cases.filter((c) =>
     (!verdict || c.verdict === verdict || `@${decisionOf(c.verdict)}` === verdict) &&
     (!dialect || c.dialect === dialect) && (!cycle || c.cycle === cycle) &&
     (!clause || c.clause === clause || c.clauses.includes(clause)) &&
-    words.every((word) => textOf(c).includes(word)));
+    (!finding || String(c.finding) === finding) && words.every((word) => textOf(c).includes(word)));
   chosen = shown.findIndex((c) => c === openCase);
   for (const button of document.querySelectorAll('.total')) {
     button.setAttribute('aria-pressed', String(button.dataset.verdict === verdict));

@@ -57,6 +57,40 @@ function showTotals() {
   }, badge(verdict), el('b', {}, count(summary.totals[verdict])))));
 }
 
+// ---- findings: what is not GO, each kind once ----
+
+function showFindings() {
+  const findings = summary.findings;
+  byId('findings').hidden = findings.length === 0;
+  if (findings.length === 0) return;
+  const body = [];
+  let cause = '';
+  for (const finding of findings) {
+    if ((finding.cause ?? '') !== cause) {
+      body.push(el('tr', { class: 'cause' }, el('th', { colspan: 5, scope: 'rowgroup' },
+        finding.cause ? `Likely cause: ${finding.cause}` : 'Of causes that are not named')));
+    }
+    cause = finding.cause ?? '';
+    body.push(findingRow(finding));
+  }
+  byId('findings').append(
+    el('p', { class: 'note' }, `Cases that depart in the same way, the gravest first. ${counted(findings.length, 'finding', 'findings')}; open the smallest case of one to see what it is.`),
+    table(['Finding', 'What the manual says', 'Cases', 'Of cycles', 'Smallest'], body));
+}
+
+function findingRow(finding) {
+  const clause = catalog.get(finding.clause);
+  const cycles = Object.entries(finding.cycles).sort((a, b) => b[1] - a[1]);
+  return el('tr', {}, el('th', { scope: 'row' }, badge(finding.verdict), ' ', el('span', { class: 'mono' }, finding.clause),
+    el('div', { class: 'level' }, finding.text.replace(/^[^(]*/, '').replace(/[()]/g, ''))),
+  el('td', {}, clause ? clause.text : finding.smallest.message),
+  el('td', {}, casesButton(count(finding.cases), () => { byId('by-finding').value = String(finding.number); })),
+  el('td', {}, cycles.map(([cycle, n]) => `${cycle} ${count(n)}`).join(', ')),
+  el('td', {}, el('a', { href: `#case=${encodeURIComponent(finding.smallest.id)}`, class: 'mono' }, finding.smallest.id),
+    finding.smallest.blocks > 0 && `, ${counted(finding.smallest.blocks, 'block', 'blocks')}`,
+    clause && el('div', { class: 'level' }, finding.smallest.message)));
+}
+
 // ---- what was run ----
 
 function showRun() {
@@ -105,7 +139,7 @@ function showMatrix() {
   const all = [...summary.catalog, ...strangers];
   const hit = all.filter((clause) => summary.matrix[clause.id]).length;
   const words = [`${count(hit)} of ${count(all.length)} clauses were hit by a judged case; the others were not checked.`];
-  if (summary.otherClauses > 0) words.push(`${count(summary.otherClauses)} clauses of other makers are left out: no case of theirs was run.`);
+  if (summary.otherClauses > 0) words.push(`${count(summary.otherClauses)} clauses of other dialects are left out: no case of theirs was judged.`);
   const body = el('tbody');
   for (const clause of all) {
     const row = el('tr', {}, el('th', { scope: 'row', class: 'mono', title: clauseTitle(clause.id) }, clause.id),
@@ -178,19 +212,31 @@ function showAdvices() {
       }))))));
 }
 
+// Feature by feature, each with what the dialects have of it.
 function showNotClaimed() {
   const groups = summary.scope.not_claimed;
   byId('not-claimed').hidden = groups.length === 0;
   if (groups.length === 0) return;
+  const features = new Map();
+  for (const group of groups) {
+    const key = group.feature ?? '';
+    features.set(key, [...(features.get(key) ?? []), group]);
+  }
+  const names = [...features.keys()].sort((a, b) => (a === '') - (b === '') || a.localeCompare(b, 'en', { numeric: true }));
   byId('not-claimed').append(
     el('p', { class: 'note' }, `The subject does not say that it has these: ${counted(summary.headline.notClaimed, 'case', 'cases')} of them were not judged. The decision says nothing of them.`),
-    table(['Dialect', 'Not claimed', 'Cases'], groups.map((group) => el('tr', {}, el('td', {}, group.dialect),
-      group.feature ? el('th', { scope: 'row', class: 'mono' }, group.feature) : el('td', {}, group.reason ?? 'no reason given'),
-      el('td', {}, casesButton(counted(group.cases, 'case', 'cases'), () => {
-        byId('by-verdict').value = 'skip';
-        byId('by-dialect').value = group.dialect;
-        byId('search').value = group.feature ? `declare ${group.feature} in` : (group.reason ?? '');
-      }))))));
+    table(['Feature', 'Of', 'Cases'], names.map((name) => el('tr', {},
+      el('th', { scope: 'row', class: name ? 'mono' : null }, name || 'for other reasons'),
+      el('td', {}, ...features.get(name).map((group) => el('div', {}, skippedButton(group), group.feature ? null : ` ${group.reason ?? 'no reason given'}`))),
+      el('td', {}, count(features.get(name).reduce((sum, group) => sum + group.cases, 0)))))));
+}
+
+function skippedButton(group) {
+  return casesButton(`${group.dialect} ${count(group.cases)}`, () => {
+    byId('by-verdict').value = 'skip';
+    byId('by-dialect').value = group.dialect;
+    byId('search').value = group.feature ? `declare ${group.feature} in` : (group.reason ?? '');
+  });
 }
 
 // ---- what this run did not check ----

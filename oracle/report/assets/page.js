@@ -8,9 +8,9 @@
 const byId = (id) => document.getElementById(id);
 const json = (node) => JSON.parse(node.textContent);
 const summary = json(byId('summary'));
-const cases = [...document.querySelectorAll('script.rows')].flatMap(json)
-  .map(([id, dialect, cycle, verdict, clause, message, clauses], index) =>
-    ({ id, dialect, cycle, verdict, clause, message, clauses, index }));
+const cases = [...document.querySelectorAll('script.rows')].flatMap(unpack)
+  .map(([id, dialect, cycle, verdict, clause, message, clauses, finding], index) =>
+    ({ id, dialect, cycle, verdict, clause, message, clauses, finding, index }));
 const catalog = new Map(summary.catalog.map((clause) => [clause.id, clause]));
 const header = summary.header;
 const count = (n) => n.toLocaleString('en');

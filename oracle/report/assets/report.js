@@ -19,6 +19,7 @@ function openFromHash() {
 
 showHeadline();
 showTotals();
+showFindings();
 setUpFilters();
 showAdvices();
 showNotClaimed();

@@ -256,7 +256,7 @@ TEST_F(Evidence, AnAdviceIsListedAndIsNoFailure) {
   const std::string summary = read("summary.md");
   EXPECT_NE(summary.find("- `NGC-G0-01`, would be fail.alarm-missing, 1 case: "), std::string::npos)
       << summary;
-  EXPECT_EQ(summary.find("First failures"), std::string::npos);
+  EXPECT_EQ(summary.find("## Findings"), std::string::npos);
   EXPECT_EQ(read("programs/ngc.t.1.nc"), "G0 X1\n");
 }
 
@@ -276,7 +276,7 @@ TEST_F(Evidence, SummaryHasDecisionTotalsFailuresAndCommands) {
   EXPECT_NE(text.find("gonogo certify --subject 'pipe:./acme --fast' --case ngc.b.1\n"),
             std::string::npos);
   EXPECT_NE(text.find("Ends \\| elsewhere."), std::string::npos);
-  EXPECT_NE(text.find("`gsk.d.1` oracle-gap"), std::string::npos);
+  EXPECT_NE(text.find("1 x oracle-gap, smallest: gsk.d.1"), std::string::npos) << text;
   EXPECT_EQ(text.find("gsk.e.1"), std::string::npos);
   EXPECT_NE(text.find("## What this run did not check"), std::string::npos);
 }
@@ -286,7 +286,30 @@ TEST_F(Evidence, SummarySaysThatARunIsIncomplete) {
   EXPECT_TRUE(read("summary.md").starts_with("# INCOMPLETE: acme 3.2\n"));
 }
 
-TEST_F(Evidence, SummaryNamesTheFirstTenFailuresOnly) {
+TEST_F(Evidence, JunitNamesEachFindingOnceASuiteAndAtEachOfItsCases) {
+  std::vector<std::string> lines;
+  for (int i = 10; i < 13; ++i) {
+    std::string line = kFail;
+    line.replace(line.find("ngc.b.1"), 7, "ngc.b." + std::to_string(i));
+    lines.push_back(line);
+  }
+  write(results_text(lines, "NO-GO"));
+  const std::string junit = read("junit.xml");
+  EXPECT_EQ(occurrences(junit, "<property name=\"finding\" value=\"3 x fail.geometry"), 1U);
+  EXPECT_EQ(occurrences(junit, "\nfinding    fail.geometry"), 3U);
+}
+
+TEST_F(Evidence, SarifSaysWhereClausesAreReadAndFromWhereProgramsAreNamed) {
+  write(all_kinds());
+  const json run = json::parse(read("results.sarif"))["runs"][0];
+  EXPECT_TRUE(run["originalUriBaseIds"].contains("REPORT"));
+  EXPECT_TRUE(run["tool"]["driver"].contains("informationUri"));
+  for (const json& rule : run["tool"]["driver"]["rules"]) {
+    EXPECT_TRUE(rule.value("helpUri", "").starts_with("https://")) << rule;
+  }
+}
+
+TEST_F(Evidence, SummaryNamesAFindingOnceWithItsSmallestCase) {
   std::vector<std::string> lines;
   for (int i = 10; i < 25; ++i) {
     std::string line = kFail;
@@ -294,8 +317,8 @@ TEST_F(Evidence, SummaryNamesTheFirstTenFailuresOnly) {
     lines.push_back(line);
   }
   write(results_text(lines, "NO-GO"));
-  EXPECT_EQ(occurrences(read("summary.md"), "\n### "), 10U);
-  EXPECT_NE(read("summary.md").find("5 more: see the report."), std::string::npos);
+  EXPECT_EQ(occurrences(read("summary.md"), "\n### "), 1U);
+  EXPECT_NE(read("summary.md").find("### 15 x fail.geometry"), std::string::npos);
 }
 
 TEST(EvidenceText, FileStemOfAnUnsafeIdStaysInItsFolder) {

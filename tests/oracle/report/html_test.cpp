@@ -52,6 +52,15 @@ class HtmlReport : public testing::Test {
     return json::parse(page.substr(from, page.find("</script>", from) - from));
   }
 
+  // The packed evidence of the case in this row.
+  static json detail_of(const std::string& page, const std::string& id) {
+    const std::string begin = "<script type=\"text/plain\" id=\"" + id + "\">";
+    const std::size_t at = page.find(begin);
+    if (at == std::string::npos) return nullptr;
+    const std::size_t from = at + begin.size();
+    return json::parse(unpacked(page.substr(from, page.find("</script>", from) - from)));
+  }
+
   std::filesystem::path directory_;
 };
 
@@ -143,7 +152,7 @@ TEST_F(HtmlReport, skips_and_m_are_told_as_not_checked) {
 
 // Sorted by id, gsk.g94.000002 is the tenth case: eight of G110, then 000001.
 TEST_F(HtmlReport, a_failure_has_both_paths_and_the_departure) {
-  const json detail = block(page("results.jsonl"), "d9");
+  const json detail = detail_of(page("results.jsonl"), "d9");
   ASSERT_EQ(detail["id"], "gsk.g94.000002");
   EXPECT_EQ(detail["trace"].size(), 10U);
   EXPECT_EQ(detail["trace"][1][2], R"({"k":"rapid","b":3,"to":{"z":"-5"}})");
@@ -153,7 +162,7 @@ TEST_F(HtmlReport, a_failure_has_both_paths_and_the_departure) {
 }
 
 TEST_F(HtmlReport, the_reference_path_of_an_alarm_ends_in_it) {
-  const json detail = block(page("results.jsonl"), "d1");
+  const json detail = detail_of(page("results.jsonl"), "d1");
   ASSERT_EQ(detail["verdict"], "fail.alarm-missing");
   EXPECT_EQ(detail["reference"].back()[0], "alarm");
   EXPECT_EQ(json::parse(detail["reference"].back()[2].get<std::string>())["class"],
@@ -164,7 +173,7 @@ TEST_F(HtmlReport, a_trace_that_cannot_be_read_is_drawn_up_to_there) {
   const std::string text = page("results.jsonl");
   json detail = json::object();
   for (int i = 0; i < 30 && detail.value("id", "") != "gsk.g94.000007"; ++i) {
-    const json found = block(text, "d" + std::to_string(i));
+    const json found = detail_of(text, "d" + std::to_string(i));
     if (found.is_object()) detail = found;
   }
   ASSERT_EQ(detail["id"], "gsk.g94.000007");

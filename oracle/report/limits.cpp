@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "oracle/manual/limits.hpp"
+#include "oracle/report/limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,16 +8,14 @@
 
 #include "oracle/judge/approximate.hpp"
 
-namespace gonogo::oracle::manual {
+namespace gonogo::oracle::report {
 namespace {
 
 using reference::Number;
 using reference::Plane;
-using report::Limit;
-using report::Point3;
 
-constexpr int kStepsPerTurn = 128;
-constexpr int kMostPasses = 8;  // of a thread that are drawn
+constexpr int kLimitSteps = 128;  // a turn
+constexpr int kMostPasses = 8;    // of a thread that are drawn
 
 // A plane at a coordinate of its depth axis.
 struct Level {
@@ -40,10 +38,10 @@ struct Level {
 Limit circle(Limit::Kind kind, const char* text, const Level& level,
              const std::array<Number, 2>& centre, double radius) {
   Limit limit{kind, text, {}};
-  const double p = approximate(centre[0]);
-  const double q = approximate(centre[1]);
-  for (int i = 0; i <= kStepsPerTurn; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kStepsPerTurn;
+  const double p = oracle::approximate(centre[0]);
+  const double q = oracle::approximate(centre[1]);
+  for (int i = 0; i <= kLimitSteps; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kLimitSteps;
     limit.points.push_back(level.point(p + radius * std::cos(angle), q + radius * std::sin(angle)));
   }
   return limit;
@@ -58,7 +56,7 @@ Limit rectangle(Limit::Kind kind, const char* text, const Level& level, const Re
   Limit limit{kind, text, {}};
   const double half_length = shape.length / 2 - shape.corner;
   const double half_width = shape.width / 2 - shape.corner;
-  constexpr int kQuarter = kStepsPerTurn / 4;
+  constexpr int kQuarter = kLimitSteps / 4;
   constexpr std::array<std::array<double, 2>, 4> kCorners = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
   const auto add = [&](double along, double across) {
     limit.points.push_back(level.point(shape.p + along * shape.cosine - across * shape.sine,
@@ -81,41 +79,46 @@ constexpr const char* kReach = "limit of the tool's centre";
 
 struct Draw {
   std::vector<Limit> operator()(const reference::PocketLevel& pocket) const {
-    const Level level{pocket.plane, approximate(pocket.depth)};
-    const double radius = approximate(pocket.pocket_radius);
-    return {circle(Limit::Kind::border, kPocketBorder, level, pocket.centre, radius),
-            circle(Limit::Kind::reach, kReach, level, pocket.centre,
-                   radius - approximate(pocket.tool_radius))};
+    const Level level{pocket.plane, oracle::approximate(pocket.depth)};
+    const double radius = oracle::approximate(pocket.pocket_radius);
+    const double tool = oracle::approximate(pocket.tool_radius);
+    std::vector<Limit> limits = {
+        circle(Limit::Kind::border, kPocketBorder, level, pocket.centre, radius),
+        circle(Limit::Kind::reach, kReach, level, pocket.centre, radius - tool)};
+    limits.front().level = PocketFloor{pocket.block, pocket.plane, level.depth, tool};
+    return limits;
   }
   std::vector<Limit> operator()(const reference::HelixPocket& pocket) const {
-    const double radius = approximate(pocket.radius);
+    const double radius = oracle::approximate(pocket.radius);
     std::vector<Limit> limits;
     for (const Number& depth : {pocket.r_plane, pocket.bottom}) {
       limits.push_back(circle(Limit::Kind::reach, "circle of radius I - D",
-                              {pocket.plane, approximate(depth)}, pocket.centre, radius));
+                              {pocket.plane, oracle::approximate(depth)}, pocket.centre, radius));
     }
     return limits;
   }
   std::vector<Limit> operator()(const reference::ThreadMilling& thread) const {
     std::vector<Limit> limits;
     for (const Number& depth : {thread.r_plane, thread.bottom}) {
-      const Level level{thread.plane, approximate(depth)};
+      const Level level{thread.plane, oracle::approximate(depth)};
       for (int pass = 1; pass <= kMostPasses; ++pass) {
         if (Number(pass) > thread.passes()) break;
         limits.push_back(circle(Limit::Kind::reach, "circle of a pass", level, thread.centre,
-                                approximate(thread.radius_of_pass(Number(pass)))));
+                                oracle::approximate(thread.radius_of_pass(Number(pass)))));
       }
     }
     return limits;
   }
   std::vector<Limit> operator()(const reference::PocketMilling& pocket) const {
-    const Level level{pocket.plane, approximate(pocket.floor)};
-    const double tool = approximate(pocket.tool_radius);
-    Rectangle shape{approximate(pocket.centre[0]),    approximate(pocket.centre[1]),
-                    approximate(pocket.direction[0]), approximate(pocket.direction[1]),
-                    approximate(pocket.length),       approximate(pocket.width),
-                    approximate(pocket.corner_radius)};
+    const Level level{pocket.plane, oracle::approximate(pocket.floor)};
+    const double tool = oracle::approximate(pocket.tool_radius);
+    Rectangle shape{
+        oracle::approximate(pocket.centre[0]),    oracle::approximate(pocket.centre[1]),
+        oracle::approximate(pocket.direction[0]), oracle::approximate(pocket.direction[1]),
+        oracle::approximate(pocket.length),       oracle::approximate(pocket.width),
+        oracle::approximate(pocket.corner_radius)};
     std::vector<Limit> limits = {rectangle(Limit::Kind::border, kPocketBorder, level, shape)};
+    limits.front().level = PocketFloor{pocket.block, pocket.plane, level.depth, tool};
     shape.length -= 2 * tool;
     shape.width -= 2 * tool;
     shape.corner -= tool;
@@ -134,4 +137,4 @@ std::vector<Limit> limits_of(const reference::Item& item) {
   return std::visit(Draw{}, item);
 }
 
-}  // namespace gonogo::oracle::manual
+}  // namespace gonogo::oracle::report

@@ -8,9 +8,9 @@
 #include "oracle/report/figure.hpp"
 #include "reference/outcome.hpp"
 
-namespace gonogo::oracle::manual {
+namespace gonogo::oracle::report {
 
 // Those of one item; none for an item whose path is given.
-std::vector<report::Limit> limits_of(const reference::Item& item);
+std::vector<Limit> limits_of(const reference::Item& item);
 
-}  // namespace gonogo::oracle::manual
+}  // namespace gonogo::oracle::report

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/causes.hpp"
+
+#include <exception>
+#include <optional>
+
+#include "identify/attribution.hpp"
+#include "oracle/campaign/selection.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+// The case as the campaign asked for it.
+std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
+                                               const oracle::CampaignOptions& campaign,
+                                               const std::string& id) {
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  while (const auto test = reader.next()) {
+    if (test->id != id) continue;
+    const auto own = oracle::under(campaign, *test);
+    if (!own) return std::nullopt;
+    return identify::ProgramAsked{own->id, own->program, own->profile};
+  }
+  return std::nullopt;
+}
+
+// The mistake that explains all that departs, or more than half of it and of what passes.
+std::string cause_in(const identify::Attribution& found) {
+  if (!found.complete.empty()) return found.complete.front().name;
+  if (found.partial.empty()) return {};
+  const identify::Cause& best = found.partial.front();
+  const bool is_likely =
+      2 * best.departures > found.departures && 2 * best.passes >= found.passes();
+  return is_likely ? best.name : std::string();
+}
+
+}  // namespace
+
+oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,
+                                     const oracle::CampaignOptions& campaign,
+                                     const oracle::SubjectMaker& make, std::size_t most) {
+  oracle::evidence::Causes causes;
+  const identify::AttributionOptions options{campaign.grants.tolerance, campaign.grants.chord,
+                                             campaign.grants.feed_resolution};
+  std::size_t asked = 0;
+  for (const oracle::Finding* finding : summary.findings.list()) {
+    const oracle::VerdictKind kind = finding->key.kind;
+    const bool departs = kind >= oracle::VerdictKind::fail_geometry &&
+                         kind <= oracle::VerdictKind::fail_alarm_late &&
+                         kind != oracle::VerdictKind::fail_reading;
+    if (!departs) continue;
+    if (asked++ == most) break;
+    try {
+      const auto test = asked_in(corpus, campaign, finding->smallest.id);
+      if (!test) continue;
+      const std::unique_ptr<oracle::Subject> subject = make();
+      std::string cause = cause_in(identify::attribute(*subject, corpus, *test, options));
+      if (!cause.empty()) causes[finding->key] = std::move(cause);
+    } catch (const std::exception&) {
+      // The run has its answer; what it comes from is a courtesy.
+      break;
+    }
+  }
+  return causes;
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/evidence/causes.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "oracle/records/output_file.hpp"
+#include "oracle/report/json_value.hpp"
+
+namespace gonogo::oracle::evidence {
+
+using Json = nlohmann::ordered_json;
+
+Causes read_causes(const std::filesystem::path& folder) {
+  using report::text_of;
+  Causes causes;
+  std::ifstream in(folder / kCausesFile, std::ios::binary);
+  if (!in) return causes;
+  const Json file = Json::parse(in, nullptr, false);
+  if (!file.is_object() || report::count_of(file, "format") != 1) return causes;
+  const auto list = file.find("causes");
+  if (list == file.end() || !list->is_array()) return causes;
+  for (const Json& one : *list) {
+    const auto kind = verdict_kind(text_of(one, "verdict"));
+    if (!kind || text_of(one, "cause").empty()) continue;
+    causes[{gravity(*kind), *kind, text_of(one, "dialect"), text_of(one, "clause"),
+            text_of(one, "what")}] = text_of(one, "cause");
+  }
+  return causes;
+}
+
+void write_causes(const std::filesystem::path& folder, const Causes& causes) {
+  if (causes.empty()) {
+    std::filesystem::remove(folder / kCausesFile);
+    return;
+  }
+  Json list = Json::array();
+  for (const auto& [key, cause] : causes) {
+    list.push_back({{"dialect", key.dialect},
+                    {"verdict", name(key.kind)},
+                    {"clause", key.clause},
+                    {"what", key.what},
+                    {"cause", cause}});
+  }
+  const Json file = {{"format", 1}, {"causes", list}};
+  write_file(folder / kCausesFile, file.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace gonogo::oracle::evidence

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// causes.json beside results.jsonl: what the findings of a run are likely to come from. It is no
+// part of the results: no verdict depends on it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "oracle/records/finding.hpp"
+
+namespace gonogo::oracle::evidence {
+
+inline constexpr const char* kCausesFile = "causes.json";
+using Causes = std::map<Finding::Key, std::string>;
+
+// Of the folder; a file that is missing or of another format says nothing.
+Causes read_causes(const std::filesystem::path& folder);
+// Without causes the file is taken away: it was of the run before. Throws std::system_error.
+void write_causes(const std::filesystem::path& folder, const Causes& causes);
+
+}  // namespace gonogo::oracle::evidence

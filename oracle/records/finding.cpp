@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/records/finding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace gonogo::oracle {
+namespace {
+
+constexpr std::size_t kFirstOfFinding = 20;
+// A subject may break down in another way each time; what is beyond so many is counted as one.
+constexpr std::size_t kMostFindings = 200;
+
+// The value of a key in the text of a record or an alarm.
+std::string member(std::string_view text, std::string_view key) {
+  const std::string begin = fmt::format("\"{}\":\"", key);
+  const std::size_t at = text.find(begin);
+  if (at == std::string_view::npos) return {};
+  const std::size_t from = at + begin.size();
+  return std::string(text.substr(from, text.find('"', from) - from));
+}
+
+// What the text of a verdict is about: the class of an alarm, the kind of a record, "end".
+std::string about(std::string_view text) {
+  const std::string alarm = member(text, "class");
+  if (!alarm.empty()) return alarm;
+  const std::string kind = member(text, "k");
+  return !kind.empty() ? kind : text == "end" ? std::string(text) : std::string();
+}
+
+// The sentence without what changes from run to run: numbers, quoted parts.
+std::string constant_part(std::string_view message) {
+  constexpr std::size_t kLongest = 80;
+  std::string text;
+  bool quoted = false;
+  for (const char c : message) {
+    if (c == '"' || c == '`') quoted = !quoted;
+    if (!quoted && (c < '0' || c > '9')) text += c;
+    if (text.size() == kLongest) break;
+  }
+  return text;
+}
+
+bool is_finding(const CaseHead& line, VerdictKind kind) {
+  if (kind == VerdictKind::oracle_gap) return !line.expected;
+  return kind == VerdictKind::oracle_error || decision(kind) == Decision::no_go;
+}
+
+// A program that is not kept is no example while there is another.
+auto size_of(const Finding::Example& example) {
+  return std::tuple(example.blocks == 0, example.blocks, example.bytes,
+                    std::string_view(example.id));
+}
+
+}  // namespace
+
+bool is_breakdown(VerdictKind kind) {
+  return kind == VerdictKind::oracle_error ||
+         (kind >= VerdictKind::crash && kind <= VerdictKind::protocol);
+}
+
+std::string departed_about(VerdictKind kind, std::string_view want, std::string_view got,
+                           std::string_view message) {
+  if (is_breakdown(kind)) return constant_part(message);
+  return fmt::format("{}/{}", about(want), about(got));
+}
+
+unsigned gravity(VerdictKind kind) {
+  constexpr VerdictKind kOrder[] = {
+      VerdictKind::fail_geometry,  VerdictKind::fail_region,         VerdictKind::fail_order,
+      VerdictKind::fail_overrun,   VerdictKind::fail_alarm_missing,  VerdictKind::fail_alarm_late,
+      VerdictKind::fail_feed,      VerdictKind::state_leak,          VerdictKind::crash,
+      VerdictKind::timeout,        VerdictKind::out_of_memory,       VerdictKind::protocol,
+      VerdictKind::fail_reading,   VerdictKind::fail_alarm_spurious, VerdictKind::fail_alarm_class,
+      VerdictKind::unmapped_alarm, VerdictKind::fail_declaration,    VerdictKind::xpass,
+      VerdictKind::oracle_error,   VerdictKind::oracle_gap};
+  return static_cast<unsigned>(std::ranges::find(kOrder, kind) - std::begin(kOrder));
+}
+
+std::string Finding::text() const {
+  std::string out(name(key.kind));
+  if (!key.clause.empty()) out += " at " + key.clause;
+  std::string_view what = key.what;
+  const std::size_t slash = what.find('/');
+  if (is_breakdown(key.kind) || slash == std::string_view::npos) {
+    return what.empty() ? out : fmt::format("{} ({})", out, what);
+  }
+  const std::string_view want = what.substr(0, slash);
+  const std::string_view got = what.substr(slash + 1);
+  if (want.empty() && got.empty()) return out;
+  if (want == got || got.empty()) return fmt::format("{} ({})", out, want);
+  return want.empty() ? fmt::format("{} ({} too many)", out, got)
+                      : fmt::format("{} ({} for {})", out, got, want);
+}
+
+std::string Finding::line() const {
+  std::string out = fmt::format("{} x {}, smallest: {}", grouped(cases), text(), smallest.id);
+  if (smallest.blocks == 0) return out;
+  return out + fmt::format(", {} {}", grouped(smallest.blocks),
+                           smallest.blocks == 1 ? "block" : "blocks");
+}
+
+const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
+  is_smallest_ = false;
+  if (!is_finding(line, kind)) return nullptr;
+  Finding::Key key{gravity(kind), kind, line.dialect, line.clause,
+                   departed_about(kind, line.want, line.got, line.message)};
+  if (findings_.size() >= kMostFindings && !findings_.contains(key)) {
+    key.dialect = key.clause = "";
+    key.what = "of further kinds";
+  }
+  auto [place, added] = findings_.try_emplace(std::move(key));
+  Finding& finding = place->second;
+  if (added) {
+    finding.key = place->first;
+    finding.number = findings_.size();
+    const auto cause = causes_.find(place->first);
+    if (cause != causes_.end()) finding.cause = cause->second;
+  }
+  ++finding.cases;
+  ++finding.by_cycle[line.cycle];
+  if (finding.first.size() < kFirstOfFinding) finding.first.push_back(line.id);
+  const Finding::Example example{line.id, line.message, line.program_blocks, line.program_bytes};
+  is_smallest_ = added || size_of(example) < size_of(finding.smallest);
+  if (is_smallest_) finding.smallest = example;
+  return &finding;
+}
+
+void Findings::set_cause(const Finding::Key& key, std::string cause) {
+  if (const auto found = findings_.find(key); found != findings_.end()) found->second.cause = cause;
+  causes_[key] = std::move(cause);
+}
+
+std::vector<const Finding*> Findings::list() const {
+  std::vector<const Finding*> all;
+  for (const auto& [key, finding] : findings_) all.push_back(&finding);
+  std::ranges::sort(all, [](const Finding* a, const Finding* b) {
+    return std::tuple(a->key.gravity, size_of(a->smallest)) <
+           std::tuple(b->key.gravity, size_of(b->smallest));
+  });
+  std::vector<const Finding*> together;
+  for (const Finding* finding : all) {
+    if (std::ranges::find(together, finding) != together.end()) continue;
+    together.push_back(finding);
+    if (finding->cause.empty()) continue;
+    std::ranges::copy_if(all, std::back_inserter(together), [&](const Finding* other) {
+      return other != finding && other->cause == finding->cause;
+    });
+  }
+  return together;
+}
+
+}  // namespace gonogo::oracle

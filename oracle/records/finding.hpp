@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The findings of a run: what is NO-GO, or undecided without the corpus expecting it, grouped by
+// what the cases have in common. Takes case lines one at a time; its memory depends on clauses and
+// verdicts, not on cases.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/records/case_head.hpp"
+#include "oracle/records/run_scope.hpp"
+#include "oracle/records/verdict.hpp"
+
+namespace gonogo::oracle {
+
+// What a departure is about: the kinds of the two records or the classes of the two alarms
+// ("rapid/feed"), or what broke down.
+std::string departed_about(VerdictKind kind, std::string_view want, std::string_view got,
+                           std::string_view message);
+
+// Whether the subject or the gauge broke down, so that no record is at fault.
+bool is_breakdown(VerdictKind kind);
+
+// The order in which findings are told: a wrong path before a wrong alarm, a breakdown after them.
+unsigned gravity(VerdictKind kind);
+
+// The cases that depart in one way, as far as their lines show.
+struct Finding {
+  struct Key {
+    unsigned gravity = 0;
+    VerdictKind kind = VerdictKind::fail_geometry;
+    std::string dialect;
+    std::string clause;  // departed from; empty: none
+    std::string what;
+    auto operator<=>(const Key&) const = default;
+  };
+  // A case as it stands in the list.
+  struct Example {
+    std::string id;
+    std::string message;
+    std::size_t blocks = 0;  // of its program; 0: not kept
+    std::size_t bytes = 0;
+  };
+  Key key;
+  std::size_t number = 0;  // from 1, in the order in which they were met
+  std::size_t cases = 0;
+  Example smallest;
+  std::vector<std::string> first;               // ids
+  std::map<std::string, std::size_t> by_cycle;  // cases
+  std::string cause;                            // what it is likely to come from; empty: not known
+
+  // "fail.geometry at GSK-G94-02 (rapid)"
+  std::string text() const;
+  // "87 x fail.geometry at GSK-G94-02 (rapid), smallest: gsk.g94.000013, 2 blocks"
+  std::string line() const;
+};
+
+class Findings {
+ public:
+  // The finding that the case belongs to; null: it is none. `kind`: in the run, which may be
+  // another than the line's own.
+  const Finding* add(const CaseHead& line, VerdictKind kind);
+  // Whether the case that was added last is the smallest of its finding so far.
+  bool is_smallest() const { return is_smallest_; }
+  // Of one dialect, verdict, clause and `what`.
+  void set_cause(const Finding::Key& key, std::string cause);
+  // By gravity, then the smallest program first; those of one cause stand together, where the
+  // gravest of them stands.
+  std::vector<const Finding*> list() const;
+  bool empty() const { return findings_.empty(); }
+
+ private:
+  std::map<Finding::Key, Finding> findings_;
+  std::map<Finding::Key, std::string> causes_;
+  bool is_smallest_ = false;
+};
+
+}  // namespace gonogo::oracle

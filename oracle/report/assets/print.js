@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Part of the report's page: on paper. After the summary each finding has a sheet of its own, with
+// the evidence of its smallest case.
+'use strict';
+
+const kMostPrinted = 60;
+
+function printedFinding(finding) {
+  const c = cases.find((one) => one.id === finding.smallest.id);
+  const block = c && byId(`d${c.index}`);
+  if (!block) return null;
+  const data = unpack(block);
+  const clause = catalog.get(finding.clause);
+  const facts = el('dl', { class: 'pairs' });
+  const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
+  fact('Finding', `${counted(finding.cases, 'case', 'cases')}: ${Object.entries(finding.cycles).map(([cycle, n]) => `${cycle} ${count(n)}`).join(', ')}`);
+  if (finding.cause) fact('Likely cause', finding.cause);
+  if (clause) fact('Clause', `${clause.id}: ${clause.text} (${clause.source})`);
+  if (data.b !== undefined) fact('Line', String(data.b));
+  if (data.deviation) fact('Deviation', `${data.deviation.mm} mm, exactly ${exactText(data.deviation.exact)}`);
+  if (data.want) fact('Want', el('span', { class: 'mono' }, data.want));
+  if (data.got) fact('Got', el('span', { class: 'mono' }, data.got));
+  const page = el('section', { class: 'printed' }, el('h2', {}, finding.text),
+    el('p', { class: 'message' }, `${c.id}: ${c.message}`), el('div', { class: 'columns' }, facts, printedProgram(data)));
+  if (data.svg) {
+    const sheet = el('div', { class: 'sheet' });
+    sheet.append(document.importNode(new DOMParser().parseFromString(data.svg, 'image/svg+xml').documentElement, true));
+    page.append(sheet);
+  }
+  return page;
+}
+
+// The lines about the one at fault: a page holds so many.
+function printedProgram(data) {
+  if (data.program === undefined) return el('p', { class: 'note' }, data.note ?? '');
+  const lines = programText(data.program)[0].split(/\r\n|\n|\r/);
+  const first = Math.max(0, Math.min((data.b ?? 1) - 8, lines.length - 14));
+  const pre = el('pre', {});
+  lines.slice(first, first + 14).forEach((line, i) => pre.append(
+    el('span', { class: first + i + 1 === data.b ? 'line at-fault' : 'line', 'data-n': first + i + 1 }, line)));
+  return pre;
+}
+
+function layOutForPrint() {
+  if (byId('printed')) return;
+  const findings = summary.findings;
+  const box = el('div', { id: 'printed' });
+  for (const finding of findings.slice(0, kMostPrinted)) {
+    const page = printedFinding(finding);
+    if (page) box.append(page);
+  }
+  if (findings.length > kMostPrinted) {
+    box.append(el('p', { class: 'note' }, `${count(findings.length - kMostPrinted)} further findings are in the report's page.`));
+  }
+  document.querySelector('main').append(box);
+  for (const details of document.querySelectorAll('#gaps details')) details.open = false;
+}
+
+addEventListener('beforeprint', layOutForPrint);
+addEventListener('afterprint', () => { if (location.hash !== '#print') byId('printed')?.remove(); });
+if (location.hash === '#print') layOutForPrint();
