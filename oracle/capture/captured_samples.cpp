@@ -167,6 +167,7 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
     return;
   }
   const std::string least = fmt::format("GO from {} mm up.", go_from->text());
+  // J-RUN-11.
   constexpr int kPeak = 3;  // times the noise: what scatters like it comes as far as that
   const bool too_fine = terms_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
   if (!too_fine) {

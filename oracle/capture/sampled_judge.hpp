@@ -9,10 +9,11 @@
 // Order. There are points of the path, one within the tube of each sample, that never go back. (A
 //   machine that stands still with noise within the tolerance does not go back.) A traverse is
 //   monotone like that on each axis.
-// Blending. Where the certifier grants an allowance (--blend), a machine may cut corners: samples
+// Blending (J-RUN-12). Where the certifier grants an allowance (--blend), a machine may cut
+// corners: samples
 //   that are farther from the path than the tolerance, but not by more than the allowance as well,
-//   are GO within twenty times the allowance, along the path, of the corner of two motions. A motion
-//   no longer than that may be rounded over as a whole.
+//   are GO within twenty times the allowance, along the path, of the corner of two motions. A
+//   motion no longer than that may be rounded over as a whole.
 // Completeness. From one sample to the next the path goes on by no more than the programmed feeds
 //   allow in the time between them, the granted part of the feed and the resolution of the clock
 //   included; traverses, threads and feeds per revolution by no more than `fastest`. So each corner
