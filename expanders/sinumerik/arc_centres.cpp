@@ -34,7 +34,8 @@ constexpr Real kResidue = 1e-6L;
 bool is_trace(const Block& block, std::size_t axis) {
   if (!block.has(centre_address(axis))) return false;
   const Value& value = block.value(centre_address(axis));
-  return value.number.value == 0 && (value.number.finer || std::fabs(value.counts) > kResidue);
+  const Real residue = value.calculated ? kResidue : 0;
+  return value.number.value == 0 && (value.number.finer || std::fabs(value.counts) > residue);
 }
 
 // False: there is no centre to go on with.

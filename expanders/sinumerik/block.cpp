@@ -263,6 +263,7 @@ Scan BlockReader::expression(char letter, Value& value) {
   const Scan scan = expression.read();
   value.number = to_counts(expression.value());
   value.counts = expression.value() * kOne;
+  value.calculated = expression.calculated();
   if (expression.undefined()) block_.undefined_.note(position(), letter);
   return scan;
 }

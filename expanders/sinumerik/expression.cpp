@@ -33,6 +33,7 @@ char Expression::next_operator() {
 }
 
 Real Expression::apply(char sign, Real left, Real right) {
+  calculated_ = true;
   switch (sign) {
     case '+':
       return left + right;
@@ -120,11 +121,13 @@ Scan Expression::parameter(Real& value) {
     undefined_ = true;
   } else {
     value = parameters_[index];
+    calculated_ = true;  // where it was set
   }
   return Scan::kRead;
 }
 
 Real Expression::called(std::string_view name, Real value) {
+  calculated_ = true;
   if (name == "ABS") return std::fabs(value);
   if (name == "SQRT") {
     undefined_ = undefined_ || value < 0;

@@ -29,6 +29,8 @@ class Expression {
   Real value() const { return value_; }
   /// Whether it has no value: a division by zero, a root of less than 0, a parameter that is none.
   bool undefined() const { return undefined_; }
+  /// Whether it is more than a number that is written there: rounding may have left something.
+  bool calculated() const { return calculated_; }
 
  private:
   Scan chain(Real& value, bool of_products);
@@ -49,6 +51,7 @@ class Expression {
   int depth_ = 0;
   Real value_ = 0;
   bool undefined_ = false;
+  bool calculated_ = false;
 };
 
 }  // namespace gonogo::expanders::sinumerik
