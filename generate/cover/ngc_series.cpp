@@ -213,7 +213,8 @@ void draw_chain(const Pick& pick, Drawing& drawing) {
   add_cycle_feature(drawing, code);
   add_cycle_feature(drawing, second);
   begin(pick, drawing);
-  if (pick.is("between", "plane")) drawing.features.emplace_back("cycle-planes");
+  const bool is_named = drawing.plane() != 17;
+  if (pick.is("between", "plane") && !is_named) drawing.features.emplace_back("cycle-planes");
   Words first = hole(drawing, code, mm(10), pick.length("R"), steps);
   if (!pick.is("L", "none")) first.push_back("L" + pick["L"]);
   drawing.put(first);

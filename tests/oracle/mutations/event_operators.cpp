@@ -105,8 +105,9 @@ bool alarm_where_none_is(Edit& edit) {
 
 bool alarm_in_another_class(Edit& edit) {
   if (!alarms(edit)) return false;
-  for (const auto other : {reference::AlarmClass::undefined_code, reference::AlarmClass::no_tool,
-                           reference::AlarmClass::pocket_size}) {
+  // Of a block that cannot be read an undefined code before that place is as good (J-ALM-09).
+  for (const auto other : {reference::AlarmClass::no_tool, reference::AlarmClass::pocket_size,
+                           reference::AlarmClass::lead_missing}) {
     if (std::ranges::find(edit.specimen.admissible, other) == edit.specimen.admissible.end()) {
       edit.trace.end.alarm.alarm_class = reference::name(other);
       return true;

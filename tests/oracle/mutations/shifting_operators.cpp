@@ -125,6 +125,15 @@ bool narrow(Edit& edit) {
 }
 
 // Radius values where diameters are due, or the other way round.
+// SIE-LC75-11: before finishing the tool may go on down in what roughing left.
+bool comes_before_finishing(const Specimen& specimen, std::size_t number) {
+  const std::size_t next = number + 1;
+  if (next >= specimen.part.size() || specimen.part[next] != PartKind::pocket_milling) return false;
+  const auto& item = specimen.items[specimen.part_number[next]];
+  return specimen.part[number] != PartKind::pocket_milling &&
+         std::get<reference::PocketMilling>(item).finishing;
+}
+
 bool scale_axis(Edit& edit) {
   const auto number = edit.any_motion();
   if (!number) return false;
@@ -134,7 +143,7 @@ bool scale_axis(Edit& edit) {
       edit.specimen.after[*number][axis] * (edit.chance.once_in(2) ? Number(2) : Number(1) / 2);
   record.axes.add(axis);
   edit.lead_next_to_its_end(*number);
-  return true;
+  return !comes_before_finishing(edit.specimen, *number);
 }
 
 bool mirror_axis(Edit& edit) {
