@@ -118,7 +118,10 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 std::string cycles_text(const oracle::Finding& finding) {
   std::vector<std::pair<std::string, std::size_t>> cycles(finding.by_cycle.begin(),
                                                           finding.by_cycle.end());
-  std::ranges::stable_sort(cycles, [](auto& a, auto& b) { return a.second > b.second; });
+  // By name where the numbers are the same; std::stable_sort warns under clang-19.
+  std::ranges::sort(cycles, [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second > b.second : a.first < b.first;
+  });
   std::string text;
   for (const auto& [cycle, cases] : cycles) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", cycle, oracle::grouped(cases));

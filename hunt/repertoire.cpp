@@ -118,21 +118,30 @@ std::pair<int, std::string> rank_of(const TextBlock& block, const TextWord& word
   if (!program::is_word(word) && address == "N") return {0, ""};
   if (address == "G") return {1, ""};
   if (!block.code_of(word).empty()) return {2, ""};
-  const bool is_axis = address.size() == 1 && std::string_view("XYZABCUVW").find(address[0]) != std::string_view::npos;
+  const bool is_axis = address.size() == 1 &&
+                       std::string_view("XYZABCUVW").find(address[0]) != std::string_view::npos;
   if (is_axis) return {address[0] >= 'X' ? 3 : 4, address};
-  return {address == "F" || address == "S" || address == "T" ? 6 : 5, address == "F" ? "" : address};
+  return {address == "F" || address == "S" || address == "T" ? 6 : 5,
+          address == "F" ? "" : address};
 }
 
 bool is_usual_order(const TextBlock& block) {
-  return std::ranges::is_sorted(
-      block.words, {}, [&](const TextWord& word) { return rank_of(block, word); });
+  return std::ranges::is_sorted(block.words, {},
+                                [&](const TextWord& word) { return rank_of(block, word); });
+}
+
+// Those of one rank stay as they stand.
+std::vector<const TextWord*> words_in_usual_order(const TextBlock& block) {
+  std::vector<const TextWord*> words;
+  for (const TextWord& word : block.words) words.push_back(&word);
+  std::ranges::sort(words, {}, [&](const TextWord* word) {
+    return std::pair(rank_of(block, *word), word - block.words.data());
+  });
+  return words;
 }
 
 std::string in_usual_order(const TextBlock& block) {
-  std::vector<const TextWord*> words;
-  for (const TextWord& word : block.words) words.push_back(&word);
-  std::ranges::stable_sort(words, {},
-                           [&](const TextWord* word) { return rank_of(block, *word); });
+  const std::vector<const TextWord*> words = words_in_usual_order(block);
   program::TextLine line{{}, block.rest, block.end};
   for (std::size_t i = 0; i < words.size(); ++i) {
     line.words.push_back({block.words[i].gap, words[i]->text});
@@ -153,17 +162,13 @@ std::vector<std::size_t> settings_of(const reference::Profile& profile) {
 
 // The words of a block and nothing else, as plainly as they can be written.
 std::string plainly(const TextBlock& block) {
-  std::vector<const TextWord*> words;
-  for (const TextWord& word : block.words) {
-    if (program::is_word(word)) words.push_back(&word);
-  }
-  std::ranges::stable_sort(words, {},
-                           [&](const TextWord* word) { return rank_of(block, *word); });
   std::string text;
-  for (const TextWord* word : words) {
+  for (const TextWord* word : words_in_usual_order(block)) {
+    if (!program::is_word(*word)) continue;
     if (!text.empty()) text += ' ';
     for (const char c : word->text) {
-      if (c != ' ' && c != '\t') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      if (c != ' ' && c != '\t')
+        text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }
   }
   return text + "\n";
@@ -183,7 +188,8 @@ generate::GeneratedProgram single_block(const generate::GeneratedProgram& progra
   }
   if (blocks.size() < 2) return made;
   if (which % 2 == 0) {
-    made.text = plainly(*blocks[which / 2 % (blocks.size() - 1)]) + (which % 4 == 0 ? "M2\n" : "M30\n");
+    made.text =
+        plainly(*blocks[which / 2 % (blocks.size() - 1)]) + (which % 4 == 0 ? "M2\n" : "M30\n");
     return made;
   }
   made.text =
@@ -292,8 +298,8 @@ std::string Repertoire::fitted_block(const TextBlock& block, const reference::De
   if (kept.words.size() != block.words.size()) return program::line_text(kept);  // looked at again
   if (!is_usual_order(block) && !admits(kOtherOrder, trying)) return in_usual_order(block);
   const Parts parts = parts_of_block(block, table);
-  const bool stays = std::ranges::all_of(
-      parts, [&](const std::string& part) { return admits(part, trying); });
+  const bool stays =
+      std::ranges::all_of(parts, [&](const std::string& part) { return admits(part, trying); });
   return stays ? program::line_text(block) : std::string();
 }
 

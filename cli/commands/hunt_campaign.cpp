@@ -172,8 +172,9 @@ std::string total_text(const Total& total) {
   for (const auto& each : total.findings) clauses[each.first.clause].push_back(&each);
   std::string text;
   for (auto& [clause, faces] : clauses) {
-    std::ranges::stable_sort(faces, std::greater{},
-                             [](const auto* face) { return face->second.programs; });
+    std::ranges::sort(faces, std::greater{}, [](const auto* face) {
+      return std::pair(face->second.programs, face->first.text());
+    });
     text += fmt::format("{}: {} {}\n", clause.empty() ? "no clause" : clause, faces.size(),
                         faces.size() == 1 ? "finding" : "findings");
     for (const auto* face : faces) {

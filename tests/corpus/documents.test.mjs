@@ -192,8 +192,8 @@ test("the manifest of the corpus is valid", () => {
 });
 
 test("manifests of exported programs are valid", () => {
-  const limits = ["--envelope", "-20..20,-20..20,-20..20", "--feed-max", "300"];
-  for (const words of [["--only", "gsk.arc.*"], ["--only", "*.0000[1-4]?", "--all-profiles", ...limits]]) {
+  const limits = ["--x-zero-at", "100", "--envelope", "-20..20,-20..20,-20..20", "--feed-max", "300"];
+  for (const words of [["--only", "gsk.arc.*", "--x-zero-at", "100"], ["--only", "*.0000[1-4]?", "--all-profiles", ...limits]]) {
     inFolder((folder) => {
       const out = join(folder, "programs");
       execFileSync(program, ["export", "--out", out, ...words], { cwd: root });

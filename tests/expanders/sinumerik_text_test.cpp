@@ -83,8 +83,8 @@ TEST(SinumerikText, LongLines) {
 
 TEST(SinumerikText, WhatIsNotImplemented) {
   for (const char* block :
-       {"G41", "G505", "SUPA X1", "TRANS X1", "CYCLE81(1,2)", "LCYC840", "L10", "P2", "B5", "X1=5",
-        "S2=100", "M2=3", "RPL45", "RPL=45", "RND=2", "G0 X1 FGROUP(X,Y)", "G2 X1 X2 SUPA"}) {
+       {"G41", "G505", "G153 X1", "TRANS X1", "CYCLE81(1,2)", "LCYC840", "L10", "P2", "B5", "X1=5",
+        "S2=100", "M2=3", "RPL45", "RPL=45", "RND=2", "G0 X1 FGROUP(X,Y)", "G2 X1 X2 TRANS"}) {
     const Outcome outcome = run_sinumerik(block);
     EXPECT_EQ(outcome.answer, GONOGO_UNSUPPORTED) << block;
     EXPECT_NE(outcome.note.find("is not implemented"), std::string::npos) << block;

@@ -17,13 +17,14 @@ TEST(SieCodes, CodesWithoutEffectArePassedOver) {
           .size(),
       1U);
   EXPECT_EQ(path("G0 G9 G40 G53 G54 G60 G601 T1 D0 H5=12 S9 M6 X2"), Lines{"rapid x2"});
+  EXPECT_EQ(path("G0 SUPA X2"),
+            Lines{"rapid x2"});  // no zero offset is read that it could suppress
 }
 
 TEST(SieCodes, OutsideCodesAreNotCovered) {
-  for (const char* code :
-       {"G33",  "G41",     "G75",    "G96",    "G153",    "G331",  "G450", "G505",
-        "G550", "G599",    "G641",   "G700",   "G962",    "TRANS", "SUPA", "AMIRROR",
-        "RPL",  "POCKET4", "HOLES1", "LCYC60", "LCYC840", "P"}) {
+  for (const char* code : {"G33",     "G41",  "G75",     "G96",    "G153",   "G331",    "G450",
+                           "G505",    "G550", "G599",    "G641",   "G700",   "G962",    "TRANS",
+                           "AMIRROR", "RPL",  "POCKET4", "HOLES1", "LCYC60", "LCYC840", "P"}) {
     const std::string value = std::string(code) == "P" ? "1" : "";
     EXPECT_EQ(outcome("X1 " + std::string(code) + value), "not-covered " + std::string(code));
   }
