@@ -149,7 +149,8 @@ std::optional<Finding> Hunt::step() {
     ++count_.judged;
     ++count_.no_go;
     return examine(*verdict, specimen.program);
-  } else if (verdict->kind == VerdictKind::skip) {
+  }
+  if (verdict->kind == VerdictKind::skip) {
     ++count_.skipped;
   } else if (decided == Decision::undecided) {
     ++count_.gaps;

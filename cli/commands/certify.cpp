@@ -295,7 +295,7 @@ void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& r
     const nlohmann::ordered_json header = oracle::ResultsReader(results_path).header();
     const auto selection = header.value("selection", nlohmann::ordered_json::object());
     const auto none = nlohmann::ordered_json::array();
-    const bool is_part = selection.value("only", none).size() > 0 || selection.contains("cases") ||
+    const bool is_part = !selection.value("only", none).empty() || selection.contains("cases") ||
                          selection.contains("cycles") || selection.contains("clauses") ||
                          !oracle::report::text_of(selection, "case").empty();
     if (is_part || !header.contains("selection")) return;

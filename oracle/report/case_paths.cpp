@@ -99,7 +99,7 @@ std::vector<Limit> limits_of_program(const reference::Profile& profile, std::str
       if (limits.size() >= kMostLimits) break;
     }
   } catch (const std::exception&) {
-    // As many as there are: a drawing is no verdict.
+    return limits;  // as many as there are: a drawing is no verdict
   }
   return limits;
 }
