@@ -18,7 +18,6 @@
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
 
-extern char** environ;
 
 namespace gonogo::cli {
 namespace {
