@@ -81,4 +81,8 @@ double HuntEnd::seconds_left(std::size_t tried) const {
   return std::max(0.0, left);
 }
 
+bool judged_little(const hunt::HuntCount& count) {
+  return count.moved * 10 < count.programs;
+}
+
 }  // namespace gonogo::cli

@@ -55,6 +55,10 @@ struct HuntEnd {
   double seconds_left(std::size_t tried) const;
 };
 
+// Programs that were judged and moved the tool are few: that nothing was found says next to
+// nothing.
+bool judged_little(const hunt::HuntCount& count);
+
 // gonogo hunt --campaign DIR
 int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options);
 

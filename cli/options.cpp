@@ -3,9 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
+
+Shard shard_option(const std::string& text) {
+  Shard shard;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%u/%u%c", &shard.number, &shard.of, &rest) != 2 ||
+      shard.number < 1 || shard.number > shard.of) {
+    throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
+  }
+  return shard;
+}
 
 void add_profile_options(Command& command, ProfileOptions& options) {
   command.option("--dialect", options.dialect,

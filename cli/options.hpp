@@ -14,6 +14,14 @@
 
 namespace gonogo::cli {
 
+// Part `number` of `of`.
+struct Shard {
+  unsigned number = 1;
+  unsigned of = 1;
+};
+// --shard i/n. Throws UsageError.
+Shard shard_option(const std::string& text);
+
 // --dialect, --profile, --reading
 void add_profile_options(Command& command, ProfileOptions& options);
 

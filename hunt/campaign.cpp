@@ -24,17 +24,6 @@ std::uint64_t seed_of(const CampaignState& state) {
   return mixed ^ (mixed >> 31U);
 }
 
-void add(HuntCount& sum, const HuntCount& count) {
-  sum.programs += count.programs;
-  sum.judged += count.judged;
-  sum.moved += count.moved;
-  sum.skipped += count.skipped;
-  sum.gaps += count.gaps;
-  sum.outside += count.outside;
-  sum.too_long += count.too_long;
-  sum.no_go += count.no_go;
-}
-
 }  // namespace
 
 HuntCampaign::HuntCampaign(std::string folder, CampaignState wanted, SubjectMaker maker,
@@ -84,7 +73,7 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
 
 void HuntCampaign::keep(const Hunt& hunt) {
   ++state_.rounds;
-  add(state_.count, hunt.count());
+  state_.count += hunt.count();
   for (const auto& [signature, programs] : hunt.seen()) {
     const auto known = state_.findings.find(signature);
     if (known == state_.findings.end()) continue;

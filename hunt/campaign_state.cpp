@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "oracle/corpus/sha256.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::hunt {
@@ -24,33 +25,22 @@ std::string text_of_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// FNV-1a. Only names hang on it: two programs of one name are one input less.
 std::string name_of(const generate::GeneratedProgram& program) {
-  std::uint64_t hash = 14'695'981'039'346'656'037U;
-  for (const std::string& text : {program.text, reference::profile_json(program.profile)}) {
-    for (const char c : text) {
-      hash = (hash ^ static_cast<unsigned char>(c)) * 1'099'511'628'211U;
-    }
-  }
-  return fmt::format("{:016x}", hash);
+  constexpr std::size_t kDigits = 16;
+  oracle::Sha256 hash;
+  hash.update(program.text + "\n" + reference::profile_json(program.profile));
+  return hash.hex().substr(0, kDigits);
 }
 
 Json json_of(const HuntCount& count) {
-  return {{"programs", count.programs}, {"judged", count.judged}, {"moved", count.moved},
-          {"skipped", count.skipped},   {"gaps", count.gaps},     {"outside", count.outside},
-          {"too_long", count.too_long}, {"no_go", count.no_go}};
+  Json json;
+  for (const auto& [name, member] : kHuntCounts) json[name] = count.*member;
+  return json;
 }
 
 HuntCount count_of(const Json& json) {
   HuntCount count;
-  count.programs = json.at("programs").get<std::size_t>();
-  count.judged = json.at("judged").get<std::size_t>();
-  count.moved = json.at("moved").get<std::size_t>();
-  count.skipped = json.at("skipped").get<std::size_t>();
-  count.gaps = json.at("gaps").get<std::size_t>();
-  count.outside = json.at("outside").get<std::size_t>();
-  count.too_long = json.at("too_long").get<std::size_t>();
-  count.no_go = json.at("no_go").get<std::size_t>();
+  for (const auto& [name, member] : kHuntCounts) count.*member = json.at(name).get<std::size_t>();
   return count;
 }
 

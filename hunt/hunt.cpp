@@ -36,6 +36,11 @@ bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgr
 
 }  // namespace
 
+HuntCount& HuntCount::operator+=(const HuntCount& other) {
+  for (const auto& [name, count] : kHuntCounts) this->*count += other.*count;
+  return *this;
+}
+
 Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
     : trial_(std::move(maker), std::move(trial)),
       options_(std::move(options)),

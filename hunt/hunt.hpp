@@ -4,8 +4,10 @@
 // own coverage, so that it works on black boxes. Programs and findings follow from the seed alone.
 #pragma once
 
+#include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "hunt/pool.hpp"
 #include "hunt/reduce.hpp"
@@ -46,7 +48,19 @@ struct HuntCount {
   std::size_t outside = 0;   // departures outside of the domain
   std::size_t too_long = 0;  // more records than they can be worth
   std::size_t no_go = 0;     // those of known signatures among them
+
+  HuntCount& operator+=(const HuntCount& other);
 };
+// Each of them with its name in files.
+inline constexpr std::array<std::pair<const char*, std::size_t HuntCount::*>, 8> kHuntCounts = {
+    {{"programs", &HuntCount::programs},
+     {"judged", &HuntCount::judged},
+     {"moved", &HuntCount::moved},
+     {"skipped", &HuntCount::skipped},
+     {"gaps", &HuntCount::gaps},
+     {"outside", &HuntCount::outside},
+     {"too_long", &HuntCount::too_long},
+     {"no_go", &HuntCount::no_go}}};
 
 class Hunt {
  public:

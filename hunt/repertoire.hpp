@@ -26,14 +26,15 @@ namespace gonogo::hunt {
 //     for what is not declared.
 // (2) A part goes out by a program that was skipped and had no other that was not known to run, or
 //     where programs of known parts with it are skipped again and again.
-// (3) What is out is tried again now and then, and comes back where it runs. Where no word runs at all
-//     it is begun anew.
+// (3) What is out is tried again now and then, and comes back where it runs. Where no word runs at
+//     all it is begun anew.
 class Repertoire {
  public:
   Repertoire(const oracle::SubjectInfo& info, std::string dialect);
 
-  // The program without the parts that are out or not declared, and, once much was skipped, with at most one that is untried. Blocks or words that have others are left out. Nothing: not
-  // enough is left to be worth a run, or it still needs what is not declared.
+  // The program without the parts that are out or not declared, and, once much was skipped, with
+  // few that are untried. Blocks or words that have others are left out. Nothing: not enough is
+  // left to be worth a run, or it still needs what is not declared.
   std::optional<generate::GeneratedProgram> fitted(const generate::GeneratedProgram& program) const;
 
   void ran(const generate::GeneratedProgram& program);
@@ -52,7 +53,7 @@ class Repertoire {
   // What a program may have that is not known to run.
   struct Trying {
     Parts parts;
-    std::size_t more = 0;          // how many others
+    std::size_t more = 0;           // how many others
     bool also_what_is_out = false;  // ... or only what is untried
   };
   Trying next_try() const;
@@ -68,7 +69,8 @@ class Repertoire {
   Parts parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const;
   bool is_undeclared(const std::string& part) const;
   bool is_like_what_is_out(const std::string& part) const;
-  // Whether the part may stand in the program that is made now; an untried one becomes `trying`.
+  // Whether the part may stand in the program that is made now; one that is tried is noted in
+  // `trying`.
   bool admits(const std::string& part, Trying& trying) const;
   void fit_settings(reference::Profile& profile, Trying& trying) const;
   // The text with the blocks and words left out that may not stand there.
@@ -82,8 +84,8 @@ class Repertoire {
   std::map<std::string, std::size_t> out_;  // how often each was the only one to blame
   bool skips_ = false;
   std::size_t runs_ = 0;
-  // Before much was skipped: the last programs, and whether each ran. What they are made of is asked
-  // for only then.
+  // Before much was skipped: the last programs, and whether each ran. What they are made of is
+  // asked for only then.
   struct Tried {
     generate::GeneratedProgram program;
     bool ran;

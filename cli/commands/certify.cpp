@@ -70,18 +70,6 @@ struct CertifyOptions {
   std::vector<std::string> argv;
 };
 
-void parse_shard(const std::string& text, oracle::CampaignOptions& campaign) {
-  unsigned shard = 0;
-  unsigned shards = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%u/%u%c", &shard, &shards, &rest) != 2 || shard < 1 ||
-      shard > shards) {
-    throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
-  }
-  campaign.shard = shard;
-  campaign.shards = shards;
-}
-
 // What the files of the subject say of it.
 void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& campaign) {
   if (!options.known_failures.empty()) {
@@ -127,7 +115,9 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
                       : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   campaign.fail_fast = options.fail_fast;
   campaign.limits = options.limits.limits();
-  parse_shard(options.shard, campaign);
+  const Shard shard = shard_option(options.shard);
+  campaign.shard = shard.number;
+  campaign.shards = shard.of;
   read_subject_files(options, campaign);
   return campaign;
 }

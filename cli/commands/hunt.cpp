@@ -103,12 +103,6 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
-// Programs that were judged and moved the tool, fewer than this part: nothing found says next to
-// nothing.
-bool judged_little(const hunt::HuntCount& count) {
-  return count.moved * 10 < count.programs;
-}
-
 // What the subject skipped, where it skipped much.
 std::string skipped_text(const hunt::Hunt& hunt) {
   const hunt::HuntCount& count = hunt.count();

@@ -25,21 +25,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using hunt::CampaignState;
 
-struct Shard {
-  unsigned number = 1;
-  unsigned of = 1;
-};
-
-Shard shard_of(const std::string& text) {
-  Shard shard;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%5u/%5u%c", &shard.number, &shard.of, &rest) != 2 ||
-      shard.number < 1 || shard.number > shard.of) {
-    throw UsageError(fmt::format("--shard {} is not of the form i/n with 1 <= i <= n.", text));
-  }
-  return shard;
-}
-
 std::string folder_of(const HuntWords& words, std::size_t shard, std::size_t shards) {
   return fmt::format("{}/shard-{}-of-{}", words.campaign, shard, shards);
 }
@@ -136,12 +121,10 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, Board& boa
 struct Total {
   std::size_t shards = 0;
   std::size_t rounds = 0;
-  std::size_t programs = 0;
-  std::size_t moved = 0;
+  hunt::HuntCount count;
   struct Seen {
     std::string id;
     std::size_t programs = 0;
-    std::size_t shards = 0;
   };
   std::map<hunt::Signature, Seen> findings;
 };
@@ -154,13 +137,11 @@ Total total_of(const std::string& folder) {
     if (!state) continue;
     ++total.shards;
     total.rounds += state->rounds;
-    total.programs += state->count.programs;
-    total.moved += state->count.moved;
+    total.count += state->count;
     for (const auto& [signature, finding] : state->findings) {
       Total::Seen& seen = total.findings[signature];
       if (seen.id.empty()) seen.id = entry.path().filename().string() + "/findings/" + finding.id;
       seen.programs += finding.times;
-      ++seen.shards;
     }
   }
   return total;
@@ -191,7 +172,7 @@ int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options) {
   if (!words.trial.out.empty()) {
     throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
   }
-  const Shard machine = shard_of(words.shard);
+  const Shard machine = shard_option(words.shard);
   const auto jobs = static_cast<std::size_t>(words.jobs);
   const std::size_t shards = machine.of * jobs;
   const HuntEnd end(words);
@@ -226,11 +207,11 @@ int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options) {
       "{}, {}: {} programs now; {} rounds of {} shards with {} programs are done, {} of them "
       "judged with motion; {} findings\n",
       words.trial.subject, words.dialect, board.programs(), total.rounds, total.shards,
-      total.programs, total.moved, total.findings.size());
+      total.count.programs, total.count.moved, total.findings.size());
   output.flush();
   if (board.failed()) return kUndecided;
   if (!total.findings.empty()) return kNoGo;
-  return total.programs == 0 || total.moved * 10 < total.programs ? kUndecided : kGo;
+  return total.count.programs == 0 || judged_little(total.count) ? kUndecided : kGo;
 }
 
 }  // namespace gonogo::cli

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "oracle/capture/number_json.hpp"
 #include "oracle/capture/sampled_path.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "reference/clause.hpp"
@@ -13,15 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_json(const Number& value) {
-  std::string text;
-  value.append_json(text);
-  return Json::parse(text);
-}
-
 Json point_json(const Position& point) {
   Json list = Json::array();
-  for (const reference::Axis axis : reference::kAllAxes) list.push_back(number_json(point[axis]));
+  for (const reference::Axis axis : reference::kAllAxes) list.push_back(json_of(point[axis]));
   return list;
 }
 
@@ -54,12 +49,12 @@ Json piece_json(const PathPiece& piece) {
   if (record.block != 0) json["b"] = record.block;
   json["from"] = point_json(piece.motion().from);
   json["to"] = point_json(record.to);
-  if (piece.kind() == PieceKind::dwell) json["s"] = number_json(record.seconds);
-  if (piece.has_feed()) json["f"] = number_json(record.feed);
+  if (piece.kind() == PieceKind::dwell) json["s"] = json_of(record.seconds);
+  if (piece.has_feed()) json["f"] = json_of(record.feed);
   if (record.kind == RecordKind::arc) {
     const reference::PlaneAxes axes = reference::axes_of(record.plane);
     json["axes"] = {reference::index(axes.p), reference::index(axes.q)};
-    json["c"] = {number_json(record.centre[0]), number_json(record.centre[1])};
+    json["c"] = {json_of(record.centre[0]), json_of(record.centre[1])};
     json["rot"] = record.rot;
   }
   return json;
@@ -103,7 +98,7 @@ Json way_json(const reference::Profile& profile, const ProgramText& program) {
 
 std::string expected_paths(const reference::Profile& profile, std::string_view program) {
   Json json;
-  json["tolerance"] = number_json(profile.resolution());
+  json["tolerance"] = json_of(profile.resolution());
   json["start"] = point_json(profile.initial.at);
   json["ways"] = Json::array();
   const Assignments assignments = assignments_of(profile, program);

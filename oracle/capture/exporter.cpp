@@ -9,6 +9,7 @@
 
 #include "oracle/capture/expected_paths.hpp"
 #include "oracle/capture/export_header.hpp"
+#include "oracle/capture/number_json.hpp"
 #include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
 
@@ -39,12 +40,6 @@ constexpr auto kReasons = std::to_array<std::pair<std::string_view, std::string_
     {"undecided", "Whether the path lies inside the envelope could not be decided."},
     {"too-many-readings", "The program leaves too many readings open to bound its path."},
 });
-
-Json json_of(const Number& value) {
-  std::string text;
-  value.append_json(text);
-  return Json::parse(text);
-}
 
 Json box_json(const Extents& extents) {
   Json box = Json::object();
