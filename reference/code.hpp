@@ -272,13 +272,14 @@ struct Code {
 
 // 10 times the number behind G or M; -1: the name is no such code.
 constexpr int tenths_of_name(std::string_view name) {
+  constexpr int most_tenths = 1'000'000;  // no control numbers its codes so high
   if (name.size() < 2 || (name[0] != 'G' && name[0] != 'M')) return -1;
   int value = 0;
   bool is_tenth = false;
   for (const char c : name.substr(1)) {
     if (c == '.' && !is_tenth) {
       is_tenth = true;
-    } else if (c >= '0' && c <= '9') {
+    } else if (c >= '0' && c <= '9' && value < most_tenths) {
       value = value * 10 + (c - '0');
     } else {
       return -1;

@@ -45,6 +45,17 @@ TEST(Descriptor, HasEveryGCodeThatTheInterpreterKnows) {
   }
 }
 
+// A pattern of cases read 600000000 out of a name; ten times that is no int.
+TEST(Descriptor, ANameWithMoreDigitsThanAnyCodeIsNone) {
+  for (const char* const name : {"G600000000", "G6000000000000000000000", "M600000000.5"}) {
+    EXPECT_EQ(tenths_of_name(name), -1) << name;
+    for (const Dialect& dialect : dialects()) {
+      EXPECT_EQ(dialect.descriptor->find(name), nullptr) << dialect.name << name;
+    }
+  }
+  EXPECT_EQ(tenths_of_name("G00000081"), 810);
+}
+
 TEST(Descriptor, HasEveryNameThatTheInterpreterKnows) {
   for (const Dialect& dialect : dialects()) {
     for (const Code& code : dialect.descriptor->codes) {
