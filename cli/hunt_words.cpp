@@ -43,8 +43,12 @@ std::string tolerances_of(const LimitOptions& limits) {
 
 std::string command_of(const HuntWords& words) {
   std::string command =
-      fmt::format("gonogo hunt --subject {} --dialect {} --seed {}",
-                  oracle::shell_quoted(words.trial.subject), words.dialect, words.seed);
+      fmt::format("gonogo hunt --subject {}", oracle::shell_quoted(words.trial.subject));
+  for (const std::string& beside : words.beside) {
+    command += " --beside " + oracle::shell_quoted(beside);
+  }
+  if (!words.dialect.empty()) command += " --dialect " + words.dialect;
+  command += fmt::format(" --seed {}", words.seed);
   if (words.method != "reference") command += " --method " + words.method;
   if (!words.profile.empty()) command += " --profile " + oracle::shell_quoted(words.profile);
   for (const std::string& reading : words.readings) {

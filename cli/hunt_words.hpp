@@ -16,6 +16,7 @@ struct HuntWords {
   TrialWords trial;
   std::string dialect;
   std::string method = "reference";
+  std::vector<std::string> beside;  // further subjects, of --method operations
   std::string profile;
   std::vector<std::string> readings;
   std::string settings;
@@ -64,5 +65,8 @@ int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options);
 
 // gonogo hunt --method properties
 int hunt_properties(const HuntWords& words);
+
+// gonogo hunt --method operations
+int hunt_operations(const HuntWords& words);
 
 }  // namespace gonogo::cli

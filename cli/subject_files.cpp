@@ -26,6 +26,10 @@ std::vector<oracle::KnownFailure> load_known_failures(const std::string& file) {
                  file);
 }
 
+std::vector<oracle::KnownCause> load_known_causes(const std::string& file) {
+  return checked(oracle::known_causes_from_toml(read_file(file, "a file of known failures")), file);
+}
+
 std::shared_ptr<const oracle::AlarmMap> load_alarm_map(const std::string& file) {
   return std::make_shared<const oracle::AlarmMap>(
       checked(oracle::alarm_map_from_toml(read_file(file, "an alarm map")), file));

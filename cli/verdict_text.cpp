@@ -213,6 +213,10 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   for (const std::string& assignment : summary.footer.assignments) {
     text += fmt::format("  follows {}\n", assignment);
   }
+  if (summary.run_again > 0) {
+    text += fmt::format("  {} run again, {} in all\n", counted(summary.run_again, "case", "cases"),
+                        counted(summary.further_runs, "further run", "further runs"));
+  }
   if (summary.footer.left_out > 0) {
     text += fmt::format("  {} cases contradict the profile and were left out\n",
                         summary.footer.left_out);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "hunt/operation_hunt.hpp"
 #include "hunt/property_hunt.hpp"
 #include "oracle/campaign/campaign.hpp"
 #include "oracle/campaign/reading_tally.hpp"
@@ -134,6 +135,33 @@ Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
   return kill;
 }
 
+// Lists of operations until the target departs from its peers or from itself, or is unsafe.
+Kill run_operations(const MatrixTarget& target, const MatrixOptions& options) {
+  std::vector<OperationHunt::Named> subjects;
+  for (const SubjectMaker& peer : target.peers) subjects.push_back({"a peer", peer});
+  subjects.push_back({target.name, target.make});
+  OperationOptions operations;
+  operations.seed = options.seed;
+  OperationHunt hunt(std::move(subjects), std::move(operations));
+  const bool has_fault = !target.clause.empty();
+  const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs;
+  const Stopwatch watch;
+  Kill kill;
+  while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
+    ++kill.executions;
+    for (const OperationFinding& finding : hunt.step()) {
+      if (finding.second.subject != target.name || options.blind) continue;
+      kill.killed = true;
+      kill.seconds = watch.seconds();
+      kill.blocks = count_blocks(finding.second.text);
+      kill.how = finding.signature();
+      return kill;
+    }
+  }
+  kill.seconds = watch.seconds();
+  return kill;
+}
+
 }  // namespace
 
 std::string_view name(Method method) {
@@ -142,6 +170,8 @@ std::string_view name(Method method) {
       return "corpus";
     case Method::properties:
       return "properties";
+    case Method::operations:
+      return "operations";
     case Method::hunt:
       return "hunt";
     case Method::fuzz:
@@ -164,6 +194,8 @@ MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options) {
       row.kills[method] = run_corpus(target, options);
     } else if (method == Method::properties) {
       row.kills[method] = run_properties(target, options);
+    } else if (method == Method::operations) {
+      row.kills[method] = run_operations(target, options);
     } else {
       row.kills[method] = run_hunts(target, options, method == Method::hunt);
     }

@@ -14,11 +14,12 @@ namespace gonogo::hunt {
 enum class Method {
   corpus,      // the vectors, in their order
   properties,  // the subject's answers to related programs, without the reference
+  operations,  // lists of operations in every dialect, without the reference
   hunt,        // led by the reference's coverage
   fuzz,        // generated programs only
 };
-inline constexpr Method kMethods[] = {Method::corpus, Method::properties, Method::hunt,
-                                      Method::fuzz};
+inline constexpr Method kMethods[] = {Method::corpus, Method::properties, Method::operations,
+                                      Method::hunt, Method::fuzz};
 std::string_view name(Method method);
 std::optional<Method> method_named(std::string_view name);
 
@@ -29,6 +30,7 @@ struct MatrixTarget {
   std::vector<std::string> dialects;
   SubjectMaker make;
   SubjectMaker control;  // the same without the fault: what it shows too is not of the fault
+  std::vector<SubjectMaker> peers = {};  // sound ones of other dialects, for Method::operations
 };
 
 // How one method fared with one target.

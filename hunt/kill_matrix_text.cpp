@@ -42,8 +42,10 @@ std::vector<std::string> complaints(const std::vector<MatrixRow>& rows,
       const bool has_fault = !row.clause.empty();
       faults += has_fault ? 1 : 0;
       killed += has_fault && kill.killed ? 1 : 0;
-      // Properties are not meant to find what is wrong everywhere in the same way.
-      if (has_fault && !kill.killed && method != Method::properties) {
+      // Without the reference not everything shows: not what is wrong everywhere in the same way,
+      // nor what no list of operations asks for.
+      const bool asks_reference = method != Method::properties && method != Method::operations;
+      if (has_fault && !kill.killed && asks_reference) {
         sentences.push_back(fmt::format("{} does not find {}.", name(method), row.target));
       } else if (!has_fault && kill.killed) {
         sentences.push_back(fmt::format("{} is NO-GO by {}, and has no fault: {}.", row.target,
@@ -122,6 +124,8 @@ std::string matrix_markdown(const std::vector<MatrixRow>& rows,
       "until "
       "two answers\n  contradict each other; a fault that is wrong in the same way everywhere "
       "contradicts nothing\n"
+      "- operations: lists of machining operations of `gonogo hunt --method operations`, written for "
+      "every dialect, until\n  the paths differ or one is unsafe\n"
       "- hunt: programs of `gonogo hunt` until the first finding, and its blocks when reduced\n"
       "- fuzz: the same with generated programs only, without coverage and mutation\n\n";
   for (const Method method : methods) {

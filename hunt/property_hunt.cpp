@@ -5,22 +5,11 @@
 
 #include <algorithm>
 
+#include "hunt/signature.hpp"
 #include "program/modes.hpp"
 
 namespace gonogo::hunt {
 namespace {
-
-// The kind of a record or the class of an alarm, from its text.
-std::string kind_in(const std::string& text) {
-  if (text.empty()) return "none";
-  for (const std::string_view key : {"\"class\":\"", "\"k\":\""}) {
-    const std::size_t at = text.find(key);
-    if (at == std::string::npos) continue;
-    const std::size_t from = at + key.size();
-    return text.substr(from, text.find('"', from) - from);
-  }
-  return text == "an answer" ? "answer" : "breakdown";
-}
 
 // Whether there was no answer at all, rather than one that says that it cannot.
 bool broke_down(const relations::Trace& trace) {
@@ -33,8 +22,8 @@ bool broke_down(const relations::Trace& trace) {
 }  // namespace
 
 std::string PropertyFinding::signature() const {
-  std::string text =
-      fmt::format("{} {}/{}", relation->name, kind_in(difference.want), kind_in(difference.got));
+  std::string text = fmt::format("{} {}/{}", relation->name, kind_in_text(difference.want),
+                                 kind_in_text(difference.got));
   return code.empty() ? text : text + " in " + code;
 }
 

@@ -35,4 +35,15 @@ Signature signature_of(const oracle::Verdict& verdict, const generate::Generated
   return signature;
 }
 
+std::string kind_in_text(const std::string& text) {
+  if (text.empty()) return "none";
+  for (const std::string_view key : {"\"class\":\"", "\"k\":\""}) {
+    const std::size_t at = text.find(key);
+    if (at == std::string::npos) continue;
+    const std::size_t from = at + key.size();
+    return text.substr(from, text.find('"', from) - from);
+  }
+  return text == "an answer" ? "answer" : "breakdown";
+}
+
 }  // namespace gonogo::hunt

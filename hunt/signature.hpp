@@ -26,4 +26,7 @@ struct Signature {
 
 Signature signature_of(const oracle::Verdict& verdict, const generate::GeneratedProgram& program);
 
+// The kind of a record or the class of an alarm, from its text: "feed"; "none" of nothing.
+std::string kind_in_text(const std::string& text);
+
 }  // namespace gonogo::hunt

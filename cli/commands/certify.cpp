@@ -18,6 +18,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/first_subject.hpp"
 #include "cli/gauge.hpp"
+#include "cli/known_failures_file.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -65,6 +66,7 @@ struct CertifyOptions {
   bool fail_fast = false;
   bool resume = false;
   std::string known_failures;
+  std::string write_known_failures;
   std::string alarm_map;
   LimitOptions limits;
   std::vector<std::string> argv;
@@ -215,7 +217,7 @@ oracle::CampaignEnd run_cases(const oracle::Corpus& corpus, oracle::CampaignOpti
 // Sorts the journal into the results.
 CampaignSummary close_results(const oracle::CampaignOptions& campaign,
                               const oracle::CampaignEnd& end, oracle::ResultsWriter& results,
-                              oracle::CaptureTally* captured) {
+                              oracle::CaptureTally* captured, KnownFailuresFile* known) {
   CampaignSummary summary;
   summary.complete = end.complete;
   oracle::ResultsWriter::Ending ending;
@@ -229,6 +231,11 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
         if (captured != nullptr) captured->take(line);
         const oracle::CaseFacts facts = oracle::facts_of(line);
         const oracle::Finding* finding = summary.findings.add(facts.head, kind);
+        if (known != nullptr) known->add(facts, finding);
+        if (facts.head.attempts > 1) {
+          ++summary.run_again;
+          summary.further_runs += facts.head.attempts - 1;
+        }
         if (finding != nullptr && summary.findings.is_smallest()) {
           summary.smallest[finding->number] = oracle::result_of_line(line);
         }
@@ -306,6 +313,10 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
+  std::optional<KnownFailuresFile> known;
+  if (!options.write_known_failures.empty()) {
+    known.emplace(options.write_known_failures, options.known_failures);
+  }
   const std::string results_path = report + "/results.jsonl";
   keep_campaign(campaign, results_path);
   std::filesystem::create_directories(report);
@@ -317,7 +328,8 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
     oracle::ResultsWriter results = open_results(
         options, results_path, results_header(options, subject, corpus, campaign, info));
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
-    summary = close_results(campaign, end, results, info.recorded ? &captured : nullptr);
+    summary = close_results(campaign, end, results, info.recorded ? &captured : nullptr,
+                            known ? &*known : nullptr);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::ResumeError& error) {
     throw UsageError(error.what());
@@ -336,8 +348,9 @@ int certify_one(const CertifyOptions& options, const std::string& subject,
                     "the cases.",
                     corpus.folder()));
   }
-  const std::string beside =
+  std::string beside =
       info.recorded ? captured_text(options, subject, corpus, captured) : std::string();
+  if (known) beside += known->write(corpus, summary);
   tell_run(
       {summary_text(summary, subject, wants_colour(STDOUT_FILENO)) + beside,
        summary.answer.exit_code,
@@ -436,6 +449,13 @@ int certify(const CertifyOptions& asked) {
   if (options.fail_fast && !options.certificate.empty()) {
     throw UsageError("A certificate is of a whole run: leave --fail-fast or --certificate out.");
   }
+  if (!options.write_known_failures.empty() && options.subjects.size() != 1) {
+    throw UsageError("--write-known-failures is of one subject: name it with --subject.");
+  }
+  if (!options.write_known_failures.empty() && (options.shard != "1/1" || options.fail_fast)) {
+    throw UsageError(
+        "--write-known-failures takes a run that ends: leave --shard and --fail-fast out.");
+  }
   const std::string report = report_folder(options);
   if (options.subjects.size() == 1) return certify_one(options, options.subjects.front(), report);
   if (!options.subjects.empty()) return certify_each(options, report);
@@ -481,6 +501,8 @@ void add_certify(Command& program) {
                  "findings of which the likely cause is looked for (3)");
   command.option("--known-failures", options->known_failures,
                  "TOML file of cases that the subject is known to fail");
+  command.option("--write-known-failures", options->write_known_failures,
+                 "write what failed to this TOML file, and prune what is no longer true");
   command.option("--alarm-map", options->alarm_map,
                  "TOML file of what the subject's own alarms mean");
   command.flag("--resume", options->resume,

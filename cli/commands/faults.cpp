@@ -88,7 +88,7 @@ std::vector<hunt::Method> methods_of(const std::string& text) {
     const std::optional<hunt::Method> method = hunt::method_named(word);
     if (!method) {
       throw UsageError(fmt::format(
-          "There is no method \"{}\". Write some of: corpus,properties,hunt,fuzz.", word));
+          "There is no method \"{}\". Write some of: corpus,properties,operations,hunt,fuzz.", word));
     }
     if (std::ranges::find(methods, *method) == methods.end()) methods.push_back(*method);
     begin = end + 1;
@@ -102,10 +102,14 @@ std::vector<hunt::MatrixTarget> targets_of(const std::string& only) {
   for (std::string_view name : expanders::names()) {
     const oracle::SubjectMaker sound = subject_maker(fmt::format("builtin:{}", name), {});
     const std::vector<std::string> dialects = declared_dialects(sound);
+    std::vector<oracle::SubjectMaker> peers;
+    for (std::string_view other : expanders::names()) {
+      if (other != name) peers.push_back(subject_maker(fmt::format("builtin:{}", other), {}));
+    }
     auto add = [&](std::string spec, std::string_view clause) {
       if (!clause.empty() && spec.find(only) == std::string::npos) return;
       const oracle::SubjectMaker maker = subject_maker("builtin:" + spec, {});
-      targets.push_back({std::move(spec), std::string(clause), dialects, maker, sound});
+      targets.push_back({std::move(spec), std::string(clause), dialects, maker, sound, peers});
     };
     if (only.empty() || only == name) add(std::string(name), "");
     for (const expanders::FaultDescription& fault : expanders::faults(name)) {
@@ -195,7 +199,7 @@ void add_faults(Command& program) {
   command.flag("--list", options->list, "only name the faults and what they do");
   command.flag("--matrix", options->matrix, "what it costs each method to find each fault");
   command.option("--method", options->methods,
-                 "with --matrix, of corpus,properties,hunt,fuzz (corpus,hunt)");
+                 "with --matrix, of corpus,properties,operations,hunt,fuzz (corpus,hunt)");
   command.choice("--format", options->format, {"text", "markdown"},
                  "with --matrix; markdown: docs/kill-matrix.md");
   command.option("--only", options->only, "with --matrix, faults whose name holds this");

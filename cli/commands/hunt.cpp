@@ -123,6 +123,10 @@ std::string skipped_text(const hunt::Hunt& hunt) {
 }
 
 int hunt(HuntWords words) {
+  if (words.method == "operations") return hunt_operations(words);
+  if (!words.beside.empty()) {
+    throw UsageError("--beside is for --method operations, which compares subjects.");
+  }
   if (words.method == "properties") return hunt_properties(words);
   hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
@@ -165,8 +169,11 @@ void add_hunt(Command& program) {
       program.add_command("hunt", "Look for programs on which a subject departs from the gauge");
   add_trial_options(command, words->trial);
   command.option("--dialect", words->dialect, "dialect of the programs");
-  command.choice("--method", words->method, {"reference", "properties"},
-                 "held against the reference, or against the subject's own answers (reference)");
+  command.choice("--method", words->method, {"reference", "properties", "operations"},
+                 "held against the reference, against the subject's own answers, or one list of "
+                 "operations in every dialect (reference)");
+  command.repeated_option("--beside", words->beside,
+                          "a further subject that has to make the same path of operations");
   command.option("--profile", words->profile, "the machine of every program; without: any");
   command.flag("--everywhere", words->everywhere,
                "departures outside of the domain (docs/domain.md) are findings, too");

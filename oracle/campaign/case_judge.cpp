@@ -36,7 +36,10 @@ struct CaseJudge::Attempt {
 };
 
 CaseJudge::CaseJudge(const CampaignOptions& options, const SubjectMaker& make_subject)
-    : options_(options), make_subject_(make_subject), subject_(make()) {
+    : options_(options),
+      make_subject_(make_subject),
+      known_failures_(options.known_failures),
+      subject_(make()) {
   subject_->set_run_limit(options_.limits.run * kTimeoutFactor);
 }
 
@@ -167,6 +170,37 @@ bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
   return true;
 }
 
+// What is known to fail now and then is run as often as its entry says, each time in a fresh
+// process. It is as known only where no more runs fail than that; a run that fails otherwise is the
+// verdict.
+bool CaseJudge::settle_flaky(const Case& test, const JudgeTerms& terms, Attempt& attempt,
+                             CaseResult& result) {
+  const KnownFailure* const known = known_failures_.flaky_entry(test.id, attempt.session.verdict);
+  if (known == nullptr) return false;
+  int failures = 1;
+  for (int runs = 1; runs < known->flaky->runs; ++runs) {
+    Attempt again = run(fresh_subject(test.profile), test, terms);
+    ++result.attempts;
+    if (decision(again.session.verdict.kind) != Decision::no_go) continue;
+    if (!known->is(again.session.verdict)) {
+      attempt = std::move(again);
+      return true;
+    }
+    ++failures;
+  }
+  Verdict& verdict = attempt.session.verdict;
+  const std::string count = fmt::format("{} of {} runs failed so", failures, known->flaky->runs);
+  if (failures <= known->flaky->failures) {
+    verdict.message = fmt::format("Known: {} ({}: {}); {}.", known->reason, name(verdict.kind),
+                                  verdict.message, count);
+    verdict.kind = VerdictKind::xfail;
+  } else {
+    verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,
+                                   known->flaky->failures, known->reason);
+  }
+  return true;
+}
+
 // A NO-GO is run again alone in a fresh process; two different answers are a state leak (J-RUN-08).
 void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                         CaseResult& result) {
@@ -262,19 +296,20 @@ CaseResult CaseJudge::judge(const Case& test) {
   }
   const JudgeTerms terms = make_terms(subject_->info(), test.profile, options_.grants);
   Attempt attempt = run_kept(*subject_, test, terms);
-  if (attempt.session.verdict.kind == VerdictKind::timeout) {
+  const bool is_settled = settle_flaky(test, terms, attempt, result);
+  if (!is_settled && attempt.session.verdict.kind == VerdictKind::timeout) {
     confirm_timeout(test, terms, attempt, result);
   }
   // Three tries in fresh processes have confirmed a timeout, or what it comes from.
   const VerdictKind kind = attempt.session.verdict.kind;
   const bool is_confirmed = kind == VerdictKind::timeout || kind == VerdictKind::state_leak;
-  if (decision(kind) == Decision::no_go && !is_confirmed) {
+  if (decision(kind) == Decision::no_go && !is_settled && !is_confirmed) {
     confirm(test, terms, attempt, result);
   }
   result.verdict = attempt.session.verdict;
   result.microseconds = attempt.end.microseconds;
   result.mapped = attempt.mapped;
-  if (decision(result.verdict.kind) == Decision::go) {
+  if (decision(result.verdict.kind) == Decision::go && result.verdict.kind != VerdictKind::xfail) {
     result.readings = open_readings(attempt.session);
   } else if (result.verdict.kind != VerdictKind::skip) {
     keep_evidence(test, terms, attempt, result);

@@ -36,6 +36,8 @@ class CaseJudge {
   bool is_claimed(const Case& test, const RunEnd& end) const;
   void interpret_skip(const Case& test, Attempt& attempt) const;
   static bool settle_memory(Attempt& attempt, Attempt& again);
+  bool settle_flaky(const Case& test, const JudgeTerms& terms, Attempt& attempt,
+                    CaseResult& result);
   void confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt, CaseResult& result);
   void confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                        CaseResult& result);
@@ -47,6 +49,7 @@ class CaseJudge {
 
   const CampaignOptions& options_;
   const SubjectMaker& make_subject_;
+  const KnownFailures known_failures_;
   std::unique_ptr<Subject> subject_;
   std::unique_ptr<Subject> second_;            // made when it is first needed
   std::optional<reference::Profile> profile_;  // that was prepared

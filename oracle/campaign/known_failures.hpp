@@ -28,9 +28,32 @@ struct FileFault {
 //   verdict = "fail.geometry"
 //   deviation = "1/1000"            optional: exactly this, as results.jsonl has it
 //   got = '{"k":"dwell","s":"-1"}'  optional, likewise
-// or all keys of one failure in a [[failure]]. A KnownFailure is one glob of it. A glob of
-// wildcards alone is refused, and one that covers more than kMostCasesOfAGlob cases is a finding:
-// what it hides nobody has looked at.
+//   flaky = "1 of 5"                optional: it fails now and then, in no more runs than that
+// or all keys of one failure in a [[failure]].
+struct Flaky {
+  int failures = 1;  // at most, fewer than runs
+  int runs = 2;
+};
+inline constexpr int kMostRunsOfAFlakyCase = 100;
+
+struct KnownCause {
+  struct Failure {
+    VerdictKind verdict = VerdictKind::fail_geometry;
+    std::string deviation;
+    std::string got;
+    std::optional<Flaky> flaky;
+    std::vector<std::string> cases;  // globs
+  };
+  std::string reason;
+  std::string program;
+  std::vector<Failure> failures;
+};
+std::variant<std::vector<KnownCause>, FileFault> known_causes_from_toml(std::string_view text);
+// The inverse of it, but for comments and the order of keys.
+std::string known_causes_text(const std::vector<KnownCause>& causes);
+
+// One glob of a failure. A glob of wildcards alone is refused, and one that covers more than
+// kMostCasesOfAGlob cases is a finding: what it hides nobody has looked at.
 inline constexpr std::size_t kMostCasesOfAGlob = 20;
 struct KnownFailure {
   std::string cases;
@@ -38,7 +61,13 @@ struct KnownFailure {
   std::string deviation;
   std::string got;
   std::string reason;
+  std::optional<Flaky> flaky;
+
+  bool covers(const std::string& id) const;
+  // Whether the verdict is the one that is known.
+  bool is(const Verdict& verdict) const;
 };
+std::vector<KnownFailure> entries_of(const std::vector<KnownCause>& causes);
 std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std::string_view text);
 
 // Turns a failure that is known into `xfail`, and a pass that was to fail into `xpass`. Cases of
@@ -51,6 +80,8 @@ class KnownFailures {
   void note_case(const std::string& id);
   // May be called by several threads at once, also while cases are noted.
   void apply(CaseResult& result) const;
+  // The entry by which the case fails so now and then; null: there is none.
+  const KnownFailure* flaky_entry(const std::string& id, const Verdict& verdict) const;
   // Entries that are of no case of the corpus, or of too many, as sentences.
   std::vector<std::string> stale() const;
 

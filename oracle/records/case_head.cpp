@@ -69,9 +69,11 @@ bool read_case_head(std::string_view line, CaseHead& head) {
       {"got", &head.got},
   }};
   for (const auto& [key, text] : texts) text->clear();
+  head.deviation.clear();
   head.features.clear();
   head.clauses.clear();
   head.microseconds = 0;
+  head.attempts = 1;
   head.program_blocks = 0;
   head.program_bytes = 0;
   head.expected = false;
@@ -84,6 +86,11 @@ bool read_case_head(std::string_view line, CaseHead& head) {
       take_program(field.value, head);
     } else if (field.key == "us") {
       if (field.value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
+    } else if (field.key == "attempts") {
+      if (field.value.get(head.attempts) != simdjson::SUCCESS) head.attempts = 1;
+    } else if (field.key == "deviation") {
+      std::string_view exact;
+      if (field.value["exact"].get(exact) == simdjson::SUCCESS) head.deviation = exact;
     } else if (field.key == "expected") {
       if (field.value.get(head.expected) != simdjson::SUCCESS) head.expected = false;
     }

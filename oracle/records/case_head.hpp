@@ -22,9 +22,11 @@ struct CaseHead {
   std::string message;
   std::string want;                   // the reference's record or alarm that was departed from
   std::string got;                    // the subject's
+  std::string deviation;              // exact
   std::vector<std::string> features;  // that the case needs
   std::vector<std::string> clauses;
   std::uint64_t microseconds = 0;
+  std::uint64_t attempts = 1;  // runs that the verdict took
   std::size_t program_blocks =
       0;  // of the program, where the line has it: lines that are not blank
   std::size_t program_bytes = 0;

@@ -231,6 +231,53 @@ TEST(Campaign, ASubjectThatWasGivenUpIsNotRunAgain) {
   EXPECT_NE(scratch.read("r").find("\"attempts\":1"), std::string::npos);
 }
 
+// Of every case: an entry with the verdict of a trace without records, 1 of 4 runs.
+CampaignOptions knowing_flaky() {
+  CampaignOptions options = options_of(1);
+  options.known_failures = {{"t.*", VerdictKind::fail_geometry, {}, {}, "a race", Flaky{1, 4}}};
+  return options;
+}
+
+TEST(Campaign, WhatIsKnownToFailNowAndThenIsRunAsOftenAsItsEntrySays) {
+  const Scratch scratch;
+  write_corpus(scratch, 3);
+  FakeSubject flickers;
+  // The third run of the first process; fresh ones answer well.
+  flickers.act = [](std::string_view, int runs) -> std::optional<RunEnd> {
+    if (runs != 3) return std::nullopt;
+    return RunEnd{};
+  };
+  const std::string footer = results_of(scratch, "r", knowing_flaky(), fake_maker(flickers));
+  EXPECT_NE(footer.find("\"pass-exact\":2,\"xfail\":1"), std::string::npos) << footer;
+  EXPECT_NE(scratch.read("r").find("1 of 4 runs failed so"), std::string::npos);
+  EXPECT_NE(scratch.read("r").find("\"attempts\":4"), std::string::npos);
+}
+
+TEST(Campaign, AStableFailureIsNotHiddenByABoundOfFlickers) {
+  const Scratch scratch;
+  write_corpus(scratch, 1);
+  FakeSubject wrong;
+  wrong.act = [](std::string_view, int) -> std::optional<RunEnd> { return RunEnd{}; };
+  const std::string footer = results_of(scratch, "r", knowing_flaky(), fake_maker(wrong));
+  EXPECT_NE(footer.find("\"fail.geometry\":1"), std::string::npos) << footer;
+  EXPECT_NE(scratch.read("r").find("4 of 4 runs failed so; it is known to fail in at most 1"),
+            std::string::npos);
+}
+
+TEST(Campaign, ARunThatFailsOtherwiseThanItIsKnownToIsTheVerdict) {
+  const Scratch scratch;
+  write_corpus(scratch, 1);
+  FakeSubject wrong;
+  int calls = 0;
+  wrong.act = [&calls](std::string_view, int) -> std::optional<RunEnd> {
+    RunEnd end;
+    if (++calls == 3) end.kind = RunEnd::Kind::crash;
+    return end;
+  };
+  const std::string footer = results_of(scratch, "r", knowing_flaky(), fake_maker(wrong));
+  EXPECT_NE(footer.find("\"crash\":1"), std::string::npos) << footer;
+}
+
 TEST(Campaign, ShardsAreDisjointAndCoverTheCorpus) {
   for (const char* id : {"gsk.g94.000001", "a", ""}) {
     EXPECT_EQ(shard_of(id, 1), 1U);
@@ -262,7 +309,7 @@ TEST(Campaign, StopsAtTheFirstNoGoWhenAsked) {
   const Corpus corpus(scratch.path("corpus"));
   CampaignOptions options = options_of(2);
   options.fail_fast = true;
-  options.known_failures.push_back({"t.000999", VerdictKind::crash, "", "", "never reached"});
+  options.known_failures.push_back({"t.000999", VerdictKind::crash, "", "", "never reached", {}});
   FakeSubject wrong;
   wrong.act = [](std::string_view, int) -> std::optional<RunEnd> { return RunEnd{}; };
   std::size_t results = 0;

@@ -179,6 +179,61 @@ TEST(KnownFailures, AnEntryThatCannotBeUsedIsRefusedWithItsLine) {
   EXPECT_NE(fault_of("[[failure]\n").find("line 1"), std::string::npos);
 }
 
+constexpr std::string_view kFlaky =
+    "[[failure]]\ncases = \"ngc.arc.000001\"\nverdict = \"crash\"\nflaky = \"2 of 5\"\n"
+    "reason = \"a race\"\n";
+
+TEST(KnownFailures, WhatFailsNowAndThenMayPassAndIsNeverExpectedToFail) {
+  const KnownFailures failures = known(kFlaky);
+  EXPECT_EQ(after(failures, result("ngc.arc.000001", VerdictKind::pass_exact)),
+            VerdictKind::pass_exact);
+  EXPECT_EQ(after(failures, result("ngc.arc.000001", VerdictKind::crash)), VerdictKind::crash);
+  Verdict crashed;
+  crashed.kind = VerdictKind::crash;
+  const KnownFailure* const entry = failures.flaky_entry("ngc.arc.000001", crashed);
+  ASSERT_NE(entry, nullptr);
+  EXPECT_EQ(entry->flaky->failures, 2);
+  EXPECT_EQ(entry->flaky->runs, 5);
+  EXPECT_EQ(failures.flaky_entry("ngc.arc.000002", crashed), nullptr);
+  crashed.kind = VerdictKind::timeout;
+  EXPECT_EQ(failures.flaky_entry("ngc.arc.000001", crashed), nullptr);
+}
+
+TEST(KnownFailures, ABoundThatHidesEveryFailureIsRefused) {
+  for (const char* bound :
+       {"5 of 5", "6 of 5", "0 of 5", "-1 of 5", "1 of 101", "1 of", "1of5", "1 of 5x", "often"}) {
+    const std::string text = std::string("[[failure]]\ncases = \"a\"\nverdict = \"crash\"\n") +
+                             "reason = \"r\"\nflaky = \"" + bound + "\"\n";
+    EXPECT_NE(fault_of(text).find("fewer than all, of at most 100"), std::string::npos) << bound;
+  }
+}
+
+TEST(KnownFailures, WhatIsWrittenIsReadAsTheSame) {
+  KnownCause cause{"it's \"odd\"", "G0 X1 | (\t\\)", {}};
+  cause.failures.push_back({VerdictKind::fail_geometry,
+                            "4/3",
+                            R"({"k":"dwell","s":"it's"})",
+                            std::nullopt,
+                            {"ngc.arc.00000[1-3]", "ngc.arc.000007"}});
+  cause.failures.push_back({VerdictKind::crash, {}, R"({"k":"m"})", Flaky{1, 3}, {}});
+  for (int i = 0; i < 30; ++i) cause.failures[1].cases.push_back("ngc.arc-r." + std::to_string(i));
+  const std::string text = known_causes_text({cause, cause});
+  auto read = known_causes_from_toml(text);
+  ASSERT_TRUE(std::holds_alternative<std::vector<KnownCause>>(read)) << fault_of(text);
+  const auto& causes = std::get<std::vector<KnownCause>>(read);
+  ASSERT_EQ(causes.size(), 2U);
+  EXPECT_EQ(causes[1].reason, cause.reason);
+  EXPECT_EQ(causes[1].program, cause.program);
+  ASSERT_EQ(causes[1].failures.size(), 2U);
+  EXPECT_EQ(causes[1].failures[0].deviation, "4/3");
+  EXPECT_EQ(causes[1].failures[0].got, cause.failures[0].got);
+  EXPECT_EQ(causes[1].failures[0].cases, cause.failures[0].cases);
+  EXPECT_FALSE(causes[1].failures[0].flaky);
+  EXPECT_EQ(causes[1].failures[1].cases, cause.failures[1].cases);
+  EXPECT_EQ(causes[1].failures[1].flaky->runs, 3);
+  EXPECT_EQ(known_causes_text(causes), text);
+}
+
 TEST(AlarmMap, MapsTheSubjectsOwnTexts) {
   auto read = alarm_map_from_toml(
       "[alarms]\n\"PS0061\" = \"value-sign\"\n\"Zero-radius*\" = \"arc-radius\"\n");

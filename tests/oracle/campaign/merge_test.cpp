@@ -64,7 +64,7 @@ TEST_F(Merge, IsTheResultOfAnUndividedRunByteForByte) {
   };
   alarms_ = std::make_shared<const AlarmMap>(
       std::vector<AlarmMap::Entry>{{"PS1", "value-sign"}, {"PS2", "no-tool"}});
-  known_ = {{"t.9*", VerdictKind::crash, "", "", "of no case"}};
+  known_ = {{"t.9*", VerdictKind::crash, "", "", "of no case", {}}};
   results_of(scratch_, "whole", options(), fake_maker(fake_));
   run_shards();
   const MergeOutcome outcome = merge({"s2", "s3", "s1"});
