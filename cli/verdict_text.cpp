@@ -214,7 +214,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += fmt::format("  follows {}\n", assignment);
   }
   if (summary.run_again > 0) {
-    text += fmt::format("  {} run again, {} in all\n", counted(summary.run_again, "case", "cases"),
+    text += fmt::format("  {} run more than twice, {}\n", counted(summary.run_again, "case", "cases"),
                         counted(summary.further_runs, "further run", "further runs"));
   }
   if (summary.footer.left_out > 0) {

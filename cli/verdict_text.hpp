@@ -22,8 +22,8 @@ struct CampaignSummary {
   oracle::ResultsFooter footer;
   oracle::Findings findings;
   std::map<std::size_t, oracle::CaseResult> smallest;  // case of a finding, by its number
-  std::size_t run_again = 0;                           // cases that took more than one run
-  std::size_t further_runs = 0;                        // that they took
+  std::size_t run_again = 0;                           // cases that took more than two runs
+  std::size_t further_runs = 0;                        // that they took beside two
   bool complete = true;                                // not stopped at the first NO-GO
 };
 // Findings that are shown with their evidence; of the others a line each.

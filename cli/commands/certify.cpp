@@ -45,6 +45,8 @@ namespace {
 
 // An unknown reading is refused in the same words by every dialect.
 constexpr std::string_view kAnyDialect = "gsk988ta";
+// Every NO-GO is run twice.
+constexpr std::uint64_t kConfirming = 2;
 
 struct CertifyOptions {
   std::vector<std::string> subjects;
@@ -232,9 +234,9 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
         const oracle::CaseFacts facts = oracle::facts_of(line);
         const oracle::Finding* finding = summary.findings.add(facts.head, kind);
         if (known != nullptr) known->add(facts, finding);
-        if (facts.head.attempts > 1) {
+        if (facts.head.attempts > kConfirming) {
           ++summary.run_again;
-          summary.further_runs += facts.head.attempts - 1;
+          summary.further_runs += facts.head.attempts - kConfirming;
         }
         if (finding != nullptr && summary.findings.is_smallest()) {
           summary.smallest[finding->number] = oracle::result_of_line(line);
