@@ -71,13 +71,27 @@ void add_axes(Names& names, const std::string& text, const Motion& motion) {
   names.axes.emplace(name[0], *axis);
 }
 
-// The motion is the `place`-th in a row of one clause.
-void add_motion(Names& names, const Motion& motion, std::size_t place, const Point3& begin) {
+// Of a hole cycle: the cut begins at R, whatever traverses lead there.
+bool leads_to_cut(const Motion& motion, const Motion* next) {
+  const auto axis = only_axis(motion);
+  return axis && next != nullptr && !next->rapid && only_axis(*next) == axis;
+}
+
+// The motion is the `place`-th in a row of one clause; `next` is the one after it in the block.
+void add_motion(Names& names, const Motion& motion, const Motion* next, std::size_t place,
+                const Point3& begin) {
   const reference::Clause* clause = find_clause(motion.clause);
   if (clause == nullptr) return;
   const std::string text(clause->text);
   add_axes(names, text, motion);
   const std::vector<Step> steps = steps_of(text);
+  if (std::ranges::any_of(steps, [](const Step& step) { return step.to == "R"; })) {
+    if (motion.rapid && leads_to_cut(motion, next)) {
+      const char axis = *only_axis(motion);
+      add_plane(names, "R", axis, along(motion.points.back(), axis));
+    }
+    return;
+  }
   if (place >= steps.size()) return;
   const Step& step = steps[place];
   if (!step.from.empty()) add_point(names, step.from, motion.points.front(), begin);
@@ -88,6 +102,16 @@ void add_motion(Names& names, const Motion& motion, std::size_t place, const Poi
   }
 }
 
+// The one after it in its block; null: there is none.
+const Motion* next_moving(const Path& path, std::size_t i) {
+  for (std::size_t k = i + 1; k < path.motions.size(); ++k) {
+    const Motion& next = path.motions[k];
+    if (next.block != path.motions[i].block) return nullptr;
+    if (next.moves()) return &next;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Names names_in(const Path& path, std::uint64_t block) {
@@ -96,7 +120,8 @@ Names names_in(const Path& path, std::uint64_t block) {
   std::string clause;
   std::size_t place = 0;
   Point3 begin;  // of the block
-  for (const Motion& motion : path.motions) {
+  for (std::size_t i = 0; i < path.motions.size(); ++i) {
+    const Motion& motion = path.motions[i];
     if (!motion.moves() || (block != 0 && motion.block != block)) continue;
     if (motion.block != here && !names.points.empty()) break;
     if (motion.block != here && !names.planes.empty()) break;
@@ -104,7 +129,7 @@ Names names_in(const Path& path, std::uint64_t block) {
     if (motion.block != here) begin = motion.points.front();
     here = motion.block;
     clause = motion.clause;
-    add_motion(names, motion, place, begin);
+    add_motion(names, motion, next_moving(path, i), place, begin);
   }
   return names;
 }

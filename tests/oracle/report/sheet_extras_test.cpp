@@ -70,6 +70,25 @@ TEST(SheetExtras, the_r_plane_is_named_where_the_tool_stops_for_it) {
   EXPECT_DOUBLE_EQ(names.planes[0].at, 45);
 }
 
+// Down to R at Z1 in line 2. Line 3 begins at R with an initial level of Z5, and under the reading
+// of LinuxCNC goes to that level first, by a motion of the same clause.
+TEST(SheetExtras, the_r_plane_of_a_hole_is_where_the_cut_begins) {
+  for (const char* reading : {"current-level", "initial-level"}) {
+    auto profile = std::get<reference::Profile>(case_profile("rs274", Json::object()));
+    ASSERT_FALSE(reference::set_reading(profile, "ngc.cycle.approach", reading)) << reading;
+    const Path path = reference_path(profile, "G0 Z5\nG99 G81 X10 Z-6 R1 F100\nG98 X20\nM2\n").path;
+    for (const std::uint64_t block : {2U, 3U}) {
+      const Names names = names_in(path, block);
+      for (const NamedPlane& plane : names.planes) {
+        EXPECT_EQ(plane.axis, 'Z') << reading;
+        EXPECT_DOUBLE_EQ(plane.at, 1) << reading;
+      }
+      const std::size_t named = names.planes.size();
+      EXPECT_TRUE(block == 3 || named == 1) << reading;
+    }
+  }
+}
+
 Path pecks(int count) {
   Path path;
   double at = 0;
