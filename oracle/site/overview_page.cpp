@@ -21,22 +21,22 @@ std::string results_row(const SiteView& site, std::size_t i) {
   const Run& run = site.gathered->runs[i];
   std::string row = fmt::format(
       "<tr><th scope=\"row\">{}<span class=\"level\">corpus {}, gonogo {}</span></th>"
-      "<td><span class=\"badge {}\">{}</span></td><td>{}</td>",
+      "<td><span class=\"badge {}\">{}</span></td><td>{}</td><td class=\"number\">{}</td>",
       run_link(site, i), text(run.corpus), text(run.gonogo), tone(run.decision), text(run.decision),
-      stacked_bar(run.counts));
+      stacked_bar(run.counts), percent(run.counts[Outcome::go], run.counts.answered()));
   row += number_cell(run.counts.cases());
   for (std::size_t k = 0; k < kOutcomes; ++k) row += number_cell(run.counts.of[k]);
-  return row + number_cell(run.reasons.size()) + "<td class=\"number\">" +
-         percent(run.counts[Outcome::go], run.counts.answered()) + "</td></tr>\n";
+  return row + number_cell(run.reasons.size()) + "</tr>\n";
 }
 
 std::string results(const SiteView& site) {
   std::string head =
-      "<th>Implementation</th><th>Run</th><th>Cases</th><th class=\"number\">Cases</th>";
+      "<th>Implementation</th><th>Run</th><th>Cases</th><th class=\"number\">GO of answered</th>"
+      "<th class=\"number\">Cases</th>";
   for (std::size_t k = 0; k < kOutcomes; ++k) {
     head += fmt::format("<th class=\"number\">{}</th>", title(static_cast<Outcome>(k)));
   }
-  head += "<th class=\"number\">Causes</th><th class=\"number\">GO of answered</th>";
+  head += "<th class=\"number\">Causes</th>";
   std::string rows;
   for (std::size_t i = 0; i < site.gathered->runs.size(); ++i) rows += results_row(site, i);
   return key_of_bars() + table("results-table", head, rows) +

@@ -22,12 +22,12 @@ std::string rates(const SiteView& site) {
       continue;
     }
     rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}.{:01} s"
+        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}"
         "</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
         "</tr>\n",
-        run_link(site, i), number(speed.cases()), number(speed.microseconds() / 1'000'000),
-        speed.microseconds() / 100'000 % 10, number(static_cast<std::uint64_t>(speed.rate())),
-        milliseconds(speed.below(50)), milliseconds(speed.below(99)));
+        run_link(site, i), number(speed.cases()), milliseconds(speed.microseconds()),
+        number(static_cast<std::uint64_t>(speed.rate())), milliseconds(speed.below(50)),
+        milliseconds(speed.below(99)));
   }
   return "<p class=\"note\">As the runs were timed, subject and judge together, a case after "
          "another: with several jobs a run took less. Times of different machines are not "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/report/escape.hpp"
 #include "oracle/site/page.hpp"
 
 namespace gonogo::oracle::site {
@@ -21,11 +22,11 @@ double part_of(const Counts& counts) {
              : static_cast<double>(counts[Outcome::go]) / static_cast<double>(counts.answered());
 }
 
-// Down to the tenth below the least of them, at most half.
+// Down to the tenth below the least of them, at most nine tenths.
 double floor_of(const std::vector<Run>& runs, const std::vector<std::size_t>& versions) {
   double least = 1;
   for (const std::size_t run : versions) least = std::min(least, part_of(runs[run].counts));
-  return std::clamp(static_cast<int>(least * 10 - 0.001) / 10.0, 0.0, 0.5);
+  return std::clamp(static_cast<int>(least * 10 - 0.001) / 10.0, 0.0, 0.9);
 }
 
 std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& versions) {
@@ -53,12 +54,15 @@ std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& 
     const Counts& counts = runs[versions[i]].counts;
     const double at = y(part_of(counts));
     line += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", x(i), at);
+    marks += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\"/>", x(i), at);
+    // Words beside so many of them as have room, the last among them.
+    if ((versions.size() - 1 - i) % (versions.size() / 9 + 1) != 0) continue;
     marks += fmt::format(
-        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"4.5\"/><text class=\"value\" x=\"{0:.1f}\" "
+        "<text class=\"value\" x=\"{0:.1f}\" "
         "y=\"{2:.1f}\" text-anchor=\"middle\">{3}</text><text x=\"{0:.1f}\" y=\"{4}\" "
         "text-anchor=\"middle\">{5}</text>",
         x(i), at, at - 10, percent(counts[Outcome::go], counts.answered()), kHeight - 10,
-        text(runs[versions[i]].version.substr(0, 24)));
+        text(report::shortened(runs[versions[i]].version, 24)));
   }
   return out + "<polyline class=\"course\" points=\"" + line + "\"/>" + marks + "</svg>\n";
 }

@@ -31,7 +31,7 @@ std::string pairs(const SiteView& site) {
   std::string head = "<th></th>";
   std::string rows;
   for (const std::size_t one : voters) {
-    head += "<th scope=\"col\">" + text(site.gathered->runs[one].title()) + "</th>";
+    head += "<th scope=\"col\" class=\"like\">" + text(site.gathered->runs[one].title()) + "</th>";
     rows += "<tr><th scope=\"row\">" + text(site.gathered->runs[one].title()) + "</th>";
     for (const std::size_t other : voters) {
       const Pair pair = site.gathered->votes.pair(one, other);

@@ -8,7 +8,8 @@
 namespace gonogo::oracle::evidence {
 namespace {
 
-std::string line(const std::string& id, const std::string& verdict, const std::string& rest = "") {
+std::string run_line(const std::string& id, const std::string& verdict,
+                     const std::string& rest = "") {
   return R"({"id":")" + id + R"(","dialect":"rs274","cycle":"g1","clauses":[],"verdict":")" +
          verdict + "\"" + rest + "}";
 }
@@ -27,12 +28,13 @@ class CompareRuns : public testing::Test {
 
 TEST_F(CompareRuns, LastRunIsHeldAgainstAllBefore) {
   const RunsComparison comparison = compare(
-      {{line("a", "pass-exact"), line("b", "fail.order"), line("c", "fail.order"),
-        line("d", "pass-exact"), line("e", "pass-exact")},
-       {line("a", "skip"), line("b", "skip"), line("c", "fail.order"), line("d", "fail.order"),
-        line("e", "pass-exact")},
-       {line("a", "fail.order"), line("b", "pass-exact"), line("c", "fail.order", R"(,"b":3)"),
-        line("d", "pass-exact"), line("e", "pass-exact")}});
+      {{run_line("a", "pass-exact"), run_line("b", "fail.order"), run_line("c", "fail.order"),
+        run_line("d", "pass-exact"), run_line("e", "pass-exact")},
+       {run_line("a", "skip"), run_line("b", "skip"), run_line("c", "fail.order"),
+        run_line("d", "fail.order"), run_line("e", "pass-exact")},
+       {run_line("a", "fail.order"), run_line("b", "pass-exact"),
+        run_line("c", "fail.order", R"(,"b":3)"), run_line("d", "pass-exact"),
+        run_line("e", "pass-exact")}});
   ASSERT_EQ(comparison.changed.size(), 4U);
   EXPECT_EQ(comparison.changed[0].change, Change::regression);
   EXPECT_EQ(comparison.changed[1].change, Change::mended);
@@ -44,9 +46,9 @@ TEST_F(CompareRuns, LastRunIsHeldAgainstAllBefore) {
 
 TEST_F(CompareRuns, CaseOfSomeRunsIsNewGoneOrCompared) {
   const RunsComparison comparison =
-      compare({{line("a", "pass-exact"), line("b", "pass-exact")},
-               {line("a", "pass-exact"), line("c", "pass-exact")},
-               {line("b", "fail.order"), line("c", "pass-exact"), line("d", "crash")}});
+      compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},
+               {run_line("a", "pass-exact"), run_line("c", "pass-exact")},
+               {run_line("b", "fail.order"), run_line("c", "pass-exact"), run_line("d", "crash")}});
   EXPECT_EQ(comparison.first_added, std::vector<std::string>{"d"});
   EXPECT_EQ(comparison.first_gone, std::vector<std::string>{"a"});
   ASSERT_EQ(comparison.count(Change::regression), 1U);
@@ -63,8 +65,8 @@ TEST_F(CompareRuns, TwoRunsAreComparedAsCompareResultsDoes) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
       const std::string id = std::to_string(i) + std::to_string(k);
-      before.push_back(line(id, verdicts[i]));
-      after.push_back(line(id, verdicts[k], (i + k) % 2 == 0 ? R"(,"b":4)" : ""));
+      before.push_back(run_line(id, verdicts[i]));
+      after.push_back(run_line(id, verdicts[k], (i + k) % 2 == 0 ? R"(,"b":4)" : ""));
     }
   }
   const RunsComparison many = compare({before, after});
@@ -78,9 +80,10 @@ TEST_F(CompareRuns, TwoRunsAreComparedAsCompareResultsDoes) {
 }
 
 TEST_F(CompareRuns, TextsHaveARowOfVerdictsForEachCase) {
-  const RunsComparison comparison = compare({{line("a", "pass-exact"), line("b", "pass-exact")},
-                                             {line("a", "skip"), line("b", "pass-exact")},
-                                             {line("a", "crash"), line("b", "pass-exact")}});
+  const RunsComparison comparison =
+      compare({{run_line("a", "pass-exact"), run_line("b", "pass-exact")},
+               {run_line("a", "skip"), run_line("b", "pass-exact")},
+               {run_line("a", "crash"), run_line("b", "pass-exact")}});
   const std::string text = runs_comparison_text(comparison, CompareFormat::text);
   EXPECT_NE(text.find("  a\n    1 pass-exact\n    2 skip\n    3 crash\n"), std::string::npos)
       << text;

@@ -113,13 +113,13 @@ TEST_F(Site, DepartureOfTwoRunsIsToldOnceWithBoth) {
 }
 
 TEST_F(Site, KnownFailureIsTheSameDepartureAsAnUnknownOne) {
-  const std::string known =
-      line("x", "xfail",
-           R"(,"departure":"fail.geometry","clause":"NGC-G81-01","b":2,"want":"{\"k\":\"feed\"}",)"
-           R"("got":"{\"k\":\"rapid\"}","deviation":{"exact":"1","mm":"1"},)"
-           R"("message":"Known: it rounds (down) (fail.geometry: It goes elsewhere.)") ");
-      const Gathered all =
-          gather({results("a", "1", {known}), results("b", "1", {departure("x", "1")})}, {});
+  const std::string known = line(
+      "x", "xfail",
+      R"x(,"departure":"fail.geometry","clause":"NGC-G81-01","b":2,"want":"{\"k\":\"feed\"}",)x"
+      R"x("got":"{\"k\":\"rapid\"}","deviation":{"exact":"1","mm":"1"},)x"
+      R"x("message":"Known: it rounds (down) (fail.geometry: It goes elsewhere.)")x");
+  const Gathered all =
+      gather({results("a", "1", {known}), results("b", "1", {departure("x", "1")})}, {});
   ASSERT_EQ(all.departures.list().size(), 1U);
   const Departure& departure = *all.departures.list()[0];
   EXPECT_EQ(departure.shares.at(0).known, 1U);
@@ -136,7 +136,7 @@ TEST_F(Site, VersionsAreInTheOrderInWhichPeopleCount) {
                                results("acme", "9", go), results("acme", "9.1", go)},
                               {});
   std::vector<std::string> titles;
-  for (const Run& run : all.runs) titles.push_back(run.title());
+  for (const auto& run : all.runs) titles.push_back(run.title());
   EXPECT_EQ(titles, (std::vector<std::string>{"acme 9", "acme 9.1", "acme 10", "b 1"}));
   EXPECT_EQ(all.voters, (std::vector<std::size_t>{2, 3}));
   ASSERT_EQ(all.steps.size(), 2U);
