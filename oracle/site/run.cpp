@@ -120,9 +120,13 @@ KnownMessage known_message(const CaseHead& line) {
   // Between them stands the verdict; a reason may have parentheses of its own.
   const std::string middle = line.departure.empty() ? " (" : " (" + line.departure + ": ";
   const std::size_t at = rest.find(middle);
-  if (at == std::string_view::npos || !rest.ends_with(')')) return {std::string(rest), {}};
+  // Behind it a flaky one says in how many runs it failed so.
+  const std::size_t end = rest.ends_with(')') ? rest.size() - 1 : rest.rfind("); ");
   const std::size_t from = at + middle.size();
-  return {std::string(rest.substr(0, at)), std::string(rest.substr(from, rest.size() - from - 1))};
+  if (at == std::string_view::npos || end == std::string_view::npos || end < from) {
+    return {std::string(rest), {}};
+  }
+  return {std::string(rest.substr(0, at)), std::string(rest.substr(from, end - from))};
 }
 
 }  // namespace gonogo::oracle::site

@@ -277,6 +277,22 @@ TEST_F(Site, WhatLiesThereIsUntouchedWhenASiteCannotBeWritten) {
   EXPECT_EQ(after, wanted);  // nothing else was left behind either
 }
 
+TEST(KnownMessage, IsReasonAndMessageOfWhatIsKnown) {
+  CaseHead head;
+  head.departure = "crash";
+  const auto parts = [&](const std::string& message) {
+    head.message = message;
+    const KnownMessage known = known_message(head);
+    return known.reason + "|" + known.message;
+  };
+  EXPECT_EQ(parts("Known: it (once) falls (crash: It ended.)"), "it (once) falls|It ended.");
+  EXPECT_EQ(parts("Known: it falls (crash: It ended (9).); 1 of 3 runs failed so."),
+            "it falls|It ended (9).");
+  // Not of this program, or of one that did not say which verdict is known.
+  EXPECT_EQ(parts("Somebody knows."), "Somebody knows.|");
+  EXPECT_EQ(parts("Known: it falls"), "it falls|");
+}
+
 TEST(FolderStem, IsPlainAndNeverEmpty) {
   EXPECT_EQ(folder_stem("LinuxCNC rs274 2.9.0~pre1"), "linuxcnc-rs274-2.9.0-pre1");
   EXPECT_EQ(folder_stem("../../etc"), "etc");
