@@ -52,6 +52,13 @@ class Staging {
   fs::path path_;
 };
 
+// A page of somebody else's, as that of a report, is not written over.
+void refuse_other_pages(const fs::path& out) {
+  if (!fs::exists(out / "index.html") || fs::exists(out / "site.json")) return;
+  throw SiteError(out.string() +
+                  " has an index.html that is not of a site. Name another folder with --out.");
+}
+
 void write_reports(const std::vector<Run>& runs, const fs::path& folder) {
   for (const Run& run : runs) {
     const fs::path report = folder / "runs" / run.stem;
@@ -65,6 +72,7 @@ void write_reports(const std::vector<Run>& runs, const fs::path& folder) {
 }  // namespace
 
 Gathered write_site(const SiteOptions& options) {
+  refuse_other_pages(options.out);
   Gathered gathered = gather(options.sources, options.gather);
   const SiteView view{&gathered, options.title, options.reports};
   const Staging staging(options.out);

@@ -20,8 +20,8 @@ struct SiteOptions {
 
 // Writes index.html and its pages, site.json, summary.md and runs/STEM/index.html; returns what
 // they tell. They are put in place only when all of them are whole: until then what lies there is
-// untouched. The same results give the same bytes, in whatever order they are named. Throws
-// SiteError, ResultsError, std::system_error.
+// untouched, and a page of another kind is never written over. The same results give the same
+// bytes, in whatever order they are named. Throws SiteError, ResultsError, std::system_error.
 Gathered write_site(const SiteOptions& options);
 
 // The data of the pages, as docs/formats.md says.

@@ -263,6 +263,15 @@ TEST_F(Site, OtherCorpusIsRefusedUnlessMixed) {
   EXPECT_EQ(write_site(wanted).notes.size(), 1U);
 }
 
+TEST_F(Site, PageOfAReportIsNotWrittenOver) {
+  const Source source = results("a", "1", {line("x", "pass-exact")});
+  scratch_.write("report/index.html", "a report");
+  EXPECT_NE(why_not(options({source}, "report")).find("not of a site"), std::string::npos);
+  EXPECT_EQ(files_of("report").size(), 1U);
+  EXPECT_EQ(why_not(options({source})), "");
+  EXPECT_EQ(why_not(options({source})), "");  // a site is written anew
+}
+
 TEST_F(Site, WhatLiesThereIsUntouchedWhenASiteCannotBeWritten) {
   const Source source = results("a", "1", {line("x", "pass-exact")});
   write_site(options({source}));
