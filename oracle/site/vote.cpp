@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -26,13 +28,23 @@ constexpr std::array<BallotNames, kBallots> kBallotNames = {
      {"all alike against the reference", "against"},
      {"all depart, each in its way", "scattered"}}};
 
-// A record or an alarm without what is the subject's own affair.
+// A record or an alarm without what is the subject's own affair: how it names its alarm, and source
+// lines, which not every subject knows.
 std::string plain(const std::string& text) {
   using Sorted = nlohmann::json;  // keys in order
   Sorted value = Sorted::parse(text, nullptr, false);
   if (!value.is_object()) return text;
-  for (const char* own : {"native", "word", "clause"}) value.erase(own);
+  for (const char* own : {"native", "word", "clause", "b"}) value.erase(own);
   return value.dump(-1, ' ', false, Sorted::error_handler_t::replace);
+}
+
+// To a thousandth of a millimetre: subjects round what they put out. A decimal or a quotient; any
+// other text is itself.
+std::string rounded(const std::string& deviation) {
+  char* end = nullptr;
+  double value = std::strtod(deviation.c_str(), &end);
+  if (*end == '/') value /= std::strtod(end + 1, &end);
+  return *end == '\0' && std::isfinite(value) ? fmt::format("{:.3f}", value) : deviation;
 }
 
 // The place of the largest group of equal departures, the first of equally large ones.
@@ -73,8 +85,8 @@ std::string_view key(Ballot ballot) {
 
 std::string departure_text(const CaseHead& line) {
   const std::string& verdict = line.departure.empty() ? line.verdict : line.departure;
-  return fmt::format("{} {} {} {}", verdict, line.clause, line.block,
-                     line.deviation.empty() ? plain(line.got) : line.deviation);
+  return fmt::format("{} {} {}", verdict, line.clause,
+                     line.deviation.empty() ? plain(line.got) : rounded(line.deviation));
 }
 
 void Votes::add(const CaseHead& test, const std::vector<Answer>& answers) {

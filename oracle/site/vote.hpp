@@ -78,8 +78,9 @@ class Votes {
   std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
 };
 
-// What tells equal departures of one case: where, from what, by how much; where nothing is
-// measured, what the subject did there. Not how it names its alarm.
+// What tells equal departures of one case: from which clause, and by how much to 0.001 mm, since
+// subjects round; where nothing is measured, what the subject did there. Not how it names its
+// alarm, nor source lines, which not every subject knows.
 std::string departure_text(const CaseHead& line);
 
 }  // namespace gonogo::oracle::site

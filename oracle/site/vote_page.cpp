@@ -72,7 +72,7 @@ std::string agreements(const SiteView& site) {
   std::string rows;
   for (const Agreement* one : site.gathered->votes.list()) rows += row_of(site, *one);
   if (rows.empty()) return "<p>No two implementations depart alike.</p>\n";
-  return "<p class=\"note\">Alike: at the same clause and line, by exactly the same deviation, or "
+  return "<p class=\"note\">Alike: at the same clause, by the same deviation to 0.001 mm, or "
          "with the same record or alarm. Where all who answer agree against the reference, look at "
          "the reference first.</p>\n" +
          filter(site, "agreement-table", false) +

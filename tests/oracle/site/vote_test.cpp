@@ -89,6 +89,12 @@ TEST(Vote, DeparturesBySoMuchAreToldByTheDeviation) {
   CaseHead other = one;
   other.got = R"({"k":"feed","to":{"x":"1","z":"5"}})";  // the same place, told in full
   EXPECT_EQ(departure_text(one), departure_text(other));
+  other.deviation = "0.33334";  // rounded to its resolution
+  EXPECT_EQ(departure_text(one), departure_text(other));
+  other.block = 7;  // a subject without source lines is told another
+  EXPECT_EQ(departure_text(one), departure_text(other));
+  other.deviation = R"({"root":["0","1","2"]})";
+  EXPECT_NE(departure_text(one), departure_text(other));
   other.deviation = "1/4";
   EXPECT_NE(departure_text(one), departure_text(other));
   // Known or not.
