@@ -20,6 +20,7 @@ void add_corpus(Command& program);
 void add_misbehave(Command& program);
 void add_merge(Command& program);
 void add_compare(Command& program);
+void add_site(Command& program);
 void add_verify(Command& program);
 void add_export(Command& program);
 void add_host(Command& program);

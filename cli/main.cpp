@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   add_misbehave(program);
   add_merge(program);
   add_compare(program);
+  add_site(program);
   add_verify(program);
   add_export(program);
   add_host(program);

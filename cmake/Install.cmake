@@ -20,7 +20,7 @@ install(DIRECTORY helpers/adapters DESTINATION share/gonogo/helpers COMPONENT go
 install(FILES README.md CHANGELOG.md LICENSE cmake/package/copyright
   DESTINATION share/doc/gonogo COMPONENT gonogo)
 install(FILES corpus/LICENSE DESTINATION share/doc/gonogo RENAME LICENSE.corpus COMPONENT gonogo)
-install(DIRECTORY docs DESTINATION share/doc/gonogo COMPONENT gonogo)
+install(DIRECTORY docs DESTINATION share/doc/gonogo COMPONENT gonogo PATTERN node_modules EXCLUDE)
 install(DIRECTORY examples DESTINATION share/doc/gonogo COMPONENT gonogo
   USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE PATTERN build EXCLUDE)
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo compare: what has changed between two runs.
+// gonogo compare: what has changed between runs.
 #include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
@@ -9,6 +10,7 @@
 #include "cli/program_file.hpp"
 #include "cli/results_file.hpp"
 #include "oracle/evidence/compare.hpp"
+#include "oracle/evidence/compare_runs.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -16,8 +18,7 @@ namespace {
 using oracle::evidence::CompareFormat;
 
 struct CompareOptions {
-  std::string before;
-  std::string after;
+  std::vector<std::string> results;
   std::string format = "text";
 };
 
@@ -26,18 +27,39 @@ CompareFormat format_of(const std::string& word) {
   return word == "markdown" ? CompareFormat::markdown : CompareFormat::text;
 }
 
-int compare(const CompareOptions& options) {
+// The text of the comparison, and whether there is a regression in it.
+struct Compared {
+  std::string text;
+  bool regression = false;
+};
+
+Compared compared(const std::vector<std::string>& paths, CompareFormat format) {
   namespace evidence = oracle::evidence;
-  evidence::Comparison comparison;
+  if (paths.size() == 2) {
+    const evidence::Comparison two = evidence::compare_results(paths[0], paths[1]);
+    return {evidence::comparison_text(two, format), two.count(evidence::Change::regression) > 0};
+  }
+  const evidence::RunsComparison many = evidence::compare_runs(paths);
+  return {evidence::runs_comparison_text(many, format),
+          many.count(evidence::Change::regression) > 0};
+}
+
+int compare(const CompareOptions& options) {
+  if (options.results.size() < 2) {
+    throw UsageError("A comparison needs two results or more: gonogo compare OLD NEW.");
+  }
+  std::vector<std::string> paths;
+  for (const std::string& path : options.results) paths.push_back(results_in(path));
+  Compared comparison;
   try {
-    comparison = evidence::compare_results(results_in(options.before), results_in(options.after));
+    comparison = compared(paths, format_of(options.format));
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
   }
   Output output;
-  output.text() = evidence::comparison_text(comparison, format_of(options.format));
+  output.text() = comparison.text;
   output.flush();
-  return comparison.count(evidence::Change::regression) > 0 ? kNoGo : kGo;
+  return comparison.regression ? kNoGo : kGo;
 }
 
 }  // namespace
@@ -45,9 +67,9 @@ int compare(const CompareOptions& options) {
 void add_compare(Command& program) {
   auto options = std::make_shared<CompareOptions>();
   Command command = program.add_command(
-      "compare", "Show what has changed between two runs; exit 1 when a case that was GO is NO-GO");
-  command.argument("old", options->before, "results.jsonl of the run before, or its folder");
-  command.argument("new", options->after, "results.jsonl of the run now, or its folder");
+      "compare", "Show what has changed between runs; exit 1 when a case that was GO is NO-GO now");
+  command.arguments("results", options->results,
+                    "results.jsonl of the runs before and, last, of the run now, or their folders");
   command.choice("--format", options->format, {"text", "json", "markdown"},
                  "text, json or markdown (text)");
   command.run([options] { return compare(*options); });

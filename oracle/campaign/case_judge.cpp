@@ -193,6 +193,7 @@ bool CaseJudge::settle_flaky(const Case& test, const JudgeTerms& terms, Attempt&
   if (failures <= known->flaky->failures) {
     verdict.message = fmt::format("Known: {} ({}: {}); {}.", known->reason, name(verdict.kind),
                                   verdict.message, count);
+    verdict.departure = verdict.kind;
     verdict.kind = VerdictKind::xfail;
   } else {
     verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,

@@ -51,6 +51,7 @@ void KnownFailures::apply(CaseResult& result) const {
     if (!entry.is(verdict)) continue;
     verdict.message =
         fmt::format("Known: {} ({}: {})", entry.reason, name(verdict.kind), verdict.message);
+    verdict.departure = verdict.kind;
     verdict.kind = VerdictKind::xfail;
     return;
   }

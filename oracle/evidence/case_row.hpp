@@ -20,7 +20,7 @@ struct CaseRow {
   std::string cycle;
   VerdictKind kind = VerdictKind::oracle_error;
   std::string clause;
-  std::string departure;  // of an advice: the verdict that it would be
+  std::string departure;  // of an advice or xfail: the verdict that it would be
   std::string basis;      // of the expectation departed from
   std::string reading;
   std::optional<std::uint64_t> block;

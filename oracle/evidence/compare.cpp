@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "oracle/evidence/compare_parts.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -24,14 +25,6 @@ constexpr std::array<const char*, 12> kDeparture = {"verdict",   "clause",  "b",
                                                     "word",      "want",    "got",     "reading",
                                                     "deviation", "witness", "feature", "message"};
 
-Json departure(const Json& line) {
-  Json part;
-  for (const char* key : kDeparture) {
-    if (line.contains(key)) part[key] = line[key];
-  }
-  return part;
-}
-
 Decision decision_of_line(const Json& line) {
   return decision(verdict_kind(text_of(line, "verdict")).value_or(VerdictKind::oracle_error));
 }
@@ -43,7 +36,8 @@ std::optional<Change> change_of(const Json& before, const Json& after) {
   if (was == Decision::go && is == Decision::no_go) return Change::regression;
   if (was == Decision::no_go && is == Decision::go) return Change::mended;
   if (was == Decision::no_go && is == Decision::no_go) {
-    return departure(before) == departure(after) ? std::nullopt : std::optional(Change::departure);
+    return departure_part(before) == departure_part(after) ? std::nullopt
+                                                           : std::optional(Change::departure);
   }
   if (text_of(before, "verdict") == text_of(after, "verdict")) return std::nullopt;
   return Change::verdict;
@@ -68,11 +62,6 @@ class Side {
   bool at_end_ = false;
 };
 
-void add_one(std::uint64_t& count, std::vector<std::string>& first, const std::string& id) {
-  ++count;
-  if (first.size() < kNamedDifferences) first.push_back(id);
-}
-
 void add_both(Comparison& comparison, const Json& before, const Json& after) {
   const std::optional<Change> change = change_of(before, after);
   if (!change) {
@@ -80,7 +69,8 @@ void add_both(Comparison& comparison, const Json& before, const Json& after) {
     return;
   }
   comparison.changed.push_back({*change, text_of(after, "id"), text_of(after, "dialect"),
-                                text_of(after, "cycle"), departure(before), departure(after)});
+                                text_of(after, "cycle"), departure_part(before),
+                                departure_part(after)});
 }
 
 void note_incomplete(const Side& side, Comparison& comparison) {
@@ -98,27 +88,14 @@ Json assignments_of(const Side& side) {
 void note_differences(const Side& before, const Side& after, Comparison& comparison) {
   const Json& was = before.reader().header();
   const Json& is = after.reader().header();
-  auto compare = [&](std::string_view what, const char* pointer) {
-    const Json::json_pointer at(pointer);
-    const Json a = was.contains(at) ? was.at(at) : Json(nullptr);
-    const Json b = is.contains(at) ? is.at(at) : Json(nullptr);
+  for (const HeaderPart& part : kHeaderParts) {
+    const Json a = header_part(was, part);
+    const Json b = header_part(is, part);
     if (a != b) {
-      comparison.notes.push_back(
-          fmt::format("The runs differ in the {}: {} before, {} now.", what, dump(a), dump(b)));
+      comparison.notes.push_back(fmt::format("The runs differ in the {}: {} before, {} now.",
+                                             part.what, dump(a), dump(b)));
     }
-  };
-  compare("subject", "/subject/name");
-  compare("version of the subject", "/subject/version");
-  compare("version of gonogo", "/gonogo");
-  compare("corpus", "/corpus");
-  compare("profile", "/profile");
-  compare("readings asked for", "/readings");
-  compare("tolerance", "/tolerance");
-  compare("chord", "/chord");
-  compare("cases asked for", "/selection");
-  compare("shard", "/shard");
-  compare("known failures (SHA-256)", "/known_failures");
-  compare("alarm map (SHA-256)", "/alarm_map");
+  }
   if (const Json a = assignments_of(before), b = assignments_of(after); a != b) {
     comparison.notes.push_back(
         fmt::format("The readings that explain everything that passed differ: {} before, {} now.",
@@ -127,6 +104,24 @@ void note_differences(const Side& before, const Side& after, Comparison& compari
 }
 
 }  // namespace
+
+Json departure_part(const Json& line) {
+  Json part;
+  for (const char* key : kDeparture) {
+    if (line.contains(key)) part[key] = line[key];
+  }
+  return part;
+}
+
+Json header_part(const Json& header, const HeaderPart& part) {
+  const Json::json_pointer at(part.pointer);
+  return header.contains(at) ? header.at(at) : Json(nullptr);
+}
+
+void add_id(std::uint64_t& count, std::vector<std::string>& first, const std::string& id) {
+  ++count;
+  if (first.size() < kNamedDifferences) first.push_back(id);
+}
 
 std::uint64_t Comparison::count(Change change) const {
   return static_cast<std::uint64_t>(std::ranges::count(changed, change, &ChangedCase::change));
@@ -144,9 +139,9 @@ Comparison compare_results(const std::string& before, const std::string& after) 
     const bool only_old =
         !only_new && (new_side.line() == nullptr || old_side.id() < new_side.id());
     if (only_new) {
-      add_one(comparison.added, comparison.first_added, new_side.id());
+      add_id(comparison.added, comparison.first_added, new_side.id());
     } else if (only_old) {
-      add_one(comparison.gone, comparison.first_gone, old_side.id());
+      add_id(comparison.gone, comparison.first_gone, old_side.id());
     } else {
       add_both(comparison, *old_side.line(), *new_side.line());
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
-#include "oracle/evidence/compare.hpp"
+#include "oracle/evidence/compare_parts.hpp"
 #include "oracle/evidence/run_state.hpp"
 #include "oracle/evidence/text.hpp"
 #include "oracle/report/case_paths.hpp"
@@ -16,31 +16,9 @@ using report::text_of;
 
 namespace {
 
-// In the order in which people need them.
-struct ChangeNames {
-  Change change;
-  const char* key;
-  std::string_view title;
-};
-constexpr std::array<ChangeNames, 4> kChanges = {{
-    {Change::regression, "regressions", "Regressions (GO before, NO-GO now)"},
-    {Change::departure, "departures", "Other departures (NO-GO before and now)"},
-    {Change::verdict, "verdicts", "Other changes of the verdict"},
-    {Change::mended, "mended", "Mended (NO-GO before, GO now)"},
-}};
-
 std::string titles(const Comparison& comparison) {
   return fmt::format("{} before, {} now", subject_title(comparison.old_header),
                      subject_title(comparison.new_header));
-}
-
-std::string shown(const Json& part) {
-  std::string text = text_of(part, "verdict");
-  if (const std::string clause = text_of(part, "clause"); !clause.empty()) text += " " + clause;
-  if (const auto block = report::count_of(part, "b")) text += fmt::format(" line {}", *block);
-  const Json deviation = part.value("deviation", Json::object());
-  if (const std::string mm = text_of(deviation, "mm"); !mm.empty()) text += ", " + mm + " mm";
-  return text;
 }
 
 std::string text_table(const Comparison& comparison) {
@@ -51,23 +29,16 @@ std::string text_table(const Comparison& comparison) {
     text += fmt::format("\n{}\n", names.title);
     for (const ChangedCase& changed : comparison.changed) {
       if (changed.change != names.change) continue;
-      text += fmt::format("  {:<28} {:<36} -> {}\n", changed.id, shown(changed.before),
-                          shown(changed.after));
+      text += fmt::format("  {:<28} {:<36} -> {}\n", changed.id, departure_words(changed.before),
+                          departure_words(changed.after));
       const std::string message = text_of(changed.after, "message");
       if (names.change == Change::regression && !message.empty()) {
         text += fmt::format("  {:<28} {}\n", "", message);
       }
     }
   }
-  auto ids = [&](std::string_view title, std::uint64_t count,
-                 const std::vector<std::string>& first) {
-    if (count == 0) return;
-    text += fmt::format("\n{}\n", title);
-    for (const std::string& id : first) text += fmt::format("  {}\n", id);
-    if (count > first.size()) text += fmt::format("  and {} more\n", count - first.size());
-  };
-  ids("New cases", comparison.added, comparison.first_added);
-  ids("Cases that are gone", comparison.gone, comparison.first_gone);
+  text += text_ids("New cases", comparison.added, comparison.first_added);
+  text += text_ids("Cases that are gone", comparison.gone, comparison.first_gone);
   text += "\n";
   for (const ChangeNames& names : kChanges) {
     text += fmt::format("{:<12} {:>8}\n", names.key, grouped(comparison.count(names.change)));
@@ -106,18 +77,6 @@ std::string json_text(const Comparison& comparison) {
   return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string markdown_ids(std::string_view title, std::uint64_t count,
-                         const std::vector<std::string>& first) {
-  constexpr std::size_t kShown = 50;
-  if (count == 0) return {};
-  std::string text = fmt::format("\n## {}\n\n", title);
-  for (std::size_t i = 0; i < std::min(kShown, first.size()); ++i) {
-    text += fmt::format("- {}\n", markdown_code(first[i]));
-  }
-  if (count > kShown) text += fmt::format("- and {} more\n", grouped(count - kShown));
-  return text;
-}
-
 std::string markdown(const Comparison& comparison) {
   const std::uint64_t regressions = comparison.count(Change::regression);
   std::string text = fmt::format(
@@ -138,7 +97,8 @@ std::string markdown(const Comparison& comparison) {
     for (const ChangedCase& changed : comparison.changed) {
       if (changed.change != names.change) continue;
       text += fmt::format("| {} | {} | {} | {} |\n", markdown_text(changed.id),
-                          markdown_text(shown(changed.before)), markdown_text(shown(changed.after)),
+                          markdown_text(departure_words(changed.before)),
+                          markdown_text(departure_words(changed.after)),
                           markdown_text(text_of(changed.after, "message")));
     }
   }
@@ -147,6 +107,37 @@ std::string markdown(const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::string departure_words(const Json& part) {
+  if (part.is_null()) return "-";
+  std::string text = text_of(part, "verdict");
+  if (const std::string clause = text_of(part, "clause"); !clause.empty()) text += " " + clause;
+  if (const auto block = report::count_of(part, "b")) text += fmt::format(" line {}", *block);
+  const Json deviation = part.value("deviation", Json::object());
+  if (const std::string mm = text_of(deviation, "mm"); !mm.empty()) text += ", " + mm + " mm";
+  return text;
+}
+
+std::string text_ids(std::string_view title, std::uint64_t count,
+                     const std::vector<std::string>& first) {
+  if (count == 0) return {};
+  std::string text = fmt::format("\n{}\n", title);
+  for (const std::string& id : first) text += fmt::format("  {}\n", id);
+  if (count > first.size()) text += fmt::format("  and {} more\n", count - first.size());
+  return text;
+}
+
+std::string markdown_ids(std::string_view title, std::uint64_t count,
+                         const std::vector<std::string>& first) {
+  constexpr std::size_t kShown = 50;
+  if (count == 0) return {};
+  std::string text = fmt::format("\n## {}\n\n", title);
+  for (std::size_t i = 0; i < std::min(kShown, first.size()); ++i) {
+    text += fmt::format("- {}\n", markdown_code(first[i]));
+  }
+  if (count > kShown) text += fmt::format("- and {} more\n", grouped(count - kShown));
+  return text;
+}
 
 std::string comparison_text(const Comparison& comparison, CompareFormat format) {
   switch (format) {

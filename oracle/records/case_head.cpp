@@ -72,6 +72,7 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   head.deviation.clear();
   head.features.clear();
   head.clauses.clear();
+  head.block = 0;
   head.microseconds = 0;
   head.attempts = 1;
   head.program_blocks = 0;
@@ -88,6 +89,8 @@ bool read_case_head(std::string_view line, CaseHead& head) {
       if (field.value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
     } else if (field.key == "attempts") {
       if (field.value.get(head.attempts) != simdjson::SUCCESS) head.attempts = 1;
+    } else if (field.key == "b") {
+      if (field.value.get(head.block) != simdjson::SUCCESS) head.block = 0;
     } else if (field.key == "deviation") {
       std::string_view exact;
       if (field.value["exact"].get(exact) == simdjson::SUCCESS) head.deviation = exact;

@@ -17,7 +17,7 @@ struct CaseHead {
   std::string cycle;
   std::string verdict;
   std::string clause;     // departed from
-  std::string departure;  // of an advice: the verdict that it would be
+  std::string departure;  // of an advice or xfail: the verdict that it would be
   std::string feature;    // that was skipped
   std::string message;
   std::string want;                   // the reference's record or alarm that was departed from
@@ -25,6 +25,7 @@ struct CaseHead {
   std::string deviation;              // exact
   std::vector<std::string> features;  // that the case needs
   std::vector<std::string> clauses;
+  std::uint64_t block = 0;  // source line; 0: none
   std::uint64_t microseconds = 0;
   std::uint64_t attempts = 1;  // runs that the verdict took
   std::size_t program_blocks =

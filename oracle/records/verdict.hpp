@@ -60,7 +60,7 @@ std::span<const std::string_view> verdict_names();
 struct Verdict {
   VerdictKind kind = VerdictKind::pass_exact;
   reference::ClauseId clause = reference::kNoClause;
-  // Of an advice: what it would be if a text stated the expectation.
+  // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
   std::size_t property_motions = 0;   // of a GO: motions of the subject held to properties alone
   std::string reading;                // another reading under which the answer would be GO: "k=v"

@@ -15,5 +15,7 @@ struct Asset {
 extern const Asset kReportHtml;  // the skeleton, with {{marks}} for the rest
 extern const Asset kReportCss;
 extern const Asset kReportJs;
+extern const Asset kSiteCss;  // after kReportCss, for a site of many results
+extern const Asset kSiteJs;
 
 }  // namespace gonogo::oracle::report

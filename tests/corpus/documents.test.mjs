@@ -191,6 +191,22 @@ test("the manifest of the corpus is valid", () => {
   assert.equal(validate({ ...manifest, version: "1.0" }), false);
 });
 
+test("the data of sites are valid", () => {
+  inFolder((folder) => {
+    const runs = [["one", "builtin:ngc"], ["two", "builtin:ngc+offsets-absolute"], ["three", "builtin:ngc+offsets-absolute"]];
+    for (const [name, subject] of runs) {
+      spawnSync(program, ["certify", "--subject", subject, "--dialect", "rs274", "--only", "ngc.arc*",
+        "--report", join(folder, name)], { cwd: root });
+    }
+    execFileSync(program, ["site", ...runs.map(([name]) => `${name}=${join(folder, name)}`), "--out", join(folder, "site")]);
+    const data = JSON.parse(readFileSync(join(folder, "site/site.json"), "utf8"));
+    assert.ok(data.departures.length > 0 && data.vote.agreements.length > 0);
+    const validate = validator("site-1 #");
+    assert.ok(validate(data), JSON.stringify(validate.errors));
+    assert.equal(validate({ ...data, extra: 1 }), false);
+  });
+});
+
 test("manifests of exported programs are valid", () => {
   const limits = ["--x-zero-at", "100", "--envelope", "-20..20,-20..20,-20..20", "--feed-max", "300"];
   for (const words of [["--only", "gsk.arc.*", "--x-zero-at", "100"], ["--only", "*.0000[1-4]?", "--all-profiles", ...limits]]) {

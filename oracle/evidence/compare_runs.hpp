@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Any number of runs held against each other, case by case by id. The last of them is the run now,
+// the others were before it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "oracle/evidence/compare.hpp"
+
+namespace gonogo::oracle::evidence {
+
+// A case that is not the same in all runs that have it. Of the run now it is a
+//   regression  where it is NO-GO and was GO in one before,
+//   mended      where it is GO and was NO-GO in one before,
+//   departure   where it is NO-GO, was NO-GO in one before, and departed elsewhere there,
+//   verdict     otherwise.
+struct CaseOfRuns {
+  Change change = Change::verdict;
+  std::string id;
+  std::string dialect;
+  std::string cycle;
+  std::vector<Json> runs;  // what compare_results has as before and after; null: not in that run
+};
+
+struct RunsComparison {
+  std::vector<std::string> paths;
+  std::vector<Json> headers;
+  std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
+  std::vector<CaseOfRuns> changed;
+  // Cases that only the run now has, and those that it alone lacks or lacks with others.
+  std::uint64_t added = 0;
+  std::vector<std::string> first_added;
+  std::uint64_t gone = 0;
+  std::vector<std::string> first_gone;
+  std::uint64_t same = 0;
+
+  std::uint64_t count(Change change) const;
+};
+
+// Reads all files once, side by side; memory grows with the differences only. Throws ResultsError
+// for a file that is faulty; an incomplete one is told in the notes. REQUIRES: two files or more.
+RunsComparison compare_runs(const std::vector<std::string>& paths);
+
+std::string runs_comparison_text(const RunsComparison& comparison, CompareFormat format);
+
+}  // namespace gonogo::oracle::evidence
