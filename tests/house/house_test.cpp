@@ -190,12 +190,11 @@ TEST(House, ToolsHaveNoCodesOfTheirOwn) {
   static const std::regex kCode(
       R"re("(G\d+(\.\d)?|M\d+|L?CYC(LE)?\d+|CIP|CT|TURN|RPL|CR|AR|AP|RP|R1\d\d)")re");
   static const std::regex kComment(R"(//[^\n]*)");
-  // The names of planes in records, and what `expand --format ngc` writes; programs that are written
-  // to ask every dialect for the same, of which the reference's tables must know nothing.
-  const std::set<std::string> formats = {"oracle/records/plain_record.cpp",
-                                         "oracle/records/record_json.cpp",
-                                         "oracle/judge/plain_line.cpp", "cli/formats.cpp",
-                                         "relations/operation_text.cpp"};
+  // The names of planes in records, and what `expand --format ngc` writes; programs that are
+  // written to ask every dialect for the same, of which the reference's tables must know nothing.
+  const std::set<std::string> formats = {
+      "oracle/records/plain_record.cpp", "oracle/records/record_json.cpp",
+      "oracle/judge/plain_line.cpp", "cli/formats.cpp", "relations/operation_text.cpp"};
   std::size_t files = 0;
   for (const char* folder : {"program", "oracle", "hunt", "identify", "relations", "cli"}) {
     files += for_each_source(folder, [&](const fs::path& path, const std::string& text) {
