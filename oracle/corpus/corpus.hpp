@@ -66,7 +66,8 @@ class CorpusError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A folder of vector files (*.json below <folder>/vectors), in the order of their names.
+// A folder of vector files (*.json below <folder>/vectors), in the order of their names, or the
+// corpus that the program carries (kCarriedFolder).
 class Corpus {
  public:
   // Lists the files and reads the manifest; throws CorpusError.
