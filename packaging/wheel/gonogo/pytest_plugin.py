@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin of pytest: `pytest --gonogo-subject SPEC [--gonogo-dialect NAME ...]` adds a test for each
-cycle of the corpus, `gonogo::DIALECT.CYCLE`.
+cycle of the corpus, `gonogo::DIALECT::CYCLE`.
 
 A test passes when the answer is GO, is skipped when the subject claims none of its cases, and fails with what
 `gonogo certify` says of it and the program of the smallest case. A dialect of which nothing was judged makes
@@ -72,23 +72,56 @@ def cycles_of(config):
     return [one for one in cycles if not wanted or one[1] in wanted]
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(session, config, items):
-    if not value_of(config, "subject"):
-        return
-    for name, repeated in HANDED_ON.items():
-        if not repeated and len(value_of(config, name)) > 1:
-            raise pytest.UsageError(f"--gonogo-{name} is given once.")
-    cycles = Cycles.from_parent(session, name="gonogo", nodeid="gonogo")
-    items.extend(cycles.collect())
+def pytest_configure(config):
+    if value_of(config, "subject"):
+        config.pluginmanager.register(Conformance(config), "gonogo-conformance")
+
+
+class Conformance:
+    """A run with a subject."""
+
+    def __init__(self, config):
+        for name, repeated in HANDED_ON.items():
+            if not repeated and len(value_of(config, name)) > 1:
+                raise pytest.UsageError(f"--gonogo-{name} is given once.")
+        self.cycles = cycles_of(config)
+        self.judged = {}  # dialect to whether anything of it was
+
+    @pytest.hookimpl(hookwrapper=True)
+    def pytest_make_collect_report(self, collector):
+        """The cycles come beside the files, if any, that pytest collects."""
+        outcome = yield
+        if isinstance(collector, pytest.Session):
+            report = outcome.get_result()
+            report.result = [*report.result, Cycles.from_parent(collector, cycles=self.cycles)]
+
+    def pytest_runtest_logreport(self, report):
+        facts = dict(report.user_properties)
+        if report.when == "call" and "gonogo_dialect" in facts:
+            dialect = facts["gonogo_dialect"]
+            self.judged[dialect] = self.judged.get(dialect, False) or facts["gonogo_judged"]
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_sessionfinish(self, session, exitstatus):
+        if exitstatus == pytest.ExitCode.OK and not all(self.judged.values()):
+            session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+    def pytest_terminal_summary(self, terminalreporter):
+        for dialect in [name for name, any_case in self.judged.items() if not any_case]:
+            terminalreporter.write_line(
+                f"gonogo: nothing of {dialect} was judged: the subject claims none of it.", red=True)
 
 
 class Cycles(pytest.Collector):
     """All cycles of a run; there is no file that they come from."""
 
+    def __init__(self, *, cycles, **rest):
+        super().__init__(name="gonogo", nodeid="gonogo", **rest)
+        self.cycles = cycles
+
     def collect(self):
-        for dialect, cycle in cycles_of(self.config):
-            yield CycleTest.from_parent(self, name=f"{dialect}.{cycle}", dialect=dialect, cycle=cycle)
+        for dialect, cycle in self.cycles:
+            yield CycleTest.from_parent(self, name=f"{dialect}::{cycle}", dialect=dialect, cycle=cycle)
 
 
 class NotGo(Exception):
@@ -113,7 +146,7 @@ class CycleTest(pytest.Item):
         return words
 
     def runtest(self):
-        report = self.config.invocation_params.dir / value_of(self.config, "report") / self.name
+        report = self.config.invocation_params.dir / value_of(self.config, "report") / f"{self.dialect}.{self.cycle}"
         command = self.command(report)
         done = gauge(self.config, *command)
         claimed = done.returncode != UNDECIDED or is_claimed(report / "results.jsonl")
@@ -152,28 +185,3 @@ def failure_text(failure):
             text += f"\n\nprogram of {case}:\n{numbered}"
             break
     return f"{text}\n\nagain: gonogo {shlex.join(failure.command)}"
-
-
-judged = {}  # dialect to whether anything of it was
-
-
-def pytest_runtest_logreport(report):
-    facts = dict(report.user_properties)
-    if report.when == "call" and "gonogo_dialect" in facts:
-        dialect = facts["gonogo_dialect"]
-        judged[dialect] = judged.get(dialect, False) or facts["gonogo_judged"]
-
-
-def pytest_sessionstart(session):
-    judged.clear()
-
-
-def pytest_sessionfinish(session, exitstatus):
-    if exitstatus == pytest.ExitCode.OK and not all(judged.values()):
-        session.exitstatus = pytest.ExitCode.TESTS_FAILED
-
-
-def pytest_terminal_summary(terminalreporter):
-    for dialect in [name for name, any_case in judged.items() if not any_case]:
-        terminalreporter.write_line(f"gonogo: nothing of {dialect} was judged: the subject claims none of it.",
-                                    red=True)
