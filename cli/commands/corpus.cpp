@@ -340,7 +340,8 @@ void add_corpus(Command& program) {
   add_choice(lists, words->choice);
   lists.run([words] { return list(*words); });
 
-  Command each = command.add_command("cycles", "dialect, cycle and number of cases, a line a cycle");
+  Command each =
+      command.add_command("cycles", "dialect, cycle and number of cases, a line a cycle");
   each.option("--corpus", words->folder, whose);
   add_choice(each, words->choice);
   each.run([words] { return cycles(*words); });

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <new>
 
 #include "oracle/corpus/carried.hpp"
 #include "oracle/corpus/corpus.hpp"
@@ -27,9 +28,8 @@ std::string carried_text(const CarriedFile& file) {
   }
   inflateEnd(&stream);
   if (state != Z_STREAM_END) {
-    throw CorpusError(
-        fmt::format("{}{} is damaged: the program file is not as it was built.", kCarriedFolder,
-                    file.name));
+    throw CorpusError(fmt::format("{}{} is damaged: the program file is not as it was built.",
+                                  kCarriedFolder, file.name));
   }
   return text;
 }
