@@ -66,8 +66,7 @@ class CorpusError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A folder of vector files (*.json below <folder>/vectors), in the order of their names, or the
-// corpus that the program carries (kCarriedFolder).
+// A folder of vector files (*.json below <folder>/vectors), in the order of their names.
 class Corpus {
  public:
   // Lists the files and reads the manifest; throws CorpusError.
