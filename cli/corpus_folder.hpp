@@ -5,8 +5,9 @@
 
 namespace gonogo::cli {
 
-// The folder given, or where the checked-in corpus lies: GONOGO_CORPUS, beside the checkout that
-// the program was built in, or where it was installed. Throws UsageError when there is none.
+// The folder given, or where the checked-in corpus lies: GONOGO_CORPUS, in the program itself
+// (oracle::kCarriedFolder), beside the checkout that it was built in, or where it was installed.
+// Throws UsageError when there is none.
 std::string corpus_folder(const std::string& given);
 
 }  // namespace gonogo::cli

@@ -19,6 +19,7 @@ install(DIRECTORY helpers/adapters DESTINATION share/gonogo/helpers COMPONENT go
 # Documents, examples, licences.
 install(FILES README.md CHANGELOG.md LICENSE cmake/package/copyright
   DESTINATION share/doc/gonogo COMPONENT gonogo)
+install(FILES packaging/README.md DESTINATION share/doc/gonogo/packaging COMPONENT gonogo)
 install(FILES corpus/LICENSE DESTINATION share/doc/gonogo RENAME LICENSE.corpus COMPONENT gonogo)
 install(DIRECTORY docs DESTINATION share/doc/gonogo COMPONENT gonogo PATTERN node_modules EXCLUDE)
 install(DIRECTORY examples DESTINATION share/doc/gonogo COMPONENT gonogo

@@ -93,6 +93,26 @@ int list(const CorpusWords& words) {
   return kGo;
 }
 
+// The cycles of the cases that are meant, for those who run each by itself.
+int cycles(const CorpusWords& words) {
+  check_bases(words.choice);
+  const oracle::Corpus corpus(corpus_folder(words.folder));
+  std::map<std::pair<std::string, std::string>, std::size_t> cycles;
+  // A basis is one of the expectations, which a run does not read.
+  oracle::CaseReader reader(
+      corpus, words.choice.bases.empty() ? oracle::Detail::to_run : oracle::Detail::whole);
+  while (const std::optional<Case> test = reader.next()) {
+    if (words.choice.takes(*test)) ++cycles[{test->dialect, test->cycle}];
+  }
+  if (cycles.empty()) fail_to_choose(corpus);
+  Output output;
+  for (const auto& [cycle, cases] : cycles) {
+    output.text() += fmt::format("{} {} {}\n", cycle.first, cycle.second, cases);
+  }
+  output.flush();
+  return kGo;
+}
+
 // The rows of each covering array that cases of a corpus come from, by what their ids begin with.
 class Arrays {
  public:
@@ -319,6 +339,12 @@ void add_corpus(Command& program) {
   lists.option("--corpus", words->folder, whose);
   add_choice(lists, words->choice);
   lists.run([words] { return list(*words); });
+
+  Command each =
+      command.add_command("cycles", "dialect, cycle and number of cases, a line a cycle");
+  each.option("--corpus", words->folder, whose);
+  add_choice(each, words->choice);
+  each.run([words] { return cycles(*words); });
 
   Command lints =
       command.add_command("lint", "check what a corpus promises, case by case and whole");

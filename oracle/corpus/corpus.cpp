@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "oracle/corpus/carried.hpp"
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
 #include "oracle/corpus/sha256.hpp"
@@ -17,7 +18,19 @@
 namespace gonogo::oracle {
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string carried_file_text(const std::string& path) {
+  for (const CarriedFile& file : carried_corpus()) {
+    if (path == fmt::format("{}/{}", kCarriedFolder, file.name)) return carried_text(file);
+  }
+  throw CorpusError(fmt::format("This program carries no {}.", path));
+}
+
+}  // namespace
+
 std::string file_text(const std::string& path) {
+  if (path.starts_with(kCarriedFolder)) return carried_file_text(path);
   std::ifstream file(path, std::ios::binary);
   std::string text;
   if (file) text = (std::ostringstream() << file.rdbuf()).str();
@@ -32,6 +45,13 @@ namespace {
 // The vector files below a folder as names relative to it, in their order.
 std::vector<std::string> vector_files(const std::string& folder) {
   std::vector<std::string> files;
+  if (folder == kCarriedFolder) {
+    for (const CarriedFile& file : carried_corpus()) {
+      if (file.name.starts_with("vectors/")) files.emplace_back(file.name);
+    }
+    std::ranges::sort(files);
+    return files;
+  }
   std::error_code error;
   for (const fs::directory_entry& entry :
        fs::recursive_directory_iterator(fs::path(folder) / "vectors", error)) {
