@@ -6,6 +6,7 @@ start "$1"
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 packages=$build/packaging/packages
 mkdir "$work/home"
+[ -d "$packages" ] || { echo "SKIPPED: packaging.build has made no packages"; exit 0; }
 
 # package PATTERN: the one file of the packages that matches.
 package() {
