@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The playground's module under node: on every vector of the corpus it writes the records, the messages and
+// the exit code of the program, byte for byte. GONOGO is the program, GONOGO_PLAYGROUND the folder of the
+// module.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpus, tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runInThisContext } from 'node:vm';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const program = process.env.GONOGO;
+const work = mkdtempSync(join(tmpdir(), 'gonogo-playground-'));
+const open = runInThisContext(`${readFileSync(join(root, 'playground', 'page', 'engine.js'))}; openEngine`);
+let engine;
+
+before(async () => {
+  assert.ok(program, 'GONOGO must name the program');
+  engine = await open(readFileSync(join(process.env.GONOGO_PLAYGROUND, 'gonogo.wasm')));
+});
+after(() => rmSync(work, { recursive: true, force: true }));
+
+function* vectors() {
+  const folder = join(root, 'corpus', 'vectors');
+  for (const name of readdirSync(folder, { recursive: true }).filter((one) => one.endsWith('.json')).sort()) {
+    const { dialect, groups } = JSON.parse(readFileSync(join(folder, name)));
+    for (const { profile, cases } of groups) {
+      for (const one of cases) {
+        const bytes = typeof one.program === 'string' ? Buffer.from(one.program) : Buffer.from(one.program.base64, 'base64');
+        yield { id: one.id, dialect, profile, bytes };
+      }
+    }
+  }
+}
+
+// What `gonogo expand` writes of a program in `file`.
+function expanded(file, { dialect, profile }) {
+  const machine = `${file}.json`;
+  writeFileSync(machine, JSON.stringify({ dialect, ...profile }));
+  return new Promise((resolve) => {
+    execFile(program, ['expand', file, '--dialect', dialect, '--profile', machine], { encoding: 'buffer', maxBuffer: 1 << 28 },
+      (error, records, messages) => resolve({ exit: error ? error.code : 0, records: String(records), messages: String(messages) }));
+  });
+}
+
+test('the module writes what the program writes, on every vector', { timeout: 1_500_000 }, async () => {
+  const rest = vectors();
+  let count = 0;
+  let alarms = 0;
+  const worker = async (number) => {
+    const file = join(work, `${number}.nc`);
+    for (const vector of rest) {
+      writeFileSync(file, vector.bytes);
+      const wanted = await expanded(file, vector);
+      const found = engine.answer({ dialect: vector.dialect, profile: JSON.stringify(vector.profile), file }, new Uint8Array(vector.bytes));
+      assert.deepEqual({ exit: found.exit, records: found.records, messages: found.messages }, wanted, vector.id);
+      ++count;
+      if (wanted.exit !== 0) ++alarms;
+    }
+  };
+  await Promise.all(cpus().map((_, number) => worker(number)));
+  console.log(`${count} vectors, ${alarms} of them alarms or not covered`);
+  assert.ok(count > 10_000 && alarms > 1_000);
+});
+
+test('a wrong dialect, profile or reading is refused with the reason', () => {
+  const messages = (head) => {
+    const { exit, messages: text, records } = engine.answer(head, 'G00 X1\n');
+    assert.deepEqual([exit, records], [2, '']);
+    return text;
+  };
+  assert.match(messages({ dialect: 'fanuc' }), /fanuc/);
+  assert.match(messages({ dialect: 'gsk988ta', profile: 'speed = 3' }), /speed/);
+  assert.match(messages({ dialect: 'gsk988ta', readings: ['gsk.pocket.end=nowhere'] }), /nowhere/);
+  assert.match(messages({ dialect: 'gsk988ta', readings: ['gsk.pocket.end'] }), /key=value/);
+});
+
+test('the readings that a program asks for come with it, and change what it does', () => {
+  const pocket = 'G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-4 R-3 I10 L4 Q2 P0.5 D3 F200\n';
+  const by = (...readings) => engine.answer({ dialect: 'gsk988ta', readings, draw: true }, pocket);
+  const first = by();
+  assert.ok(first.readings.some(({ name }) => name === 'gsk.pocket.end'));
+  assert.equal(first.steps.length, first.moves.length);
+  assert.equal(first.steps.length, first.records.trim().split('\n').length);
+  assert.notEqual(by('gsk.pocket.end=initial').records, by('gsk.pocket.end=r-plane').records);
+});
+
+test('the catalog has every dialect with its clauses and readings', () => {
+  const catalog = engine.catalog();
+  assert.deepEqual(catalog.map(({ name }) => name), ['gsk988ta', 'hnc21t', 'rs274', 'sinumerik840d', 'sinumerik802s']
+    .filter((name) => catalog.some((one) => one.name === name)));
+  assert.equal(catalog.length, 5);
+  for (const { clauses, readings } of catalog) assert.ok(clauses.length > 20 && readings.length > 5);
+});
+
+test('what traps the module is said, and the next program runs', async () => {
+  const deep = `#1=${'['.repeat(200_000)}1${']'.repeat(200_000)}\n`;
+  const found = engine.answer({ dialect: 'rs274' }, deep);
+  assert.notEqual(found.exit, 0);
+  assert.equal(engine.answer({ dialect: 'rs274' }, 'G0 X1\nM2\n').exit, 0);
+});
