@@ -10,6 +10,5 @@ set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
 find_program(CMAKE_AR llvm-ar-19 REQUIRED)
 find_program(CMAKE_RANLIB llvm-ranlib-19 REQUIRED)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_EXECUTABLE_SUFFIX .wasm)
 # Debian's headers of libraries that are headers alone lie where its own are.
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

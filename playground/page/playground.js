@@ -81,7 +81,7 @@ function asAddress() {
 }
 
 function readAddress() {
-  const parts = new URLSearchParams(location.hash.slice(1).replaceAll('+', '%2B'));
+  const parts = new URLSearchParams(location.hash.slice(1));
   if (dialects.has(parts.get('dialect'))) byId('dialect').value = parts.get('dialect');
   byId('program').value = parts.get('program') ?? kExample;
   byId('profile').value = parts.get('profile') ?? '';
@@ -164,8 +164,8 @@ function departure(base, other) {
   for (let i = 0; i < Math.max(base.steps.length, other.steps.length); ++i) {
     const [before, after] = [base.steps[i], other.steps[i]];
     if (stepKey(before) === stepKey(after)) continue;
-    const line = after ?? before;
-    return `line ${line.b}: ${after ? after.text : 'no more motion'}${before ? `, instead of ${before.text}` : ''}`;
+    const line = after?.b || before?.b;
+    return `${line ? `line ${line}: ` : ''}${after ? after.text : 'no more motion'}${before ? `, instead of ${before.text}` : ''}`;
   }
   return '';
 }
@@ -247,9 +247,15 @@ function goTo(owner, index) {
   if (!s.view.empty) s.view.show(owner, s.at);
   byId('clause').replaceChildren(el('p', {}, now.text), ...[clauseNote(now.clause)].filter(Boolean));
   for (const row of byId('steps').querySelectorAll('tr.now')) row.classList.remove('now');
-  const row = byId('steps').querySelector(`tr[data-owner="${owner}"][data-at="${s.at}"]`);
-  row?.classList.add('now');
-  row?.scrollIntoView({ block: 'nearest' });
+  byId('steps').querySelector(`tr[data-owner="${owner}"][data-at="${s.at}"]`)?.classList.add('now');
+  for (const row of byId('steps').querySelectorAll(`tr[data-at="${s.at}"]`)) showRow(row);
+}
+
+// Within its list; the page stays where it is.
+function showRow(row) {
+  const list = row.closest('.motions');
+  const top = row.offsetTop - list.querySelector('h3').offsetHeight;
+  if (top < list.scrollTop || row.offsetTop + row.offsetHeight > list.scrollTop + list.clientHeight) list.scrollTop = top - 60;
 }
 
 const step = (by) => stepped && goTo(stepped.owner, stepped.at + by);

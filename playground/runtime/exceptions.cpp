@@ -241,4 +241,7 @@ void __cxa_rethrow_primary_exception(void* value) {
   raise(header);
 }
 
+// What is local to the one thread lives as long as the module.
+int __cxa_thread_atexit(void* (*)(void*), void*, void*) noexcept { return 0; }
+
 }  // extern "C"
