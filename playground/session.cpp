@@ -30,6 +30,7 @@ struct Request {
   reference::Profile profile;
   std::string program;
   bool draw = false;
+  std::size_t most = 0;  // records; 0: any number
 };
 
 class WrongUse : public std::runtime_error {
@@ -71,6 +72,7 @@ Request read_request(std::string_view text) {
   Request request;
   request.file = head.value("file", request.file);
   request.draw = head.value("draw", false);
+  request.most = head.value("most", std::size_t{0});
   request.profile = profile_of(head);
   request.program = text.substr(std::min(end + 1, text.size()));
   if (request.program.empty()) {
@@ -137,15 +139,20 @@ class Run {
   }
 
   std::string answer() {
+    std::size_t count = 0;
+    bool stopped = false;
     while (const reference::Item* item = expander_.next()) {
+      stopped = request_.most != 0 && ++count > request_.most;
+      if (stopped) break;
       std::visit([this](const auto& one) { take(one); }, *item);
       if (request_.draw) std::visit(drawing_, *item);
     }
     Json head = {{"exit", exit_}, {"messages", messages_}, {"readings", readings()}};
+    head["stopped"] = stopped;
     if (request_.draw) {
       head["lathe"] = reference::find_dialect(request_.profile.dialect)->lathe;
       drawing_.finish(head);
-      head["limits"] = limits();
+      head["limits"] = stopped ? Json::array() : limits();
     }
     return head.dump() + '\n' + records_;
   }

@@ -10,9 +10,10 @@
 namespace gonogo::playground {
 
 // A request: {"dialect", "profile": lines of TOML or a JSON object as text, "readings": ["key=value"],
-// "file": the program's name in messages, "draw": whether motions are wanted besides}.
+// "file": the program's name in messages, "draw": whether motions are wanted besides, "most": the records
+// after which it is broken off; none: never}.
 // The answer: {"exit": that of `gonogo expand`, "messages": what it says on standard error, "readings":
-// those that the program asked for, with the value in force}; drawn, "lathe", "steps": [{"b", "text",
+// those that the program asked for, with the value in force, "stopped": whether it was broken off}; drawn, "lathe", "steps": [{"b", "text",
 // "clause"}] a record each, "moves" and "limits" as oracle/report/page_paths.hpp has them, "cut": whether
 // there is more than is drawn. A request that cannot be carried out has exit 2, its reason as messages and
 // no records.

@@ -7,6 +7,7 @@
 const byId = (id) => document.getElementById(id);
 const kPatience = 15000;  // ms that a program may run
 const kMostRows = 2000;   // motions listed
+const kMost = 200_000;    // records that a program may give
 const kExample = 'G00 X130 Z5 M3 S500;\nG94 X0 Z0 F200;\nX120 Z-110 F300;\nG00 X120 Z0;\nG94 X108 Z-30 R-10;\nX60 R-50;\nM30;\n';
 
 // ---- the worker ----
@@ -67,7 +68,7 @@ const choices = (extra) => [...new Map([...chosen, ...(extra ? [extra] : [])])].
 async function answer(extra) {
   if (!worker) await startWorker();
   return ask({
-    head: { dialect: byId('dialect').value, profile: byId('profile').value, readings: choices(extra), draw: true },
+    head: { dialect: byId('dialect').value, profile: byId('profile').value, readings: choices(extra), draw: true, most: kMost },
     program: byId('program').value,
   });
 }
@@ -122,8 +123,9 @@ async function run() {
   }
 }
 
-function verdictOf({ exit, steps }) {
+function verdictOf({ exit, steps, stopped }) {
   if (exit === 2) return 'Wrong use';
+  if (stopped) return `It was stopped after ${kMost} records.`;
   const motions = steps.length;
   return `${['The program ends', 'An alarm ends it', '', 'Not covered from there on'][exit]}: ${motions} record${motions === 1 ? '' : 's'}`;
 }
