@@ -107,6 +107,7 @@ TEST_P(EveryDialect, EveryExampleOpensInThePlayground) {
   std::multiset<std::string> wanted;
   const auto add = [&](const auto& example) { wanted.insert(example.program + example.profile); };
   for (const Examples& part : examples_of(GetParam())) {
+    if (part.dialect != GetParam()) continue;  // stand on the page of that one
     for (const auto& example : part.examples) add(example);
     for (const auto& example : part.readings) add(example);
     for (const auto& example : part.alarms) add(example);
