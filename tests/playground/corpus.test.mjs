@@ -125,15 +125,12 @@ test('the readings that a program asks for come with it, and change what it does
 
 test('the catalog has every dialect with its clauses and readings', () => {
   const catalog = engine.catalog();
-  assert.deepEqual(catalog.map(({ name }) => name), ['gsk988ta', 'hnc21t', 'rs274', 'sinumerik840d', 'sinumerik802s']
-    .filter((name) => catalog.some((one) => one.name === name)));
-  assert.equal(catalog.length, 5);
-  for (const { clauses, readings } of catalog) assert.ok(clauses.length > 20 && readings.length > 5);
+  assert.deepEqual(catalog.map(({ name }) => name).sort(), ['gsk988ta', 'hnc21t', 'rs274', 'sinumerik802s', 'sinumerik840d']);
+  for (const { name, clauses, readings } of catalog) assert.ok(clauses.length > 20 && readings.length >= 5, name);
 });
 
-test('what traps the module is said, and the next program runs', async () => {
+test('brackets without end are an alarm, not the end of the module', () => {
   const deep = `#1=${'['.repeat(200_000)}1${']'.repeat(200_000)}\n`;
-  const found = engine.answer({ dialect: 'rs274' }, deep);
-  assert.notEqual(found.exit, 0);
+  assert.equal(engine.answer({ dialect: 'rs274' }, deep).exit, 1);
   assert.equal(engine.answer({ dialect: 'rs274' }, 'G0 X1\nM2\n').exit, 0);
 });
