@@ -69,7 +69,7 @@ std::string address_text(std::string_view text) {
 // The program in the playground, as playground/page/playground.js reads it.
 std::string playground_link(std::string_view dialect, std::string_view program,
                             std::string_view profile) {
-  std::string link = fmt::format("[try it](../../build/playground/playground.html#dialect={}&program={}",
+  std::string link = fmt::format("[try it](../../build/playground/page/index.html#dialect={}&program={}",
                                  dialect, address_text(program));
   if (!profile.empty()) link += "&profile=" + address_text(profile);
   return link + ")";

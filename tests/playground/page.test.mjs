@@ -132,7 +132,7 @@ test('what is too long is stopped, and the next program runs', { timeout: 240_00
 }));
 
 test('links of the dialect pages open their examples', async () => {
-  const links = [...readFileSync(join(here, '..', '..', 'docs', 'dialects', 'gsk988ta.md'), 'utf8').matchAll(/playground\.html#([^)\s]+)\)/g)];
+  const links = [...readFileSync(join(here, '..', '..', 'docs', 'dialects', 'gsk988ta.md'), 'utf8').matchAll(/page\/index\.html#([^)\s]+)\)/g)];
   assert.ok(links.length > 10);
   const asked = new URLSearchParams(links[0][1]);
   await withPage(asked, async (page) => {

@@ -101,7 +101,7 @@ std::string decoded(const std::string& text) {
   return out;
 }
 
-const char* const kPlayground = "../../build/playground/playground.html";
+const char* const kPlayground = "../../build/playground/page/index.html";
 
 TEST_P(EveryDialect, EveryExampleOpensInThePlayground) {
   std::multiset<std::string> wanted;
