@@ -114,7 +114,7 @@ TEST_P(EveryDialect, EveryExampleOpensInThePlayground) {
   }
   const std::string page = files().front().text;
   static const std::regex link(
-      R"rx(playground\.html#dialect=([a-z0-9]+)&program=([^&)]*)(?:&profile=([^)]*))?\))rx");
+      R"rx(page/index\.html#dialect=([a-z0-9]+)&program=([^&)]*)(?:&profile=([^)]*))?\))rx");
   std::multiset<std::string> linked;
   for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it) {
     EXPECT_EQ(it->str(1), GetParam());
