@@ -11,15 +11,13 @@
 
 namespace gonogo::cli {
 
-inline constexpr int kFurtherSyntaxErrors = 20;
-
 void report_alarms(const reference::AlarmReport& report, std::string_view file,
                    std::string_view line);
 void report_warning(const reference::Warning& warning, std::string_view file,
                     const grammar::Line& line);
 void report_not_covered(const reference::NotCovered& outside, std::string_view file,
                         std::string_view line);
-// Reads on in check-only mode: the next syntax errors, at most kFurtherSyntaxErrors.
+// Reads on in check-only mode: the next syntax errors, at most reference::kFurtherSyntaxErrors.
 void report_further_syntax_errors(grammar::Dialect dialect, grammar::LineSource& lines,
                                   std::string_view file);
 

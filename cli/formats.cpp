@@ -8,7 +8,7 @@
 
 #include "cli/svg_format.hpp"
 #include "oracle/manual/motion_text.hpp"
-#include "oracle/records/text.hpp"
+#include "reference/outcome_text.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -26,17 +26,12 @@ class JsonLines : public RecordFormat {
     out += '\n';
   }
   void alarm(const reference::AlarmReport& report, std::string& out) override {
-    append_alarm_json(report, out);
+    append_json(report, out);
     out += '\n';
   }
   void not_covered(const reference::NotCovered& outside, std::string& out) override {
-    out += fmt::format("{{\"k\":\"not-covered\",\"b\":{},\"code\":\"{}\"", outside.block,
-                       outside.code);
-    if (!outside.lacks.empty()) {
-      out += ",\"lacks\":";
-      oracle::append_json_string(outside.lacks, out);
-    }
-    out += "}\n";
+    append_json(outside, out);
+    out += '\n';
   }
 };
 
@@ -156,14 +151,6 @@ class PlainCodes : public RecordFormat {
 };
 
 }  // namespace
-
-void append_alarm_json(const reference::AlarmReport& report, std::string& out) {
-  const reference::Alarm& first = report.alarms.front();
-  out += fmt::format("{{\"k\":\"alarm\",\"class\":\"{}\",\"b\":{}", reference::name(first.alarm),
-                     report.block);
-  if (!first.word.empty()) out += fmt::format(",\"word\":\"{}\"", first.word.text());
-  out += fmt::format(",\"clause\":\"{}\"}}", reference::clause_name(first.clause));
-}
 
 std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,

@@ -28,7 +28,4 @@ std::unique_ptr<RecordFormat> make_record_format(std::string_view name,
                                                  const reference::Profile& profile,
                                                  std::string_view program_name);
 
-// One alarm as the record that closes a trace.
-void append_alarm_json(const reference::AlarmReport& report, std::string& out);
-
 }  // namespace gonogo::cli

@@ -48,6 +48,8 @@ function documentsOf(root) {
   return [...new Set([...first, ...inFolder('docs'), ...inFolder('docs/dialects')])];
 }
 
+const kPlayground = 'build/playground/page/index.html';
+
 class Builder {
   constructor(root, out, marked) {
     Object.assign(this, { root, out, marked, faults: [], others: new Set(), links: [] });
@@ -74,6 +76,8 @@ class Builder {
     const end = fragment === undefined ? '' : `#${fragment}`;
     if (path === '') return end;
     const target = normalize(join(dirname(document), path)).replace(/\/$/, '');
+    // Built by a script of its own; here it stands where --playground puts it.
+    if (target === kPlayground) return relative(dirname(placeOf(document)), 'playground/index.html') + end;
     if (target.startsWith('..') || !existsSync(join(this.root, target))) {
       this.faults.push(`${document}: the link ${href} leads nowhere`);
       return href;

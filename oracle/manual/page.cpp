@@ -91,7 +91,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "ends. Where two readings part, the broad "
       "blue path "
       "is the first and the fine red path the other; where only one of the two is seen, they "
-      "differ.{1}\n\n",
+      "differ.{1} **Try it** opens the program in the playground, which `playground/build` makes.\n\n",
       page.dialect,
       page.lathe ? " X is a diameter in a program and a radius in drawings and motions." : "");
   for (std::size_t i = 0; i < sections.size(); ++i) {

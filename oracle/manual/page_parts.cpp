@@ -55,10 +55,32 @@ void append_figure(PageDraft& page, std::string_view key, const report::Figure& 
   page.drawings.push_back({file, std::move(svg)});
 }
 
+// A text as a value behind the '#' of an address.
+std::string address_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 || c == '-' || c == '.' || c == '_');
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return out;
+}
+
+// The program in the playground, as playground/page/playground.js reads it.
+std::string playground_link(std::string_view dialect, std::string_view program,
+                            std::string_view profile) {
+  std::string link = fmt::format("[try it](../../build/playground/page/index.html#dialect={}&program={}",
+                                 dialect, address_text(program));
+  if (!profile.empty()) link += "&profile=" + address_text(profile);
+  return link + ")";
+}
+
 void append_program(PageDraft& page, std::string_view program, std::string_view profile) {
   page.text += fmt::format("```\n{}```\n\n", program);
-  if (profile.empty()) return;
-  page.text += fmt::format("with the profile\n\n```toml\n{}```\n\n", profile);
+  if (!profile.empty()) {
+    page.text += fmt::format("with the profile\n\n```toml\n{}```\n\n", profile);
+  }
+  page.text += playground_link(page.dialect, program, profile) + "\n\n";
 }
 
 void append_motions(PageDraft& page, const Trial& trial) {
@@ -238,8 +260,9 @@ void append_alarms(PageDraft& page, const std::vector<const AlarmExample*>& alar
       clause = alarm.clause;
     }
     if (!example->profile.empty()) what += "<br>With the profile " + code_lines(example->profile);
-    page.text += fmt::format("| `{}` | {} | {} | {} |\n", example->alarm, program, what,
-                             clause_link(clause));
+    page.text += fmt::format("| `{}` | {}<br>{} | {} | {} |\n", example->alarm, program,
+                             playground_link(page.dialect, example->program, example->profile),
+                             what, clause_link(clause));
   }
   page.text += '\n';
 }

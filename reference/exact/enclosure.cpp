@@ -16,7 +16,7 @@ std::uint64_t mix(std::uint64_t seed, std::uint64_t value) {
 }
 
 std::uint64_t hash_of(const mpz_class& value) {
-  return mix(mpz_get_ui(value.get_mpz_t()), mpz_size(value.get_mpz_t()) + (sgn(value) < 0 ? 7 : 0));
+  return mix(low_word(value), mpz_size(value.get_mpz_t()) + (sgn(value) < 0 ? 7 : 0));
 }
 
 std::uint64_t hash_of(const mpq_class& value) {

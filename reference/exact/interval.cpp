@@ -171,8 +171,8 @@ Interval interval_of(const mpq_class& low, const mpq_class& high, mpfr_prec_t bi
 Interval interval_of_millionths(std::int64_t count, mpfr_prec_t bits) {
   constexpr auto kUnit = static_cast<unsigned long>(detail::kUnit);
   Interval result(bits);
-  mpfr_set_si(result.low(), count, MPFR_RNDD);
-  mpfr_set_si(result.high(), count, MPFR_RNDU);
+  mpfr_set_sj(result.low(), count, MPFR_RNDD);
+  mpfr_set_sj(result.high(), count, MPFR_RNDU);
   mpfr_div_ui(result.low(), result.low(), kUnit, MPFR_RNDD);
   mpfr_div_ui(result.high(), result.high(), kUnit, MPFR_RNDU);
   return result;

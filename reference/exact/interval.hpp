@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gmpxx.h>
+#define MPFR_USE_INTMAX_T
 #include <mpfr.h>
 
 #include "reference/exact/root.hpp"

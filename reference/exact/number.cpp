@@ -65,7 +65,7 @@ void NumberAccess::destroy(Node* node) noexcept {
 }
 
 Number NumberAccess::large_integer(std::int64_t value) noexcept {
-  return number_of(mpz_class(value));
+  return number_of(integer_of(value));
 }
 
 Number NumberAccess::add(const Number& a, const Number& b) {
@@ -187,8 +187,8 @@ std::optional<std::int64_t> Number::to_int64() const {
   if (form() != Form::rational) return std::nullopt;
   mpq_class scratch;
   const mpq_class& value = rational_of(*this, scratch);
-  if (value.get_den() != 1 || !value.get_num().fits_slong_p()) return std::nullopt;
-  return value.get_num().get_si();
+  if (value.get_den() != 1) return std::nullopt;
+  return int64_of(value.get_num());
 }
 
 std::array<Number, 2> Number::bounds(int bits) const {

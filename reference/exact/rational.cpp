@@ -8,18 +8,15 @@
 
 namespace gonogo::exact {
 
-static_assert(sizeof(long) == sizeof(std::int64_t), "GMP's long carries the small form");
-
 namespace {
 
 // The count of 1e-6 where the value is one.
 std::optional<std::int64_t> small_form(const mpq_class& value) {
-  const mpz_class& denominator = value.get_den();
-  if (!denominator.fits_slong_p() || !value.get_num().fits_slong_p()) return std::nullopt;
-  const std::int64_t parts = denominator.get_si();
+  const auto parts = int64_of(value.get_den());
+  const auto numerator = int64_of(value.get_num());
   std::int64_t count = 0;
-  if (parts > detail::kUnit || detail::kUnit % parts != 0 ||
-      __builtin_mul_overflow(value.get_num().get_si(), detail::kUnit / parts, &count)) {
+  if (!parts || !numerator || *parts > detail::kUnit || detail::kUnit % *parts != 0 ||
+      __builtin_mul_overflow(*numerator, detail::kUnit / *parts, &count)) {
     return std::nullopt;
   }
   return count;
@@ -37,8 +34,8 @@ Number scaled(mpz_class magnitude, bool negative, std::uint32_t scale) {
 mpq_class rational_of_millionths(std::int64_t count) {
   const std::int64_t common = std::gcd(count % detail::kUnit, detail::kUnit);
   mpq_class value;
-  mpz_set_si(mpq_numref(value.get_mpq_t()), count / common);
-  mpz_set_si(mpq_denref(value.get_mpq_t()), detail::kUnit / common);
+  assign(mpq_numref(value.get_mpq_t()), magnitude_of(count / common), count < 0);
+  assign(mpq_denref(value.get_mpq_t()), magnitude_of(detail::kUnit / common));
   return value;
 }
 
@@ -112,7 +109,7 @@ Number Number::decimal(bool negative, std::uint64_t magnitude, std::uint32_t sca
       return millionths(negative ? -count : count);
     }
   }
-  return scaled(mpz_class(magnitude), negative, scale);
+  return scaled(integer_of(magnitude), negative, scale);
 }
 
 Number Number::decimal(bool negative, std::string_view digits, std::uint32_t scale) {
@@ -123,7 +120,7 @@ Number Number::decimal(bool negative, std::string_view digits, std::uint32_t sca
 }
 
 Number Number::binary(std::int64_t mantissa, int exponent) {
-  mpq_class value(mantissa);
+  mpq_class value(integer_of(mantissa));
   const auto shift = static_cast<mp_bitcnt_t>(std::abs(static_cast<std::int64_t>(exponent)));
   if (exponent >= 0) {
     mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), shift);

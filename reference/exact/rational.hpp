@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "reference/exact/number.hpp"
+#include "reference/exact/word.hpp"
 
 namespace gonogo::exact {
 

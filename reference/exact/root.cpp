@@ -9,9 +9,7 @@
 namespace gonogo::exact {
 namespace {
 
-using Word = unsigned long;
-
-constexpr std::array<Word, 25> kSmallPrimes = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
+constexpr std::array<unsigned, 25> kSmallPrimes = {2,  3,  5,  7,  11, 13, 17, 19, 23, 29, 31, 37, 41,
                                                43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89, 97};
 
 std::optional<Word> whole_sqrt(Word value) {
@@ -54,16 +52,16 @@ Word take_out_squares(Word& radicand) {
 // radicand = square_root^2 * what is left of it. Squares of small primes are taken out, and the
 // rest when it is a square: enough for short texts. Equality never relies on it (see unify).
 mpz_class take_out_squares(mpz_class& radicand) {
-  if (radicand.fits_ulong_p()) {
-    Word word = radicand.get_ui();
-    mpz_class square_root = take_out_squares(word);
-    radicand = word;
+  if (fits_word(radicand)) {
+    Word word = low_word(radicand);
+    mpz_class square_root = integer_of(take_out_squares(word));
+    radicand = integer_of(word);
     return square_root;
   }
   mpz_class square_root = 1;
   mpz_class rest = radicand;
   mpz_class small_part = 1;
-  for (const unsigned long prime : kSmallPrimes) {
+  for (const auto prime : kSmallPrimes) {
     unsigned power = 0;
     for (; mpz_divisible_ui_p(rest.get_mpz_t(), prime) != 0; ++power) {
       mpz_divexact_ui(rest.get_mpz_t(), rest.get_mpz_t(), prime);
@@ -84,8 +82,7 @@ struct Fraction {
   Word numerator;
   Word denominator;
   bool multiply(std::int64_t millionths) {
-    const auto bits = static_cast<Word>(millionths);
-    const Word count = millionths < 0 ? 0 - bits : bits;
+    const Word count = magnitude_of(millionths);
     constexpr Word kParts = detail::kUnit;
     const Word common = std::gcd(count, kParts);
     const Word across = std::gcd(count / common, denominator);
@@ -198,11 +195,9 @@ std::optional<std::array<Number, 2>> small_roots(const std::array<Number, 2>& a,
     Fraction fraction{inner_root, outer_root * outer};
     if (!fraction.multiply(factor)) return std::nullopt;
     mpq_class multiple;
-    mpz_set_ui(mpq_numref(multiple.get_mpq_t()), fraction.numerator);
-    mpz_set_ui(mpq_denref(multiple.get_mpq_t()), fraction.denominator);
-    if (factor < 0) mpq_neg(multiple.get_mpq_t(), multiple.get_mpq_t());
-    mpz_class radicand = inner;
-    radicand *= outer;
+    assign(mpq_numref(multiple.get_mpq_t()), fraction.numerator, factor < 0);
+    assign(mpq_denref(multiple.get_mpq_t()), fraction.denominator);
+    mpz_class radicand = integer_of(inner) * integer_of(outer);
     found[i] = NumberAccess::adopt(
         new RootNode(NumberAccess::millionths(a[i]), std::move(multiple), std::move(radicand)));
   }

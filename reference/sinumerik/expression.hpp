@@ -32,11 +32,13 @@ class Calculator {
                               NoValue& problem);
   // REQUIRES: number < count().
   const Number& parameter(std::uint64_t number) const {
-    return number < parameters_.size() ? parameters_[number] : never_assigned_;
+    const auto place = static_cast<std::size_t>(number);
+    return place < parameters_.size() ? parameters_[place] : never_assigned_;
   }
   void assign(std::uint64_t number, Number value) {
-    if (number >= parameters_.size()) parameters_.resize(number + 1);
-    parameters_[number] = std::move(value);
+    const auto place = static_cast<std::size_t>(number);
+    if (place >= parameters_.size()) parameters_.resize(place + 1);
+    parameters_[place] = std::move(value);
   }
 
  private:

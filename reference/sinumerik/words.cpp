@@ -48,7 +48,7 @@ std::optional<Address> address_of(const grammar::NamedWord& word) {
     if (letter < 'A' || letter > 'Z') return std::nullopt;
     return kOfLetter[static_cast<std::size_t>(letter - 'A')];
   }
-  const auto* const place = std::ranges::find(kAddressNames, word.name);
+  const auto place = std::ranges::find(kAddressNames, word.name);
   if (place == kAddressNames.end()) return std::nullopt;
   return static_cast<Address>(place - kAddressNames.begin());
 }

@@ -5,7 +5,6 @@
 
 
 let stepper = null;
-const kSvg = 'http://www.w3.org/2000/svg';
 
 function numbersOf(ranges) {
   return ranges.split(' ').filter(Boolean).flatMap((range) => {
@@ -21,12 +20,6 @@ function strandsOf(svg) {
     head: node.classList.contains('gs-head'), records: numbersOf(node.dataset.m),
     parts: node.getAttribute('d').split('M').slice(1).map((part) => `M${part}`),
   }));
-}
-
-function svgNode(tag, css) {
-  const node = document.createElementNS(kSvg, tag);
-  node.setAttribute('class', css);
-  return node;
 }
 
 function showDrawing(detail, data) {

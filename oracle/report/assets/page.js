@@ -16,20 +16,6 @@ const header = summary.header;
 const count = (n) => n.toLocaleString('en');
 const counted = (n, one, many) => `${count(n)} ${n === 1 ? one : many}`;
 
-// An element with attributes; children are elements or text, never markup.
-function el(tag, attributes = {}, ...children) {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name === 'on') {
-      for (const [event, handler] of Object.entries(value)) node.addEventListener(event, handler);
-    } else if (value !== false && value != null) {
-      node.setAttribute(name, value === true ? '' : value);
-    }
-  }
-  node.append(...children.filter((child) => child != null && child !== false));
-  return node;
-}
-
 const decisionOf = (verdict) => summary.decisions[verdict] ?? 'no-go';
 const badge = (verdict) => el('span', { class: `badge ${decisionOf(verdict)}` }, verdict);
 function clauseTitle(id) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The playground's module under node: on every vector of the corpus its records are those of the vector,
+// which the program is held to (`gonogo corpus check`), and on every GONOGO_PLAYGROUND_EVERY-th (4; 1: on all
+// of them) records, messages and exit code are those of the program, byte for byte. GONOGO is the program,
+// GONOGO_PLAYGROUND the folder of the module.
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpus, tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { runInThisContext } from 'node:vm';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+const program = process.env.GONOGO;
+const work = mkdtempSync(join(tmpdir(), 'gonogo-playground-'));
+const open = runInThisContext(`${readFileSync(join(root, 'playground', 'page', 'engine.js'))}; openEngine`);
+let engine;
+
+before(async () => {
+  assert.ok(program, 'GONOGO must name the program');
+  engine = await open(readFileSync(join(process.env.GONOGO_PLAYGROUND, 'gonogo.wasm')));
+});
+after(() => rmSync(work, { recursive: true, force: true }));
+
+function* vectors() {
+  const folder = join(root, 'corpus', 'vectors');
+  for (const name of readdirSync(folder, { recursive: true }).filter((one) => one.endsWith('.json')).sort()) {
+    const { dialect, groups } = JSON.parse(readFileSync(join(folder, name)));
+    for (const { profile, cases } of groups) {
+      for (const one of cases) {
+        const bytes = typeof one.program === 'string' ? Buffer.from(one.program) : Buffer.from(one.program.base64, 'base64');
+        yield { id: one.id, dialect, profile, bytes, expect: one.expect };
+      }
+    }
+  }
+}
+
+// What `gonogo expand` writes of a program in `file`.
+function expanded(file, { dialect, profile }) {
+  const machine = `${file}.json`;
+  writeFileSync(machine, JSON.stringify({ dialect, ...profile }));
+  return new Promise((resolve) => {
+    execFile(program, ['expand', file, '--dialect', dialect, '--profile', machine], { encoding: 'buffer', maxBuffer: 1 << 28 },
+      (error, records, messages) => resolve({ exit: error ? error.code : 0, records: String(records), messages: String(messages) }));
+  });
+}
+
+const ask = (vector, file) => engine.answer({ dialect: vector.dialect, profile: JSON.stringify(vector.profile), file }, new Uint8Array(vector.bytes));
+
+// A vector without a byte is wrong use of program and page.
+const kEmpty = 2;
+
+test('the module writes the records of every vector', { timeout: 600_000 }, () => {
+  let count = 0;
+  for (const vector of vectors()) {
+    const found = ask(vector, 'program.nc');
+    if (found.exit === kEmpty) {
+      assert.equal(vector.bytes.length, 0, `${vector.id}: ${found.messages}`);
+      continue;
+    }
+    const lines = found.records.split('\n').slice(0, -1);
+    const last = JSON.parse(lines.at(-1));
+    const fits = vector.expect.some(({ records, alarm, not_covered: outside }) => {
+      const ends = records.some(({ k }) => k === 'end') ? last.k === 'end'
+        : alarm ? last.k === 'alarm' && alarm.any_of.some((one) => one.class === last.class && one.b === last.b)
+          : Boolean(outside) && last.k === 'not-covered';
+      const shown = last.k === 'end' ? lines : lines.slice(0, -1);
+      return ends && records.length === shown.length && records.every((one, i) => JSON.stringify(one) === shown[i]);
+    });
+    assert.ok(fits, `${vector.id}: ${found.records}`);
+    ++count;
+  }
+  console.log(`${count} vectors`);
+  assert.ok(count > 10_000);
+});
+
+test('the module writes what the program writes', { timeout: 3_000_000 }, async () => {
+  const every = Number(process.env.GONOGO_PLAYGROUND_EVERY ?? 4);
+  const rest = vectors();
+  let [seen, count, alarms] = [0, 0, 0];
+  const worker = async (number) => {
+    const file = join(work, `${number}.nc`);
+    for (let next = rest.next(); !next.done; next = rest.next()) {
+      if (seen++ % every !== 0) continue;
+      const vector = next.value;
+      writeFileSync(file, vector.bytes);
+      const wanted = await expanded(file, vector);
+      const found = ask(vector, file);
+      // Of wrong use each says it in its own words: one of files, one of a page.
+      const messages = wanted.exit === kEmpty ? wanted.messages : found.messages;
+      assert.deepEqual({ exit: found.exit, records: found.records, messages }, wanted, vector.id);
+      if (wanted.exit !== 0) ++alarms;
+      if (++count % 2000 === 0) console.log(`${count} so far`);
+    }
+  };
+  await Promise.all(cpus().map((_, number) => worker(number)));
+  console.log(`${count} vectors, ${alarms} of them alarms or not covered`);
+  assert.ok(count > 10_000 / every && alarms > 1_000 / every);
+});
+
+test('a wrong dialect, profile or reading is refused with the reason', () => {
+  const messages = (head) => {
+    const { exit, messages: text, records } = engine.answer(head, 'G00 X1\n');
+    assert.deepEqual([exit, records], [2, '']);
+    return text;
+  };
+  assert.match(messages({ dialect: 'fanuc' }), /fanuc/);
+  assert.match(messages({ dialect: 'gsk988ta', profile: 'speed = 3' }), /speed/);
+  assert.match(messages({ dialect: 'gsk988ta', readings: ['gsk.pocket.end=nowhere'] }), /nowhere/);
+  assert.match(messages({ dialect: 'gsk988ta', readings: ['gsk.pocket.end'] }), /key=value/);
+});
+
+test('the readings that a program asks for come with it, and change what it does', () => {
+  const pocket = 'G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-4 R-3 I10 L4 Q2 P0.5 D3 F200\n';
+  const by = (...readings) => engine.answer({ dialect: 'gsk988ta', readings, draw: true }, pocket);
+  const first = by();
+  assert.ok(first.readings.some(({ name }) => name === 'gsk.pocket.end'));
+  assert.equal(first.steps.length, first.moves.length);
+  assert.equal(first.steps.length, first.records.trim().split('\n').length);
+  assert.notEqual(by('gsk.pocket.end=initial').records, by('gsk.pocket.end=r-plane').records);
+});
+
+test('the catalog has every dialect with its clauses and readings', () => {
+  const catalog = engine.catalog();
+  assert.deepEqual(catalog.map(({ name }) => name).sort(), ['gsk988ta', 'hnc21t', 'rs274', 'sinumerik802s', 'sinumerik840d']);
+  for (const { name, clauses, readings } of catalog) assert.ok(clauses.length > 20 && readings.length >= 5, name);
+});
+
+test('brackets without end are an alarm, not the end of the module', () => {
+  const deep = `#1=${'['.repeat(200_000)}1${']'.repeat(200_000)}\n`;
+  assert.equal(engine.answer({ dialect: 'rs274' }, deep).exit, 1);
+  assert.equal(engine.answer({ dialect: 'rs274' }, 'G0 X1\nM2\n').exit, 0);
+});

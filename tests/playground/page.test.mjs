@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The playground as people meet it: opened from a file in a real browser, without network.
+// GONOGO_PLAYGROUND_PAGE names the page, GONOGO_CHROMIUM the browser; GONOGO_SCREENSHOT, where set, is a
+// file for a picture.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const require = createRequire(join(here, '..', 'browser', 'package.json'));
+const work = mkdtempSync(join(tmpdir(), 'gonogo-playground-page-'));
+const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const kPage = pathToFileURL(process.env.GONOGO_PLAYGROUND_PAGE ?? 'playground.html').href;
+const kPocket = 'G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-4 R-3 I10 L4 Q2 P0.5 D3 F200\n';
+
+let context;
+before(async () => {
+  const { chromium } = require('playwright-core');
+  context = await chromium.launchPersistentContext(join(work, 'profile'), {
+    executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
+    viewport: { width: 1280, height: 1500 }, colorScheme: 'light', offline: true,
+  });
+});
+after(async () => {
+  await context?.close();
+  rmSync(work, { recursive: true, force: true });
+});
+
+// Opens the page, runs `body` and asserts that the page never complained nor asked for anything.
+async function withPage(asked, body) {
+  const page = await context.newPage();
+  const complaints = [];
+  const requests = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) requests.push(request.url());
+  });
+  try {
+    await page.goto(kPage + (asked ? `#${new URLSearchParams(asked).toString().replaceAll('+', '%20')}` : ''));
+    await settled(page);
+    await body(page);
+    assert.deepEqual(complaints, []);
+    assert.deepEqual(requests, []);
+  } finally {
+    await page.close();
+  }
+}
+
+const settled = (page) => page.waitForFunction(() => /record|Wrong use|stopped/.test(document.querySelector('#state').textContent), null, { timeout: 60_000 });
+const text = (page, selector) => page.locator(selector).innerText();
+const records = async (page) => (await page.locator('#records').textContent()).trim().split('\n').map((line) => JSON.parse(line));
+
+const kAlarm = 'G00 X130 Z5\n  G94 X60 Z-20 R30 F200;\n';
+test('a program is expanded in the page alone, with an alarm shown by line, caret and clause', () => withPage({ dialect: 'gsk988ta', program: kAlarm }, async (page) => {
+  assert.match(await text(page, '#state'), /An alarm ends it/);
+  const messages = await page.locator('#messages').textContent();
+  assert.match(messages, /^program\.nc:2:16: alarm: .*\n {6}G94 X60 Z-20 R30 F200;\n {19}\^$/m);
+  const clause = /, (GSK-[A-Z0-9]+-\d+)\]/.exec(messages)[1];
+  assert.ok((await text(page, '#message-clauses')).includes(clause));
+  assert.equal((await records(page)).at(-1).clause, clause);
+  // A click leads to the place.
+  await page.click('#messages');
+  assert.equal(await page.evaluate(() => {
+    const area = document.querySelector('#program');
+    return area.value.slice(area.selectionStart, area.selectionStart + 4);
+  }), 'R30 ');
+}));
+
+test('each motion is stepped to with its clause, in space', () => withPage(null, async (page) => {
+  assert.match(await text(page, '#position'), /^record 1 of \d+, line 1/);
+  await page.locator('h2#path-title').click();
+  for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowRight');
+  const lit = await page.locator('#space path.gs-now').getAttribute('d');
+  assert.match(lit, /^M.*L/);
+  assert.match(await text(page, '#clause'), /GSK-[A-Z0-9]+-\d+ .+/);
+  await page.locator('#steps tr').nth(4).click();
+  assert.match(await text(page, '#position'), /^record 5 of/);
+  assert.notEqual(await page.locator('#space path.gs-now').getAttribute('d'), lit);
+  const before = await page.locator('#space path.gs-r').first().getAttribute('d');
+  await page.click('#view-top');
+  assert.notEqual(await page.locator('#space path.gs-r').first().getAttribute('d'), before);
+}));
+
+test('other readings stand beside what is chosen', () => withPage({ dialect: 'gsk988ta', program: kPocket }, async (page) => {
+  const row = page.locator('#other-list tr', { hasText: 'gsk.pocket.end' }).first();
+  await row.waitFor();
+  const changed = await row.locator('td').nth(2).innerText();
+  await row.locator('button').click();
+  assert.equal(await page.locator('#steps .motions').count(), 2);
+  assert.ok(await page.locator('#steps tr.differs').count() > 0);
+  assert.ok(changed.includes(await page.locator('#steps .motions.s tr.differs td').nth(1).innerText()));
+  assert.notEqual(await page.locator('#space path.gs-s.gs-feed').getAttribute('d'), '');
+  if (process.env.GONOGO_SCREENSHOT) await page.screenshot({ path: process.env.GONOGO_SCREENSHOT, fullPage: true });
+  // Choosing it makes it the path.
+  const before = await page.locator('#records').textContent();
+  const value = await row.locator('td').nth(1).innerText();
+  await page.selectOption('select[data-reading="gsk.pocket.end"]', value);
+  await page.waitForFunction((old) => document.querySelector('#records').textContent !== old, before);
+  assert.match(await page.locator('#link').getAttribute('href'), /reading=gsk\.pocket\.end/);
+}));
+
+test('dialect and profile are followed, and wrong ones are said', () => withPage({ dialect: 'rs274', program: 'G1 X1 F100\nM2\n' }, async (page) => {
+  assert.deepEqual((await records(page))[0].to, { x: '1' });
+  await page.fill('#profile', 'units = "inch"');
+  await page.waitForFunction(() => document.querySelector('#records').textContent.includes('"25.4"'));
+  await page.fill('#profile', 'units = "furlong"');
+  await page.waitForFunction(() => /Wrong use/.test(document.querySelector('#state').textContent));
+  assert.match(await text(page, '#messages'), /furlong/);
+}));
+
+test('what is too long is stopped, and the next program runs', { timeout: 240_000 }, () => withPage({ dialect: 'rs274', program: 'G0 X1\nM2\n' }, async (page) => {
+  const until = (state) => page.waitForFunction((words) => document.querySelector('#state').textContent.startsWith(words), state, { timeout: 100_000 });
+  await page.fill('#program', 'F100\nG0 Z1\nG83 X0 Y0 Z-1000 R1 Q0.0001\nM2\n');
+  await until('It was stopped after 200000 records');
+  // As after kPatience.
+  await page.evaluate(() => {
+    const asked = answer();
+    stopWorker('The program was stopped.');
+    return asked.catch((error) => error.message);
+  });
+  await page.fill('#program', 'G0 X2\nM2\n');
+  await until('The program ends: 3 records');
+}));
+
+test('links of the dialect pages open their examples', async () => {
+  const links = [...readFileSync(join(here, '..', '..', 'docs', 'dialects', 'gsk988ta.md'), 'utf8').matchAll(/page\/index\.html#([^)\s]+)\)/g)];
+  assert.ok(links.length > 10);
+  const asked = new URLSearchParams(links[0][1]);
+  await withPage(asked, async (page) => {
+    assert.equal(await page.inputValue('#program'), asked.get('program'));
+    assert.equal(await page.inputValue('#dialect'), 'gsk988ta');
+    assert.match(await text(page, '#state'), /The program ends/);
+  });
+});
