@@ -6,13 +6,17 @@
 // GONOGO_PLAYGROUND the folder of the module.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { cpus, tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { runInThisContext } from 'node:vm';
 
+if (!existsSync(join(process.env.GONOGO_PLAYGROUND, 'gonogo.wasm'))) {
+  console.log('SKIPPED: playground.build has made no module');
+  process.exit(0);
+}
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const program = process.env.GONOGO;
 const work = mkdtempSync(join(tmpdir(), 'gonogo-playground-'));
