@@ -10,6 +10,9 @@
 namespace gonogo::cli {
 namespace {
 
+// Of the trials for a finding: a run is not to wait for its explanation.
+constexpr std::size_t kMostRecords = 1'000'000;
+
 // The case as the campaign asked for it.
 std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
                                                const oracle::CampaignOptions& campaign,
@@ -40,8 +43,11 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
                                      const oracle::CampaignOptions& campaign,
                                      const oracle::SubjectMaker& make, std::size_t most) {
   oracle::evidence::Causes causes;
-  const identify::AttributionOptions options{campaign.grants.tolerance, campaign.grants.chord,
-                                             campaign.grants.feed_resolution};
+  identify::AttributionOptions options;
+  options.tolerance = campaign.grants.tolerance;
+  options.chord = campaign.grants.chord;
+  options.feed_resolution = campaign.grants.feed_resolution;
+  options.most_records = kMostRecords;
   std::size_t asked = 0;
   for (const oracle::Finding* finding : summary.findings.list()) {
     const oracle::VerdictKind kind = finding->key.kind;

@@ -27,6 +27,8 @@ class Attributor {
   // What explains the programs that have been observed.
   void find_causes();
   bool has_causes() const { return !causes_.empty(); }
+  // Nothing more is tried.
+  bool is_spent() const { return spent_ > options_.most_records; }
   Attribution finish();
   const std::vector<Observation>& programs() const { return found_.programs; }
 
@@ -54,6 +56,7 @@ class Attributor {
   std::optional<Profile> configured_;
   Carried before_;
   std::vector<Explanation> causes_;  // that explain everything so far
+  mutable std::size_t spent_ = 0;    // records, the subject's and the reference's
   Attribution found_;
 };
 
@@ -93,13 +96,17 @@ std::string spliced(std::string_view changed, std::string_view original, std::ui
 }
 
 bool Attributor::judge_trial(const Trial& trial) const {
+  spent_ += trial.outcome.records.size();
+  if (is_spent()) return false;
   const oracle::JudgeTerms on = terms(trial.profile);
   if (trial.model) {
     return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on);
   }
   // One that would put out far more than the subject did need not be followed to its end.
   const std::size_t most = 1'000 + 20 * trial.outcome.records.size();
-  if (!run_reference(trial.profile, trial.program, most)) return false;
+  const auto shown = run_reference(trial.profile, trial.program, most);
+  spent_ += shown ? shown->records.size() : most;
+  if (!shown) return false;
   const oracle::SessionVerdict said =
       judge_outcome(trial.profile, trial.program, on, trial.outcome.records, trial.outcome.end);
   return decision(said.verdict.kind) == Decision::go;
@@ -158,10 +165,18 @@ void Attributor::find_causes() {
   add_code_variants(*departure, variants);
   add_modal_variants(*departure, variants);
   add_model_variants(*departure, variants);
-  for (const Variant& variant : variants) try_variant(variant);
+  for (const Variant& variant : variants) {
+    if (is_spent()) return;
+    try_variant(variant);
+  }
 }
 
 Attribution Attributor::finish() {
+  if (is_spent()) {
+    found_.given_up = true;
+    found_.partial.clear();
+    return std::move(found_);
+  }
   for (const Explanation& one : causes_) found_.complete.push_back(one.cause);
   std::ranges::sort(found_.partial, [](const Cause& a, const Cause& b) {
     const auto rank = [](const Cause& cause) {
@@ -235,7 +250,7 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
   attributor.observe(asked);
   attributor.find_causes();
   for (const ProgramAsked& other : programs.then) {
-    if (!attributor.has_causes()) break;
+    if (!attributor.has_causes() || attributor.is_spent()) break;
     attributor.observe(other);
   }
   return attributor.finish();

@@ -19,6 +19,9 @@ struct AttributionOptions {
   std::size_t alike = 32;   // programs with the code that departs
   std::size_t others = 12;  // and without it
   std::size_t more = 400;   // on which what explains all of these is tried as well
+  // Of all trials together: with more nothing is said. A subject that never ends one cycle has
+  // thousands of records, and is held against hundreds of mistakes.
+  std::size_t most_records = SIZE_MAX;
 };
 
 struct Cause {
@@ -31,6 +34,7 @@ struct Attribution {
   std::vector<Observation> programs;  // the one that was asked for first
   std::size_t departures = 0;
   std::size_t tried = 0;        // mistakes
+  bool given_up = false;        // at most_records; nothing is complete or partial then
   std::vector<Cause> complete;  // explain every departure, and that the others pass
   std::vector<Cause> partial;   // explain some of it; those that explain most first
 

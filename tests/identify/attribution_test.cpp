@@ -99,6 +99,22 @@ TEST(Departure, SaysInNumbersWhatACauseExplains) {
   EXPECT_EQ(found.complete.front().passes, found.programs.size() - found.departures);
 }
 
+// Pecks that never end: thousands of records, held against hundreds of mistakes.
+TEST(Departure, IsGivenUpWhereItsTrialsTakeMoreRecordsThanTheyMay) {
+  const auto subject = builtin("ngc", "g18-sense-flipped");
+  const ProgramAsked asked = case_of("ngc.arc-distance.000013");
+  AttributionOptions options;
+  options.most_records = 100;
+  const Attribution found = attribute(*subject, checked_in_corpus(), asked, options);
+  EXPECT_TRUE(found.given_up);
+  EXPECT_GT(found.departures, 0U);
+  EXPECT_TRUE(found.complete.empty() && found.partial.empty());
+  options.most_records = 1'000'000;
+  const Attribution whole = attribute(*subject, checked_in_corpus(), asked, options);
+  EXPECT_FALSE(whole.given_up);
+  EXPECT_FALSE(whole.complete.empty());
+}
+
 TEST(Departure, NamesNoCauseThatDoesNotExplainEverything) {
   // Every end is accepted: no mistake that is tried does that.
   const Attribution found =
