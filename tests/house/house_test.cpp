@@ -208,6 +208,20 @@ TEST(House, ToolsHaveNoCodesOfTheirOwn) {
   EXPECT_GT(files, 300U);
 }
 
+// `./gonogo` builds again when a source is newer: of every folder that the program is linked from.
+TEST(House, TheDoorLooksAtEveryFolderOfTheProgram) {
+  const std::string door = read(kRoot / "gonogo");
+  const std::size_t begin = door.find("sources=(");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string sources = door.substr(begin, door.find(')', begin) - begin);
+  for (const char* folder : {"grammar", "reference", "oracle", "expanders", "program", "generate",
+                             "relations", "hunt", "identify", "cli"}) {
+    EXPECT_TRUE(fs::is_directory(kRoot / folder)) << folder;
+    EXPECT_TRUE(std::regex_search(sources, std::regex("[( ]" + std::string(folder) + "\\s")))
+        << folder;
+  }
+}
+
 // fuzz/seed-programs names programs by their content; other inputs so named are an engine's, put
 // here by accident.
 TEST(House, SeedsThatAreNoProgramsHaveNames) {
