@@ -69,7 +69,7 @@ class Builder {
     writeFileSync(join(this.out, place), text);
   }
 
-  // A link of a document, as it has to be in the site.
+  // A link of a document, as it has to be in the site; null: to a playground that is not there.
   linkOf(document, href) {
     if (/^[a-z]+:/.test(href)) return href;
     const [path, fragment] = href.split('#');
@@ -77,7 +77,9 @@ class Builder {
     if (path === '') return end;
     const target = normalize(join(dirname(document), path)).replace(/\/$/, '');
     // Built by a script of its own; here it stands where --playground puts it.
-    if (target === kPlayground) return relative(dirname(placeOf(document)), 'playground/index.html') + end;
+    if (target === kPlayground) {
+      return this.hasPlayground ? relative(dirname(placeOf(document)), 'playground/index.html') + end : null;
+    }
     if (target.startsWith('..') || !existsSync(join(this.root, target))) {
       this.faults.push(`${document}: the link ${href} leads nowhere`);
       return href;
@@ -140,6 +142,8 @@ ${body}
     renderer.heading = function heading({ tokens: inner, depth, text }) {
       return `<h${depth} id="${escaped(slug(text, used))}">${this.parser.parseInline(inner)}</h${depth}>\n`;
     };
+    const plainLink = this.marked.Renderer.prototype.link;
+    renderer.link = function link(token) { return token.href === null ? '' : plainLink.call(this, token); };
     renderer.html = ({ text }) => text.replace(/<!--[^]*?-->/g, '');
     const plain = this.marked.Renderer.prototype.table;
     renderer.table = function table(token) { return `<div class="scroll">${plain.call(this, token)}</div>`; };
@@ -184,6 +188,7 @@ export async function buildSite(root, out, { peers, playground } = {}) {
   const extra = [['peers/index.html', 'Implementations under the gauge'], ['playground/index.html', 'Playground']]
     .filter(([place]) => existsSync(join(out, place)));
   const builder = new Builder(root, out, marked);
+  builder.hasPlayground = existsSync(join(out, 'playground/index.html'));
   builder.build(extra);
   return { pages: builder.documents.length, faults: builder.faults };
 }
