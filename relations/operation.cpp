@@ -16,6 +16,11 @@ Number length(program::Dice& dice, int low_mm, int high_mm) {
   return Number::millionths(count * kMicrometre);
 }
 
+// One to `most` times so many millionths.
+Number times(program::Dice& dice, std::size_t most, std::int64_t step) {
+  return Number::millionths(step * static_cast<std::int64_t>(1 + dice.below(most)));
+}
+
 // An arc of a quarter, from one point to the other corner of a square.
 Cut quarter(program::Dice& dice, const PlanePoint& from, const Number& radius, int sense_p,
             int sense_q) {
@@ -98,8 +103,7 @@ Operation holes(program::Dice& dice) {
   operation.ends_at_r = operation.hole == HoleKind::chip_break || dice.one_in(2);
   if (is_pecked(operation.hole)) operation.peck = length(dice, 1, 6);
   const bool dwells = operation.hole == HoleKind::dwell_drill || operation.hole == HoleKind::bore;
-  if (dwells)
-    operation.dwell = Number::millionths(100'000 * (1 + static_cast<int>(dice.below(30))));
+  if (dwells) operation.dwell = times(dice, 30, 100'000);
   Number x = length(dice, -40, 0);
   for (std::size_t i = 1 + dice.below(3); i > 0; --i) {
     operation.places.push_back({x, length(dice, -40, 40)});
@@ -138,9 +142,8 @@ OperationList draw_operations(program::Dice& dice, MachineKind machine) {
     }
     if (machine == MachineKind::mill) move_aside(operation, list.operations.size());
     operation.per_revolution = dice.one_in(4);
-    operation.feed = operation.per_revolution
-                         ? Number::millionths(10'000 * (1 + static_cast<int>(dice.below(50))))
-                         : Number(10 * (1 + static_cast<int>(dice.below(80))));
+    operation.feed =
+        operation.per_revolution ? times(dice, 50, 10'000) : times(dice, 80, 10'000'000);
     list.operations.push_back(std::move(operation));
   }
   return list;
