@@ -63,6 +63,9 @@ class CapturedSamples::Judging {
 
 namespace {
 
+// Where motions after the end are put.
+constexpr std::uint64_t kAfterAllBlocks = std::numeric_limits<std::uint32_t>::max();
+
 // Steps of 1e-4 mm, upward.
 Number upward(double value) {
   constexpr double kSteps = 1e4;
@@ -258,10 +261,11 @@ Verdict CapturedSamples::Judging::judge_end(const SampledRun& run) const {
     beyond.kind = RecordKind::feed;
     beyond.axes = reference::kEveryAxis;
     beyond.to = run.last();
-    beyond.block = std::numeric_limits<std::uint32_t>::max();  // after all blocks
+    beyond.block = kAfterAllBlocks;
     judge.record(beyond);
   }
   Verdict verdict = judge.finish(end_);
+  if (verdict.block == kAfterAllBlocks) verdict.block = 0;  // of no line of the program
   if (decision(verdict.kind) == Decision::no_go && !whole) {
     verdict.record = last_.number;
     if (end_.kind == RunEnd::Kind::ok) {

@@ -152,7 +152,9 @@ TEST(SampledJudge, MotionAfterTheEndIsAnOverrun) {
   SampledMachine machine = box_start();
   pass(machine, -5);
   machine.stand(0.02).line({60, 0, 5}, kRapid);
-  EXPECT_EQ(judge_samples(kBox, machine.csv()).kind, VerdictKind::fail_overrun);
+  const Verdict verdict = judge_samples(kBox, machine.csv());
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_overrun);
+  EXPECT_EQ(verdict.block, 0U) << "it is of no line of the program";
 }
 
 TEST(SampledJudge, SamplesThatBeginElsewhereAreNoGo) {
