@@ -191,10 +191,8 @@ bool CaseJudge::settle_flaky(const Case& test, const JudgeTerms& terms, Attempt&
   Verdict& verdict = attempt.session.verdict;
   const std::string count = fmt::format("{} of {} runs failed so", failures, known->flaky->runs);
   if (failures <= known->flaky->failures) {
-    verdict.message = fmt::format("Known: {} ({}: {}); {}.", known->reason, name(verdict.kind),
-                                  verdict.message, count);
-    verdict.departure = verdict.kind;
-    verdict.kind = VerdictKind::xfail;
+    known->make_known(verdict);
+    verdict.message += fmt::format("; {}.", count);
   } else {
     verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,
                                    known->flaky->failures, known->reason);

@@ -29,6 +29,12 @@ bool KnownFailure::is(const Verdict& got_verdict) const {
          (got.empty() || got == got_verdict.got);
 }
 
+void KnownFailure::make_known(Verdict& known) const {
+  known.message = fmt::format("Known: {} ({}: {})", reason, name(known.kind), known.message);
+  known.departure = known.kind;
+  known.kind = VerdictKind::xfail;
+}
+
 void KnownFailures::note_case(const std::string& id) {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].covers(id)) ++cases_[i];
@@ -49,10 +55,7 @@ void KnownFailures::apply(CaseResult& result) const {
       return;
     }
     if (!entry.is(verdict)) continue;
-    verdict.message =
-        fmt::format("Known: {} ({}: {})", entry.reason, name(verdict.kind), verdict.message);
-    verdict.departure = verdict.kind;
-    verdict.kind = VerdictKind::xfail;
+    entry.make_known(verdict);
     return;
   }
 }

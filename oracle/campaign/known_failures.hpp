@@ -66,6 +66,8 @@ struct KnownFailure {
   bool covers(const std::string& id) const;
   // Whether the verdict is the one that is known.
   bool is(const Verdict& verdict) const;
+  // Makes the verdict that is known an xfail, which says why and what it departs by.
+  void make_known(Verdict& verdict) const;
 };
 std::vector<KnownFailure> entries_of(const std::vector<KnownCause>& causes);
 std::variant<std::vector<KnownFailure>, FileFault> known_failures_from_toml(std::string_view text);

@@ -22,13 +22,13 @@ std::string class_of(const std::string& digits) {
   return text;
 }
 
-// The failure by which the case is an xfail: apply() has written its reason and verdict.
-bool is_explained_by(const CaseFacts& facts, const KnownFailure& entry) {
-  const CaseHead& head = facts.head;
-  return entry.covers(facts.id) && (entry.deviation.empty() || entry.deviation == head.deviation) &&
-         (entry.got.empty() || entry.got == head.got) &&
-         head.message.find(entry.reason) != std::string::npos &&
-         head.message.find(fmt::format("({}: ", name(entry.verdict))) != std::string::npos;
+// What the case of an xfail line departs by.
+Verdict departure_of(const CaseHead& head) {
+  Verdict verdict;
+  verdict.kind = verdict_kind(head.departure).value_or(VerdictKind::oracle_error);
+  verdict.deviation_exact = head.deviation;
+  verdict.got = head.got;
+  return verdict;
 }
 
 // The blocks of a program behind one another, as the key `program` has them; nothing for bytes
@@ -72,25 +72,26 @@ std::vector<std::string> globs_of_ids(std::vector<std::string> ids) {
 }
 
 KnownFailuresUpdate::KnownFailuresUpdate(std::vector<KnownCause> before)
-    : before_(std::move(before)) {}
+    : before_(std::move(before)) {
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    for (std::size_t k = 0; k < before_[i].failures.size(); ++k) {
+      for (KnownFailure& entry : entries_of({{before_[i].reason, {}, {before_[i].failures[k]}}})) {
+        entries_.emplace_back(Place(i, k), std::move(entry));
+      }
+    }
+  }
+}
 
 void KnownFailuresUpdate::add(const CaseFacts& facts, const Finding* finding) {
   const Decision answer = decision(facts.verdict);
   if (answer == Decision::undecided || answer == Decision::neither) return;
   judged_.insert(facts.id);
   if (facts.verdict == VerdictKind::xfail) {
-    for (std::size_t i = 0; i < before_.size(); ++i) {
-      for (std::size_t k = 0; k < before_[i].failures.size(); ++k) {
-        const std::vector<KnownFailure> entries =
-            entries_of({{before_[i].reason, {}, {before_[i].failures[k]}}});
-        if (std::ranges::none_of(
-                entries, [&](const auto& entry) { return is_explained_by(facts, entry); })) {
-          continue;
-        }
-        explained_.emplace(facts.id, Place(i, k));
-        return;
-      }
-    }
+    const Verdict departure = departure_of(facts.head);
+    const auto own = std::ranges::find_if(entries_, [&](const auto& one) {
+      return one.second.is(departure) && one.second.covers(facts.id);
+    });
+    if (own != entries_.end()) explained_.emplace(facts.id, own->first);
     return;
   }
   if (finding == nullptr || facts.verdict == VerdictKind::xpass) return;
@@ -109,12 +110,12 @@ void KnownFailuresUpdate::add(const CaseFacts& facts, const Finding* finding) {
 // The globs of a failure without the cases that do not fail so any more. A glob of which all is
 // true stays as it is written.
 std::vector<std::string> KnownFailuresUpdate::kept(const Place& place,
-                                                   const KnownCause::Failure& failure,
                                                    const std::vector<std::string>& corpus,
                                                    std::size_t& pruned) const {
   std::vector<std::string> globs;
   std::vector<std::string> single;
-  for (const KnownFailure& entry : entries_of({{{}, {}, {failure}}})) {
+  for (const auto& [at, entry] : entries_) {
+    if (at != place) continue;
     std::vector<std::string> ids;
     std::size_t gone = 0;
     for (const std::string& id : corpus) {
@@ -122,7 +123,7 @@ std::vector<std::string> KnownFailuresUpdate::kept(const Place& place,
       const auto known = explained_.find(id);
       const bool is_so = known != explained_.end() && known->second == place;
       // What fails now and then may pass.
-      const bool stays = is_so || failure.flaky || !judged_.contains(id);
+      const bool stays = is_so || entry.flaky || !judged_.contains(id);
       stays ? ids.push_back(id) : void(++gone);
     }
     pruned += gone;
@@ -146,7 +147,7 @@ KnownFailuresUpdate::Result KnownFailuresUpdate::result(
     KnownCause cause{before_[i].reason, before_[i].program, {}};
     for (std::size_t k = 0; k < before_[i].failures.size(); ++k) {
       KnownCause::Failure failure = before_[i].failures[k];
-      failure.cases = kept({i, k}, failure, corpus, result.pruned);
+      failure.cases = kept({i, k}, corpus, result.pruned);
       if (!failure.cases.empty()) cause.failures.push_back(std::move(failure));
     }
     if (!cause.failures.empty()) result.causes.push_back(std::move(cause));

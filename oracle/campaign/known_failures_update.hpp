@@ -43,11 +43,12 @@ class KnownFailuresUpdate {
     std::map<std::pair<VerdictKind, std::string>, std::vector<std::string>> cases;  // by deviation
   };
 
-  std::vector<std::string> kept(const Place& place, const KnownCause::Failure& failure,
-                                const std::vector<std::string>& corpus, std::size_t& pruned) const;
+  std::vector<std::string> kept(const Place& place, const std::vector<std::string>& corpus,
+                                std::size_t& pruned) const;
 
   std::vector<KnownCause> before_;
-  std::map<std::string, Place> explained_;  // xfail: the failure that names the case
+  std::vector<std::pair<Place, KnownFailure>> entries_;  // of it, in its order
+  std::map<std::string, Place> explained_;               // xfail: the failure that names the case
   std::set<std::string> judged_;
   std::map<Finding::Key, New> new_;
   std::size_t unsteady_ = 0;
