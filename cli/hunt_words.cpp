@@ -62,6 +62,21 @@ std::string command_of(const HuntWords& words) {
   return command;
 }
 
+std::string listed(const std::string& program) {
+  std::string text;
+  std::size_t begin = 0;
+  while (begin < program.size()) {
+    const std::size_t end = std::min(program.find('\n', begin), program.size());
+    text += "    " + oracle::readable(program.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
+  return text;
+}
+
+std::string finding_line(std::string_view name, const std::string& value) {
+  return fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
+}
+
 HuntEnd::HuntEnd(const HuntWords& words)
     : programs(static_cast<std::size_t>(words.programs)),
       findings(static_cast<std::size_t>(words.stop_after)) {

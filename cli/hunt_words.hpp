@@ -43,6 +43,11 @@ std::string tolerances_of(const LimitOptions& limits);
 // The hunt on the command line, but for when it is over.
 std::string command_of(const HuntWords& words);
 
+// A program below a finding, a line each, without what a terminal would obey.
+std::string listed(const std::string& program);
+// A line of a finding: its name, and the value or "nothing".
+std::string finding_line(std::string_view name, const std::string& value);
+
 // When a hunt is over, and how far it is.
 struct HuntEnd {
   using Clock = std::chrono::steady_clock;

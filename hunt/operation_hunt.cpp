@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hunt/property_hunt.hpp"
 #include "hunt/signature.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "reference/dialect.hpp"
@@ -70,7 +71,8 @@ std::vector<OperationList> smaller(const OperationList& list) {
 }  // namespace
 
 std::string WrittenProgram::way() const {
-  return fmt::format("{} {}", dialect, notation.has_cycles ? "with cycles" : "without cycles");
+  return fmt::format("{} {}", notation.dialect,
+                     notation.has_cycles ? "with cycles" : "without cycles");
 }
 
 std::string OperationFinding::shape() const {
@@ -106,8 +108,7 @@ std::vector<std::string> OperationHunt::ways() const {
   std::vector<std::string> ways;
   for (const Seat& seat : seats_) {
     for (const relations::Notation& notation : seat.notations) {
-      const WrittenProgram program{seat.name, notation, std::string(notation.dialect), {}};
-      ways.push_back(fmt::format("{} {}", seat.name, program.way()));
+      ways.push_back(fmt::format("{} {}", seat.name, WrittenProgram{{}, notation, {}}.way()));
     }
   }
   return ways;
@@ -119,16 +120,11 @@ std::optional<OperationHunt::Answer> OperationHunt::answer(Seat& seat,
                                                            const OperationList& list) {
   if (notation.has_cycles && !has_cycle_for(list, notation.dialect)) return std::nullopt;
   Answer answer;
-  answer.program = {seat.name, notation, std::string(notation.dialect), written(list, notation)};
+  answer.program = {seat.name, notation, written(list, notation)};
   if (answer.program.text.empty()) return std::nullopt;
   const auto profile =
       std::get<reference::Profile>(reference::default_profile(std::string(notation.dialect)));
-  seat.subject->configure(profile);
-  answer.trace.end =
-      seat.subject->run("operations", answer.program.text, [&](const reference::Record& record) {
-        answer.trace.records.push_back(record);
-        return answer.trace.records.size() <= options_.most_records;
-      });
+  answer.trace = trace_of(*seat.subject, {profile, answer.program.text}, options_.most_records);
   if (answer.trace.end.given_up) {
     seat.subject = seat.make();
     seat.subject->set_run_limit(options_.run_limit);
@@ -140,9 +136,7 @@ std::optional<OperationHunt::Answer> OperationHunt::answer(Seat& seat,
     return std::nullopt;
   }
   ++count_.programs;
-  reference::Position start;
-  for (const reference::Axis axis : reference::kAllAxes) start[axis] = 0;
-  answer.legs = legs_of(answer.trace, start);
+  answer.legs = legs_of(answer.trace, profile.initial.at);
   answer.tolerance = seat.subject->info().resolution.value_or(profile.resolution());
   return answer;
 }

@@ -30,7 +30,6 @@ struct OperationOptions {
 struct WrittenProgram {
   std::string subject;  // as it was named
   relations::Notation notation;
-  std::string dialect;
   std::string text;
   // "rs274 with cycles"
   std::string way() const;

@@ -21,6 +21,17 @@ bool broke_down(const relations::Trace& trace) {
 
 }  // namespace
 
+relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program,
+                          std::size_t most_records) {
+  relations::Trace trace;
+  subject.configure(program.profile);
+  trace.end = subject.run("related", program.text, [&](const reference::Record& record) {
+    trace.records.push_back(record);
+    return trace.records.size() <= most_records;
+  });
+  return trace;
+}
+
 std::string PropertyFinding::signature() const {
   std::string text = fmt::format("{} {}/{}", relation->name, kind_in_text(difference.want),
                                  kind_in_text(difference.got));
@@ -37,12 +48,7 @@ PropertyHunt::PropertyHunt(SubjectMaker make, PropertyOptions options)
 }
 
 relations::Trace PropertyHunt::run(const generate::GeneratedProgram& program) {
-  relations::Trace trace;
-  subject_->configure(program.profile);
-  trace.end = subject_->run("related", program.text, [&](const reference::Record& record) {
-    trace.records.push_back(record);
-    return trace.records.size() <= options_.most_records;
-  });
+  relations::Trace trace = trace_of(*subject_, program, options_.most_records);
   if (trace.end.given_up) {
     subject_ = make_();
     subject_->set_run_limit(options_.run_limit);

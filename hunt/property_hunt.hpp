@@ -13,6 +13,10 @@
 
 namespace gonogo::hunt {
 
+// What the subject puts out of the program, stopped behind so many records.
+relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program,
+                          std::size_t most_records);
+
 struct PropertyOptions {
   std::string dialect;
   std::uint64_t seed = 1;

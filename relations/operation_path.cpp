@@ -13,10 +13,6 @@ using reference::Position;
 using reference::Record;
 using reference::RecordKind;
 
-bool is_near(const Number& a, const Number& b, const Number& tolerance) {
-  return abs(a - b) <= tolerance;
-}
-
 bool same_place(const Position& a, const Position& b, const Number& tolerance) {
   return std::ranges::all_of(reference::kAllAxes,
                              [&](Axis axis) { return is_near(a[axis], b[axis], tolerance); });
@@ -26,9 +22,9 @@ bool same(const Leg& a, const Leg& b, const Number& tolerance) {
   const Record& x = a.record;
   const Record& y = b.record;
   if (x.kind != y.kind || !same_place(a.to, b.to, tolerance)) return false;
-  if (x.kind == RecordKind::dwell) return x.seconds == y.seconds;
+  if (x.kind == RecordKind::dwell) return is_near(x.seconds, y.seconds, 0);
   const bool is_fed = x.kind == RecordKind::feed || x.kind == RecordKind::arc;
-  if (is_fed && (x.feed != y.feed || x.feed_mode != y.feed_mode)) return false;
+  if (is_fed && (!is_near(x.feed, y.feed, 0) || x.feed_mode != y.feed_mode)) return false;
   return x.kind != RecordKind::arc ||
          (x.plane == y.plane && x.rot == y.rot && is_near(x.centre[0], y.centre[0], tolerance) &&
           is_near(x.centre[1], y.centre[1], tolerance));
@@ -42,7 +38,7 @@ std::vector<Leg> legs_of(const Trace& trace, const Position& start) {
   for (const Record& record : trace.records) {
     Leg leg{record, at, at};
     if (record.kind == RecordKind::dwell) {
-      if (record.seconds.sign() != 0) legs.push_back(std::move(leg));
+      if (!is_near(record.seconds, 0, 0)) legs.push_back(std::move(leg));
       continue;
     }
     if (!is_motion(record.kind)) continue;
@@ -50,7 +46,7 @@ std::vector<Leg> legs_of(const Trace& trace, const Position& start) {
       if (record.axes.has(axis)) leg.to[axis] = record.to[axis];
     }
     at = leg.to;
-    const bool is_nil = leg.from == leg.to && record.kind != RecordKind::arc;
+    const bool is_nil = same_place(leg.from, leg.to, 0) && record.kind != RecordKind::arc;
     if (!is_nil) legs.push_back(std::move(leg));
   }
   return legs;

@@ -54,7 +54,7 @@ struct Breach {
   std::string witness;      // a point of the machine where it does, "X10 Y0 Z-3"
 };
 // The first breach of each rule. Traverses along several axes at once may go any way: of them the
-// ends count.
+// ends count. A place that is only enclosed and cannot be told from a limit ends the search.
 std::vector<Breach> breaches(const OperationList& list, const std::vector<Leg>& legs,
                              const Number& tolerance);
 

@@ -217,14 +217,18 @@ std::string_view sentence(Rule rule) {
 std::vector<Breach> breaches(const OperationList& list, const std::vector<Leg>& legs,
                              const Number& tolerance) {
   Breaches found;
-  if (list.machine == MachineKind::lathe) {
-    const Lathe lathe(list, tolerance);
-    for (std::size_t i = 0; i < legs.size(); ++i) lathe.take(i, legs[i], found);
-    return found.take();
+  try {
+    if (list.machine == MachineKind::lathe) {
+      const Lathe lathe(list, tolerance);
+      for (std::size_t i = 0; i < legs.size(); ++i) lathe.take(i, legs[i], found);
+    } else {
+      Mill mill(list, tolerance);
+      for (std::size_t i = 0; i < legs.size(); ++i) mill.take(i, legs[i], found);
+      mill.end(legs.size(), legs.empty() ? Position{} : legs.back().to, found);
+    }
+  } catch (const exact::Undecided&) {
+    // What follows cannot be told.
   }
-  Mill mill(list, tolerance);
-  for (std::size_t i = 0; i < legs.size(); ++i) mill.take(i, legs[i], found);
-  mill.end(legs.size(), legs.empty() ? Position{} : legs.back().to, found);
   return found.take();
 }
 

@@ -12,14 +12,6 @@ using reference::Axis;
 using reference::Record;
 using reference::RecordKind;
 
-bool near(const Number& a, const Number& b, const Number& tolerance) {
-  try {
-    return tolerance.sign() == 0 ? a == b : abs(a - b) <= tolerance;
-  } catch (const exact::Undecided&) {
-    return true;
-  }
-}
-
 // The line of the other program; 0: not known, or not there. A line that the first program has not
 // stays what it is.
 std::uint64_t line_of(std::uint64_t block, const Related& related) {
@@ -60,7 +52,7 @@ Record moved(Record record, const Related& related) {
 bool equal_axes(const reference::Position& a, const reference::Position& b, reference::AxisSet axes,
                 const Number& tolerance) {
   return std::ranges::all_of(reference::kAllAxes, [&](Axis axis) {
-    return !axes.has(axis) || near(a[axis], b[axis], tolerance);
+    return !axes.has(axis) || is_near(a[axis], b[axis], tolerance);
   });
 }
 
@@ -74,10 +66,10 @@ bool equal(const Record& want, const Record& got, const Number& tolerance) {
                     (want.kind != RecordKind::arc || want.plane == got.plane);
   return same && equal_axes(want.to, got.to, want.axes, tolerance) &&
          equal_axes(want.via, got.via, want.via_axes, tolerance) &&
-         near(want.centre[0], got.centre[0], tolerance) &&
-         near(want.centre[1], got.centre[1], tolerance) && near(want.feed, got.feed, exact) &&
-         near(want.lead, got.lead, exact) && near(want.start, got.start, exact) &&
-         near(want.seconds, got.seconds, exact);
+         is_near(want.centre[0], got.centre[0], tolerance) &&
+         is_near(want.centre[1], got.centre[1], tolerance) && is_near(want.feed, got.feed, exact) &&
+         is_near(want.lead, got.lead, exact) && is_near(want.start, got.start, exact) &&
+         is_near(want.seconds, got.seconds, exact);
 }
 
 // The records that the other program is asked for: of a beginning, those of its lines.
@@ -104,6 +96,14 @@ std::string text_at(const std::vector<Record>& records, std::size_t i) {
 }
 
 }  // namespace
+
+bool is_near(const Number& a, const Number& b, const Number& tolerance) {
+  try {
+    return tolerance.sign() == 0 ? a == b : abs(a - b) <= tolerance;
+  } catch (const exact::Undecided&) {
+    return true;
+  }
+}
 
 std::optional<Difference> first_difference(const Trace& first, const Trace& other,
                                            const Related& related, const Number& tolerance) {

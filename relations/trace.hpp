@@ -19,6 +19,9 @@ struct Trace {
   }
 };
 
+// Whether they differ by no more than the tolerance; what cannot be told apart does not.
+bool is_near(const Number& a, const Number& b, const Number& tolerance);
+
 // The first thing in which the other trace is not what the first one asks for.
 struct Difference {
   std::size_t record = 0;   // from 1, of the other trace

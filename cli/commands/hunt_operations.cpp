@@ -45,40 +45,30 @@ hunt::OperationHunt operation_hunt(const HuntWords& words) {
   return {std::move(subjects), std::move(options)};
 }
 
-std::string listed(const hunt::WrittenProgram& program) {
-  std::string text = fmt::format("  {}, {}:\n", program.subject, program.way());
-  std::size_t begin = 0;
-  while (begin < program.text.size()) {
-    const std::size_t end = std::min(program.text.find('\n', begin), program.text.size());
-    text += "    " + oracle::readable(program.text.substr(begin, end - begin)) + "\n";
-    begin = end + 1;
-  }
-  return text;
+std::string written_text(const hunt::WrittenProgram& program) {
+  return fmt::format("  {}, {}:\n{}", program.subject, program.way(), listed(program.text));
 }
 
 std::string text_of(const hunt::OperationFinding& finding) {
   std::string text;
-  const auto put = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
-  };
   if (finding.breach) {
     const relations::Breach& breach = *finding.breach;
     text += fmt::format("  {}\n", sentence(breach.rule));
     if (breach.block != 0) text += fmt::format("  line       {}\n", breach.block);
-    put("motion", breach.record.empty() ? "the end" : breach.record);
-    put("at", breach.witness);
+    text += finding_line("motion", breach.record.empty() ? "the end" : breach.record);
+    text += finding_line("at", breach.witness);
   } else if (finding.difference) {
     const relations::PathDifference& difference = *finding.difference;
     text += "  The same operations, written in another way, give the same path.\n";
-    put("motion", fmt::format("{}", difference.leg));
-    put("want", difference.want);
-    put("got", difference.got);
-    text += listed(*finding.first);
+    text += finding_line("motion", fmt::format("{}", difference.leg));
+    text += finding_line("want", difference.want);
+    text += finding_line("got", difference.got);
+    text += written_text(*finding.first);
   } else {
     text += "  A program that is right in its dialect has an answer.\n";
-    put("got", finding.breakdown);
+    text += finding_line("got", finding.breakdown);
   }
-  return text + listed(finding.second);
+  return text + written_text(finding.second);
 }
 
 // The programs and what is wrong, below --out.

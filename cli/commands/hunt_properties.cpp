@@ -36,30 +36,16 @@ hunt::PropertyOptions property_options(const HuntWords& words) {
   return options;
 }
 
-std::string listed(const std::string& program) {
-  std::string text;
-  std::size_t begin = 0;
-  while (begin < program.size()) {
-    const std::size_t end = std::min(program.find('\n', begin), program.size());
-    text += "    " + oracle::readable(program.substr(begin, end - begin)) + "\n";
-    begin = end + 1;
-  }
-  return text;
-}
-
 std::string text_of(const hunt::PropertyFinding& finding) {
   const relations::Difference& difference = finding.difference;
   std::string text = fmt::format("  {}\n", finding.relation->sentence);
   if (difference.block != 0) text += fmt::format("  line       {}\n", difference.block);
   if (difference.record != 0) text += fmt::format("  record     {}\n", difference.record);
-  auto put = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("  {:<11}{}\n", name, value.empty() ? "nothing" : value);
-  };
-  put("want", difference.want);
-  put("got", difference.got);
-  put("profile", reference::profile_json(finding.program.profile));
+  text += finding_line("want", difference.want);
+  text += finding_line("got", difference.got);
+  text += finding_line("profile", reference::profile_json(finding.program.profile));
   text += "  program:\n" + listed(finding.program.text);
-  put("profile", reference::profile_json(finding.other.profile));
+  text += finding_line("profile", reference::profile_json(finding.other.profile));
   text += "  the other program:\n" + listed(finding.other.text);
   if (!finding.is_reduced) text += "  It may not be the smallest.\n";
   return text;

@@ -178,5 +178,17 @@ TEST(Operations, NoCutTakesMoreThanOnePeck) {
   EXPECT_TRUE(written(list, {"rs274", false}).empty());
 }
 
+// A subject may say within which bounds a place lies.
+TEST(Operations, WhatCannotBeToldFromALimitIsNoBreachAndNoDifference) {
+  std::vector<Leg> legs = legs_in("rs274", "G0 Z5\nG0 X10\nG0 Z1\nM2\n");
+  ASSERT_EQ(legs.size(), 3U);
+  std::vector<Leg> enclosed = legs;
+  enclosed[2].to[reference::Axis::z] = Number::between(-1, 3);
+  EXPECT_FALSE(first_difference(legs, enclosed, kNothing));
+  EXPECT_TRUE(breaches(two_holes(false), enclosed, kNothing).empty());
+  // That the holes are not there is told where the search comes to its end.
+  EXPECT_EQ(breaches(two_holes(false), legs, kNothing).size(), 1U);
+}
+
 }  // namespace
 }  // namespace gonogo::relations::testing
