@@ -29,17 +29,21 @@ struct ChangedCase {
   Json after;
 };
 
-struct Comparison {
-  Json old_header;
-  Json new_header;
+// Of a comparison, of two runs or of many, what is said besides the cases that changed.
+struct ComparedCases {
   std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
-  std::vector<ChangedCase> changed;
-  // Cases that only one of the runs has: how many, and the first of them.
+  // Cases that only the run now has, and those that it lacks: how many, and the first of them.
   std::uint64_t added = 0;
   std::vector<std::string> first_added;
   std::uint64_t gone = 0;
   std::vector<std::string> first_gone;
   std::uint64_t same = 0;
+};
+
+struct Comparison : ComparedCases {
+  Json old_header;
+  Json new_header;
+  std::vector<ChangedCase> changed;
 
   std::uint64_t count(Change change) const;
 };

@@ -59,6 +59,26 @@ std::string text_ids(std::string_view title, std::uint64_t count,
 std::string markdown_ids(std::string_view title, std::uint64_t count,
                          const std::vector<std::string>& first);
 
+// Cases of each change, in the order of kChanges.
+using ChangeCounts = std::array<std::uint64_t, kChanges.size()>;
+template <typename Compared>
+ChangeCounts counts_of(const Compared& comparison) {
+  ChangeCounts counts{};
+  for (std::size_t i = 0; i < kChanges.size(); ++i) {
+    counts[i] = comparison.count(kChanges[i].change);
+  }
+  return counts;
+}
+
+// How many cases changed, came, went and are the same: as lines, as an object, as a table.
+std::string text_counts(const ComparedCases& cases, const ChangeCounts& counts);
+Json json_counts(const ComparedCases& cases, const ChangeCounts& counts);
+std::string markdown_counts(const ComparedCases& cases, const ChangeCounts& counts);
+// "No regressions", or how many.
+std::string regressions_title(std::uint64_t regressions);
+// The document with what comes last in it, as text.
+std::string json_document(Json root, const ComparedCases& cases);
+
 // Counts an id, and keeps it while there is room.
 void add_id(std::uint64_t& count, std::vector<std::string>& first, const std::string& id);
 

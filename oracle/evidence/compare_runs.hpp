@@ -25,17 +25,10 @@ struct CaseOfRuns {
   std::vector<Json> runs;  // what compare_results has as before and after; null: not in that run
 };
 
-struct RunsComparison {
+struct RunsComparison : ComparedCases {
   std::vector<std::string> paths;
   std::vector<Json> headers;
-  std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
   std::vector<CaseOfRuns> changed;
-  // Cases that only the run now has, and those that it alone lacks or lacks with others.
-  std::uint64_t added = 0;
-  std::vector<std::string> first_added;
-  std::uint64_t gone = 0;
-  std::vector<std::string> first_gone;
-  std::uint64_t same = 0;
 
   std::uint64_t count(Change change) const;
 };

@@ -29,18 +29,6 @@ std::string lines_of_case(const CaseOfRuns& changed) {
   return text;
 }
 
-std::string counts_text(const RunsComparison& comparison) {
-  std::string text = "\n";
-  const auto line = [&](std::string_view what, std::uint64_t count) {
-    text += fmt::format("{:<12} {:>8}\n", what, grouped(count));
-  };
-  for (const ChangeNames& names : kChanges) line(names.key, comparison.count(names.change));
-  line("new", comparison.added);
-  line("gone", comparison.gone);
-  line("same", comparison.same);
-  return text;
-}
-
 std::string runs_text(const RunsComparison& comparison) {
   std::string text;
   for (const std::string& line : run_lines(comparison)) text += line + "\n";
@@ -54,19 +42,14 @@ std::string runs_text(const RunsComparison& comparison) {
   }
   text += text_ids("New cases", comparison.added, comparison.first_added);
   text += text_ids("Cases that are gone", comparison.gone, comparison.first_gone);
-  return text + counts_text(comparison);
+  return text + text_counts(comparison, counts_of(comparison));
 }
 
 std::string runs_json(const RunsComparison& comparison) {
-  Json counts;
-  for (const ChangeNames& names : kChanges) counts[names.key] = comparison.count(names.change);
-  counts["new"] = comparison.added;
-  counts["gone"] = comparison.gone;
-  counts["same"] = comparison.same;
   Json root = {{"format", 1},
                {"runs", comparison.headers},
                {"notes", comparison.notes},
-               {"counts", std::move(counts)}};
+               {"counts", json_counts(comparison, counts_of(comparison))}};
   for (const ChangeNames& names : kChanges) {
     Json list = Json::array();
     for (const CaseOfRuns& changed : comparison.changed) {
@@ -78,24 +61,15 @@ std::string runs_json(const RunsComparison& comparison) {
     }
     root[names.key] = std::move(list);
   }
-  root["first_new"] = comparison.first_added;
-  root["first_gone"] = comparison.first_gone;
-  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_document(std::move(root), comparison);
 }
 
 std::string runs_markdown(const RunsComparison& comparison) {
-  const std::uint64_t regressions = comparison.count(Change::regression);
   std::string text =
-      fmt::format("# {}\n\n", regressions == 0 ? std::string("No regressions")
-                                               : "Regressions: " + grouped(regressions));
+      fmt::format("# {}\n\n", regressions_title(comparison.count(Change::regression)));
   for (const std::string& line : run_lines(comparison)) text += "- " + markdown_text(line) + "\n";
   for (const std::string& note : comparison.notes) text += "- " + markdown_text(note) + "\n";
-  text += "\n| | cases |\n|---|--:|\n";
-  for (const ChangeNames& names : kChanges) {
-    text += fmt::format("| {} | {} |\n", names.title, grouped(comparison.count(names.change)));
-  }
-  text += fmt::format("| New | {} |\n| Gone | {} |\n| The same | {} |\n", grouped(comparison.added),
-                      grouped(comparison.gone), grouped(comparison.same));
+  text += markdown_counts(comparison, counts_of(comparison));
   for (const ChangeNames& names : kChanges) {
     if (comparison.count(names.change) == 0) continue;
     text += fmt::format("\n## {}\n\n| case |", names.title);

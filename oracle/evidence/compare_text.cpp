@@ -39,27 +39,15 @@ std::string text_table(const Comparison& comparison) {
   }
   text += text_ids("New cases", comparison.added, comparison.first_added);
   text += text_ids("Cases that are gone", comparison.gone, comparison.first_gone);
-  text += "\n";
-  for (const ChangeNames& names : kChanges) {
-    text += fmt::format("{:<12} {:>8}\n", names.key, grouped(comparison.count(names.change)));
-  }
-  text +=
-      fmt::format("{:<12} {:>8}\n{:<12} {:>8}\n{:<12} {:>8}\n", "new", grouped(comparison.added),
-                  "gone", grouped(comparison.gone), "same", grouped(comparison.same));
-  return text;
+  return text + text_counts(comparison, counts_of(comparison));
 }
 
 std::string json_text(const Comparison& comparison) {
-  Json counts;
-  for (const ChangeNames& names : kChanges) counts[names.key] = comparison.count(names.change);
-  counts["new"] = comparison.added;
-  counts["gone"] = comparison.gone;
-  counts["same"] = comparison.same;
   Json root = {{"format", 1},
                {"old", comparison.old_header},
                {"new", comparison.new_header},
                {"notes", comparison.notes},
-               {"counts", counts}};
+               {"counts", json_counts(comparison, counts_of(comparison))}};
   for (const ChangeNames& names : kChanges) {
     Json list = Json::array();
     for (const ChangedCase& changed : comparison.changed) {
@@ -72,24 +60,15 @@ std::string json_text(const Comparison& comparison) {
     }
     root[names.key] = std::move(list);
   }
-  root["first_new"] = comparison.first_added;
-  root["first_gone"] = comparison.first_gone;
-  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_document(std::move(root), comparison);
 }
 
 std::string markdown(const Comparison& comparison) {
-  const std::uint64_t regressions = comparison.count(Change::regression);
-  std::string text = fmt::format(
-      "# {}\n\n{}.\n\n",
-      regressions == 0 ? "No regressions" : fmt::format("Regressions: {}", grouped(regressions)),
-      markdown_text(titles(comparison)));
+  std::string text =
+      fmt::format("# {}\n\n{}.\n\n", regressions_title(comparison.count(Change::regression)),
+                  markdown_text(titles(comparison)));
   for (const std::string& note : comparison.notes) text += "- " + markdown_text(note) + "\n";
-  text += "\n| | cases |\n|---|--:|\n";
-  for (const ChangeNames& names : kChanges) {
-    text += fmt::format("| {} | {} |\n", names.title, grouped(comparison.count(names.change)));
-  }
-  text += fmt::format("| New | {} |\n| Gone | {} |\n| The same | {} |\n", grouped(comparison.added),
-                      grouped(comparison.gone), grouped(comparison.same));
+  text += markdown_counts(comparison, counts_of(comparison));
   for (const ChangeNames& names : kChanges) {
     if (comparison.count(names.change) == 0) continue;
     text += fmt::format("\n## {}\n\n| case | before | now | what was found |\n|---|---|---|---|\n",
@@ -107,6 +86,46 @@ std::string markdown(const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::string text_counts(const ComparedCases& cases, const ChangeCounts& counts) {
+  std::string text = "\n";
+  const auto line = [&](std::string_view what, std::uint64_t count) {
+    text += fmt::format("{:<12} {:>8}\n", what, grouped(count));
+  };
+  for (std::size_t i = 0; i < kChanges.size(); ++i) line(kChanges[i].key, counts[i]);
+  line("new", cases.added);
+  line("gone", cases.gone);
+  line("same", cases.same);
+  return text;
+}
+
+Json json_counts(const ComparedCases& cases, const ChangeCounts& counts) {
+  Json object;
+  for (std::size_t i = 0; i < kChanges.size(); ++i) object[kChanges[i].key] = counts[i];
+  object["new"] = cases.added;
+  object["gone"] = cases.gone;
+  object["same"] = cases.same;
+  return object;
+}
+
+std::string markdown_counts(const ComparedCases& cases, const ChangeCounts& counts) {
+  std::string text = "\n| | cases |\n|---|--:|\n";
+  for (std::size_t i = 0; i < kChanges.size(); ++i) {
+    text += fmt::format("| {} | {} |\n", kChanges[i].title, grouped(counts[i]));
+  }
+  return text + fmt::format("| New | {} |\n| Gone | {} |\n| The same | {} |\n",
+                            grouped(cases.added), grouped(cases.gone), grouped(cases.same));
+}
+
+std::string regressions_title(std::uint64_t regressions) {
+  return regressions == 0 ? "No regressions" : "Regressions: " + grouped(regressions);
+}
+
+std::string json_document(Json root, const ComparedCases& cases) {
+  root["first_new"] = cases.first_added;
+  root["first_gone"] = cases.first_gone;
+  return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 std::string departure_words(const Json& part) {
   if (part.is_null()) return "-";
