@@ -110,10 +110,6 @@ std::string advices_text(const oracle::RunScope& scope) {
 
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", oracle::grouped(count), count == 1 ? one : many);
-}
-
 // The cycles with their cases, those with most first.
 std::string cycles_text(const oracle::Finding& finding) {
   std::vector<std::pair<std::string, std::size_t>> cycles(finding.by_cycle.begin(),
@@ -192,7 +188,7 @@ std::string not_claimed_text(const oracle::RunScope& scope) {
           fmt::format("{}{} {}", features.empty() ? "" : ", ", feature, oracle::grouped(cases));
     }
     text += fmt::format("  not claimed of {}: {} ({})\n", dialect,
-                        counted(skips.cases, "case", "cases"), features);
+                        oracle::counted(skips.cases, "case", "cases"), features);
   }
   return text;
 }
@@ -214,8 +210,9 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += fmt::format("  follows {}\n", assignment);
   }
   if (summary.run_again > 0) {
-    text += fmt::format("  {} run more than twice, {}\n", counted(summary.run_again, "case", "cases"),
-                        counted(summary.further_runs, "further run", "further runs"));
+    text += fmt::format("  {} run more than twice, {}\n",
+                        oracle::counted(summary.run_again, "case", "cases"),
+                        oracle::counted(summary.further_runs, "further run", "further runs"));
   }
   if (summary.footer.left_out > 0) {
     text += fmt::format("  {} cases contradict the profile and were left out\n",

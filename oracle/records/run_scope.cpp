@@ -33,10 +33,6 @@ RunScope::Group& group_of(Groups& groups, Key key, Key rest) {
   return groups[groups.size() < kMostReasons ? std::move(key) : std::move(rest)];
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
-}
-
 std::string with_dialect(const std::string& name, const std::string& dialect, bool needed) {
   return needed ? fmt::format("{} of {}", name, dialect) : name;
 }
@@ -47,6 +43,10 @@ std::string grouped(std::size_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
   return digits;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped(count), count == 1 ? one : many);
 }
 
 bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {

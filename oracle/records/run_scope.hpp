@@ -97,5 +97,7 @@ class RunScope {
 
 // "6,613"
 std::string grouped(std::size_t count);
+// "12 cases", "1 case"
+std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
 }  // namespace gonogo::oracle

@@ -26,8 +26,8 @@ std::vector<std::string> clauses_in_order(const Gathered& gathered) {
 
 std::string hint(const Run& run, const std::string& clause, const ClauseCounts& counts) {
   return fmt::format("{}, {}: {} passed, {} depart here, {} at another clause, {} undecided",
-                     run.title(), clause, number(counts.passed), number(counts.departed),
-                     number(counts.elsewhere), number(counts.undecided));
+                     run.title(), clause, grouped(counts.passed), grouped(counts.departed),
+                     grouped(counts.elsewhere), grouped(counts.undecided));
 }
 
 std::string row_of(const SiteView& site, const std::string& id) {

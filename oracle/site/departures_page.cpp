@@ -12,7 +12,7 @@ std::string share(const SiteView& site, std::size_t run, const Departure& depart
   const auto found = departure.shares.find(run);
   if (found == departure.shares.end()) return "<td></td>";
   const Departure::Share& share = found->second;
-  const std::string cases = number(share.cases);
+  const std::string cases = grouped(share.cases);
   const Run& one = site.gathered->runs[run];
   std::string cell =
       fmt::format("<td class=\"has{}\" title=\"{}, first: {}\">",
@@ -21,7 +21,7 @@ std::string share(const SiteView& site, std::size_t run, const Departure& depart
                                      text(share.first), cases)
                        : cases;
   if (share.known > 0 && share.known < share.cases) {
-    cell += fmt::format("<span class=\"level\">{} known</span>", number(share.known));
+    cell += fmt::format("<span class=\"level\">{} known</span>", grouped(share.known));
   }
   return cell + "</td>";
 }
@@ -41,7 +41,7 @@ std::string row_of(const SiteView& site, const Departure& departure) {
       text(departure.text().substr(std::min(departure.text().size(), departure.text().find('(')))),
       clause == nullptr ? "" : text(clause->text),
       case_link(site, departure.smallest.run, departure.smallest.id),
-      text(departure.smallest.message), number(departure.shares.size()), number(departure.cases));
+      text(departure.smallest.message), grouped(departure.shares.size()), grouped(departure.cases));
   for (std::size_t i = 0; i < site.gathered->runs.size(); ++i) row += share(site, i, departure);
   return row + "</tr>\n";
 }

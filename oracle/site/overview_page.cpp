@@ -14,7 +14,7 @@ std::string_view tone(const std::string& decision) {
 }
 
 std::string number_cell(std::uint64_t count) {
-  return "<td class=\"number\">" + (count == 0 ? "0" : number(count)) + "</td>";
+  return "<td class=\"number\">" + (count == 0 ? "0" : grouped(count)) + "</td>";
 }
 
 std::string results_row(const SiteView& site, std::size_t i) {
@@ -49,7 +49,7 @@ std::string counts_hint(const Run& run, const CycleKey& cycle, const Counts& cou
   std::string hint = fmt::format("{}, {} of {}:", run.title(), cycle.cycle, cycle.dialect);
   for (std::size_t k = 0; k < kOutcomes; ++k) {
     if (counts.of[k] == 0) continue;
-    hint += fmt::format(" {} {};", number(counts.of[k]), title(static_cast<Outcome>(k)));
+    hint += fmt::format(" {} {};", grouped(counts.of[k]), title(static_cast<Outcome>(k)));
   }
   return hint;
 }

@@ -44,14 +44,6 @@ std::string text(std::string_view untrusted) {
   return report::markup_text(untrusted);
 }
 
-std::string number(std::uint64_t count) {
-  return grouped(count);
-}
-
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number(count), count == 1 ? one : many);
-}
-
 std::string percent(std::uint64_t part, std::uint64_t of) {
   if (of == 0) return "-";
   if (part == of) return "100 %";
@@ -142,9 +134,10 @@ std::string share_cell(std::uint64_t part, std::uint64_t of, const std::string& 
     return fmt::format("<td class=\"share none\" title=\"{}\">&ndash;</td>", text(hint));
   }
   const std::uint64_t width = part * 100 / of;
-  return fmt::format("<td class=\"share{}\" style=\"--part:{}%\" title=\"{}\">{}</td>",
-                     part == of ? " all" : "", width, text(hint),
-                     part == of ? number(part) : fmt::format("{} / {}", number(part), number(of)));
+  return fmt::format(
+      "<td class=\"share{}\" style=\"--part:{}%\" title=\"{}\">{}</td>", part == of ? " all" : "",
+      width, text(hint),
+      part == of ? grouped(part) : fmt::format("{} / {}", grouped(part), grouped(of)));
 }
 
 std::string stacked_bar(const Counts& counts) {
@@ -157,7 +150,7 @@ std::string stacked_bar(const Counts& counts) {
     const std::uint64_t cases = counts[outcome];
     if (cases == 0) continue;
     if (!words.empty()) words += ", ";
-    words += fmt::format("{} {}", number(cases), title(outcome));
+    words += fmt::format("{} {}", grouped(cases), title(outcome));
     // At least a sliver of each.
     const std::uint64_t hundredths = std::max<std::uint64_t>(cases * 10'000 / all, 40);
     parts += fmt::format("<i class=\"{}\" style=\"flex:{} 1 0\"></i>", key(outcome), hundredths);

@@ -33,10 +33,6 @@ inline constexpr std::array<PageName, 6> kPages = {{{"index.html", "Overview"},
 
 // For HTML text and attributes.
 std::string text(std::string_view untrusted);
-// "1,234"
-std::string number(std::uint64_t count);
-// "12 cases", "1 case"
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 // "87.4 %", downward: 100 % is all of them.
 std::string percent(std::uint64_t part, std::uint64_t of);
 

@@ -9,7 +9,7 @@ namespace gonogo::oracle::site {
 namespace {
 
 std::string milliseconds(std::uint64_t microseconds) {
-  return fmt::format("{}.{:03} ms", number(microseconds / 1000), microseconds % 1000);
+  return fmt::format("{}.{:03} ms", grouped(microseconds / 1000), microseconds % 1000);
 }
 
 std::string rates(const SiteView& site) {
@@ -25,8 +25,8 @@ std::string rates(const SiteView& site) {
         "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}"
         "</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
         "</tr>\n",
-        run_link(site, i), number(speed.cases()), milliseconds(speed.microseconds()),
-        number(static_cast<std::uint64_t>(speed.rate())), milliseconds(speed.below(50)),
+        run_link(site, i), grouped(speed.cases()), milliseconds(speed.microseconds()),
+        grouped(static_cast<std::uint64_t>(speed.rate())), milliseconds(speed.below(50)),
         milliseconds(speed.below(99)));
   }
   return "<p class=\"note\">As the runs were timed, subject and judge together, a case after "

@@ -71,10 +71,10 @@ std::string change_cell(const SiteView& site, std::size_t run, std::uint64_t cas
                         const std::vector<std::string>& first) {
   if (cases == 0) return "<td class=\"number\">0</td>";
   std::string more;
-  if (cases > first.size()) more = fmt::format(" and {} more", number(cases - first.size()));
+  if (cases > first.size()) more = fmt::format(" and {} more", grouped(cases - first.size()));
   return fmt::format(
       "<td><details><summary>{}</summary><div class=\"ids\">{}{}</div></details></td>",
-      number(cases), case_links(site, run, first), more);
+      grouped(cases), case_links(site, run, first), more);
 }
 
 std::string versions_table(const SiteView& site, const std::vector<std::size_t>& versions) {

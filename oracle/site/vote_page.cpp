@@ -15,12 +15,12 @@ std::string ballots(const SiteView& site) {
     const auto found = votes.ballots().find(ballot);
     rows += fmt::format(
         "<tr><th scope=\"row\">{}</th><td class=\"number\" id=\"{}\">{}</td></tr>\n", title(ballot),
-        key(ballot), found == votes.ballots().end() ? "0" : number(found->second));
+        key(ballot), found == votes.ballots().end() ? "0" : grouped(found->second));
   }
   rows += fmt::format(
       "<tr><th scope=\"row\">fewer than two answered</th><td class=\"number\" id=\"alone\">{}</td>"
       "</tr>\n",
-      number(votes.alone()));
+      grouped(votes.alone()));
   return "<p class=\"note\">One vote an implementation, that of its last version: " +
          who(site, site.gathered->voters) + "</p>\n" +
          table("ballot-table", "<th>They vote</th><th class=\"number\">Cases</th>", rows);
@@ -42,8 +42,8 @@ std::string pairs(const SiteView& site) {
       rows += fmt::format(
           "<td class=\"like\" title=\"{} of {} alike\">{}<div class=\"level\">{} against the "
           "reference</div></td>",
-          number(pair.alike), counted(pair.both, "case", "cases"), percent(pair.alike, pair.both),
-          number(pair.depart_alike));
+          grouped(pair.alike), counted(pair.both, "case", "cases"), percent(pair.alike, pair.both),
+          grouped(pair.depart_alike));
     }
     rows += "</tr>\n";
   }
@@ -56,7 +56,7 @@ std::string row_of(const SiteView& site, const Agreement& one) {
   const reference::Clause* clause = report::find_clause(one.key.clause);
   std::string more;
   if (one.cases > one.first.size()) {
-    more = fmt::format(" and {} more", number(one.cases - one.first.size()));
+    more = fmt::format(" and {} more", grouped(one.cases - one.first.size()));
   }
   return fmt::format(
       "<tr><td>{}</td><td><span class=\"badge no-go\">{}</span> <span class=\"mono\">{}</span><div "
@@ -64,7 +64,7 @@ std::string row_of(const SiteView& site, const Agreement& one) {
       "</td><td class=\"ids\">{}{}<div class=\"level\">{}</div></td></tr>\n",
       title(one.key.ballot), text(one.key.verdict), text(one.key.clause), text(one.key.dialect),
       clause == nullptr ? "" : text(clause->text), who(site, one.key.alike),
-      who(site, one.key.with), who(site, one.key.other), number(one.cases),
+      who(site, one.key.with), who(site, one.key.other), grouped(one.cases),
       case_links(site, one.key.alike.front(), one.first), more, text(one.message));
 }
 
