@@ -10,25 +10,19 @@ import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
+import { openBrowser, withPage as withBrowserPage } from './browser.mjs';
+
 const here = dirname(fileURLToPath(import.meta.url));
 const data = join(here, '..', 'oracle', 'report', 'data');
 const writer = process.env.GONOGO_REPORT_PAGE;
 const work = mkdtempSync(join(tmpdir(), 'gonogo-browser-'));
-const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
 let context;
 const reports = new Map();  // results file -> page
 
 before(async () => {
   assert.ok(writer, 'GONOGO_REPORT_PAGE must name the program that writes a report');
-  const { chromium } = await import('playwright-core').catch(() => {
-    throw new Error('playwright-core is missing: run `npm ci` in tests/browser');
-  });
-  context = await chromium.launchPersistentContext(join(work, 'profile'), {
-    executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
-    viewport: { width: 1280, height: 900 }, colorScheme: 'light', offline: true,
-  });
+  context = await openBrowser(work);
 });
 
 after(async () => {
@@ -46,29 +40,10 @@ function report(results) {
   return reports.get(results);
 }
 
-// Opens a report, runs `body` and asserts that the page never complained nor asked for anything.
-async function withPage(results, body, hash = '') {
-  const page = await context.newPage();
-  const complaints = [];
-  const requests = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(error.message));
-  page.on('dialog', (dialog) => { complaints.push(`dialog ${dialog.message()}`); dialog.dismiss(); });
-  page.on('request', (request) => {
-    if (!/^(file|data):/.test(request.url())) requests.push(request.url());
-  });
-  try {
-    await page.goto(report(results) + hash);
-    await page.waitForSelector('#decision');
-    await body(page);
-    assert.deepEqual(complaints, []);
-    assert.deepEqual(requests, []);
-  } finally {
-    await page.close();
-  }
-}
+const withPage = (results, body, hash = '') => withBrowserPage(context, report(results) + hash, async (page) => {
+  await page.waitForSelector('#decision');
+  await body(page);
+});
 
 const results = join(data, 'results.jsonl');
 const atCase = (id) => `#case=${encodeURIComponent(id)}`;

@@ -11,12 +11,12 @@ import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
+import { openBrowser, withPage as withBrowserPage } from './browser.mjs';
+
 const corpus = join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'corpus');
 const gonogo = process.env.GONOGO;
 const pictures = process.env.GONOGO_SCREENSHOTS;
 const work = mkdtempSync(join(tmpdir(), 'gonogo-site-'));
-const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const kPages = ['index', 'clauses', 'departures', 'vote', 'trend', 'speed'];
 const kSubjects = ['ngc', 'ngc+depth-from-tool', 'ngc+empty-last-peck', 'ngc+equal-pecks'];
 
@@ -38,13 +38,7 @@ before(async () => {
   run([0], 'site', 'acme@9=ngc', 'acme@10=ngc+depth-from-tool', 'bolt@1=ngc+empty-last-peck',
     '<b>crank</b>@2=ngc+equal-pecks', '--out', 'site', '--title', 'Four <i>runs</i>');
   data = JSON.parse(readFileSync(join(work, 'site', 'site.json'), 'utf8'));
-  const { chromium } = await import('playwright-core').catch(() => {
-    throw new Error('playwright-core is missing: run `npm ci` in tests/browser');
-  });
-  context = await chromium.launchPersistentContext(join(work, 'profile'), {
-    executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
-    viewport: { width: 1280, height: 900 }, colorScheme: 'light', offline: true,
-  });
+  context = await openBrowser(work);
 });
 
 after(async () => {
@@ -52,25 +46,8 @@ after(async () => {
   rmSync(work, { recursive: true, force: true });
 });
 
-// Opens a page of the site and asserts that it never complained nor asked for anything.
-async function withPage(name, body) {
-  const page = await context.newPage();
-  const wrong = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) wrong.push(message.text());
-  });
-  page.on('pageerror', (error) => wrong.push(error.message));
-  page.on('request', (request) => {
-    if (!/^(file|data):/.test(request.url())) wrong.push(request.url());
-  });
-  try {
-    await page.goto(pathToFileURL(join(work, 'site', `${name}.html`)).href);
-    await body(page);
-    assert.deepEqual(wrong, []);
-  } finally {
-    await page.close();
-  }
-}
+const withPage = (name, body) =>
+  withBrowserPage(context, pathToFileURL(join(work, 'site', `${name}.html`)).href, body);
 
 const texts = (page, selector) => page.locator(selector).allInnerTexts();
 

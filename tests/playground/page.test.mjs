@@ -5,58 +5,37 @@
 // file for a picture.
 import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+
+import { openBrowser, withPage as withBrowserPage } from '../browser/browser.mjs';
 
 if (!existsSync(process.env.GONOGO_PLAYGROUND_PAGE ?? 'playground.html')) {
   console.log('SKIPPED: playground.build has made no page');
   process.exit(0);
 }
 const here = dirname(fileURLToPath(import.meta.url));
-const require = createRequire(join(here, '..', 'browser', 'package.json'));
 const work = mkdtempSync(join(tmpdir(), 'gonogo-playground-page-'));
-const kFlags = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const kPage = pathToFileURL(process.env.GONOGO_PLAYGROUND_PAGE ?? 'playground.html').href;
 const kPocket = 'G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-4 R-3 I10 L4 Q2 P0.5 D3 F200\n';
 
 let context;
 before(async () => {
-  const { chromium } = require('playwright-core');
-  context = await chromium.launchPersistentContext(join(work, 'profile'), {
-    executablePath: process.env.GONOGO_CHROMIUM ?? '/usr/bin/chromium', args: kFlags,
-    viewport: { width: 1280, height: 1500 }, colorScheme: 'light', offline: true,
-  });
+  context = await openBrowser(work, 1500);
 });
 after(async () => {
   await context?.close();
   rmSync(work, { recursive: true, force: true });
 });
 
-// Opens the page, runs `body` and asserts that the page never complained nor asked for anything.
-async function withPage(asked, body) {
-  const page = await context.newPage();
-  const complaints = [];
-  const requests = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
-  });
-  page.on('pageerror', (error) => complaints.push(error.message));
-  page.on('request', (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) requests.push(request.url());
-  });
-  try {
-    await page.goto(kPage + (asked ? `#${new URLSearchParams(asked).toString().replaceAll('+', '%20')}` : ''));
+function withPage(asked, body) {
+  const hash = asked ? `#${new URLSearchParams(asked).toString().replaceAll('+', '%20')}` : '';
+  return withBrowserPage(context, kPage + hash, async (page) => {
     await settled(page);
     await body(page);
-    assert.deepEqual(complaints, []);
-    assert.deepEqual(requests, []);
-  } finally {
-    await page.close();
-  }
+  }, /^(file|data|blob):/);
 }
 
 const settled = (page) => page.waitForFunction(() => /record|Wrong use|stopped/.test(document.querySelector('#state').textContent), null, { timeout: 60_000 });
