@@ -12,6 +12,19 @@ using reference::Plane;
 using reference::ReadingKey;
 using reference::Units;
 
+namespace {
+
+// GSK-MOD-08: milliseconds of P, seconds of X and U; the address follows from the time.
+std::string dwell_word(std::uint32_t milliseconds) {
+  constexpr std::uint32_t kAddresses = 4;
+  const std::uint32_t address = milliseconds % kAddresses;
+  if (address > 1) return fmt::format("P{}", milliseconds);
+  return fmt::format("{}{}.{:03}", address == 0 ? 'X' : 'U', milliseconds / 1000,
+                     milliseconds % 1000);
+}
+
+}  // namespace
+
 void GskWriter::make_state() {
   if (choices_.one_in(4)) profile_.increment = Increment::isc;
   if (choices_.one_in(4)) profile_.x_diameter = false;
@@ -62,7 +75,7 @@ void GskWriter::mode_block() {
       return put({choices_.pick({"G98", "G99"}), fmt::format("F{}", 1 + choices_.below(99))});
     case 3:
       count("dwell");
-      return put({"G04", fmt::format("P{}", choices_.below(5000))});
+      return put({"G04", dwell_word(choices_.below(5000))});
     case 4:
       count("G28");
       return put({"G28", axis_word(choices_.below(3), 20)});

@@ -17,12 +17,17 @@ enum class CoverageDetail : std::uint8_t {
   // A clause with what decided it, the code in force and the clause before.
   clauses,
 };
-// Hashes, sorted, each once; nothing where the reference puts out more than `most_items`. A feature
+struct Coverage {
+  std::vector<std::uint64_t> features;  // hashes, sorted, each once
+  // What judging the program costs, as a number of records.
+  std::size_t cost = 0;
+};
+// Nothing where the program costs more than `most_cost`. A feature
 // is a clause of a record or alarm with what decided it (kind, signs of the travel, sense, class)
 // and one part of the state: plane, units, settings, the code in force, a code written before, the
 // clause before, how two words of the block compare (equal, one increment apart, a multiple).
-std::optional<std::vector<std::uint64_t>> features_of(const generate::GeneratedProgram& program,
-                                                      std::size_t most_items,
-                                                      CoverageDetail detail = CoverageDetail::all);
+std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
+                                    std::size_t most_cost,
+                                    CoverageDetail detail = CoverageDetail::all);
 
 }  // namespace gonogo::hunt

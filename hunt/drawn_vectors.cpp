@@ -34,8 +34,7 @@ DrawnVectors draw_vectors(const generate::Generator& generator,
     generate::Choices choices(seed + i);
     const generate::GeneratedProgram program = generator.generate(choices, settings, nullptr);
     const std::vector<std::uint64_t> features =
-        features_of(program, kMostDrawnItems, CoverageDetail::clauses)
-            .value_or(std::vector<std::uint64_t>());
+        coverage_of(program, kMostDrawnCost, CoverageDetail::clauses).value_or(Coverage{}).features;
     const bool is_new =
         std::ranges::any_of(features, [&](auto feature) { return !shown.contains(feature); });
     if (!is_new && !features.empty()) continue;

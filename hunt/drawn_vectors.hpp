@@ -15,11 +15,11 @@ struct DrawnVectors {
   std::vector<oracle::Case> cases;  // "drawn.DIALECT.s7.000012": by the number of its program
   std::size_t features = 0;         // of CoverageDetail::clauses that they show together
   std::size_t alarms = 0;           // of the cases
-  // Programs of which the reference says nothing, cannot decide, or says more than kMostDrawnItems.
+  // Programs of which the reference says nothing, cannot decide, or says more than kMostDrawnCost.
   std::size_t left_out = 0;
 };
 
-inline constexpr std::size_t kMostDrawnItems = 1'000;
+inline constexpr std::size_t kMostDrawnCost = 1'000;
 
 // Of so many programs, those that show something of the reference that none before shows. Program i
 // of a seed is program 0 of seed + i, as in gonogo_soak. `gonogo`: "gonogo 0.1.0", for their

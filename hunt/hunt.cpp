@@ -114,12 +114,12 @@ void Hunt::settle(Specimen& specimen) const {
 // D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
 bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& program) const {
   if (options_.everywhere || !is_other_than_the_reference(verdict.kind)) return true;
-  return oracle::outside_domain(program.profile, program.text, options_.most_items).empty();
+  return oracle::outside_domain(program.profile, program.text, options_.most_cost).empty();
 }
 
 void Hunt::offer(const generate::GeneratedProgram& program) {
-  const auto features = features_of(program, options_.most_items);
-  if (options_.guided && features) pool_.offer({program, {}}, *features);
+  const auto coverage = coverage_of(program, options_.most_cost);
+  if (options_.guided && coverage) pool_.offer({program, {}}, *coverage);
 }
 
 std::optional<Finding> Hunt::step() {
@@ -130,8 +130,8 @@ std::optional<Finding> Hunt::step() {
     return std::nullopt;
   }
   const Specimen& specimen = *fitted;
-  const auto features = features_of(specimen.program, options_.most_items);
-  if (!features) {
+  auto coverage = coverage_of(specimen.program, options_.most_cost);
+  if (!coverage) {
     ++count_.too_long;
     return std::nullopt;
   }
@@ -140,8 +140,10 @@ std::optional<Finding> Hunt::step() {
     repertoire_.skipped(specimen.program);
   } else {
     repertoire_.ran(specimen.program);
+    // A fine step clears an area of few levels in thousands of motions.
+    coverage->cost += trial_.records();
     // Mutants of what is skipped are skipped.
-    if (options_.guided) pool_.offer(specimen, *features);
+    if (options_.guided) pool_.offer(specimen, *coverage);
   }
   if (!verdict) {
     ++count_.too_long;
@@ -171,7 +173,7 @@ std::optional<Finding> Hunt::examine(const Verdict& verdict,
   Finding finding{signature_of(verdict, program), verdict, {{}, program}, count_.programs};
   ++seen_[finding.signature];
   if (known_.contains(finding.signature)) return std::nullopt;
-  if (oracle::contradicts_itself(program.profile, program.text, options_.most_items)) {
+  if (oracle::contradicts_itself(program.profile, program.text, options_.most_cost)) {
     --count_.no_go;
     ++count_.gaps;
     return std::nullopt;

@@ -24,7 +24,7 @@ struct HuntOptions {
   std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
   generate::GeneratorSettings settings;  // of the programs that are generated
-  std::size_t most_items = 3'000;        // of the reference, of one program
+  std::size_t most_cost = 3'000;         // of one program, as of coverage_of()
   // What a subject does on a program outside of docs/domain.md is no finding, but for what ends it.
   bool everywhere = false;
 };

@@ -5,14 +5,14 @@
 
 namespace gonogo::hunt {
 
-bool Pool::offer(const Specimen& specimen, const std::vector<std::uint64_t>& features) {
+bool Pool::offer(const Specimen& specimen, const Coverage& coverage) {
   constexpr std::size_t kMostEntries = 4096;
   const auto fresh = static_cast<std::size_t>(std::ranges::count_if(
-      features, [&](std::uint64_t feature) { return seen_.insert(feature).second; }));
+      coverage.features, [&](std::uint64_t feature) { return seen_.insert(feature).second; }));
   if (fresh == 0) return false;
   if (entries_.size() == kMostEntries)
     entries_.erase(entries_.begin(), entries_.begin() + kMostEntries / 4);
-  entries_.push_back({specimen, fresh, 0});
+  entries_.push_back({specimen, fresh, coverage.cost, 0});
   return true;
 }
 
@@ -26,8 +26,9 @@ const Specimen& Pool::pick(program::Dice& dice) {
   // The best of three at random.
   constexpr int kTries = 3;
   constexpr std::size_t kMostFresh = 32;
+  constexpr std::size_t kCheap = 100;
   auto worth = [&](const Entry& entry) {
-    return std::min(entry.fresh, kMostFresh) * 8 / (1 + entry.picked);
+    return std::min(entry.fresh, kMostFresh) * 64 / (1 + entry.picked) / (1 + entry.cost / kCheap);
   };
   Entry* best = &dice.pick(entries_);
   for (int i = 1; i < kTries; ++i) {

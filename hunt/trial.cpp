@@ -62,16 +62,16 @@ std::optional<oracle::Verdict> Trial::judge(oracle::Subject& subject,
   oracle::Verdict verdict;
   try {
     oracle::JudgeSession session(program.profile, program.text, terms);
-    std::size_t records = 0;
     bool too_long = false;
     moved_ = false;
+    records_ = 0;
     const oracle::RunEnd end = run_once(subject, program, [&](const reference::Record& record) {
       if (judged != nullptr && judged->records.size() < kKeptRecords) {
         judged->records.push_back(record);
       }
       moved_ = moved_ || reference::is_motion(record.kind);
       if (!session.record(record)) return false;
-      too_long = ++records > options_.most_records;
+      too_long = ++records_ > options_.most_records;
       return !too_long;
     });
     if (too_long) return std::nullopt;

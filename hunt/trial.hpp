@@ -46,6 +46,8 @@ class Trial {
   std::optional<oracle::Verdict> run(const generate::GeneratedProgram& program);
   // Whether the subject moved in that run.
   bool moved() const { return moved_; }
+  // How many records it sent in that run.
+  std::size_t records() const { return records_; }
   // In a process of its own, after the programs that came before it in the exhibit.
   std::optional<oracle::Verdict> run_alone(const Exhibit& exhibit);
   // The same with all that a report needs, and the reading under which it would be GO.
@@ -72,6 +74,7 @@ class Trial {
   oracle::Subject& fresh(const std::vector<generate::GeneratedProgram>& before);
 
   bool moved_ = false;
+  std::size_t records_ = 0;
   SubjectMaker make_;
   TrialOptions options_;
   std::unique_ptr<oracle::Subject> subject_;

@@ -27,15 +27,11 @@ Real centre_along(const Machine& machine, const Block& block, std::size_t axis) 
   return absolute ? length - machine.state.position[axis] : length;
 }
 
-// What rounding leaves of a calculation whose value is zero, in counts.
-constexpr Real kResidue = 1e-6L;
-
 // Less than a count, but not nothing.
 bool is_trace(const Block& block, std::size_t axis) {
   if (!block.has(centre_address(axis))) return false;
   const Value& value = block.value(centre_address(axis));
-  const Real residue = value.calculated ? kResidue : 0;
-  return value.number.value == 0 && (value.number.finer || std::fabs(value.counts) > residue);
+  return value.number.value == 0 && (value.number.finer || value.counts != 0);
 }
 
 // False: there is no centre to go on with.

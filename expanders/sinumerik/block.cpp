@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "expanders/common/tokenizer.hpp"
 #include "expanders/sinumerik/machine.hpp"
@@ -255,6 +256,9 @@ Scan BlockReader::value(char letter, Value& value) {
   return Scan::kRead;
 }
 
+// What rounding leaves of a calculation whose value is zero, such as SIN(180), in counts.
+constexpr Real kResidue = 1e-6L;
+
 Scan BlockReader::expression(char letter, Value& value) {
   skip();
   const std::size_t count = parameter_count(machine_.control());
@@ -262,8 +266,8 @@ Scan BlockReader::expression(char letter, Value& value) {
                         machine_.has("left-to-right"_fault));
   const Scan scan = expression.read();
   value.number = to_counts(expression.value());
-  value.counts = expression.value() * kOne;
-  value.calculated = expression.calculated();
+  const Real counts = expression.value() * kOne;
+  value.counts = expression.calculated() && std::fabs(counts) <= kResidue ? 0 : counts;
   if (expression.undefined()) block_.undefined_.note(position(), letter);
   return scan;
 }

@@ -20,7 +20,6 @@ struct Value {
   Decimal number;                                       ///< to the nearest count
   Real counts = 0;                                      ///< as it was reckoned
   Mode mode = Mode::kPlain;
-  bool calculated = false;                               ///< rather than written as a number
 };
 
 /// An M word.

@@ -59,9 +59,9 @@ class DomainCheck {
     at_ = record.to;
     return broken;
   }
-  std::string_view take(const reference::PocketLevel&) {
+  std::string_view take(const reference::PocketLevel& level) {
     at_.reset();
-    return {};
+    return reaches_far(level.centre, level.pocket_radius - level.tool_radius) ? "D-DOM-02" : "";
   }
   std::string_view take(const reference::PocketMilling& pocket) {
     at_.reset();
@@ -72,11 +72,12 @@ class DomainCheck {
   }
   std::string_view take(const reference::ThreadMilling& thread) {
     at_.reset();
+    if (reaches_far(thread.centre, thread.start_radius)) return "D-DOM-02";
     return Number(kMostTurns) * thread.lead < abs(thread.travel) ? "D-DOM-06" : "";
   }
-  std::string_view take(const reference::HelixPocket&) {
+  std::string_view take(const reference::HelixPocket& helix) {
     at_.reset();
-    return {};
+    return reaches_far(helix.centre, helix.radius) ? "D-DOM-02" : "";
   }
   std::string_view take(const reference::Renaming& renaming) {
     if (!at_) return {};
@@ -90,6 +91,13 @@ class DomainCheck {
   static bool is_far(const Position& place) {
     return std::ranges::any_of(
         kAllAxes, [&](Axis axis) { return std::fabs(approximate(place[axis])) > kFarthest; });
+  }
+  // Whether a circle does, which stands for a path that is open.
+  static bool reaches_far(const std::array<Number, 2>& centre, const Number& radius) {
+    const double reach = std::fabs(approximate(radius));
+    return std::ranges::any_of(centre, [&](const Number& place) {
+      return std::fabs(approximate(place)) + reach > kFarthest;
+    });
   }
   // Whether two numbers are all but equal. Those that no bits tell apart are equal.
   static bool is_trace(const Number& a, const Number& b) {

@@ -24,6 +24,18 @@ TEST(SinumerikValue, Precedence) {
   EXPECT_EQ(x_of("10/3"), "3.333333333");
 }
 
+// SIN(180) is zero, and a double of it is not; its sign must not decide (a hunt of sinumerik802s,
+// seed 1, program 12,165).
+TEST(SinumerikValue, WhatRoundingLeavesOfZeroHasNoSign) {
+  for (const char* zero :
+       {"SIN(180)", "-SIN(180)", "SIN(360)", "COS(90)", "-COS(270)", "1*SIN(180)"}) {
+    const std::string radius = std::string("G111 AP=0 RP=") + zero + "\nG0 RP=1 AP=0\n";
+    EXPECT_EQ(run_sinumerik(radius).motions(), "rapid x=1 y=0\n") << zero;
+    const std::string centre = std::string("G0 X1\nG2 X2 I=") + zero + " J=" + zero + " F9\n";
+    EXPECT_EQ(run_sinumerik(centre).alarm, run_sinumerik("G0 X1\nG2 X2 I0 J0 F9\n").alarm) << zero;
+  }
+}
+
 TEST(SinumerikValue, Functions) {
   EXPECT_EQ(x_of("10*(5+SIN(30))"), "55");
   EXPECT_EQ(x_of("COS(60)+TAN(45)"), "1.5");

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMany = 1'000;
 
 std::vector<std::uint64_t> features(const char* program) {
-  return features_of(gsk(program), kMany).value();
+  return coverage_of(gsk(program), kMany).value().features;
 }
 
 // Whether the first has something that the second has not.
@@ -55,13 +55,22 @@ TEST(Coverage, EachSideOfAnEqualityIsNew) {
 TEST(Coverage, AnotherMachineIsNew) {
   generate::GeneratedProgram radius = gsk("G00 X100 Z5\n");
   radius.profile.x_diameter = false;
-  EXPECT_NE(features_of(radius, kMany), features_of(gsk("G00 X100 Z5\n"), kMany));
+  EXPECT_NE(coverage_of(radius, kMany).value().features, features("G00 X100 Z5\n"));
 }
 
 TEST(Coverage, AProgramThatGoesOnForEverIsGivenUp) {
   const generate::GeneratedProgram pecks{defaults("hnc21t"),
                                          "G00 X0 Z0\nG74 Z-1000 R0.0005 Q0.001 F100\n"};
-  EXPECT_FALSE(features_of(pecks, kMany));
+  EXPECT_FALSE(coverage_of(pecks, kMany));
+}
+
+// Four records, and a pocket of three levels beside: Q 2 from the plane at 0 to -6.
+TEST(Coverage, ALevelOfAPocketCostsMoreThanARecord) {
+  const std::size_t moves = coverage_of(gsk("G00 X1\nG00 X2\nG00 X3\n"), kMany)->cost;
+  const std::size_t pocket =
+      coverage_of(gsk("G00 X0 Y0 Z5\nG17 G110 X0 Y0 Z-6 R0 I20 L0.5 Q2 D5 F100\n"), kMany)->cost;
+  EXPECT_LE(moves, 4U);
+  EXPECT_GT(pocket, 3 * 10U);
 }
 
 }  // namespace

@@ -55,11 +55,11 @@ TEST(DrawnVectors, EachShowsSomethingThatNoneBeforeShows) {
   EXPECT_LT(drawn.cases.size() + drawn.left_out, 300U) << "nothing was passed over";
   std::set<std::uint64_t> shown;
   for (const oracle::Case& test : drawn.cases) {
-    const auto features =
-        features_of({test.profile, test.program}, kMostDrawnItems, CoverageDetail::clauses);
-    ASSERT_TRUE(features) << test.id;
+    const auto coverage =
+        coverage_of({test.profile, test.program}, kMostDrawnCost, CoverageDetail::clauses);
+    ASSERT_TRUE(coverage) << test.id;
     const std::size_t before = shown.size();
-    shown.insert(features->begin(), features->end());
+    shown.insert(coverage->features.begin(), coverage->features.end());
     EXPECT_GT(shown.size(), before) << test.id;
   }
   EXPECT_EQ(shown.size(), drawn.features);

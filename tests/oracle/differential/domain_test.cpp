@@ -39,6 +39,14 @@ TEST(Domain, ReachesTenMetres) {
   EXPECT_EQ(outside_840d("G2 X10001"), "");  // an alarm, and nothing moves
 }
 
+// D-DOM-02: an external thread begins at E/2 + D, 9,985 + 15 mm from its centre.
+TEST(Domain, ReachesTenMetresWithCirclesToo) {
+  EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-9 I3 E19970 P2 D15 F100 J1 K90"), "");
+  EXPECT_EQ(outside("gsk988ta", "G17 G114 X0 Y0 Z-9 I3 E19970 P2 D15.001 F100 J1 K90"), "D-DOM-02");
+  EXPECT_EQ(outside("gsk988ta", "G17 G110 X0 Y9900 Z-9 R0 I105 D5 L4 Q9 F100"), "");
+  EXPECT_EQ(outside("gsk988ta", "G17 G110 X0 Y9900 Z-9 R0 I105.001 D5 L4 Q9 F100"), "D-DOM-02");
+}
+
 // D-DOM-03: 400 mm are 0.00229 degrees of a circle of 10 km.
 TEST(Domain, HasCirclesOfTenKilometres) {
   EXPECT_EQ(outside_840d("G3 X400 AR=0.0023 F100"), "");
