@@ -11,6 +11,7 @@
 #include <cstring>
 #include <set>
 
+#include "oracle/campaign/campaign.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -57,6 +58,28 @@ reference::Profile checked(reference::ProfileResult result, const std::string& f
   return std::get<reference::Profile>(std::move(result));
 }
 
+std::string profile_text(const std::string& file) {
+  return read_file(file, "a machine profile, TOML or JSON", std::size_t{1} << 20);
+}
+
+bool is_json(const std::string& file) {
+  return file.ends_with(".json");
+}
+
+reference::Profile profile_of(const std::string& text, const ProfileOptions& options) {
+  const std::string_view unnamed =
+      options.dialect.empty() ? reference::kUnnamedDialect : std::string_view(options.dialect);
+  reference::Profile profile =
+      checked(is_json(options.file) ? reference::profile_from_json(text, unnamed)
+                                    : reference::profile_from_toml(text, unnamed),
+              options.file);
+  if (!options.dialect.empty() && options.dialect != profile.dialect) {
+    throw UsageError(fmt::format("{} is a profile of dialect {}, but --dialect says {}.",
+                                 options.file, profile.dialect, options.dialect));
+  }
+  return profile;
+}
+
 }  // namespace
 
 void check_readings_once(const std::vector<std::string>& readings) {
@@ -69,21 +92,18 @@ void check_readings_once(const std::vector<std::string>& readings) {
   }
 }
 
+void load_machine(oracle::CampaignOptions& campaign, const std::string& dialect,
+                  const std::string& file) {
+  const std::string text = profile_text(file);
+  campaign.profile = profile_of(text, {dialect, file, {}});
+  campaign.profile_keys =
+      is_json(file) ? reference::keys_of_json(text) : reference::keys_of_toml(text);
+}
+
 reference::Profile load_profile(const ProfileOptions& options) {
   reference::Profile profile;
   if (!options.file.empty()) {
-    const std::string text =
-        read_file(options.file, "a machine profile, TOML or JSON", std::size_t{1} << 20);
-    const bool json = options.file.ends_with(".json");
-    const std::string_view unnamed =
-        options.dialect.empty() ? reference::kUnnamedDialect : std::string_view(options.dialect);
-    profile = checked(json ? reference::profile_from_json(text, unnamed)
-                           : reference::profile_from_toml(text, unnamed),
-                      options.file);
-    if (!options.dialect.empty() && options.dialect != profile.dialect) {
-      throw UsageError(fmt::format("{} is a profile of dialect {}, but --dialect says {}.",
-                                   options.file, profile.dialect, options.dialect));
-    }
+    profile = profile_of(profile_text(options.file), options);
   } else if (options.dialect.empty()) {
     throw UsageError(
         fmt::format("Name the dialect: --dialect and one of {}.", reference::dialect_names()));

@@ -11,6 +11,10 @@
 #include "grammar/line_source.hpp"
 #include "reference/profile.hpp"
 
+namespace gonogo::oracle {
+struct CampaignOptions;
+}  // namespace gonogo::oracle
+
 namespace gonogo::cli {
 
 // Wrong use of the program: exit 2, with what to do instead.
@@ -54,6 +58,9 @@ struct ProfileOptions {
   std::vector<std::string> readings;  // "k=v"
 };
 reference::Profile load_profile(const ProfileOptions& options);
+// The certifier's machine of a file, with the keys that the file sets. Throws UsageError.
+void load_machine(oracle::CampaignOptions& campaign, const std::string& dialect,
+                  const std::string& file);
 // Throws UsageError for a reading that is given twice.
 void check_readings_once(const std::vector<std::string>& readings);
 

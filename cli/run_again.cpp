@@ -65,7 +65,7 @@ void read_subject_files(const fs::path& folder, const Json& header,
   const std::string dialect = oracle::evidence::unnamed_dialect(header);
   for (const char* name : {oracle::evidence::kProfileFile, oracle::evidence::kProfileJson}) {
     const fs::path path = folder / name;
-    if (fs::exists(path)) campaign.profile = load_profile({dialect, path.string(), {}});
+    if (fs::exists(path)) load_machine(campaign, dialect, path.string());
   }
 }
 

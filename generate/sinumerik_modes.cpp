@@ -31,6 +31,22 @@ void SinumerikWriter::units_words(Words& words) {
   words.push_back(state_.inch ? "G70" : "G71");
 }
 
+// SIE-MOD-07: a new mode with a feed of its own, that of a cutting speed with the speed.
+void SinumerikWriter::feed_mode_words(Words& words) {
+  new_feed_mode_ = true;
+  const std::uint32_t mode = choices_.below(16);
+  const bool per_minute = mode < 8;
+  if (mode == 0 || mode == 15) {
+    words.push_back(per_minute && !is_802s() ? "G961" : per_minute ? "G94" : "G96");
+    if (words.back() != "G94") words.push_back("S120");
+  } else if (mode == 1 || mode == 14) {
+    words.push_back(per_minute && !is_802s() ? "G971" : per_minute ? "G94" : "G97");
+  } else {
+    words.push_back(per_minute ? "G94" : "G95");
+  }
+  words.push_back(per_minute ? feed_word() : "F.2");
+}
+
 // Modes that stand in a block that moves.
 void SinumerikWriter::mode_words(Words& words) {
   if (!choices_.one_in(5)) return;
@@ -45,9 +61,7 @@ void SinumerikWriter::mode_words(Words& words) {
       if (choices_.one_in(3)) units_words(words);
       break;
     case 4:
-      new_feed_mode_ = true;
-      words.push_back(choices_.one_in(2) ? "G94" : "G95 F.2");
-      if (words.back() == "G94") words.push_back(feed_word());
+      feed_mode_words(words);
       break;
     default:
       words.push_back(choices_.one_in(4) ? choices_.pick({"T2", "D1"})

@@ -192,7 +192,7 @@ void SinumerikWriter::feed_words(Words& words) {
   if (choices_.one_in(16)) {
     words.push_back(choices_.pick({"M3", "M4", "M8", "M0", "M1", "M41", "H5", "H5=12", "D1"}));
   }
-  if (choices_.one_in(30)) {
+  if (choices_.one_in(30) && !new_feed_mode_) {
     state_.speed = choices_.pick({300, 600, 1200, 1500});
     words.push_back(fmt::format("S{}", state_.speed));
   }

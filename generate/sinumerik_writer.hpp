@@ -56,6 +56,7 @@ class SinumerikWriter final : ProgramWriter {
   void passed_over_block();
   void syntax_line();
   void units_words(Words& words);
+  void feed_mode_words(Words& words);
   void mode_words(Words& words);
   void set_plane(Words& words, int asked);
   int any_parameter();

@@ -271,7 +271,36 @@ ProfileResult guarded(Read read, std::string_view unnamed) {
   }
 }
 
+void add_keys(const Json& table, const ProfileKey& above, std::vector<ProfileKey>& keys) {
+  for (const auto& [name, value] : table.items()) {
+    ProfileKey key = above;
+    key.push_back(name);
+    if (value.is_object()) {
+      add_keys(value, key, keys);
+    } else {
+      keys.push_back(std::move(key));
+    }
+  }
+}
+
+std::vector<ProfileKey> keys_of(Json document) {
+  if (document.contains("readings")) {
+    document["readings"] = flatten_readings(document["readings"], "");
+  }
+  std::vector<ProfileKey> keys;
+  add_keys(document, {}, keys);
+  return keys;
+}
+
 }  // namespace
+
+std::vector<ProfileKey> keys_of_toml(std::string_view text) {
+  return keys_of(from_toml_node(toml::parse(text), ""));
+}
+
+std::vector<ProfileKey> keys_of_json(std::string_view text) {
+  return keys_of(parse_json_once(text));
+}
 
 ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed) {
   return guarded([&] { return from_toml_node(toml::parse(text), ""); }, unnamed);

@@ -111,7 +111,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   if (!options.profile.empty()) {
     // One that names no dialect is of the only one asked for.
     const bool one = options.dialects.size() == 1;
-    campaign.profile = load_profile({one ? options.dialects.front() : "", options.profile, {}});
+    load_machine(campaign, one ? options.dialects.front() : "", options.profile);
   }
   campaign.grants = options.limits.grants();
   campaign.jobs = options.jobs > 0

@@ -69,7 +69,7 @@ oracle::CampaignOptions machine_of(const ExportArguments& arguments) {
   machine.readings = arguments.readings;
   if (!arguments.profile.empty()) {
     const bool one = arguments.dialects.size() == 1;
-    machine.profile = load_profile({one ? arguments.dialects.front() : "", arguments.profile, {}});
+    load_machine(machine, one ? arguments.dialects.front() : "", arguments.profile);
   }
   return machine;
 }

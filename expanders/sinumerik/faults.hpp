@@ -78,6 +78,8 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
     {"dwell-revolutions-as-seconds", "G4 S is taken as seconds", "SIE-MOD-03",
      "one unit for both words"},
     {"dwell-feed-kept", "F of G4 stays as the feed", "SIE-MOD-03", "address stored before G4"},
+    {"cutting-speed-feeds-per-minute", "G96 and G97 leave the feed per minute", "SIE-MOD-07",
+     "codes of the speed without those of the feed"},
     {"arc-not-modal", "after a block with G2 or G3 the next one is G1", "SIE-MOD-01",
      "arc codes taken as codes of one block"},
     {"assignment-late", "an R parameter changes after its block", "SIE-PAR-01",

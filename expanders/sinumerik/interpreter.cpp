@@ -90,9 +90,17 @@ bool Interpreter::has_large_function() const {
   });
 }
 
+// SIE-MOD-07
+bool Interpreter::dwells_for_unknown_turns() const {
+  const Code* once = block_.code(Group::kOnce);
+  return once != nullptr && once->tenths == 40 && block_.has(Address::kSpindle) &&
+         machine_.state.turns_unknown;
+}
+
 Flow Interpreter::run_block() {
   const bool is_known = !block_.unknown().found() && !block_.undefined().found();
   if (is_known && has_large_function()) return unsupported("A large M function");
+  if (is_known && dwells_for_unknown_turns()) return unsupported("A dwell of unknown revolutions");
   check_block();
   if (machine_.in_alarm()) return Flow::kAlarm;
   return run_plan([this](Plan& plan) { prepare(plan); },
@@ -167,10 +175,16 @@ void Interpreter::take_modes() {
   }
   if (const Code* code = block_.code(Group::kUnits)) state.inch = code->tenths == 700;
   if (const Code* code = block_.code(Group::kDimension)) state.incremental = code->tenths == 910;
-  if (const Code* code = block_.code(Group::kFeedMode)) {
-    state.feed_per_revolution = code->tenths == 950;
-  }
+  if (const Code* code = block_.code(Group::kFeedMode)) take_feed_mode(*code);
   if (const Code* code = block_.code(Group::kMotion)) state.motion = motion_of(*code);
+}
+
+// SIE-MOD-07
+void Interpreter::take_feed_mode(const Code& code) {
+  const bool speed_mode = code.tenths == 960 || code.tenths == 970;
+  machine_.state.feed_per_revolution =
+      code.tenths == 950 || (speed_mode && !machine_.has("cutting-speed-feeds-per-minute"_fault));
+  machine_.state.constant_cutting_speed = code.tenths == 960 || code.tenths == 9610;
 }
 
 void Interpreter::take_feed() {
@@ -187,7 +201,9 @@ void Interpreter::take_spindle() {
     if (number.value < 0) machine_.complain(AlarmKind::kValueSign, Address::kSpindle, block_);
     state.speed = number.overflow ? kLargest : number.value;
     state.speed_given = state.speed > 0;
+    state.turns_unknown = false;
   }
+  if (state.constant_cutting_speed) state.turns_unknown = true;
   for (const FunctionWord& word : block_.functions()) {
     const Fixed m = word.number.value / kOne;
     if (m >= 3 && m <= 5) state.spindle_turns = m != 5;

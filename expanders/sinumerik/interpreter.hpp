@@ -37,9 +37,11 @@ class Interpreter final : public expanders::Interpreter {
   void check_block();
   void check_functions();
   bool has_large_function() const;
+  bool dwells_for_unknown_turns() const;
   void prepare(Plan& plan);
   bool prepare_alone(Plan& plan);
   void take_modes();
+  void take_feed_mode(const Code& code);
   void take_feed();
   void take_spindle();
   void take_tool();

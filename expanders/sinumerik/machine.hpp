@@ -41,6 +41,8 @@ struct State {
   bool spindle_turns = false;
   Fixed speed = 0;           ///< S
   bool speed_given = false;  ///< S above 0
+  bool constant_cutting_speed = false;  ///< G96, G961
+  bool turns_unknown = false;           ///< S was a cutting speed
   Pole pole;
   Polar polar;
   Direction heading{};   ///< of the last motion at its end, of any length; none: there was none

@@ -13,7 +13,7 @@ constexpr CodeRow kRows[] = {
     {Group::kPlane, Support::kFull, "17 18 19"},
     {Group::kUnits, Support::kFull, "70 71"},
     {Group::kDimension, Support::kFull, "90 91"},
-    {Group::kFeedMode, Support::kFull, "94 95"},
+    {Group::kFeedMode, Support::kFull, "94 95 96 97 961 971"},
     {Group::kExactStop, Support::kNoEffect, "9"},
     {Group::kCutter, Support::kNoEffect, "40"},
     {Group::kSuppress, Support::kNoEffect, "53"},
@@ -24,11 +24,12 @@ constexpr CodeRow kRows[] = {
     // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference
     // points, soft approach, tapping, corner behaviour, further frames, units of the feed.
     {Group::kControl, Support::kOutside,
-     "25 26 33 34 35 41 42 62 63 74 75 93 96 97 147 148 153 247 248 290 291 331 332 340 341 347 "
+     "25 26 33 34 35 41 42 62 63 74 75 93 147 148 153 247 248 290 291 331 332 340 341 347 "
      "348 "
-     "450 451 603 641 642 700 710 961 962 971"},
+     "450 451 603 641 642 700 710 962"},
 };
 constexpr CodeTable kCodes{kRows};
+constexpr Code kNewSpeedMode{0, static_cast<GroupNumber>(Group::kFeedMode), Support::kOutside};
 constexpr Code kFurtherFrame{0, static_cast<GroupNumber>(Group::kFrame), Support::kOutside};
 
 struct KnownName {
@@ -121,6 +122,9 @@ const Code* find_code(const Decimal& number, Control control) {
     const bool frame = whole && number.value >= 505 * kOne && number.value <= 599 * kOne;
     return frame ? &kFurtherFrame : nullptr;
   }
+  // SIE-MOD-07
+  const bool new_speed_mode = code->tenths == 9610 || code->tenths == 9710;
+  if (new_speed_mode && control == Control::k802S) return &kNewSpeedMode;
   const bool frame = code->group == static_cast<GroupNumber>(Group::kProgrammedFrame);
   return frame && control == Control::k840D ? nullptr : code;
 }

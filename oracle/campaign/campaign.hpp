@@ -27,6 +27,7 @@ struct CampaignOptions {
   // A certifier's profile: what it sets holds for every case, and groups that contradict it are
   // left out.
   std::optional<reference::Profile> profile;
+  std::vector<reference::ProfileKey> profile_keys;  // those that it sets, to the default or not
   Grants grants;
   int jobs = 1;
   unsigned shard = 1;

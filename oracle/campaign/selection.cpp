@@ -34,6 +34,15 @@ bool merge_keys(Json& into, const Json& from) {
   return true;
 }
 
+bool has_key(const Json& table, const reference::ProfileKey& key) {
+  const Json* at = &table;
+  for (const std::string& name : key) {
+    if (!at->is_object() || !at->contains(name)) return false;
+    at = &(*at)[name];
+  }
+  return true;
+}
+
 }  // namespace
 
 unsigned shard_of(std::string_view id, unsigned shards) {
@@ -67,9 +76,12 @@ std::optional<Case> under(const CampaignOptions& options, Case test) {
   if (options.profile) {
     if (options.profile->dialect != test.dialect) return std::nullopt;
     Json keys = Json::parse(reference::profile_json(test.profile));
-    if (!merge_keys(keys, Json::parse(reference::profile_json(*options.profile)))) {
-      return std::nullopt;
-    }
+    const Json machine = Json::parse(reference::profile_json(*options.profile));
+    const auto is_other = [&](const reference::ProfileKey& key) {
+      return has_key(keys, key) && !has_key(machine, key);  // there it is the default
+    };
+    if (std::ranges::any_of(options.profile_keys, is_other)) return std::nullopt;
+    if (!merge_keys(keys, machine)) return std::nullopt;
     keys["dialect"] = test.dialect;
     test.profile = std::get<reference::Profile>(reference::profile_from_json(keys.dump()));
   }

@@ -128,6 +128,11 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "Two codes of one group in a block are an alarm; a block with a slash runs unless blocks are "
      "skipped.",
      "reference/sinumerik/codes.cpp"},
+    {"SIE-MOD-07", derived, kModes,
+     "G96 and G97 give feeds per revolution as G95 does, G961 and G971 per minute as G94. After G96 "
+     "and G961 S is a cutting speed; how fast the spindle turns is not known until an S counts "
+     "revolutions again, and G4 S is not covered. Of the 802S only G96 and G97 are read.",
+     "reference/sinumerik/interpreter.cpp"},
     {"SIE-COM-01", derived, kModes,
      "Cutting needs a feed. An address twice, a code that the control lacks, and Cartesian with "
      "polar words are alarms.",

@@ -159,7 +159,7 @@ void run_line(BlockContext& block, RecordKind kind) {
   put_line(block, kind, "SIE-G1-01"_clause, *end);
 }
 
-// SIE-MOD-03, SIE-MOD-06
+// SIE-MOD-03, SIE-MOD-06, SIE-MOD-07
 void run_dwell(BlockContext& block) {
   constexpr ClauseId kUnsaidDwell = "SIE-MOD-06"_clause;
   const ClauseId clause = "SIE-MOD-03"_clause;
@@ -187,6 +187,13 @@ void run_dwell(BlockContext& block) {
   record.clause = clause;
   if (address == Address::f) {
     record.seconds = amount;
+  } else if (block.machine.turns_unknown && block.out.alarms.empty()) {
+    block.out.not_covered =
+        NotCovered{block.line, "G4",
+                   "How fast the spindle turns under a constant cutting speed is not known, nor how "
+                   "long revolutions of it take.",
+                   words.place_of('S').value_or(words.behind())};
+    return;
   } else if (block.machine.speed.sign() > 0) {
     record.seconds = amount * 60 / block.machine.speed;
   } else {

@@ -35,7 +35,7 @@ struct BlockCodes {
   int plane = -1;      // 17, 18, 19
   int units = -1;      // 70, 71
   int dimension = -1;  // 90, 91
-  int feed_mode = -1;  // 94, 95
+  int feed_mode = -1;  // 94, 95, 96, 97, 961, 971
 };
 
 struct CodeReading : GCodeReading {

@@ -151,8 +151,8 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G93", Group::feed_mode, "inverse time feed"),
     sets("G94", Group::feed_mode, Setting::none, "feed per minute").initial(),
     sets("G95", Group::feed_mode, Setting::none, "feed per revolution"),
-    outside("G96", Group::feed_mode, "constant cutting speed"),
-    outside("G97", Group::feed_mode, "constant cutting speed off"),
+    sets("G96", Group::feed_mode, Setting::none, "constant cutting speed, feed per revolution"),
+    sets("G97", Group::feed_mode, Setting::none, "constant cutting speed off, feed per revolution"),
     kPole.named("G110", "pole from the last position"),
     kPole.named("G111", "pole from the workpiece zero"),
     kPole.named("G112", "pole from the last pole"),
@@ -341,12 +341,17 @@ constexpr bool is_of_840d(const Code& code) {
   return std::ranges::find(kPathFeatures, code.feature, &DialectFeature::name) !=
          kPathFeatures.end();
 }
+// SIE-MOD-07: the 802S has G96 and G97 alone.
+constexpr bool is_speed_mode(const Code& code) {
+  return code.name == "G961" || code.name == "G971";
+}
 inline constexpr auto kCodes840d = [] {
   std::array<Code, static_cast<std::size_t>(std::ranges::count_if(kCodes, is_of_840d))> some{};
   std::ranges::copy_if(kCodes, some.begin(), is_of_840d);
   for (Code& code : some) {
     // SIE-MOD-02: nothing that is read moves its zero.
     if (code.name == "SUPA") code.treatment = Treatment::without_effect;
+    if (is_speed_mode(code)) code = sets(code.name, code.group, Setting::none, code.title);
   }
   return some;
 }();

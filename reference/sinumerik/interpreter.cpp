@@ -22,6 +22,22 @@ constexpr std::int64_t kLastM802s = 99;
 constexpr std::uint64_t kFirstCycleParameter = 101;
 constexpr std::uint64_t kLastCycleParameter = 127;
 
+// SIE-MOD-07
+void take_feed_mode(Machine& machine, int code) {
+  const bool per_revolution = code == 95 || code == 96 || code == 97;
+  machine.feed_mode = per_revolution ? FeedMode::per_revolution : FeedMode::per_minute;
+  machine.constant_cutting_speed = code == 96 || code == 961;
+}
+
+// SIE-MOD-07: the turns stay unknown until an S counts turns again.
+void take_speed(Machine& machine, const BlockWords& words) {
+  if (machine.constant_cutting_speed) {
+    machine.turns_unknown = true;
+  } else if (words.has(Address::s)) {
+    machine.turns_unknown = false;
+  }
+}
+
 class Interpreter : public BlockInterpreter {
  public:
   Interpreter(const Profile& profile, const ReadingsInUse& readings, Control control,
@@ -234,9 +250,8 @@ void Interpreter::take_modes(BlockContext& block) {
   }
   if (codes.units >= 0) machine_.modes.inch = codes.units == 70;
   if (codes.dimension >= 0) machine_.modes.incremental = codes.dimension == 91;
-  if (codes.feed_mode >= 0) {
-    machine_.feed_mode = codes.feed_mode == 95 ? FeedMode::per_revolution : FeedMode::per_minute;
-  }
+  if (codes.feed_mode >= 0) take_feed_mode(machine_, codes.feed_mode);
+  if (codes.once != 4) take_speed(machine_, words);
   if (codes.plane >= 0) {
     const auto plane = static_cast<Plane>(codes.plane - 17);
     admits_plane(block, plane, 'G');

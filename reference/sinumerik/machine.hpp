@@ -53,6 +53,8 @@ struct Machine : MotionState {
   int spindle = 5;               // M3, M4, M5
   Number speed;                  // S
   bool speed_given = false;      // S counts as above zero though it is not known
+  bool constant_cutting_speed = false;  // G96, G961
+  bool turns_unknown = false;           // S was a cutting speed: G97 keeps what came of it
   Frame frame;
   Position base;               // `position` in base coordinates; exact where that is only enclosed
   std::optional<Number> tool;  // T; none before any T word, or T0

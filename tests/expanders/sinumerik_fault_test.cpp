@@ -64,6 +64,7 @@ const Exhibit kPathExhibits[] = {
     {"inch-rotary-scaled", "G70\nG0 A1\n", "2 rapid a=25.4\n"},
     {"rotary-feed-scaled", "G70\nG1 A1 F10\n", "2 feed a=1 f=254\n"},
     {"dwell-revolutions-as-seconds", "S120\nG4 S2\n", "2 dwell 2\n"},
+    {"cutting-speed-feeds-per-minute", "G96 S9\nG1 X1 F9\n", "2 feed x=1 f=9\n"},
     {"dwell-feed-kept", "G1 X1 F9\nG4 F2\nX2\n", "1 feed x=1 f=9\n2 dwell 2\n3 feed x=2 f=2\n"},
     {"arc-not-modal", "G2 X2 I1 F9\nX4 I1\n",
      "1 arc17 c=1,0 rot=-1 x=2 y=0 f=9\nalarm conflicting-words in 2\n"},

@@ -45,6 +45,8 @@ TEST(SinumerikMode, InchesScaleLengthsOnly) {
 
 TEST(SinumerikMode, FeedPerRevolution) {
   EXPECT_EQ(motions_and_alarm("G95 G1 X1 F0.2\nG94 X2 F9\n"), "feed x=1 f=0.2/rev\nfeed x=2 f=9\n");
+  EXPECT_EQ(motions_and_alarm("G96 S9 G1 X1 F0.2\nG971 X2 F9\n"),
+            "feed x=1 f=0.2/rev\nfeed x=2 f=9\n");
 }
 
 TEST(SinumerikMode, FeedMissing) {

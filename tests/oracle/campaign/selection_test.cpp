@@ -49,6 +49,27 @@ TEST(Selection, ACaseThatContradictsTheCertifierIsLeftOut) {
   EXPECT_EQ(under_profile(R"({"dialect":"hnc21t"})", R"({"dialect":"rs274"})"), "left out");
 }
 
+// The file says what is so by default; without it the machine may be either.
+TEST(Selection, WhatTheCertifierSaysHoldsAlsoWhereItIsTheDefault) {
+  const std::string machines = R"({"dialect":"hnc21t","x_diameter":true,
+                                   "readings":{"hnc.peck.from":"start"}})";
+  CampaignOptions options;
+  options.profile = machine(machines);
+  EXPECT_TRUE(under(options, case_with(R"({"dialect":"hnc21t","x_diameter":false})")));
+  options.profile_keys = reference::keys_of_json(machines);
+  EXPECT_TRUE(under(options, case_with(R"({"dialect":"hnc21t"})")));
+  EXPECT_FALSE(under(options, case_with(R"({"dialect":"hnc21t","x_diameter":false})")));
+  EXPECT_FALSE(
+      under(options, case_with(R"({"dialect":"hnc21t","readings":{"hnc.peck.from":"withdrawn"}})")));
+}
+
+TEST(Selection, KeysOfAProfileAreThoseThatItsTextHas) {
+  EXPECT_EQ(reference::keys_of_toml("dialect = \"rs274\"\ninitial = { f = \"100\" }\n"
+                                    "[readings]\nngc.peck.d = \"barred\"\n"),
+            (std::vector<reference::ProfileKey>{
+                {"dialect"}, {"initial", "f"}, {"readings", "ngc.peck.d"}}));
+}
+
 TEST(Selection, AReadingOfTheCertifierReplacesTheDefaultButNotTheCasesOwn) {
   CampaignOptions options;
   options.readings = {"hnc.peck.from=withdrawn", "gsk.thread.runout=radial"};

@@ -27,6 +27,22 @@ TEST(SieBasic, AcAndIcGoBeforeTheModeInForce) {
   EXPECT_EQ(line("G0 G91 X10\nX10\nG90 X1", 2), "rapid x1");
 }
 
+// SIE-MOD-07
+TEST(SieBasic, TheCodesOfTheCuttingSpeedChooseTheFeedToo) {
+  EXPECT_EQ(path("G96 S120\nG1 X1 F0.2\nG97 S800\nX2\nG961 S90 F50\nX3\nG971\nX4"),
+            (Lines{"feed x1 f0.2/rev", "feed x2 f0.2/rev", "feed x3 f50", "feed x4 f50"}));
+  EXPECT_EQ(outcome("G95 G96"), "duplicate-word G");
+}
+
+// 10 turns at 600 a minute last a second. After G97 alone the spindle turns as it did, however that
+// was.
+TEST(SieBasic, RevolutionsOfACuttingSpeedAreNotCovered) {
+  EXPECT_EQ(path("S600\nG96 S120\nG97 S600\nG4 S10"), Lines{"dwell 1"});
+  EXPECT_EQ(outcome("S600\nG96\nG4 S10"), "not-covered G4");
+  EXPECT_EQ(outcome("S600\nG961 S120\nG971\nG4 S10"), "not-covered G4");
+  EXPECT_EQ(outcome("S600\nG96\nG4 F1"), "end");
+}
+
 TEST(SieBasic, BeforeAnyCodeTheMotionIsAReading) {
   EXPECT_EQ(path("X1 F9"), Lines{"feed x1 f9"});
   EXPECT_EQ(path("X1 F9", sie({{"sie.initial-motion", "g0"}})), Lines{"rapid x1"});
