@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <stdexcept>
+
+#include "hunt/round_times.hpp"
 
 namespace gonogo::hunt {
 namespace {
@@ -51,7 +54,11 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
   options.seed = seed_of(state_);
   Hunt hunt(maker_, trial_, options);
   for (const auto& program : read_inputs(folder_, state_)) hunt.offer(program);
-  for (const auto& [signature, finding] : state_.findings) hunt.know(signature);
+  // One that was mended is news when it shows again.
+  for (const auto& [signature, finding] : state_.findings) {
+    if (finding.stands()) hunt.know(signature);
+  }
+  const auto begin = std::chrono::steady_clock::now();
   std::map<Signature, KnownFinding> fresh;
   while (hunt.count().programs < state_.programs_of_round) {
     std::optional<Finding> finding = hunt.step();
@@ -66,8 +73,15 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
     }
     if (!go_on(hunt)) return false;
   }
-  state_.findings.merge(fresh);
+  for (const auto& [signature, finding] : fresh) {
+    const auto [known, is_new] = state_.findings.try_emplace(signature, finding);
+    if (is_new) continue;
+    known->second.id = finding.id;
+    known->second.mended = 0;
+  }
   keep(hunt);
+  append_round_time(folder_, {state_.rounds, std::chrono::system_clock::now(),
+                              std::chrono::steady_clock::now() - begin, hunt.count().programs});
   return true;
 }
 
@@ -76,12 +90,14 @@ void HuntCampaign::keep(const Hunt& hunt) {
   state_.count += hunt.count();
   for (const auto& [signature, programs] : hunt.seen()) {
     const auto known = state_.findings.find(signature);
-    if (known == state_.findings.end()) continue;
+    if (known == state_.findings.end() || !known->second.stands()) continue;
     KnownFinding& finding = known->second;
     const bool is_first = finding.first == state_.rounds;
     finding.last = state_.rounds;
     finding.times = is_first ? programs : finding.times + programs;
   }
+  add_features(state_.features, hunt.features());
+  state_.left_out = hunt.repertoire().left_out();
   state_.inputs = write_inputs(folder_, hunt.pool().programs());
   write_campaign_state(folder_, state_);
 }

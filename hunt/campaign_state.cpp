@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "hunt/campaign_json.hpp"
+#include "hunt/program_files.hpp"
+#include "oracle/corpus/files.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/records/output_file.hpp"
 
@@ -19,23 +20,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error(fmt::format("{} cannot be read.", path.string()));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string name_of(const generate::GeneratedProgram& program) {
   constexpr std::size_t kDigits = 16;
   oracle::Sha256 hash;
   hash.update(program.text + "\n" + reference::profile_json(program.profile));
   return hash.hex().substr(0, kDigits);
-}
-
-Json json_of(const HuntCount& count) {
-  Json json;
-  for (const auto& [name, member] : kHuntCounts) json[name] = count.*member;
-  return json;
 }
 
 HuntCount count_of(const Json& json) {
@@ -52,7 +41,18 @@ Json json_of(const Signature& signature, const KnownFinding& finding) {
           {"id", finding.id},
           {"first_round", finding.first},
           {"last_round", finding.last},
-          {"programs", finding.times}};
+          {"programs", finding.times},
+          {"mended_after", finding.mended}};
+}
+
+FeatureCounts features_in(const Json& json) {
+  FeatureCounts features;
+  for (const auto& [feature, count] : json.items()) {
+    features[feature] = {count.at("judged").get<std::size_t>(),
+                         count.at("skipped").get<std::size_t>(),
+                         count.at("no_go").get<std::size_t>()};
+  }
+  return features;
 }
 
 void read_finding(const Json& json, CampaignState& state) {
@@ -62,7 +62,8 @@ void read_finding(const Json& json, CampaignState& state) {
                             json.at("what").get<std::string>(), json.at("code").get<std::string>()};
   state.findings[signature] = {
       json.at("id").get<std::string>(), json.at("first_round").get<std::size_t>(),
-      json.at("last_round").get<std::size_t>(), json.at("programs").get<std::size_t>()};
+      json.at("last_round").get<std::size_t>(), json.at("programs").get<std::size_t>(),
+      json.value("mended_after", std::size_t{0})};
 }
 
 CampaignState state_of(const Json& json) {
@@ -76,6 +77,9 @@ CampaignState state_of(const Json& json) {
   state.shards = json.at("shards").get<std::size_t>();
   state.rounds = json.at("rounds").get<std::size_t>();
   state.count = count_of(json.at("count"));
+  // Campaigns of before have neither.
+  state.features = features_in(json.value("features", Json::object()));
+  state.left_out = json.value("left_out", std::string());
   for (const Json& finding : json.at("findings")) read_finding(finding, state);
   state.inputs = json.at("inputs").get<std::vector<std::string>>();
   return state;
@@ -91,7 +95,7 @@ std::optional<CampaignState> read_campaign_state(const std::string& folder) {
   const fs::path path = state_file(folder);
   if (!fs::exists(path)) return std::nullopt;
   try {
-    return state_of(Json::parse(text_of_file(path)));
+    return state_of(Json::parse(oracle::file_text(path.string())));
   } catch (const std::exception& error) {
     throw std::runtime_error(
         fmt::format("{} is not what a hunt wrote: {}", path.string(), error.what()));
@@ -111,7 +115,9 @@ void write_campaign_state(const std::string& folder, const CampaignState& state)
                      {"shard", state.shard},
                      {"shards", state.shards},
                      {"rounds", state.rounds},
-                     {"count", json_of(state.count)},
+                     {"count", count_json(state.count)},
+                     {"features", features_json(state.features)},
+                     {"left_out", state.left_out},
                      {"findings", findings},
                      {"inputs", state.inputs}};
   fs::create_directories(folder);
@@ -123,13 +129,7 @@ std::vector<generate::GeneratedProgram> read_inputs(const std::string& folder,
   std::vector<generate::GeneratedProgram> programs;
   for (const std::string& name : state.inputs) {
     const fs::path path = fs::path(folder) / "inputs" / name;
-    auto profile =
-        reference::profile_from_json(text_of_file(path.string() + ".json"), state.dialect);
-    auto* read = std::get_if<reference::Profile>(&profile);
-    if (read == nullptr) {
-      throw std::runtime_error(fmt::format("{}.json is no machine of the gauge.", path.string()));
-    }
-    programs.push_back({*read, text_of_file(path.string() + ".nc")});
+    programs.push_back(read_program(path.string() + ".nc", path.string() + ".json", state.dialect));
   }
   return programs;
 }

@@ -19,6 +19,10 @@ struct KnownFinding {
   std::size_t first = 0;  // round, from 1
   std::size_t last = 0;   // the last round that showed it
   std::size_t times = 0;  // programs that showed it
+  // Rounds that were done when its program did not show it any more; 0: it stands.
+  std::size_t mended = 0;
+
+  bool stands() const { return mended == 0; }
 };
 
 struct CampaignState {
@@ -32,6 +36,8 @@ struct CampaignState {
 
   std::size_t rounds = 0;  // that are done
   HuntCount count;         // of them
+  FeatureCounts features;  // of them
+  std::string left_out;    // what the subject skipped in the last of them, for people
   std::map<Signature, KnownFinding> findings;
   std::vector<std::string> inputs;  // names, in the order of the pool
 };

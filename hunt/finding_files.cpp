@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "hunt/program_files.hpp"
 #include "hunt/program_vector.hpp"
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/differential/differential.hpp"
@@ -78,7 +79,10 @@ void write_beside(const fs::path& folder, const Finding& finding, const JudgedRu
   oracle::write_file(folder / "trace.jsonl", trace_of(judged));
   oracle::write_file(folder / "verdict.txt", verdict_text(finding, test));
   for (std::size_t i = 0; i < finding.exhibit.before.size(); ++i) {
-    oracle::write_file(folder / fmt::format("before-{}.nc", i + 1), finding.exhibit.before[i].text);
+    const generate::GeneratedProgram& before = finding.exhibit.before[i];
+    oracle::write_file(folder / fmt::format("before-{}.nc", i + 1), before.text);
+    oracle::write_file(folder / fmt::format("before-{}.json", i + 1),
+                       oracle::profile_text(before.profile));
   }
 }
 
@@ -126,6 +130,18 @@ std::string write_finding(const std::string& folder, const Finding& finding,
   write_beside(fs::path(folder) / "findings" / test.id, finding, judged, numbered);
   write_manifest(folder);
   return test.id;
+}
+
+Exhibit read_exhibit(const std::string& folder, const std::string& dialect) {
+  const fs::path in(folder);
+  Exhibit exhibit{{}, read_program(in / "program.nc", in / "profile.json", dialect)};
+  for (int i = 1; fs::exists(in / fmt::format("before-{}.nc", i)); ++i) {
+    // Findings of before have no machine of their own for it.
+    const fs::path own = in / fmt::format("before-{}.json", i);
+    exhibit.before.push_back(read_program(in / fmt::format("before-{}.nc", i),
+                                          fs::exists(own) ? own : in / "profile.json", dialect));
+  }
+  return exhibit;
 }
 
 }  // namespace gonogo::hunt

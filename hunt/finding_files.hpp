@@ -3,7 +3,8 @@
 // Findings as files: a folder that is a corpus itself, so that `gonogo certify --corpus` runs it
 // again, with each finding's program, machine, trace and verdict beside its vector.
 //   DIR/manifest.json, DIR/vectors/DIALECT/ID.json
-//   DIR/findings/ID/program.nc, profile.json, trace.jsonl, verdict.txt, before-1.nc, ...
+//   DIR/findings/ID/program.nc, profile.json, trace.jsonl, verdict.txt, before-1.nc, before-1.json,
+//   ...
 #pragma once
 
 #include "hunt/hunt.hpp"
@@ -28,5 +29,8 @@ oracle::Case case_of(const Finding& finding, const oracle::SubjectInfo& subject,
 std::string write_finding(const std::string& folder, const Finding& finding,
                           const JudgedRun& judged, const oracle::SubjectInfo& subject,
                           const Provenance& provenance);
+
+// What write_finding wrote into DIR/findings/ID. Throws std::runtime_error where it cannot be read.
+Exhibit read_exhibit(const std::string& folder, const std::string& dialect);
 
 }  // namespace gonogo::hunt

@@ -10,6 +10,7 @@
 #include "hunt/profile_parts.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
+#include "program/features.hpp"
 #include "program/mutator/mutate.hpp"
 
 namespace gonogo::hunt {
@@ -39,6 +40,15 @@ bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgr
 HuntCount& HuntCount::operator+=(const HuntCount& other) {
   for (const auto& [name, count] : kHuntCounts) this->*count += other.*count;
   return *this;
+}
+
+void add_features(FeatureCounts& sum, const FeatureCounts& more) {
+  for (const auto& [feature, count] : more) {
+    FeatureCount& into = sum[feature];
+    into.judged += count.judged;
+    into.skipped += count.skipped;
+    into.no_go += count.no_go;
+  }
 }
 
 Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
@@ -149,6 +159,7 @@ std::optional<Finding> Hunt::step() {
     ++count_.too_long;
     return std::nullopt;
   }
+  count_features(*verdict, specimen.program);
   const Decision decided = decision(verdict->kind);
   const bool is_judged = decided == Decision::go || decided == Decision::no_go;
   if (is_judged && trial_.moved()) ++count_.moved;
@@ -165,6 +176,18 @@ std::optional<Finding> Hunt::step() {
     ++count_.judged;
   }
   return std::nullopt;
+}
+
+void Hunt::count_features(const Verdict& verdict, const generate::GeneratedProgram& program) {
+  const Decision decided = decision(verdict.kind);
+  const bool is_skipped = verdict.kind == VerdictKind::skip;
+  const bool is_judged = decided == Decision::go || is_finding(verdict);
+  if (!is_skipped && !is_judged) return;
+  for (const std::string& feature : program::features_needed({program.profile, program.text})) {
+    FeatureCount& count = features_[feature];
+    ++(is_skipped ? count.skipped : count.judged);
+    if (is_finding(verdict)) ++count.no_go;
+  }
 }
 
 // A finding of a new signature is run again alone in a fresh process.

@@ -62,6 +62,15 @@ inline constexpr std::array<std::pair<const char*, std::size_t HuntCount::*>, 8>
      {"too_long", &HuntCount::too_long},
      {"no_go", &HuntCount::no_go}}};
 
+// What became of the programs that need a feature of the dialect.
+struct FeatureCount {
+  std::size_t judged = 0;
+  std::size_t skipped = 0;
+  std::size_t no_go = 0;
+};
+using FeatureCounts = std::map<std::string, FeatureCount>;
+void add_features(FeatureCounts& sum, const FeatureCounts& more);
+
 class Hunt {
  public:
   // REQUIRES: the dialect has a generator. Throws oracle::SubjectUnusable.
@@ -81,6 +90,8 @@ class Hunt {
   const std::map<Signature, std::size_t>& seen() const { return seen_; }
 
   const HuntCount& count() const { return count_; }
+  // By the vocabulary of `gonogo spec --features`; a program counts for each that it needs.
+  const FeatureCounts& features() const { return features_; }
   const Pool& pool() const { return pool_; }
   const Repertoire& repertoire() const { return repertoire_; }
   Trial& trial() { return trial_; }
@@ -94,6 +105,7 @@ class Hunt {
   void settle(Specimen& specimen) const;
   // Whether what the verdict says of the program is worth telling.
   bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
+  void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program);
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);
@@ -110,6 +122,7 @@ class Hunt {
   std::set<Signature> known_;
   std::map<Signature, std::size_t> seen_;
   HuntCount count_;
+  FeatureCounts features_;
 };
 
 // The same for one given program: nothing where the subject is GO on it (`verdict` says what it

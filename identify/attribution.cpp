@@ -6,11 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "identify/same_path.hpp"
-
 namespace gonogo::identify {
-
-using oracle::Decision;
 
 namespace {
 
@@ -20,15 +16,14 @@ constexpr std::size_t kMostPartial = 10;
 class Attributor {
  public:
   Attributor(oracle::Subject& subject, const AttributionOptions& options)
-      : subject_(subject), options_(options) {}
+      : explainer_(subject, options) {}
 
   // Gives the program to the subject; and tries on it what explains everything so far.
   void observe(const ProgramAsked& asked);
   // What explains the programs that have been observed.
   void find_causes();
   bool has_causes() const { return !causes_.empty(); }
-  // Nothing more is tried.
-  bool is_spent() const { return spent_ > options_.most_records; }
+  bool is_spent() const { return explainer_.is_spent(); }
   Attribution finish();
   const std::vector<Observation>& programs() const { return found_.programs; }
 
@@ -38,92 +33,26 @@ class Attributor {
     Cause cause;
   };
 
-  oracle::JudgeTerms terms(const Profile& profile) const {
-    oracle::JudgeTerms terms = make_terms(
-        subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
-    terms.strict = true;  // what it follows, not what a text states
-    return terms;
-  }
-  bool judge_trial(const Trial& trial) const;
-  bool explains(const Variant& variant, const Observation& seen) const;
   // Counts the program for the cause. False: it is not explained.
-  bool count(const Variant& variant, const Observation& seen, Cause& cause) const;
+  bool count(const Variant& variant, const Observation& seen, Cause& cause);
   void try_variant(const Variant& variant);
   void try_causes(const Observation& seen);
 
-  oracle::Subject& subject_;
-  const AttributionOptions& options_;
-  std::optional<Profile> configured_;
-  Carried before_;
+  Explainer explainer_;
   std::vector<Explanation> causes_;  // that explain everything so far
-  mutable std::size_t spent_ = 0;    // records, the subject's and the reference's
   Attribution found_;
 };
 
 void Attributor::observe(const ProgramAsked& asked) {
-  if (!configured_ || *configured_ != asked.profile) {
-    configured_ = asked.profile;
-    subject_.configure(asked.profile);
-    before_ = {};
-  }
-  Observation seen{asked.id, asked.program, asked.profile, {}, {}, 0, before_};
-  seen.outcome = run_subject(subject_, asked.id, asked.program);
-  before_.take(asked.profile, asked.program, seen.outcome);
-  if (!seen.outcome.answered()) return;
-  seen.verdict = judge_outcome(asked.profile, asked.program, terms(asked.profile),
-                               seen.outcome.records, seen.outcome.end)
-                     .verdict;
-  if (decision(seen.verdict.kind) == Decision::undecided) return;
-  if (seen.departs()) ++found_.departures;
-  if (const auto shown = run_reference(asked.profile, asked.program)) {
-    seen.alarm = shown->end.alarm.block;
-  }
-  found_.programs.push_back(std::move(seen));
+  std::optional<Observation> seen = explainer_.observe(asked);
+  if (!seen) return;
+  if (seen->departs()) ++found_.departures;
+  found_.programs.push_back(*std::move(seen));
   try_causes(found_.programs.back());
 }
 
-// The lines of `changed` before the line of this number, and those of `original` from it on.
-std::string spliced(std::string_view changed, std::string_view original, std::uint64_t line,
-                    const Profile& profile) {
-  const ProgramText before(profile, changed);
-  const ProgramText after(profile, original);
-  if (before.blocks.size() != after.blocks.size()) return std::string(changed);
-  std::string text;
-  for (std::size_t i = 0; i < before.blocks.size(); ++i) {
-    text += program::line_text((i + 1 < line ? before : after).blocks[i]);
-  }
-  return text;
-}
-
-bool Attributor::judge_trial(const Trial& trial) const {
-  spent_ += trial.outcome.records.size();
-  if (is_spent()) return false;
-  const oracle::JudgeTerms on = terms(trial.profile);
-  if (trial.model) {
-    return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on);
-  }
-  // One that would put out far more than the subject did need not be followed to its end.
-  const std::size_t most = 1'000 + 20 * trial.outcome.records.size();
-  const auto shown = run_reference(trial.profile, trial.program, most);
-  spent_ += shown ? shown->records.size() : most;
-  if (!shown) return false;
-  const oracle::SessionVerdict said =
-      judge_outcome(trial.profile, trial.program, on, trial.outcome.records, trial.outcome.end);
-  return decision(said.verdict.kind) == Decision::go;
-}
-
-bool Attributor::explains(const Variant& variant, const Observation& seen) const {
-  auto trial = variant.apply(seen);
-  if (!trial) return !seen.departs();
-  if (judge_trial(*trial)) return true;
-  // Rules may be checked on the words as they are written, whatever is made of them afterwards.
-  if (seen.alarm == 0 || trial->model || trial->program == seen.program) return false;
-  trial->program = spliced(trial->program, seen.program, seen.alarm, seen.profile);
-  return judge_trial(*trial);
-}
-
-bool Attributor::count(const Variant& variant, const Observation& seen, Cause& cause) const {
-  if (!explains(variant, seen)) return false;
+bool Attributor::count(const Variant& variant, const Observation& seen, Cause& cause) {
+  if (!explainer_.explains(variant, seen)) return false;
   ++(seen.departs() ? cause.departures : cause.passes);
   return true;
 }
@@ -158,13 +87,7 @@ void Attributor::find_causes() {
   const auto departure =
       std::ranges::find_if(found_.programs, [](const auto& seen) { return seen.departs(); });
   if (departure == found_.programs.end()) return;
-  Variants variants;
-  add_machine_variants(*departure, variants);
-  add_record_variants(*departure, variants);
-  add_word_variants(*departure, variants);
-  add_code_variants(*departure, variants);
-  add_modal_variants(*departure, variants);
-  add_model_variants(*departure, variants);
+  const Variants variants = variants_for(*departure);
   for (const Variant& variant : variants) {
     if (is_spent()) return;
     try_variant(variant);

@@ -7,21 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "identify/variant.hpp"
+#include "identify/explanation.hpp"
 #include "oracle/corpus/corpus.hpp"
 
 namespace gonogo::identify {
 
-struct AttributionOptions {
-  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
-  std::optional<reference::Number> chord;
-  std::optional<reference::Number> feed_resolution;
+struct AttributionOptions : ExplanationTerms {
   std::size_t alike = 32;   // programs with the code that departs
   std::size_t others = 12;  // and without it
   std::size_t more = 400;   // on which what explains all of these is tried as well
-  // Of all trials together: with more nothing is said. A subject that never ends one cycle has
-  // thousands of records, and is held against hundreds of mistakes.
-  std::size_t most_records = SIZE_MAX;
 };
 
 struct Cause {
@@ -39,12 +33,6 @@ struct Attribution {
   std::vector<Cause> partial;   // explain some of it; those that explain most first
 
   std::size_t passes() const { return programs.size() - departures; }
-};
-
-struct ProgramAsked {
-  std::string id;
-  std::string program;
-  Profile profile;
 };
 
 // The subject is given the program, and programs of the corpus that are like it. Throws

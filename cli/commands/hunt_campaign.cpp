@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "cli/exit_code.hpp"
+#include "cli/hunt_causes.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "cli/version.hpp"
@@ -58,6 +59,12 @@ class Board {
     return true;
   }
 
+  // The folder tells what there is now.
+  void round_done() {
+    const std::lock_guard lock(folder_mutex_);
+    tell_campaign(words_.campaign, words_.trial);
+  }
+
   void fail(const char* what) {
     const std::lock_guard lock(mutex_);
     failed_ = true;
@@ -87,6 +94,7 @@ class Board {
   const HuntEnd& end_;
   bool on_;
   std::mutex mutex_;
+  std::mutex folder_mutex_;
   std::atomic<std::size_t> programs_ = 0;
   std::atomic<std::size_t> findings_ = 0;
   std::atomic<bool> failed_ = false;
@@ -108,62 +116,14 @@ CampaignState wanted_state(const HuntWords& words, std::size_t shard, std::size_
 void run_job(hunt::HuntCampaign& campaign, const std::string& folder, Board& board) {
   try {
     while (!board.is_over()) {
-      campaign.round([&](const hunt::Finding& finding,
+      const bool is_done = campaign.round([&](const hunt::Finding& finding,
                          const std::string& id) { board.tell(finding, folder, id); },
                      [&](const hunt::Hunt&) { return board.tick(); });
+      if (is_done) board.round_done();
     }
   } catch (const std::exception& error) {
     board.fail(error.what());
   }
-}
-
-// Of all shards that lie in the folder, whoever ran them.
-struct Total {
-  std::size_t shards = 0;
-  std::size_t rounds = 0;
-  hunt::HuntCount count;
-  struct Seen {
-    std::string id;
-    std::size_t programs = 0;
-  };
-  std::map<hunt::Signature, Seen> findings;
-};
-
-Total total_of(const std::string& folder) {
-  Total total;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!entry.is_directory()) continue;
-    const auto state = hunt::read_campaign_state(entry.path().string());
-    if (!state) continue;
-    ++total.shards;
-    total.rounds += state->rounds;
-    total.count += state->count;
-    for (const auto& [signature, finding] : state->findings) {
-      Total::Seen& seen = total.findings[signature];
-      if (seen.id.empty()) seen.id = entry.path().filename().string() + "/findings/" + finding.id;
-      seen.programs += finding.times;
-    }
-  }
-  return total;
-}
-
-// Findings by their clause: one defect has often many faces.
-std::string total_text(const Total& total) {
-  std::map<std::string, std::vector<const std::pair<const hunt::Signature, Total::Seen>*>> clauses;
-  for (const auto& each : total.findings) clauses[each.first.clause].push_back(&each);
-  std::string text;
-  for (auto& [clause, faces] : clauses) {
-    std::ranges::sort(faces, std::greater{}, [](const auto* face) {
-      return std::pair(face->second.programs, face->first.text());
-    });
-    text += fmt::format("{}: {} {}\n", clause.empty() ? "no clause" : clause, faces.size(),
-                        faces.size() == 1 ? "finding" : "findings");
-    for (const auto* face : faces) {
-      text += fmt::format("  {:>7} x {}  {}\n", face->second.programs, face->first.text(),
-                          face->second.id);
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -200,18 +160,18 @@ int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options) {
     threads.emplace_back([&board, &job] { run_job(job->campaign, job->folder, board); });
   }
   for (std::thread& thread : threads) thread.join();
-  const Total total = total_of(words.campaign);
+  const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
   Output output;
-  output.text() = total_text(total);
+  output.text() = finding_list_text(summary);
   output.text() += fmt::format(
       "{}, {}: {} programs now; {} rounds of {} shards with {} programs are done, {} of them "
-      "judged with motion; {} findings\n",
-      words.trial.subject, words.dialect, board.programs(), total.rounds, total.shards,
-      total.count.programs, total.count.moved, total.findings.size());
+      "judged with motion; {}\npage: {}/index.html\n",
+      words.trial.subject, words.dialect, board.programs(), summary.rounds, summary.shards,
+      summary.count.programs, summary.count.moved, findings_text(summary), words.campaign);
   output.flush();
   if (board.failed()) return kUndecided;
-  if (!total.findings.empty()) return kNoGo;
-  return total.count.programs == 0 || judged_little(total.count) ? kUndecided : kGo;
+  if (summary.standing() > 0) return kNoGo;
+  return summary.count.programs == 0 || judged_little(summary.count) ? kUndecided : kGo;
 }
 
 }  // namespace gonogo::cli

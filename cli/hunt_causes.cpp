@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/hunt_causes.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+
+#include "hunt/campaign_page.hpp"
+#include "hunt/finding_files.hpp"
+#include "identify/shared_causes.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+using identify::ProgramAsked;
+
+// Of all trials for a campaign's findings: a hunt is not to wait for its explanation.
+constexpr std::size_t kMostRecords = 3'000'000;
+constexpr std::size_t kMostOthers = 400;  // programs
+
+// The subject with its own alarms under the names of the gauge.
+class MappedSubject : public oracle::Subject {
+ public:
+  MappedSubject(std::unique_ptr<oracle::Subject> inner,
+                std::shared_ptr<const oracle::AlarmMap> alarms)
+      : inner_(std::move(inner)), alarms_(std::move(alarms)) {}
+
+  const oracle::SubjectInfo& info() const override { return inner_->info(); }
+  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    oracle::RunEnd end = inner_->run(id, program, sink);
+    if (end.kind != oracle::RunEnd::Kind::alarm || !alarms_) return end;
+    const auto* known = alarms_->entry_for(end.alarm.native);
+    if (known != nullptr) end.alarm.alarm_class = known->alarm_class;
+    return end;
+  }
+  void renew() override { inner_->renew(); }
+
+ private:
+  std::unique_ptr<oracle::Subject> inner_;
+  std::shared_ptr<const oracle::AlarmMap> alarms_;
+};
+
+// A breakdown has no cause in the reference's terms, and one program does not show what is left
+// over from others.
+bool may_have_cause(const hunt::Face& face) {
+  const oracle::VerdictKind kind = face.signature.kind;
+  return face.stands && kind >= oracle::VerdictKind::fail_geometry &&
+         kind <= oracle::VerdictKind::fail_alarm_late;
+}
+
+struct Asked {
+  std::vector<hunt::Signature> signatures;
+  std::vector<ProgramAsked> programs;
+};
+
+Asked faces_to_ask(const std::string& folder, const hunt::HuntSummary& summary) {
+  Asked asked;
+  for (const hunt::CampaignFinding& finding : summary.findings) {
+    for (const hunt::Face& face : finding.faces) {
+      if (!may_have_cause(face)) continue;
+      const generate::GeneratedProgram program =
+          hunt::read_exhibit(folder + "/" + face.folder, summary.dialect).program;
+      asked.signatures.push_back(face.signature);
+      asked.programs.push_back({face.folder, program.text, program.profile});
+    }
+  }
+  return asked;
+}
+
+// Programs that showed something new, spread evenly over all shards.
+std::vector<ProgramAsked> other_programs(const std::string& folder) {
+  std::vector<ProgramAsked> all;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_directory()) continue;
+    const std::string shard = entry.path().string();
+    const auto state = hunt::read_campaign_state(shard);
+    if (!state) continue;
+    for (generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
+      all.push_back({entry.path().filename().string(), std::move(program.text), program.profile});
+    }
+  }
+  std::vector<ProgramAsked> spread;
+  const std::size_t count = std::min(kMostOthers, all.size());
+  for (std::size_t i = 0; i < count; ++i) spread.push_back(std::move(all[i * all.size() / count]));
+  return spread;
+}
+
+hunt::Causes ask_causes(const std::string& folder, const TrialWords& words,
+                        const hunt::HuntSummary& summary) {
+  hunt::Causes causes;
+  const Asked asked = faces_to_ask(folder, summary);
+  if (asked.programs.empty()) return causes;
+  const hunt::TrialOptions options = trial_options(words);
+  auto made = trial_subject(words)();
+  made->set_run_limit(options.run_limit);
+  MappedSubject subject(std::move(made), options.alarm_map);
+  const identify::ExplanationTerms terms{options.tolerance, options.chord, options.feed_resolution,
+                                         kMostRecords};
+  const identify::SharedCauses found =
+      find_shared_causes(subject, asked.programs, other_programs(folder), terms);
+  for (const identify::SharedCause& cause : found.causes) {
+    for (const std::size_t face : cause.faces) causes[asked.signatures[face]] = cause.name;
+  }
+  return causes;
+}
+
+hunt::Causes causes_of(const std::string& folder, const TrialWords& words,
+                       const hunt::HuntSummary& summary) {
+  hunt::KnownCauses known = hunt::read_known_causes(folder);
+  const bool is_news = std::ranges::any_of(summary.findings, [&](const auto& finding) {
+    return std::ranges::any_of(finding.faces, [&](const hunt::Face& face) {
+      return !known.asked.contains(face.signature);
+    });
+  });
+  if (!is_news) return known.causes;
+  try {
+    hunt::Causes causes = ask_causes(folder, words, summary);
+    // What was mended is not asked again.
+    for (const hunt::CampaignFinding& finding : summary.findings) {
+      for (const hunt::Face& face : finding.faces) {
+        const auto before = known.causes.find(face.signature);
+        if (!face.stands && before != known.causes.end()) causes.insert(*before);
+      }
+    }
+    return causes;
+  } catch (const oracle::SubjectUnusable&) {
+    // The hunt has its findings; what they come from is a courtesy.
+    return known.causes;
+  }
+}
+
+}  // namespace
+
+hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& words) {
+  hunt::HuntSummary summary = hunt::summarize_campaign(folder);
+  group_findings(summary, causes_of(folder, words, summary));
+  write_campaign_summary(folder, summary);
+  write_campaign_page(folder, summary);
+  return summary;
+}
+
+}  // namespace gonogo::cli

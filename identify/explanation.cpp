@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "identify/explanation.hpp"
+
+#include "identify/same_path.hpp"
+
+namespace gonogo::identify {
+
+using oracle::Decision;
+
+namespace {
+
+// The lines of `changed` before the line of this number, and those of `original` from it on.
+std::string spliced(std::string_view changed, std::string_view original, std::uint64_t line,
+                    const Profile& profile) {
+  const ProgramText before(profile, changed);
+  const ProgramText after(profile, original);
+  if (before.blocks.size() != after.blocks.size()) return std::string(changed);
+  std::string text;
+  for (std::size_t i = 0; i < before.blocks.size(); ++i) {
+    text += program::line_text((i + 1 < line ? before : after).blocks[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+oracle::JudgeTerms Explainer::terms(const Profile& profile) const {
+  oracle::JudgeTerms terms = make_terms(
+      subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+  terms.strict = true;  // what it follows, not what a text states
+  return terms;
+}
+
+std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
+  if (!configured_ || *configured_ != asked.profile) {
+    configured_ = asked.profile;
+    subject_.configure(asked.profile);
+    before_ = {};
+  }
+  Observation seen{asked.id, asked.program, asked.profile, {}, {}, 0, before_};
+  seen.outcome = run_subject(subject_, asked.id, asked.program);
+  before_.take(asked.profile, asked.program, seen.outcome);
+  if (!seen.outcome.answered()) return std::nullopt;
+  seen.verdict = judge_outcome(asked.profile, asked.program, terms(asked.profile),
+                               seen.outcome.records, seen.outcome.end)
+                     .verdict;
+  if (decision(seen.verdict.kind) == Decision::undecided) return std::nullopt;
+  if (const auto shown = run_reference(asked.profile, asked.program)) {
+    seen.alarm = shown->end.alarm.block;
+  }
+  return seen;
+}
+
+bool Explainer::judge_trial(const Trial& trial) {
+  spent_ += trial.outcome.records.size();
+  if (is_spent()) return false;
+  const oracle::JudgeTerms on = terms(trial.profile);
+  if (trial.model) {
+    return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on);
+  }
+  // One that would put out far more than the subject did need not be followed to its end.
+  const std::size_t most = 1'000 + 20 * trial.outcome.records.size();
+  const auto shown = run_reference(trial.profile, trial.program, most);
+  spent_ += shown ? shown->records.size() : most;
+  if (!shown) return false;
+  const oracle::SessionVerdict said =
+      judge_outcome(trial.profile, trial.program, on, trial.outcome.records, trial.outcome.end);
+  return decision(said.verdict.kind) == Decision::go;
+}
+
+bool Explainer::explains(const Variant& variant, const Observation& seen) {
+  auto trial = variant.apply(seen);
+  if (!trial) return !seen.departs();
+  if (judge_trial(*trial)) return true;
+  // Rules may be checked on the words as they are written, whatever is made of them afterwards.
+  if (seen.alarm == 0 || trial->model || trial->program == seen.program) return false;
+  trial->program = spliced(trial->program, seen.program, seen.alarm, seen.profile);
+  return judge_trial(*trial);
+}
+
+Variants variants_for(const Observation& departure) {
+  Variants variants;
+  add_machine_variants(departure, variants);
+  add_record_variants(departure, variants);
+  add_word_variants(departure, variants);
+  add_code_variants(departure, variants);
+  add_modal_variants(departure, variants);
+  add_model_variants(departure, variants);
+  return variants;
+}
+
+}  // namespace gonogo::identify

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether the reference with a mistake does what a subject did: what attributions of one departure
+// and of many have in common.
+#pragma once
+
+#include <limits>
+
+#include "identify/variant.hpp"
+
+namespace gonogo::identify {
+
+// A program to be given to the subject, with its machine.
+struct ProgramAsked {
+  std::string id;
+  std::string program;
+  Profile profile;
+};
+
+// On what terms, and how long, a subject is held against mistakes.
+struct ExplanationTerms {
+  std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
+  std::optional<reference::Number> chord;
+  std::optional<reference::Number> feed_resolution;
+  // Of all trials together: with more nothing is said. A subject that never ends one cycle has
+  // thousands of records, and is held against hundreds of mistakes.
+  std::size_t most_records = std::numeric_limits<std::size_t>::max();
+};
+
+class Explainer {
+ public:
+  // Both outlive it.
+  Explainer(oracle::Subject& subject, const ExplanationTerms& terms)
+      : subject_(subject), options_(terms) {}
+
+  // Gives the program to the subject. Nothing: it did not answer, or nothing can be said of it.
+  // Throws SubjectUnusable.
+  std::optional<Observation> observe(const ProgramAsked& asked);
+  // Whether the judge says GO with the mistake in the reference's place; of a program to which it
+  // makes no difference, whether that passes.
+  bool explains(const Variant& variant, const Observation& seen);
+  // Nothing more is tried: all that is said from here on is that nothing explains anything.
+  bool is_spent() const { return spent_ > options_.most_records; }
+
+ private:
+  oracle::JudgeTerms terms(const Profile& profile) const;
+  bool judge_trial(const Trial& trial);
+
+  oracle::Subject& subject_;
+  const ExplanationTerms& options_;
+  std::optional<Profile> configured_;
+  Carried before_;
+  std::size_t spent_ = 0;  // records, the subject's and the reference's
+};
+
+// Every mistake that can be what the observation departs by, those of the machine first.
+Variants variants_for(const Observation& departure);
+
+}  // namespace gonogo::identify
