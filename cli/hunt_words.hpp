@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,8 +66,14 @@ struct HuntEnd {
 // nothing.
 bool judged_little(const hunt::HuntCount& count);
 
+// What the words say of the programs. Throws UsageError.
+hunt::HuntOptions hunt_options(const HuntWords& words);
+
+// gonogo hunt; `prepare`, if any, is given the hunt before it begins.
+int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare);
+
 // gonogo hunt --campaign DIR
-int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options);
+int hunt_campaign(HuntWords words);
 
 // gonogo hunt --method properties
 int hunt_properties(const HuntWords& words);

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   add_export(program);
   add_host(program);
   add_hunt(program);
+  add_ci(program);
   add_reduce(program);
   add_identify(program);
   add_generate(program);

@@ -189,10 +189,10 @@ std::string finding_section(const std::string& folder, const HuntSummary& summar
     text += fmt::format("<p class=\"note\">{}: {}</p>\n", markup_text(clause),
                         markup_text(known->text));
   }
-  text += "<h3>The smallest program of the first face</h3>\n";
+  text += "<h3>The first face, reduced</h3>\n";
   text += example(folder, finding.faces.front(), summary.dialect);
   return section(fmt::format("finding-{}", number),
-                 fmt::format("{}. {}, {}{}", number, faces_text(finding),
+                 fmt::format("Finding {}: {}, {}{}", number, faces_text(finding),
                              markup_text(clauses_text(finding)),
                              finding.stands() ? "" : " <span class=\"badge go\">mended</span>"),
                  text);

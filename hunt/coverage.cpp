@@ -95,6 +95,9 @@ class Collector {
     }
   }
 
+  // Notes what was decided there, too.
+  void note_in(Reached& reached) { reached_ = &reached; }
+
   std::vector<std::uint64_t> features() && {
     std::ranges::sort(features_);
     features_.erase(std::unique(features_.begin(), features_.end()), features_.end());
@@ -129,6 +132,9 @@ class Collector {
   }
 
   void note(std::uint64_t block, reference::ClauseId clause, std::uint64_t decision) {
+    if (reached_ != nullptr && clause != reference::kNoClause) {
+      (*reached_)[clause].insert(decision);
+    }
     const std::uint64_t what = mix(decision, clause);
     const std::size_t line = block == 0 ? 0 : static_cast<std::size_t>(block - 1);
     add(Part::plain, what, 0);
@@ -186,6 +192,7 @@ class Collector {
   std::uint64_t block_ = 0;
   std::uint64_t clause_before_ = reference::kNoClause;
   std::vector<std::uint64_t> features_;
+  Reached* reached_ = nullptr;
 };
 
 // An area that is left open costs the judge as much as many records. Without that a few pockets
@@ -198,12 +205,10 @@ std::size_t cost_of(const Item& item) {
              : kArea;
 }
 
-}  // namespace
-
-std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
-                                    std::size_t most_cost, CoverageDetail detail) {
+// All that the reference does with the program, and what that costs; nothing: more than that.
+std::optional<std::size_t> collect(const generate::GeneratedProgram& program,
+                                   std::size_t most_cost, Collector& collector) {
   std::size_t cost = 0;
-  Collector collector(program, detail);
   oracle::ProgramInput input(program.text);
   reference::Expander expander(program.profile, input.lines, reference::OpenPaths::judged);
   try {
@@ -215,7 +220,26 @@ std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
   } catch (const exact::Undecided&) {
     // The judge comes to the same place and says so.
   }
-  return Coverage{std::move(collector).features(), cost};
+  return cost;
+}
+
+}  // namespace
+
+std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
+                                    std::size_t most_cost, CoverageDetail detail) {
+  Collector collector(program, detail);
+  const auto cost = collect(program, most_cost, collector);
+  if (!cost) return std::nullopt;
+  return Coverage{std::move(collector).features(), *cost};
+}
+
+std::optional<Reached> reached_by(const generate::GeneratedProgram& program,
+                                  std::size_t most_cost) {
+  Reached reached;
+  Collector collector(program, CoverageDetail::clauses);
+  collector.note_in(reached);
+  if (!collect(program, most_cost, collector)) return std::nullopt;
+  return reached;
 }
 
 }  // namespace gonogo::hunt

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "generate/generator.hpp"
+#include "reference/clause.hpp"
 
 namespace gonogo::hunt {
 
@@ -29,5 +32,11 @@ struct Coverage {
 std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
                                     std::size_t most_cost,
                                     CoverageDetail detail = CoverageDetail::all);
+
+// Clauses with the ways in which each decided something (kind, signs of the travel, sense, class).
+using Reached = std::map<reference::ClauseId, std::set<std::uint64_t>>;
+// Of one program; nothing where the reference puts out more than `most_cost`.
+std::optional<Reached> reached_by(const generate::GeneratedProgram& program,
+                                  std::size_t most_cost);
 
 }  // namespace gonogo::hunt

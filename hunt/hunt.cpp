@@ -159,15 +159,17 @@ std::optional<Finding> Hunt::step() {
     ++count_.too_long;
     return std::nullopt;
   }
-  count_features(*verdict, specimen.program);
   const Decision decided = decision(verdict->kind);
   const bool is_judged = decided == Decision::go || decided == Decision::no_go;
   if (is_judged && trial_.moved()) ++count_.moved;
   if (is_finding(*verdict)) {
     ++count_.judged;
-    ++count_.no_go;
-    return examine(*verdict, specimen.program);
+    const std::size_t before = count_.no_go++;
+    std::optional<Finding> finding = examine(*verdict, specimen.program);
+    count_features(*verdict, specimen.program, count_.no_go > before);
+    return finding;
   }
+  count_features(*verdict, specimen.program, false);
   if (verdict->kind == VerdictKind::skip) {
     ++count_.skipped;
   } else if (decided == Decision::undecided) {
@@ -178,7 +180,8 @@ std::optional<Finding> Hunt::step() {
   return std::nullopt;
 }
 
-void Hunt::count_features(const Verdict& verdict, const generate::GeneratedProgram& program) {
+void Hunt::count_features(const Verdict& verdict, const generate::GeneratedProgram& program,
+                          bool is_no_go) {
   const Decision decided = decision(verdict.kind);
   const bool is_skipped = verdict.kind == VerdictKind::skip;
   const bool is_judged = decided == Decision::go || is_finding(verdict);
@@ -186,7 +189,7 @@ void Hunt::count_features(const Verdict& verdict, const generate::GeneratedProgr
   for (const std::string& feature : program::features_needed({program.profile, program.text})) {
     FeatureCount& count = features_[feature];
     ++(is_skipped ? count.skipped : count.judged);
-    if (is_finding(verdict)) ++count.no_go;
+    if (is_no_go) ++count.no_go;
   }
 }
 

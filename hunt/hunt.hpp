@@ -105,7 +105,8 @@ class Hunt {
   void settle(Specimen& specimen) const;
   // Whether what the verdict says of the program is worth telling.
   bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
-  void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program);
+  void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program,
+                      bool is_no_go);
   std::optional<Finding> examine(const oracle::Verdict& verdict,
                                  const generate::GeneratedProgram& program);
   std::optional<Finding> leak(const generate::GeneratedProgram& program);

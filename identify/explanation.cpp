@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "identify/explanation.hpp"
 
+#include "grammar/parser.hpp"
 #include "identify/same_path.hpp"
+#include "program/text.hpp"
+#include "reference/dialect.hpp"
 
 namespace gonogo::identify {
 
@@ -22,6 +25,28 @@ std::string spliced(std::string_view changed, std::string_view original, std::ui
   return text;
 }
 
+// A line that cannot be read stays as it is, and so does one of comments alone.
+std::string printed(grammar::Dialect dialect, std::string line) {
+  grammar::Block block;
+  if (grammar::parse_block(dialect, line, block)) return line;
+  std::string text = grammar::print(dialect, block);
+  return text.empty() ? line : text;
+}
+
+// The program as the grammar prints it, where it means the same: mistakes are of words and codes,
+// and "G0 2" is read by the grammar alone.
+std::string plainly_spelled(const ProgramAsked& asked, const KeptOutcome& meant) {
+  const reference::Dialect* dialect = reference::find_dialect(asked.profile.dialect);
+  std::vector<program::TextLine> lines = program::lines_of(asked.program);
+  for (program::TextLine& line : lines) {
+    const std::string text = program::line_text({line.words, line.rest, ""});
+    line = {{{"", printed(dialect->grammar, text)}}, "", line.end};
+  }
+  std::string plain = program::text_of(lines);
+  const auto same = run_reference(asked.profile, plain);
+  return same && same->text() == meant.text() ? plain : asked.program;
+}
+
 }  // namespace
 
 oracle::JudgeTerms Explainer::terms(const Profile& profile) const {
@@ -39,15 +64,15 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
   }
   Observation seen{asked.id, asked.program, asked.profile, {}, {}, 0, before_};
   seen.outcome = run_subject(subject_, asked.id, asked.program);
-  before_.take(asked.profile, asked.program, seen.outcome);
+  const auto shown = run_reference(asked.profile, asked.program);
+  if (shown) seen.program = plainly_spelled(asked, *shown);
+  before_.take(asked.profile, seen.program, seen.outcome);
   if (!seen.outcome.answered()) return std::nullopt;
   seen.verdict = judge_outcome(asked.profile, asked.program, terms(asked.profile),
                                seen.outcome.records, seen.outcome.end)
                      .verdict;
   if (decision(seen.verdict.kind) == Decision::undecided) return std::nullopt;
-  if (const auto shown = run_reference(asked.profile, asked.program)) {
-    seen.alarm = shown->end.alarm.block;
-  }
+  if (shown) seen.alarm = shown->end.alarm.block;
   return seen;
 }
 

@@ -12,6 +12,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/causes.hpp"
+#include "cli/certify_options.hpp"
 #include "cli/colour.hpp"
 #include "cli/commands.hpp"
 #include "cli/corpus_folder.hpp"
@@ -47,32 +48,6 @@ namespace {
 constexpr std::string_view kAnyDialect = "gsk988ta";
 // Every NO-GO is run twice.
 constexpr std::uint64_t kConfirming = 2;
-
-struct CertifyOptions {
-  std::vector<std::string> subjects;
-  std::vector<std::string> dialects;
-  std::string corpus;
-  std::string report;
-  std::string certificate;
-  std::string traces;
-  std::string profile;
-  std::vector<std::string> readings;
-  std::vector<std::string> only;
-  std::vector<std::string> cases;
-  std::string failed_of;
-  std::vector<std::string> cycles;
-  std::vector<std::string> clauses;
-  std::string shard = "1/1";
-  long jobs = 0;
-  long causes = 3;
-  bool fail_fast = false;
-  bool resume = false;
-  std::string known_failures;
-  std::string write_known_failures;
-  std::string alarm_map;
-  LimitOptions limits;
-  std::vector<std::string> argv;
-};
 
 // What the files of the subject say of it.
 void read_subject_files(const CertifyOptions& options, oracle::CampaignOptions& campaign) {
@@ -444,6 +419,8 @@ void check_clauses(const CertifyOptions& options) {
   }
 }
 
+}  // namespace
+
 int certify(const CertifyOptions& asked) {
   const CertifyOptions options = with_failed_cases(asked);
   check_clauses(options);
@@ -473,8 +450,6 @@ int certify(const CertifyOptions& asked) {
   }
   return exit_code;
 }
-
-}  // namespace
 
 void add_certify(Command& program) {
   auto options = std::make_shared<CertifyOptions>();

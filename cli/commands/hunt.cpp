@@ -21,18 +21,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-hunt::HuntOptions hunt_options(const HuntWords& words) {
-  hunt::HuntOptions options;
-  const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
-  options.dialect = profile.dialect;
-  options.seed = static_cast<std::uint64_t>(words.seed);
-  if (!words.profile.empty()) options.profile = profile;
-  options.readings = readings_of(words);
-  options.settings = settings_option(words.settings);
-  options.everywhere = words.everywhere;
-  return options;
-}
-
 // A line that is rewritten in place on a terminal; nothing in a pipe.
 class HuntProgress {
  public:
@@ -122,18 +110,37 @@ std::string skipped_text(const hunt::Hunt& hunt) {
   return text;
 }
 
-int hunt(HuntWords words) {
+int hunt(const HuntWords& words) {
   if (words.method == "operations") return hunt_operations(words);
   if (!words.beside.empty()) {
     throw UsageError("--beside is for --method operations, which compares subjects.");
   }
   if (words.method == "properties") return hunt_properties(words);
+  if (!words.campaign.empty()) return hunt_campaign(words);
+  return hunt_programs(words, nullptr);
+}
+
+}  // namespace
+
+hunt::HuntOptions hunt_options(const HuntWords& words) {
+  hunt::HuntOptions options;
+  const reference::Profile profile = load_profile({words.dialect, words.profile, words.readings});
+  options.dialect = profile.dialect;
+  options.seed = static_cast<std::uint64_t>(words.seed);
+  if (!words.profile.empty()) options.profile = profile;
+  options.readings = readings_of(words);
+  options.settings = settings_option(words.settings);
+  options.everywhere = words.everywhere;
+  return options;
+}
+
+int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare) {
   hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
-  if (!words.campaign.empty()) return hunt_campaign(words, options);
   const HuntEnd end(words);
   hunt::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
   check_dialect(hunt.trial().info(), words.dialect);
+  if (prepare) prepare(hunt);
   HuntTally tally;
   {
     HuntProgress progress(end);
@@ -160,8 +167,6 @@ int hunt(HuntWords words) {
   const bool undecided = tally.oracle_errors > 0 || !tally.complete || judged_little(hunt.count());
   return undecided ? kUndecided : kGo;
 }
-
-}  // namespace
 
 void add_hunt(Command& program) {
   auto words = std::make_shared<HuntWords>();

@@ -128,7 +128,9 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, Board& boa
 
 }  // namespace
 
-int hunt_campaign(const HuntWords& words, const hunt::HuntOptions& options) {
+int hunt_campaign(HuntWords words) {
+  const hunt::HuntOptions options = hunt_options(words);
+  words.dialect = options.dialect;
   if (!words.trial.out.empty()) {
     throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
   }

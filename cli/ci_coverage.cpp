@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "cli/ci_words.hpp"
+#include "cli/corpus_folder.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "hunt/finding_files.hpp"
+#include "hunt/reach.hpp"
+#include "oracle/corpus/corpus.hpp"
+#include "oracle/records/output_file.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
+  const oracle::Corpus corpus(corpus_folder(words.corpus));
+  oracle::CaseReader reader(corpus, oracle::Detail::whole);
+  while (const auto test = reader.next()) {
+    if (test->dialect != words.dialect) continue;
+    for (const std::string& clause : test->clauses) reach.add_about(clause);
+    const generate::GeneratedProgram program{test->profile, test->program};
+    reach.add(hunt::ProgramSource::corpus, program, trial.run(program));
+  }
+}
+
+// The programs that showed something new, and those of the findings.
+void add_campaign_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
+  if (words.campaign.empty()) return;
+  for (const std::string& shard : shards_in(words.campaign)) {
+    const auto state = hunt::read_campaign_state(shard);
+    if (state->dialect != words.dialect) {
+      throw UsageError(fmt::format("The campaign in {} is of {}, not {}.", shard, state->dialect,
+                                   words.dialect));
+    }
+    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
+      reach.add(hunt::ProgramSource::campaign, program, trial.run(program));
+    }
+    for (const auto& [signature, finding] : state->findings) {
+      const hunt::Exhibit exhibit =
+          hunt::read_exhibit(shard + "/findings/" + finding.id, state->dialect);
+      reach.add(hunt::ProgramSource::campaign, exhibit.program, trial.run_alone(exhibit));
+    }
+  }
+}
+
+}  // namespace
+
+int ci_coverage(const CiWords& asked) {
+  CiWords words = asked;
+  words.dialect = load_profile({words.dialect, "", {}}).dialect;
+  hunt::Trial trial(trial_subject(words.trial), trial_options(words.trial));
+  hunt::Reach reach(words.dialect);
+  add_corpus_programs(words, trial, reach);
+  add_campaign_programs(words, trial, reach);
+  if (!words.out.empty()) oracle::write_file(words.out, reach.json(words.trial.subject));
+  Output output;
+  output.text() = reach.text();
+  output.flush();
+  return reach.programs().judged == 0 ? kUndecided : kGo;
+}
+
+}  // namespace gonogo::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/certify_options.hpp"
+#include "cli/ci_words.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/hunt_causes.hpp"
+#include "cli/output.hpp"
+#include "cli/subject_files.hpp"
+#include "hunt/prune.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* stand_text(hunt::FindingStand stand) {
+  switch (stand) {
+    case hunt::FindingStand::stands:
+      return "stands";
+    case hunt::FindingStand::mended:
+      return "mended";
+    case hunt::FindingStand::cannot_say:
+      return "cannot say";
+  }
+  return "";
+}
+
+std::string pruned_text(const std::string& folder, const hunt::Pruned& pruned) {
+  std::string text = fmt::format("{}: {} of {} programs show all {} features\n", folder,
+                                 pruned.inputs, pruned.inputs_before, pruned.features);
+  for (const hunt::TriedFinding& finding : pruned.findings) {
+    text += fmt::format("  {:<11}{}  {}\n", stand_text(finding.stand), finding.signature.text(),
+                        finding.id);
+  }
+  return text;
+}
+
+// Of the cases that the file names and no others, so that none is added that nobody has looked at.
+int prune_known_failures(const CiWords& words) {
+  CertifyOptions options;
+  options.subjects = {words.trial.subject};
+  if (!words.dialect.empty()) options.dialects = {words.dialect};
+  options.corpus = words.corpus;
+  options.report = words.campaign + "/known-failures";
+  options.known_failures = words.known_failures;
+  options.write_known_failures = words.known_failures;
+  options.alarm_map = words.trial.alarm_map;
+  options.limits = words.trial.limits;
+  options.causes = 0;
+  for (const oracle::KnownFailure& entry : load_known_failures(words.known_failures)) {
+    options.only.push_back(entry.cases);
+  }
+  if (options.only.empty()) return kGo;
+  // That an entry is stale makes the run NO-GO, and is what this is for.
+  return certify(options) == kUndecided ? kUndecided : kGo;
+}
+
+}  // namespace
+
+std::vector<std::string> shards_in(const std::string& campaign) {
+  std::vector<std::string> shards;
+  if (fs::is_directory(campaign)) {
+    for (const auto& entry : fs::directory_iterator(campaign)) {
+      if (fs::exists(entry.path() / "hunt.json")) shards.push_back(entry.path().string());
+    }
+  }
+  if (shards.empty()) {
+    throw UsageError(fmt::format(
+        "{} is no folder of a campaign. `gonogo ci batch --campaign {}` begins one.", campaign,
+        campaign));
+  }
+  std::ranges::sort(shards);
+  return shards;
+}
+
+int ci_prune(const CiWords& words) {
+  const std::vector<std::string> shards = shards_in(words.campaign);
+  hunt::Trial trial(trial_subject(words.trial), trial_options(words.trial));
+  Output output;
+  for (const std::string& shard : shards) {
+    output.text() += pruned_text(shard, hunt::prune_campaign(shard, trial));
+  }
+  const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
+  output.text() += finding_list_text(summary);
+  output.text() += fmt::format("{}, {}: {}\n", words.trial.subject, summary.dialect,
+                               findings_text(summary));
+  output.flush();
+  return words.known_failures.empty() ? kGo : prune_known_failures(words);
+}
+
+}  // namespace gonogo::cli

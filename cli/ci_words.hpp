@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo ci: what a pipeline runs on a change, in the night, and in between.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/hunt_words.hpp"
+
+namespace gonogo::cli {
+
+struct CiWords {
+  TrialWords trial;
+  std::string dialect;
+  std::string campaign;
+  std::string corpus;
+  std::string known_failures;
+  std::string report = "report";
+  std::string out;
+  std::string profile;
+  std::vector<std::string> readings;
+  std::string settings;
+  std::string time;
+  std::string shard = "1/1";
+  long programs = 0;  // 0: the mode's own
+  long seed = 1;
+  long jobs = 1;
+  long round = 2'000;
+};
+
+// The folders of a campaign's shards, sorted. Throws UsageError where there is none.
+std::vector<std::string> shards_in(const std::string& campaign);
+
+// The exit codes.
+int ci_prune(const CiWords& words);
+int ci_coverage(const CiWords& words);
+
+}  // namespace gonogo::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// gonogo ci: the runs of a pipeline, a command each. `change` is for every push and ends in
+// minutes, `batch` is for the night and goes on from its folder, `prune` keeps that folder small
+// and true, `coverage` says what all of it reached.
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/certify_options.hpp"
+#include "cli/ci_words.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "hunt/campaign_state.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+constexpr long kProgramsOfAChange = 5'000;
+constexpr const char* kTimeOfABatch = "1h";
+
+HuntWords hunt_words(const CiWords& words) {
+  HuntWords hunt;
+  hunt.trial = words.trial;
+  hunt.dialect = words.dialect;
+  hunt.profile = words.profile;
+  hunt.readings = words.readings;
+  hunt.settings = words.settings;
+  hunt.seed = words.seed;
+  hunt.programs = words.programs;
+  return hunt;
+}
+
+CertifyOptions certify_options(const CiWords& words) {
+  CertifyOptions options;
+  options.subjects = {words.trial.subject};
+  if (!words.dialect.empty()) options.dialects = {words.dialect};
+  options.corpus = words.corpus;
+  options.report = words.report;
+  options.profile = words.profile;
+  options.readings = words.readings;
+  options.known_failures = words.known_failures;
+  options.alarm_map = words.trial.alarm_map;
+  options.limits = words.trial.limits;
+  options.jobs = words.jobs;
+  options.argv = arguments();
+  return options;
+}
+
+// What the nights found is where the hunt begins, and no news. How many findings that are known.
+std::size_t begin_from(const std::string& campaign, const std::string& dialect, hunt::Hunt& hunt) {
+  std::size_t known = 0;
+  for (const std::string& shard : shards_in(campaign)) {
+    const auto state = hunt::read_campaign_state(shard);
+    if (state->dialect != dialect) {
+      throw UsageError(
+          fmt::format("The campaign in {} is of {}, not {}.", shard, state->dialect, dialect));
+    }
+    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
+      hunt.offer(program);
+    }
+    for (const auto& [signature, finding] : state->findings) {
+      if (!finding.stands()) continue;
+      hunt.know(signature);
+      ++known;
+    }
+  }
+  return known;
+}
+
+// A NO-GO of one of them is one of both; what either could not decide is not decided.
+int gravest(int one, int other) {
+  if (one == kNoGo || other == kNoGo) return kNoGo;
+  return one == kGo ? other : one;
+}
+
+int change(const CiWords& words) {
+  HuntWords hunting = hunt_words(words);
+  hunting.dialect = hunt_options(hunting).dialect;
+  if (hunting.programs == 0) hunting.programs = kProgramsOfAChange;
+  hunting.trial.out = words.report + "/found";
+  if (!words.campaign.empty()) shards_in(words.campaign);  // before anything runs
+  const int judged = certify(certify_options(words));
+  const int found = hunt_programs(hunting, [&](hunt::Hunt& hunt) {
+    if (words.campaign.empty()) return;
+    const std::size_t known = begin_from(words.campaign, hunting.dialect, hunt);
+    if (known == 0) return;
+    Output output;
+    output.text() =
+        fmt::format("{}: {} departures that are known are no news\n", words.campaign, known);
+    output.flush();
+  });
+  return gravest(judged, found);
+}
+
+int batch(const CiWords& words) {
+  HuntWords hunting = hunt_words(words);
+  hunting.campaign = words.campaign;
+  hunting.shard = words.shard;
+  hunting.jobs = words.jobs;
+  hunting.round = words.round;
+  hunting.time = words.time;
+  if (hunting.time.empty() && hunting.programs == 0) hunting.time = kTimeOfABatch;
+  return hunt_campaign(hunting);
+}
+
+void add_subject(Command& command, CiWords& words) {
+  command.needed_option("--subject", words.trial.subject,
+                        "builtin:NAME[+FAULT], pipe:COMMAND, oneshot:COMMAND or lib:PATH.so");
+  command.option("--alarm-map", words.trial.alarm_map,
+                 "TOML file of what the subject's own alarms mean");
+  add_run_options(command, words.trial.limits);
+}
+
+void add_programs(Command& command, CiWords& words) {
+  constexpr long kMost = std::numeric_limits<long>::max();
+  command.option("--profile", words.profile, "the machine of every program; without: any");
+  command.repeated_option("--reading", words.readings, "one reading as key=value");
+  command.option("--settings", words.settings,
+                 "what generated programs are like: valid=1,boundary=2,blocks=4");
+  command.number("--seed", words.seed, 0, kMost, "the same seed tries the same programs (1)");
+}
+
+void add_change(Command& ci) {
+  auto words = std::make_shared<CiWords>();
+  Command command = ci.add_command(
+      "change", "on every push: the corpus, and a short hunt that tries the same programs each time");
+  add_subject(command, *words);
+  command.option("--dialect", words->dialect, "dialect of cases and programs");
+  command.option("--corpus", words->corpus, "folder of the corpus (the checked-in one)");
+  command.option("--known-failures", words->known_failures,
+                 "TOML file of cases that the subject is known to fail");
+  command.option("--campaign", words->campaign,
+                 "folder of the nights' hunt: its programs come first, its findings are no news");
+  command.option("--report", words->report,
+                 "folder for the report, and in found/ for what the hunt finds (report)");
+  command.number("--programs", words->programs, 1, std::numeric_limits<long>::max(),
+                 "programs of the hunt (5000)");
+  command.number("--jobs", words->jobs, 1, 256, "subjects that judge the corpus side by side (1)");
+  add_programs(command, *words);
+  command.run([words] { return change(*words); });
+}
+
+void add_batch(Command& ci) {
+  auto words = std::make_shared<CiWords>();
+  Command command =
+      ci.add_command("batch", "in the night: the hunt goes on in its folder, for an hour");
+  add_subject(command, *words);
+  command.option("--dialect", words->dialect, "dialect of the programs");
+  command.needed_option("--campaign", words->campaign, "folder of the hunt, which goes on there");
+  command.option("--time", words->time, "how long: 90s, 10m, 2h (1h)");
+  command.number("--programs", words->programs, 1, std::numeric_limits<long>::max(),
+                 "how many programs, in place of a time");
+  command.option("--shard", words->shard, "i/n: the rounds of machine i of n (1/1)");
+  command.number("--jobs", words->jobs, 1, 1'000, "subjects that run side by side (1)");
+  command.number("--round", words->round, 1, 1'000'000, "programs of a round (2000)");
+  add_programs(command, *words);
+  command.run([words] { return batch(*words); });
+}
+
+void add_prune(Command& ci) {
+  auto words = std::make_shared<CiWords>();
+  Command command = ci.add_command(
+      "prune", "now and then: programs that show nothing of their own go, what is mended is marked");
+  add_subject(command, *words);
+  command.needed_option("--campaign", words->campaign, "folder of the hunt");
+  command.option("--known-failures", words->known_failures,
+                 "TOML file of cases that the subject is known to fail: it is pruned, too");
+  command.option("--dialect", words->dialect, "only known failures of this dialect");
+  command.option("--corpus", words->corpus, "corpus of the known failures (the checked-in one)");
+  command.run([words] { return ci_prune(*words); });
+}
+
+void add_coverage(Command& ci) {
+  auto words = std::make_shared<CiWords>();
+  Command command = ci.add_command(
+      "coverage", "which clauses and features the programs reached, and what the subject answered");
+  add_subject(command, *words);
+  command.option("--dialect", words->dialect, "dialect of cases and programs");
+  command.option("--campaign", words->campaign, "folder of a hunt, beside the corpus");
+  command.option("--corpus", words->corpus, "folder of the corpus (the checked-in one)");
+  command.option("--out", words->out, "the same as JSON, into this file");
+  command.run([words] { return ci_coverage(*words); });
+}
+
+}  // namespace
+
+void add_ci(Command& program) {
+  Command command = program.add_command("ci", "What a pipeline runs, on a change and in the night");
+  command.require_command();
+  add_change(command);
+  add_batch(command);
+  add_prune(command);
+  add_coverage(command);
+}
+
+}  // namespace gonogo::cli
