@@ -21,7 +21,7 @@ void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& 
     if (test->dialect != words.dialect) continue;
     for (const std::string& clause : test->clauses) reach.add_about(clause);
     const generate::GeneratedProgram program{test->profile, test->program};
-    reach.add(hunt::ProgramSource::corpus, program, trial.run(program));
+    reach.add(hunt::ProgramSource::corpus, program, trial.run(program), test->features);
   }
 }
 

@@ -100,9 +100,12 @@ Reach::Reach(const std::string& dialect) : dialect_(dialect) {
 }
 
 void Reach::add(ProgramSource source, const generate::GeneratedProgram& program,
-                const std::optional<oracle::Verdict>& verdict) {
+                const std::optional<oracle::Verdict>& verdict,
+                const std::vector<std::string>& features) {
   count_in(programs_, source, verdict);
-  for (const std::string& feature : program::features_needed({program.profile, program.text})) {
+  std::set<std::string> needed = program::features_needed({program.profile, program.text});
+  needed.insert(features.begin(), features.end());
+  for (const std::string& feature : needed) {
     count_in(features_[feature], source, verdict);
   }
   const auto reached = reached_by(program, HuntOptions().most_items);

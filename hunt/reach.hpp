@@ -39,9 +39,11 @@ class Reach {
   // Of the dialect's whole catalog and vocabulary.
   explicit Reach(const std::string& dialect);
 
-  // `verdict`: nothing where the subject's answer was too long to be judged.
+  // `verdict`: nothing where the subject's answer was too long to be judged. `features`: that the
+  // program is known to need, beside those that its codes and words show.
   void add(ProgramSource source, const generate::GeneratedProgram& program,
-           const std::optional<oracle::Verdict>& verdict);
+           const std::optional<oracle::Verdict>& verdict,
+           const std::vector<std::string>& features = {});
   // A case of the corpus is about the clause.
   void add_about(const std::string& clause);
 

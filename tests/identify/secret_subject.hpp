@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Subjects that follow readings which nobody told them of.
+// Subjects that follow readings which nobody told them of, or have faults.
 #pragma once
 
 #include <memory>
@@ -66,6 +66,27 @@ inline std::unique_ptr<oracle::Subject> builtin(std::string_view name,
                                                 std::string_view fault = {}) {
   return oracle::make_interface_subject(*expanders::find(name, fault));
 }
+
+// Two faults that have nothing to do with each other: centres of arcs are taken as absolute, and
+// dwells are a thousand times too long.
+inline constexpr const char* kDwellCause = "dwells come out milliseconds";
+class TwoFaults : public oracle::Subject {
+ public:
+  const oracle::SubjectInfo& info() const override { return inner_->info(); }
+  void configure(const Profile& profile) override { inner_->configure(profile); }
+  oracle::RunEnd run(std::string_view id, std::string_view program,
+                     const oracle::RecordSink& sink) override {
+    return inner_->run(id, program, [&](const Record& record) {
+      Record own = record;
+      own.seconds = own.seconds * reference::Number::millionths(1'000'000'000);
+      return sink(own);
+    });
+  }
+  void renew() override { inner_->renew(); }
+
+ private:
+  std::unique_ptr<oracle::Subject> inner_ = builtin("ngc", "offsets-absolute");
+};
 
 inline Profile default_machine(std::string_view dialect) {
   return std::get<Profile>(reference::default_profile(dialect));
