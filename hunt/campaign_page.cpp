@@ -34,7 +34,8 @@ constexpr const char* kOwnStyle =
     "background: var(--gs-paper, #fff); margin-top: 12px; }\n"
     ".figure svg { display: block; max-width: 100%; height: auto; }\n"
     "details { margin-top: 10px; }\n"
-    "td.dates { white-space: nowrap; }\n";
+    "td.dates { white-space: nowrap; }\n"
+    "#feature-table th + th, table[id^=faces-] th:nth-child(2) { text-align: right; }\n";
 
 std::string section(std::string_view id, const std::string& title, const std::string& content) {
   return fmt::format(
