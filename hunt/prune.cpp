@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <set>
+#include <tuple>
 #include <unordered_set>
 
 #include "hunt/coverage.hpp"
@@ -53,18 +53,26 @@ void remove_others(const std::string& folder, const std::vector<std::string>& ke
 
 std::vector<generate::GeneratedProgram> needed_programs(
     std::vector<generate::GeneratedProgram> programs, std::size_t* features) {
-  std::vector<std::size_t> order(programs.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(programs[i].text.size(), i); });
-  const std::size_t most_items = HuntOptions().most_items;
+  struct Shown {
+    std::size_t program = 0;
+    Coverage coverage;
+  };
+  std::vector<Shown> order;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    auto coverage = coverage_of(programs[i], HuntOptions().most_cost);
+    if (coverage) order.push_back({i, *std::move(coverage)});
+  }
+  std::ranges::sort(order, {}, [&](const Shown& one) {
+    return std::tuple(one.coverage.cost, programs[one.program].text.size(), one.program);
+  });
   std::unordered_set<std::uint64_t> shown;
   std::vector<generate::GeneratedProgram> needed;
-  for (const std::size_t i : order) {
-    const auto own = features_of(programs[i], most_items);
-    if (!own) continue;
+  for (const Shown& one : order) {
     bool is_needed = false;
-    for (const std::uint64_t feature : *own) is_needed = shown.insert(feature).second || is_needed;
-    if (is_needed) needed.push_back(std::move(programs[i]));
+    for (const std::uint64_t feature : one.coverage.features) {
+      is_needed = shown.insert(feature).second || is_needed;
+    }
+    if (is_needed) needed.push_back(std::move(programs[one.program]));
   }
   if (features != nullptr) *features = shown.size();
   return needed;

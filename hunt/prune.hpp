@@ -30,7 +30,7 @@ struct Pruned {
   std::vector<TriedFinding> findings;
 };
 
-// The programs, shortest first, of which each shows something that those before it do not; together
+// The programs, cheapest to judge first, of which each shows something that those before it do not; together
 // they show all that those given show. `features`, if asked for, is how much that is.
 std::vector<generate::GeneratedProgram> needed_programs(
     std::vector<generate::GeneratedProgram> programs, std::size_t* features = nullptr);

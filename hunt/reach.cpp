@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "hunt/hunt.hpp"
 #include "program/features.hpp"
 #include "reference/dialect.hpp"
 
@@ -15,6 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using oracle::Decision;
+
+// Cases of the corpus may be longer than what a hunt tries.
+constexpr std::size_t kMostCost = 200'000;
 
 void count_in(ReachCount& count, ProgramSource source,
               const std::optional<oracle::Verdict>& verdict) {
@@ -108,7 +110,7 @@ void Reach::add(ProgramSource source, const generate::GeneratedProgram& program,
   for (const std::string& feature : needed) {
     count_in(features_[feature], source, verdict);
   }
-  const auto reached = reached_by(program, HuntOptions().most_items);
+  const auto reached = reached_by(program, kMostCost);
   if (!reached) return;
   for (const auto& [clause, ways] : *reached) {
     ClauseReach& reach = clauses_[std::string(reference::clause_name(clause))];

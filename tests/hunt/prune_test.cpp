@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 std::set<std::uint64_t> shown_by(const std::vector<generate::GeneratedProgram>& programs) {
   std::set<std::uint64_t> shown;
   for (const auto& program : programs) {
-    const auto own = features_of(program, HuntOptions().most_items);
-    if (own) shown.insert(own->begin(), own->end());
+    const auto own = coverage_of(program, HuntOptions().most_cost);
+    if (own) shown.insert(own->features.begin(), own->features.end());
   }
   return shown;
 }

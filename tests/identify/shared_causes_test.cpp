@@ -142,13 +142,14 @@ TEST(SharedCauses, AProgramIsHeldAgainstMistakesAsTheGrammarPrintsIt) {
   const auto subject = builtin("ngc", "radius-sign-ignored");
   const Profile machine = testing::default_machine("rs274");
   const std::vector<ProgramAsked> faces = {{"plain", "F100\nG2 X10 R-8\nM2\n", machine},
-                                           {"odd", "F100\ng0 2 x1 0 r-8\nM2\n", machine}};
+                                           {"odd", "F100\ng0 2 x1 0 r-8\nM2\n", machine},
+                                           {"other", "F100\nG3 X10 R-8\nM2\n", machine}};
   const std::vector<ProgramAsked> others = {
       {"line", "F100\nG1 X10 Y5\nG3 X0 Y7 R20\nG2 X10 Y5 R20\nM2\n", machine},
       {"hole", "F100\nG81 X1 Y2 Z-5 R-1\nM2\n", machine}};
   const SharedCauses found = find_shared_causes(*subject, faces, others, {});
   ASSERT_EQ(names(found), std::vector<std::string>{kUnsigned});
-  EXPECT_EQ(found.causes.front().faces.size(), 2U);
+  EXPECT_EQ(found.causes.front().faces.size(), 3U);
 }
 
 TEST(SharedCauses, AreNotNamedWithMoreRecordsThanTheyMayTake) {
