@@ -17,7 +17,7 @@ generate::GeneratedProgram read_program(const std::filesystem::path& text,
   if (read == nullptr) {
     throw std::runtime_error(fmt::format("{} is no machine of the gauge.", machine.string()));
   }
-  return {*std::move(read), oracle::file_text(text.string())};
+  return {std::move(*read), oracle::file_text(text.string())};
 }
 
 }  // namespace gonogo::hunt
