@@ -99,7 +99,7 @@ test('a failure shows its evidence', () => withPage(results, async (page) => {
   const detail = await text(page, '#detail');
   assert.match(detail, /The motion ends at Z -5/);
   assert.match(detail, /Traverse from A to B along p alone/);  // the clause's text
-  assert.match(detail, /10 mm, exactly 10/);
+  assert.match(detail, /10 mm, exactly/);
   assert.match(detail, /Witness\s+X 30 +Z -5/);
   assert.match(await text(page, '#program .at-fault'), /G94 X20 Z-10 R-5 F100/);
   assert.match(await text(page, '#want-got'), /-15[^]*-5/);
@@ -199,10 +199,52 @@ test('on paper each finding has a sheet of its own', () => withPage(results, asy
   assert.ok(await page.locator('#printed .sheet svg').count() >= 4);
   assert.equal(await page.locator('#filters').isVisible(), false);
   assert.equal(await page.locator('#findings').isVisible(), true);
-  const pdf = (await page.pdf({ format: 'A4' })).toString('latin1');
+  const pdf = (await page.pdf({ preferCSSPageSize: true })).toString('latin1');
   const pages = Number(/\/Count (\d+)/.exec(pdf)[1]);
   assert.ok(pages >= 7 && pages < 20, `${pages} pages`);
 }));
+
+// The inside of an A4 page less its margins, in CSS pixels.
+const kInsidePage = { width: 703, height: 1016 };
+
+test('on paper a sheet is one page, nothing of it is cut off, and what was folded is told', () => withPage(results, async (page) => {
+  await page.setViewportSize(kInsidePage);
+  await page.emulateMedia({ media: 'print' });
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const sheets = await page.locator('#printed .printed').evaluateAll((all) => all.map((one) => {
+    const box = one.getBoundingClientRect();
+    const within = (node) => { const own = node.getBoundingClientRect(); return own.right <= box.right + 1 && own.bottom <= box.bottom + 1; };
+    const cut = (node) => !node.matches(':has(> .mono)') && node.scrollHeight > node.clientHeight + 1;
+    return { height: box.height, outside: [...one.querySelectorAll('dd, pre .line, svg')].filter((node) => !within(node)).length,
+      cut: [...one.querySelectorAll('dd')].filter(cut).length };
+  }));
+  assert.ok(sheets.length >= 6);
+  for (const sheet of sheets) {
+    assert.ok(sheet.height <= kInsidePage.height, JSON.stringify(sheet));
+    assert.equal(sheet.outside, 0);
+    assert.equal(sheet.cut, 0);
+  }
+  assert.equal(await page.locator('#gaps details:not([open])').count(), 0);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  assert.equal(await page.locator('#gaps details[open]').count(), 0);
+  assert.equal(await page.locator('#printed').count(), 0);
+}));
+
+test('an exact deviation is written as people write it', async () => {
+  for (const [exact, mm, words] of [['{"root":["6","-0.001","30254578"]}', '0.499583834', '0.499583834 mm, exactly 6 \u2212 0.001\u00b7\u221a30254578'],
+    ['{"root":["0","1","1/2"]}', '0.707106781', '0.707106781 mm, exactly \u221a(1/2)'],
+    ['{"enclosure":["0.25","0.26"]}', '0.255', '0.255 mm, exactly between 0.25 and 0.26'], ['4', '4', '4 mm, exactly']]) {
+    const path = join(work, `deviation-${mm}.jsonl`);
+    writeFileSync(path, readFileSync(results, 'utf8').split('\n').map((line) => {
+      if (!line.includes('"gsk.g110.000001"')) return line;
+      return JSON.stringify({ ...JSON.parse(line), deviation: { exact, mm } });
+    }).join('\n'));
+    await withPage(path, async (page) => {
+      const shown = await page.locator('#detail dt', { hasText: 'Deviation' }).locator('xpath=following-sibling::dd[1]').innerText();
+      assert.equal(shown, words);
+    }, atCase('gsk.g110.000001'));
+  }
+});
 
 test('only up to here hides later motions', () => withPage(results, async (page) => {
   const drawn = () => page.locator('#sheet [data-view=front] .gs-s.gs-feed').getAttribute('d');

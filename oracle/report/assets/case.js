@@ -96,7 +96,7 @@ function showFailure(detail, c, data) {
   if (c.clauses.length > 0) fact('Clauses of the case', ...clauseList(c.clauses));
   if (data.b !== undefined) fact('Block', `line ${data.b}${data.word ? `, word ${data.word}` : ''}`);
   if (data.record !== undefined) fact('Subject\u2019s record', `number ${data.record + 1}`);
-  if (data.deviation) fact('Deviation', el('strong', {}, `${data.deviation.mm} mm`), `, exactly ${exactText(data.deviation.exact)}`);
+  if (data.deviation) fact('Deviation', deviationText(data.deviation));
   if (data.witness) fact('Witness', pointText(data.witness));
   if (data.attempts > 1) fact('Attempts', String(data.attempts));
   if (data.profile && Object.keys(data.profile).length > 0) fact('Profile', el('span', { class: 'mono' }, JSON.stringify(data.profile)));

@@ -251,7 +251,7 @@ function showGaps() {
   const unhit = summary.catalog.filter((clause) => !summary.matrix[clause.id]);
   if (unhit.length > 0) {
     item(`${counted(unhit.length, 'clause', 'clauses')} that no judged case hit.`, el('details', {}, el('summary', {}, 'Which'),
-      el('ul', {}, ...unhit.map((clause) => el('li', {}, el('strong', { class: 'mono' }, clause.id), ` ${clause.text}`)))));
+      el('ul', { class: 'codes' }, ...unhit.map((clause) => el('li', {}, el('strong', { class: 'mono' }, clause.id), ` ${clause.text}`)))));
   }
   if (gaps.open.length > 0) {
     item(`Other readings of ${counted(gaps.open.length, 'clause', 'clauses')} that the manuals leave open: the judge followed the reading named here.`, el('details', {}, el('summary', {}, 'Which'),

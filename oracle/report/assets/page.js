@@ -25,12 +25,17 @@ function clauseTitle(id) {
 
 // ---- exact numbers ----
 
+// "3 - 2 times the root of 5" without what is zero or one.
+function rootText([a, b, c]) {
+  const factor = b.replace('-', '');
+  const root = `${factor === '1' ? '' : `${factor}\u00b7`}\u221a${c.includes('/') ? `(${c})` : c}`;
+  if (a === '0') return b.startsWith('-') ? `\u2212${root}` : root;
+  return `${a} ${b.startsWith('-') ? '\u2212' : '+'} ${root}`;
+}
+
 // As people write them; a quotient also as a decimal, which the gauge never computes with.
 function exactText(value) {
-  if (value && Array.isArray(value.root)) {
-    const [a, b, c] = value.root;
-    return `${a} + ${b}\u00b7\u221a${c}`;
-  }
+  if (value && Array.isArray(value.root)) return rootText(value.root);
   if (value && Array.isArray(value.enclosure)) return `between ${value.enclosure.join(' and ')}`;
   if (typeof value === 'string') {
     const quotient = /^(-?\d+)\/(\d+)$/.exec(value);
@@ -40,6 +45,12 @@ function exactText(value) {
     return value;
   }
   return JSON.stringify(value);
+}
+
+// A deviation; its exact value is a text even where it is a root or an enclosure.
+function deviationText({ exact, mm }) {
+  if (exact === mm) return `${mm} mm, exactly`;
+  return `${mm} mm, exactly ${exactText(exact.startsWith('{') ? JSON.parse(exact) : exact)}`;
 }
 
 // With at most nine decimals, where its exact text is another: it may be long.

@@ -18,14 +18,16 @@ function printedFinding(finding) {
   if (finding.cause) fact('Likely cause', finding.cause);
   if (clause) fact('Clause', `${clause.id}: ${clause.text} (${clause.source})`);
   if (data.b !== undefined) fact('Line', String(data.b));
-  if (data.deviation) fact('Deviation', `${data.deviation.mm} mm, exactly ${exactText(data.deviation.exact)}`);
+  if (data.deviation) fact('Deviation', deviationText(data.deviation));
   if (data.want) fact('Want', el('span', { class: 'mono' }, data.want));
   if (data.got) fact('Got', el('span', { class: 'mono' }, data.got));
   const page = el('section', { class: 'printed' }, el('h2', {}, finding.text),
     el('p', { class: 'message' }, `${c.id}: ${c.message}`), el('div', { class: 'columns' }, facts, printedProgram(data)));
   if (data.svg) {
     const sheet = el('div', { class: 'sheet' });
-    sheet.append(document.importNode(new DOMParser().parseFromString(data.svg, 'image/svg+xml').documentElement, true));
+    const drawing = document.importNode(new DOMParser().parseFromString(data.svg, 'image/svg+xml').documentElement, true);
+    drawing.setAttribute('preserveAspectRatio', 'xMidYMin');
+    sheet.append(drawing);
     page.append(sheet);
   }
   return page;
@@ -53,10 +55,23 @@ function layOutForPrint() {
   if (findings.length > kMostPrinted) {
     box.append(el('p', { class: 'note' }, `${count(findings.length - kMostPrinted)} further findings are in the report's page.`));
   }
-  document.querySelector('main').append(box);
-  for (const details of document.querySelectorAll('#gaps details')) details.open = false;
+  byId('gaps').before(box);
+  // Nobody can unfold paper.
+  for (const details of document.querySelectorAll('#gaps details:not([open])')) {
+    details.open = true;
+    details.dataset.folded = '';
+  }
+}
+
+function layOutForScreen() {
+  if (location.hash === '#print') return;
+  byId('printed')?.remove();
+  for (const details of document.querySelectorAll('#gaps details[data-folded]')) {
+    details.open = false;
+    delete details.dataset.folded;
+  }
 }
 
 addEventListener('beforeprint', layOutForPrint);
-addEventListener('afterprint', () => { if (location.hash !== '#print') byId('printed')?.remove(); });
+addEventListener('afterprint', layOutForScreen);
 if (location.hash === '#print') layOutForPrint();
