@@ -39,7 +39,7 @@ std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& 
     return kTop + (kHeight - kTop - kBottom) * (1 - part) / (1 - low);
   };
   std::string out = fmt::format(
-      "<svg class=\"chart\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" role=\"img\" aria-label=\"GO of "
+      "<div class=\"chart-box\"><svg class=\"chart\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" role=\"img\" aria-label=\"GO of "
       "the answered cases, version by version\">",
       kWidth, kHeight);
   for (const double part : {low, (1 + low) / 2, 1.0}) {
@@ -64,7 +64,7 @@ std::string chart(const std::vector<Run>& runs, const std::vector<std::size_t>& 
         x(i), at, at - 10, percent(counts[Outcome::go], counts.answered()), kHeight - 10,
         text(report::shortened(runs[versions[i]].version, 24)));
   }
-  return out + "<polyline class=\"course\" points=\"" + line + "\"/>" + marks + "</svg>\n";
+  return out + "<polyline class=\"course\" points=\"" + line + "\"/>" + marks + "</svg></div>\n";
 }
 
 std::string change_cell(const SiteView& site, std::size_t run, std::uint64_t cases,

@@ -85,9 +85,9 @@ function pairsOf(text) {
   for (const [key, value] of Object.entries(record)) {
     const isPoint = value && typeof value === 'object' && !Array.isArray(value) && !value.root && !value.enclosure;
     if (isPoint) {
-      for (const [axis, at] of Object.entries(value)) pairs.push([`${kFields[key] ?? key} ${axis.toUpperCase()}`, exactText(at)]);
+      for (const [axis, at] of Object.entries(value)) pairs.push([`${kFields[key] ?? key.replaceAll('_', ' ')} ${axis.toUpperCase()}`, exactText(at)]);
     } else if (key !== 'clause') {
-      pairs.push([kFields[key] ?? key, exactText(value)]);
+      pairs.push([kFields[key] ?? key.replaceAll('_', ' '), exactText(value)]);
     }
   }
   return pairs;
