@@ -398,6 +398,12 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   oracle::Findings findings;
   try {
     oracle::ResultsReader results(path);
+    if (options.subjects.empty()) {
+      const auto subject =
+          results.header().value("subject", nlohmann::ordered_json::object());
+      const std::string spec = oracle::report::text_of(subject, "spec");
+      if (!spec.empty()) options.subjects.push_back(spec);
+    }
     for (oracle::CaseHead head; results.next(head);) {
       const auto kind =
           oracle::verdict_kind(head.verdict).value_or(oracle::VerdictKind::oracle_error);
@@ -469,7 +475,8 @@ void add_certify(Command& program) {
   command.repeated_option("--only", options->only, "only ids that match the glob");
   command.repeated_option("--case", options->cases, "only this case");
   command.option("--failed-of", options->failed_of,
-                 "only the cases that are findings of these results, a file or its folder");
+                 "only the cases that are findings of these results, a file or its folder; without "
+                 "--subject those of its subject");
   command.repeated_option("--cycle", options->cycles, "only cases of this cycle, as g94");
   command.repeated_option("--clause", options->clauses, "only cases that test this clause");
   command.option("--shard", options->shard, "part i of n: i/n");

@@ -16,6 +16,7 @@
 #include "oracle/records/features.hpp"
 #include "oracle/records/output_file.hpp"
 #include "reference/dialect.hpp"
+#include "reference/editions.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::cli {
@@ -161,7 +162,8 @@ int spec(const SpecOptions& options) {
   if (!options.out.empty()) throw UsageError("--out goes with --format markdown.");
   for (const reference::Dialect& dialect : reference::dialects()) {
     if (!options.dialect.empty() && options.dialect != dialect.name) continue;
-    output.text() += fmt::format("Dialect {}\n", dialect.name);
+    output.text() += fmt::format("Dialect {}\nTexts: {}.\n", dialect.name,
+                                 reference::editions_of(dialect.name));
     append_clauses(dialect, output.text());
     append_readings(dialect.name, output.text());
     append_codes(dialect, output.text());

@@ -23,22 +23,26 @@ namespace {
 
 // The folder of the report, from which the programs are named.
 constexpr const char* kReportBase = "REPORT";
-// Where the project's pages are read; the place of a clause is its anchor on the page of a dialect.
-constexpr std::string_view kHome = "https://gonogo.example/gonogo";
 
-std::string clause_page(const std::string& id) {
-  std::string anchor;
-  for (const char c : id) {
-    anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+// The first dialect that has the clause.
+std::string_view dialect_of(std::string_view id) {
   for (const reference::Dialect& dialect : reference::dialects()) {
     for (const reference::Clause& clause : dialect.clauses) {
-      if (clause.id == id) {
-        return fmt::format("{}/docs/dialects/{}.md#{}", kHome, dialect.name, anchor);
-      }
+      if (clause.id == id) return dialect.name;
     }
   }
-  return fmt::format("{}/docs/dialects", kHome);
+  return {};
+}
+
+// The place of a clause, which is an anchor on the page of its dialect, or that of the verdicts.
+std::string page_of(const std::string& rule, std::string_view address) {
+  const std::string_view dialect = dialect_of(rule);
+  if (dialect.empty()) return fmt::format("{}/docs/judging.md", address);
+  std::string anchor;
+  for (const char c : rule) {
+    anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return fmt::format("{}/docs/dialects/{}.md#{}", address, dialect, anchor);
 }
 
 Json text_json(std::string_view text) {
@@ -107,24 +111,33 @@ Json properties(const CaseRow& facts, const std::string& command) {
   return bag;
 }
 
-Json rule_json(const std::string& id) {
+Json rule_json(const std::string& id, std::string_view address) {
   Json rule = {{"id", id}};
   if (const reference::Clause* clause = report::find_clause(id)) {
     rule["shortDescription"] = text_json(clause->text);
     rule["fullDescription"] = text_json(fmt::format("{} ({})", clause->text, clause->source));
-    rule["helpUri"] = clause_page(id);
+    rule["help"] = text_json(fmt::format("{}: {} ({}). `gonogo spec --dialect {}` prints it beside "
+                                         "the readings that it leaves open.",
+                                         id, clause->text, clause->source, dialect_of(id)));
     rule["properties"] = {{"document", clause->source}, {"level", reference::name(clause->level)}};
   } else if (const auto kind = verdict_kind(id)) {
     rule["shortDescription"] = text_json(meaning_of(*kind));
-    rule["helpUri"] = fmt::format("{}/docs/judging.md", kHome);
+    rule["help"] = text_json(meaning_of(*kind));
   }
+  if (!address.empty()) rule["helpUri"] = page_of(id, address);
   return rule;
 }
 
 }  // namespace
 
-SarifWriter::SarifWriter(const std::filesystem::path& path, const Json& header)
-    : out_(path), header_(header), command_(report::command_for_case(header)) {
+const std::string_view kAddress = GONOGO_ADDRESS;
+
+SarifWriter::SarifWriter(const std::filesystem::path& path, const Json& header,
+                         std::string_view address)
+    : out_(path),
+      header_(header),
+      command_(report::command_for_case(header)),
+      address_(address) {
   // The results come first, so that they need not be kept until the rules are known.
   out_.write(R"({"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0",)"
              "\n\"runs\":[{\"results\":[");
@@ -172,13 +185,14 @@ void SarifWriter::add(const CaseRow& facts, const Finding* finding) {
 
 Json SarifWriter::rules() const {
   Json list = Json::array();
-  for (const std::string& id : rules_) list.push_back(rule_json(id));
+  for (const std::string& id : rules_) list.push_back(rule_json(id, address_));
   return list;
 }
 
 void SarifWriter::finish(const std::string& unfinished) {
   const Json subject = header_.value("subject", Json::object());
-  Json driver = {{"name", "gonogo"}, {"informationUri", kHome}};
+  Json driver = {{"name", "gonogo"}};
+  if (!address_.empty()) driver["informationUri"] = address_;
   if (const std::string version = text_of(header_, "gonogo"); !version.empty()) {
     driver["version"] = version;
   }

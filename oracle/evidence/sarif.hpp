@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracle/evidence/case_row.hpp"
@@ -15,10 +16,15 @@
 
 namespace gonogo::oracle::evidence {
 
+// Where the files of the repository can be read, as the build was told (GONOGO_ADDRESS); empty: nowhere.
+extern const std::string_view kAddress;
+
 class SarifWriter {
  public:
-  // Throws std::system_error, as all others.
-  SarifWriter(const std::filesystem::path& path, const Json& header);
+  // `address`: tool and rules link there; empty: informationUri and helpUri, which have to be absolute
+  // addresses, are left out. Throws std::system_error, as all others.
+  SarifWriter(const std::filesystem::path& path, const Json& header,
+              std::string_view address = kAddress);
   // `finding`: what the case belongs to; null: none.
   void add(const CaseRow& facts, const Finding* finding);
   // `unfinished`: what the run lacks, a sentence; or empty.
@@ -32,6 +38,7 @@ class SarifWriter {
   OutputFile out_;
   Json header_;
   std::string command_;
+  std::string address_;
   bool any_ = false;
   std::map<std::string, std::size_t> indices_;  // rule -> place
   std::vector<std::string> rules_;

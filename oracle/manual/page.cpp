@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "oracle/manual/page_parts.hpp"
+#include "reference/editions.hpp"
 
 namespace gonogo::oracle::manual {
 namespace {
@@ -76,6 +77,7 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "Written by `gonogo spec --dialect {0} --format markdown --out docs/dialects`; a test "
       "compares "
       "this page with what the program says, so change the catalog, not the page.\n\n"
+      "**Texts**: {2}.\n\n"
       "**Clauses** are what the manual says, one thing each: `must` stands in the text, `derived` "
       "follows from it, `open` is left open by it and settled here. The **basis** is what a "
       "departure departs from: `text`, the section above the table; `derived`, with its "
@@ -93,7 +95,8 @@ void append_head(PageDraft& page, const std::vector<Section>& sections) {
       "is the first and the fine red path the other; where only one of the two is seen, they "
       "differ.{1} **Try it** opens the program in the playground, which `playground/build` makes.\n\n",
       page.dialect,
-      page.lathe ? " X is a diameter in a program and a radius in drawings and motions." : "");
+      page.lathe ? " X is a diameter in a program and a radius in drawings and motions." : "",
+      reference::editions_of(page.dialect));
   for (std::size_t i = 0; i < sections.size(); ++i) {
     page.text += fmt::format("- [{}](#section-{})\n", sections[i].source, i + 1);
   }

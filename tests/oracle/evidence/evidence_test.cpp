@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/evidence/junit.hpp"
+#include "oracle/evidence/sarif.hpp"
 #include "oracle/evidence/text.hpp"
 #include "tests/oracle/evidence/results_files.hpp"
 
@@ -299,14 +300,36 @@ TEST_F(Evidence, JunitNamesEachFindingOnceASuiteAndAtEachOfItsCases) {
   EXPECT_EQ(occurrences(junit, "\nfinding    fail.geometry"), 3U);
 }
 
-TEST_F(Evidence, SarifSaysWhereClausesAreReadAndFromWhereProgramsAreNamed) {
+TEST_F(Evidence, SarifNamesProgramsFromTheReportAndExplainsEachRule) {
   write(all_kinds());
   const json run = json::parse(read("results.sarif"))["runs"][0];
   EXPECT_TRUE(run["originalUriBaseIds"].contains("REPORT"));
-  EXPECT_TRUE(run["tool"]["driver"].contains("informationUri"));
   for (const json& rule : run["tool"]["driver"]["rules"]) {
-    EXPECT_TRUE(rule.value("helpUri", "").starts_with("https://")) << rule;
+    EXPECT_FALSE(rule["help"]["text"].get<std::string>().empty()) << rule;
   }
+}
+
+// An address of the pages is given, and is not.
+TEST_F(Evidence, SarifLinksToThePagesOnlyWhereTheyCanBeRead) {
+  write(all_kinds());
+  const auto driver = [&](std::string_view address) {
+    SarifWriter sarif(scratch_.path() / "out/own.sarif", json::object(), address);
+    CaseRow row;
+    row.id = "gsk.g94.000001";
+    row.dialect = "gsk988ta";
+    row.kind = VerdictKind::fail_geometry;
+    row.clause = "GSK-G94-02";
+    sarif.add(row, nullptr);
+    sarif.finish("");
+    return json::parse(read("own.sarif"))["runs"][0]["tool"]["driver"];
+  };
+  const json linked = driver("https://example.org/gonogo");
+  EXPECT_EQ(linked["informationUri"], "https://example.org/gonogo");
+  EXPECT_EQ(linked["rules"][0]["helpUri"],
+            "https://example.org/gonogo/docs/dialects/gsk988ta.md#gsk-g94-02");
+  const json alone = driver("");
+  EXPECT_FALSE(alone.contains("informationUri"));
+  EXPECT_FALSE(alone["rules"][0].contains("helpUri"));
 }
 
 TEST_F(Evidence, SummaryNamesAFindingOnceWithItsSmallestCase) {
