@@ -5,7 +5,7 @@
 // kept as a picture.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
@@ -174,4 +174,23 @@ test('dark and light keep their contrast', async () => {
       });
     }
   }
+});
+
+// What a customer is handed: all dialects' cases, several hundred of them pockets that cut into the wall.
+test('the report of a whole campaign with hundreds of failures is below 10 MB and shows them all', async () => {
+  run([1], 'certify', '--subject', 'builtin:gsk+gouge', '--corpus', corpus, '--causes', '0', '--report', 'whole');
+  const lines = readFileSync(join(work, 'whole', 'results.jsonl'), 'utf8').trim().split('\n').slice(1, -1);
+  const failures = lines.filter((line) => line.includes('"verdict":"fail.')).length;
+  assert.ok(lines.length > 10_000 && failures > 400, `${lines.length} cases, ${failures} failures`);
+  assert.ok(statSync(join(work, 'whole', 'index.html')).size < 10_000_000);
+  await withBrowserPage(context, pathToFileURL(join(work, 'whole', 'index.html')).href, async (page) => {
+    await page.waitForSelector('#findings tbody tr');
+    const grouped = (number) => number.toLocaleString('en-US');
+    assert.match(await page.locator('#count').innerText(), new RegExp(`^${grouped(failures)} of ${grouped(lines.length)} cases`));
+    // Every failure has its program and, where it has a path, its drawing.
+    const first = await page.locator('#rows .row').first().innerText();
+    await page.locator('#rows .row').first().click();
+    assert.ok(first.startsWith(await page.locator('#detail h2').innerText()));
+    assert.ok(await page.locator('#sheet [data-view]').count() > 0);
+  });
 });
