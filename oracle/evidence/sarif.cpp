@@ -130,7 +130,9 @@ Json rule_json(const std::string& id, std::string_view address) {
 
 }  // namespace
 
-const std::string_view kAddress = GONOGO_ADDRESS;
+std::string_view address_of_pages() {
+  return GONOGO_ADDRESS;
+}
 
 SarifWriter::SarifWriter(const std::filesystem::path& path, const Json& header,
                          std::string_view address)

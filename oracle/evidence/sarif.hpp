@@ -17,14 +17,14 @@
 namespace gonogo::oracle::evidence {
 
 // Where the files of the repository can be read, as the build was told (GONOGO_ADDRESS); empty: nowhere.
-extern const std::string_view kAddress;
+std::string_view address_of_pages();
 
 class SarifWriter {
  public:
   // `address`: tool and rules link there; empty: informationUri and helpUri, which have to be absolute
   // addresses, are left out. Throws std::system_error, as all others.
   SarifWriter(const std::filesystem::path& path, const Json& header,
-              std::string_view address = kAddress);
+              std::string_view address = address_of_pages());
   // `finding`: what the case belongs to; null: none.
   void add(const CaseRow& facts, const Finding* finding);
   // `unfinished`: what the run lacks, a sentence; or empty.
