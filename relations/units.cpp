@@ -145,7 +145,12 @@ std::optional<Related> rewritten(const generate::GeneratedProgram& program, bool
   for (TextBlock& block : text.blocks) {
     if (!is_run(block, profile)) continue;
     for (TextWord& word : block.words) {
-      if (block.code_of(word) == own->name) word.text = other->name;
+      const std::string& name = block.code_of(word);
+      const Code* const code = name.empty() ? nullptr : text.table->find(name);
+      const bool sets_unit =
+          code != nullptr && (code->setting == Setting::inch || code->setting == Setting::metric);
+      if (sets_unit && code->name != own->name) return std::nullopt;
+      if (sets_unit) word.text = other->name;
       const reference::CodeWord* const known = block.role_of(word, *text.table);
       if (known == nullptr) continue;
       const Role role = known->role;
