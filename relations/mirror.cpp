@@ -98,9 +98,10 @@ void mirror_machine(Profile& profile, std::size_t axis, bool swaps) {
   if (swaps && (motion == 2 || motion == 3)) profile.initial.motion = 5 - motion;
 }
 
-// Threads of rs274 lie in ZX whatever plane is in force, so that the words along its axes do, too.
+// Such a code lies in ZX whatever plane is in force, so that the words along its axes do, too.
 bool is_beside_its_plane(const TextBlock& block) {
-  return block.modes.code_name() == "G76" && block.modes.plane != reference::Plane::g18;
+  return block.modes.in_cycle() && names_own_axes(*block.modes.code()) &&
+         block.modes.plane != reference::Plane::g18;
 }
 
 }  // namespace

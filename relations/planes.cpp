@@ -21,16 +21,9 @@ using reference::Setting;
 
 // Codes that know axes by their names, or places that are not in the program.
 bool knows_axes(const Code& code) {
-  int places = 0;
-  for (const auto& list : code.words) {
-    places += static_cast<int>(std::ranges::count_if(list, [](const reference::CodeWord& word) {
-      const bool is_axis = word.address == "X" || word.address == "Y" || word.address == "Z";
-      return is_axis && word.role == Role::place;
-    }));
-  }
-  return places == 1 || places == 2 || code.kind == Kind::rename ||
-         code.kind == Kind::reference_point || code.group == Group::tool_length ||
-         code.name == "G53";
+  const bool holds_once = code.kind == Kind::mode && code.group == Group::once;
+  return holds_once || names_own_axes(code) || code.kind == Kind::rename ||
+         code.kind == Kind::reference_point || code.group == Group::tool_length;
 }
 
 bool is_plane(Setting setting) {

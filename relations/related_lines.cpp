@@ -86,6 +86,26 @@ bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::C
   });
 }
 
+bool names_own_axes(const reference::Code& code) {
+  std::ptrdiff_t places = 0;
+  for (const auto& list : code.words) {
+    places += std::ranges::count_if(list, [](const reference::CodeWord& word) {
+      const bool is_axis = word.address == "X" || word.address == "Y" || word.address == "Z";
+      return is_axis && word.role == reference::Role::place;
+    });
+  }
+  return places == 1 || places == 2;
+}
+
+bool is_in_steps(const reference::Code& code) {
+  return code.kind == reference::Kind::cycle &&
+         std::ranges::any_of(code.words, [](const auto& list) {
+           return std::ranges::any_of(list, [](const reference::CodeWord& word) {
+             return word.role == reference::Role::step;
+           });
+         });
+}
+
 bool has_open_path(const program::ProgramText& text) {
   return any_code(text, [](const reference::Code& code) { return code.is_open_path; });
 }

@@ -18,6 +18,10 @@ std::vector<std::uint64_t> same_lines(std::size_t count);
 std::optional<Related> with_block_before(const generate::GeneratedProgram& program,
                                          std::string block);
 
+// Whether the code takes places along one or two of X, Y and Z alone: it knows them by their names.
+bool names_own_axes(const reference::Code& code);
+// Whether the code is a cycle that goes on in steps, as one in pecks does.
+bool is_in_steps(const reference::Code& code);
 // Whether a cycle's path is left to the control, which may lay it otherwise in the other program.
 bool has_open_path(const program::ProgramText& text);
 // Whether words cannot be told apart for sure: blanks within them, codes that are only nearly those

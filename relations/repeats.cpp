@@ -29,7 +29,7 @@ std::optional<std::int64_t> holes_of(const TextBlock& block, const reference::De
                                      bool returns_to_start) {
   const Code* const own = block.modes.own;
   // NGC-G73-02: it ends at R, whatever G98 says.
-  if (own == nullptr || own->name == "G73" || has_cut_words(block) || own->kind != Kind::cycle ||
+  if (own == nullptr || is_in_steps(*own) || has_cut_words(block) || own->kind != Kind::cycle ||
       !block.modes.incremental || !returns_to_start || !is_feature_of_steps(own->find("L"))) {
     return std::nullopt;
   }
@@ -50,16 +50,25 @@ std::optional<std::int64_t> holes_of(const TextBlock& block, const reference::De
   return count;
 }
 
-// Whether the tool comes back to the initial level, as far as the program says so itself.
+// Whether the tool comes back to the initial level, as far as the program says so itself: by the
+// first code of the group in the table.
 class ReturnMode {
  public:
+  explicit ReturnMode(const reference::Descriptor& table) : table_(table) {
+    const auto first = std::ranges::find(table.codes, Group::retract, &Code::group);
+    initial_level_ = first == table.codes.end() ? nullptr : &*first;
+  }
   void take(const TextBlock& block) {
-    if (block.has_code("G98")) returns_ = true;
-    if (block.has_code("G99")) returns_ = false;
+    for (const std::string& name : block.codes) {
+      const Code* const code = name.empty() ? nullptr : table_.find(name);
+      if (code != nullptr && code->group == Group::retract) returns_ = code == initial_level_;
+    }
   }
   bool returns() const { return returns_; }
 
  private:
+  const reference::Descriptor& table_;
+  const Code* initial_level_ = nullptr;
   bool returns_ = false;
 };
 
@@ -71,7 +80,7 @@ std::optional<Related> unrolled(const generate::GeneratedProgram& program) {
   if (has_unclear_order(text)) return std::nullopt;
   Related related;
   std::vector<TextLine> lines;
-  ReturnMode mode;
+  ReturnMode mode(*text.table);
   bool in_series = false;  // the block before was a cycle, whose initial level may be another one
   bool changes = false;
   for (const TextBlock& block : text.blocks) {

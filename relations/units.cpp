@@ -33,11 +33,6 @@ bool is_cycle(const Code& code) {
   return code.kind == Kind::cycle;
 }
 
-// How far G73 withdraws is a number of the control, in its units or the program's (ngc.peck).
-bool has_clearance(const Code& code) {
-  return code.name == "G73" || code.name == "G83";
-}
-
 // An arc's radii may differ by so much, which is another length in inches.
 bool is_centre(Role role) {
   return role == Role::centre;
@@ -55,15 +50,22 @@ bool is_parameter(Role role) {
   return role == Role::parameter;
 }
 
-// Clauses and readings that leave open what a length or a feed is in inches.
-bool has_open_lengths(const ProgramText& text, std::string_view dialect) {
-  if (dialect == "rs274") return any_code(text, has_clearance) || any_role(text, is_centre);
-  if (dialect == "hnc21t") return any_role(text, is_lead);
-  if (dialect == "gsk988ta") {  // G92 with threads to the inch
-    return std::ranges::any_of(text.blocks, [](const TextBlock& block) {
-      return block.modes.code_name() == "G92" && block.find("I") != nullptr;
+// A lead that is no length.
+bool has_threads_to_the_inch(const ProgramText& text) {
+  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
+    return std::ranges::any_of(block.words, [&](const TextWord& word) {
+      const reference::CodeWord* const known = block.role_of(word, *text.table);
+      return known != nullptr && is_lead(known->role) && known->address != "F";
     });
-  }
+  });
+}
+
+// How far a cycle in pecks withdraws is a length of the control's. Clauses and readings leave open
+// what a length or a feed is in inches.
+bool has_open_lengths(const ProgramText& text, std::string_view dialect) {
+  if (dialect == "rs274") return any_code(text, is_in_steps) || any_role(text, is_centre);
+  if (dialect == "hnc21t") return any_role(text, is_lead);
+  if (dialect == "gsk988ta") return has_threads_to_the_inch(text);
   return any_code(text, is_cycle) || any_role(text, is_parameter);
 }
 

@@ -37,12 +37,14 @@ bool moves_plainly(Kind kind) {
 }
 
 // Words that a plain motion may have: what is beside them may say more of the end.
-bool is_plain_word(const TextWord& word) {
-  static constexpr std::string_view kLetters = "XYZUVWIJKRFSM";
-  const std::string name = name_of(word);
-  const bool is_known =
-      name == "CR" || (name.size() == 1 && kLetters.find(name.front()) != std::string_view::npos);
-  return is_known && plain_value(word).has_value();
+bool is_plain_word(const TextWord& word, const TextBlock& block,
+                   const reference::Descriptor& table) {
+  const reference::CodeWord* const known = block.role_of(word, table);
+  if (known == nullptr || !plain_value(word)) return false;
+  const Role role = known->role;
+  const bool is_m = role == Role::number && known->address == "M";
+  return axis_of(word, block, table) || role == Role::radius || role == Role::feed ||
+         role == Role::speed || is_m;
 }
 
 }  // namespace
@@ -71,7 +73,7 @@ bool WrittenPlaces::is_plain_motion(const TextBlock& block) const {
     if (code == nullptr) {
       const std::optional<EndWord> end = end_word(block, word);
       const bool comes_again = end && ++words_along[end->axis] > 1;
-      return !comes_again && is_plain_word(word);
+      return !comes_again && is_plain_word(word, block, *text_.table);
     }
     const bool is_motion = code->group == Group::motion && moves_plainly(code->kind);
     return is_motion || is_harmless(*code);

@@ -25,7 +25,7 @@ bool is_rarely_related(std::string_view relation) {
 
 // Each variant of the relation, on generated programs of the dialect.
 Tally hold(const generate::Generator& generator, const Relation& relation) {
-  const std::uint64_t programs = is_rarely_related(relation.name) ? 15 * kPrograms : kPrograms;
+  const std::uint64_t programs = is_rarely_related(relation.name) ? 25 * kPrograms : kPrograms;
   const Number tolerance = Number::decimal(false, 1, 9);
   Tally tally;
   for (std::uint64_t seed = kSeed; seed < kSeed + programs; ++seed) {
