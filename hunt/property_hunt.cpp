@@ -63,9 +63,9 @@ reference::Number PropertyHunt::tolerance_of(const relations::Relation& relation
   return subject_->info().resolution.value_or(profile.resolution());
 }
 
-// Without line numbers nobody knows where a beginning ends.
+// Without line numbers nobody knows where a beginning ends, or which motion is made in halves.
 bool PropertyHunt::can_show(const relations::Relation& relation) const {
-  return relation.name != "beginning" || subject_->info().features.contains("blocks");
+  return !relation.needs_lines || subject_->info().features.contains("blocks");
 }
 
 // Nothing where they agree, or one of them has no answer that can be compared.

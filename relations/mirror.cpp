@@ -98,6 +98,12 @@ void mirror_machine(Profile& profile, std::size_t axis, bool swaps) {
   if (swaps && (motion == 2 || motion == 3)) profile.initial.motion = 5 - motion;
 }
 
+// Such a code lies in ZX whatever plane is in force, so that the words along its axes do, too.
+bool is_beside_its_plane(const TextBlock& block) {
+  return block.modes.in_cycle() && names_own_axes(*block.modes.code()) &&
+         block.modes.plane != reference::Plane::g18;
+}
+
 }  // namespace
 
 std::optional<Related> mirrored(const generate::GeneratedProgram& program, std::size_t axis) {
@@ -114,6 +120,7 @@ std::optional<Related> mirrored(const generate::GeneratedProgram& program, std::
   const bool is_sinumerik = profile.dialect.starts_with("sinumerik");
   for (TextBlock& block : text.blocks) {
     if (is_left_out(block, profile)) continue;
+    if (is_beside_its_plane(block)) return std::nullopt;
     const bool is_arc = block.modes.is_of(Kind::arc);
     if (is_sinumerik && is_arc && names_depth_axis(block, table)) return std::nullopt;
     for (TextWord& word : block.words) {

@@ -83,8 +83,8 @@ struct Notation {
 
 // Whether the dialect has a cycle for one of the operations.
 bool has_cycle_for(const OperationList& list, std::string_view dialect);
-// Empty: it cannot be written so, for want of a machine of this kind, of its feed, or of a cycle for
-// pecks, of which only a maker says how they go back.
+// Empty: it cannot be written so, for want of a machine of this kind, of its feed, or of a cycle
+// for pecks, of which only a maker says how they go back.
 std::string written(const OperationList& list, const Notation& notation);
 
 }  // namespace gonogo::relations

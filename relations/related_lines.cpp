@@ -61,6 +61,10 @@ bool is_cut(const TextWord& word) {
 
 }  // namespace
 
+bool has_cut_words(const TextBlock& block) {
+  return std::ranges::any_of(block.words, is_cut);
+}
+
 bool has_unclear_words(const program::ProgramText& text) {
   const auto is_unknown = [&](const std::string& name) {
     const reference::Code* const code = name.empty() ? nullptr : text.table->find(name);
@@ -82,6 +86,30 @@ bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::C
   });
 }
 
+bool names_own_axes(const reference::Code& code) {
+  std::ptrdiff_t places = 0;
+  for (const auto& list : code.words) {
+    places += std::ranges::count_if(list, [](const reference::CodeWord& word) {
+      const bool is_axis = word.address == "X" || word.address == "Y" || word.address == "Z";
+      return is_axis && word.role == reference::Role::place;
+    });
+  }
+  return places == 1 || places == 2;
+}
+
+bool is_in_steps(const reference::Code& code) {
+  return code.kind == reference::Kind::cycle &&
+         std::ranges::any_of(code.words, [](const auto& list) {
+           return std::ranges::any_of(list, [](const reference::CodeWord& word) {
+             return word.role == reference::Role::step;
+           });
+         });
+}
+
+bool has_open_path(const program::ProgramText& text) {
+  return any_code(text, [](const reference::Code& code) { return code.is_open_path; });
+}
+
 bool any_role(const program::ProgramText& text, bool (*is_it)(reference::Role)) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.words, [&](const TextWord& word) {
@@ -101,6 +129,52 @@ std::optional<reference::Plane> only_plane(const program::ProgramText& text,
     plane = block.modes.plane;
   }
   return plane.value_or(profile.initial.plane);
+}
+
+bool has_unclear_order(const program::ProgramText& text) {
+  const auto is_g_word = [](const TextWord& word) {
+    return word.text.front() == 'G' || word.text.front() == 'g';
+  };
+  return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
+    const bool has_others = std::ranges::count_if(block.words, program::is_word) > 0;
+    return std::ranges::any_of(block.words, [&](const TextWord& word) {
+      const char first = word.text.front();
+      const std::string& name = block.code_of(word);
+      const reference::Code* const code = name.empty() ? nullptr : text.table->find(name);
+      const bool is_outside = code != nullptr && code->treatment == reference::Treatment::outside;
+      const bool is_unclear_code =
+          is_g_word(word) && (is_cut(word) || is_nearly_a_code(word) || code == nullptr);
+      return is_unclear_code || is_outside || ((first == 'O' || first == 'o') && has_others);
+    });
+  });
+}
+
+bool is_calculated(const program::ProgramText& text) {
+  return std::ranges::any_of(text.blocks, [](const TextBlock& block) {
+    return std::ranges::any_of(block.words, [](const TextWord& word) {
+      const char first = word.text.front();
+      if (first == '(' || first == ';') return false;
+      return first == 'O' || first == 'o' ||
+             word.text.find_first_of("#[$<>\"") != std::string::npos;
+    });
+  });
+}
+
+bool is_run(const TextBlock& block, const reference::Profile& profile) {
+  return std::ranges::any_of(block.words, program::is_word) && !is_left_out(block, profile);
+}
+
+std::optional<Number> plain_value(const TextWord& word) {
+  const std::vector<program::NumberPlace> places = numbers_of(word);
+  std::size_t begin = name_of(word).size();
+  if (begin < word.text.size() && word.text[begin] == '=') ++begin;
+  const bool is_plain =
+      places.size() == 1 && places.front().begin == begin && places.front().end == word.text.size();
+  return is_plain ? exact_value_of(word) : std::nullopt;
+}
+
+bool is_writable(const Number& number, bool inch) {
+  return (number * (inch ? 10'000 : 1'000)).to_int64().has_value();
 }
 
 std::optional<AlongAxis> axis_of(const TextWord& word, const TextBlock& block,

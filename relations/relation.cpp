@@ -138,22 +138,94 @@ std::optional<Related> moved(const generate::GeneratedProgram& program, std::siz
   return translated(program);
 }
 
+// J-PROP-11
+std::size_t ways_of_units(const generate::GeneratedProgram&) {
+  return 2;
+}
+std::optional<Related> converted(const generate::GeneratedProgram& program, std::size_t variant) {
+  return variant == 0 ? in_other_unit(program) : same_numbers(program);
+}
+
+// J-PROP-12
+std::size_t other_planes(const generate::GeneratedProgram&) {
+  return 2;
+}
+std::optional<Related> in_plane(const generate::GeneratedProgram& program, std::size_t variant) {
+  return in_other_plane(program, variant + 1);
+}
+
+// J-PROP-14
+std::optional<Related> halved(const generate::GeneratedProgram& program, std::size_t) {
+  return in_halves(program);
+}
+
+// J-PROP-15
+std::optional<Related> repeated(const generate::GeneratedProgram& program, std::size_t) {
+  return unrolled(program);
+}
+
 }  // namespace
 
 std::span<const Relation> relations() {
   static constexpr auto kRelations = std::to_array<Relation>({
-      {"again", "A program does the same when it is run once more.", true, &one, &again},
-      {"spelling", "Ends of lines, blanks, leading zeros and comments change nothing.", true,
-       &spellings, &spelled},
-      {"empty-lines", "Lines without words change nothing.", true, &one, &spread},
-      {"beginning", "What a block does does not depend on the blocks after it.", true, &cuts,
-       &cut_short},
-      {"modes-again", "The modes of power-on, written before the program, change nothing.", true,
-       &one, &with_modes},
-      {"translation", "A program that is moved as a whole does the same there.", false, &one,
-       &moved},
-      {"mirror", "A program that is mirrored along an axis does the same there.", false,
-       &linear_axes, &mirrored},
+      {.name = "again",
+       .sentence = "A program does the same when it is run once more.",
+       .variants = &one,
+       .relate = &again},
+      {.name = "spelling",
+       .sentence = "Ends of lines, blanks, leading zeros and comments change nothing.",
+       .variants = &spellings,
+       .relate = &spelled},
+      {.name = "empty-lines",
+       .sentence = "Lines without words change nothing.",
+       .variants = &one,
+       .relate = &spread},
+      {.name = "beginning",
+       .sentence = "What a block does does not depend on the blocks after it.",
+       .needs_lines = true,
+       .variants = &cuts,
+       .relate = &cut_short},
+      {.name = "modes-again",
+       .sentence = "The modes of power-on, written before the program, change nothing.",
+       .variants = &one,
+       .relate = &with_modes},
+      {.name = "translation",
+       .sentence = "A program that is moved as a whole does the same there.",
+       .exact = false,
+       .variants = &one,
+       .relate = &moved},
+      {.name = "mirror",
+       .sentence = "A program that is mirrored along an axis does the same there.",
+       .exact = false,
+       .variants = &linear_axes,
+       .relate = &mirrored},
+      {.name = "units",
+       .sentence = "A program in the other unit of length does the same, and with the same "
+                   "numbers 127/5 times as much.",
+       .exact = false,
+       .variants = &ways_of_units,
+       .relate = &converted},
+      {.name = "planes",
+       .sentence = "A program with its axes and planes changed in a cycle does the same there.",
+       .exact = false,
+       .variants = &other_planes,
+       .relate = &in_plane},
+      {.name = "increments",
+       .sentence = "End points do the same as the increments that lead to them.",
+       .exact = false,
+       .variants = &ways_of_increments,
+       .relate = &by_increments},
+      {.name = "halves",
+       .sentence = "A straight motion does the same as its two halves.",
+       .exact = false,
+       .needs_lines = true,
+       .variants = &one,
+       .relate = &halved},
+      {.name = "repeats",
+       .sentence = "A block that makes several holes does the same as a block for each.",
+       .exact = false,
+       .variants = &one,
+       .relate = &repeated},
   });
   return kRelations;
 }

@@ -8,6 +8,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
+#include "cli/times_text.hpp"
 #include "cli/verdict_text.hpp"
 #include "oracle/judge/judge_session.hpp"
 
@@ -19,6 +20,8 @@ struct JudgeOptions {
   std::string trace;
   std::string numeric;
   std::string resolution;
+  bool time = false;
+  bool rounding = false;
   ProfileOptions profile;
   LimitOptions limits;
 };
@@ -78,6 +81,8 @@ int judge(const JudgeOptions& options) {
       judge_trace(options, profile, oracle::ProgramText::of_file(program.descriptor()), trace);
   Output output;
   output.text() = verdict_text(session.verdict);
+  if (options.time) output.text() += times_text(profile, program, trace);
+  if (options.rounding) output.text() += rounding_text(profile, program, trace);
   output.flush();
   return exit_code_of(session.verdict);
 }
@@ -94,6 +99,9 @@ void add_judge(Command& program) {
                  "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,
                  "what the trace's lengths were rounded to, mm, a decimal");
+  command.flag("--time", options->time,
+               "also tell times of cuts and dwells, and how far traverses go");
+  command.flag("--rounding", options->rounding, "also tell how coordinates are rounded");
   add_profile_options(command, options->profile);
   add_tolerance_options(command, options->limits);
   add_strict_option(command, options->limits);

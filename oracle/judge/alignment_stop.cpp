@@ -105,7 +105,7 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
     refute(Refutation{from, std::nullopt, {}, std::move(passing.why_not)});
     return false;
   }
-  Verdict verdict = wrong_dwell(record, number, from, steps_);
+  Verdict verdict = wrong_dwell(record, number, from, steps_, terms_);
   refute(Refutation{from, std::nullopt, {}, std::move(verdict)});
   return false;
 }

@@ -7,6 +7,7 @@
 #include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/judge/unit_error.hpp"
 
 namespace gonogo::oracle {
 
@@ -151,6 +152,28 @@ Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps
   return verdict;
 }
 
+namespace {
+
+// How far a number of the subject's may be from what it computed.
+Number rounding(const Number& number, const std::optional<Number>& resolution,
+                const JudgeTerms& terms) {
+  if (resolution) return *resolution / 2;
+  return terms.binary64 ? abs(number) * Number::binary(1, -50) : Number(0);
+}
+
+// Of a feed or a lead that differs.
+std::string unit_error_of(const Record& want, const Record& got, const JudgeTerms& terms) {
+  if (want.kind == RecordKind::thread) {
+    return unit_error(Quantity::lead, want.lead, got.lead,
+                      rounding(got.lead, terms.resolution, terms));
+  }
+  if (want.feed_mode != got.feed_mode) return {};
+  return unit_error(Quantity::feed, want.feed, got.feed,
+                    rounding(got.feed, terms.feed_resolution, terms));
+}
+
+}  // namespace
+
 bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms) {
   const auto* want = std::get_if<Record>(&step);
   if (want == nullptr || want->kind != RecordKind::dwell) return false;
@@ -163,7 +186,7 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTer
 
 // J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps) {
+                    ReferenceSteps& steps, const JudgeTerms& terms) {
   const ReferenceStep& step = steps.at(from.step).what;
   if (std::holds_alternative<Motion>(step) && from.piece) {
     const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
@@ -185,6 +208,10 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   verdict.want = step_text(step);
   verdict.clause = clause_of(step);
   verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
+  if (expected) {
+    verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,
+                                  rounding(dwell.seconds, terms.resolution, terms));
+  }
   return verdict;
 }
 
@@ -253,6 +280,7 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Judge
   if (answer.departure == Departure::feed) {
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
+    verdict.message += unit_error_of(want.record, motion.record, terms);
   } else {
     explain_path(refutation, steps, terms, verdict);
   }

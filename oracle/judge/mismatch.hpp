@@ -28,7 +28,7 @@ Verdict motion_too_many(const Motion& motion, std::size_t step, ReferenceSteps& 
 // J-CMP-06. Whether the dwell is the one that is due; and what is said of one that is not.
 bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms);
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
-                    ReferenceSteps& steps);
+                    ReferenceSteps& steps, const JudgeTerms& terms);
 
 // What is not judged, and why.
 Verdict gap_verdict(std::string message);

@@ -55,6 +55,46 @@ TEST(PropertyHunt, FindsWhatDependsOnThePlaceAndMakesItSmall) {
   EXPECT_LE(program::count_blocks(finding->program.text), 3U);
 }
 
+// A program that shows a planted fault by a relation alone, without the reference.
+struct Shown {
+  const char* expander;
+  const char* fault;
+  const char* dialect;
+  const char* program;
+  const char* relation;
+  std::size_t variant;
+};
+
+bool shows(const Shown& shown, const char* fault) {
+  PropertyHunt hunt(subject_of(shown.expander, fault), property_hunting(shown.dialect));
+  const auto profile = std::get<reference::Profile>(reference::default_profile(shown.dialect));
+  return hunt.differs({profile, shown.program}, *relations::find_relation(shown.relation),
+                      shown.variant);
+}
+
+// J-PROP-11: F10 under G20 is F254 under G21. J-PROP-12: the arc of G17 in G18. J-PROP-13: X4
+// behind X10 is U-6. J-PROP-14: the halves of line 3 say
+// line 3. J-PROP-15: L2 is two blocks.
+TEST(PropertyHunt, FindsPlantedFaultsByEachRewriting) {
+  for (const Shown& shown : std::to_array<Shown>({
+           {"gsk", "inch-feed", "gsk988ta", "G20\nG01 X1 F10\nM30\n", "units", 0},
+           {"ngc", "inch-feed-unscaled", "rs274", "G20\nG1 X1 F10\nM2\n", "units", 0},
+           {"ngc", "inch-r-unscaled", "rs274", "G81 X1 R2 Z-3 F9\nM2\n", "units", 1},
+           {"ngc", "g18-sense-flipped", "rs274", "G17 G2 X1 R4 F9\nM2\n", "planes", 1},
+           {"sinumerik", "g18-sense-flipped", "sinumerik840d", "G17\nG2 X1 Y0 CR=4 F9\nM30\n",
+            "planes", 1},
+           {"gsk", "increment-as-radius", "gsk988ta", "G00 X10 Z5\nG01 X4 F9\nM30\n", "increments",
+            0},
+           {"hnc", "blank-lines-not-counted", "hnc21t", "\nG00 X10\nG01 Z-5 F9\nS500\nM30\n",
+            "halves", 0},
+           {"ngc", "l-ignored", "rs274", "G98\nG91 G81 X1 R-2 Z-3 L2 F9\nM2\n", "repeats", 0},
+           {"ngc", "l-in-place", "rs274", "G98\nG91 G81 X1 R-2 Z-3 L2 F9\nM2\n", "repeats", 0},
+       })) {
+    EXPECT_TRUE(shows(shown, shown.fault)) << shown.expander << "+" << shown.fault;
+    EXPECT_FALSE(shows(shown, "")) << shown.expander << " " << shown.relation;
+  }
+}
+
 TEST(PropertyHunt, TellsOneSignatureOnce) {
   PropertyHunt hunt(subject_of("ngc", "offsets-absolute"), property_hunting("rs274"));
   std::set<std::string> signatures;

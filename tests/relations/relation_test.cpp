@@ -17,11 +17,18 @@ struct Tally {
   std::size_t not_related = 0;
 };
 
+// Few programs are written so that they lend themselves to these.
+bool is_rarely_related(std::string_view relation) {
+  return relation == "units" || relation == "increments" || relation == "halves" ||
+         relation == "repeats";
+}
+
 // Each variant of the relation, on generated programs of the dialect.
 Tally hold(const generate::Generator& generator, const Relation& relation) {
+  const std::uint64_t programs = is_rarely_related(relation.name) ? 25 * kPrograms : kPrograms;
   const Number tolerance = Number::decimal(false, 1, 9);
   Tally tally;
-  for (std::uint64_t seed = kSeed; seed < kSeed + kPrograms; ++seed) {
+  for (std::uint64_t seed = kSeed; seed < kSeed + programs; ++seed) {
     generate::Choices choices(seed);
     const generate::GeneratedProgram program = generator.generate(choices, nullptr);
     const oracle::ReferenceRun first =
@@ -47,9 +54,16 @@ Tally hold(const generate::Generator& generator, const Relation& relation) {
   return tally;
 }
 
+// A lathe has one plane, and rs274 alone has a word that makes several holes.
+bool has_domain(std::string_view dialect, std::string_view relation) {
+  if (relation == "planes") return dialect != "hnc21t";
+  return relation != "repeats" || dialect == "rs274";
+}
+
 TEST(Relations, HoldOfTheReference) {
   for (const generate::Generator& generator : generate::generators()) {
     for (const Relation& relation : relations()) {
+      if (!has_domain(generator.dialect, relation.name)) continue;
       const Tally tally = hold(generator, relation);
       EXPECT_GE(tally.held, 10U) << generator.dialect << " " << relation.name << ": too few pairs";
     }

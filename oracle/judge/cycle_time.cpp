@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/judge/cycle_time.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "reference/exact/radians.hpp"
+
+namespace gonogo::oracle {
+namespace {
+
+Number square(const Number& number) {
+  return number * number;
+}
+
+Number chord(const Motion& motion) {
+  Number sum;
+  for (const Axis axis : reference::kLinearAxes)
+    sum += square(motion.to()[axis] - motion.from[axis]);
+  return sqrt(sum);
+}
+
+bool turns_axes(const Motion& motion) {
+  return std::ranges::any_of(std::array{Axis::a, Axis::c},
+                             [&](Axis axis) { return motion.to()[axis] != motion.from[axis]; });
+}
+
+// Degrees, above zero, in the arc's own sense.
+Number sweep(const Motion& arc) {
+  const PlaneVector from = from_centre(arc.record, arc.from);
+  const PlaneVector to = from_centre(arc.record, arc.to());
+  const int turns = std::abs(arc.record.rot) - 1;
+  const int full = 360;
+  if (same_direction(from, to)) return Number(full) * (turns + 1);
+  Number angle = angle_degrees(to.p, to.q) - angle_degrees(from.p, from.q);
+  if (arc.record.rot < 0) angle = -angle;
+  return (angle.sign() < 0 ? angle + full : angle) + Number(full) * turns;
+}
+
+// Nothing: it is not known here. A radius is that at the start.
+std::optional<Number> length_of(const Motion& motion) {
+  if (motion.record.kind == RecordKind::arc3) {
+    const Motion chord_or_arc = straightened(motion);
+    const auto arc = chord_or_arc.record.kind == RecordKind::arc3 ? as_arc(chord_or_arc)
+                                                                  : std::optional(chord_or_arc);
+    return arc ? length_of(*arc) : std::nullopt;
+  }
+  if (motion.record.kind != RecordKind::arc) return chord(motion);
+  const PlaneVector from = from_centre(motion.record, motion.from);
+  const Axis depth = reference::axes_of(motion.record.plane).d;
+  const Number radius_2 = square(from.p) + square(from.q);
+  const Number height = motion.to()[depth] - motion.from[depth];
+  const Number angle = exact::radians(sweep(motion));
+  return sqrt(square(angle) * radius_2 + square(height));
+}
+
+// Of a thread the lead counts along the axis that moves most.
+Number travel(const Motion& motion) {
+  Number most;
+  for (const Axis axis : reference::kLinearAxes) {
+    most = max(most, abs(motion.to()[axis] - motion.from[axis]));
+  }
+  return most;
+}
+
+}  // namespace
+
+void EnclosedSum::add(const Number& term) {
+  constexpr int kBits = 64;
+  const auto [low, high] = term.bounds(kBits);
+  low_ += low;
+  high_ += high;
+}
+
+Number EnclosedSum::value() const {
+  return Number::between(low_, high_);
+}
+
+void CycleTime::take_motion(const Motion& motion) {
+  const Record& record = motion.record;
+  if (turns_axes(motion)) {
+    ++left_out_;
+  } else if (record.kind == RecordKind::thread) {
+    if (record.lead.sign() > 0) turns_.add(travel(motion) / record.lead);
+  } else if (const auto length = length_of(motion); !length) {
+    ++left_out_;
+  } else if (record.kind == RecordKind::rapid) {
+    rapid_.add(*length);
+  } else if (record.feed.sign() > 0) {
+    const bool per_turn = record.feed_mode == reference::FeedMode::per_revolution;
+    constexpr int kSeconds = 60;
+    if (per_turn) {
+      turns_.add(*length / record.feed);
+    } else {
+      feed_.add(*length * kSeconds / record.feed);
+    }
+  }
+}
+
+void CycleTime::take(const Record& record) {
+  if (record.kind == RecordKind::dwell) dwell_.add(record.seconds);
+  if (!reference::is_motion(record.kind)) return;
+  const Motion motion = motion_from(at_, record, 0);
+  at_ = motion.to();
+  try {
+    take_motion(motion);
+  } catch (const exact::Undecided&) {
+    ++left_out_;
+  }
+}
+
+}  // namespace gonogo::oracle

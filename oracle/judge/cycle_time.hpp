@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How long a program takes, as far as its records say: its cuts over their feeds and its dwells.
+// Lengths of arcs and of slanting lines are enclosed, never rounded.
+#pragma once
+
+#include "oracle/judge/motion.hpp"
+
+namespace gonogo::oracle {
+
+// A sum of which it is known that it lies in [low, high].
+class EnclosedSum {
+ public:
+  void add(const Number& term);
+  // Exact where all terms are rational, else an enclosure.
+  Number value() const;
+
+ private:
+  Number low_;
+  Number high_;
+};
+
+// Numbers are exact, or enclosed to 2^-64 for each motion.
+class CycleTime {
+ public:
+  // `start`: where the machine stands before the first record.
+  explicit CycleTime(const Position& start) : at_(start) {}
+
+  void take(const Record& record);
+
+  Number feed_seconds() const { return feed_.value(); }  // cuts in mm/min
+  Number revolutions() const { return turns_.value(); }  // of the spindle: cuts in mm/rev, threads
+  Number dwell_seconds() const { return dwell_.value(); }
+  Number rapid_length() const { return rapid_.value(); }  // mm along straight lines
+  // Motions without a length that is known here: of rotary axes, circles askew in space.
+  std::size_t left_out() const { return left_out_; }
+
+ private:
+  void take_motion(const Motion& motion);
+
+  Position at_;
+  EnclosedSum feed_;
+  EnclosedSum turns_;
+  EnclosedSum dwell_;
+  EnclosedSum rapid_;
+  std::size_t left_out_ = 0;
+};
+
+}  // namespace gonogo::oracle
