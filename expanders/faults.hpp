@@ -12,10 +12,11 @@ namespace gonogo::expanders {
 
 /// A planted defect that can be selected by name. All texts live as long as the process.
 struct FaultDescription {
-  std::string_view name;    ///< as in `builtin:gsk+NAME`
-  std::string_view what;    ///< what the expander does wrong
-  std::string_view clause;  ///< the clause that it breaks
-  std::string_view models;  ///< the mistake of real controllers that it stands for
+  std::string_view name;         ///< as in `builtin:gsk+NAME`
+  std::string_view what;         ///< what the expander does wrong
+  std::string_view clause;       ///< the clause that it breaks
+  std::string_view models;       ///< the mistake of real controllers that it stands for
+  std::string_view report = {};  ///< address of a public report of such a one; empty: none
 };
 
 /// The place of a planted fault in its maker's table, from 1.

@@ -18,12 +18,19 @@ struct Maker {
   std::string_view name;
   std::span<const FaultDescription> (*descriptions)();
   const gonogo_subject_v1& (*subject)(std::size_t fault);
-  FaultCount (*count)(std::size_t fault) = nullptr;  ///< null: does not count
+  FaultCount (*count)(std::size_t fault);
 };
 
 template <typename Interpreter>
 const gonogo_subject_v1& subject_of(std::size_t fault) {
   return SubjectGlue<MakerOf<Interpreter>>::subject(static_cast<Fault>(fault));
+}
+
+// These tell where the line of a fault ran, not whether it answered wrongly.
+template <typename Interpreter>
+FaultCount count_of(std::size_t fault) {
+  return {SubjectGlue<MakerOf<Interpreter>>::count(static_cast<Fault>(fault)).reached,
+          std::nullopt};
 }
 
 template <const auto& kFaults>
@@ -32,14 +39,15 @@ std::span<const FaultDescription> listed() {
 }
 
 constexpr std::array<Maker, 4> kMakers = {{
-    {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>},
-    {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>},
+    {"gsk", &listed<gsk::kFaults>, &subject_of<gsk::Interpreter>, &count_of<gsk::Interpreter>},
+    {"hnc", &listed<hnc::kFaults>, &subject_of<hnc::Interpreter>, &count_of<hnc::Interpreter>},
     {"ngc", &listed<ngc::kFaultTable>,
      [](std::size_t fault) -> const gonogo_subject_v1& {
        return ngc::subject(static_cast<ngc::Fault>(fault));
      },
      [](std::size_t fault) { return ngc::count(static_cast<ngc::Fault>(fault)); }},
-    {"sinumerik", &listed<sinumerik::kFaults>, &subject_of<sinumerik::Interpreter>},
+    {"sinumerik", &listed<sinumerik::kFaults>, &subject_of<sinumerik::Interpreter>,
+     &count_of<sinumerik::Interpreter>},
 }};
 
 const Maker* maker_of(std::string_view name) {
@@ -76,7 +84,7 @@ const gonogo_subject_v1* find(std::string_view name, std::string_view fault) {
 
 std::optional<FaultCount> count(std::string_view name, std::string_view fault) {
   const Maker* maker = maker_of(name);
-  if (maker == nullptr || maker->count == nullptr) return std::nullopt;
+  if (maker == nullptr) return std::nullopt;
   const std::optional<std::size_t> number = number_of(*maker, fault);
   return number ? std::optional(maker->count(*number)) : std::nullopt;
 }

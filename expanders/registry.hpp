@@ -20,8 +20,8 @@ const gonogo_subject_v1* find(std::string_view name, std::string_view fault = {}
 /// The planted faults of the expander `name`; empty when there is no such expander.
 std::span<const FaultDescription> faults(std::string_view name);
 
-/// How often runs of this process have met the planted fault; nothing when there is no such fault
-/// or its expander does not count.
+/// How often runs of this process have met the planted fault; nothing when there is none of that
+/// name.
 std::optional<FaultCount> count(std::string_view name, std::string_view fault);
 
 }  // namespace gonogo::expanders

@@ -59,6 +59,10 @@ struct GeneratorSettings {
   // REQUIRES: at least 1, with which nothing is chosen.
   std::uint32_t open_one_in = 1;
   MachineSettings machine;
+  // What a rule of the dialect refuses is written now and then, by every kind; false: nowhere, as
+  // far as a writer knows. No setting of read_settings: `gonogo generate --valid` alone turns it
+  // off (valid_programs.hpp).
+  bool refused = true;
   bool pockets = true;  // cycles whose levels are judged by region: G110, G111, LCYC75
 
   // Bounds of cycles, REQUIRES: each at least 1. They keep a program at some hundred motions.

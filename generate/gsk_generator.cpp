@@ -55,7 +55,7 @@ void GskWriter::make_head() {
   }
   count(fmt::format("plane G{}", reference::plane_code(plane_)));
   for (std::size_t axis = 0; axis < 3; ++axis) words.push_back(word("XYZ"[axis], length(100)));
-  if (choices_.below(10) != 0) words.push_back(fmt::format("F{}", 50 + choices_.below(500)));
+  if (!errs(10)) words.push_back(fmt::format("F{}", 50 + choices_.below(500)));
   put(std::move(words));
 }
 

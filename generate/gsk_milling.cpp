@@ -24,7 +24,7 @@ void GskWriter::mill_place(Words& words, std::int64_t depth) {
 void GskWriter::mill_r(Words& words, bool down) {
   if (choices_.below(3) == 0) return;
   const std::int64_t above = length(5);
-  words.push_back(word('R', down != choices_.one_in(25) ? -above : above));
+  words.push_back(word('R', down != errs(25) ? -above : above));
 }
 
 void GskWriter::pocket_block() {

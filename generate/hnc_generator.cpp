@@ -56,7 +56,7 @@ void HncWriter::make_head() {
     target_[axis] = length(100);
     words.push_back(word("XZ"[axis], *target_[axis]));
   }
-  if (choices_.below(10) != 0) words.push_back(feed_word());
+  if (!errs(10)) words.push_back(feed_word());
   if (choices_.one_in(8)) words.push_back("M03");
   arrive();
   write(std::move(words));

@@ -84,8 +84,7 @@ void HncWriter::drill_block() {
   Words words;
   mode_words(words);
   const bool entry = enter(words, 74);
-  const bool open = !profile_.readings.is(ReadingKey::hnc_missing_axis, "reject");
-  if (!choices_.one_in(open ? 6 : 40)) bottom_word(words, z, entry);
+  if (!lacks_axis(6, 40)) bottom_word(words, z, entry);
   // X has no effect.
   if (choices_.one_in(10)) words.push_back(axis_word(x, 30));
   feed_words(words, entry, "I");
@@ -98,9 +97,9 @@ void HncWriter::width_words(Words& words) {
   const bool wide = choices_.one_in(2);
   if (wide) words.push_back(travel_word(z, any_sign(length(20))));
   const bool needed = wide && (!counted_ || choices_.one_in(3));
-  if (needed != choices_.one_in(20)) {
+  if (needed != errs(20)) {
     std::string number = fmt::format("{}", choices_.between(1, settings_.steps));
-    if (choices_.one_in(20)) number = choices_.pick({"0", "2.5", "-3", "3.0"});
+    if (errs(20)) number = choices_.pick({"0", "2.5", "-3", "3.0"});
     words.push_back((by_p ? 'P' : 'I') + number);
     counted_ = true;
   }
@@ -112,8 +111,7 @@ void HncWriter::groove_block() {
   Words words;
   mode_words(words);
   const bool entry = enter(words, 75);
-  const bool open = !profile_.readings.is(ReadingKey::hnc_missing_axis, "reject");
-  if (!choices_.one_in(open ? 6 : 40)) bottom_word(words, x, entry);
+  if (!lacks_axis(6, 40)) bottom_word(words, x, entry);
   width_words(words);
   feed_words(words, entry, "A");
   // A groove may end elsewhere than it began.

@@ -30,13 +30,22 @@ std::string HncWriter::travel_word(Axis axis, std::int64_t value) {
 }
 
 void HncWriter::end_words(Words& words, std::int64_t most_units) {
-  const bool open = !profile_.readings.is(ReadingKey::hnc_missing_axis, "reject");
-  const std::uint32_t left_out = choices_.one_in(open ? 3 : 25) ? choices_.below(2) : 2;
+  const std::uint32_t left_out = lacks_axis(3, 25) ? choices_.below(2) : 2;
   for (const Axis axis : {x, z}) {
     if (axis == left_out) continue;
     words.push_back(choices_.one_in(3) ? travel_word(axis, any_sign(length(most_units / 2)))
                                        : axis_word(axis, most_units));
   }
+}
+
+// Whether an axis word is missing, as in one of so many blocks where the machine may do something
+// then, or in one of so many of the others.
+bool HncWriter::lacks_axis(std::uint32_t one_in, std::uint32_t one_in_refused) {
+  const auto is = [&](const char* value) {
+    return profile_.readings.is(ReadingKey::hnc_missing_axis, value);
+  };
+  if (!settings_.refused && (is("reject") || is("any"))) return false;
+  return choices_.one_in(is("reject") ? one_in_refused : one_in);
 }
 
 bool HncWriter::enter(Words& words, int code) {
@@ -52,7 +61,7 @@ bool HncWriter::enter(Words& words, int code) {
 }
 
 void HncWriter::feed_words(Words& words, bool entry, const char* unused) {
-  if (entry ? choices_.below(8) != 0 : choices_.one_in(3)) words.push_back(feed_word());
+  if (entry ? !errs(8) : choices_.one_in(3)) words.push_back(feed_word());
   if (choices_.one_in(20)) words.push_back(fmt::format("{}{}", unused, 1 + choices_.below(9)));
   if (choices_.one_in(20)) words.push_back("M08");
 }

@@ -72,6 +72,7 @@ class HncWriter final : ProgramWriter {
   void end_words(Words& words, std::int64_t most_units);
   // The code where the command changes, and now and then where it does not. Whether it changes.
   bool enter(Words& words, int code);
+  bool lacks_axis(std::uint32_t one_in, std::uint32_t one_in_refused);
   // Also a word that the command has no use for.
   void feed_words(Words& words, bool entry, const char* unused);
   // The tool is where the words led. A cycle leaves it where it was.

@@ -80,7 +80,7 @@ void NgcWriter::offset_words(Words& words, Pair offset) {
     words.push_back(word("IJK"[axis], absolute_centre_ ? *at_[axis] + value : value));
   };
   // An offset of nil may be left out, but not both.
-  const bool needs_both = absolute_centre_ && !choices_.one_in(20);
+  const bool needs_both = absolute_centre_ && !errs(20);
   const bool names_p = offset.p != 0 || needs_both || choices_.one_in(3);
   if (names_p) put_offset(p, offset.p);
   if (offset.q != 0 || needs_both || !names_p || choices_.one_in(3)) put_offset(q, offset.q);
@@ -95,7 +95,7 @@ void NgcWriter::centre_words(Words& words) {
   }
   Pair start = {any_sign(length(20)), choices_.one_in(2) ? any_sign(length(20)) : 0};
   // A radius that is none to one reading.
-  if (choices_.one_in(40)) start = {choices_.between(0, 14), 0};
+  if (errs(40)) start = {choices_.between(0, 14), 0};
   const Pair offset = {-start.p, -start.q};
   if (choices_.one_in(4)) {
     count("full circle");

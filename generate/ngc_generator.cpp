@@ -42,7 +42,7 @@ void NgcWriter::make_head() {
     text_ += choices_.pick({"%\n", "\n  %\n", "%\n(part 7)\n", "%\nO0007 (part)\n"});
   } else if (puts_wrong(40)) {
     text_ += choices_.pick({"(part 7)\n\n%\n", ";\n%\n", "%part 7\n", "/\n%\n"});
-  } else if (choices_.one_in(16)) {
+  } else if (errs(16)) {
     count("name of a program");
     text_ += choices_.pick({"O7\n", "o 0 0 7 (part) ;\n", "O0007 (part)\n", "N1 O7\n"});
   }
@@ -51,7 +51,7 @@ void NgcWriter::make_head() {
         {"G17 G21 G40 G49 G80 G90 G94\n", "T1 M3 S500\n", "G54 G64 M3\n", "g40 g49 g90\n"});
     if (text_.find("G17") != std::string::npos) start_modes(-1);
     if (text_.find("M3") != std::string::npos) spindle_ = 3;
-  } else if (is_g80_forgotten() ? choices_.one_in(2) : choices_.one_in(40)) {
+  } else if (is_g80_forgotten() ? choices_.one_in(2) : errs(40)) {
     count("G80 beside G0");
     text_ += "G00 G17 G21 G40 G49 G80 G90\n";
     start_modes(0);
@@ -59,7 +59,7 @@ void NgcWriter::make_head() {
   Words words;
   enter(words, 0);
   for (const Axis axis : {x, y, z}) words.push_back(axis_word(axis, 50));
-  if (choices_.below(20) != 0) words.push_back(feed_word());
+  if (!errs(20)) words.push_back(feed_word());
   arrive();
   write(std::move(words));
 }
@@ -73,7 +73,7 @@ void NgcWriter::start_modes(int motion) {
 
 // A text without an end alarms, or does not, by a reading.
 void NgcWriter::make_end() {
-  if (choices_.one_in(12)) return count("no end");
+  if (errs(12)) return count("no end");
   if (opened_ && choices_.one_in(2)) {
     text_ += choices_.pick({"%\n", "%\nG0 X99\n", " % \ngarbage (\n"});
   } else if (puts_wrong(20)) {

@@ -71,7 +71,7 @@ void NgcWriter::setting_block() {
       motion_ = -1;
       words.push_back(code(80));
       // An axis word has no motion then.
-      if (choices_.one_in(20)) words.push_back(axis_word(x, 20));
+      if (errs(20)) words.push_back(axis_word(x, 20));
       break;
     default:
       return units_block();
@@ -121,7 +121,7 @@ void NgcWriter::mode_block() {
       return dwell_block();
     case 7:
       if (puts_wrong(4)) return outside_block();
-      return write({choices_.one_in(4) ? "F0" : feed_word()});
+      return write({errs(4) ? "F0" : feed_word()});
     case 8:
       if (choices_.one_in(3)) return write({code_that_is(Treatment::without_effect)});
       if (choices_.one_in(3)) return write({spindle_word(choices_.pick({3, 4, 5}))});

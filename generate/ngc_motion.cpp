@@ -38,7 +38,7 @@ void NgcWriter::enter(Words& words, int motion) {
 }
 
 void NgcWriter::feed_words(Words& words) {
-  if (choices_.one_in(5)) words.push_back(choices_.one_in(20) ? "F0" : feed_word());
+  if (choices_.one_in(5)) words.push_back(errs(20) ? "F0" : feed_word());
   if (!choices_.one_in(16)) return;
   const std::string function = choices_.pick({"M3", "M9", "M0", "M60"});
   words.push_back(function != "M3" ? function : spindle_named_ ? "M8" : spindle_word(3));
@@ -151,7 +151,7 @@ std::string NgcWriter::head() {
     count("fault: line number");
     return choices_.pick({"N10. ", "N10.5.5 ", "N10.5. "});
   }
-  if (!choices_.one_in(60)) return ProgramWriter::head();
+  if (!errs(60)) return ProgramWriter::head();
   count("line number of one reading");
   return choices_.pick({"N10.5 ", "N 7 . 0", "N99999 ", "N100000 ", "N123456789 "});
 }

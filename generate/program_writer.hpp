@@ -71,6 +71,9 @@ class ProgramWriter {
   bool puts_wrong(std::uint32_t one_in) {
     return program_kind_ == ProgramKind::near_invalid && choices_.one_in(one_in);
   }
+  // Whether the block is one that a rule refuses, as in one of so many places; nowhere, where the
+  // settings want none.
+  bool errs(std::uint32_t one_in) { return settings_.refused && choices_.one_in(one_in); }
   // Whether a value meets one of its limits here, as in one of so many places.
   bool meets_limit(std::uint32_t one_in) {
     return program_kind_ == ProgramKind::boundary && choices_.one_in(one_in);

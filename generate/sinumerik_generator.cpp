@@ -71,7 +71,7 @@ void SinumerikWriter::make_head() {
     state_.plane = 17;
   }
   Words words;
-  if (choices_.below(20) != 0) words.push_back(feed_word());
+  if (!errs(20)) words.push_back(feed_word());
   if (choices_.below(spindle_alarm_ ? 20 : 2) != 0) {
     state_.speed = choices_.pick({300, 600, 1200, 1500});
     words.push_back(fmt::format("S{}", state_.speed));

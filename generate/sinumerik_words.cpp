@@ -183,7 +183,7 @@ void SinumerikWriter::enter(Words& words, Motion motion) {
 }
 
 std::string SinumerikWriter::new_feed() {
-  if (choices_.one_in(40)) return "F0";
+  if (errs(40)) return "F0";
   return choices_.one_in(6) ? named("F", 50'000 + length(500)) : feed_word();
 }
 

@@ -28,11 +28,21 @@ std::optional<oracle::Case> drawn_case(const generate::GeneratedProgram& program
 DrawnVectors draw_vectors(const generate::Generator& generator,
                           const generate::GeneratorSettings& settings, std::uint64_t seed,
                           std::size_t programs, std::string_view gonogo) {
+  const auto source = [&](std::uint64_t one) -> std::optional<generate::GeneratedProgram> {
+    generate::Choices choices(one);
+    return generator.generate(choices, settings, nullptr);
+  };
+  return draw_vectors(source, seed, programs, gonogo);
+}
+
+DrawnVectors draw_vectors(const ProgramSource& source, std::uint64_t seed, std::size_t programs,
+                          std::string_view gonogo) {
   DrawnVectors drawn;
   std::unordered_set<std::uint64_t> shown;
   for (std::size_t i = 0; i < programs; ++i) {
-    generate::Choices choices(seed + i);
-    const generate::GeneratedProgram program = generator.generate(choices, settings, nullptr);
+    const std::optional<generate::GeneratedProgram> drawn_program = source(seed + i);
+    if (!drawn_program) continue;
+    const generate::GeneratedProgram& program = *drawn_program;
     const std::vector<std::uint64_t> features =
         coverage_of(program, kMostDrawnCost, CoverageDetail::clauses).value_or(Coverage{}).features;
     const bool is_new =

@@ -2,10 +2,10 @@
 #include "hunt/kill_matrix.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 #include "hunt/operation_hunt.hpp"
 #include "hunt/property_hunt.hpp"
+#include "hunt/witness.hpp"
 #include "oracle/campaign/campaign.hpp"
 #include "oracle/campaign/reading_tally.hpp"
 #include "program/text.hpp"
@@ -15,15 +15,32 @@ namespace {
 
 using program::count_blocks;
 
-// Seconds of processor time: others may use the machine meanwhile.
-class Stopwatch {
+// One method and one target: its subjects, what becomes of its fault, and the time that passes.
+class Watch {
  public:
+  explicit Watch(const MatrixTarget& target) : make_(target.make) {
+    if (target.clause.empty()) return;
+    witness_ = std::make_shared<Witness>();
+    witness_->reached_count = target.reached_count;
+    make_ = witnessed(target.make, target.control, witness_);
+  }
+  const SubjectMaker& make() const { return make_; }
+  void start() { begin_ = processor_seconds(); }
+  // Of the method alone.
   double seconds() const {
-    return static_cast<double>(std::clock() - begin_) / static_cast<double>(CLOCKS_PER_SEC);
+    return processor_seconds() - begin_ - (witness_ ? witness_->seconds : 0);
+  }
+  // After each program: whether it was the first to reach the fault, or to trigger it.
+  void note(Kill& kill) const {
+    if (!witness_) return;
+    if (witness_->is_reached && kill.reached == 0) kill.reached = kill.executions;
+    if (witness_->is_triggered && kill.triggered == 0) kill.triggered = kill.executions;
   }
 
  private:
-  std::clock_t begin_ = std::clock();
+  SubjectMaker make_;
+  std::shared_ptr<Witness> witness_;  // null: there is no fault
+  double begin_ = processor_seconds();
 };
 
 // The first case in the corpus's order that is NO-GO; else what the readings together say.
@@ -31,12 +48,13 @@ Kill run_corpus(const MatrixTarget& target, const MatrixOptions& options) {
   oracle::CampaignOptions campaign;
   campaign.dialects = target.dialects;
   campaign.fail_fast = !target.clause.empty();
-  const Stopwatch watch;
+  Watch watch(target);
   Kill kill;
   oracle::ReadingTally tally;
   auto take = [&](const oracle::CaseResult& result) {
     if (kill.killed) return;
     ++kill.executions;
+    watch.note(kill);
     const bool no_go = decision(result.verdict.kind) == oracle::Decision::no_go ||
                        result.verdict.kind == oracle::VerdictKind::advice;  // as under strict
     const bool contradicts = result.readings && !tally.add(*result.readings);
@@ -45,7 +63,7 @@ Kill run_corpus(const MatrixTarget& target, const MatrixOptions& options) {
     kill.how = result.id;
     kill.seconds = watch.seconds();
   };
-  run_campaign(*options.corpus, campaign, target.make, take, nullptr);
+  run_campaign(*options.corpus, campaign, watch.make(), take, nullptr);
   if (!kill.killed) kill.seconds = watch.seconds();
   return kill;
 }
@@ -62,6 +80,7 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
   TrialOptions trial;
   trial.blind = options.blind;
   trial.strict = true;  // a fault may be planted where no text says anything
+  Watch watch(target);
   std::vector<std::unique_ptr<Hunt>> hunts;
   for (const std::string& dialect : target.dialects) {
     HuntOptions hunt;
@@ -69,7 +88,7 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     hunt.seed = options.seed;
     hunt.guided = guided;
     hunt.everywhere = true;  // `control` tells what the domain would
-    hunts.push_back(std::make_unique<Hunt>(target.make, trial, std::move(hunt)));
+    hunts.push_back(std::make_unique<Hunt>(watch.make(), trial, std::move(hunt)));
   }
   // What the expander without the fault shows too is not of the fault.
   TrialOptions of_control;
@@ -79,13 +98,14 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     const std::optional<oracle::Verdict> verdict = control.run_alone(exhibit);
     return target.clause.empty() || (verdict && decision(verdict->kind) == oracle::Decision::go);
   };
-  const Stopwatch watch;
+  watch.start();
   Kill kill;
   const std::size_t most = target.clause.empty() ? options.clean_programs * hunts.size() : SIZE_MAX;
   const bool is_timed = !target.clause.empty();
   while (kill.executions < most && !(is_timed && watch.seconds() > options.most_seconds)) {
     Hunt& hunt = *hunts[kill.executions++ % hunts.size()];
     std::optional<Finding> finding = hunt.step();
+    watch.note(kill);
     if (!finding || decision(finding->verdict.kind) != oracle::Decision::no_go) continue;
     if (!is_of_the_fault(finding->exhibit)) continue;
     kill.killed = true;
@@ -101,23 +121,25 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
 
 // The dialects of the expander in turn, until its answers contradict each other.
 Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
+  Watch watch(target);
   std::vector<std::unique_ptr<PropertyHunt>> hunts;
   PropertyOptions hunt;
   hunt.seed = options.seed;
   for (const std::string& dialect : target.dialects) {
     hunt.dialect = dialect;
     hunt.blind = options.blind;
-    hunts.push_back(std::make_unique<PropertyHunt>(target.make, hunt));
+    hunts.push_back(std::make_unique<PropertyHunt>(watch.make(), hunt));
   }
   hunt.blind = false;
   PropertyHunt control(target.control, hunt);
   const bool has_fault = !target.clause.empty();
   const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs * hunts.size();
-  const Stopwatch watch;
+  watch.start();
   Kill kill;
   while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
     PropertyHunt& one = *hunts[kill.executions++ % hunts.size()];
     std::optional<PropertyFinding> finding = one.step();
+    watch.note(kill);
     if (!finding) continue;
     // What the expander without the fault shows too is not of the fault.
     const StillShows is_of_the_fault = [&](const Exhibit& exhibit) {
@@ -137,19 +159,22 @@ Kill run_properties(const MatrixTarget& target, const MatrixOptions& options) {
 
 // Lists of operations until the target departs from its peers or from itself, or is unsafe.
 Kill run_operations(const MatrixTarget& target, const MatrixOptions& options) {
+  Watch watch(target);
   std::vector<OperationHunt::Named> subjects;
   for (const SubjectMaker& peer : target.peers) subjects.push_back({"a peer", peer});
-  subjects.push_back({target.name, target.make});
+  subjects.push_back({target.name, watch.make()});
   OperationOptions operations;
   operations.seed = options.seed;
   OperationHunt hunt(std::move(subjects), std::move(operations));
   const bool has_fault = !target.clause.empty();
   const std::size_t most = has_fault ? SIZE_MAX : options.clean_programs;
-  const Stopwatch watch;
+  watch.start();
   Kill kill;
   while (kill.executions < most && !(has_fault && watch.seconds() > options.most_seconds)) {
     ++kill.executions;
-    for (const OperationFinding& finding : hunt.step()) {
+    const std::vector<OperationFinding> findings = hunt.step();
+    watch.note(kill);
+    for (const OperationFinding& finding : findings) {
       if (finding.second.subject != target.name || options.blind) continue;
       kill.killed = true;
       kill.seconds = watch.seconds();
@@ -188,7 +213,7 @@ std::optional<Method> method_named(std::string_view text) {
 }
 
 MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options) {
-  MatrixRow row{target.name, target.clause, {}};
+  MatrixRow row{target.name, target.clause, {}, target.what, target.report};
   for (const Method method : options.methods) {
     if (method == Method::corpus) {
       row.kills[method] = run_corpus(target, options);

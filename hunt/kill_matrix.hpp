@@ -31,21 +31,31 @@ struct MatrixTarget {
   SubjectMaker make;
   SubjectMaker control;  // the same without the fault: what it shows too is not of the fault
   std::vector<SubjectMaker> peers = {};  // sound ones of other dialects, for Method::operations
+  // How often the line of the fault ran in this process; null: not known.
+  std::function<std::uint64_t()> reached_count = {};
+  std::string what = {};    // the fault does wrong
+  std::string report = {};  // address of a public report of a real one; empty: none
 };
 
 // How one method fared with one target.
 struct Kill {
   bool killed = false;
   std::size_t executions = 0;  // programs or cases until then, or in all
-  double seconds = 0;          // of processor time, the same
+  double seconds = 0;          // of processor time, the same, without what `reached` and on took
   std::size_t blocks = 0;      // of the reduced finding; corpus: 0
   std::string how;             // signature, or id of the case
+  // Programs or cases until the line of the fault first ran, and until an answer first differed
+  // from that of the expander without it; 0: never. Of an expander without a fault always 0.
+  std::size_t reached = 0;
+  std::size_t triggered = 0;
 };
 
 struct MatrixRow {
   std::string target;
   std::string clause;
   std::map<Method, Kill> kills;
+  std::string what = {};
+  std::string report = {};
 };
 
 struct MatrixOptions {
@@ -59,14 +69,16 @@ struct MatrixOptions {
 
 MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options);
 
-// What is wrong, sentences: faults that no method finds, faults that a method does not find,
-// fault-free expanders that one does, a method that finds nothing at all.
+// What is wrong, sentences: faults that a method does not find, or says to find before any answer
+// differed, fault-free expanders that one finds, a method that finds nothing at all.
 std::vector<std::string> complaints(const std::vector<MatrixRow>& rows,
                                     const std::vector<Method>& methods);
 
 // Of a method over all faults that it finds.
 struct MatrixSummary {
   std::size_t faults = 0;
+  std::size_t reached = 0;
+  std::size_t triggered = 0;
   std::size_t killed = 0;
   double median_seconds = 0;
   double most_seconds = 0;
@@ -80,6 +92,9 @@ MatrixSummary summary_of(const std::vector<MatrixRow>& rows, Method method);
 // One row for a terminal; the whole for docs/kill-matrix.md.
 std::string row_text(const MatrixRow& row);
 std::string matrix_markdown(const std::vector<MatrixRow>& rows, const std::vector<Method>& methods);
+// The rows that have a public report: how long until each method first finds them. Empty: none has.
+std::string field_defects_markdown(const std::vector<MatrixRow>& rows,
+                                   const std::vector<Method>& methods);
 std::string summary_text(const std::vector<MatrixRow>& rows, Method method);
 
 }  // namespace gonogo::hunt

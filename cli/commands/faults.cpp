@@ -27,6 +27,7 @@ struct FaultsOptions {
   std::string corpus;
   bool list = false;
   bool matrix = false;
+  bool only_field_defects = false;
   std::string methods = "corpus,hunt";
   std::string format = "text";
   std::string only;
@@ -40,6 +41,7 @@ void append_list(std::string& out) {
     for (const expanders::FaultDescription& fault : expanders::faults(name)) {
       out += fmt::format("{}+{}  [{}]\n    {}\n    models: {}\n", name, fault.name, fault.clause,
                          fault.what, fault.models);
+      if (!fault.report.empty()) out += fmt::format("    report: {}\n", fault.report);
     }
   }
 }
@@ -88,7 +90,8 @@ std::vector<hunt::Method> methods_of(const std::string& text) {
     const std::optional<hunt::Method> method = hunt::method_named(word);
     if (!method) {
       throw UsageError(fmt::format(
-          "There is no method \"{}\". Write some of: corpus,properties,operations,hunt,fuzz.", word));
+          "There is no method \"{}\". Write some of: corpus,properties,operations,hunt,fuzz.",
+          word));
     }
     if (std::ranges::find(methods, *method) == methods.end()) methods.push_back(*method);
     begin = end + 1;
@@ -96,8 +99,24 @@ std::vector<hunt::Method> methods_of(const std::string& text) {
   return methods;
 }
 
-// The expanders without a fault and with each of theirs; those whose name holds `only`.
-std::vector<hunt::MatrixTarget> targets_of(const std::string& only) {
+// The expander's name with that fault, as a target. `sound` and what it takes along are of the
+// expander.
+hunt::MatrixTarget target_of(std::string_view expander, const expanders::FaultDescription& fault,
+                             hunt::MatrixTarget sound) {
+  hunt::MatrixTarget target = std::move(sound);
+  target.name = fmt::format("{}+{}", expander, fault.name);
+  target.clause = fault.clause;
+  target.what = fault.what;
+  target.report = fault.report;
+  target.make = subject_maker("builtin:" + target.name, {});
+  target.reached_count = [expander, name = fault.name] {
+    return expanders::count(expander, name).value().reached;
+  };
+  return target;
+}
+
+// The expanders without a fault and with each of theirs; those that the options ask for.
+std::vector<hunt::MatrixTarget> targets_of(const FaultsOptions& options) {
   std::vector<hunt::MatrixTarget> targets;
   for (std::string_view name : expanders::names()) {
     const oracle::SubjectMaker sound = subject_maker(fmt::format("builtin:{}", name), {});
@@ -106,18 +125,18 @@ std::vector<hunt::MatrixTarget> targets_of(const std::string& only) {
     for (std::string_view other : expanders::names()) {
       if (other != name) peers.push_back(subject_maker(fmt::format("builtin:{}", other), {}));
     }
-    auto add = [&](std::string spec, std::string_view clause) {
-      if (!clause.empty() && spec.find(only) == std::string::npos) return;
-      const oracle::SubjectMaker maker = subject_maker("builtin:" + spec, {});
-      targets.push_back({std::move(spec), std::string(clause), dialects, maker, sound, peers});
-    };
-    if (only.empty() || only == name) add(std::string(name), "");
+    const hunt::MatrixTarget clean = {std::string(name), "", dialects, sound, sound, peers};
+    const bool is_whole = options.only.empty() || options.only == name;
+    if (is_whole && !options.only_field_defects) targets.push_back(clean);
     for (const expanders::FaultDescription& fault : expanders::faults(name)) {
-      add(fmt::format("{}+{}", name, fault.name), fault.clause);
+      if (options.only_field_defects && fault.report.empty()) continue;
+      hunt::MatrixTarget target = target_of(name, fault, clean);
+      if (target.name.find(options.only) != std::string::npos) targets.push_back(std::move(target));
     }
   }
   if (targets.empty()) {
-    throw UsageError(fmt::format("No fault's name holds \"{}\"; --list names them.", only));
+    throw UsageError(
+        fmt::format("No such fault's name holds \"{}\"; --list names them.", options.only));
   }
   return targets;
 }
@@ -135,7 +154,7 @@ int matrix(const FaultsOptions& options) {
   const bool is_markdown = options.format == "markdown";
   std::vector<hunt::MatrixRow> rows;
   Output output(is_markdown ? 2 : 1);
-  for (const hunt::MatrixTarget& target : targets_of(options.only)) {
+  for (const hunt::MatrixTarget& target : targets_of(options)) {
     rows.push_back(hunt::matrix_row(target, bench));
     output.text() += hunt::row_text(rows.back());
     output.flush();
@@ -148,7 +167,8 @@ int matrix(const FaultsOptions& options) {
   output.flush();
   if (is_markdown) {
     Output document;
-    document.text() = hunt::matrix_markdown(rows, bench.methods);
+    document.text() = options.only_field_defects ? hunt::field_defects_markdown(rows, bench.methods)
+                                                 : hunt::matrix_markdown(rows, bench.methods);
     document.flush();
   }
   return wrong.empty() ? kGo : kNoGo;
@@ -203,6 +223,8 @@ void add_faults(Command& program) {
   command.choice("--format", options->format, {"text", "markdown"},
                  "with --matrix; markdown: docs/kill-matrix.md");
   command.option("--only", options->only, "with --matrix, faults whose name holds this");
+  command.flag("--only-field-defects", options->only_field_defects,
+               "with --matrix, faults that were reported of real programs");
   command.number("--seed", options->seed, 0, std::numeric_limits<long>::max(),
                  "with --matrix, of the programs");
   constexpr long kMostSeconds = 3600;
@@ -210,7 +232,8 @@ void add_faults(Command& program) {
                  "with --matrix, of processor time for a fault (60)");
   command.choice("--judge", options->judge, {"right", "always-go"},
                  "with --matrix; always-go: does the bench notice a judge that says GO to all?");
-  command.needs({"--method", "--format", "--only", "--seed", "--most-seconds", "--judge"},
+  command.needs({"--method", "--format", "--only", "--only-field-defects", "--seed",
+                 "--most-seconds", "--judge"},
                 "--matrix");
   command.run([options] { return faults(*options); });
 }

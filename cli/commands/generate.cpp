@@ -7,15 +7,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <set>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/program_file.hpp"
 #include "cli/version.hpp"
 #include "generate/cover/cases.hpp"
+#include "generate/valid_programs.hpp"
 #include "hunt/drawn_vectors.hpp"
 #include "oracle/corpus/folder_writer.hpp"
+#include "oracle/records/features.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -35,6 +40,9 @@ struct GenerateWords {
   long signs = 24;
   long programs = 0;  // drawn at random; 0: rows of covering arrays
   std::string settings;
+  bool valid = false;  // of those that are drawn
+  std::string profile;
+  std::vector<std::string> features;  // that they may need; empty: all
 };
 
 std::vector<const Model*> models_of(const GenerateWords& words) {
@@ -118,11 +126,63 @@ int generate_rows(const GenerateWords& words) {
   return disagreements == 0 ? kGo : kUndecided;
 }
 
+// The features that valid programs may need. Throws UsageError.
+std::set<std::string> declared_features(const GenerateWords& words) {
+  std::set<std::string> features;
+  for (const std::string& name : words.features) {
+    std::string known;
+    bool is_known = false;
+    for (const oracle::Feature& feature : oracle::feature_vocabulary()) {
+      if (feature.dialect != words.dialect) continue;
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", feature.name);
+      is_known = is_known || feature.name == name;
+    }
+    if (!is_known) {
+      throw UsageError(
+          fmt::format("{} has no feature \"{}\". Write one of: {}.", words.dialect, name, known));
+    }
+    features.insert(name);
+  }
+  if (!features.empty()) features.insert("basic");
+  return features;
+}
+
+generate::ValidOptions valid_options(const GenerateWords& words) {
+  generate::ValidOptions options;
+  options.settings = settings_option(words.settings);
+  // near-invalid is what is drawn where --settings says nothing of it.
+  if (words.settings.find("near-invalid") != std::string::npos || options.settings.kinds.raw > 0) {
+    throw UsageError(
+        "--valid writes nothing wrong: leave near-invalid and raw out of --settings; valid, "
+        "boundary "
+        "and tiny are weights that go with it.");
+  }
+  options.features = declared_features(words);
+  if (!words.profile.empty()) options.profile = load_profile({words.dialect, words.profile, {}});
+  return options;
+}
+
+std::string valid_line(const generate::ValidCount& count) {
+  std::string why;
+  for (const auto& [rule, times] : count.refused_by) why += fmt::format("\n  {} {}", rule, times);
+  return fmt::format(
+      "{} of {} blocks were refused or not declared and are left out, {} of {} programs thrown "
+      "out{}\n",
+      count.left_out, count.blocks, count.thrown_out, count.programs, why);
+}
+
 int generate_drawn(const GenerateWords& words) {
-  const generate::GeneratorSettings settings = settings_option(words.settings);
-  hunt::DrawnVectors drawn = hunt::draw_vectors(
-      generate::generator_of(words.dialect), settings, static_cast<std::uint64_t>(words.seed),
-      static_cast<std::size_t>(words.programs), fmt::format("gonogo {}", kVersion));
+  const generate::Generator& generator = generate::generator_of(words.dialect);
+  const auto seed = static_cast<std::uint64_t>(words.seed);
+  const auto programs = static_cast<std::size_t>(words.programs);
+  const std::string gonogo = fmt::format("gonogo {}", kVersion);
+  std::optional<generate::ValidPrograms> valid;
+  if (words.valid) valid.emplace(generator, valid_options(words));
+  hunt::DrawnVectors drawn =
+      valid
+          ? hunt::draw_vectors([&](std::uint64_t one) { return valid->of_seed(one); }, seed,
+                               programs, gonogo)
+          : hunt::draw_vectors(generator, settings_option(words.settings), seed, programs, gonogo);
   if (drawn.cases.empty()) {
     throw UsageError(
         "None of the programs is a case: nothing can be said of them. Draw more, or from another "
@@ -134,6 +194,7 @@ int generate_drawn(const GenerateWords& words) {
       "{} cases in {}\n",
       words.programs, words.seed, drawn.cases.size(), drawn.alarms, drawn.left_out,
       drawn.cases.size(), words.out);
+  if (valid) output.text() += valid_line(valid->count());
   oracle::CorpusFolder folder;
   folder.version = oracle::kUnreleased;
   folder.files[fmt::format("vectors/{}/drawn.json", words.dialect)] = std::move(drawn.cases);
@@ -152,7 +213,13 @@ int generate(const GenerateWords& words) {
       !std::filesystem::is_empty(words.out, ignored)) {
     throw UsageError(fmt::format("{} is there and not empty. Name a new folder.", words.out));
   }
+  if (!words.valid && (!words.profile.empty() || !words.features.empty())) {
+    throw UsageError("--profile and --feature are about valid programs: give --valid too.");
+  }
   if (words.programs == 0) {
+    if (words.valid) {
+      throw UsageError("--valid is about programs that are drawn at random: give --programs too.");
+    }
     if (!words.settings.empty()) {
       throw UsageError(
           "--settings is about programs that are drawn at random: give --programs too.");
@@ -186,6 +253,12 @@ void add_generate(Command& program) {
                  "draw so many programs instead, and keep those that show something new");
   command.option("--settings", words->settings,
                  "with --programs, what these are like: valid=1,boundary=2,blocks=4");
+  command.flag("--valid", words->valid,
+               "with --programs, only such that no rule refuses, under no reading left open");
+  command.option("--profile", words->profile,
+                 "with --valid, the machine of every program; without: any");
+  command.repeated_option("--feature", words->features,
+                          "with --valid, one that programs may need (all); may be repeated");
   command.run([words] { return generate(*words); });
 }
 

@@ -7,8 +7,8 @@
 #include "expanders/common/alarms.hpp"
 #include "expanders/common/letter_block.hpp"
 #include "expanders/common/machine_profile.hpp"
+#include "expanders/common/planted.hpp"
 #include "expanders/common/tracer.hpp"
-#include "expanders/faults.hpp"
 
 namespace gonogo::expanders {
 
@@ -17,8 +17,8 @@ class Machine : public Complaints<AlarmKind> {
  public:
   /// `position` is that of the tool, in the coordinates that are put out.
   Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Point& position,
-          Fault planted)
-      : profile(machine_profile), tracer(sink, position, line), fault_(planted) {}
+          Planted<Fault> planted)
+      : profile(machine_profile), tracer(sink, position, line), planted_(planted) {}
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
@@ -28,7 +28,8 @@ class Machine : public Complaints<AlarmKind> {
   /// What the expander would need for the block and has not; "": nothing.
   std::string lacking;
 
-  bool has(Fault planted) const { return fault_ == planted; }
+  /// Whether the fault is the planted one; its line is reached.
+  bool has(Fault fault) const { return planted_.has(fault); }
   /// Whether the machine follows this alternative.
   bool follows(Reading reading) const { return profile.readings.follows(reading); }
 
@@ -38,7 +39,7 @@ class Machine : public Complaints<AlarmKind> {
   }
 
  private:
-  Fault fault_;
+  Planted<Fault> planted_;
 };
 
 }  // namespace gonogo::expanders

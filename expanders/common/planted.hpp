@@ -38,9 +38,6 @@ class Planted {
  public:
   /// `met` must outlive the run.
   Planted(Fault fault, Met& met) : fault_(fault), met_(met) {}
-  /// For makers that do not count.
-  operator Fault() const { return fault_; }
-
   /// Whether the fault is the planted one: its line is reached.
   bool has(Fault fault) const {
     if (fault_ != fault) return false;

@@ -22,8 +22,8 @@ namespace gonogo::expanders {
 ///   kDescription (the reply of `describe`),
 ///   Memory (what a planted fault may carry from one run to the next),
 ///   static ConfigurationResult read(std::string_view json, Configuration&, std::string& message),
-///   static gonogo_answer run(const Configuration&, const gonogo_sink_v1&, Planted<Fault> or Fault,
-///                            Memory&, std::string_view program).
+///   static gonogo_answer run(const Configuration&, const gonogo_sink_v1&, Planted<Fault>, Memory&,
+///   std::string_view program).
 template <typename Maker>
 class SubjectGlue {
  public:
@@ -141,9 +141,9 @@ struct MakerOf {
     return read_profile(json, Interpreter::profiles(), profile, message);
   }
 
-  static gonogo_answer run(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault,
-                           Memory& memory, std::string_view program) {
-    Interpreter interpreter(profile, sink, fault);
+  static gonogo_answer run(const MachineProfile& profile, const gonogo_sink_v1& sink,
+                           Planted<Fault> planted, Memory& memory, std::string_view program) {
+    Interpreter interpreter(profile, sink, planted);
     interpreter.recall(memory);
     const gonogo_answer answer = interpreter.run(program);
     memory = interpreter.memory();

@@ -65,7 +65,8 @@ Motion motion_of(const Code& code) {
 
 }  // namespace
 
-Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Fault planted)
+Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink,
+                 Planted<Fault> planted)
     : expanders::Machine(machine_profile, sink, state.position, planted) {
   state.position = profile.position;
   state.plane = &plane_of(profile.plane);
@@ -74,8 +75,9 @@ Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& si
   state.motion = static_cast<Motion>(profile.motion);
 }
 
-Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault)
-    : LetterInterpreter(machine_, kNumbers), machine_(profile, sink, fault) {}
+Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink,
+                         Planted<Fault> planted)
+    : LetterInterpreter(machine_, kNumbers), machine_(profile, sink, planted) {}
 
 Interpreter::Lines Interpreter::lines() const {
   const Counting counting = machine_.has("blank-lines-not-counted"_fault) ? Counting::kWithoutBlank

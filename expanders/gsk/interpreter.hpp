@@ -19,7 +19,7 @@ class Interpreter final : public LetterInterpreter {
       R"("max_in_flight":1})";
   static std::span<const ProfileTable> profiles();
 
-  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Planted<Fault> planted);
 
   void recall(Fixed feed) {
     if (feed != 0) machine_.state.feed = feed;

@@ -71,7 +71,8 @@ Motion motion_of(int code) {
   }
 }
 
-Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Fault planted)
+Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink,
+                 Planted<Fault> planted)
     : expanders::Machine(machine_profile, sink, state.position, planted) {
   state.position = profile.position;
   if (!follows("hnc.offset.initial=none"_reading)) state.frame = &profile.offsets[0];
@@ -81,8 +82,9 @@ Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& si
   state.motion = motion_of(profile.motion);
 }
 
-Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault)
-    : LetterInterpreter(machine_, kNumbers), machine_(profile, sink, fault) {}
+Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink,
+                         Planted<Fault> planted)
+    : LetterInterpreter(machine_, kNumbers), machine_(profile, sink, planted) {}
 
 Interpreter::Lines Interpreter::lines() const {
   const bool lost = machine_.has("blank-lines-not-counted"_fault);

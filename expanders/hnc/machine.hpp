@@ -73,7 +73,8 @@ struct State {
 /// What every code works on.
 class Machine : public expanders::Machine {
  public:
-  Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Fault planted);
+  Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink,
+          Planted<Fault> planted);
   State state;
 };
 

@@ -32,7 +32,8 @@ Motion motion_of(const Code& code) {
 
 }  // namespace
 
-Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink, Fault planted)
+Machine::Machine(const MachineProfile& machine_profile, const gonogo_sink_v1& sink,
+                 Planted<Fault> planted)
     : expanders::Machine(machine_profile, sink, output_position_, planted), frame(plain_frame()) {
   std::copy(profile.position.begin(), profile.position.end(), state.position.begin());
   state.inch = profile.inch;
@@ -57,8 +58,9 @@ Frame Machine::plain_frame() const {
   return plain;
 }
 
-Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault)
-    : expanders::Interpreter(machine_, kNumbers), machine_(profile, sink, fault) {}
+Interpreter::Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink,
+                         Planted<Fault> planted)
+    : expanders::Interpreter(machine_, kNumbers), machine_(profile, sink, planted) {}
 
 Interpreter::Lines Interpreter::lines() const {
   const bool twice = machine_.has("cr-lf-counted-twice"_fault);

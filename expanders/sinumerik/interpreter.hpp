@@ -22,7 +22,7 @@ class Interpreter final : public expanders::Interpreter {
       R"("max_in_flight":1})";
   static std::span<const ProfileTable> profiles();
 
-  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Fault fault);
+  Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Planted<Fault> planted);
 
   void recall(const Memory& parameters) { machine_.state.parameters = parameters; }
   Memory memory() const {

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "expanders/registry.hpp"
 #include "harness.hpp"
 
 namespace gonogo::expanders::testing {
@@ -42,18 +43,26 @@ struct FaultName {
   }
 };
 
+inline std::uint64_t times_reached(const char* expander, const char* fault) {
+  return count(expander, fault).value().reached;
+}
+
 /// That the expander with the fault does something else than without, in the program or in
-/// `after_reset`, which is run once more after a reset.
+/// `after_reset`, which is run once more after a reset; and that its line is reached there, by the
+/// one that has it.
 inline void expect_shown(const Exhibit& exhibit, const char* expander, const char* after_reset) {
   Session sound("{}", {}, expander);
   Session faulty("{}", exhibit.fault, expander);
+  const std::uint64_t before = times_reached(expander, exhibit.fault);
   std::string want = sound.run(exhibit.program).all();
+  EXPECT_EQ(times_reached(expander, exhibit.fault), before);
   std::string got = faulty.run(exhibit.program).all();
   sound.reset();
   faulty.reset();
   want += sound.run(after_reset).all();
   got += faulty.run(after_reset).all();
   EXPECT_NE(got, want);
+  EXPECT_GT(times_reached(expander, exhibit.fault), before);
 }
 
 /// The same; the faulty expander is stopped after 10,000 records of the program.
@@ -61,13 +70,16 @@ inline void expect_shown(const ProfiledExhibit& exhibit, const char* expander,
                          const char* after_reset) {
   Session sound(exhibit.profile, {}, expander);
   Session faulty(exhibit.profile, exhibit.fault, expander);
+  const std::uint64_t before = times_reached(expander, exhibit.fault);
   std::string want = sound.run(exhibit.program).all();
+  EXPECT_EQ(times_reached(expander, exhibit.fault), before);
   std::string got = faulty.run(exhibit.program, 10'000).all();
   sound.reset();
   faulty.reset();
   want += sound.run(after_reset).all();
   got += faulty.run(after_reset).all();
   EXPECT_NE(got, want);
+  EXPECT_GT(times_reached(expander, exhibit.fault), before);
 }
 
 }  // namespace gonogo::expanders::testing

@@ -28,7 +28,9 @@ MatrixTarget faulty(const char* fault = "taper-sign") {
           "GSK-G94-02",
           {"gsk988ta"},
           builtin("gsk", fault),
-          builtin("gsk")};
+          builtin("gsk"),
+          {},
+          [fault] { return expanders::count("gsk", fault).value().reached; }};
 }
 
 bool says(const std::vector<std::string>& sentences, const std::string& text) {
@@ -44,9 +46,26 @@ TEST(KillMatrix, AFaultIsKilledAndReduced) {
   EXPECT_TRUE(complaints({row}, kHunt).empty());
 }
 
+TEST(KillMatrix, AFaultIsReachedBeforeItIsTriggeredAndTriggeredBeforeItIsKilled) {
+  const Kill kill = matrix_row(faulty(), options()).kills.at(Method::hunt);
+  EXPECT_GE(kill.reached, 1U);
+  EXPECT_GE(kill.triggered, kill.reached);
+  EXPECT_GE(kill.executions, kill.triggered);
+}
+
+TEST(KillMatrix, AKillWithoutATriggerIsNoticed) {
+  const MatrixRow row{"gsk+a", "GSK-G94-02", {{Method::hunt, {true, 10, 1, 2, "why"}}}};
+  EXPECT_TRUE(says(complaints({row}, kHunt), "no answer differed"));
+}
+
 TEST(KillMatrix, AJudgeThatAlwaysSaysGoIsNoticed) {
   const MatrixRow row = matrix_row(faulty(), options(true));
   EXPECT_TRUE(says(complaints({row}, kHunt), "hunt finds none of 1 planted faults"));
+  // It is the judge that is to blame, and the row says so.
+  EXPECT_GE(row.kills.at(Method::hunt).triggered, 1U);
+  EXPECT_FALSE(row.kills.at(Method::hunt).killed);
+  EXPECT_EQ(summary_of({row}, Method::hunt).triggered, 1U);
+  EXPECT_EQ(summary_of({row}, Method::hunt).killed, 0U);
 }
 
 // Reference against reference: the expander under test never runs its fault.
@@ -74,7 +93,7 @@ TEST(KillMatrix, AFaultFreeExpanderThatIsGoIsNoComplaint) {
 }
 
 Kill kill(double seconds, std::size_t executions, std::size_t blocks) {
-  return {true, executions, seconds, blocks, ""};
+  return {true, executions, seconds, blocks, "", 1, executions};
 }
 
 TEST(KillMatrix, TheSummaryIsOfThoseThatAreKilled) {
@@ -95,8 +114,23 @@ TEST(KillMatrix, TheDocumentHasARowForEachFault) {
   const std::vector<MatrixRow> rows = {{"gsk+a", "GSK-G94-02", {{Method::hunt, kill(1, 10, 2)}}},
                                        {"gsk", "", {{Method::hunt, {false, 300, 1, 0, ""}}}}};
   const std::string text = matrix_markdown(rows, kHunt);
-  EXPECT_NE(text.find("| gsk+a | GSK-G94-02 | 10 | 1.00 | 2 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| gsk+a | GSK-G94-02 | 1 | 10 | 10 | 1.00 | 2 |"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("- gsk: 300 programs GO"), std::string::npos) << text;
+}
+
+TEST(KillMatrix, FieldDefectsHaveATableOfTheirOwn) {
+  MatrixRow reported{"ngc+a", "NGC-CYC-12", {{Method::hunt, kill(1, 10, 2)}}};
+  reported.what = "goes there at once";
+  reported.report = "https://github.com/acme/control/pull/7";
+  const MatrixRow other{"ngc+b", "NGC-CYC-12", {{Method::hunt, kill(2, 20, 2)}}};
+  const std::string text = field_defects_markdown({reported, other}, kHunt);
+  EXPECT_NE(text.find("| ngc+a | goes there at once | "
+                      "[acme/control#7](https://github.com/acme/control/pull/7) | 10 | 1.000 |"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("ngc+b"), std::string::npos);
+  EXPECT_EQ(field_defects_markdown({other}, kHunt), "");
 }
 
 }  // namespace
