@@ -49,7 +49,8 @@ std::optional<Halves> halves_of(const TextBlock& block, const WrittenPlaces& pla
   if ((!is_traverse && !block.modes.is_of(Kind::line)) || !has_only(block, "XYZUVWFS")) {
     return std::nullopt;
   }
-  Halves halves{block, {{{"", std::string(block.modes.code_name())}}, "", block.end}};
+  Halves halves{static_cast<const TextLine&>(block),
+                {{{"", std::string(block.modes.code_name())}}, "", block.end}};
   std::size_t axes = 0;
   bool moves = false;
   for (std::size_t i = 0; i < block.words.size(); ++i) {

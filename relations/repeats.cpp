@@ -89,7 +89,7 @@ std::optional<Related> unrolled(const generate::GeneratedProgram& program) {
     const auto holes = runs && !in_series ? holes_of(block, *text.table, mode.returns())
                                           : std::optional<std::int64_t>();
     if (runs) in_series = block.modes.in_cycle();
-    TextLine line = block;
+    TextLine line = static_cast<const TextLine&>(block);
     if (holes) {
       changes = true;
       std::erase_if(line.words, [](const TextWord& word) { return name_of(word) == "L"; });

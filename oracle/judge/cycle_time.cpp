@@ -78,22 +78,20 @@ Number EnclosedSum::value() const {
 
 void CycleTime::take_motion(const Motion& motion) {
   const Record& record = motion.record;
-  if (turns_axes(motion)) {
-    ++left_out_;
-  } else if (record.kind == RecordKind::thread) {
-    if (record.lead.sign() > 0) turns_.add(travel(motion) / record.lead);
-  } else if (const auto length = length_of(motion); !length) {
+  const bool is_thread = record.kind == RecordKind::thread;
+  const auto length = turns_axes(motion) ? std::nullopt
+                      : is_thread        ? std::optional(travel(motion))
+                                         : length_of(motion);
+  const Number& feed = is_thread ? record.lead : record.feed;
+  if (!length) {
     ++left_out_;
   } else if (record.kind == RecordKind::rapid) {
     rapid_.add(*length);
-  } else if (record.feed.sign() > 0) {
-    const bool per_turn = record.feed_mode == reference::FeedMode::per_revolution;
-    constexpr int kSeconds = 60;
-    if (per_turn) {
-      turns_.add(*length / record.feed);
-    } else {
-      feed_.add(*length * kSeconds / record.feed);
-    }
+  } else if (feed.sign() > 0) {
+    const bool per_turn = is_thread || record.feed_mode == reference::FeedMode::per_revolution;
+    constexpr int kSecondsOfMinute = 60;
+    EnclosedSum& sum = per_turn ? turns_ : feed_;
+    sum.add(*length * (per_turn ? 1 : kSecondsOfMinute) / feed);
   }
 }
 

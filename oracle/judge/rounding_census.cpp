@@ -9,7 +9,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr int kDecimals = 9;
+constexpr int kFinestDecimals = 9;
 
 bool is_whole(const Number& number) {
   return number.is_rational() && number.floor() == number;
@@ -42,7 +42,7 @@ std::string_view name(RoundingMode mode) {
 
 RoundingCensus::RoundingCensus() {
   Number increment = 1;
-  for (int i = 0; i <= kDecimals; ++i) {
+  for (int i = 0; i <= kFinestDecimals; ++i) {
     Grid grid;
     grid.increment = increment;
     grid.modes.fill(true);
