@@ -35,7 +35,7 @@ DrawnVectors draw_vectors(const generate::Generator& generator,
   return draw_vectors(source, seed, programs, gonogo);
 }
 
-DrawnVectors draw_vectors(const ProgramSource& source, std::uint64_t seed, std::size_t programs,
+DrawnVectors draw_vectors(const ProgramDraw& source, std::uint64_t seed, std::size_t programs,
                           std::string_view gonogo) {
   DrawnVectors drawn;
   std::unordered_set<std::uint64_t> shown;

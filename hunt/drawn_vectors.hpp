@@ -24,12 +24,12 @@ struct DrawnVectors {
 inline constexpr std::size_t kMostDrawnCost = 1'000;
 
 // The program of a seed; nothing: there is none.
-using ProgramSource = std::function<std::optional<generate::GeneratedProgram>(std::uint64_t seed)>;
+using ProgramDraw = std::function<std::optional<generate::GeneratedProgram>(std::uint64_t seed)>;
 
 // Of so many programs, those that show something of the reference that none before shows. Program i
 // of a seed is program 0 of seed + i, as in gonogo_soak. `gonogo`: "gonogo 0.1.0", for their
 // provenance.
-DrawnVectors draw_vectors(const ProgramSource& source, std::uint64_t seed, std::size_t programs,
+DrawnVectors draw_vectors(const ProgramDraw& source, std::uint64_t seed, std::size_t programs,
                           std::string_view gonogo);
 DrawnVectors draw_vectors(const generate::Generator& generator,
                           const generate::GeneratorSettings& settings, std::uint64_t seed,
