@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/editions.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -29,9 +28,10 @@ constexpr auto kEditions = std::to_array<std::pair<std::string_view, std::string
 }  // namespace
 
 std::string_view editions_of(std::string_view dialect) {
-  const auto* const found = std::ranges::find(
-      kEditions, dialect, &std::pair<std::string_view, std::string_view>::first);
-  return found == kEditions.end() ? std::string_view() : found->second;
+  for (const auto& [name, text] : kEditions) {
+    if (name == dialect) return text;
+  }
+  return {};
 }
 
 }  // namespace gonogo::reference
