@@ -52,7 +52,7 @@ TEST(Selection, ACaseThatContradictsTheCertifierIsLeftOut) {
 // The file says what is so by default; without it the machine may be either.
 TEST(Selection, WhatTheCertifierSaysHoldsAlsoWhereItIsTheDefault) {
   const std::string machines = R"({"dialect":"hnc21t","x_diameter":true,
-                                   "readings":{"hnc.peck.from":"start"}})";
+                                   "readings":{"hnc.peck.from":"last-bottom"}})";
   CampaignOptions options;
   options.profile = machine(machines);
   EXPECT_TRUE(under(options, case_with(R"({"dialect":"hnc21t","x_diameter":false})")));

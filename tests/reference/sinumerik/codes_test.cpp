@@ -22,7 +22,7 @@ TEST(SieCodes, CodesWithoutEffectArePassedOver) {
 }
 
 TEST(SieCodes, OutsideCodesAreNotCovered) {
-  for (const char* code : {"G33",     "G41",  "G75",     "G96",    "G153",   "G331",    "G450",
+  for (const char* code : {"G33",     "G41",  "G75",     "G93",    "G153",   "G331",    "G450",
                            "G505",    "G550", "G599",    "G641",   "G700",   "G962",    "TRANS",
                            "AMIRROR", "RPL",  "POCKET4", "HOLES1", "LCYC60", "LCYC840", "P"}) {
     const std::string value = std::string(code) == "P" ? "1" : "";
