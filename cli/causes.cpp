@@ -6,6 +6,7 @@
 
 #include "identify/attribution.hpp"
 #include "oracle/campaign/selection.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -51,10 +52,7 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   std::size_t asked = 0;
   for (const oracle::Finding* finding : summary.findings.list()) {
     const oracle::VerdictKind kind = finding->key.kind;
-    const bool departs = kind >= oracle::VerdictKind::fail_geometry &&
-                         kind <= oracle::VerdictKind::fail_alarm_late &&
-                         kind != oracle::VerdictKind::fail_reading;
-    if (!departs) continue;
+    if (!oracle::is_other_answer(kind) || kind == oracle::VerdictKind::fail_reading) continue;
     if (asked++ == most) break;
     try {
       const auto test = asked_in(corpus, campaign, finding->smallest.id);

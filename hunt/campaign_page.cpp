@@ -9,11 +9,11 @@
 #include "hunt/finding_files.hpp"
 #include "oracle/corpus/files.hpp"
 #include "oracle/records/output_file.hpp"
-#include "oracle/report/assets.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/clauses.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/figure.hpp"
+#include "oracle/report/page_parts.hpp"
 #include "oracle/report/sheet.hpp"
 
 namespace gonogo::hunt {
@@ -21,6 +21,8 @@ namespace {
 
 namespace report = oracle::report;
 using report::markup_text;
+using report::section;
+using report::table;
 
 constexpr const char* kOwnStyle =
     "main > section { overflow-wrap: anywhere; }\n"
@@ -36,20 +38,6 @@ constexpr const char* kOwnStyle =
     "details { margin-top: 10px; }\n"
     "td.dates { white-space: nowrap; }\n"
     "#feature-table th + th, table[id^=faces-] th:nth-child(2) { text-align: right; }\n";
-
-std::string section(std::string_view id, const std::string& title, const std::string& content) {
-  return fmt::format(
-      "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\">{1}</h2>\n{2}"
-      "</section>\n",
-      id, title, content);
-}
-
-std::string table(std::string_view id, const std::string& head, const std::string& rows) {
-  return fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\"><table id=\"{}\"><thead><tr>{}</tr></thead>\n"
-      "<tbody>\n{}</tbody></table></div>\n",
-      id, head, rows);
-}
 
 std::string heads(std::initializer_list<const char*> names) {
   std::string cells;
@@ -203,21 +191,10 @@ std::string finding_section(const std::string& folder, const HuntSummary& summar
 
 std::string campaign_page(const std::string& folder, const HuntSummary& summary) {
   const std::string title = markup_text(summary.subject + ", " + summary.dialect);
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>Hunt: {}</title>\n<style>\n",
-      title);
-  out += report::kReportCss.text;
-  out += report::kSiteCss.text;
-  out += kOwnStyle;
+  std::string out = report::page_head("Hunt: " + title, kOwnStyle, nullptr);
   out += fmt::format(
-      "</style>\n</head>\n<body>\n<header id=\"head\">\n<p class=\"brand\">GoNoGo <span>master "
-      "gauge for CNC canned cycles</span></p>\n<h1>Hunt: {}</h1>\n<p id=\"told\"><span "
-      "class=\"badge {}\">{}</span> {} rounds of {} shards</p>\n</header>\n<main>\n",
+      "<h1>Hunt: {}</h1>\n<p id=\"told\"><span class=\"badge {}\">{}</span> {} rounds of {} "
+      "shards</p>\n</header>\n<main>\n",
       title, summary.standing() == 0 ? "go" : "no-go", findings_text(summary), summary.rounds,
       summary.shards);
   out += section("programs", "Programs", totals(summary));

@@ -10,6 +10,7 @@
 #include "hunt/profile_parts.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
+#include "oracle/records/finding.hpp"
 #include "program/features.hpp"
 #include "program/mutator/mutate.hpp"
 
@@ -23,11 +24,6 @@ namespace {
 
 bool is_finding(const Verdict& verdict) {
   return decision(verdict.kind) == Decision::no_go || verdict.kind == VerdictKind::oracle_error;
-}
-
-// Rather than that it ends no run, or not as the protocol says.
-bool is_other_than_the_reference(VerdictKind kind) {
-  return kind >= VerdictKind::fail_geometry && kind <= VerdictKind::fail_alarm_late;
 }
 
 bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgram& program,
@@ -123,7 +119,7 @@ void Hunt::settle(Specimen& specimen) const {
 
 // D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
 bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& program) const {
-  if (options_.everywhere || !is_other_than_the_reference(verdict.kind)) return true;
+  if (options_.everywhere || !oracle::is_other_answer(verdict.kind)) return true;
   return oracle::outside_domain(program.profile, program.text, options_.most_cost).empty();
 }
 

@@ -39,11 +39,7 @@ oracle::RunEnd Trial::run_once(oracle::Subject& subject, const generate::Generat
                                const oracle::RecordSink& sink) {
   subject.configure(program.profile);
   oracle::RunEnd end = subject.run("generated", program.text, sink);
-  if (end.kind == oracle::RunEnd::Kind::alarm && options_.alarm_map) {
-    if (const auto* known = options_.alarm_map->entry_for(end.alarm.native)) {
-      end.alarm.alarm_class = known->alarm_class;
-    }
-  }
+  if (options_.alarm_map) options_.alarm_map->name_class(end);
   return end;
 }
 

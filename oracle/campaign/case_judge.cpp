@@ -128,9 +128,8 @@ CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Judg
       if (keep != nullptr) keep->record(record);
       return session.record(record);
     });
-    if (attempt.end.kind == RunEnd::Kind::alarm && options_.alarm_map) {
-      if (const auto* known = options_.alarm_map->entry_for(attempt.end.alarm.native)) {
-        attempt.end.alarm.alarm_class = known->alarm_class;
+    if (options_.alarm_map) {
+      if (const auto* known = options_.alarm_map->name_class(attempt.end)) {
         attempt.mapped = known->native;
       }
     }

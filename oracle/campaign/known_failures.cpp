@@ -87,6 +87,13 @@ const AlarmMap::Entry* AlarmMap::entry_for(const std::string& native) const {
   return found == entries_.end() ? nullptr : &*found;
 }
 
+const AlarmMap::Entry* AlarmMap::name_class(RunEnd& end) const {
+  if (end.kind != RunEnd::Kind::alarm) return nullptr;
+  const Entry* const known = entry_for(end.alarm.native);
+  if (known != nullptr) end.alarm.alarm_class = known->alarm_class;
+  return known;
+}
+
 std::vector<std::string> AlarmMap::natives() const {
   std::vector<std::string> natives;
   for (const Entry& entry : entries_) natives.push_back(entry.native);

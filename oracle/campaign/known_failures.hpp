@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oracle/campaign/results.hpp"
+#include "oracle/subject.hpp"
 
 namespace gonogo::oracle {
 
@@ -104,6 +105,9 @@ class AlarmMap {
   explicit AlarmMap(std::vector<Entry> entries) : entries_(std::move(entries)) {}
   // The first entry that matches; null: none does.
   const Entry* entry_for(const std::string& native) const;
+  // Gives an alarm the class of the first entry that matches. That entry; null: there is none, or
+  // the run ends in no alarm.
+  const Entry* name_class(RunEnd& end) const;
   // The left sides of all entries.
   std::vector<std::string> natives() const;
 

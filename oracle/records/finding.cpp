@@ -56,6 +56,10 @@ auto size_of(const Finding::Example& example) {
 
 }  // namespace
 
+bool is_other_answer(VerdictKind kind) {
+  return kind >= VerdictKind::fail_geometry && kind <= VerdictKind::fail_alarm_late;
+}
+
 bool is_breakdown(VerdictKind kind) {
   return kind == VerdictKind::oracle_error ||
          (kind >= VerdictKind::crash && kind <= VerdictKind::protocol);

@@ -22,6 +22,9 @@ namespace gonogo::oracle {
 std::string departed_about(VerdictKind kind, std::string_view want, std::string_view got,
                            std::string_view message);
 
+// Whether the subject answered otherwise than the reference, rather than not at all or not as the
+// protocol says.
+bool is_other_answer(VerdictKind kind);
 // Whether the subject or the gauge broke down, so that no record is at fault.
 bool is_breakdown(VerdictKind kind);
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "oracle/report/assets.hpp"
 #include "oracle/report/escape.hpp"
 
 namespace gonogo::oracle::site {
@@ -53,21 +52,9 @@ std::string percent(std::uint64_t part, std::uint64_t of) {
 
 std::string page(const SiteView& site, const PageName& name, const std::string& sections) {
   const std::string title = text(site.title);
-  std::string out = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'; script-src 'sha256-{}'; img-src data:; base-uri 'none'; form-action "
-      "'none'\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{} - {}</title>\n<style>\n",
-      report::base64_of_hex(report::kSiteJs.sha256), name.title, title);
-  out += report::kReportCss.text;
-  out += report::kSiteCss.text;
-  out += fmt::format(
-      "</style>\n</head>\n<body>\n<header id=\"head\">\n<p class=\"brand\">GoNoGo <span>master "
-      "gauge for CNC canned cycles</span></p>\n<h1>{}</h1>\n{}</header>\n<main>\n",
-      title, navigation(name));
+  std::string out =
+      report::page_head(fmt::format("{} - {}", name.title, title), "", &report::kSiteJs);
+  out += fmt::format("<h1>{}</h1>\n{}</header>\n<main>\n", title, navigation(name));
   out += notes(*site.gathered);
   out += sections;
   out +=
@@ -75,21 +62,6 @@ std::string page(const SiteView& site, const PageName& name, const std::string& 
       "elsewhere.</footer>\n<script>";
   out += report::kSiteJs.text;
   return out + "</script>\n</body>\n</html>\n";
-}
-
-std::string section(std::string_view id, std::string_view title, const std::string& content) {
-  return fmt::format(
-      "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\">{1}</h2>\n{2}"
-      "</section>\n",
-      id, title, content);
-}
-
-std::string table(std::string_view id, const std::string& head, const std::string& rows,
-                  bool tall) {
-  return fmt::format(
-      "<div class=\"scroll{}\" tabindex=\"0\"><table id=\"{}\"><thead><tr>{}</tr></thead>\n"
-      "<tbody>\n{}</tbody></table></div>\n",
-      tall ? " tall" : "", id, head, rows);
 }
 
 std::string run_link(const SiteView& site, std::size_t run) {

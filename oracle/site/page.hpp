@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oracle/site/gather.hpp"
+#include "oracle/report/page_parts.hpp"
 
 namespace gonogo::oracle::site {
 
@@ -38,10 +39,8 @@ std::string percent(std::uint64_t part, std::uint64_t of);
 
 // The whole file around the sections of its <main>.
 std::string page(const SiteView& site, const PageName& name, const std::string& sections);
-std::string section(std::string_view id, std::string_view title, const std::string& content);
-// A table in a box that scrolls: the cells of its head row, and its rows.
-std::string table(std::string_view id, const std::string& head, const std::string& rows,
-                  bool tall = false);
+using report::section;
+using report::table;
 // The head cell of each run, a link to its report.
 std::string run_heads(const SiteView& site);
 std::string run_link(const SiteView& site, std::size_t run);
