@@ -29,17 +29,13 @@ void add_corpus_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& 
 void add_campaign_programs(const CiWords& words, hunt::Trial& trial, hunt::Reach& reach) {
   if (words.campaign.empty()) return;
   for (const std::string& shard : shards_in(words.campaign)) {
-    const auto state = hunt::read_campaign_state(shard);
-    if (state->dialect != words.dialect) {
-      throw UsageError(fmt::format("The campaign in {} is of {}, not {}.", shard, state->dialect,
-                                   words.dialect));
-    }
-    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
+    const hunt::CampaignState state = state_for(shard, words.dialect);
+    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, state)) {
       reach.add(hunt::ProgramSource::campaign, program, trial.run(program));
     }
-    for (const auto& [signature, finding] : state->findings) {
+    for (const auto& [signature, finding] : state.findings) {
       const hunt::Exhibit exhibit =
-          hunt::read_exhibit(shard + "/findings/" + finding.id, state->dialect);
+          hunt::read_exhibit(shard + "/findings/" + finding.id, state.dialect);
       reach.add(hunt::ProgramSource::campaign, exhibit.program, trial.run_alone(exhibit));
     }
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "cli/certify_options.hpp"
 #include "cli/ci_words.hpp"
 #include "cli/exit_code.hpp"
@@ -14,8 +11,6 @@
 
 namespace gonogo::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 const char* stand_text(hunt::FindingStand stand) {
   switch (stand) {
@@ -41,15 +36,10 @@ std::string pruned_text(const std::string& folder, const hunt::Pruned& pruned) {
 
 // Of the cases that the file names and no others, so that none is added that nobody has looked at.
 int prune_known_failures(const CiWords& words) {
-  CertifyOptions options;
-  options.subjects = {words.trial.subject};
-  if (!words.dialect.empty()) options.dialects = {words.dialect};
-  options.corpus = words.corpus;
+  CertifyOptions options = certify_options(words);
   options.report = words.campaign + "/known-failures";
-  options.known_failures = words.known_failures;
   options.write_known_failures = words.known_failures;
-  options.alarm_map = words.trial.alarm_map;
-  options.limits = words.trial.limits;
+  options.jobs = 0;  // the machine's
   options.causes = 0;
   for (const oracle::KnownFailure& entry : load_known_failures(words.known_failures)) {
     options.only.push_back(entry.cases);
@@ -62,19 +52,22 @@ int prune_known_failures(const CiWords& words) {
 }  // namespace
 
 std::vector<std::string> shards_in(const std::string& campaign) {
-  std::vector<std::string> shards;
-  if (fs::is_directory(campaign)) {
-    for (const auto& entry : fs::directory_iterator(campaign)) {
-      if (fs::exists(entry.path() / "hunt.json")) shards.push_back(entry.path().string());
-    }
-  }
+  std::vector<std::string> shards = hunt::shards_of(campaign);
   if (shards.empty()) {
     throw UsageError(fmt::format(
         "{} is no folder of a campaign. `gonogo ci batch --campaign {}` begins one.", campaign,
         campaign));
   }
-  std::ranges::sort(shards);
   return shards;
+}
+
+hunt::CampaignState state_for(const std::string& shard, const std::string& dialect) {
+  hunt::CampaignState state = hunt::read_campaign_state(shard).value();
+  if (state.dialect != dialect) {
+    throw UsageError(
+        fmt::format("The campaign in {} is of {}, not {}.", shard, state.dialect, dialect));
+  }
+  return state;
 }
 
 int ci_prune(const CiWords& words) {

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/certify_options.hpp"
 #include "cli/hunt_words.hpp"
+#include "hunt/campaign_state.hpp"
 
 namespace gonogo::cli {
 
@@ -31,6 +33,11 @@ struct CiWords {
 
 // The folders of a campaign's shards, sorted. Throws UsageError where there is none.
 std::vector<std::string> shards_in(const std::string& campaign);
+
+// What is kept of a shard. Throws UsageError where it is of another dialect.
+hunt::CampaignState state_for(const std::string& shard, const std::string& dialect);
+// The run against the corpus that the words ask for.
+CertifyOptions certify_options(const CiWords& words);
 
 // The exit codes.
 int ci_prune(const CiWords& words);

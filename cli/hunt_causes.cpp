@@ -8,6 +8,7 @@
 #include "hunt/campaign_page.hpp"
 #include "hunt/finding_files.hpp"
 #include "identify/shared_causes.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -30,9 +31,7 @@ class MappedSubject : public oracle::Subject {
   oracle::RunEnd run(std::string_view id, std::string_view program,
                      const oracle::RecordSink& sink) override {
     oracle::RunEnd end = inner_->run(id, program, sink);
-    if (end.kind != oracle::RunEnd::Kind::alarm || !alarms_) return end;
-    const auto* known = alarms_->entry_for(end.alarm.native);
-    if (known != nullptr) end.alarm.alarm_class = known->alarm_class;
+    if (alarms_) alarms_->name_class(end);
     return end;
   }
   void renew() override { inner_->renew(); }
@@ -45,9 +44,7 @@ class MappedSubject : public oracle::Subject {
 // A breakdown has no cause in the reference's terms, and one program does not show what is left
 // over from others.
 bool may_have_cause(const hunt::Face& face) {
-  const oracle::VerdictKind kind = face.signature.kind;
-  return face.stands && kind >= oracle::VerdictKind::fail_geometry &&
-         kind <= oracle::VerdictKind::fail_alarm_late;
+  return face.stands && oracle::is_other_answer(face.signature.kind);
 }
 
 struct Asked {
@@ -72,13 +69,11 @@ Asked faces_to_ask(const std::string& folder, const hunt::HuntSummary& summary) 
 // Programs that showed something new, spread evenly over all shards.
 std::vector<ProgramAsked> other_programs(const std::string& folder) {
   std::vector<ProgramAsked> all;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!entry.is_directory()) continue;
-    const std::string shard = entry.path().string();
-    const auto state = hunt::read_campaign_state(shard);
-    if (!state) continue;
-    for (generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
-      all.push_back({entry.path().filename().string(), std::move(program.text), program.profile});
+  for (const std::string& shard : hunt::shards_of(folder)) {
+    const hunt::CampaignState state = hunt::read_campaign_state(shard).value();
+    for (generate::GeneratedProgram& program : hunt::read_inputs(shard, state)) {
+      all.push_back({std::filesystem::path(shard).filename().string(), std::move(program.text),
+                     program.profile});
     }
   }
   std::vector<ProgramAsked> spread;

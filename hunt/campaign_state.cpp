@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -100,6 +101,16 @@ std::optional<CampaignState> read_campaign_state(const std::string& folder) {
     throw std::runtime_error(
         fmt::format("{} is not what a hunt wrote: {}", path.string(), error.what()));
   }
+}
+
+std::vector<std::string> shards_of(const std::string& campaign) {
+  std::vector<std::string> shards;
+  if (!fs::is_directory(campaign)) return shards;
+  for (const auto& entry : fs::directory_iterator(campaign)) {
+    if (fs::exists(state_file(entry.path().string()))) shards.push_back(entry.path().string());
+  }
+  std::ranges::sort(shards);
+  return shards;
 }
 
 void write_campaign_state(const std::string& folder, const CampaignState& state) {

@@ -45,6 +45,8 @@ struct CampaignState {
 // Nothing where the folder has no such file. Throws std::runtime_error where it cannot be read as
 // one, naming it.
 std::optional<CampaignState> read_campaign_state(const std::string& folder);
+// The folders of all shards that lie in a campaign's, sorted; none where it is none.
+std::vector<std::string> shards_of(const std::string& campaign);
 // Whole or not at all. Throws std::system_error.
 void write_campaign_state(const std::string& folder, const CampaignState& state);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "oracle/records/finding.hpp"
+#include "oracle/records/run_scope.hpp"
 
 namespace gonogo::hunt {
 namespace {
@@ -96,10 +97,6 @@ void sort_findings(HuntSummary& summary) {
   });
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 }  // namespace
 
 bool CampaignFinding::stands() const {
@@ -123,17 +120,10 @@ std::size_t HuntSummary::standing() const {
 }
 
 HuntSummary summarize_campaign(const std::string& folder) {
-  std::vector<fs::path> shards;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_directory()) shards.push_back(entry.path());
-  }
-  std::ranges::sort(shards);
   HuntSummary summary;
   std::map<Signature, Face> faces;
-  for (const fs::path& shard : shards) {
-    if (const auto state = read_campaign_state(shard.string())) {
-      add_shard(*state, shard, summary, faces);
-    }
+  for (const std::string& shard : shards_of(folder)) {
+    add_shard(*read_campaign_state(shard), shard, summary, faces);
   }
   for (auto& [signature, face] : faces) summary.findings.push_back({{}, {std::move(face)}});
   sort_findings(summary);
@@ -161,8 +151,8 @@ std::string findings_text(const HuntSummary& summary) {
   for (const CampaignFinding& finding : summary.findings) {
     if (finding.stands()) faces += finding.faces.size();
   }
-  std::string text = counted(summary.standing(), "finding", "findings");
-  if (faces > 0) text += ", " + counted(faces, "face", "faces");
+  std::string text = oracle::counted(summary.standing(), "finding", "findings");
+  if (faces > 0) text += ", " + oracle::counted(faces, "face", "faces");
   return mended == 0 ? text : text + fmt::format("; {} mended", mended);
 }
 
@@ -180,7 +170,7 @@ std::string clauses_text(const CampaignFinding& finding) {
 }
 
 std::string faces_text(const CampaignFinding& finding) {
-  return counted(finding.faces.size(), "face", "faces");
+  return oracle::counted(finding.faces.size(), "face", "faces");
 }
 
 std::string finding_list_text(const HuntSummary& summary) {

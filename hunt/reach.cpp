@@ -18,20 +18,19 @@ using oracle::Decision;
 // Cases of the corpus may be longer than what a hunt tries.
 constexpr std::size_t kMostCost = 200'000;
 
-void count_in(ReachCount& count, ProgramSource source,
-              const std::optional<oracle::Verdict>& verdict) {
-  ++(source == ProgramSource::corpus ? count.corpus : count.campaign);
-  if (!verdict) return;
-  const Decision decided = decision(verdict->kind);
-  if (decided == Decision::go || decided == Decision::no_go) ++count.judged;
-  if (decided == Decision::no_go) ++count.no_go;
-  if (verdict->kind == oracle::VerdictKind::skip) ++count.skipped;
-}
-
 bool is_judged(const std::optional<oracle::Verdict>& verdict) {
   if (!verdict) return false;
   const Decision decided = decision(verdict->kind);
   return decided == Decision::go || decided == Decision::no_go;
+}
+
+void count_in(ReachCount& count, ProgramSource source,
+              const std::optional<oracle::Verdict>& verdict) {
+  ++(source == ProgramSource::corpus ? count.corpus : count.campaign);
+  if (!verdict) return;
+  if (is_judged(verdict)) ++count.judged;
+  if (decision(verdict->kind) == Decision::no_go) ++count.no_go;
+  if (verdict->kind == oracle::VerdictKind::skip) ++count.skipped;
 }
 
 Json count_json(const ReachCount& count) {

@@ -34,35 +34,15 @@ HuntWords hunt_words(const CiWords& words) {
   return hunt;
 }
 
-CertifyOptions certify_options(const CiWords& words) {
-  CertifyOptions options;
-  options.subjects = {words.trial.subject};
-  if (!words.dialect.empty()) options.dialects = {words.dialect};
-  options.corpus = words.corpus;
-  options.report = words.report;
-  options.profile = words.profile;
-  options.readings = words.readings;
-  options.known_failures = words.known_failures;
-  options.alarm_map = words.trial.alarm_map;
-  options.limits = words.trial.limits;
-  options.jobs = words.jobs;
-  options.argv = arguments();
-  return options;
-}
-
 // What the nights found is where the hunt begins, and no news. How many findings that are known.
 std::size_t begin_from(const std::string& campaign, const std::string& dialect, hunt::Hunt& hunt) {
   std::size_t known = 0;
   for (const std::string& shard : shards_in(campaign)) {
-    const auto state = hunt::read_campaign_state(shard);
-    if (state->dialect != dialect) {
-      throw UsageError(
-          fmt::format("The campaign in {} is of {}, not {}.", shard, state->dialect, dialect));
-    }
-    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, *state)) {
+    const hunt::CampaignState state = state_for(shard, dialect);
+    for (const generate::GeneratedProgram& program : hunt::read_inputs(shard, state)) {
       hunt.offer(program);
     }
-    for (const auto& [signature, finding] : state->findings) {
+    for (const auto& [signature, finding] : state.findings) {
       if (!finding.stands()) continue;
       hunt.know(signature);
       ++known;
@@ -187,6 +167,22 @@ void add_coverage(Command& ci) {
 }
 
 }  // namespace
+
+CertifyOptions certify_options(const CiWords& words) {
+  CertifyOptions options;
+  options.subjects = {words.trial.subject};
+  if (!words.dialect.empty()) options.dialects = {words.dialect};
+  options.corpus = words.corpus;
+  options.report = words.report;
+  options.profile = words.profile;
+  options.readings = words.readings;
+  options.known_failures = words.known_failures;
+  options.alarm_map = words.trial.alarm_map;
+  options.limits = words.trial.limits;
+  options.jobs = words.jobs;
+  options.argv = arguments();
+  return options;
+}
 
 void add_ci(Command& program) {
   Command command = program.add_command("ci", "What a pipeline runs, on a change and in the night");
