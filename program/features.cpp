@@ -48,7 +48,7 @@ class Needs {
   std::set<std::string> features() && { return std::move(features_); }
   void take(const TextBlock& block) {
     for (const std::string& name : block.codes) {
-      const Code* const code = name.empty() ? nullptr : table_.find(name);
+      const Code* const code = table_.find(name);
       if (code != nullptr) add(code->feature);
     }
     for (const TextWord& word : block.words) {

@@ -82,7 +82,7 @@ void Modes::take(const Code& code) {
 BlockModes Modes::take(const TextBlock& block, const reference::Descriptor& table) {
   now_.own = nullptr;
   for (const std::string& name : block.codes) {
-    const Code* const code = name.empty() ? nullptr : table.find(name);
+    const Code* const code = table.find(name);
     if (code == nullptr || code->treatment == reference::Treatment::outside) continue;
     take(*code);
     // Beside a motion the end of a cycle is no more than that.

@@ -62,6 +62,7 @@ std::string Code::text() const {
 }
 
 const Code* Descriptor::find(std::string_view name) const {
+  if (name.empty()) return nullptr;  // of a word that is no code
   const int tenths = tenths_of_name(name);
   const auto found = std::ranges::find_if(codes, [&](const Code& code) {
     if (code.name == name || is_numbered(code.name, name)) return true;

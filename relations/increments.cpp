@@ -22,7 +22,7 @@ bool has_way_words(const ProgramText& text) {
 
 bool has_distance_code(const TextBlock& block, const reference::Descriptor& table) {
   return std::ranges::any_of(block.codes, [&](const std::string& name) {
-    const Code* const code = name.empty() ? nullptr : table.find(name);
+    const Code* const code = table.find(name);
     return code != nullptr && code->group == Group::distance;
   });
 }
@@ -40,8 +40,7 @@ std::optional<TextBlock> with_increments(const TextBlock& block, const WrittenPl
     const std::optional<Number> value = plain_value(block.words[i]);
     if (!at || !value) return std::nullopt;
     const Number way = *value - *at;
-    constexpr int kMost = 9'000;  // words near the ends of their ranges have no room
-    if (!is_writable(way, block.modes.inch) || abs(way) > kMost || abs(*value) > kMost) {
+    if (!is_writable(way, block.modes.inch) || !has_room(way) || !has_room(*value)) {
       return std::nullopt;
     }
     TextWord& word = other.words[i];

@@ -36,9 +36,8 @@ std::string code_of(reference::Plane plane) {
 
 // X of a lathe is a diameter; elsewhere the word is the same number. False where it cannot be read.
 bool rescale(TextWord& word, const Number& factor, bool inch) {
-  constexpr int kMost = 9'000;  // words near the ends of their ranges have no room
   const std::optional<Number> value = plain_value(word);
-  if (!value || !is_writable(*value, inch) || abs(*value) > kMost) return false;
+  if (!value || !is_writable(*value, inch) || !has_room(*value)) return false;
   if (!is_writable(*value * factor, inch)) return false;
   word.text = with_value(word, *value * factor);
   return true;

@@ -67,7 +67,7 @@ bool has_cut_words(const TextBlock& block) {
 
 bool has_unclear_words(const program::ProgramText& text) {
   const auto is_unknown = [&](const std::string& name) {
-    const reference::Code* const code = name.empty() ? nullptr : text.table->find(name);
+    const reference::Code* const code = text.table->find(name);
     const bool is_undefined = name.starts_with('G') && code == nullptr;
     return is_undefined || (code != nullptr && code->treatment == reference::Treatment::outside);
   };
@@ -80,7 +80,7 @@ bool has_unclear_words(const program::ProgramText& text) {
 bool any_code(const program::ProgramText& text, bool (*is_it)(const reference::Code&)) {
   return std::ranges::any_of(text.blocks, [&](const TextBlock& block) {
     return std::ranges::any_of(block.codes, [&](const std::string& name) {
-      const reference::Code* const code = name.empty() ? nullptr : text.table->find(name);
+      const reference::Code* const code = text.table->find(name);
       return code != nullptr && is_it(*code);
     });
   });
@@ -123,8 +123,7 @@ std::optional<reference::Plane> only_plane(const program::ProgramText& text,
                                            const reference::Profile& profile) {
   std::optional<reference::Plane> plane;
   for (const TextBlock& block : text.blocks) {
-    const bool runs = std::ranges::any_of(block.words, program::is_word);
-    if (!runs || is_left_out(block, profile)) continue;
+    if (!is_run(block, profile)) continue;
     if (plane && *plane != block.modes.plane) return std::nullopt;
     plane = block.modes.plane;
   }
@@ -140,7 +139,7 @@ bool has_unclear_order(const program::ProgramText& text) {
     return std::ranges::any_of(block.words, [&](const TextWord& word) {
       const char first = word.text.front();
       const std::string& name = block.code_of(word);
-      const reference::Code* const code = name.empty() ? nullptr : text.table->find(name);
+      const reference::Code* const code = text.table->find(name);
       const bool is_outside = code != nullptr && code->treatment == reference::Treatment::outside;
       const bool is_unclear_code =
           is_g_word(word) && (is_cut(word) || is_nearly_a_code(word) || code == nullptr);
@@ -175,6 +174,11 @@ std::optional<Number> plain_value(const TextWord& word) {
 
 bool is_writable(const Number& number, bool inch) {
   return (number * (inch ? 10'000 : 1'000)).to_int64().has_value();
+}
+
+bool has_room(const Number& number) {
+  constexpr int kMost = 9'000;
+  return abs(number) <= kMost;
 }
 
 std::optional<AlongAxis> axis_of(const TextWord& word, const TextBlock& block,

@@ -63,6 +63,9 @@ std::optional<Number> plain_value(const program::TextWord& word);
 // millimetres, four of inches.
 bool is_writable(const Number& number, bool inch);
 
+// Whether a word of the number has room: near the ends of their ranges words are refused.
+bool has_room(const Number& number);
+
 // The program in the other unit of length, by 1 inch = 127/5 mm: the same part.
 std::optional<Related> in_other_unit(const generate::GeneratedProgram& program);
 // The same numbers in the other unit of length: a similar part.

@@ -60,7 +60,7 @@ class ReturnMode {
   }
   void take(const TextBlock& block) {
     for (const std::string& name : block.codes) {
-      const Code* const code = name.empty() ? nullptr : table_.find(name);
+      const Code* const code = table_.find(name);
       if (code != nullptr && code->group == Group::retract) returns_ = code == initial_level_;
     }
   }

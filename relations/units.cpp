@@ -85,8 +85,6 @@ std::optional<bool> only_unit(const ProgramText& text, const Profile& profile) {
   return inch;
 }
 
-constexpr int kMost = 9'000;  // words near the ends of their ranges have no room
-
 Number other_unit(const Number& number, bool from_inch) {
   const Number inch = Number(127) / 5;
   return from_inch ? number * inch : number / inch;
@@ -95,7 +93,7 @@ Number other_unit(const Number& number, bool from_inch) {
 // Whether the dialect can write the number in a unit. RS274 counts no decimals; more than six are
 // below what anybody can tell.
 bool fits(const Number& number, bool inch, bool is_rs274) {
-  if (abs(number) > kMost) return false;
+  if (!has_room(number)) return false;
   return is_rs274 ? (number * 1'000'000).to_int64().has_value() : is_writable(number, inch);
 }
 
@@ -148,7 +146,7 @@ std::optional<Related> rewritten(const generate::GeneratedProgram& program, bool
     if (!is_run(block, profile)) continue;
     for (TextWord& word : block.words) {
       const std::string& name = block.code_of(word);
-      const Code* const code = name.empty() ? nullptr : text.table->find(name);
+      const Code* const code = text.table->find(name);
       const bool sets_unit =
           code != nullptr && (code->setting == Setting::inch || code->setting == Setting::metric);
       if (sets_unit && code->name != own->name) return std::nullopt;

@@ -69,7 +69,7 @@ bool WrittenPlaces::is_plain_motion(const TextBlock& block) const {
   return std::ranges::all_of(block.words, [&](const TextWord& word) {
     if (!program::is_word(word)) return true;
     const std::string& name = block.code_of(word);
-    const Code* const code = name.empty() ? nullptr : text_.table->find(name);
+    const Code* const code = text_.table->find(name);
     if (code == nullptr) {
       const std::optional<EndWord> end = end_word(block, word);
       const bool comes_again = end && ++words_along[end->axis] > 1;
@@ -85,7 +85,7 @@ bool WrittenPlaces::is_still(const TextBlock& block) const {
   return std::ranges::all_of(block.words, [&](const TextWord& word) {
     if (!program::is_word(word)) return true;
     const std::string& name = block.code_of(word);
-    const Code* const code = name.empty() ? nullptr : text_.table->find(name);
+    const Code* const code = text_.table->find(name);
     if (code != nullptr) return code->kind == Kind::dwell || is_harmless(*code);
     const std::string address = address_of(word);
     return address == "F" || address == "S" || (address == "P" && block.modes.is_of(Kind::dwell));
