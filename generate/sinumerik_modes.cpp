@@ -36,11 +36,12 @@ void SinumerikWriter::feed_mode_words(Words& words) {
   new_feed_mode_ = true;
   const std::uint32_t mode = choices_.below(16);
   const bool per_minute = mode < 8;
-  if (mode == 0 || mode == 15) {
-    words.push_back(per_minute && !is_802s() ? "G961" : per_minute ? "G94" : "G96");
-    if (words.back() != "G94") words.push_back("S120");
-  } else if (mode == 1 || mode == 14) {
-    words.push_back(per_minute && !is_802s() ? "G971" : per_minute ? "G94" : "G97");
+  const bool is_plain = per_minute && is_802s();  // which has G94 alone
+  if (!is_plain && (mode == 0 || mode == 15)) {
+    words.push_back(per_minute ? "G961" : "G96");
+    words.push_back("S120");
+  } else if (!is_plain && (mode == 1 || mode == 14)) {
+    words.push_back(per_minute ? "G971" : "G97");
   } else {
     words.push_back(per_minute ? "G94" : "G95");
   }

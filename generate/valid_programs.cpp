@@ -9,6 +9,7 @@
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/judge/program_input.hpp"
 #include "program/features.hpp"
+#include "program/lines.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::generate {
@@ -17,20 +18,12 @@ namespace {
 // Of a program; longer ones are of no use.
 constexpr std::size_t kMostItems = 5'000;
 
-// Lines with their ends.
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return lines;
-}
-
-std::string joined(const std::vector<std::string>& lines) {
+// The program without its line of this number, from 1. REQUIRES: it has one.
+std::string without_line(std::string_view program, std::uint64_t number) {
   std::string text;
-  for (const std::string& line : lines) text += line;
+  for (const program::ProgramLine& line : program::program_lines(program)) {
+    if (--number != 0) text.append(line.text).append(line.end);
+  }
   return text;
 }
 
@@ -87,8 +80,8 @@ ValidPrograms::ValidPrograms(const Generator& generator, ValidOptions options)
 void ValidPrograms::leave_out_features(GeneratedProgram& program) {
   if (options_.features.empty()) return;
   std::string kept;
-  for (const std::string& line : lines_of(program.text)) {
-    const std::string longer = kept + line;
+  for (const program::ProgramLine& line : program::program_lines(program.text)) {
+    const std::string longer = fmt::format("{}{}{}", kept, line.text, line.end);
     const std::set<std::string> needed = program::features_needed({program.profile, longer});
     if (std::ranges::includes(options_.features, needed)) {
       kept = longer;
@@ -101,13 +94,12 @@ void ValidPrograms::leave_out_features(GeneratedProgram& program) {
 
 // False: it is refused for something that no block is at fault for.
 bool ValidPrograms::leave_out_refused(GeneratedProgram& program) {
-  std::vector<std::string> lines = lines_of(program.text);
   while (const std::optional<Refusal> refusal = refusal_of(program, kMostItems)) {
-    if (refusal->block == 0 || refusal->block > lines.size()) return false;
+    const std::size_t lines = program::program_lines(program.text).size();
+    if (refusal->block == 0 || refusal->block > lines) return false;
     ++count_.left_out;
     ++count_.refused_by[refusal->why];
-    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(refusal->block - 1));
-    program.text = joined(lines);
+    program.text = without_line(program.text, refusal->block);
   }
   return true;
 }
@@ -119,9 +111,7 @@ std::optional<GeneratedProgram> ValidPrograms::of_seed(std::uint64_t seed) {
   ++count_.programs;
   count_.blocks += static_cast<std::size_t>(std::ranges::count(program.text, '\n'));
   leave_out_features(program);
-  const bool stands =
-      leave_out_refused(program) && has_block(program.text) && !refusal_of(program, kMostItems);
-  if (!stands) {
+  if (!leave_out_refused(program) || !has_block(program.text)) {
     ++count_.thrown_out;
     return std::nullopt;
   }
