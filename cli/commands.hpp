@@ -29,6 +29,7 @@ void add_ci(Command& program);
 void add_reduce(Command& program);
 void add_identify(Command& program);
 void add_generate(Command& program);
+void add_signs(Command& program);
 // These two describe every command that was added, themselves among them.
 void add_completion(CommandLine& line);
 void add_man(CommandLine& line);

@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   add_reduce(program);
   add_identify(program);
   add_generate(program);
+  add_signs(program);
   add_completion(line);
   add_man(line);
   return line.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "expanders/registry.hpp"
+#include "fuzz/targets/sign_counters.hpp"
 #include "fuzz/targets/target.hpp"
 #include "generate/generator.hpp"
 #include "generate/program_report.hpp"
@@ -50,6 +51,7 @@ bool runs_alone() {
 void check(oracle::Subject& subject, const reference::Profile& profile, std::string_view program,
            std::size_t most_records) {
   if (runs_alone()) return oracle::run_alone(subject, profile, program, most_records);
+  const SignCounters counters;
   const auto verdict = oracle::run_and_judge(subject, profile, program, most_records);
   if (judge_is_blind()) return;
   if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go &&

@@ -2,6 +2,7 @@
 //
 // GSK-COM-05 without arcs: G00, G01, G04, G28, G50.
 #include "reference/gsk988ta/machine.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::gsk988ta {
 
@@ -70,7 +71,7 @@ void run_dwell(BlockContext& block) {
   record.clause = "GSK-COM-05"_clause;
   record.seconds = words.written(address);
   if (address == 'P') record.seconds = record.seconds / 1000;
-  if (record.seconds.sign() < 0) {
+  if (decided("GSK-COM-12"_clause, "P", record.seconds) < 0) {
     block.alarm(AlarmClass::value_sign, "GSK-COM-12"_clause, address,
                 "A dwell cannot be negative.");
   }

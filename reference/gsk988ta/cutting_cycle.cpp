@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gsk988ta/cutting_cycle.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <fmt/format.h>
 
 namespace gonogo::reference::gsk988ta {
@@ -51,7 +53,8 @@ Number cut_end_point(const BlockContext& block, Axis axis) {
 
 void check_taper(BlockContext& block, const Number& travel, ClauseId clause) {
   const Number& taper = block.machine.cut.taper;
-  if (taper.sign() * travel.sign() >= 0 || abs(taper) <= abs(travel)) return;
+  if (decided(clause, "R * travel", taper.sign() * travel.sign()) >= 0) return;
+  if (decided(clause, "abs(R) - abs(travel)", abs(taper), abs(travel)) <= 0) return;
   block.alarm(
       AlarmClass::taper_limit, clause, 'R',
       fmt::format("R {} is larger than the opposite travel {}.", taper.text(), travel.text()));

@@ -5,6 +5,7 @@
 
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/pocket_paths.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -74,7 +75,8 @@ Generator<Item> mill(Pocket pocket) {
 void check_tool(BlockContext& block) {
   check_tool_radius(block, "GSK-G110-03"_clause);
   const MillingMode& mode = block.machine.milling;
-  if (mode.step && mode.tool && *mode.step >= *mode.tool * 2) {
+  if (mode.step && mode.tool &&
+      decided("GSK-G110-03"_clause, "L - 2 D", *mode.step, *mode.tool * 2) >= 0) {
     block.alarm(AlarmClass::step_too_large, "GSK-G110-03"_clause, 'L',
                 fmt::format("The step {} is not smaller than the tool diameter {}.",
                             mode.step->text(), (*mode.tool * 2).text()));

@@ -10,6 +10,7 @@
 
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -47,13 +48,14 @@ struct ThreadWords {
 
 // GSK-G114-03, GSK-G114-15
 void check_tool(BlockContext& block, const ThreadWords& words) {
-  if (words.height && words.tool && *words.height > *words.tool) {
+  if (words.height && words.tool &&
+      decided("GSK-G114-03"_clause, "P - D", *words.height, *words.tool) > 0) {
     block.alarm(AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
                 fmt::format("The thread height {} is larger than the tool radius {}.",
                             words.height->text(), words.tool->text()));
   }
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
-  if (*words.diameter / 2 <= *words.tool) {
+  if (decided("GSK-G114-15"_clause, "E / 2 - D", *words.diameter / 2, *words.tool) <= 0) {
     block.alarm(AlarmClass::tool_too_large, "GSK-G114-15"_clause, 'D',
                 fmt::format("The tool radius {} is not smaller than the radius {} of the bore.",
                             words.tool->text(), (*words.diameter / 2).text()));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "reference/gsk988ta/cutting_cycle.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
@@ -77,7 +78,7 @@ void run_g92(BlockContext& block) {
   if (has_run_out(block, runs) || !runs) return;
 
   const Number lead = lead_of(block);
-  if (lead.sign() <= 0) {
+  if (decided("GSK-G92-03"_clause, "F", lead) <= 0) {
     block.alarm(AlarmClass::lead_missing, "GSK-G92-03"_clause, 'F',
                 "The block cuts a thread, but no lead is in force.");
   }

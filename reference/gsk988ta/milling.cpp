@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "reference/predicate.hpp"
+
 namespace gonogo::reference::gsk988ta {
 namespace {
 
@@ -123,13 +125,13 @@ void position_only(BlockContext& block) {
 
 void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause) {
   const Number r = site.r_plane - site.initial_plane;
-  if (r.sign() * site.travel.sign() >= 0) return;
+  if (decided(clause, "R * depth", r.sign() * site.travel.sign()) >= 0) return;
   block.alarm(AlarmClass::direction_conflict, clause, 'R',
               "R leads away from the bottom to be milled.");
 }
 
 void check_depth(BlockContext& block, const MillingSite& site) {
-  if (site.depth().sign() != 0) {
+  if (decided("GSK-G110-17"_clause, "depth", site.travel) != 0) {
     block.need_feed();
   } else if (block.readings.is(ReadingKey::zero_depth, "alarm")) {
     block.alarm(AlarmClass::value_out_of_range, "GSK-G110-17"_clause,
@@ -142,14 +144,15 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
   for (const NeededWord& word : words) {
     if (!word.value) {
       block.missing(missing, word.address);
-    } else if (mills && word.value->sign() <= 0) {
+      continue;
+    }
+    // GSK-G110-19: a radius of the tool of zero is in the range of the table.
+    const bool is_bare_tool =
+        word.address == 'D' && block.machine.milling.family() != CycleFamily::thread;
+    const ClauseId clause = is_bare_tool ? "GSK-G110-19"_clause : word.positive.value_or(positive);
+    if (mills && decided(clause, {&word.address, 1}, *word.value) <= 0) {
       const bool here = block.words.has(word.address);
-      // GSK-G110-19: a radius of the tool of zero is in the range of the table.
-      const bool is_bare_tool =
-          word.address == 'D' && block.machine.milling.family() != CycleFamily::thread;
-      block.alarm(AlarmClass::value_out_of_range,
-                  is_bare_tool ? "GSK-G110-19"_clause : word.positive.value_or(positive),
-                  word.address,
+      block.alarm(AlarmClass::value_out_of_range, clause, word.address,
                   here ? fmt::format("{} must be above zero.", word.address)
                        : fmt::format("The retained {} is not above zero.", word.address));
     }
@@ -158,7 +161,8 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
 
 void check_tool_radius(BlockContext& block, ClauseId clause) {
   const MillingMode& mode = block.machine.milling;
-  if (!mode.radius || !mode.tool || *mode.radius > *mode.tool) return;
+  if (!mode.radius || !mode.tool) return;
+  if (decided(clause, "I - D", *mode.radius, *mode.tool) > 0) return;
   block.alarm(AlarmClass::tool_too_large, clause, 'I',
               fmt::format("The pocket radius {} is not larger than the tool radius {}.",
                           mode.radius->text(), mode.tool->text()));

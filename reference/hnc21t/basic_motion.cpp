@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/hnc21t/machine.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::hnc21t {
 
@@ -109,7 +110,7 @@ void run_dwell(BlockContext& block) {
   record.block = block.line;
   record.clause = "HNC-COM-01"_clause;
   record.seconds = block.words.written('P') / 1000;
-  if (record.seconds.sign() < 0) {
+  if (decided("HNC-COM-04"_clause, "P", record.seconds) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P', "A dwell cannot be negative.");
   }
   block.put(std::move(record));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "reference/hnc21t/cycle.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {
@@ -13,13 +14,13 @@ namespace {
 // HNC-G82-05, HNC-G82-06: Q and the number of starts, in every block that writes them.
 void check_thread_words(BlockContext& block) {
   const BlockWords& words = block.words;
-  if (words.has('Q') && words.written('Q').sign() < 0) {
+  if (words.has('Q') && decided("HNC-G82-05"_clause, "Q", words.written('Q')) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-G82-05"_clause, 'Q',
                 "The acceleration constant of the run-out is negative.");
   }
   if (!words.has('C')) return;
   const Number starts = words.written('C');
-  if (starts.sign() < 0) {
+  if (decided("HNC-G82-06"_clause, "C", starts) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-G82-06"_clause, 'C',
                 "The number of starts is negative.");
   }
@@ -66,8 +67,11 @@ void check_ratio(BlockContext& block, const RunOut& run_out, const Number& c_z) 
   const Number travel_z = abs(c_z - block.machine.position[Axis::z]);
   const Number x = abs(run_out.along_x);
   const Number z = abs(run_out.along_z);
-  const bool long_z = travel_z >= travel_x;
-  if ((long_z ? x : z) <= (long_z ? z : x) * 20) return;
+  const bool long_z =
+      decided("HNC-G82-08"_clause, "abs(travel Z) - abs(travel X)", travel_z, travel_x) >= 0;
+  const Number& across = long_z ? x : z;
+  const Number& along = long_z ? z : x;
+  if (decided("HNC-G82-04"_clause, "short - 20 long", across, along * 20) <= 0) return;
   block.alarm(AlarmClass::retract_ratio, "HNC-G82-04"_clause, block.words.has('E') ? 'E' : 'R',
               fmt::format("The run-out along {} is more than 20 times that along {}.",
                           long_z ? 'X' : 'Z', long_z ? 'Z' : 'X'));
@@ -77,7 +81,7 @@ void check_ratio(BlockContext& block, const RunOut& run_out, const Number& c_z) 
 Number passes_of(BlockContext& block) {
   const CommandWords& command = block.machine.command;
   const Number starts = command.c.value_or(0);
-  if (starts <= Number(1) || starts != starts.floor()) return 1;
+  if (decided("HNC-G82-06"_clause, "C - 1", starts, 1) <= 0 || starts != starts.floor()) return 1;
   if (!command.p) {
     block.missing("HNC-G82-11"_clause, 'P');
     return 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hnc21t/pecking.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <fmt/format.h>
 
 namespace gonogo::reference::hnc21t {
@@ -49,12 +51,13 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
   plunge.clause = clauses.pecks;
   plunge.step = lengths.step;
   plunge.withdrawal = lengths.withdrawal;
-  if (depth <= plunge.step) return;  // one peck, and no withdrawal
+  if (decided(clauses.pecks, "depth - Q", depth, plunge.step) <= 0)
+    return;  // one peck, and no withdrawal
   plunge.pecks = (depth / plunge.step).ceil();
   plunge.from_withdrawn = counts_from_withdrawn(block, plunge, depth);
   if (plunge.from_withdrawn) {
     const Number gain = plunge.step - plunge.withdrawal;
-    if (gain.sign() <= 0) {
+    if (decided(clauses.pecks, "Q - R", gain) <= 0) {
       block.alarm(AlarmClass::value_out_of_range, clauses.pecks, 'R',
                   fmt::format("Withdrawals of {} mm between pecks of {} mm never reach the bottom.",
                               plunge.withdrawal.text(), plunge.step.text()));
@@ -63,8 +66,8 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
     plunge.pecks = ((depth - plunge.withdrawal) / gain).ceil();
   }
   // HNC-G74-04: the first withdrawal is the one that may pass A.
-  plunge.clamped =
-      plunge.withdrawal > plunge.step && block.readings.is(ReadingKey::hnc_peck_clamp, "start");
+  plunge.clamped = decided("HNC-G74-04"_clause, "R - Q", plunge.withdrawal, plunge.step) > 0 &&
+                   block.readings.is(ReadingKey::hnc_peck_clamp, "start");
   plunge.withdraws_at_feed = block.readings.is(ReadingKey::hnc_peck_withdraw, "feed");
 }
 
@@ -88,7 +91,8 @@ void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& cla
 }
 
 void check_sign(BlockContext& block, ClauseId clause, char address, int least, const char* what) {
-  if (!block.words.has(address) || block.words.written(address).sign() >= least) return;
+  if (!block.words.has(address)) return;
+  if (decided(clause, {&address, 1}, block.words.written(address)) >= least) return;
   block.alarm(AlarmClass::value_sign, clause, address,
               fmt::format("{} is not a valid {}.", text_of(*block.words.word(address)), what));
 }

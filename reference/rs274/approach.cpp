@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/approach.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <algorithm>
 
 namespace gonogo::reference::rs274 {
@@ -55,7 +57,8 @@ class Way {
 Approach at_current_level(const HoleAhead& ahead) {
   const Number& r = ahead.r_plane();
   Way way(ahead.block);
-  if (way.level() < r) way.to_level(r, "NGC-CYC-11"_clause);
+  if (decided("NGC-CYC-11"_clause, "tool - R", way.level(), r) < 0)
+    way.to_level(r, "NGC-CYC-11"_clause);
   way.end_lift();
   way.across(ahead.hole, "NGC-CYC-12"_clause);
   way.to_level(r, "NGC-CYC-12"_clause);
@@ -67,9 +70,10 @@ Approach at_current_level(const HoleAhead& ahead) {
 Approach at_initial_level(const HoleAhead& ahead, const Number& initial, const Number& clear) {
   const Number& r = ahead.r_plane();
   Way way(ahead.block);
-  if (initial < r) way.to_level(r, "NGC-CYC-11"_clause);
+  if (decided("NGC-CYC-11"_clause, "initial - R", initial, r) < 0)
+    way.to_level(r, "NGC-CYC-11"_clause);
   way.end_lift();
-  if (way.level() > r) {
+  if (decided("NGC-CYC-12"_clause, "tool - R", way.level(), r) > 0) {
     way.across(ahead.hole, "NGC-CYC-12"_clause);
   } else {
     way.slanting(ahead.hole, clear, "NGC-CYC-12"_clause);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G0, G1 and G4.
+#include "reference/predicate.hpp"
 #include "reference/rs274/machine.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -64,7 +65,7 @@ void run_dwell(BlockContext& block) {
   record.block = block.line;
   record.clause = "NGC-G4-01"_clause;
   record.seconds = block.words.written('P');
-  if (record.seconds.sign() < 0) {
+  if (decided("NGC-G4-01"_clause, "P", record.seconds) < 0) {
     block.alarm(AlarmClass::value_sign, "NGC-G4-01"_clause, 'P', "A dwell cannot be negative.");
   }
   block.put(std::move(record));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/predicate.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -30,14 +31,15 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
   if (words().r && words().depth) {
     levels_ = read_levels();
     // NGC-CYC-07
-    if (levels_->r_plane < levels_->bottom) {
+    if (decided("NGC-CYC-07"_clause, "R - bottom", levels_->r_plane, levels_->bottom) < 0) {
       block_.alarm(AlarmClass::reference_plane, "NGC-CYC-07"_clause, 'R',
                    fmt::format("R {} lies below the bottom of the hole {}.",
                                levels_->r_plane.text(), levels_->bottom.text()));
     }
   }
   // NGC-CYC-20
-  if (block_.machine.feed.sign() <= 0 && block_.readings.is(ReadingKey::ngc_cycle_feed, "needed")) {
+  if (decided("NGC-CYC-20"_clause, "F", block_.machine.feed) <= 0 &&
+      block_.readings.is(ReadingKey::ngc_cycle_feed, "needed")) {
     block_.need_feed("NGC-CYC-20"_clause);
   }
 }
@@ -62,11 +64,11 @@ void HoleBlock::take_own_word() {
   std::optional<Number>& in_force = is_q ? cycle.words.q : cycle.words.p;
   if (block_.words.has(address)) {
     in_force = block_.words.written(address);
-    if (is_q && in_force->sign() <= 0) {
+    if (is_q && decided("NGC-CYC-22"_clause, "Q", *in_force) <= 0) {
       block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'Q',
                    "The depth of a peck is not above zero.");
       note_late(Found::over_the_hole);
-    } else if (in_force->sign() < 0) {
+    } else if (!is_q && decided("NGC-CYC-22"_clause, "P", *in_force) < 0) {
       block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'P', "A dwell cannot be negative.");
     }
   }
@@ -99,7 +101,7 @@ Number HoleBlock::repeats() {
   if (!is_whole) {
     block_.alarm(AlarmClass::not_an_integer, clause, 'L', "The number of holes is not whole.");
   }
-  const int sign = is_whole ? count.nearest().sign() : written.sign();
+  const int sign = decided(clause, "L", is_whole ? count.nearest() : written);
   if (sign < 0) {
     block_.alarm(AlarmClass::value_sign, clause, 'L', "The number of holes is below zero.");
   } else if (sign == 0) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/pecking.hpp"
 
+#include "reference/predicate.hpp"
+
 namespace gonogo::reference::rs274 {
 namespace {
 
@@ -14,7 +16,8 @@ const Number kQuarter = Number::millionths(250'000);  // of a second
 }  // namespace
 
 PeckBlock::PeckBlock(BlockContext& block) : holes_(block, OwnWord::needs_q) {
-  if (has_clearance_word(block) && block.words.written('D').sign() < 0) {
+  if (has_clearance_word(block) &&
+      decided("NGC-G83-08"_clause, "D", block.words.written('D')) < 0) {
     block.alarm(AlarmClass::value_sign, "NGC-G83-08"_clause, 'D',
                 "The clearance above the last peck is below zero.");
   }

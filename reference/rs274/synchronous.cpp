@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/synchronous.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <fmt/format.h>
 
 namespace gonogo::reference::rs274 {
@@ -22,7 +24,7 @@ void check_lead(BlockContext& block) {
   if (!block.words.has('K')) {
     block.alarm(AlarmClass::lead_missing, "NGC-G33-02"_clause, 'K',
                 "K, the lead, is needed in every block.");
-  } else if (block.words.written('K').sign() <= 0 &&
+  } else if (decided("NGC-G33-05"_clause, "K", block.words.written('K')) <= 0 &&
              block.readings.is(ReadingKey::ngc_g33_k, "positive")) {
     block.alarm(AlarmClass::value_sign, "NGC-G33-05"_clause, 'K', "The lead is not above zero.");
   }

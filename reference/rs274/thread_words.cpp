@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/predicate.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -30,6 +31,9 @@ class Reader {
   bool forgives() const { return block_.readings.is(ReadingKey::ngc_g76_checks, "linuxcnc"); }
   void refuse(AlarmClass alarm, char address, std::string_view what) {
     block_.alarm(alarm, "NGC-G76-03"_clause, address, std::string(what));
+  }
+  int decides(std::string_view what, const Number& value) const {
+    return decided("NGC-G76-03"_clause, what, value);
   }
   // A length, or a number; 0 where there is none.
   Number length(char address) const { return words_.length(address).value_or(0); }
@@ -75,20 +79,20 @@ void Reader::read_depths() {
   read_.peak = length('I');
   read_.first_depth = length('J');
   read_.full_depth = length('K');
-  if (words_.has('P') && read_.lead.sign() <= 0 && !forgives()) {
+  if (words_.has('P') && decides("P", read_.lead) <= 0 && !forgives()) {
     refuse(AlarmClass::value_sign, 'P', "The lead is not above zero.");
   }
-  if (words_.has('I') && read_.peak.sign() == 0) {
+  if (words_.has('I') && decides("I", read_.peak) == 0) {
     refuse(AlarmClass::value_out_of_range, 'I', "I says outside or inside by its sign.");
   }
-  if (words_.has('J') && read_.first_depth.sign() <= 0) {
+  if (words_.has('J') && decides("J", read_.first_depth) <= 0) {
     refuse(AlarmClass::value_sign, 'J', "The depth of the first pass is not above zero.");
   }
   if (!words_.has('K')) return;
-  if (read_.full_depth.sign() < 0 && !forgives()) {
+  if (decides("K", read_.full_depth) < 0 && !forgives()) {
     refuse(AlarmClass::value_sign, 'K', "The depth of the thread is below zero.");
   }
-  if (words_.has('J') && read_.full_depth <= read_.first_depth) {
+  if (words_.has('J') && decides("K - J", read_.full_depth - read_.first_depth) <= 0) {
     refuse(AlarmClass::value_out_of_range, 'K', "The thread is not deeper than its first pass.");
   }
 }
@@ -107,21 +111,21 @@ void Reader::read_spring_passes() {
   const std::optional<Number> count = whole('H');
   if (!count) return;
   read_.spring_passes = *count;
-  if (count->sign() >= 0) return;
+  if (decides("H", *count) >= 0) return;
   if (*count == -1 && forgives()) return;
   refuse(AlarmClass::value_sign, 'H', "The number of spring passes is below zero.");
 }
 
 void Reader::read_taper() {
   read_.taper = length('E');
-  if (read_.taper.sign() < 0) {
+  if (decides("E", read_.taper) < 0) {
     if (!forgives()) refuse(AlarmClass::value_sign, 'E', "The length of the taper is below zero.");
     read_.taper = 0;
   }
   read_taper_ends();
   if (read_.enters_by_taper()) read_entry();
   const bool tapers = read_.taper_at_start || read_.taper_at_end;
-  if (tapers && read_.taper * 2 > abs(travel()) && !forgives()) {
+  if (tapers && decides("2 E - abs(travel)", read_.taper * 2 - abs(travel())) > 0 && !forgives()) {
     refuse(AlarmClass::value_out_of_range, 'E', "The taper is longer than half of the thread.");
   }
 }
@@ -130,8 +134,8 @@ void Reader::read_taper() {
 void Reader::read_taper_ends() {
   std::optional<Number> ends = whole('L');
   if (!ends) return;
-  const bool is_above = *ends > 3;
-  if (ends->sign() < 0 || (is_above && !forgives())) {
+  const bool is_above = decides("L - 3", *ends - 3) > 0;
+  if (decides("L", *ends) < 0 || (is_above && !forgives())) {
     refuse(AlarmClass::value_out_of_range, 'L', "L is 0, 1, 2 or 3.");
     return;
   }
@@ -155,7 +159,7 @@ void Reader::read_entry() {
 void Reader::read_degression() {
   if (!words_.has('R')) return;
   Number degression = words_.written('R');
-  if (degression < 1) {
+  if (decides("R - 1", degression - 1) < 0) {
     if (!forgives()) refuse(AlarmClass::value_out_of_range, 'R', "The degression is below 1.");
     degression = 1;
   }

@@ -3,6 +3,8 @@
 // G2 and G3: the plane of an arc, its form, and the turns of a helix.
 #include "reference/sinumerik/arc.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <fmt/format.h>
 
 namespace gonogo::reference::sinumerik {
@@ -40,7 +42,8 @@ std::optional<int> more_turns(BlockContext& block) {
                 "The number of turns is not whole.");
     return std::nullopt;
   }
-  if (turns.sign() < 0 || turns > Number(kMostTurns)) {
+  if (decided(clause, "TURN", turns) < 0 ||
+      decided(clause, "TURN - 999", turns, Number(kMostTurns)) > 0) {
     block.alarm(AlarmClass::value_out_of_range, clause, WordName("TURN"),
                 "The number of turns is from 0 to 999.");
     return std::nullopt;
@@ -63,8 +66,9 @@ Address check_centre_words(BlockContext& block, const PlaneAxes& axes) {
 bool check_angle(BlockContext& block) {
   if (!block.words.has(Address::ar)) return true;
   const Number& angle = block.words.written(Address::ar);
-  if (angle.sign() > 0 && angle < Number(360)) return true;
-  block.alarm(AlarmClass::value_out_of_range, "SIE-ARC-05"_clause, WordName("AR"),
+  const ClauseId clause = "SIE-ARC-05"_clause;
+  if (decided(clause, "AR", angle) > 0 && decided(clause, "AR - 360", angle, 360) < 0) return true;
+  block.alarm(AlarmClass::value_out_of_range, clause, WordName("AR"),
               "The angle of an arc is above 0 and below 360 degrees.");
   return false;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The forms of an arc: its centre I J K, CR=, AR=.
+#include "reference/predicate.hpp"
 #include "reference/sinumerik/arc.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -42,7 +43,7 @@ ArcCentre programmed_centre(const BlockContext& block, const ArcCommand& arc) {
 std::optional<FoundArc> arc_by_radius(BlockContext& block, const ArcCommand& arc) {
   const Number radius = block.words.length(Address::cr);
   const WordName word("CR");
-  if (radius.sign() == 0) {
+  if (decided("SIE-ARC-04"_clause, "CR", radius) == 0) {
     block.alarm(AlarmClass::arc_radius, "SIE-ARC-04"_clause, word, "The radius is zero.");
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 // G0, G1 and G4, and how motions are put out.
 #include <fmt/format.h>
 
+#include "reference/predicate.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -173,7 +174,8 @@ void run_dwell(BlockContext& block) {
     return;
   }
   for (const Address address : {Address::f, Address::s}) {
-    if (words.has(address) && words.written(address).sign() < 0) {
+    if (words.has(address) &&
+        decided(kUnsaidDwell, address == Address::f ? "F" : "S", words.written(address)) < 0) {
       block.alarm(AlarmClass::value_sign, kUnsaidDwell, name_of(address),
                   "A dwell cannot be negative.");
     }
@@ -188,13 +190,13 @@ void run_dwell(BlockContext& block) {
   if (address == Address::f) {
     record.seconds = amount;
   } else if (block.machine.turns_unknown && block.out.alarms.empty()) {
-    block.out.not_covered =
-        NotCovered{block.line, "G4",
-                   "How fast the spindle turns under a constant cutting speed is not known, nor how "
-                   "long revolutions of it take.",
-                   words.place_of('S').value_or(words.behind())};
+    block.out.not_covered = NotCovered{
+        block.line, "G4",
+        "How fast the spindle turns under a constant cutting speed is not known, nor how "
+        "long revolutions of it take.",
+        words.place_of('S').value_or(words.behind())};
     return;
-  } else if (block.machine.speed.sign() > 0) {
+  } else if (decided(kUnsaidDwell, "speed", block.machine.speed) > 0) {
     record.seconds = amount * 60 / block.machine.speed;
   } else {
     block.alarm(AlarmClass::spindle_stopped, kUnsaidDwell, 'S',

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/sinumerik/cycle.hpp"
 
+#include "reference/predicate.hpp"
+
 #include <fmt/format.h>
 
 namespace gonogo::reference::sinumerik {
@@ -39,19 +41,20 @@ void CycleCall::parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t
 
 void check_planes(const CycleCall& call) {
   const ClauseId clause = "SIE-LC82-02"_clause;
-  if (call.retract() < call.clearance()) {
-    const bool is_above_reference = call.retract() >= call.parameter(103);
+  if (decided(clause, "R101 - R103 - R102", call.retract(), call.clearance()) < 0) {
+    const bool is_above_reference =
+        decided("SIE-LC82-04"_clause, "R101 - R103", call.retract(), call.parameter(103)) >= 0;
     call.parameter_alarm(
         AlarmClass::reference_plane, is_above_reference ? "SIE-LC82-04"_clause : clause, 101,
         fmt::format("The retract plane R101 = {} lies below the clearance {} above the "
                     "reference plane.",
                     call.retract().text(), call.clearance().text()));
   }
-  if (call.parameter(102).sign() < 0) {
+  if (decided("SIE-LC82-04"_clause, "R102", call.parameter(102)) < 0) {
     call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
                          "The safety clearance R102 is below zero.");
   }
-  if (call.parameter(104) >= call.parameter(103)) {
+  if (decided(clause, "R104 - R103", call.parameter(104), call.parameter(103)) >= 0) {
     call.parameter_alarm(AlarmClass::reference_plane, clause, 104,
                          "The depth R104 is not below the reference plane R103.");
   }

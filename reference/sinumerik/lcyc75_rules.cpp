@@ -3,6 +3,7 @@
 // SIE-LC75-03, SIE-LC75-08, SIE-LC75-09: what LCYC75 needs, in the order of its parameters.
 #include <fmt/format.h>
 
+#include "reference/predicate.hpp"
 #include "reference/sinumerik/lcyc75.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -57,26 +58,32 @@ void check_tool(const CycleCall& call) {
   }
 }
 
+// The sign of R`number`.
+int sign_of(const CycleCall& call, ClauseId clause, std::uint64_t number) {
+  return decided(clause, fmt::format("R{}", number), call.parameter(number));
+}
+
 void need_not_negative(const CycleCall& call, std::uint64_t number) {
-  if (call.parameter(number).sign() >= 0) return;
+  if (sign_of(call, kUnsaid, number) >= 0) return;
   call.parameter_alarm(AlarmClass::value_sign, kUnsaid, number,
                        fmt::format("R{} is below zero.", number));
 }
 
 void check_sizes(const CycleCall& call) {
   for (const std::uint64_t number : {118U, 119U}) {
-    if (call.parameter(number).sign() > 0) continue;
+    if (sign_of(call, kRanges, number) > 0) continue;
     call.parameter_alarm(AlarmClass::pocket_size, kRanges, number,
                          fmt::format("R{} is not above zero.", number));
   }
   need_not_negative(call, 120);
   const Number widest = min(call.parameter(118), call.parameter(119)) / 2;
-  if (call.parameter(120) > widest && widest.sign() > 0 &&
+  if (widest.sign() > 0 &&
+      decided(kRanges, "R120 - half the pocket", call.parameter(120), widest) > 0 &&
       call.block.readings.is(ReadingKey::sie_corner, "reject")) {
     call.parameter_alarm(AlarmClass::pocket_size, kRanges, 120,
                          "The corner radius R120 is larger than half the pocket.");
   }
-  if (call.parameter(121).sign() <= 0) {
+  if (sign_of(call, kUnsaid, 121) <= 0) {
     call.parameter_alarm(AlarmClass::value_sign, kUnsaid, 121,
                          "The infeed R121 is not above zero.");
   }
@@ -84,7 +91,7 @@ void check_sizes(const CycleCall& call) {
 
 void check_feeds(const CycleCall& call) {
   for (const std::uint64_t number : {122U, 123U}) {
-    if (call.parameter(number).sign() > 0) continue;
+    if (sign_of(call, kRanges, number) > 0) continue;
     call.parameter_alarm(AlarmClass::feed_missing, kRanges, number,
                          fmt::format("The feed R{} is not above zero.", number));
   }
@@ -92,18 +99,19 @@ void check_feeds(const CycleCall& call) {
 
 void check_allowances(const CycleCall& call, const std::optional<Number>& radius) {
   need_not_negative(call, 124);
-  if (radius && call.parameter(124) >= *radius * 2) {
+  if (radius && decided(kRanges, "R124 - tool", call.parameter(124), *radius * 2) >= 0) {
     call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 124,
                          "The allowance R124 is not smaller than the tool.");
   }
   need_not_negative(call, 125);
-  if (radius && call.parameter(125) >= *radius * 2 &&
+  if (radius && decided(kRanges, "R125 - tool", call.parameter(125), *radius * 2) >= 0 &&
       call.block.readings.is(ReadingKey::sie_lc75_r125_limit, "alarm")) {
     call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
                          "The allowance R125 is not smaller than the tool.");
   }
   const Number depth = call.parameter(103) - call.parameter(104);
-  if (roughs(call) && depth.sign() > 0 && call.parameter(125) >= depth) {
+  if (roughs(call) && depth.sign() > 0 &&
+      decided(kUnsaid, "R125 - depth", call.parameter(125), depth) >= 0) {
     call.parameter_alarm(AlarmClass::allowance_too_large, kUnsaid, 125,
                          "The allowance R125 leaves nothing to be roughed.");
   }
@@ -115,7 +123,8 @@ void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
   const Number needs = roughs(call) ? *radius + call.parameter(124) : *radius;
   for (const std::uint64_t number : {118U, 119U}) {
     const Number size = call.parameter(number);
-    if (size.sign() <= 0 || needs * 2 <= size) continue;
+    if (size.sign() <= 0) continue;
+    if (decided("SIE-LC75-08"_clause, "tool - pocket", needs * 2, size) <= 0) continue;
     call.parameter_alarm(AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
                          fmt::format("The tool does not fit into R{}.", number));
   }

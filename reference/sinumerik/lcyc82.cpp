@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // LCYC82: drilling and counterboring with a dwell, where the tool stands.
+#include "reference/predicate.hpp"
 #include "reference/sinumerik/cycle.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -11,11 +12,11 @@ void run_lcyc82(const CycleCall& call) {
   check_planes(call);
   // SIE-LC82-03
   const Number dwell = call.parameter(105);
-  if (dwell.sign() < 0) {
+  if (decided("SIE-LC82-04"_clause, "R105", dwell) < 0) {
     call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 105,
                          "The dwell R105 is below zero.");
   }
-  if (block.machine.feed.sign() == 0) {
+  if (decided("SIE-LC82-03"_clause, "F", block.machine.feed) == 0) {
     call.alarm(AlarmClass::feed_missing, "SIE-LC82-03"_clause, 'F', "No feed is in force.");
   }
   need_spindle(block);

@@ -3,6 +3,7 @@
 // End points, Cartesian and polar, and the pole.
 #include <fmt/format.h>
 
+#include "reference/predicate.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -27,12 +28,13 @@ void move_axis(EndPoint& end, Axis axis, const AxisWord& word, const Number& fro
 bool check_ranges(BlockContext& block) {
   const BlockWords& words = block.words;
   bool kept = true;
-  if (words.has(Address::rp) && words.written(Address::rp).sign() < 0) {
+  if (words.has(Address::rp) && decided(kRules, "RP", words.written(Address::rp)) < 0) {
     block.alarm(AlarmClass::value_sign, kRules, WordName("RP"),
                 "A polar radius is not below zero.");
     kept = false;
   }
-  if (words.has(Address::ap) && exact::abs(words.written(Address::ap)) > Number(360)) {
+  if (words.has(Address::ap) &&
+      decided(kRules, "abs(AP) - 360", exact::abs(words.written(Address::ap)), 360) > 0) {
     block.alarm(AlarmClass::value_out_of_range, kRules, WordName("AP"),
                 "A polar angle is from -360 to 360 degrees.");
     kept = false;
