@@ -36,7 +36,8 @@ void expand_case(const oracle::Case& test) {
 }  // namespace
 
 void SignCounter::note(reference::ClauseId clause, std::string_view what, int sign) {
-  ++counts_[{clause, std::string(what)}][static_cast<std::size_t>(sign + 1)];
+  const std::size_t place = sign < 0 ? 0 : sign == 0 ? 1 : 2;
+  ++counts_[{clause, std::string(what)}][place];
 }
 
 SignCounter::Counts signs_of_corpus(const oracle::Corpus& corpus, std::string_view dialect) {
