@@ -48,8 +48,7 @@ std::map<std::string, report::CorpusCase> programs_of(const Corpus* corpus, cons
     const auto test = reader.next();
     if (!test) break;
     bytes += test->program.size() + test->comment.size();
-    programs[test->id] = {test->dialect, test->comment,
-                          Json::parse(reference::profile_json(test->profile)),
+    programs[test->id] = {test->dialect, test->comment, Json::object(),
                           program_json(test->program)};
   }
   return programs;
@@ -80,7 +79,7 @@ class Writers {
       const CaseRow row = case_row(head);
       if (is_told_by_head(row)) {
         junit_.add(row, nullptr);
-        if (row.kind != VerdictKind::skip) add_pass(head.id);
+        if (row.kind != VerdictKind::skip && has_room_for_passes_) add_pass(head.id);
       } else {
         write_whole(reader_.json());
       }
@@ -102,9 +101,14 @@ class Writers {
   }
 
  private:
+  // A line names the profile that its case was judged under, which a run's profile or reading may
+  // have made another than the corpus's.
   void add_pass(const std::string& id) {
-    const auto program = programs_of_passes_.find(id);
-    if (program != programs_of_passes_.end()) page_.add_pass(program->second);
+    const auto found = programs_of_passes_.find(id);
+    if (found == programs_of_passes_.end()) return;
+    report::CorpusCase test = found->second;
+    test.profile = reader_.json().value("profile", Json::object());
+    has_room_for_passes_ = page_.add_pass(test);
   }
   void write_whole(const Json& line) {
     const CaseRow row = case_row(line);
@@ -125,6 +129,7 @@ class Writers {
   report::Summary summary_;
   std::map<std::string, report::CorpusCase> programs_of_passes_;
   const Finding* finding_ = nullptr;  // of the line read last
+  bool has_room_for_passes_ = true;
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace gonogo::oracle::report {
 // The bytes of a case's program; nothing when the line has none.
 std::optional<std::string> program_bytes(const Json& line);
 
-// A case as it stands in the corpus.
+// A case of the corpus, and the profile that it was judged under.
 struct CorpusCase {
   std::string dialect;
   std::string comment;

@@ -11,6 +11,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
+import { inflateRawSync } from 'node:zlib';
 import Ajv from 'ajv';
 import Ajv2020 from 'ajv/dist/2020.js';
 
@@ -171,4 +172,17 @@ test('the schemas of SARIF, JUnit and badge refuse what is none', () => {
   writeFileSync(broken, read(join(realRun(), 'junit.xml')).replace(/ tests="\d+"/, ''));
   assert.throws(() => validXml(broken));
   assert.equal(badge({ schemaVersion: 1, label: 'gonogo' }), false);
+});
+
+// Alone, G80 beside G81 is an alarm; forgotten, it leaves G81: two holes of three motions each.
+test('a case that passed is drawn under the readings of its run', () => {
+  const folder = join(work, 'readings');
+  execFileSync(gonogo, ['certify', '--subject', 'builtin:ngc', '--dialect', 'rs274', '--case', 'ngc.cycles.000115',
+    '--reading', 'ngc.g80-beside=ignored', '--report', folder], { cwd: work });
+  const packs = [...read(join(folder, 'index.html')).matchAll(/class="passes"[^>]*>([^<]*)</g)];
+  assert.equal(packs.length, 1);
+  const [shown] = Object.values(JSON.parse(inflateRawSync(Buffer.from(packs[0][1], 'base64'))));
+  assert.deepEqual(shown.profile, { readings: { 'ngc.g80-beside': 'ignored' } });
+  assert.deepEqual(shown.motions.map(([kind, block]) => `${kind} ${block}`),
+    ['rapid 1', 'rapid 2', 'rapid 2', 'feed 2', 'rapid 2', 'rapid 3', 'feed 3', 'rapid 3', 'm 4', 'end 0']);
 });
