@@ -3,10 +3,14 @@
 // Signs of comparisons, as the reference tells them.
 #include "hunt/sign_coverage.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include "hunting.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "reference/dialect.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::hunt::testing {
@@ -77,6 +81,24 @@ TEST(SignCoverage, RowsHoldBothAndTheSummaryCountsSigns) {
   EXPECT_EQ(summary.corpus, 2U);
   EXPECT_EQ(summary.hunt, 3U);
   EXPECT_EQ(summary.either, 4U);
+}
+
+// A speed or a feed in force is never below zero: the word is refused before.
+TEST(SignCoverage, TheCorpusHasEverySignThatAProgramCanBringAbout) {
+  const oracle::Corpus corpus(std::string(GONOGO_SOURCE_DIR) + "/corpus");
+  std::set<std::string> missing;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    for (const auto& [key, signs] : signs_of_corpus(corpus, dialect.name)) {
+      for (std::size_t i = 0; i < signs.size(); ++i) {
+        if (signs[i] != 0) continue;
+        missing.insert(fmt::format("{} {} {} {}", dialect.name, reference::clause_name(key.first),
+                                   key.second, "-0+"[i]));
+      }
+    }
+  }
+  EXPECT_EQ(missing, (std::set<std::string>{"sinumerik802s SIE-LC82-03 F -",
+                                            "sinumerik802s SIE-MOD-06 speed -",
+                                            "sinumerik840d SIE-MOD-06 speed -"}));
 }
 
 }  // namespace
