@@ -135,8 +135,10 @@ void Reader::read_taper_ends() {
   std::optional<Number> ends = whole('L');
   if (!ends) return;
   const bool is_above = decides("L - 3", *ends - 3) > 0;
-  if (decides("L", *ends) < 0 || (is_above && !forgives())) {
+  const bool is_below = decides("L", *ends) < 0;
+  if (is_below || (is_above && !forgives())) {
     refuse(AlarmClass::value_out_of_range, 'L', "L is 0, 1, 2 or 3.");
+    if (is_below) refuse(AlarmClass::value_sign, 'L', "L is below zero.");  // either is true
     return;
   }
   if (is_above) *ends -= (*ends / 4).floor() * 4;
