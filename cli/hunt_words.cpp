@@ -7,6 +7,10 @@
 #include <cstdio>
 #include <limits>
 
+#include "cli/corpus_folder.hpp"
+#include "cli/output.hpp"
+#include "cli/subject_files.hpp"
+#include "hunt/known_signatures.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -98,6 +102,19 @@ double HuntEnd::seconds_left(std::size_t tried) const {
     left = std::min(left, each * static_cast<double>(programs - std::min(programs, tried)));
   }
   return std::max(0.0, left);
+}
+
+void know_failures(const HuntWords& words, hunt::HuntOptions& options) {
+  if (words.known_failures.empty()) return;
+  const std::vector<oracle::KnownFailure> entries = load_known_failures(words.known_failures);
+  hunt::Trial trial(trial_subject(words.trial), trial_options(words.trial));
+  check_dialect(trial.info(), options.dialect);
+  const oracle::Corpus corpus(corpus_folder(words.corpus));
+  options.known = hunt::known_signatures(entries, corpus, options.dialect, trial);
+  Output output;
+  output.text() = fmt::format("{}: {} departures that are known are no news\n",
+                              words.known_failures, options.known.size());
+  output.flush();
 }
 
 bool judged_little(const hunt::HuntCount& count) {

@@ -22,6 +22,8 @@ struct HuntWords {
   std::vector<std::string> readings;
   std::string settings;
   bool everywhere = false;  // outside of the domain, too
+  std::string known_failures;
+  std::string corpus;  // of the known failures
   std::string time;
   long seed = 1;
   long programs = 0;     // 0: no limit
@@ -68,6 +70,10 @@ bool judged_little(const hunt::HuntCount& count);
 
 // What the words say of the programs. Throws UsageError.
 hunt::HuntOptions hunt_options(const HuntWords& words);
+
+// Makes what the known failures show on the subject no news, and says how much that is. Throws
+// UsageError.
+void know_failures(const HuntWords& words, hunt::HuntOptions& options);
 
 // gonogo hunt; `prepare`, if any, is given the hunt before it begins.
 int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare);

@@ -52,7 +52,8 @@ Hunt::Hunt(SubjectMaker maker, TrialOptions trial, HuntOptions options)
       options_(std::move(options)),
       generator_(generate::generator_of(options_.dialect)),
       dice_(options_.seed),
-      repertoire_(trial_.info(), options_.dialect) {}
+      repertoire_(trial_.info(), options_.dialect),
+      known_(options_.known) {}
 
 std::optional<Specimen> Hunt::next_fitted() {
   constexpr int kMostDrawn = 50;

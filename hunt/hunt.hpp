@@ -27,6 +27,7 @@ struct HuntOptions {
   std::size_t most_cost = 3'000;         // of one program, as of coverage_of()
   // What a subject does on a program outside of docs/domain.md is no finding, but for what ends it.
   bool everywhere = false;
+  std::set<Signature> known;  // that are no news
 };
 
 struct Finding {

@@ -31,6 +31,8 @@ HuntWords hunt_words(const CiWords& words) {
   hunt.settings = words.settings;
   hunt.seed = words.seed;
   hunt.programs = words.programs;
+  hunt.known_failures = words.known_failures;
+  hunt.corpus = words.corpus;
   return hunt;
 }
 
@@ -131,6 +133,9 @@ void add_batch(Command& ci) {
   add_subject(command, *words);
   command.option("--dialect", words->dialect, "dialect of the programs");
   command.needed_option("--campaign", words->campaign, "folder of the hunt, which goes on there");
+  command.option("--known-failures", words->known_failures,
+                 "TOML file of cases that the subject is known to fail: what they show is no news");
+  command.option("--corpus", words->corpus, "corpus of the known failures (the checked-in one)");
   command.option("--time", words->time, "how long: 90s, 10m, 2h (1h)");
   command.number("--programs", words->programs, 1, std::numeric_limits<long>::max(),
                  "how many programs, in place of a time");

@@ -111,6 +111,12 @@ std::string skipped_text(const hunt::Hunt& hunt) {
 }
 
 int hunt(const HuntWords& words) {
+  if (words.method != "reference" && !words.known_failures.empty()) {
+    throw UsageError("--known-failures is for --method reference, whose verdicts it names.");
+  }
+  if (words.known_failures.empty() && !words.corpus.empty()) {
+    throw UsageError("--corpus is the corpus of --known-failures, which is not given.");
+  }
   if (words.method == "operations") return hunt_operations(words);
   if (!words.beside.empty()) {
     throw UsageError("--beside is for --method operations, which compares subjects.");
@@ -137,6 +143,7 @@ hunt::HuntOptions hunt_options(const HuntWords& words) {
 int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare) {
   hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
+  know_failures(words, options);
   const HuntEnd end(words);
   hunt::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
   check_dialect(hunt.trial().info(), words.dialect);
@@ -191,6 +198,9 @@ void add_hunt(Command& program) {
   command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs (1)");
   command.number("--programs", words->programs, 1, kMost, "how many programs");
   command.number("--stop-after", words->stop_after, 1, kMost, "how many findings");
+  command.option("--known-failures", words->known_failures,
+                 "TOML file of cases that the subject is known to fail: what they show is no news");
+  command.option("--corpus", words->corpus, "corpus of the known failures (the checked-in one)");
   command.option("--campaign", words->campaign,
                  "folder of a long hunt, which goes on where it was broken off");
   command.option("--shard", words->shard, "i/n: the campaign's rounds of machine i of n (1/1)");

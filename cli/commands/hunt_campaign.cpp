@@ -74,6 +74,7 @@ class Board {
   bool failed() const { return failed_; }
   bool is_over() const { return failed_ || end_.reached(programs_, findings_); }
   std::size_t programs() const { return programs_; }
+  std::size_t findings() const { return findings_; }  // that were told
 
  private:
   void clear() const {
@@ -126,11 +127,21 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, Board& boa
   }
 }
 
+// Whether a face that stands is none of those that are known.
+bool has_news(const hunt::HuntSummary& summary, const std::set<hunt::Signature>& known) {
+  return std::ranges::any_of(summary.findings, [&](const hunt::CampaignFinding& finding) {
+    return std::ranges::any_of(finding.faces, [&](const hunt::Face& face) {
+      return face.stands && !known.contains(face.signature);
+    });
+  });
+}
+
 }  // namespace
 
 int hunt_campaign(HuntWords words) {
-  const hunt::HuntOptions options = hunt_options(words);
+  hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
+  know_failures(words, options);
   if (!words.trial.out.empty()) {
     throw UsageError("A campaign has its own folder: --campaign DIR without --out.");
   }
@@ -172,7 +183,8 @@ int hunt_campaign(HuntWords words) {
       summary.count.programs, summary.count.moved, findings_text(summary), words.campaign);
   output.flush();
   if (board.failed()) return kUndecided;
-  if (summary.standing() > 0) return kNoGo;
+  // What was told of a round that was broken off is not in the folder yet.
+  if (has_news(summary, options.known) || board.findings() > 0) return kNoGo;
   return summary.count.programs == 0 || judged_little(summary.count) ? kUndecided : kGo;
 }
 

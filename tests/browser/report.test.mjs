@@ -51,6 +51,9 @@ const text = (page, selector) => page.locator(selector).innerText();
 // Until the list has followed.
 const counted = (page, words) => page.waitForFunction(
   (begin) => document.querySelector('#count').textContent.startsWith(begin), words);
+// Until the page has drawn it.
+const shows = (page, selector, words) => page.waitForFunction(
+  ([at, wanted]) => document.querySelector(at)?.innerText === wanted, [selector, words]);
 const sizes = (page) => page.locator('#rows .row').count();
 
 // Recorded verdicts: 4 fail.*, crash, protocol; one oracle-gap; 30 cases in all.
@@ -124,26 +127,28 @@ test('a drawing has its views, both paths and the departure', () => withPage(res
 
 test('stepping moves the mark in the drawing and the records beside it', () => withPage(results, async (page) => {
   const mark = () => page.locator('#sheet [data-marks=front] .gs-now').getAttribute('d');
-  assert.equal(await text(page, '#position'), 'subject 2 of 10');  // the departure
+  await shows(page, '#position', 'subject 2 of 10');  // the departure
   const departure = await mark();
   assert.match(await text(page, '#stepped'), /Reference, record 2[^]*-15[^]*Subject, record 2[^]*-5/);
   await page.click('#forward');
-  assert.equal(await text(page, '#position'), 'subject 3 of 10');
+  await shows(page, '#position', 'subject 3 of 10');
   assert.notEqual(await mark(), departure);
   await page.locator('#detail').focus();
   await page.keyboard.press('ArrowLeft');
+  await shows(page, '#position', 'subject 2 of 10');
   assert.equal(await mark(), departure);
   await page.keyboard.press('ArrowLeft');
-  assert.equal(await text(page, '#position'), 'subject 1 of 10');
+  await shows(page, '#position', 'subject 1 of 10');
   assert.ok(await page.locator('#back').isDisabled());
   assert.match(await text(page, '#program .now'), /G00 X60 Z5/);
   await page.check('input[name=owner][value=r]');
   // A rapid, two cycles of four motions, M30 and the end.
-  assert.equal(await text(page, '#position'), 'reference 1 of 11');
+  await shows(page, '#position', 'reference 1 of 11');
   await page.click('#last');
   assert.match(await text(page, '#stepped .active'), /kind\s+end/);
   await page.click('#departure');
-  assert.equal(await mark(), departure);
+  await page.waitForFunction((wanted) =>
+    document.querySelector('#sheet [data-marks=front] .gs-now').getAttribute('d') === wanted, departure);
 }, atCase('gsk.g94.000002')));
 
 test('findings are told once and lead to their cases', () => withPage(results, async (page) => {

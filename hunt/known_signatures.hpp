@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a subject is known to fail of a corpus, as a hunt would find it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hunt/signature.hpp"
+#include "hunt/trial.hpp"
+#include "oracle/corpus/corpus.hpp"
+
+namespace gonogo::hunt {
+
+// Runs the corpus's cases of the dialect that an entry covers; the signatures of those that fail as
+// the entry says. A flaky entry hides nothing: a hunt could not tell it from a failure that is
+// always there. Throws oracle::CorpusError, oracle::SubjectUnusable.
+std::set<Signature> known_signatures(const std::vector<oracle::KnownFailure>& entries,
+                                     const oracle::Corpus& corpus, const std::string& dialect,
+                                     Trial& trial);
+
+}  // namespace gonogo::hunt
