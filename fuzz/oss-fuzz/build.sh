@@ -35,8 +35,8 @@ cmake --build "$work" --target "${targets[@]}"
 
 # Where the targets run there may be none of the libraries but the C library.
 copy_libraries() {
-  ldd "$1" | awk '$2 == "=>" && $3 ~ /^\// {print $3}' |
-    grep -vE '/(libc|libm|libpthread|libdl|librt|libresolv)\.so' | xargs -r cp -Lt "$OUT/lib"
+  ldd "$1" | awk -v own="$OUT/lib/" '$2 == "=>" && $3 ~ /^\// && index($3, own) != 1 {print $3}' |
+    { grep -vE '/(libc|libm|libpthread|libdl|librt|libresolv)\.so' || true; } | xargs -r cp -Lt "$OUT/lib"
 }
 
 write_options() {
