@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/hunt_board.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/hunt_causes.hpp"
+#include "cli/output.hpp"
+#include "oracle/records/text.hpp"
+
+namespace gonogo::cli {
+namespace {
+
+// "2:03:05"
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::size_t columns_of_terminal() {
+  winsize size{};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : 80;
+}
+
+}  // namespace
+
+std::vector<std::string> board_lines(const std::string& title, const HuntStanding& standing,
+                                     std::size_t columns) {
+  const hunt::HuntCount& count = standing.count;
+  const auto percent = [&](std::size_t part) {
+    return part * 100 / std::max<std::size_t>(1, count.programs);
+  };
+  const double a_second =
+      static_cast<double>(count.programs) / std::max(standing.seconds, 0.001);
+  std::vector<std::string> lines = {
+      "gonogo hunt: " + title,
+      fmt::format("  run time  {}{}", clock_text(standing.seconds),
+                  standing.seconds_left
+                      ? fmt::format(", about {} left", clock_text(*standing.seconds_left))
+                      : std::string()),
+      fmt::format("  programs  {}, {:.0f} a second; {} rounds done by {} jobs", count.programs,
+                  a_second, standing.rounds, standing.jobs),
+      fmt::format("  judged    {} %, with motion {} %; skipped {} %, undecided {} %, too long {} %",
+                  percent(count.judged), percent(count.moved), percent(count.skipped),
+                  percent(count.gaps), percent(count.too_long)),
+      fmt::format("  reached   {} features of the reference in {} programs", standing.features,
+                  standing.in_programs),
+      standing.findings == 0
+          ? std::string("  findings  none is new")
+          : fmt::format("  findings  {} new, the last {} ago; {} programs are NO-GO",
+                        standing.findings, clock_text(standing.since_finding), count.no_go)};
+  for (std::string& line : lines) {
+    if (line.size() > columns) line.resize(columns);
+  }
+  return lines;
+}
+
+HuntBoard::HuntBoard(const HuntWords& words, const HuntEnd& end)
+    : words_(words),
+      end_(end),
+      on_(::isatty(STDERR_FILENO) == 1),
+      jobs_(static_cast<std::size_t>(words.jobs)) {}
+
+HuntBoard::~HuntBoard() {
+  close();
+}
+
+void HuntBoard::close() {
+  const std::lock_guard lock(mutex_);
+  clear();
+}
+
+void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
+                     const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  ++findings_;
+  found_ = Clock::now();
+  clear();
+  Output output;
+  output.text() = fmt::format("{}. {}  {}\n{}", findings_, finding.signature.text(), id,
+                              finding_text(finding));
+  output.text() +=
+      fmt::format("  again: gonogo reduce {0} --subject {1} --profile {2}\n\n",
+                  oracle::shell_quoted(folder + "/findings/" + id + "/program.nc"),
+                  oracle::shell_quoted(words_.trial.subject),
+                  oracle::shell_quoted(folder + "/findings/" + id + "/profile.json"));
+  output.flush();
+}
+
+bool HuntBoard::tick(std::size_t job, const hunt::Hunt& hunt) {
+  const std::size_t tried = ++programs_;
+  if (failed_ || end_.reached(tried, findings_)) return false;
+  if (!on_) return true;
+  const std::lock_guard lock(mutex_);
+  Job& mine = jobs_[job - 1];
+  mine.round = hunt.count();
+  mine.features = hunt.pool().features();
+  mine.in_programs = hunt.pool().size();
+  if (Clock::now() - shown_ >= std::chrono::milliseconds(200)) show();
+  return true;
+}
+
+void HuntBoard::round_done(std::size_t job) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++rounds_;
+    Job& mine = jobs_[job - 1];
+    mine.before += mine.round;
+    mine.round = {};
+  }
+  // The folder tells what there is now.
+  const std::lock_guard lock(folder_mutex_);
+  tell_campaign(words_.campaign, words_.trial);
+}
+
+void HuntBoard::fail(const char* what) {
+  const std::lock_guard lock(mutex_);
+  failed_ = true;
+  clear();
+  complain("gonogo: {}\n", what);
+}
+
+HuntStanding HuntBoard::standing() const {
+  HuntStanding now;
+  now.seconds = std::chrono::duration<double>(Clock::now() - end_.begin).count();
+  const bool has_end = end_.programs != 0 || end_.time.count() != 0;
+  if (has_end) now.seconds_left = end_.seconds_left(programs_);
+  now.rounds = rounds_;
+  now.jobs = jobs_.size();
+  now.findings = findings_;
+  now.since_finding = std::chrono::duration<double>(Clock::now() - found_).count();
+  for (const Job& job : jobs_) {
+    now.count += job.before;
+    now.count += job.round;
+    if (job.features <= now.features) continue;
+    now.features = job.features;
+    now.in_programs = job.in_programs;
+  }
+  return now;
+}
+
+void HuntBoard::show() {
+  shown_ = Clock::now();
+  const std::string title = fmt::format("{}, {} in {}", oracle::readable(words_.trial.subject),
+                                        words_.dialect, oracle::readable(words_.campaign));
+  const auto lines = board_lines(title, standing(), columns_of_terminal() - 1);
+  std::string text = lines_ == 0 ? std::string() : fmt::format("\033[{}A", lines_);
+  for (const std::string& line : lines) text += line + "\033[K\n";
+  complain("{}", text);
+  std::fflush(stderr);
+  lines_ = lines.size();
+}
+
+// The lines go, and what is told next stands in their place.
+void HuntBoard::clear() {
+  if (lines_ == 0) return;
+  complain("\033[{}A\033[J", lines_);
+  std::fflush(stderr);
+  lines_ = 0;
+}
+
+}  // namespace gonogo::cli
