@@ -87,7 +87,8 @@ Kill run_hunts(const MatrixTarget& target, const MatrixOptions& options, bool gu
     hunt.dialect = dialect;
     hunt.seed = options.seed;
     hunt.guided = guided;
-    hunt.everywhere = true;  // `control` tells what the domain would
+    // `control` tells what the domain would; without a fault there is none.
+    hunt.everywhere = !target.clause.empty();
     hunts.push_back(std::make_unique<Hunt>(watch.make(), trial, std::move(hunt)));
   }
   // What the expander without the fault shows too is not of the fault.
