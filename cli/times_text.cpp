@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "grammar/file_source.hpp"
-#include "oracle/judge/cycle_time.hpp"
-#include "oracle/judge/rounding_census.hpp"
-#include "oracle/judge/unit_error.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/time_rows.hpp"
+#include "oracle/records/rounding_census.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::cli {
@@ -44,18 +44,6 @@ std::string shown(const Number& number) {
   return number.decimal_text(kDecimals);
 }
 
-std::string row(std::string_view what, std::string_view unit, const Number& want, const Number& got,
-                std::optional<oracle::Quantity> quantity) {
-  std::string hint;
-  if (quantity) {
-    // Of numbers that are rounded one by one.
-    const Number close = want / 100'000;
-    hint = oracle::unit_error(*quantity, want, got, close);
-  }
-  return fmt::format("  {:<11}{:>16} {:<4}{:>16} {:<4}{}\n", what, shown(want), unit, shown(got),
-                     unit, hint);
-}
-
 }  // namespace
 
 std::string times_text(const reference::Profile& profile, const StoredFile& program,
@@ -63,12 +51,15 @@ std::string times_text(const reference::Profile& profile, const StoredFile& prog
   const std::optional<CycleTime> want = time_of_reference(profile, program);
   if (!want) return "times: none, for the program gives positions other names.\n";
   const CycleTime got = time_of_trace(profile, trace);
-  using oracle::Quantity;
   std::string text = fmt::format("times{:>22}{:>21}\n", "reference", "subject");
-  text += row("cuts", "s", want->feed_seconds(), got.feed_seconds(), Quantity::time);
-  text += row("turns", "rev", want->revolutions(), got.revolutions(), std::nullopt);
-  text += row("dwells", "s", want->dwell_seconds(), got.dwell_seconds(), Quantity::dwell);
-  text += row("traverses", "mm", want->rapid_length(), got.rapid_length(), std::nullopt);
+  const auto wants = oracle::parts_of(*want);
+  const auto gots = oracle::parts_of(got);
+  for (std::size_t i = 0; i < wants.size(); ++i) {
+    const auto& [what, unit, amount] = wants[i];
+    text += fmt::format("  {:<11}{:>16} {:<4}{:>16} {:<4}{}\n", what, shown(amount), unit,
+                        shown(gots[i].amount), unit,
+                        oracle::time_hint(i, amount, gots[i].amount));
+  }
   if (want->left_out() + got.left_out() != 0) {
     text +=
         fmt::format("  {} and {} motions are left out: of rotary axes, circles askew in space.\n",
@@ -98,18 +89,21 @@ std::optional<std::vector<reference::Record>> motions_of_reference(
 
 // The coordinates of one motion: of its end, and of its centre.
 void take(oracle::RoundingCensus& census, const reference::Record& want,
-          const reference::Record& got) {
+          const reference::Record& got, const oracle::JudgeTerms& terms) {
+  const auto compare = [&](const Number& exact, const Number& number) {
+    census.take(exact, number, oracle::is_correctly_rounded(number, exact, terms));
+  };
   for (const reference::Axis axis : reference::kLinearAxes) {
-    if (want.axes.has(axis) && got.axes.has(axis)) census.take(want.to[axis], got.to[axis]);
+    if (want.axes.has(axis) && got.axes.has(axis)) compare(want.to[axis], got.to[axis]);
   }
   if (want.kind != reference::RecordKind::arc) return;
-  for (std::size_t i = 0; i < want.centre.size(); ++i) census.take(want.centre[i], got.centre[i]);
+  for (std::size_t i = 0; i < want.centre.size(); ++i) compare(want.centre[i], got.centre[i]);
 }
 
 }  // namespace
 
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace) {
+                          RecordedTrace& trace, const oracle::JudgeTerms& terms) {
   const auto want = motions_of_reference(profile, program);
   if (!want) return "coordinates: not told, for a part of the path is open.\n";
   oracle::RoundingCensus census;
@@ -119,12 +113,12 @@ std::string rounding_text(const reference::Profile& profile, const StoredFile& p
              [&](const reference::Record& record) {
                if (!reference::is_motion(record.kind) || !alike) return;
                alike = count < want->size() && (*want)[count].kind == record.kind;
-               if (alike) take(census, (*want)[count++], record);
+               if (alike) take(census, (*want)[count++], record, terms);
              });
   if (!alike || count != want->size()) {
     return "coordinates: not told, for the motions are not those of the reference one by one.\n";
   }
-  return census.text() + "\n";
+  return "coordinates: " + census.text() + "\n";
 }
 
 }  // namespace gonogo::cli

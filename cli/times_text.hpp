@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/recorded_trace.hpp"
+#include "oracle/judge/terms.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::cli {
@@ -16,9 +17,9 @@ namespace gonogo::cli {
 std::string times_text(const reference::Profile& profile, const StoredFile& program,
                        RecordedTrace& trace);
 
-// How the outcome's coordinates are rounded, as far as its motions are those of the reference one
-// by one.
+// How the coordinates of an outcome that is not GO are rounded, as far as its motions are those of
+// the reference one by one.
 std::string rounding_text(const reference::Profile& profile, const StoredFile& program,
-                          RecordedTrace& trace);
+                          RecordedTrace& trace, const oracle::JudgeTerms& terms);
 
 }  // namespace gonogo::cli

@@ -209,6 +209,9 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   for (const std::string& assignment : summary.footer.assignments) {
     text += fmt::format("  follows {}\n", assignment);
   }
+  for (const auto& [dialect, census] : summary.footer.coordinates) {
+    text += fmt::format("  coordinates of {}: {}\n", dialect, census.text());
+  }
   if (summary.run_again > 0) {
     text += fmt::format("  {} run more than twice, {}\n",
                         oracle::counted(summary.run_again, "case", "cases"),

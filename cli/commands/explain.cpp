@@ -9,6 +9,8 @@
 #include "cli/formats.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "oracle/judge/time_rows.hpp"
+#include "oracle/records/run_scope.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::cli {
@@ -90,6 +92,21 @@ class Explanation {
   reference::ClauseId clause_ = reference::kNoClause;
 };
 
+// What of the times there is; empty: nothing moves or waits.
+std::string times_of(const oracle::CycleTime& time) {
+  std::string text;
+  for (const auto& [what, unit, amount] : oracle::parts_of(time)) {
+    if (amount != 0) {
+      text += fmt::format("  {:<9} {} {}\n", what, oracle::amount_text(amount), unit);
+    }
+  }
+  if (time.left_out() != 0) {
+    text += fmt::format("  without {} of rotary axes, or askew in space\n",
+                        oracle::counted(time.left_out(), "motion", "motions"));
+  }
+  return text.empty() ? text : "\ntimes\n" + text;
+}
+
 int explain(const ExplainOptions& options) {
   const reference::Profile profile = load_profile(options.profile);
   RememberedLines program(read_file(options.program));
@@ -97,15 +114,21 @@ int explain(const ExplainOptions& options) {
   grammar::LineSource lines(program);
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
   Explanation explanation(profile, program.text());
+  oracle::CycleTime time(profile.initial.at);
   if (options.block != 0) check_block(program.text(), options.block);
   Output output;
   int exit_code = kGo;
   while (const reference::Item* item = expander.next()) {
     if (auto* record = std::get_if<reference::Record>(item)) {
-      if (options.block != 0 && record->block != static_cast<std::uint64_t>(options.block))
+      if (options.block != 0 && record->block != static_cast<std::uint64_t>(options.block)) {
+        time.pass_over(*record);
         continue;
+      }
+      time.take(*record);
       explanation.record(*record, output.text());
       output.flush_if_large();
+    } else if (auto* renaming = std::get_if<reference::Renaming>(item)) {
+      time.rename(renaming->shift);
     } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
       output.flush();
       report_alarms(*alarms, options.program, expander.failed_line());
@@ -121,6 +144,7 @@ int explain(const ExplainOptions& options) {
         fmt::format("\nline {}: {}\n  no motion comes from it\n", options.block,
                     line_of(program.text(), static_cast<std::uint64_t>(options.block)));
   }
+  output.text() += times_of(time);
   output.flush();
   return exit_code;
 }

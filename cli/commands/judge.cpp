@@ -82,7 +82,12 @@ int judge(const JudgeOptions& options) {
   Output output;
   output.text() = verdict_text(session.verdict);
   if (options.time) output.text() += times_text(profile, program, trace);
-  if (options.rounding) output.text() += rounding_text(profile, program, trace);
+  if (options.rounding) {
+    const auto& compared = session.verdict.coordinates;
+    output.text() += compared ? fmt::format("coordinates: {}\n", compared->text())
+                              : rounding_text(profile, program, trace,
+                                              terms_for(trace.likely_features(), options, profile));
+  }
   output.flush();
   return exit_code_of(session.verdict);
 }

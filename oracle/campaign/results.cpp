@@ -96,6 +96,12 @@ std::string header_line(const ResultsHeader& header) {
   return dump(line);
 }
 
+Json coordinates_json(const std::map<std::string, RoundingCensus>& coordinates) {
+  Json object = Json::object();
+  for (const auto& [dialect, census] : coordinates) object[dialect] = census.json();
+  return object;
+}
+
 std::string footer_line(const ResultsFooter& footer) {
   Json line;
   line["decision"] = footer.decision;
@@ -105,6 +111,7 @@ std::string footer_line(const ResultsFooter& footer) {
   line["judged"] = footer.judged;
   line["left_out"] = footer.left_out;
   line["assignments"] = footer.assignments;
+  if (!footer.coordinates.empty()) line["coordinates"] = coordinates_json(footer.coordinates);
   line["stale"] = footer.stale;
   if (footer.unused_alarms) line["unused_alarms"] = *footer.unused_alarms;
   line["sha256"] = footer.sha256;

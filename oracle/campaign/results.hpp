@@ -76,6 +76,7 @@ struct ResultsFooter {
   std::size_t judged = 0;                // neither skipped nor undecided
   std::size_t left_out = 0;              // contradict the certifier's profile
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
+  std::map<std::string, RoundingCensus> coordinates;  // as in RunAnswer
   // Entries of the subject's files that are no longer true.
   std::vector<std::string> stale;
   // Entries of the alarm map that no case met; nothing when cases were left out by choice. Stale
@@ -86,6 +87,8 @@ struct ResultsFooter {
 
 std::string header_line(const ResultsHeader& header);
 std::string footer_line(const ResultsFooter& footer);
+// The key `coordinates` of the footer.
+nlohmann::ordered_json coordinates_json(const std::map<std::string, RoundingCensus>& coordinates);
 // `with_timing`: with `us`, `attempts` and `notes`, which no two runs need have the same.
 std::string case_line(const CaseResult& result, bool with_timing);
 

@@ -185,6 +185,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   footer.cases = answer.cases;
   footer.judged = answer.judged;
   footer.assignments = answer.assignments;
+  footer.coordinates = answer.coordinates;
   footer.sha256 = hash.hex();
   if (ending.is_complete) out.put(footer_line(footer));
   out.finish();

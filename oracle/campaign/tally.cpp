@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "oracle/records/json_document.hpp"
@@ -42,6 +43,20 @@ VerdictKind verdict_of(const object& source, std::string_view line) {
   return *kind;
 }
 
+// Nearly always all are exact.
+RoundingCensus coordinates_of(const object& source, std::string_view line) {
+  RoundingCensus census;
+  std::uint64_t exact = 0;
+  if (source.size() == 1 && source["exact"].get(exact) == simdjson::SUCCESS) {
+    census.take_exact(exact);
+    return census;
+  }
+  const auto read = RoundingCensus::from_json(
+      nlohmann::ordered_json::parse(simdjson::minify(source)));
+  if (!read) fail(line, "Its coordinates are no count of them.");
+  return *read;
+}
+
 }  // namespace
 
 CaseFacts facts_of(std::string_view case_line) {
@@ -58,6 +73,10 @@ CaseFacts facts_of(std::string_view case_line) {
   facts.mapped = text_of(source, "mapped");
   bool expected = false;
   facts.expected_gap = source["expected"].get(expected) == simdjson::SUCCESS && expected;
+  object coordinates;
+  if (source["coordinates"].get(coordinates) == simdjson::SUCCESS) {
+    facts.coordinates = coordinates_of(coordinates, case_line);
+  }
   object readings;
   if (source["readings"].get(readings) == simdjson::SUCCESS) {
     facts.readings.emplace();
@@ -81,6 +100,9 @@ VerdictKind Tally::add(const CaseFacts& facts) {
   std::size_t& judged = judged_by_dialect_[facts.dialect];
   const Decision answer = decision(kind);
   if (answer == Decision::no_go) ++answer_.no_go;
+  if (answer == Decision::go && facts.coordinates) {
+    answer_.coordinates[facts.dialect].add(*facts.coordinates);
+  }
   if (kind == VerdictKind::oracle_error) ++answer_.oracle_errors;
   if (kind == VerdictKind::oracle_gap && !facts.expected_gap) ++answer_.unexpected_gaps;
   if (answer == Decision::go || answer == Decision::no_go || kind == VerdictKind::advice) {

@@ -13,6 +13,7 @@
 
 #include "oracle/campaign/reading_tally.hpp"
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/rounding_census.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/verdict.hpp"
 
@@ -26,6 +27,7 @@ struct CaseFacts {
   bool expected_gap = false;                      // the corpus expects that the gauge cannot say
   std::optional<OpenReadings> readings;           // of a GO that touched open readings
   std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
+  std::optional<RoundingCensus> coordinates;  // of a GO: those that were compared
   CaseHead head;       // what lists show of the line
 };
 
@@ -44,6 +46,8 @@ struct RunAnswer {
   bool judged_nothing = false;           // in all, or in one of the dialects
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
+  // Of all that is GO: how coordinates are rounded, by dialect.
+  std::map<std::string, RoundingCensus> coordinates;
   std::string decision;          // GO, NO-GO or UNDECIDED
   std::string head;              // of what: a line
   RunScope scope;

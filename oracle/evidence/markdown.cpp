@@ -52,6 +52,15 @@ std::string list_of_texts(const Json& footer, const char* key, std::string_view 
 
 }  // namespace
 
+std::string coordinates_list(const RunState& state) {
+  std::string text;
+  for (const auto& [dialect, of_it] : state.summary["coordinates"].items()) {
+    text += fmt::format("- {}: {}\n", markdown_text(dialect),
+                        markdown_text(of_it.get<std::string>()));
+  }
+  return text;
+}
+
 std::string totals_table(const Json& totals) {
   std::string text = "| verdict | decision | cases |\n|---|---|--:|\n";
   for (std::string_view verdict : verdict_names()) {
@@ -214,6 +223,7 @@ std::string MarkdownSummary::text(const RunState& state) const {
          list_of_texts(state.footer, "assignments",
                        "Readings that explain everything that passed:") +
          list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +
+         part(kCoordinatesTitle, coordinates_list(state)) +
          part("Declared, but skipped", declared_but_skipped_list(scope)) + findings(state) +
          part(kAdvicesTitle, advice_list(scope)) + part(kNotClaimedTitle, not_claimed_list(scope)) +
          "\n## What this run did not check\n\n" + not_checked_list(state);

@@ -37,8 +37,11 @@ std::string totals_table(const Json& totals);
 std::string not_claimed_list(const Json& scope);
 std::string declared_but_skipped_list(const Json& scope);
 std::string advice_list(const Json& scope);
+// How coordinates are rounded, by dialect; empty where it is not told.
+std::string coordinates_list(const RunState& state);
 inline constexpr const char* kNotClaimedTitle = "Not claimed by the subject: not judged";
 inline constexpr const char* kAdvicesTitle = "Advices: departures from what no text states";
+inline constexpr const char* kCoordinatesTitle = "Coordinates of what is GO";
 // `a`, `b`, ...: the first cases of a group.
 std::string named_cases(const Json& group);
 // A list of what a run did not check; `state.summary` says it.

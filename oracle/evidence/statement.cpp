@@ -95,7 +95,8 @@ Json statement_json(const Json& header, const RunState& state, const Json& waive
     if (header.contains(key)) root[key] = header[key];
   }
   for (const char* key :
-       {"cases", "judged", "left_out", "totals", "assignments", "stale", "unused_alarms"}) {
+       {"cases", "judged", "left_out", "totals", "assignments", "coordinates", "stale",
+        "unused_alarms"}) {
     if (state.footer.contains(key)) root[key] = state.footer[key];
   }
   const Json& scope = state.summary["scope"];
@@ -199,6 +200,7 @@ std::string statement_text(const Json& header, const RunState& state, const Json
   for (const Json& one : assignments) {
     if (one.is_string()) text += "- follows " + markdown_code(one.get<std::string>()) + "\n";
   }
+  put(kCoordinatesTitle, coordinates_list(state));
   text += "\n## Waivers\n\n";
   if (root["waivers"].empty()) text += "None.\n";
   for (const Json& waiver : root["waivers"]) {

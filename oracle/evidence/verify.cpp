@@ -89,6 +89,10 @@ void check_footer(const ResultsFacts& facts, Findings& findings) {
   compare("totals", footer.value("totals", Json(nullptr)), Json(facts.answer.totals));
   compare("judged", footer.value("judged", Json(nullptr)), Json(facts.answer.judged));
   compare("readings", footer.value("assignments", Json(nullptr)), Json(facts.answer.assignments));
+  if (footer.contains("coordinates") || !facts.answer.coordinates.empty()) {
+    compare("coordinates", footer.value("coordinates", Json(nullptr)),
+            coordinates_json(facts.answer.coordinates));
+  }
   compare("decision", footer.value("decision", Json(nullptr)), Json(facts.answer.decision));
   if (footer.contains("head"))
     compare("head", footer.value("head", Json(nullptr)), Json(facts.answer.head));

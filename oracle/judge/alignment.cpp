@@ -98,6 +98,9 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
     if (other.step != hypothesis.step || other.open || hypothesis.open) continue;
     if (other.is_fresh() != hypothesis.is_fresh() || other.joined != hypothesis.joined) continue;
     if (!other.is_fresh() && !goes_on_alike(other.progress, hypothesis.progress)) continue;
+    if (hypothesis.coordinates.rounded() < other.coordinates.rounded()) {
+      other.coordinates = hypothesis.coordinates;
+    }
     other.exact = other.exact || hypothesis.exact;
     other.rounded = other.rounded || hypothesis.rounded;
     if (!hypothesis.advice) other.advice.reset();

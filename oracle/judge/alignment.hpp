@@ -16,6 +16,7 @@
 
 #include "oracle/judge/open_step.hpp"
 #include "oracle/judge/reference_steps.hpp"
+#include "oracle/records/rounding_census.hpp"
 
 namespace gonogo::oracle {
 
@@ -41,6 +42,7 @@ struct Hypothesis {
   // For the grade of a pass.
   bool exact = true;    // every end and centre is exact so far
   bool rounded = true;  // ... or correctly rounded
+  RoundingCensus coordinates;
   std::size_t property_motions = 0;
   std::optional<Verdict> advice;  // of what was passed over, the first
 

@@ -27,6 +27,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (from.is_fresh() && is_same_motion(motion, wanted(from, step))) {
     leave_motion(from);
     from.at = from.anchor = motion.to();
+    from.coordinates.take_exact(coordinates_in(motion.record.kind, motion.record.axes));
     keep(std::move(from), stage.reached);
     return false;
   }
@@ -99,7 +100,7 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
     Hypothesis next = from;
     next.at = next.anchor = motion.to();
     if (way.done) {
-      const Grade grade = grade_of(motion, want, terms_);
+      const Grade grade = grade_of(motion, want, terms_, &next.coordinates);
       next.exact = next.exact && grade.exact;
       next.rounded = next.rounded && grade.rounded;
       is_exact = is_exact || grade.exact;

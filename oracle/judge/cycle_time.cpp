@@ -107,4 +107,8 @@ void CycleTime::take(const Record& record) {
   }
 }
 
+void CycleTime::pass_over(const Record& record) {
+  if (reference::is_motion(record.kind)) at_ = motion_from(at_, record, 0).to();
+}
+
 }  // namespace gonogo::oracle

@@ -27,6 +27,10 @@ class CycleTime {
   explicit CycleTime(const Position& start) : at_(start) {}
 
   void take(const Record& record);
+  // The machine gets where the record ends, and no time is counted.
+  void pass_over(const Record& record);
+  // The position gets a new name: new less old coordinate.
+  void rename(const Position& by) { shift(at_, by); }
 
   Number feed_seconds() const { return feed_.value(); }  // cuts in mm/min
   Number revolutions() const { return turns_.value(); }  // of the spindle: cuts in mm/rev, threads

@@ -14,7 +14,7 @@ bool ProgramJudge::line(std::string_view line) {
   try {
     if (!plain_ahead() || !is_line_of(in_step_->next, line)) return false;
     ++records_;
-    go_on();
+    go_on(in_step_->next.axes);
   } catch (const exact::Undecided& undecided) {
     ++records_;
     decide_undecided(undecided);
@@ -29,7 +29,7 @@ bool ProgramJudge::equal_record(const Record& record) {
     leave_step();
     return false;
   }
-  go_on();
+  go_on(record.axes);
   return true;
 }
 
@@ -56,8 +56,9 @@ bool ProgramJudge::plain_ahead() {
   return step.is_plain;
 }
 
-void ProgramJudge::go_on() {
+void ProgramJudge::go_on(AxisSet named) {
   InStep& step = *in_step_;
+  step.coordinates += coordinates_in(step.next.kind, named);
   step.at = step.next.to;
   step.ahead = nullptr;
   m_functions_.note_motion(step.next.block);
@@ -71,6 +72,7 @@ void ProgramJudge::leave_step() {
   const reference::Item* ahead = in_step_->ahead;
   Hypothesis& only = alignment_.hypotheses().front();
   only.at = only.anchor = at;
+  only.coordinates.take_exact(in_step_->coordinates);
   only.passed = reference_.items() - (ahead == nullptr ? 0 : 1);
   reference_.resume(at, ahead);
   in_step_.reset();

@@ -313,28 +313,42 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 }  // namespace
 
-Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms) {
+bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTerms& terms) {
+  // Half a unit in the last place of a double is at most 2^-53 of its value.
+  if (terms.binary64) return agree(got, exact, abs(got) * Number::binary(1, -53));
+  return terms.resolution && agree(got, exact, *terms.resolution / 2);
+}
+
+Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
+               RoundingCensus* census) {
   Grade grade;
-  const auto compare = [&](const Number& got, const Number& exact) {
+  const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* taken) {
     const Number difference = got - exact;
     // An enclosure cannot be told from its exact value: not exact, for the grade.
     const bool enclosed = difference.form() == Number::Form::enclosure;
-    if (!enclosed && difference.sign() == 0) return;
+    if (!enclosed && difference.sign() == 0) {
+      if (taken != nullptr) taken->take_exact(1);
+      return;
+    }
     grade.exact = false;
-    const bool half = terms.resolution && agree(got, exact, *terms.resolution / 2);
-    // Half a unit in the last place of a double is at most 2^-53 of its value.
-    const bool nearest = terms.binary64 && agree(got, exact, abs(got) * Number::binary(1, -53));
-    grade.rounded = grade.rounded && (terms.binary64 ? nearest : half);
+    const bool is_correct = is_correctly_rounded(got, exact, terms);
+    grade.rounded = grade.rounded && is_correct;
+    if (taken != nullptr) taken->take(exact, got, is_correct);
   };
-  for (Axis axis : kAllAxes) compare(motion.to()[axis], want.to()[axis]);
+  for (Axis axis : kAllAxes) {
+    const bool is_told = is_linear(axis) && motion.record.axes.has(axis);
+    compare(motion.to()[axis], want.to()[axis], is_told ? census : nullptr);
+  }
   if (motion.record.kind == RecordKind::arc) {
     const std::optional<Motion> arc =
         want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
-    for (std::size_t i : {0U, 1U}) compare(motion.record.centre[i], arc->record.centre[i]);
+    for (std::size_t i : {0U, 1U}) {
+      compare(motion.record.centre[i], arc->record.centre[i], census);
+    }
   } else if (motion.record.kind == RecordKind::arc3 && !is_exactly_on(want, via_of(motion))) {
     if (want.record.kind == RecordKind::arc3) {
       for (Axis axis : reference::kLinearAxes) {
-        compare(motion.record.via[axis], want.record.via[axis]);
+        compare(motion.record.via[axis], want.record.via[axis], nullptr);
       }
     } else {
       grade.exact = grade.rounded = false;

@@ -45,6 +45,10 @@ struct Grade {
   bool exact = true;    // end and centre are exact
   bool rounded = true;  // ... or correctly rounded
 };
-Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms);
+// `census` takes the coordinates that its record names; null: none does.
+Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
+               RoundingCensus* census = nullptr);
+// J-PATH-04: whether a coordinate that is not exact is the correctly rounded one.
+bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

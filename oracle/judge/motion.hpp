@@ -30,6 +30,13 @@ constexpr bool is_round(RecordKind kind) {
   return kind == RecordKind::arc || kind == RecordKind::arc3;
 }
 
+// How many coordinates a record names: of its end along x, y and z, and of the centre of an arc.
+constexpr std::size_t coordinates_in(RecordKind kind, AxisSet named) {
+  std::size_t count = kind == RecordKind::arc ? 2 : 0;
+  for (const Axis axis : reference::kLinearAxes) count += named.has(axis) ? 1U : 0U;
+  return count;
+}
+
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);
 

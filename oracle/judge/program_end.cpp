@@ -134,6 +134,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
   Verdict verdict;
   // J-CMP-09.
   verdict.property_motions = passed.property_motions;
+  if (!passed.coordinates.empty()) verdict.coordinates = passed.coordinates;
   verdict.kind = passed.property_motions > 0 ? VerdictKind::pass_properties
                  : passed.exact              ? VerdictKind::pass_exact
                  : passed.rounded            ? VerdictKind::pass_rounded

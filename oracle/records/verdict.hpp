@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracle/records/rounding_census.hpp"
 #include "oracle/records/sampled_figures.hpp"
 #include "reference/record.hpp"
 #include "reference/word_name.hpp"
@@ -63,6 +64,7 @@ struct Verdict {
   // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
   std::size_t property_motions = 0;   // of a GO: motions of the subject held to properties alone
+  std::optional<RoundingCensus> coordinates;  // of a GO: those that are compared
   std::string reading;                // another reading under which the answer would be GO: "k=v"
   std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/report/case_detail.hpp"
 
+#include "oracle/report/case_times.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
 #include "oracle/report/page_paths.hpp"
@@ -96,6 +97,11 @@ void add_paths(Json& detail, const Json& line, const std::string& program,
   detail["reference"] = motions_json(reference.path);
   detail["trace"] = motions_json(subject.path);
   if (wanted) detail["wanted"] = *wanted;
+  if (!line.contains("sampled")) {
+    Json times = case_times(machine, program, line.value("trace", Json::array()),
+                            {wanted, departing_motion(line)});
+    if (!times.is_null()) detail["times"] = std::move(times);
+  }
   if (reference.path.cut) detail["referenceCut"] = true;
   if (subject.path.cut) detail["traceCut"] = true;
   if (!reference.note.empty()) detail["referenceNote"] = reference.note;

@@ -5,6 +5,7 @@
 
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
+#include "oracle/records/rounding_census.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle::report {
@@ -258,6 +259,18 @@ Json Summary::not_checked(const Json& header) const {
           {"outside", outside}};
 }
 
+// What is said of the coordinates of each dialect.
+Json Summary::coordinates(const Json* footer) {
+  Json texts = Json::object();
+  if (footer == nullptr || !footer->contains("coordinates")) return texts;
+  const Json& told = (*footer)["coordinates"];
+  if (!told.is_object()) return texts;
+  for (const auto& [dialect, source] : told.items()) {
+    if (const auto census = RoundingCensus::from_json(source)) texts[dialect] = census->text();
+  }
+  return texts;
+}
+
 Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
   // Of the dialects that were judged, and what else was hit.
   std::set<std::string_view> shown;
@@ -283,6 +296,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
   }
   return {{"header", header},
           {"footer", footer != nullptr ? *footer : Json(nullptr)},
+          {"coordinates", coordinates(footer)},
           {"headline", headline(footer, bad_lines)},
           {"totals", totals_},
           {"decisions", decisions},

@@ -46,6 +46,7 @@ class Summary {
   const RunScope& scope() const { return scope_; }
 
  private:
+  static Json coordinates(const Json* footer);
   Json headline(const Json* footer, std::uint64_t bad_lines) const;
   Json matrix() const;
   Json not_checked(const Json& header) const;

@@ -110,8 +110,28 @@ function showFailure(detail, c, data) {
       recordCard('Got: the subject', 'subject', data.got, data.want));
     detail.append(el('h3', {}, 'Want and got'), cards);
   }
+  if (data.times) detail.append(...timesTable(data.times));
   showDrawing(detail, data);
   if (data.notes) detail.append(el('h3', {}, 'What the subject noted or wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
+}
+
+// ---- how long both sides take ----
+
+const kTimeNames = { cuts: 'Cuts', dwells: 'Dwells', turns: 'Turns of the spindle', traverses: 'Traverses' };
+// Parts that one of the sides has.
+const timeRows = (times) => times.rows.filter(([, , ...amounts]) => amounts.slice(0, 3).some((amount) => amount !== '0' && amount !== ''));
+
+function timesTable(times) {
+  const rows = timeRows(times);
+  if (rows.length === 0) return [];
+  const parted = rows[0][3] !== '';
+  const heads = ['', 'Reference', ...(parted ? ['Reference, to the departure', 'Subject, to the departure'] : ['Subject, as far as it was read'])];
+  const body = rows.map(([what, unit, whole, due, got, hint]) => el('tr', { class: hint ? 'hinted' : null },
+    el('th', { scope: 'row' }, kTimeNames[what] ?? what),
+    ...[whole, ...(parted ? [due] : []), got].map((amount) => el('td', {}, `${amount} ${unit}`)), el('td', { class: 'text' }, hint.trim())));
+  const notes = times.leftOut > 0 ? [el('p', { class: 'note' }, `Without ${counted(times.leftOut, 'motion', 'motions')} of rotary axes, or askew in space.`)] : [];
+  return [el('h3', {}, 'Times'), el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Times' }, el('table', { id: 'times' },
+    el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)), el('th', { scope: 'col' }))), el('tbody', {}, ...body))), ...notes];
 }
 
 function pointText(point) {

@@ -128,6 +128,7 @@ function showRun() {
   if (Array.isArray(assignments) && assignments.length > 0) {
     fact('Readings that explain all passes', assignments.map((one) => (typeof one === 'string' ? one : JSON.stringify(one)) || '(none matters)').join('; '), true);
   }
+  for (const [dialect, text] of Object.entries(summary.coordinates)) fact(`Coordinates of ${dialect}`, text);
   fact('Results SHA-256', summary.footer?.sha256, true);
 }
 

@@ -96,7 +96,11 @@ class Fake : public Subject {
     grammar::LineSource lines(bytes);
     reference::Expander expander(profile_, lines, reference::OpenPaths::shown);
     while (const reference::Item* item = expander.next()) {
-      if (auto* record = std::get_if<reference::Record>(item)) sink(*record);
+      const auto* record = std::get_if<reference::Record>(item);
+      if (record == nullptr) continue;
+      reference::Record sent = *record;
+      if (fake_.alter) fake_.alter(id, sent);
+      sink(sent);
     }
     RunEnd end = RunEnd::of(fake_.end, {});
     end.microseconds = fake_.microseconds;

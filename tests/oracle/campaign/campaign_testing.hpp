@@ -37,6 +37,8 @@ struct FakeSubject {
   std::function<std::optional<RunEnd>(std::string_view id, int runs)> act;
   RunEnd::Kind end = RunEnd::Kind::ok;  // behind the records of the reference
   std::int64_t microseconds = 0;        // of such a run
+  // What becomes of a record of the reference; nothing: it is sent as it is.
+  std::function<void(std::string_view id, reference::Record&)> alter;
   // What it says of itself; nothing: of everything, with source lines.
   std::optional<SubjectInfo> info;
 };

@@ -119,6 +119,48 @@ TEST(Tally, ReadingsOfDifferentCasesAreJoined) {
   EXPECT_EQ(go.assignments, std::vector<std::string>{"r=1 s=3"});
 }
 
+// 1/3 as 0.333 and 2/3 as 0.667.
+RoundingCensus rounded() {
+  RoundingCensus census;
+  census.take_exact(2);
+  census.take(Number(1) / 3, Number::millionths(333'000), true);
+  census.take(Number(2) / 3, Number::millionths(667'000), true);
+  return census;
+}
+
+TEST(Tally, CoordinatesAreThoseOfAllThatIsGoByDialect) {
+  std::vector<CaseFacts> cases;
+  for (const char* dialect : {"gsk988ta", "rs274", "gsk988ta"}) {
+    cases.push_back(facts("a" + std::to_string(cases.size()), VerdictKind::pass_rounded, dialect));
+    cases.back().coordinates = rounded();
+  }
+  // GO under its readings, but not with those of the run: it says nothing.
+  for (const char* assignment : {"r=1", "r=2"}) {
+    cases.push_back(under("b" + std::to_string(cases.size()), {assignment}));
+    cases.back().coordinates = rounded();
+  }
+  const RunAnswer said = answer(cases);
+  ASSERT_EQ(said.coordinates.size(), 2U);
+  EXPECT_EQ(said.coordinates.at("gsk988ta").exact(), 6U);
+  EXPECT_EQ(said.coordinates.at("gsk988ta").rounded(), 6U);
+  EXPECT_EQ(said.coordinates.at("rs274"), rounded());
+}
+
+TEST(Tally, ACaseLineSaysHowItsCoordinatesAreRounded) {
+  CaseResult result;
+  result.id = "a";
+  result.dialect = "gsk988ta";
+  result.verdict.kind = VerdictKind::pass_rounded;
+  result.verdict.coordinates = rounded();
+  EXPECT_EQ(facts_of(case_line(result, true)).coordinates, rounded());
+  result.verdict.coordinates = RoundingCensus();
+  result.verdict.coordinates->take_exact(7);
+  EXPECT_NE(case_line(result, true).find(R"("coordinates":{"exact":7})"), std::string::npos);
+  EXPECT_EQ(facts_of(case_line(result, true)).coordinates, result.verdict.coordinates);
+  result.verdict.kind = VerdictKind::xfail;
+  EXPECT_FALSE(facts_of(case_line(result, true)).coordinates);
+}
+
 TEST(Tally, ACaseLineSaysItsFacts) {
   CaseResult result;
   result.id = "a \"quoted\"";
@@ -153,6 +195,8 @@ TEST(Tally, WhatIsNoCaseLineIsRefused) {
   EXPECT_THROW(facts_of("{\"id\":\"a\",\"dialect\":\"d\",\"verdict\":\"good\"}"),
                std::runtime_error);
   EXPECT_THROW(facts_of("{\"id\":"), std::runtime_error);
+  EXPECT_THROW(facts_of(R"({"id":"a","dialect":"d","verdict":"skip","coordinates":{"exact":-1}})"),
+               std::runtime_error);
 }
 
 }  // namespace

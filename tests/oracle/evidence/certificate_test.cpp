@@ -168,6 +168,34 @@ TEST_F(Certificate, ADecisionThatTheCasesDoNotGiveIsFound) {
       << faults();
 }
 
+// 1/3 as 0.333: correctly rounded to 0.001, and 0.000333... is up to 0.000333334 off.
+const std::string kRounded = R"({"exact":3,"correct":1,"off":0,"most":"0.000333334","decimals":3,)"
+                             R"("modes":{"nearest":3,"toward zero":3,"down":3}})";
+
+// Results of which the footer says that of its coordinates.
+std::string rounded_results(const std::string& told) {
+  std::string line = kG94Pass;
+  line.insert(line.size() - 1, R"(,"coordinates":)" + kRounded);
+  std::string text = results_text({line});
+  return text.insert(text.rfind(R"("sha256")"), R"("coordinates":{"gsk988ta":)" + told + "},");
+}
+
+TEST_F(Certificate, StatesHowCoordinatesAreRounded) {
+  ASSERT_FALSE(write(rounded_results(kRounded)));
+  EXPECT_EQ(faults(), "");
+  EXPECT_NE(scratch_.read("certificate/STATEMENT.md").find("3 exact, 1 correctly rounded"),
+            std::string::npos);
+  const auto json = nlohmann::json::parse(scratch_.read("certificate/statement.json"));
+  EXPECT_EQ(json["coordinates"]["gsk988ta"]["decimals"], 3);
+}
+
+TEST_F(Certificate, CoordinatesThatTheCasesDoNotGiveAreFound) {
+  ASSERT_FALSE(write(rounded_results(R"({"exact":4})")));
+  EXPECT_NE(faults().find("The footer says coordinates {\"gsk988ta\":{\"exact\":4}}, but"),
+            std::string::npos)
+      << faults();
+}
+
 TEST_F(Certificate, AVerdictThatProgramAndTraceDoNotGiveIsFound) {
   Json line = Json::parse(departure());
   ASSERT_EQ(line["verdict"], "fail.geometry");

@@ -26,6 +26,23 @@ TEST(PathJudge, TheManualsPathIsExact) {
             VerdictKind::pass_exact);
 }
 
+// X 65 and Z 5, Z 0, X 0.001 for 0, Z 5, X 65: five coordinates of six are exact, and the one that
+// ends a piece within the cut is compared with nothing.
+TEST(PathJudge, AGoSaysHowItsCoordinatesAreRounded) {
+  const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"
+                            "\n";
+  const std::string near = R"({"k":"feed","b":2,"to":{"x":"0.001"},"f":"200"})"
+                           "\n";
+  const Verdict verdict = judge_trace(kFace, kRapidToStart + kToB + piece + near + kToD + kHome);
+  ASSERT_TRUE(verdict.coordinates);
+  EXPECT_EQ(verdict.coordinates->exact(), 5U);
+  EXPECT_EQ(verdict.coordinates->rounded(), 1U);
+  EXPECT_EQ(verdict.coordinates->increment().text(), "0.001");
+  const std::string far = R"({"k":"feed","b":2,"to":{"x":"0.002"},"f":"200"})"
+                          "\n";
+  EXPECT_FALSE(judge_trace(kFace, kRapidToStart + kToB + far + kToD + kHome).coordinates);
+}
+
 // J-CMP-04.
 TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
   const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"

@@ -69,6 +69,33 @@ constexpr const char* kPass =
 constexpr const char* kSkip =
     R"({"id":"b","dialect":"gsk988ta","cycle":"g94","clauses":[],"verdict":"skip","message":"no"})";
 
+// G00 X50 Z2, G94 X10 Z-3 F80, X a diameter, from (0, 0): a traverse of the root of 25^2 + 2^2, 25.080,
+// to (25, 2), one of 5 to Z -3; a cut of 20 mm at 80 mm/min takes 15 s (the subject's at 60 mm/min
+// 20 s), one of 5 mm 3.75 s, and it is 20 mm back. The subject departs in its first cut.
+TEST_F(HtmlReport, a_failure_says_how_long_both_sides_take) {
+  const std::string text = page("results.jsonl");
+  json times;
+  for (int i = 0; i < 30; ++i) {
+    const json detail = detail_of(text, "d" + std::to_string(i));
+    if (detail.is_object() && detail["id"] == "gsk.g94.000003") times = detail["times"];
+  }
+  ASSERT_TRUE(times.is_object());
+  EXPECT_EQ(times["rows"][0], json::array({"cuts", "s", "18.75", "15", "20", ""}));
+  EXPECT_EQ(times["rows"][1], json::array({"dwells", "s", "0", "0", "0", ""}));
+  EXPECT_EQ(times["rows"][3], json::array({"traverses", "mm", "50.080 (rounded)",
+                                           "30.080 (rounded)", "30.080 (rounded)", ""}));
+  EXPECT_EQ(times["leftOut"], 0);
+}
+
+TEST_F(HtmlReport, it_says_how_coordinates_are_rounded) {
+  const json told = block(page_of_lines(std::string(kPass) + R"(
+{"decision":"GO","totals":{"pass-exact":1},"coordinates":{"gsk988ta":{"exact":1200},"x":7}}
+)"),
+                          "summary")["coordinates"];
+  EXPECT_EQ(told, json({{"gsk988ta", "1,200 exact"}}));
+  EXPECT_TRUE(block(page_of_lines(std::string(kPass) + "\n"), "summary")["coordinates"].empty());
+}
+
 TEST_F(HtmlReport, one_failure_makes_the_run_no_go) {
   const json headline = block(page("results.jsonl"), "summary")["headline"];
   EXPECT_EQ(headline["decision"], "NO-GO");

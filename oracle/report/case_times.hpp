@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How long a case that is not GO takes on both sides, as far as its records say.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "oracle/report/case_paths.hpp"
+
+namespace gonogo::oracle::report {
+
+// Where the two sides part: places in what reference_path and subject_path draw.
+struct Parting {
+  std::optional<std::size_t> wanted;  // of the reference's
+  std::optional<std::size_t> record;  // of the subject's
+};
+
+// {"rows": [[what, unit, reference, reference to the departure, subject to it, hint], ...],
+// "leftOut": motions without a known length}. A subject is read to its departure, so that is what
+// compares; where it is not known the two middle ones are empty and the whole trace counts.
+// Null: not told, for the program renames positions, or there is too much of it.
+Json case_times(const reference::Profile& profile, std::string_view program, const Json& trace,
+                const Parting& parting);
+
+}  // namespace gonogo::oracle::report
