@@ -109,6 +109,9 @@ std::string identification_text(const Identification& found, std::string_view su
         fmt::format("  {:<24} {}{}\n", reference::reading(one.key).name, joined(one.values, " or "),
                     one.why.empty() ? "" : fmt::format("  ({})", one.why));
   }
+  if (!found.coordinates.empty()) {
+    out += fmt::format("  coordinates: {}\n", found.coordinates.text());
+  }
   return out;
 }
 

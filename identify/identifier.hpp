@@ -45,6 +45,7 @@ class Identifier {
   void check_outcomes(Item& item);
   bool strike(Item& item);
   void judge_runs_again();
+  void count_coordinates();
 
   // Readings that are judged by properties, in properties.cpp.
   void find_properties();

@@ -266,6 +266,23 @@ void Identifier::judge_runs_again() {
   }
 }
 
+// Of values that cannot be told apart one is as good as another.
+void Identifier::count_coordinates() {
+  for (const Item& item : items_) {
+    if (!item.run || !found_.runs[*item.run].outcome.answered()) continue;
+    Profile profile = item.probe->profile;
+    profile.readings = base_;
+    for (const ReadingFound& one : found_.readings) {
+      if (!one.values.empty()) profile.readings.set(one.key, one.values.front());
+    }
+    const oracle::JudgeTerms terms = make_terms(
+        subject_.info(), profile, {options_.tolerance, options_.chord, options_.feed_resolution});
+    const oracle::Verdict verdict =
+        judge_kept(profile, item.probe->program, terms, found_.runs[*item.run].outcome);
+    if (verdict.coordinates) found_.coordinates.add(*verdict.coordinates);
+  }
+}
+
 Identification Identifier::run() {
   found_.bits = choices_.bits() + properties_.bits();
   find_lengths();
@@ -278,6 +295,7 @@ Identification Identifier::run() {
     if (found_.contradiction.empty()) find_choices();
   }
   found_.readings = findings();
+  if (found_.contradiction.empty()) count_coordinates();
   return std::move(found_);
 }
 

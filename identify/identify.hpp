@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "identify/probe.hpp"
+#include "oracle/records/rounding_census.hpp"
 
 namespace gonogo::identify {
 
@@ -39,6 +40,8 @@ struct Identification {
   // No assignment explains these runs together: the last one and what it contradicts, if any one
   // does. Empty: the subject follows what `readings` says.
   std::vector<std::size_t> contradiction;  // places in `runs`
+  // How its coordinates are rounded in the runs that are GO under what was found.
+  oracle::RoundingCensus coordinates;
   double bits = 0;                         // log2 of the number of assignments at the beginning
 
   // Programs that the subject answered.

@@ -186,18 +186,35 @@ void add_model(std::string name, ModelChange change, Variants& out) {
                  }});
 }
 
-enum class Rounding { half_up, down, toward_zero };
+enum class Rounding { half_up, half_away_from_zero, half_to_even, down, up, toward_zero, away_from_zero };
+
+Number to_even(const Number& steps) {
+  const Number near = (steps + Number(1) / 2).floor();
+  const bool is_half = near - steps == Number(1) / 2;
+  const bool is_odd = (near / 2).floor() * 2 != near;
+  return is_half && is_odd ? near - 1 : near;
+}
 
 Number rounded(const Number& value, const Number& grid, Rounding rounding) {
   const Number steps = value / grid;
+  const Number half = Number(1) / 2;
   switch (rounding) {
     case Rounding::half_up:
-      return (steps + Number(1) / 2).floor() * grid;
+      return (steps + half).floor() * grid;
+    case Rounding::half_away_from_zero:
+      return (steps.sign() < 0 ? (steps - half).ceil() : (steps + half).floor()) * grid;
+    case Rounding::half_to_even:
+      return to_even(steps) * grid;
     case Rounding::down:
       return steps.floor() * grid;
-    default:
+    case Rounding::up:
+      return steps.ceil() * grid;
+    case Rounding::toward_zero:
       return (steps.sign() < 0 ? steps.ceil() : steps.floor()) * grid;
+    case Rounding::away_from_zero:
+      return (steps.sign() < 0 ? steps.floor() : steps.ceil()) * grid;
   }
+  return value;
 }
 
 bool round_all(KeptOutcome& model, const Number& grid, Rounding rounding) {
@@ -218,8 +235,11 @@ void add_roundings(Variants& out) {
     Number grid = 1;
     for (int i = 0; i < places; ++i) grid = grid / 10;
     for (const auto& [name, rounding] :
-         {std::pair("half up", Rounding::half_up), std::pair("down", Rounding::down),
-          std::pair("toward zero", Rounding::toward_zero)}) {
+         {std::pair("half up", Rounding::half_up),
+          std::pair("half away from zero", Rounding::half_away_from_zero),
+          std::pair("half to even", Rounding::half_to_even), std::pair("down", Rounding::down),
+          std::pair("up", Rounding::up), std::pair("toward zero", Rounding::toward_zero),
+          std::pair("away from zero", Rounding::away_from_zero)}) {
       add_model(
           fmt::format("coordinates are rounded {} to {} mm", name, grid.text()),
           [=](const Observation&, KeptOutcome& model) { return round_all(model, grid, rounding); },

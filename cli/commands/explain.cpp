@@ -95,9 +95,9 @@ class Explanation {
 // What of the times there is; empty: nothing moves or waits.
 std::string times_of(const oracle::CycleTime& time) {
   std::string text;
-  for (const auto& [what, unit, amount] : oracle::parts_of(time)) {
-    if (amount != 0) {
-      text += fmt::format("  {:<9} {} {}\n", what, oracle::amount_text(amount), unit);
+  for (const oracle::TimePart& part : oracle::parts_of(time)) {
+    if (part.amount != 0) {
+      text += fmt::format("  {:<9}  {}\n", part.what, oracle::amount_text(part));
     }
   }
   if (time.left_out() != 0) {

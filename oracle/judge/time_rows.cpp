@@ -22,15 +22,17 @@ std::array<TimePart, kTimeParts> parts_of(const CycleTime& time) {
            {"traverses", "mm", time.rapid_length()}}};
 }
 
-std::string amount_text(const Number& amount) {
+std::string amount_text(const TimePart& part) {
   constexpr int kDecimals = 3;
   constexpr std::size_t kShort = 16;
-  const std::string rounded = amount.decimal_text(kDecimals);
-  if (!amount.is_rational()) return rounded + " (rounded)";
-  const std::string exact = amount.text();
-  if (exact.size() > kShort) return rounded + " (rounded)";
+  const std::string rounded = part.amount.decimal_text(kDecimals);
+  const std::string exact = part.amount.is_rational() ? part.amount.text() : "";
+  if (exact.empty() || exact.size() > kShort) {
+    return fmt::format("{} {} (rounded)", rounded, part.unit);
+  }
   const bool is_decimal = exact.find('/') == std::string::npos;
-  return is_decimal ? exact : fmt::format("{} (exactly {})", rounded, exact);
+  return is_decimal ? fmt::format("{} {}", exact, part.unit)
+                    : fmt::format("{} {} (exactly {})", rounded, part.unit, exact);
 }
 
 std::string time_hint(std::size_t part, const Number& want, const Number& got) {

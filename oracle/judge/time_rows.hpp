@@ -20,9 +20,9 @@ inline constexpr std::size_t kTimeParts = 4;
 // Cuts and dwells, turns of the spindle, the length of traverses.
 std::array<TimePart, kTimeParts> parts_of(const CycleTime& time);
 
-// "30", "3.667 (exactly 11/3)", "15.708 (rounded)": exact where it is a short number, else rounded
-// to three decimals, and told so.
-std::string amount_text(const Number& amount);
+// "30 s", "3.667 s (exactly 11/3)", "15.708 s (rounded)": exact where it is a short number, else
+// rounded to three decimals, and told so.
+std::string amount_text(const TimePart& part);
 
 // Of the part that has this place: a sentence with a blank before it where `got` is off by a factor
 // between units; empty: it is not.

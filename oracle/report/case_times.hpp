@@ -17,9 +17,10 @@ struct Parting {
   std::optional<std::size_t> record;  // of the subject's
 };
 
-// {"rows": [[what, unit, reference, reference to the departure, subject to it, hint], ...],
-// "leftOut": motions without a known length}. A subject is read to its departure, so that is what
-// compares; where it is not known the two middle ones are empty and the whole trace counts.
+// {"rows": [[what, reference, reference to the departure, subject to it, hint], ...], "leftOut":
+// motions without a known length}; rows of parts that either side has. A subject is read to its
+// departure, so that is what compares; where it is not known the reference's is "" and of the
+// subject the whole trace counts.
 // Null: not told, for the program renames positions, or there is too much of it.
 Json case_times(const reference::Profile& profile, std::string_view program, const Json& trace,
                 const Parting& parting);

@@ -118,20 +118,17 @@ function showFailure(detail, c, data) {
 // ---- how long both sides take ----
 
 const kTimeNames = { cuts: 'Cuts', dwells: 'Dwells', turns: 'Turns of the spindle', traverses: 'Traverses' };
-// Parts that one of the sides has.
-const timeRows = (times) => times.rows.filter(([, , ...amounts]) => amounts.slice(0, 3).some((amount) => amount !== '0' && amount !== ''));
 
-function timesTable(times) {
-  const rows = timeRows(times);
-  if (rows.length === 0) return [];
-  const parted = rows[0][3] !== '';
-  const heads = ['', 'Reference', ...(parted ? ['Reference, to the departure', 'Subject, to the departure'] : ['Subject, as far as it was read'])];
-  const body = rows.map(([what, unit, whole, due, got, hint]) => el('tr', { class: hint ? 'hinted' : null },
-    el('th', { scope: 'row' }, kTimeNames[what] ?? what),
-    ...[whole, ...(parted ? [due] : []), got].map((amount) => el('td', {}, `${amount} ${unit}`)), el('td', { class: 'text' }, hint.trim())));
-  const notes = times.leftOut > 0 ? [el('p', { class: 'note' }, `Without ${counted(times.leftOut, 'motion', 'motions')} of rotary axes, or askew in space.`)] : [];
+function timesTable({ rows, leftOut }) {
+  const parted = rows[0][2] !== '';
+  const hinted = rows.some((row) => row[4] !== '');
+  const heads = ['', 'Reference', ...(parted ? ['Reference, to the departure', 'Subject, to the departure'] : ['Subject, as far as it was read']),
+    ...(hinted ? [''] : [])];
+  const body = rows.map(([what, whole, due, got, hint]) => el('tr', {}, el('th', { scope: 'row' }, kTimeNames[what] ?? what),
+    ...[whole, ...(parted ? [due] : []), got, ...(hinted ? [hint.trim()] : [])].map((cell) => el('td', {}, cell))));
+  const notes = leftOut > 0 ? [el('p', { class: 'note' }, `Without ${counted(leftOut, 'motion', 'motions')} of rotary axes, or askew in space.`)] : [];
   return [el('h3', {}, 'Times'), el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Times' }, el('table', { id: 'times' },
-    el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)), el('th', { scope: 'col' }))), el('tbody', {}, ...body))), ...notes];
+    el('thead', {}, el('tr', {}, ...heads.map((head) => el('th', { scope: 'col' }, head)))), el('tbody', {}, ...body))), ...notes];
 }
 
 function pointText(point) {

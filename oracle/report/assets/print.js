@@ -21,8 +21,8 @@ function printedFinding(finding) {
   if (data.deviation) fact('Deviation', deviationText(data.deviation));
   if (data.want) fact('Want', el('span', { class: 'mono' }, data.want));
   if (data.got) fact('Got', el('span', { class: 'mono' }, data.got));
-  for (const [what, unit, , due, got, hint] of data.times ? timeRows(data.times) : []) {
-    if (due !== '' && due !== got) fact(kTimeNames[what] ?? what, `${due} ${unit} due to here, ${got} ${unit} got.${hint}`);
+  for (const [what, , due, got, hint] of data.times?.rows ?? []) {
+    if (due !== '' && due !== got) fact(kTimeNames[what] ?? what, `${due} due up to here, ${got} got.${hint}`);
   }
   const page = el('section', { class: 'printed' }, el('h2', {}, finding.text),
     el('p', { class: 'message' }, `${c.id}: ${c.message}`), el('div', { class: 'columns' }, facts, printedProgram(data)));

@@ -80,10 +80,10 @@ TEST_F(HtmlReport, a_failure_says_how_long_both_sides_take) {
     if (detail.is_object() && detail["id"] == "gsk.g94.000003") times = detail["times"];
   }
   ASSERT_TRUE(times.is_object());
-  EXPECT_EQ(times["rows"][0], json::array({"cuts", "s", "18.75", "15", "20", ""}));
-  EXPECT_EQ(times["rows"][1], json::array({"dwells", "s", "0", "0", "0", ""}));
-  EXPECT_EQ(times["rows"][3], json::array({"traverses", "mm", "50.080 (rounded)",
-                                           "30.080 (rounded)", "30.080 (rounded)", ""}));
+  EXPECT_EQ(times["rows"],
+            json::array({json::array({"cuts", "18.75 s", "15 s", "20 s", ""}),
+                         json::array({"traverses", "50.080 mm (rounded)", "30.080 mm (rounded)",
+                                      "30.080 mm (rounded)", ""})}));
   EXPECT_EQ(times["leftOut"], 0);
 }
 
