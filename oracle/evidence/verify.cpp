@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "oracle/campaign/results.hpp"
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/corpus/id_set.hpp"
