@@ -98,7 +98,7 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
     if (other.step != hypothesis.step || other.open || hypothesis.open) continue;
     if (other.is_fresh() != hypothesis.is_fresh() || other.joined != hypothesis.joined) continue;
     if (!other.is_fresh() && !goes_on_alike(other.progress, hypothesis.progress)) continue;
-    if (hypothesis.coordinates.rounded() < other.coordinates.rounded()) {
+    if (hypothesis.coordinates.rounded().count() < other.coordinates.rounded().count()) {
       other.coordinates = hypothesis.coordinates;
     }
     other.exact = other.exact || hypothesis.exact;

@@ -110,13 +110,13 @@ test('a failure shows its evidence', () => withPage(results, async (page) => {
     "gonogo certify --subject builtin:gsk+g94-r-sign --corpus 'my corpus' --case gsk.g94.000002");
 }));
 
-// The cut of 20 mm at 80 mm/min that is departed in: 15 s; the subject's at 60 mm/min 20 s.
+// The traverse to Z -15 that the subject leads to -5; before it the root of 30^2 + 5^2 on both sides.
 test('a failure says how long both sides take', () => withPage(results, async (page) => {
-  const cuts = page.locator('#times tbody tr', { hasText: 'Cuts' }).locator('td');
-  assert.deepEqual(await cuts.allInnerTexts(), ['18.75 s', '15 s', '20 s']);
+  const traverses = page.locator('#times tbody tr', { hasText: 'Traverses' }).locator('td');
+  assert.deepEqual(await traverses.allInnerTexts(), ['114.414 mm (rounded)', '50.414 mm (rounded)', '40.414 mm (rounded)']);
   assert.equal(await page.locator('#times tbody tr').count(), 2);  // cuts and traverses: nothing waits or turns
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-}, atCase('gsk.g94.000003')));
+}, atCase('gsk.g94.000002')));
 
 test('a failure says under which reading it would be GO', () => withPage(results, async (page) => {
   assert.match(await text(page, '#detail .other'), /gsk\.pocket\.end=r-plane/);

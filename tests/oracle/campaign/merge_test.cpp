@@ -87,10 +87,10 @@ TEST_F(Merge, SaysOfCoordinatesWhatAnUndividedRunSays) {
   const MergeOutcome outcome = merge({"s3", "s1", "s2"});
   const RoundingCensus census = outcome.footer.coordinates.at("gsk988ta");
   EXPECT_EQ(census.exact(), 66U);
-  EXPECT_EQ(census.rounded(), 14U);
-  EXPECT_EQ(census.increment().text(), "0.0001");
-  EXPECT_EQ(census.increments_off(), 10);
-  EXPECT_EQ(census.modes(), std::vector<RoundingMode>{});
+  EXPECT_EQ(census.rounded().count(), 14U);
+  EXPECT_EQ(census.rounded().increment().text(), "0.0001");
+  EXPECT_EQ(census.rounded().increments_off(), 10);
+  EXPECT_EQ(census.rounded().modes(), std::vector<RoundingMode>{});
   EXPECT_EQ(comparable(scratch_.read("merged")), comparable(scratch_.read("whole")));
   CampaignOptions parallel = options();
   parallel.jobs = 3;

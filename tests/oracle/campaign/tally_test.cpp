@@ -142,7 +142,7 @@ TEST(Tally, CoordinatesAreThoseOfAllThatIsGoByDialect) {
   const RunAnswer said = answer(cases);
   ASSERT_EQ(said.coordinates.size(), 2U);
   EXPECT_EQ(said.coordinates.at("gsk988ta").exact(), 6U);
-  EXPECT_EQ(said.coordinates.at("gsk988ta").rounded(), 6U);
+  EXPECT_EQ(said.coordinates.at("gsk988ta").rounded().count(), 6U);
   EXPECT_EQ(said.coordinates.at("rs274"), rounded());
 }
 

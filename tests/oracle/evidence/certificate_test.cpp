@@ -169,8 +169,8 @@ TEST_F(Certificate, ADecisionThatTheCasesDoNotGiveIsFound) {
 }
 
 // 1/3 as 0.333: correctly rounded to 0.001, and 0.000333... is up to 0.000333334 off.
-const std::string kRounded = R"({"exact":3,"correct":1,"off":0,"most":"0.000333334","decimals":3,)"
-                             R"("modes":{"nearest":3,"toward zero":3,"down":3}})";
+const std::string kRounded = R"({"exact":3,"correct":{"count":1,"most":"0.000333334",)"
+                             R"("decimals":3,"modes":{"nearest":3,"toward zero":3,"down":3}}})";
 
 // Results of which the footer says that of its coordinates.
 std::string rounded_results(const std::string& told) {
@@ -186,7 +186,7 @@ TEST_F(Certificate, StatesHowCoordinatesAreRounded) {
   EXPECT_NE(scratch_.read("certificate/STATEMENT.md").find("3 exact, 1 correctly rounded"),
             std::string::npos);
   const auto json = nlohmann::json::parse(scratch_.read("certificate/statement.json"));
-  EXPECT_EQ(json["coordinates"]["gsk988ta"]["decimals"], 3);
+  EXPECT_EQ(json["coordinates"]["gsk988ta"]["correct"]["decimals"], 3);
 }
 
 TEST_F(Certificate, CoordinatesThatTheCasesDoNotGiveAreFound) {

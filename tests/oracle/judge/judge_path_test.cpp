@@ -36,8 +36,8 @@ TEST(PathJudge, AGoSaysHowItsCoordinatesAreRounded) {
   const Verdict verdict = judge_trace(kFace, kRapidToStart + kToB + piece + near + kToD + kHome);
   ASSERT_TRUE(verdict.coordinates);
   EXPECT_EQ(verdict.coordinates->exact(), 5U);
-  EXPECT_EQ(verdict.coordinates->rounded(), 1U);
-  EXPECT_EQ(verdict.coordinates->increment().text(), "0.001");
+  EXPECT_EQ(verdict.coordinates->rounded().count(), 1U);
+  EXPECT_EQ(verdict.coordinates->rounded().increment().text(), "0.001");
   const std::string far = R"({"k":"feed","b":2,"to":{"x":"0.002"},"f":"200"})"
                           "\n";
   EXPECT_FALSE(judge_trace(kFace, kRapidToStart + kToB + far + kToD + kHome).coordinates);

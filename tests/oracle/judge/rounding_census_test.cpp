@@ -36,28 +36,28 @@ RoundingCensus census_of(const std::vector<Pair>& pairs) {
 TEST(RoundingCensus, TellsTheModes) {
   using enum RoundingMode;
   using Modes = std::vector<RoundingMode>;
-  EXPECT_EQ(census_of({{"10/3", "3.333"}, {"-2/3", "-0.667"}}).modes(), (Modes{nearest, down}));
-  EXPECT_EQ(census_of({{"2/3", "0.667"}, {"-10/3", "-3.333"}, {"1/3", "0.333"}}).modes(),
+  EXPECT_EQ(census_of({{"10/3", "3.333"}, {"-2/3", "-0.667"}}).rounded().modes(), (Modes{nearest, down}));
+  EXPECT_EQ(census_of({{"2/3", "0.667"}, {"-10/3", "-3.333"}, {"1/3", "0.333"}}).rounded().modes(),
             (Modes{nearest}));
-  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-2/3", "-0.666"}}).modes(), (Modes{toward_zero}));
-  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-1/3", "-0.334"}}).modes(), (Modes{away_from_zero}));
-  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-1/3", "-0.334"}}).modes(), (Modes{down}));
-  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-2/3", "-0.666"}}).modes(), (Modes{up}));
+  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-2/3", "-0.666"}}).rounded().modes(), (Modes{toward_zero}));
+  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-1/3", "-0.334"}}).rounded().modes(), (Modes{away_from_zero}));
+  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-1/3", "-0.334"}}).rounded().modes(), (Modes{down}));
+  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-2/3", "-0.666"}}).rounded().modes(), (Modes{up}));
 }
 
 TEST(RoundingCensus, TellsTheCoarsestGrid) {
-  EXPECT_EQ(census_of({{"1/3", "0.33"}, {"2/3", "0.67"}}).increment(), decimal("0.01"));
-  EXPECT_EQ(census_of({{"1/3", "0.33"}, {"2/3", "0.667"}}).increment(), decimal("0.001"));
+  EXPECT_EQ(census_of({{"1/3", "0.33"}, {"2/3", "0.67"}}).rounded().increment(), decimal("0.01"));
+  EXPECT_EQ(census_of({{"1/3", "0.33"}, {"2/3", "0.667"}}).rounded().increment(), decimal("0.001"));
   // 0.5 lies on the grid of 0.001, too, but 0.0625 is no multiple of it.
-  EXPECT_EQ(census_of({{"1/16", "0.062"}, {"1/2", "0.5"}}).increment(), decimal("0.001"));
-  EXPECT_EQ(census_of({{"1/3", "1/4000000007"}}).increment(), 0);
+  EXPECT_EQ(census_of({{"1/16", "0.062"}, {"1/2", "0.5"}}).rounded().increment(), decimal("0.001"));
+  EXPECT_EQ(census_of({{"1/3", "1/4000000007"}}).rounded().increment(), 0);
 }
 
 // 0.3353 is 2.3 of 0.001 off 0.333: within 3, and by no mode.
 TEST(RoundingCensus, TellsHowManyIncrementsOff) {
   const RoundingCensus census = census_of({{"0.3353", "0.333"}, {"1", "1"}});
-  EXPECT_EQ(census.increments_off(), 3);
-  EXPECT_TRUE(census.modes().empty());
+  EXPECT_EQ(census.rounded().increments_off(), 3);
+  EXPECT_TRUE(census.rounded().modes().empty());
   EXPECT_EQ(census.text(),
             "1 exact, 1 off; on a grid of 0.001 mm, within 3 of it, by no one mode");
 }
@@ -77,16 +77,16 @@ TEST(RoundingCensus, TakesRoots) {
 TEST(RoundingCensus, TellsWhereHalvesGo) {
   using enum HalvesRule;
   using Rules = std::vector<HalvesRule>;
-  EXPECT_EQ(census_of({{"0.0625", "0.063"}}).halves(), (Rules{away_from_zero, up}));
-  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).halves(),
+  EXPECT_EQ(census_of({{"0.0625", "0.063"}}).rounded().halves(), (Rules{away_from_zero, up}));
+  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).rounded().halves(),
             (Rules{away_from_zero}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"0.0635", "0.064"}, {"1/3", "0.333"}}).halves(),
+  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"0.0635", "0.064"}, {"1/3", "0.333"}}).rounded().halves(),
             (Rules{to_even}));
-  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.062"}}).halves(), (Rules{up}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.063"}}).halves(), (Rules{toward_zero}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.064"}}).halves(), (Rules{to_even, down}));
+  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.062"}}).rounded().halves(), (Rules{up}));
+  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.063"}}).rounded().halves(), (Rules{toward_zero}));
+  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.064"}}).rounded().halves(), (Rules{to_even, down}));
   // No half: every rule says the same.
-  EXPECT_EQ(census_of({{"1/3", "0.333"}}).halves().size(), kHalvesRules);
+  EXPECT_EQ(census_of({{"1/3", "0.333"}}).rounded().halves().size(), kHalvesRules);
   EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).text(),
             "0 exact, 2 correctly rounded; on a grid of 0.001 mm, within 1 of it, nearest with "
             "halves away from zero or away from zero");
@@ -94,7 +94,7 @@ TEST(RoundingCensus, TellsWhereHalvesGo) {
 
 TEST(RoundingCensus, SaysNothingOfWhatIsExact) {
   EXPECT_EQ(census_of({{"0.5", "0.5"}}).text(), "1 exact");
-  EXPECT_TRUE(census_of({{"0.5", "0.5"}}).modes().empty());
+  EXPECT_TRUE(census_of({{"0.5", "0.5"}}).rounded().modes().empty());
 }
 
 // 1/3 lies between 0.333333333 and 0.333333334: nothing of 1e-15 says which.
@@ -136,16 +136,24 @@ TEST(RoundingCensus, IsTheSumOfItsParts) {
   }
 }
 
+// Correctly rounded to 0.001; 0.3353 as 0.334 is off by 1.3 of it, down. No mode fits both.
+TEST(RoundingCensus, TellsBothKindsWhereNoModeFitsBoth) {
+  EXPECT_EQ(census_of({{"1", "1"}, {"2/3", "0.667"}, {"0.3353", "0.334"}}).text(),
+            "1 exact; 1 correctly rounded, on a grid of 0.001 mm, within 1 of it, nearest or away "
+            "from zero or up; 1 off, on a grid of 0.001 mm, within 2 of it, by no one mode");
+}
+
 TEST(RoundingCensus, RefusesWhatIsNone) {
   using Json = nlohmann::ordered_json;
   for (const char* text :
        {R"([])", R"({"exact":-1})", R"({"exact":"1"})", R"({"exact":1,"correct":1})",
-        R"({"exact":1,"correct":1,"off":0,"most":0.1})",
-        R"({"exact":1,"correct":1,"off":0,"most":"-1"})",
-        R"({"exact":1,"correct":1,"off":0,"most":"0.0001","decimals":3})",
-        R"({"exact":1,"correct":1,"off":0,"most":"0.0001","decimals":30,"modes":{}})",
-        R"({"exact":1,"correct":1,"off":0,"most":"0.0001","decimals":3,"modes":{"best":3}})",
-        R"({"exact":1,"correct":1,"off":0,"most":"0.0001","decimals":3,"modes":{"down":10}})"}) {
+        R"({"exact":1,"off":{}})", R"({"exact":1,"off":{"count":0,"most":"1"}})",
+        R"({"exact":1,"off":{"count":1,"most":0.1}})",
+        R"({"exact":1,"off":{"count":1,"most":"-1"}})",
+        R"({"exact":1,"off":{"count":1,"most":"0.0001","decimals":3}})",
+        R"({"exact":1,"off":{"count":1,"most":"0.0001","decimals":30,"modes":{}}})",
+        R"({"exact":1,"off":{"count":1,"most":"0.0001","decimals":3,"modes":{"best":3}}})",
+        R"({"exact":1,"off":{"count":1,"most":"0.0001","decimals":3,"modes":{"down":10}}})"}) {
     EXPECT_FALSE(RoundingCensus::from_json(Json::parse(text))) << text;
   }
 }
