@@ -57,8 +57,7 @@ std::string times_text(const reference::Profile& profile, const StoredFile& prog
   for (std::size_t i = 0; i < wants.size(); ++i) {
     const auto& [what, unit, amount] = wants[i];
     text += fmt::format("  {:<11}{:>16} {:<4}{:>16} {:<4}{}\n", what, shown(amount), unit,
-                        shown(gots[i].amount), unit,
-                        oracle::time_hint(i, amount, gots[i].amount));
+                        shown(gots[i].amount), unit, oracle::time_hint(i, amount, gots[i].amount));
   }
   if (want->left_out() + got.left_out() != 0) {
     text +=

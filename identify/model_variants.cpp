@@ -186,7 +186,15 @@ void add_model(std::string name, ModelChange change, Variants& out) {
                  }});
 }
 
-enum class Rounding { half_up, half_away_from_zero, half_to_even, down, up, toward_zero, away_from_zero };
+enum class Rounding {
+  half_up,
+  half_away_from_zero,
+  half_to_even,
+  down,
+  up,
+  toward_zero,
+  away_from_zero
+};
 
 Number to_even(const Number& steps) {
   const Number near = (steps + Number(1) / 2).floor();

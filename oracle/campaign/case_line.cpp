@@ -224,8 +224,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
     line.number("property_motions", verdict.property_motions);
   }
-  const bool is_go =
-      decision(verdict.kind) == Decision::go && verdict.kind != VerdictKind::xfail;
+  const bool is_go = decision(verdict.kind) == Decision::go && verdict.kind != VerdictKind::xfail;
   if (verdict.coordinates && is_go) {
     line.json("coordinates", dump(verdict.coordinates->json()));
   }

@@ -51,8 +51,8 @@ RoundingCensus coordinates_of(const object& source, std::string_view line) {
     census.take_exact(exact);
     return census;
   }
-  const auto read = RoundingCensus::from_json(
-      nlohmann::ordered_json::parse(simdjson::minify(source)));
+  const auto read =
+      RoundingCensus::from_json(nlohmann::ordered_json::parse(simdjson::minify(source)));
   if (!read) fail(line, "Its coordinates are no count of them.");
   return *read;
 }

@@ -55,8 +55,8 @@ std::string list_of_texts(const Json& footer, const char* key, std::string_view 
 std::string coordinates_list(const RunState& state) {
   std::string text;
   for (const auto& [dialect, of_it] : state.summary["coordinates"].items()) {
-    text += fmt::format("- {}: {}\n", markdown_text(dialect),
-                        markdown_text(of_it.get<std::string>()));
+    text +=
+        fmt::format("- {}: {}\n", markdown_text(dialect), markdown_text(of_it.get<std::string>()));
   }
   return text;
 }

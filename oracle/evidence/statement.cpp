@@ -94,9 +94,8 @@ Json statement_json(const Json& header, const RunState& state, const Json& waive
                           "known_failures", "alarm_map", "seed", "shard"}) {
     if (header.contains(key)) root[key] = header[key];
   }
-  for (const char* key :
-       {"cases", "judged", "left_out", "totals", "assignments", "coordinates", "stale",
-        "unused_alarms"}) {
+  for (const char* key : {"cases", "judged", "left_out", "totals", "assignments", "coordinates",
+                          "stale", "unused_alarms"}) {
     if (state.footer.contains(key)) root[key] = state.footer[key];
   }
   const Json& scope = state.summary["scope"];

@@ -64,7 +64,8 @@ struct Verdict {
   // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
   std::size_t property_motions = 0;   // of a GO: motions of the subject held to properties alone
-  std::optional<RoundingCensus> coordinates;  // of a GO: those that are compared
+  // Of a GO: those that are compared.
+  std::optional<RoundingCensus> coordinates = {};
   std::string reading;                // another reading under which the answer would be GO: "k=v"
   std::uint64_t block = 0;            // source line; 0: none
   std::optional<std::size_t> record;  // place of the subject's record, from 0

@@ -67,9 +67,9 @@ Json case_times(const reference::Profile& profile, std::string_view program, con
     for (std::size_t i = 0; i < whole.size(); ++i) {
       if (whole[i].amount == 0 && shown[i].amount == 0) continue;
       const std::string hint = is_known ? time_hint(i, due[i].amount, shown[i].amount) : "";
-      rows.push_back(Json::array({whole[i].what, amount_text(whole[i]),
-                                  is_known ? amount_text(due[i]) : "", amount_text(shown[i]),
-                                  hint}));
+      rows.push_back(
+          Json::array({whole[i].what, amount_text(whole[i]), is_known ? amount_text(due[i]) : "",
+                       amount_text(shown[i]), hint}));
     }
     if (rows.empty()) return nullptr;
     return {{"rows", rows}, {"leftOut", want->whole.left_out() + got->left_out()}};

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "oracle/records/rounding_census.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
-#include "oracle/records/rounding_census.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle::report {

@@ -19,13 +19,12 @@ std::string line_of(const Record& record) {
 
 std::string text_of(const SessionVerdict& said) {
   const Verdict& verdict = said.verdict;
-  return fmt::format("{} ({}) {} {} {} '{}' want {} got {} by {} {} at {}: {}; {} explain; {}",
-                     name(verdict.kind), verdict.property_motions,
-                     reference::clause_name(verdict.clause), verdict.block,
-                     verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
-                     verdict.deviation_exact, verdict.deviation_mm, verdict.witness,
-                     verdict.message, said.explaining.size(),
-                     verdict.coordinates ? verdict.coordinates->text() : "");
+  return fmt::format(
+      "{} ({}) {} {} {} '{}' want {} got {} by {} {} at {}: {}; {} explain; {}", name(verdict.kind),
+      verdict.property_motions, reference::clause_name(verdict.clause), verdict.block,
+      verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
+      verdict.deviation_exact, verdict.deviation_mm, verdict.witness, verdict.message,
+      said.explaining.size(), verdict.coordinates ? verdict.coordinates->text() : "");
 }
 
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,

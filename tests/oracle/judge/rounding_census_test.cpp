@@ -36,11 +36,14 @@ RoundingCensus census_of(const std::vector<Pair>& pairs) {
 TEST(RoundingCensus, TellsTheModes) {
   using enum RoundingMode;
   using Modes = std::vector<RoundingMode>;
-  EXPECT_EQ(census_of({{"10/3", "3.333"}, {"-2/3", "-0.667"}}).rounded().modes(), (Modes{nearest, down}));
+  EXPECT_EQ(census_of({{"10/3", "3.333"}, {"-2/3", "-0.667"}}).rounded().modes(),
+            (Modes{nearest, down}));
   EXPECT_EQ(census_of({{"2/3", "0.667"}, {"-10/3", "-3.333"}, {"1/3", "0.333"}}).rounded().modes(),
             (Modes{nearest}));
-  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-2/3", "-0.666"}}).rounded().modes(), (Modes{toward_zero}));
-  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-1/3", "-0.334"}}).rounded().modes(), (Modes{away_from_zero}));
+  EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-2/3", "-0.666"}}).rounded().modes(),
+            (Modes{toward_zero}));
+  EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-1/3", "-0.334"}}).rounded().modes(),
+            (Modes{away_from_zero}));
   EXPECT_EQ(census_of({{"2/3", "0.666"}, {"-1/3", "-0.334"}}).rounded().modes(), (Modes{down}));
   EXPECT_EQ(census_of({{"1/3", "0.334"}, {"-2/3", "-0.666"}}).rounded().modes(), (Modes{up}));
 }
@@ -58,8 +61,7 @@ TEST(RoundingCensus, TellsHowManyIncrementsOff) {
   const RoundingCensus census = census_of({{"0.3353", "0.333"}, {"1", "1"}});
   EXPECT_EQ(census.rounded().increments_off(), 3);
   EXPECT_TRUE(census.rounded().modes().empty());
-  EXPECT_EQ(census.text(),
-            "1 exact, 1 off; on a grid of 0.001 mm, within 3 of it, by no one mode");
+  EXPECT_EQ(census.text(), "1 exact, 1 off; on a grid of 0.001 mm, within 3 of it, by no one mode");
 }
 
 // The root of 2 is 1.41421..., the root of 3 is 1.73205...
@@ -80,11 +82,15 @@ TEST(RoundingCensus, TellsWhereHalvesGo) {
   EXPECT_EQ(census_of({{"0.0625", "0.063"}}).rounded().halves(), (Rules{away_from_zero, up}));
   EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).rounded().halves(),
             (Rules{away_from_zero}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"0.0635", "0.064"}, {"1/3", "0.333"}}).rounded().halves(),
-            (Rules{to_even}));
-  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.062"}}).rounded().halves(), (Rules{up}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.063"}}).rounded().halves(), (Rules{toward_zero}));
-  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.064"}}).rounded().halves(), (Rules{to_even, down}));
+  EXPECT_EQ(
+      census_of({{"0.0625", "0.062"}, {"0.0635", "0.064"}, {"1/3", "0.333"}}).rounded().halves(),
+      (Rules{to_even}));
+  EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.062"}}).rounded().halves(),
+            (Rules{up}));
+  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.063"}}).rounded().halves(),
+            (Rules{toward_zero}));
+  EXPECT_EQ(census_of({{"0.0625", "0.062"}, {"-0.0635", "-0.064"}}).rounded().halves(),
+            (Rules{to_even, down}));
   // No half: every rule says the same.
   EXPECT_EQ(census_of({{"1/3", "0.333"}}).rounded().halves().size(), kHalvesRules);
   EXPECT_EQ(census_of({{"0.0625", "0.063"}, {"-0.0625", "-0.063"}}).text(),
@@ -112,8 +118,8 @@ TEST(RoundingCensus, SaysHowFarOffWithoutAGrid) {
 }
 
 std::vector<Pair> many_pairs() {
-  return {{"1", "1"},          {"1/3", "0.33"},       {"2/3", "0.667"},     {"0.0625", "0.062"},
-          {"0.0635", "0.063"}, {"-0.005", "-0.01"},   {"0.005", "0.01"},    {"7/3", "2.3333"},
+  return {{"1", "1"},          {"1/3", "0.33"},       {"2/3", "0.667"},      {"0.0625", "0.062"},
+          {"0.0635", "0.063"}, {"-0.005", "-0.01"},   {"0.005", "0.01"},     {"7/3", "2.3333"},
           {"1/7", "0.142"},    {"-1/7", "-0.142857"}, {"5", "1/4000000007"}, {"0.25", "0.3"}};
 }
 

@@ -79,10 +79,10 @@ constexpr const char* kPass =
 constexpr const char* kSkip =
     R"({"id":"b","dialect":"gsk988ta","cycle":"g94","clauses":[],"verdict":"skip","message":"no"})";
 
-// X is a diameter, and the machine at (0, 0). G00 X60 Z5: the root of 30^2 + 5^2, 30.414 mm. G94 X20
-// Z-10 R-5 F100: 20 mm down to Z -15 (the subject, which departs there, 10), the root of 20^2 + 5^2,
-// 20.616 mm, cut in 12.369 s, 15 mm in 9 s and 20 mm back. X12: 20 mm, the root of 24^2 + 5^2 in
-// 14.709 s, 15 mm in 9 s and 24 mm back.
+// X is a diameter, and the machine at (0, 0). G00 X60 Z5: the root of 30^2 + 5^2, 30.414 mm. G94
+// X20 Z-10 R-5 F100: 20 mm down to Z -15 (the subject, which departs there, 10), the root of 20^2 +
+// 5^2, 20.616 mm, cut in 12.369 s, 15 mm in 9 s and 20 mm back. X12: 20 mm, the root of 24^2 + 5^2
+// in 14.709 s, 15 mm in 9 s and 24 mm back.
 TEST_F(HtmlReport, a_failure_says_how_long_both_sides_take) {
   const json times = times_of("gsk.g94.000002");
   EXPECT_EQ(times["rows"],
