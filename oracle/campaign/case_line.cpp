@@ -161,6 +161,16 @@ void append_sampled(const SampledFigures& figures, LineText& line) {
   line.close();
 }
 
+// Nearly always all are exact.
+void append_coordinates(const RoundingCensus& census, LineText& line) {
+  RoundingCensus exact;
+  exact.take_exact(census.exact());
+  if (census != exact) return line.json("coordinates", dump(census.json()));
+  line.open("coordinates");
+  line.number("exact", census.exact());
+  line.close();
+}
+
 void append_readings(const OpenReadings& readings, LineText& line) {
   line.open("readings");
   line.texts("open", readings.open);
@@ -225,9 +235,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
     line.number("property_motions", verdict.property_motions);
   }
   const bool is_go = decision(verdict.kind) == Decision::go && verdict.kind != VerdictKind::xfail;
-  if (verdict.coordinates && is_go) {
-    line.json("coordinates", dump(verdict.coordinates->json()));
-  }
+  if (verdict.coordinates && is_go) append_coordinates(*verdict.coordinates, line);
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
   if (verdict.sampled != nullptr) append_sampled(*verdict.sampled, line);
