@@ -193,7 +193,7 @@ Number RoundedCoordinates::increment() const {
 std::int64_t RoundedCoordinates::increments_off() const {
   if (!has_grid()) return 0;
   std::int64_t increment = 1;
-  for (int i = decimals_; i < kFinest; ++i) increment *= 10;
+  for (std::int8_t i = decimals_; i < kFinest; ++i) increment *= 10;
   return most_off_ / increment + (most_off_ % increment == 0 ? 0 : 1);
 }
 
