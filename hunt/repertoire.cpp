@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -29,126 +28,6 @@ bool is_feature(const std::string& part) {
   return part.starts_with(kFeature);
 }
 
-bool has(std::string_view text, bool (*is_it)(unsigned char)) {
-  return std::ranges::any_of(text, [&](char c) { return is_it(static_cast<unsigned char>(c)); });
-}
-
-bool has_only_digits(std::string_view text) {
-  return !has(text, [](unsigned char c) { return std::isdigit(c) == 0; });
-}
-
-// How the word is written, where that is not the plainest way.
-void add_spelling(const TextWord& word, bool is_code, std::set<std::string>& parts) {
-  const std::string& text = word.text;
-  const auto add = [&](bool is_so, const char* way) {
-    if (is_so) parts.insert(std::string("spelling ") + way);
-  };
-  add(has(text, [](unsigned char c) { return std::islower(c) != 0; }), "small letters");
-  add(has(text, [](unsigned char c) { return c == ' ' || c == '\t'; }), "blanks in a word");
-  add(has(word.gap, [](unsigned char c) { return c == '\t'; }), "tab");
-  add(text.find('+') != std::string::npos, "+");
-  add(text.find('=') != std::string::npos, "=");
-  add(text.find('(') != std::string::npos, "brackets");
-  const std::size_t number = text.find_first_of("0123456789.");
-  if (number == std::string::npos) return add(true, "no number");
-  const std::size_t point = text.find('.');
-  add(text[number] == '.', "no digit before the point");
-  add(point == text.size() - 1, "no digit behind the point");
-  add(is_code && text[number] == '0' && number + 1 < text.size() &&
-          std::isdigit(static_cast<unsigned char>(text[number + 1])) != 0,
-      "zeros before a code");
-}
-
-// Digits that belong to the word before them: 2 of "M 0 2".
-bool is_loose_number(const TextWord& word) {
-  if (program::is_word(word) || word.text.empty()) return false;
-  const auto first = static_cast<unsigned char>(word.text.front());
-  return std::isdigit(first) != 0 || first == '.' || first == '-';
-}
-
-// What is no word: a comment, the number of a block.
-void add_text(const TextBlock& block, const TextWord& word, std::set<std::string>& parts) {
-  if (is_loose_number(word)) {
-    parts.insert("spelling blanks in a number");
-    return;
-  }
-  const auto first = static_cast<unsigned char>(word.text.empty() ? ' ' : word.text.front());
-  parts.insert(std::string("text ") + static_cast<char>(std::toupper(first)));
-  if (std::isalpha(first) == 0) return;
-  const bool is_whole = has_only_digits(std::string_view(word.text).substr(1));
-  if (!is_whole) parts.insert("spelling odd numbers of blocks");  // N1.5
-  if (&word != block.words.data()) parts.insert("spelling numbers of blocks behind words");
-}
-
-void add_word(const TextBlock& block, const TextWord& word, std::set<std::string>& parts) {
-  if (has(word.text, [](unsigned char c) { return c > 127; })) parts.insert("text bytes");
-  if (!program::is_word(word)) return add_text(block, word, parts);
-  const std::string& code = block.code_of(word);
-  add_spelling(word, !code.empty(), parts);
-  // Of M 0 2 it is not known which code it is.
-  const TextWord* const next = &word + 1;
-  const bool is_last = next == block.words.data() + block.words.size();
-  if (!code.empty() && !is_last && is_loose_number(*next)) {
-    parts.insert("spelling blanks in a code");
-    return;
-  }
-  parts.insert(code.empty() ? "word " + program::address_of(word) : "code " + code);
-}
-
-// What the block is as a whole.
-void add_shape(const TextBlock& block, std::set<std::string>& parts) {
-  std::size_t codes = 0;
-  std::size_t words = 0;
-  for (const TextWord& word : block.words) {
-    if (!program::is_word(word)) continue;
-    ++words;
-    if (!block.code_of(word).empty()) ++codes;
-    const bool is_glued = &word != block.words.data() && word.gap.empty();
-    if (is_glued) parts.insert("spelling no blanks between words");
-  }
-  if (words > 0 && codes == 0) parts.insert("text blocks without a code");
-  if (codes > 1) parts.insert("text several codes in a block");
-}
-
-constexpr const char* kOtherOrder = "spelling words in another order";
-
-// Codes, ways along axes, what else there is, as most programs are written.
-std::pair<int, std::string> rank_of(const TextBlock& block, const TextWord& word) {
-  const std::string address = program::address_of(word);
-  if (!program::is_word(word) && address == "N") return {0, ""};
-  if (address == "G") return {1, ""};
-  if (!block.code_of(word).empty()) return {2, ""};
-  const bool is_axis = address.size() == 1 &&
-                       std::string_view("XYZABCUVW").find(address[0]) != std::string_view::npos;
-  if (is_axis) return {address[0] >= 'X' ? 3 : 4, address};
-  return {address == "F" || address == "S" || address == "T" ? 6 : 5,
-          address == "F" ? "" : address};
-}
-
-bool is_usual_order(const TextBlock& block) {
-  return std::ranges::is_sorted(block.words, {},
-                                [&](const TextWord& word) { return rank_of(block, word); });
-}
-
-// Those of one rank stay as they stand.
-std::vector<const TextWord*> words_in_usual_order(const TextBlock& block) {
-  std::vector<const TextWord*> words;
-  for (const TextWord& word : block.words) words.push_back(&word);
-  std::ranges::sort(words, {}, [&](const TextWord* word) {
-    return std::pair(rank_of(block, *word), word - block.words.data());
-  });
-  return words;
-}
-
-std::string in_usual_order(const TextBlock& block) {
-  const std::vector<const TextWord*> words = words_in_usual_order(block);
-  program::TextLine line{{}, block.rest, block.end};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    line.words.push_back({block.words[i].gap, words[i]->text});
-  }
-  return program::line_text(line);
-}
-
 std::string setting(std::size_t part) {
   return fmt::format("{}{}", kSetting, part);
 }
@@ -158,20 +37,6 @@ std::vector<std::size_t> settings_of(const reference::Profile& profile) {
   std::vector<std::size_t> parts = parts_set(profile);
   std::erase(parts, std::size_t{0});
   return parts;
-}
-
-// The words of a block and nothing else, as plainly as they can be written.
-std::string plainly(const TextBlock& block) {
-  std::string text;
-  for (const TextWord* word : words_in_usual_order(block)) {
-    if (!program::is_word(*word)) continue;
-    if (!text.empty()) text += ' ';
-    for (const char c : word->text) {
-      if (c != ' ' && c != '\t')
-        text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    }
-  }
-  return text + "\n";
 }
 
 // A single block of the program and its last one, on the default machine: of so few parts that most
@@ -214,22 +79,7 @@ std::size_t blocks_run(const generate::GeneratedProgram& program) {
 Repertoire::Repertoire(const oracle::SubjectInfo& info, std::string dialect)
     : info_(info), dialect_(std::move(dialect)) {}
 
-Repertoire::Parts Repertoire::parts_of_block(const TextBlock& block,
-                                             const reference::Descriptor& table) const {
-  Parts parts;
-  for (const TextWord& word : block.words) add_word(block, word, parts);
-  if (!is_usual_order(block)) parts.insert(kOtherOrder);
-  add_shape(block, parts);
-  if (!block.words.empty() && block.end.starts_with('\r')) {
-    parts.insert(block.end.size() == 1 ? "text CR" : "text CR LF");
-  }
-  for (const std::string& feature : program::features_needed(table, block)) {
-    parts.insert(std::string(kFeature) + feature);
-  }
-  return parts;
-}
-
-Repertoire::Parts Repertoire::parts_of(const generate::GeneratedProgram& program,
+Parts Repertoire::parts_of(const generate::GeneratedProgram& program,
                                        std::size_t blocks) const {
   const ProgramText text(program.profile, program.text);
   Parts parts;
@@ -263,12 +113,20 @@ bool Repertoire::is_like_what_is_out(const std::string& part) const {
                         out_, [&](const auto& out) { return is_setting(out.first); }) >= kEnough;
 }
 
+// What stands together may be to blame for a number that it had once: it is tried twice.
+bool Repertoire::is_out(const std::string& part) const {
+  const auto blamed = out_.find(part);
+  if (blamed == out_.end()) return false;
+  return blamed->second >= (rank_of_part(part) == kBlockRank ? 2U : 1U);
+}
+
 bool Repertoire::admits(const std::string& part, Trying& trying) const {
   if (is_undeclared(part)) return false;
   if (!skips_ || in_.contains(part) || trying.parts.contains(part)) return true;
   // It comes with a code or word, which is tried in its place.
-  if (is_feature(part)) return !out_.contains(part);
-  const bool is_new = !out_.contains(part) && !is_like_what_is_out(part);
+  if (rank_of_part(part) > 0 && !is_out(part)) return true;
+  if (is_feature(part)) return false;
+  const bool is_new = !is_out(part) && !is_like_what_is_out(part);
   const bool is_setting = part.starts_with(kSetting);
   if (trying.more == 0 || !(is_new || (trying.also_what_is_out && !is_setting))) return false;
   --trying.more;
@@ -285,52 +143,53 @@ void Repertoire::fit_settings(reference::Profile& profile, Trying& trying) const
 // Words alone go where the rest may stay: without its code a block means something else.
 std::string Repertoire::fitted_block(const TextBlock& block, const reference::Descriptor& table,
                                      Trying& trying) const {
+  const auto is_admitted = [&](const std::string& part) { return admits(part, trying); };
+  std::string text = rewritten(block, is_admitted);
+  if (text != program::line_text(block)) return text;  // looked at again
   program::TextLine kept{{}, block.rest, block.end};
   for (const TextWord& word : block.words) {
-    Parts parts;
-    add_word(block, word, parts);
     const bool is_code = program::is_word(word) && !block.code_of(word).empty();
-    const bool stays = is_code || std::ranges::all_of(parts, [&](const std::string& part) {
-                         return admits(part, trying);
-                       });
+    const bool stays = is_code || std::ranges::all_of(parts_of_word(block, word), is_admitted);
     if (stays) kept.words.push_back(word);
   }
-  if (kept.words.size() != block.words.size()) return program::line_text(kept);  // looked at again
-  if (!is_usual_order(block) && !admits(kOtherOrder, trying)) return in_usual_order(block);
-  const Parts parts = parts_of_block(block, table);
-  const bool stays =
-      std::ranges::all_of(parts, [&](const std::string& part) { return admits(part, trying); });
-  return stays ? program::line_text(block) : std::string();
+  if (kept.words.size() != block.words.size()) return program::line_text(kept);  // likewise
+  return std::ranges::all_of(parts_of_block(block, table), is_admitted) ? text : std::string();
 }
 
 std::string Repertoire::fitted_text(const ProgramText& text, Trying& trying) const {
   std::string fitted;
   for (const TextBlock& block : text.blocks) {
+    const bool is_beside = trying.beside.empty() ||
+                           parts_of_block(block, *text.table).contains(trying.beside);
+    const std::size_t kept_back = is_beside ? 0 : std::exchange(trying.more, 0);
     fitted += fitted_block(block, *text.table, trying);
+    trying.more += kept_back;
   }
   return fitted;
 }
 
-// Later only now and then: what is untried is mostly skipped. Every other time with one more part:
-// some run together only (G1 and its F).
-Repertoire::Trying Repertoire::next_try() const {
+// Later only now and then: what is untried is mostly skipped. Every other time with one more part
+// beside it: some run together only (G1 and its F).
+Repertoire::Trying Repertoire::next_try(const generate::GeneratedProgram& program) const {
   constexpr std::size_t kTryOneIn = 50;
   Trying trying;
   const std::size_t turn = runs_ <= kLearning ? runs_ % 4 : runs_ / kTryOneIn % 4;
-  if (runs_ > kLearning && runs_ % kTryOneIn != 0) return trying;
-  const std::optional<std::string> again = turn % 2 == 1 ? least_blamed() : std::nullopt;
+  if (!skips_ || (runs_ > kLearning && runs_ % kTryOneIn != 0)) return trying;
+  const std::optional<std::string> again = turn % 2 == 1 ? least_blamed(program) : std::nullopt;
   if (again) trying.parts.insert(*again);
   trying.also_what_is_out = again && turn == 3;
+  if (trying.also_what_is_out) trying.beside = *again;
   trying.more = again && turn == 1 ? 0 : 1;
   return trying;
 }
 
-// Of what is out, so that what was blamed for something else comes back soon.
-std::optional<std::string> Repertoire::least_blamed() const {
+// Of what the program has and is out, so that what was blamed for something else comes back soon.
+std::optional<std::string> Repertoire::least_blamed(
+    const generate::GeneratedProgram& program) const {
   std::optional<std::string> least;
-  for (const auto& [part, times] : out_) {
-    if (part.starts_with(kSetting)) continue;
-    if (!least || times < out_.at(*least)) least = part;
+  for (const std::string& part : parts_of(program, std::string::npos)) {
+    if (!is_out(part) || part.starts_with(kSetting)) continue;
+    if (!least || out_.at(part) < out_.at(*least)) least = part;
   }
   return least;
 }
@@ -344,7 +203,7 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
     const generate::GeneratedProgram single = single_block(program, runs_);
     if (is_declared(single)) return single;
   }
-  Trying trying = next_try();
+  Trying trying = next_try(program);
   generate::GeneratedProgram made = program;
   fit_settings(made.profile, trying);
   // What is left may mean something else, and need something else.
@@ -410,7 +269,9 @@ void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   std::ranges::copy_if(parts, std::inserter(untried, untried.end()), [&](const std::string& part) {
     return !in_.contains(part) && !is_undeclared(part);
   });
-  if (!std::ranges::all_of(untried, is_feature)) std::erase_if(untried, is_feature);
+  int rank = kBlockRank;
+  for (const std::string& part : untried) rank = std::min(rank, rank_of_part(part));
+  std::erase_if(untried, [&](const std::string& part) { return rank_of_part(part) > rank; });
   if (untried.size() == 1) ++out_[*untried.begin()];
   if (!untried.empty()) return;
   for (const std::string& part : parts) {
@@ -433,7 +294,8 @@ std::string Repertoire::left_out() const {
   }
   std::string text;
   for (const auto& [kind, names] : kinds) {
-    if (kind == "setting") continue;  // numbers say nothing to people
+    // Numbers say nothing to people, and what stands together is too much to be told.
+    if (kind == "setting" || kind == "block") continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : "; ", kind, names);
   }
   return text;

@@ -13,20 +13,22 @@
 #include <vector>
 
 #include "generate/generator.hpp"
+#include "hunt/block_parts.hpp"
 #include "oracle/subject.hpp"
 #include "program/modes.hpp"
 
 namespace gonogo::hunt {
 
-// A program is made of parts: codes ("code G2"), words ("word A"), what is no word ("text (", a
-// comment), ways to write ("spelling tab"), features ("feature planes") and settings of its machine
+// A program is made of parts: those of its blocks (hunt/block_parts.hpp) and settings of its machine
 // that are not the default ("setting 3", hunt/profile_parts.hpp).
 //
 // (1) As long as the subject skips fewer than one program in twenty, programs stay as they are, but
 //     for what is not declared.
 // (2) A part goes out by a program that was skipped and had no other that was not known to run, or
 //     where programs of known parts with it are skipped again and again.
-// (3) What is out is tried again now and then, and comes back where it runs. Where no word runs at
+// (3) What comes with other parts (rank_of_part) may stand until it was all that was not known to run
+//     in a program that was skipped; what stands together in a block, until it was twice.
+// (4) What is out is tried again now and then, and comes back where it runs. Where no word runs at
 //     all it is begun anew.
 class Repertoire {
  public:
@@ -49,25 +51,25 @@ class Repertoire {
     std::size_t ran = 0;
     std::size_t skipped = 0;
   };
-  using Parts = std::set<std::string>;
   // What a program may have that is not known to run.
   struct Trying {
     Parts parts;
     std::size_t more = 0;           // how many others
     bool also_what_is_out = false;  // ... or only what is untried
+    std::string beside;             // the others only in blocks with this part; empty: in any
   };
-  Trying next_try() const;
-  std::optional<std::string> least_blamed() const;
+  Trying next_try(const generate::GeneratedProgram& program) const;
+  std::optional<std::string> least_blamed(const generate::GeneratedProgram& program) const;
 
   bool is_declared(const generate::GeneratedProgram& program) const;
   void start_again_where_nothing_runs();
   void note(const generate::GeneratedProgram& program, bool ran);
   void learn_ran(const generate::GeneratedProgram& program);
   void learn_skipped(const generate::GeneratedProgram& program);
-  Parts parts_of_block(const program::TextBlock& block, const reference::Descriptor& table) const;
   // Of the first `blocks` blocks, and of the machine.
   Parts parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const;
   bool is_undeclared(const std::string& part) const;
+  bool is_out(const std::string& part) const;
   bool is_like_what_is_out(const std::string& part) const;
   // Whether the part may stand in the program that is made now; one that is tried is noted in
   // `trying`.
