@@ -92,9 +92,11 @@ void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
   output.flush();
 }
 
-bool HuntBoard::tick(std::size_t job, const hunt::Hunt& hunt) {
-  const std::size_t tried = ++programs_;
-  if (failed_ || end_.reached(tried, findings_)) return false;
+bool HuntBoard::take_one(std::size_t job, const hunt::Hunt& hunt) {
+  std::size_t tried = programs_;
+  do {
+    if (failed_ || end_.reached(tried, findings_)) return false;
+  } while (!programs_.compare_exchange_weak(tried, tried + 1));
   if (!on_) return true;
   const std::lock_guard lock(mutex_);
   Job& mine = jobs_[job - 1];
@@ -105,12 +107,12 @@ bool HuntBoard::tick(std::size_t job, const hunt::Hunt& hunt) {
   return true;
 }
 
-void HuntBoard::round_done(std::size_t job) {
+void HuntBoard::round_done(std::size_t job, const hunt::HuntCount& count) {
   {
     const std::lock_guard lock(mutex_);
     ++rounds_;
     Job& mine = jobs_[job - 1];
-    mine.before += mine.round;
+    mine.before += count;
     mine.round = {};
   }
   // The folder tells what there is now.

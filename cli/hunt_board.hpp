@@ -40,10 +40,10 @@ class HuntBoard {
   HuntBoard& operator=(const HuntBoard&) = delete;
 
   void tell(const hunt::Finding& finding, const std::string& folder, const std::string& id);
-  // Whether the job, from 1, goes on after one more program.
-  bool tick(std::size_t job, const hunt::Hunt& hunt);
+  // Whether the job, from 1, is to try one more program, which counts from now on.
+  bool take_one(std::size_t job, const hunt::Hunt& hunt);
   // A round of the job is in its folder.
-  void round_done(std::size_t job);
+  void round_done(std::size_t job, const hunt::HuntCount& count);
   void fail(const char* what);
   // Takes the lines off the terminal.
   void close();

@@ -48,7 +48,7 @@ HuntCampaign::HuntCampaign(std::string folder, CampaignState wanted, SubjectMake
   state_ = *std::move(there);
 }
 
-bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
+std::optional<HuntCount> HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
   HuntOptions options = options_;
   options.dialect = state_.dialect;
   options.seed = seed_of(state_);
@@ -61,6 +61,7 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
   const auto begin = std::chrono::steady_clock::now();
   std::map<Signature, KnownFinding> fresh;
   while (hunt.count().programs < state_.programs_of_round) {
+    if (!go_on(hunt)) return std::nullopt;
     std::optional<Finding> finding = hunt.step();
     if (finding) {
       hunt.reduce(*finding, {});
@@ -71,7 +72,6 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
       fresh[finding->signature] = {id, state_.rounds + 1, state_.rounds + 1, 1};
       tell(*finding, id);
     }
-    if (!go_on(hunt)) return false;
   }
   for (const auto& [signature, finding] : fresh) {
     const auto [known, is_new] = state_.findings.try_emplace(signature, finding);
@@ -82,7 +82,7 @@ bool HuntCampaign::round(const Tell& tell, const GoOn& go_on) {
   keep(hunt);
   append_round_time(folder_, {state_.rounds, std::chrono::system_clock::now(),
                               std::chrono::steady_clock::now() - begin, hunt.count().programs});
-  return true;
+  return hunt.count();
 }
 
 void HuntCampaign::keep(const Hunt& hunt) {

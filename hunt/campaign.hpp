@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "hunt/campaign_state.hpp"
 #include "hunt/finding_files.hpp"
@@ -22,11 +23,11 @@ class HuntCampaign {
 
   // Is told of each new finding, made small and written, with its id.
   using Tell = std::function<void(const Finding&, const std::string& id)>;
-  // Is asked after each program; false breaks the round off, and nothing of it counts but the files
-  // of its findings.
+  // Is asked before each program; false breaks the round off, and nothing of it counts but the
+  // files of its findings.
   using GoOn = std::function<bool(const Hunt&)>;
-  // One round; whether it came to its end. Throws oracle::SubjectUnusable, std::system_error.
-  bool round(const Tell& tell, const GoOn& go_on);
+  // One round: what became of its programs; nothing where it was broken off. Throws oracle::SubjectUnusable, std::system_error.
+  std::optional<HuntCount> round(const Tell& tell, const GoOn& go_on);
 
   const CampaignState& state() const { return state_; }
 

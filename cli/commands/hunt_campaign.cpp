@@ -40,10 +40,10 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, std::size_
              HuntBoard& board) {
   try {
     while (!board.is_over()) {
-      const bool is_done = campaign.round([&](const hunt::Finding& finding,
+      const auto done = campaign.round([&](const hunt::Finding& finding,
                          const std::string& id) { board.tell(finding, folder, id); },
-                     [&](const hunt::Hunt& hunt) { return board.tick(job, hunt); });
-      if (is_done) board.round_done(job);
+                     [&](const hunt::Hunt& hunt) { return board.take_one(job, hunt); });
+      if (done) board.round_done(job, *done);
     }
   } catch (const std::exception& error) {
     board.fail(error.what());
