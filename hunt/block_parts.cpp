@@ -244,7 +244,8 @@ std::string plainly(const TextBlock& block) {
   for (const TextWord* word : words_in_usual_order(block)) {
     if (!program::is_word(*word)) continue;
     if (!text.empty()) text += ' ';
-    for (const char c : word->text) {
+    const std::string& code = block.code_of(*word);
+    for (const char c : code.empty() ? word->text : code) {
       if (c != ' ' && c != '\t')
         text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }

@@ -22,7 +22,12 @@ namespace {
 
 constexpr std::string_view kFeature = "feature ";
 constexpr std::string_view kSetting = "setting ";
-constexpr std::size_t kLearning = 400;  // programs
+constexpr std::size_t kLearning = 400;     // programs
+constexpr std::size_t kMostTogether = 3;  // parts that are tried at once
+
+bool is_code_or_word(const std::string& part) {
+  return part.starts_with("code ") || part.starts_with("word ");
+}
 
 bool is_feature(const std::string& part) {
   return part.starts_with(kFeature);
@@ -126,9 +131,7 @@ bool Repertoire::admits(const std::string& part, Trying& trying) const {
   // It comes with a code or word, which is tried in its place.
   if (rank_of_part(part) > 0 && !is_out(part)) return true;
   if (is_feature(part)) return false;
-  const bool is_new = !is_out(part) && !is_like_what_is_out(part);
-  const bool is_setting = part.starts_with(kSetting);
-  if (trying.more == 0 || !(is_new || (trying.also_what_is_out && !is_setting))) return false;
+  if (trying.more == 0 || is_out(part) || is_like_what_is_out(part)) return false;
   --trying.more;
   trying.parts.insert(part);
   return true;
@@ -159,27 +162,27 @@ std::string Repertoire::fitted_block(const TextBlock& block, const reference::De
 std::string Repertoire::fitted_text(const ProgramText& text, Trying& trying) const {
   std::string fitted;
   for (const TextBlock& block : text.blocks) {
-    const bool is_beside = trying.beside.empty() ||
-                           parts_of_block(block, *text.table).contains(trying.beside);
-    const std::size_t kept_back = is_beside ? 0 : std::exchange(trying.more, 0);
     fitted += fitted_block(block, *text.table, trying);
-    trying.more += kept_back;
   }
   return fitted;
 }
 
-// Later only now and then: what is untried is mostly skipped. Every other time with one more part
-// beside it: some run together only (G1 and its F).
-Repertoire::Trying Repertoire::next_try(const generate::GeneratedProgram& program) const {
+// Later only now and then: what is untried is mostly skipped.
+Repertoire::Turn Repertoire::turn() const {
   constexpr std::size_t kTryOneIn = 50;
+  if (!skips_ || (runs_ > kLearning && runs_ % kTryOneIn != 0)) return Turn::what_runs;
+  const std::size_t number = runs_ > kLearning ? runs_ / kTryOneIn : runs_;
+  if (number % 2 == 0) return Turn::untried;
+  return number % 4 == 1 ? Turn::again : Turn::together;
+}
+
+Repertoire::Trying Repertoire::next_try(const generate::GeneratedProgram& program) const {
   Trying trying;
-  const std::size_t turn = runs_ <= kLearning ? runs_ % 4 : runs_ / kTryOneIn % 4;
-  if (!skips_ || (runs_ > kLearning && runs_ % kTryOneIn != 0)) return trying;
-  const std::optional<std::string> again = turn % 2 == 1 ? least_blamed(program) : std::nullopt;
+  if (turn() == Turn::what_runs) return trying;
+  const std::optional<std::string> again =
+      turn() == Turn::again ? least_blamed(program) : std::nullopt;
   if (again) trying.parts.insert(*again);
-  trying.also_what_is_out = again && turn == 3;
-  if (trying.also_what_is_out) trying.beside = *again;
-  trying.more = again && turn == 1 ? 0 : 1;
+  trying.more = again ? 0 : 1;
   return trying;
 }
 
@@ -194,6 +197,32 @@ std::optional<std::string> Repertoire::least_blamed(
   return least;
 }
 
+// A block by itself of which several codes and words are not known to run, that which was least
+// tried: some run together only (G1 and its F).
+std::optional<generate::GeneratedProgram> Repertoire::together(
+    const generate::GeneratedProgram& program) const {
+  const ProgramText text(program.profile, program.text);
+  std::optional<std::size_t> least;
+  std::string chosen;
+  for (const TextBlock& block : text.blocks) {
+    Parts parts = parts_of_block(block, *text.table);
+    std::erase_if(parts, [&](const std::string& part) {
+      return !is_code_or_word(part) || in_.contains(part);
+    });
+    if (parts.size() < 2 || parts.size() > kMostTogether) continue;
+    const auto tried = together_.find(parts);
+    const std::size_t times = tried == together_.end() ? 0 : tried->second;
+    if (least && times >= *least) continue;
+    least = times;
+    chosen = plainly(block);
+  }
+  if (!least) return std::nullopt;
+  generate::GeneratedProgram made = program;
+  for (const std::size_t part : settings_of(made.profile)) reset_part(made.profile, part);
+  made.text = chosen + (in_.contains("code M2") ? "M2\n" : "M30\n");
+  return is_declared(made) ? std::optional(std::move(made)) : std::nullopt;
+}
+
 std::optional<generate::GeneratedProgram> Repertoire::fitted(
     const generate::GeneratedProgram& program) const {
   constexpr std::size_t kSingleBlocks = 60;
@@ -202,6 +231,9 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
   if (skips_ && runs_ <= kSingleBlocks) {
     const generate::GeneratedProgram single = single_block(program, runs_);
     if (is_declared(single)) return single;
+  }
+  if (turn() == Turn::together) {
+    if (auto alone = together(program)) return alone;
   }
   Trying trying = next_try(program);
   generate::GeneratedProgram made = program;
@@ -273,6 +305,7 @@ void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   for (const std::string& part : untried) rank = std::min(rank, rank_of_part(part));
   std::erase_if(untried, [&](const std::string& part) { return rank_of_part(part) > rank; });
   if (untried.size() == 1) ++out_[*untried.begin()];
+  if (untried.size() > 1 && untried.size() <= kMostTogether) ++together_[untried];
   if (!untried.empty()) return;
   for (const std::string& part : parts) {
     const auto known = in_.find(part);

@@ -54,12 +54,15 @@ class Repertoire {
   // What a program may have that is not known to run.
   struct Trying {
     Parts parts;
-    std::size_t more = 0;           // how many others
-    bool also_what_is_out = false;  // ... or only what is untried
-    std::string beside;             // the others only in blocks with this part; empty: in any
+    std::size_t more = 0;  // how many others that are untried
   };
+  // What the next program is for.
+  enum class Turn { what_runs, untried, again, together };
+  Turn turn() const;
   Trying next_try(const generate::GeneratedProgram& program) const;
   std::optional<std::string> least_blamed(const generate::GeneratedProgram& program) const;
+  std::optional<generate::GeneratedProgram> together(
+      const generate::GeneratedProgram& program) const;
 
   bool is_declared(const generate::GeneratedProgram& program) const;
   void start_again_where_nothing_runs();
@@ -84,6 +87,7 @@ class Repertoire {
   std::string dialect_;
   std::map<std::string, Runs> in_;
   std::map<std::string, std::size_t> out_;  // how often each was the only one to blame
+  std::map<Parts, std::size_t> together_;   // how often they were skipped together
   bool skips_ = false;
   std::size_t runs_ = 0;
   // Before much was skipped: the last programs, and whether each ran. What they are made of is
