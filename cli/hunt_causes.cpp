@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <utility>
 
 #include "hunt/campaign_page.hpp"
 #include "hunt/finding_files.hpp"
@@ -43,8 +44,20 @@ class MappedSubject : public oracle::Subject {
 
 // A breakdown has no cause in the reference's terms, and one program does not show what is left
 // over from others.
-bool may_have_cause(const hunt::Face& face) {
-  return face.stands && oracle::is_other_answer(face.signature.kind);
+bool may_have_cause(const hunt::Signature& signature) {
+  return oracle::is_other_answer(signature.kind);
+}
+
+std::unique_ptr<oracle::Subject> subject_to_ask(const TrialWords& words) {
+  const hunt::TrialOptions options = trial_options(words);
+  auto made = trial_subject(words)();
+  made->set_run_limit(options.run_limit);
+  return std::make_unique<MappedSubject>(std::move(made), options.alarm_map);
+}
+
+identify::ExplanationTerms terms_of(const TrialWords& words) {
+  const hunt::TrialOptions options = trial_options(words);
+  return {options.tolerance, options.chord, options.feed_resolution, kMostRecords};
 }
 
 struct Asked {
@@ -56,7 +69,7 @@ Asked faces_to_ask(const std::string& folder, const hunt::HuntSummary& summary) 
   Asked asked;
   for (const hunt::CampaignFinding& finding : summary.findings) {
     for (const hunt::Face& face : finding.faces) {
-      if (!may_have_cause(face)) continue;
+      if (!face.stands || !may_have_cause(face.signature)) continue;
       const generate::GeneratedProgram program =
           hunt::read_exhibit(folder + "/" + face.folder, summary.dialect).program;
       asked.signatures.push_back(face.signature);
@@ -87,14 +100,9 @@ hunt::Causes ask_causes(const std::string& folder, const TrialWords& words,
   hunt::Causes causes;
   const Asked asked = faces_to_ask(folder, summary);
   if (asked.programs.empty()) return causes;
-  const hunt::TrialOptions options = trial_options(words);
-  auto made = trial_subject(words)();
-  made->set_run_limit(options.run_limit);
-  MappedSubject subject(std::move(made), options.alarm_map);
-  const identify::ExplanationTerms terms{options.tolerance, options.chord, options.feed_resolution,
-                                         kMostRecords};
+  const std::unique_ptr<oracle::Subject> subject = subject_to_ask(words);
   const identify::SharedCauses found =
-      find_shared_causes(subject, asked.programs, other_programs(folder), terms);
+      find_shared_causes(*subject, asked.programs, other_programs(folder), terms_of(words));
   for (const identify::SharedCause& cause : found.causes) {
     for (const std::size_t face : cause.faces) causes[asked.signatures[face]] = cause.name;
   }
@@ -134,6 +142,27 @@ hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& wor
   write_campaign_summary(folder, summary);
   write_campaign_page(folder, summary);
   return summary;
+}
+
+KnownMistakes::KnownMistakes(const std::string& folder, TrialWords words)
+    : words_(std::move(words)) {
+  hunt::HuntSummary summary = hunt::summarize_campaign(folder);
+  group_findings(summary, hunt::read_known_causes(folder).causes);
+  for (const hunt::CampaignFinding& finding : summary.findings) {
+    if (finding.stands() && !finding.cause.empty()) names_.insert(finding.cause);
+  }
+}
+
+std::string KnownMistakes::cause_of(const hunt::Finding& finding) try {
+  if (names_.empty() || !may_have_cause(finding.signature)) return {};
+  if (!subject_) subject_ = subject_to_ask(words_);
+  subject_->renew();
+  const generate::GeneratedProgram& program = finding.exhibit.program;
+  return identify::known_cause(*subject_, {"finding", program.text, program.profile}, names_,
+                               terms_of(words_));
+} catch (const oracle::SubjectUnusable&) {
+  subject_.reset();
+  return {};  // the finding is told as it is
 }
 
 }  // namespace gonogo::cli

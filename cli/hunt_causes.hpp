@@ -4,6 +4,10 @@
 // tells: campaign.json and index.html.
 #pragma once
 
+#include <memory>
+#include <set>
+#include <string>
+
 #include "cli/trial_options.hpp"
 #include "hunt/hunt_summary.hpp"
 
@@ -13,5 +17,20 @@ namespace gonogo::cli {
 // asked where there are faces that it was not asked for yet; one that cannot be asked has findings
 // without causes. Throws std::runtime_error where a shard cannot be read, std::system_error.
 hunt::HuntSummary tell_campaign(const std::string& folder, const TrialWords& words);
+
+// The mistakes that findings of a campaign that stand come from, held against a subject's later
+// departures.
+class KnownMistakes {
+ public:
+  // Throws std::runtime_error where a shard cannot be read.
+  KnownMistakes(const std::string& folder, TrialWords words);
+  // That which explains the finding in full; empty: none, and it is news.
+  std::string cause_of(const hunt::Finding& finding);
+
+ private:
+  TrialWords words_;
+  std::set<std::string> names_;
+  std::unique_ptr<oracle::Subject> subject_;  // made when it is first asked
+};
 
 }  // namespace gonogo::cli

@@ -75,8 +75,16 @@ hunt::HuntOptions hunt_options(const HuntWords& words);
 // UsageError.
 void know_failures(const HuntWords& words, hunt::HuntOptions& options);
 
-// gonogo hunt; `prepare`, if any, is given the hunt before it begins.
-int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare);
+// What is known before a hunt; each may be null.
+struct HuntBefore {
+  // Is given the hunt before it begins.
+  std::function<void(hunt::Hunt&)> prepare;
+  // The known cause of a finding, which is then no news; empty: none.
+  std::function<std::string(const hunt::Finding&)> known_cause;
+};
+
+// gonogo hunt
+int hunt_programs(HuntWords words, const HuntBefore& before);
 
 // gonogo hunt --campaign DIR
 int hunt_campaign(HuntWords words);

@@ -110,4 +110,15 @@ SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const Progra
   return sharing.find();
 }
 
+std::string known_cause(oracle::Subject& subject, const ProgramAsked& face,
+                        const std::set<std::string>& names, const ExplanationTerms& terms) {
+  Explainer explainer(subject, terms);
+  const std::optional<Observation> seen = explainer.observe(face);
+  if (!seen || !seen->departs()) return {};
+  for (const Variant& variant : variants_for(*seen)) {
+    if (names.contains(variant.name) && explainer.explains(variant, *seen)) return variant.name;
+  }
+  return {};
+}
+
 }  // namespace gonogo::identify

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,5 +33,10 @@ struct SharedCauses {
 SharedCauses find_shared_causes(oracle::Subject& subject, std::span<const ProgramAsked> faces,
                                 std::span<const ProgramAsked> others,
                                 const ExplanationTerms& terms);
+
+// Which of the mistakes that are known by their names explains a departure in full: the first that
+// does. Empty: none, or the subject does not depart. Throws SubjectUnusable.
+std::string known_cause(oracle::Subject& subject, const ProgramAsked& face,
+                        const std::set<std::string>& names, const ExplanationTerms& terms);
 
 }  // namespace gonogo::identify

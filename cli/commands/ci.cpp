@@ -13,6 +13,7 @@
 #include "cli/ci_words.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/hunt_causes.hpp"
 #include "cli/output.hpp"
 #include "hunt/campaign_state.hpp"
 
@@ -53,6 +54,25 @@ std::size_t begin_from(const std::string& campaign, const std::string& dialect, 
   return known;
 }
 
+// Of a campaign, if one is named: its departures, and other faces of what they come from.
+HuntBefore what_is_known(const CiWords& words, const std::string& dialect) {
+  if (words.campaign.empty()) return {};
+  const auto mistakes = std::make_shared<KnownMistakes>(words.campaign, words.trial);
+  HuntBefore before;
+  before.prepare = [&words, dialect](hunt::Hunt& hunt) {
+    const std::size_t known = begin_from(words.campaign, dialect, hunt);
+    if (known == 0) return;
+    Output output;
+    output.text() =
+        fmt::format("{}: {} departures that are known are no news\n", words.campaign, known);
+    output.flush();
+  };
+  before.known_cause = [mistakes](const hunt::Finding& finding) {
+    return mistakes->cause_of(finding);
+  };
+  return before;
+}
+
 // A NO-GO of one of them is one of both; what either could not decide is not decided.
 int gravest(int one, int other) {
   if (one == kNoGo || other == kNoGo) return kNoGo;
@@ -66,15 +86,7 @@ int change(const CiWords& words) {
   hunting.trial.out = words.report + "/found";
   if (!words.campaign.empty()) shards_in(words.campaign);  // before anything runs
   const int judged = certify(certify_options(words));
-  const int found = hunt_programs(hunting, [&](hunt::Hunt& hunt) {
-    if (words.campaign.empty()) return;
-    const std::size_t known = begin_from(words.campaign, hunting.dialect, hunt);
-    if (known == 0) return;
-    Output output;
-    output.text() =
-        fmt::format("{}: {} departures that are known are no news\n", words.campaign, known);
-    output.flush();
-  });
+  const int found = hunt_programs(hunting, what_is_known(words, hunting.dialect));
   return gravest(judged, found);
 }
 

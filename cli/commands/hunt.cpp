@@ -14,6 +14,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
+#include "oracle/records/run_scope.hpp"
 #include "oracle/records/text.hpp"
 
 namespace gonogo::cli {
@@ -60,12 +61,27 @@ std::string again(const HuntWords& words, const hunt::Finding& finding, const st
 struct HuntTally {
   std::size_t no_go = 0;
   std::size_t oracle_errors = 0;
+  std::size_t known = 0;  // faces of what was known before
   bool complete = true;
   std::size_t findings() const { return no_go + oracle_errors; }
 };
 
-void take(const HuntWords& words, hunt::Hunt& hunt, hunt::Finding& finding, HuntTally& tally) {
+// Whether the finding is told as one more face of what was known before.
+bool take_known(const HuntBefore& before, const hunt::Finding& finding, HuntTally& tally) {
+  const std::string cause = before.known_cause ? before.known_cause(finding) : std::string();
+  if (cause.empty()) return false;
+  ++tally.known;
+  Output output;
+  output.text() =
+      fmt::format("known: {}, a new face of: {}\n", finding.signature.text(), cause);
+  output.flush();
+  return true;
+}
+
+void take(const HuntWords& words, const HuntBefore& before, hunt::Hunt& hunt,
+          hunt::Finding& finding, HuntTally& tally) {
   hunt.reduce(finding, {});
+  if (take_known(before, finding, tally)) return;
   const std::string id =
       keep_finding(words.trial, static_cast<std::uint64_t>(words.seed), hunt.trial(), finding);
   const bool is_error = finding.verdict.kind == oracle::VerdictKind::oracle_error;
@@ -83,11 +99,14 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
   return fmt::format(
       "{}, {}: {} programs from seed {}, {} judged ({} with motion), {} skipped, {} undecided, {} "
       "too long{}; "
-      "{} features of the reference in {} programs; {} findings{}\n",
+      "{} features of the reference in {} programs; {} findings{}{}\n",
       words.trial.subject, words.dialect, count.programs, words.seed, count.judged, count.moved,
       count.skipped, count.gaps, count.too_long,
       count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
       hunt.pool().features(), hunt.pool().size(), tally.findings(),
+      tally.known == 0 ? ""
+                       : ", " + oracle::counted(tally.known, "new face", "new faces") +
+                             " of known causes",
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
@@ -121,9 +140,12 @@ int hunt(const HuntWords& words) {
   if (!words.beside.empty()) {
     throw UsageError("--beside is for --method operations, which compares subjects.");
   }
+  if (words.campaign.empty() && (words.jobs != 1 || words.shard != "1/1")) {
+    throw UsageError("--jobs and --shard are of a long hunt: give --campaign DIR too.");
+  }
   if (words.method == "properties") return hunt_properties(words);
   if (!words.campaign.empty()) return hunt_campaign(words);
-  return hunt_programs(words, nullptr);
+  return hunt_programs(words, {});
 }
 
 }  // namespace
@@ -140,14 +162,14 @@ hunt::HuntOptions hunt_options(const HuntWords& words) {
   return options;
 }
 
-int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepare) {
+int hunt_programs(HuntWords words, const HuntBefore& before) {
   hunt::HuntOptions options = hunt_options(words);
   words.dialect = options.dialect;
   know_failures(words, options);
   const HuntEnd end(words);
   hunt::Hunt hunt(trial_subject(words.trial), trial_options(words.trial), std::move(options));
   check_dialect(hunt.trial().info(), words.dialect);
-  if (prepare) prepare(hunt);
+  if (before.prepare) before.prepare(hunt);
   HuntTally tally;
   {
     HuntProgress progress(end);
@@ -156,7 +178,7 @@ int hunt_programs(HuntWords words, const std::function<void(hunt::Hunt&)>& prepa
         std::optional<hunt::Finding> finding = hunt.step();
         if (finding) {
           progress.clear();
-          take(words, hunt, *finding, tally);
+          take(words, before, hunt, *finding, tally);
         }
         progress.show(hunt, tally.findings());
       }

@@ -162,5 +162,22 @@ TEST(SharedCauses, AreNotNamedWithMoreRecordsThanTheyMayTake) {
   EXPECT_TRUE(found.causes.empty());
 }
 
+TEST(SharedCauses, ANewFaceIsOfTheKnownMistakeThatExplainsAllOfIt) {
+  Displaced subject;
+  const Profile machine = testing::default_machine("rs274");
+  const std::set<std::string> known = {kAbsolute, kUnsigned};
+  const auto cause = [&](const char* program) {
+    return known_cause(subject, {"face", program, machine}, known, {});
+  };
+  EXPECT_EQ(cause("F100\nG1 X1\nG3 X1 Z5 I2\nM2\n"), kAbsolute);
+  // Departs by something else, or by something else as well, or not at all.
+  EXPECT_EQ(cause("F100\nG4 P1\nG1 X10\nX20 Y5\nX40\nM2\n"), "");
+  EXPECT_EQ(cause("F100\nG4 P1\nG1 X3\nG2 X10 Y0 I5 J3\nM2\n"), "");
+  EXPECT_EQ(cause("F100\nG1 X10\nM2\n"), "");
+  const std::set<std::string> none = {kUnsigned};
+  EXPECT_EQ(known_cause(subject, {"face", "F100\nG1 X1\nG3 X1 Z5 I2\nM2\n", machine}, none, {}),
+            "");
+}
+
 }  // namespace
 }  // namespace gonogo::identify
