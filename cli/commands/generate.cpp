@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -15,10 +16,12 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "cli/subjects.hpp"
 #include "cli/version.hpp"
 #include "generate/cover/cases.hpp"
 #include "generate/valid_programs.hpp"
 #include "hunt/drawn_vectors.hpp"
+#include "hunt/repertoire.hpp"
 #include "oracle/corpus/folder_writer.hpp"
 #include "oracle/records/features.hpp"
 #include "reference/dialect.hpp"
@@ -43,6 +46,7 @@ struct GenerateWords {
   bool valid = false;  // of those that are drawn
   std::string profile;
   std::vector<std::string> features;  // that they may need; empty: all
+  std::string subject;                // ... or those that it declares
 };
 
 std::vector<const Model*> models_of(const GenerateWords& words) {
@@ -126,8 +130,28 @@ int generate_rows(const GenerateWords& words) {
   return disagreements == 0 ? kGo : kUndecided;
 }
 
-// The features that valid programs may need. Throws UsageError.
+// Those that the subject declares of the dialect; empty: everything. Throws UsageError.
+std::set<std::string> features_of_subject(const GenerateWords& words) {
+  if (!words.features.empty()) {
+    throw UsageError("The subject says which features it has. Leave --feature or --subject out.");
+  }
+  const std::unique_ptr<oracle::Subject> subject =
+      subject_maker(words.subject, LimitOptions().limits())();
+  const oracle::SubjectInfo& info = subject->info();
+  if (info.everything) return {};
+  const auto declared = info.dialects.find(words.dialect);
+  if (declared == info.dialects.end()) {
+    throw UsageError(fmt::format("{} does not name the dialect {}. Leave --subject out.",
+                                 words.subject, words.dialect));
+  }
+  std::set<std::string> features = declared->second;
+  if (!features.empty()) features.insert("basic");
+  return features;
+}
+
+// The features that programs may need; empty: all. Throws UsageError.
 std::set<std::string> declared_features(const GenerateWords& words) {
+  if (!words.subject.empty()) return features_of_subject(words);
   std::set<std::string> features;
   for (const std::string& name : words.features) {
     std::string known;
@@ -171,18 +195,32 @@ std::string valid_line(const generate::ValidCount& count) {
       count.left_out, count.blocks, count.thrown_out, count.programs, why);
 }
 
-int generate_drawn(const GenerateWords& words) {
+// What the generator writes, without what needs a feature that is not among these.
+hunt::ProgramDraw drawn_within(const GenerateWords& words, const std::set<std::string>& features) {
+  oracle::SubjectInfo info;
+  info.everything = features.empty();
+  if (!features.empty()) info.dialects[words.dialect] = features;
+  const auto repertoire = std::make_shared<const hunt::Repertoire>(info, words.dialect);
   const generate::Generator& generator = generate::generator_of(words.dialect);
+  return [repertoire, &generator, settings = settings_option(words.settings)](std::uint64_t seed) {
+    generate::Choices choices(seed);
+    return repertoire->fitted(generator.generate(choices, settings, nullptr));
+  };
+}
+
+int generate_drawn(const GenerateWords& words) {
   const auto seed = static_cast<std::uint64_t>(words.seed);
   const auto programs = static_cast<std::size_t>(words.programs);
   const std::string gonogo = fmt::format("gonogo {}", kVersion);
   std::optional<generate::ValidPrograms> valid;
-  if (words.valid) valid.emplace(generator, valid_options(words));
-  hunt::DrawnVectors drawn =
-      valid
-          ? hunt::draw_vectors([&](std::uint64_t one) { return valid->of_seed(one); }, seed,
-                               programs, gonogo)
-          : hunt::draw_vectors(generator, settings_option(words.settings), seed, programs, gonogo);
+  hunt::ProgramDraw source;
+  if (words.valid) {
+    valid.emplace(generate::generator_of(words.dialect), valid_options(words));
+    source = [&](std::uint64_t one) { return valid->of_seed(one); };
+  } else {
+    source = drawn_within(words, declared_features(words));
+  }
+  hunt::DrawnVectors drawn = hunt::draw_vectors(source, seed, programs, gonogo);
   if (drawn.cases.empty()) {
     throw UsageError(
         "None of the programs is a case: nothing can be said of them. Draw more, or from another "
@@ -213,16 +251,17 @@ int generate(const GenerateWords& words) {
       !std::filesystem::is_empty(words.out, ignored)) {
     throw UsageError(fmt::format("{} is there and not empty. Name a new folder.", words.out));
   }
-  if (!words.valid && (!words.profile.empty() || !words.features.empty())) {
-    throw UsageError("--profile and --feature are about valid programs: give --valid too.");
+  if (!words.valid && !words.profile.empty()) {
+    throw UsageError("--profile is about valid programs: give --valid too.");
   }
   if (words.programs == 0) {
     if (words.valid) {
       throw UsageError("--valid is about programs that are drawn at random: give --programs too.");
     }
-    if (!words.settings.empty()) {
+    if (!words.settings.empty() || !words.features.empty() || !words.subject.empty()) {
       throw UsageError(
-          "--settings is about programs that are drawn at random: give --programs too.");
+          "--settings, --feature and --subject are about programs that are drawn at random: give "
+          "--programs too.");
     }
     return generate_rows(words);
   }
@@ -258,7 +297,9 @@ void add_generate(Command& program) {
   command.option("--profile", words->profile,
                  "with --valid, the machine of every program; without: any");
   command.repeated_option("--feature", words->features,
-                          "with --valid, one that programs may need (all); may be repeated");
+                          "with --programs, one that they may need (all); may be repeated");
+  command.option("--subject", words->subject,
+                 "with --programs, they need no feature but those that this subject declares");
   command.run([words] { return generate(*words); });
 }
 
