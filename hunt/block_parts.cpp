@@ -199,6 +199,19 @@ void add_together(const TextBlock& block, Parts& parts) {
   if (codes.size() > 1) parts.insert("text several codes in a block");
 }
 
+// A word without the fraction of its number; one that is no address and number stays as it is.
+std::string in_whole_number(const std::string& word) {
+  constexpr std::string_view kNumber = "+-.0123456789";
+  const std::size_t number = word.find_first_of(kNumber);
+  if (number == std::string::npos || word.find_first_not_of(kNumber, number) != std::string::npos) {
+    return word;
+  }
+  const std::string written = word.substr(number, word.find('.', number) - number);
+  const std::size_t first = written.find_first_of("123456789");
+  return word.substr(0, number) + (written.starts_with('-') ? "-" : "") +
+         (first == std::string::npos ? "1" : written.substr(first));
+}
+
 }  // namespace
 
 int rank_of_part(std::string_view part) {
@@ -239,16 +252,18 @@ std::string rewritten(const TextBlock& block,
   return program::line_text(block);
 }
 
-std::string plainly(const TextBlock& block) {
+std::string plainly(const TextBlock& block, Numbers numbers) {
   std::string text;
   for (const TextWord* word : words_in_usual_order(block)) {
     if (!program::is_word(*word)) continue;
     if (!text.empty()) text += ' ';
     const std::string& code = block.code_of(*word);
+    std::string plain;
     for (const char c : code.empty() ? word->text : code) {
       if (c != ' ' && c != '\t')
-        text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        plain += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }
+    text += code.empty() && numbers == Numbers::whole ? in_whole_number(plain) : plain;
   }
   return text + "\n";
 }

@@ -3,6 +3,7 @@
 // What a block is made of, as far as a subject may do one part and skip another.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
@@ -31,7 +32,9 @@ Parts parts_of_block(const program::TextBlock& block, const reference::Descripto
 std::string rewritten(const program::TextBlock& block,
                       const std::function<bool(const std::string& part)>& admits);
 
-// The words of a block and nothing else, as plainly as they can be written, with a line end.
-std::string plainly(const program::TextBlock& block);
+// The words of a block and nothing else, as plainly as they can be written, with a line end; with
+// their numbers, or with other numbers that any subject reads: "X12" for "X+12.50", "F1" for "F.5".
+enum class Numbers : std::uint8_t { as_written, whole };
+std::string plainly(const program::TextBlock& block, Numbers numbers = Numbers::as_written);
 
 }  // namespace gonogo::hunt

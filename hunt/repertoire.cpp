@@ -29,6 +29,12 @@ bool is_code_or_word(const std::string& part) {
   return part.starts_with("code ") || part.starts_with("word ");
 }
 
+Parts codes_and_words(const TextBlock& block, const reference::Descriptor& table) {
+  Parts parts = parts_of_block(block, table);
+  std::erase_if(parts, [](const std::string& part) { return !is_code_or_word(part); });
+  return parts;
+}
+
 bool is_feature(const std::string& part) {
   return part.starts_with(kFeature);
 }
@@ -77,6 +83,31 @@ std::size_t blocks_run(const generate::GeneratedProgram& program) {
   std::uint64_t last = 0;
   for (const reference::Record& record : run.records) last = std::max(last, record.block);
   return static_cast<std::size_t>(last);
+}
+
+// The block by itself as it runs by the reference, for why one with an alarm is skipped says nothing
+// of its parts; with a word of another block where it does not run without (G1 and the F in force).
+std::optional<generate::GeneratedProgram> runs_alone(const reference::Profile& machine,
+                                                     const ProgramText& text,
+                                                     const TextBlock& block, Numbers numbers,
+                                                     const char* end) {
+  const auto runs = [&](const TextBlock& alone) {
+    generate::GeneratedProgram made = {machine, plainly(alone, numbers) + end};
+    const bool whole = blocks_run(made) >= program::count_blocks(made.text);
+    return whole ? std::optional(std::move(made)) : std::nullopt;
+  };
+  if (block.words.empty()) return std::nullopt;
+  if (auto made = runs(block)) return made;
+  for (const TextBlock& other : text.blocks) {
+    for (const TextWord& word : other.words) {
+      if (!program::is_word(word) || !other.code_of(word).empty()) continue;
+      TextBlock longer = block;
+      longer.words.push_back(word);
+      longer.codes.emplace_back();
+      if (auto made = runs(longer)) return made;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -197,30 +228,32 @@ std::optional<std::string> Repertoire::least_blamed(
   return least;
 }
 
-// A block by itself of which several codes and words are not known to run, that which was least
-// tried: some run together only (G1 and its F).
+// A block by itself with codes and words that are not known to run, that which was least tried: some
+// run together only (G1 and its F), whether or not one of them ran elsewhere.
 std::optional<generate::GeneratedProgram> Repertoire::together(
     const generate::GeneratedProgram& program) const {
   const ProgramText text(program.profile, program.text);
+  reference::Profile machine = program.profile;
+  for (const std::size_t part : settings_of(machine)) reset_part(machine, part);
+  const Numbers numbers = runs_ / 4 % 2 == 0 ? Numbers::whole : Numbers::as_written;
+  const char* const end = in_.contains("code M2") ? "M2\n" : "M30\n";
   std::optional<std::size_t> least;
-  std::string chosen;
+  std::optional<generate::GeneratedProgram> chosen;
   for (const TextBlock& block : text.blocks) {
-    Parts parts = parts_of_block(block, *text.table);
-    std::erase_if(parts, [&](const std::string& part) {
-      return !is_code_or_word(part) || in_.contains(part);
-    });
-    if (parts.size() < 2 || parts.size() > kMostTogether) continue;
+    auto made = runs_alone(machine, text, block, numbers, end);
+    if (!made || !is_declared(*made)) continue;
+    const ProgramText alone(made->profile, made->text);
+    const Parts parts = codes_and_words(alone.blocks.front(), *alone.table);
+    const auto unknown = static_cast<std::size_t>(std::ranges::count_if(
+        parts, [&](const std::string& part) { return !in_.contains(part); }));
+    if (parts.size() < 2 || unknown == 0 || unknown > kMostTogether) continue;
     const auto tried = together_.find(parts);
     const std::size_t times = tried == together_.end() ? 0 : tried->second;
     if (least && times >= *least) continue;
     least = times;
-    chosen = plainly(block);
+    chosen = std::move(made);
   }
-  if (!least) return std::nullopt;
-  generate::GeneratedProgram made = program;
-  for (const std::size_t part : settings_of(made.profile)) reset_part(made.profile, part);
-  made.text = chosen + (in_.contains("code M2") ? "M2\n" : "M30\n");
-  return is_declared(made) ? std::optional(std::move(made)) : std::nullopt;
+  return chosen;
 }
 
 std::optional<generate::GeneratedProgram> Repertoire::fitted(
@@ -297,6 +330,8 @@ void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   constexpr std::size_t kToOneThatRan = 1;
   ++runs_;
   const Parts parts = parts_of(program, std::string::npos);
+  const ProgramText text(program.profile, program.text);
+  if (text.blocks.size() == 2) ++together_[codes_and_words(text.blocks.front(), *text.table)];
   Parts untried;
   std::ranges::copy_if(parts, std::inserter(untried, untried.end()), [&](const std::string& part) {
     return !in_.contains(part) && !is_undeclared(part);
@@ -305,7 +340,6 @@ void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
   for (const std::string& part : untried) rank = std::min(rank, rank_of_part(part));
   std::erase_if(untried, [&](const std::string& part) { return rank_of_part(part) > rank; });
   if (untried.size() == 1) ++out_[*untried.begin()];
-  if (untried.size() > 1 && untried.size() <= kMostTogether) ++together_[untried];
   if (!untried.empty()) return;
   for (const std::string& part : parts) {
     const auto known = in_.find(part);

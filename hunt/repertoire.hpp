@@ -87,7 +87,8 @@ class Repertoire {
   std::string dialect_;
   std::map<std::string, Runs> in_;
   std::map<std::string, std::size_t> out_;  // how often each was the only one to blame
-  std::map<Parts, std::size_t> together_;   // how often they were skipped together
+  // Codes and words of a block: how often it was skipped by itself.
+  std::map<Parts, std::size_t> together_;
   bool skips_ = false;
   std::size_t runs_ = 0;
   // Before much was skipped: the last programs, and whether each ran. What they are made of is

@@ -110,13 +110,14 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
-// What the subject skipped, where it skipped much.
+// What the subject skipped: also where it was little, for then the hunt knew what to leave out.
 std::string skipped_text(const hunt::Hunt& hunt) {
   const hunt::HuntCount& count = hunt.count();
   std::string text;
   const std::string out = hunt.repertoire().left_out();
-  if (count.skipped * 10 > count.programs && !out.empty()) {
-    text = fmt::format("The subject skips programs with: {}\n", out);
+  if (!out.empty()) {
+    text = fmt::format(
+        "The subject skips programs with: {}\nThat nothing was found in them says nothing.\n", out);
   }
   if (judged_little(count)) {
     text += fmt::format(

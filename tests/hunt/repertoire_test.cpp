@@ -170,13 +170,15 @@ TEST(Repertoire, ASubjectThatTakesItsWordsInOneOrderOnlyIsJudgedOnNineOfTenProgr
 
 // Each of G0 and G1 is skipped with what the other needs: both have to come in for the fault.
 TEST(Repertoire, TheFaultOfASubjectThatTakesItsWordsInOneOrderOnlyIsFound) {
-  Hunt hunt(lines_only("feed-after-motion"), {}, hunting("rs274"));
-  bool found = false;
-  for (std::size_t i = 0; i < 5'000 && !found; ++i) {
-    const auto finding = hunt.step();
-    found = finding && finding->signature.code == "G1";
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    Hunt hunt(lines_only("feed-after-motion"), {}, hunting("rs274", seed));
+    bool found = false;
+    for (std::size_t i = 0; i < 5'000 && !found; ++i) {
+      const auto finding = hunt.step();
+      found = finding && finding->signature.code == "G1";
+    }
+    EXPECT_TRUE(found) << "seed " << seed << ": left out " << hunt.repertoire().left_out();
   }
-  EXPECT_TRUE(found) << "left out " << hunt.repertoire().left_out();
 }
 
 // G1 with F runs and G1 alone does not: neither is to blame, but that they do not stand together.

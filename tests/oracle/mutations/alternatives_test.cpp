@@ -101,12 +101,14 @@ class Alternatives {
 
   long rejected() const { return tried() - accepted() - too_close(); }
 
-  // J-PATH-14: the estimate of an angle does not tell. It rejects nothing, but decides nothing.
+  // J-PATH-14: the estimate of an angle does not tell; nor does a tolerance as large as a thread is deep.
+  // It rejects nothing, but decides nothing.
   long too_close() const {
     long count = 0;
     for (const auto& [name, one] : counts_) {
       for (const auto& [why, times] : one.rejected) {
-        if (why.starts_with("oracle-gap") && why.ends_with("is too close.")) count += times;
+        const bool is_undecided = why.ends_with("is too close.") || why.ends_with("cannot be told apart.");
+        if (why.starts_with("oracle-gap") && is_undecided) count += times;
       }
     }
     return count;
