@@ -33,7 +33,7 @@ struct ResultsHeader {
   std::string tolerance;              // empty: as declared
   std::string chord;                  // empty: none
   std::string feed_resolution;        // empty: as declared
-  std::string blend;  // mm; empty: corners of sampled positions are not cut
+  std::string blend;                  // mm; empty: corners of sampled positions are not cut
   bool strict = false;                // advices are NO-GO
   // By dialect: what the subject declares, but counts for less.
   std::vector<std::pair<std::string, Capped>> capped;
@@ -73,9 +73,9 @@ struct ResultsFooter {
   std::string head;                           // of what, in a line
   std::map<std::string, std::size_t> totals;  // by verdict
   std::size_t cases = 0;
-  std::size_t judged = 0;                // neither skipped nor undecided
-  std::size_t left_out = 0;              // contradict the certifier's profile
-  std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
+  std::size_t judged = 0;                             // neither skipped nor undecided
+  std::size_t left_out = 0;                           // contradict the certifier's profile
+  std::vector<std::string> assignments;               // readings that explain all passes, "k=v k=v"
   std::map<std::string, RoundingCensus> coordinates;  // as in RunAnswer
   // Entries of the subject's files that are no longer true.
   std::vector<std::string> stale;

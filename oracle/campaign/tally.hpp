@@ -28,7 +28,7 @@ struct CaseFacts {
   std::optional<OpenReadings> readings;           // of a GO that touched open readings
   std::string mapped;  // the entry of the alarm map that gave the alarm its class; empty: none
   std::optional<RoundingCensus> coordinates;  // of a GO: those that were compared
-  CaseHead head;       // what lists show of the line
+  CaseHead head;                              // what lists show of the line
 };
 
 // The facts of a case line of results.jsonl. Throws std::runtime_error with a sentence when the
@@ -48,8 +48,8 @@ struct RunAnswer {
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   // Of all that is GO: how coordinates are rounded, by dialect.
   std::map<std::string, RoundingCensus> coordinates;
-  std::string decision;          // GO, NO-GO or UNDECIDED
-  std::string head;              // of what: a line
+  std::string decision;  // GO, NO-GO or UNDECIDED
+  std::string head;      // of what: a line
   RunScope scope;
   int exit_code = 0;  // of the program: 0, 1 or 3
 };

@@ -98,7 +98,7 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
     if (other.step != hypothesis.step || other.open || hypothesis.open) continue;
     if (other.is_fresh() != hypothesis.is_fresh() || other.joined != hypothesis.joined) continue;
     if (!other.is_fresh() && !goes_on_alike(other.progress, hypothesis.progress)) continue;
-    if (hypothesis.coordinates.rounded().count() < other.coordinates.rounded().count()) {
+    if (hypothesis.coordinates.inexact() < other.coordinates.inexact()) {
       other.coordinates = hypothesis.coordinates;
     }
     other.exact = other.exact || hypothesis.exact;
@@ -213,9 +213,8 @@ void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
                   m_function_missing(*due, record_text(motion.record), motion.number));
   }
   auto* report = std::get_if<AlarmReport>(&step.what);
-  const bool is_earlier =
-      report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
-      motion.record.block < report->block;
+  const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
+                          motion.record.block < report->block;
   if (report != nullptr && !is_earlier) {
     from.after_alarm = motion;
     return stay(std::move(from), motion, stage);

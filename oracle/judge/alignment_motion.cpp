@@ -25,9 +25,9 @@ bool moves_nothing(const Motion& motion) {
 bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (from.is_fresh() && is_same_motion(motion, wanted(from, step))) {
+    from.coordinates.take_exact(coordinates_in(wanted(from, step)));
     leave_motion(from);
     from.at = from.anchor = motion.to();
-    from.coordinates.take_exact(coordinates_in(motion.record.kind, motion.record.axes));
     keep(std::move(from), stage.reached);
     return false;
   }
@@ -51,8 +51,8 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (is_nil && !is_done) stay(as_it_was, motion, stage);
   // Of an earlier block it passes nothing of this one.
   const Motion& want = wanted(as_it_was, step);
-  const bool is_earlier = terms_.compare_blocks && steps_.is_in_order() &&
-                          motion.record.block < want.record.block;
+  const bool is_earlier =
+      terms_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;
   if (!is_earlier && can_pass(as_it_was, want)) {
     from = as_it_was;
     leave_motion(from);

@@ -14,7 +14,7 @@ bool ProgramJudge::line(std::string_view line) {
   try {
     if (!plain_ahead() || !is_line_of(in_step_->next, line)) return false;
     ++records_;
-    go_on(in_step_->next.axes);
+    go_on();
   } catch (const exact::Undecided& undecided) {
     ++records_;
     decide_undecided(undecided);
@@ -29,7 +29,7 @@ bool ProgramJudge::equal_record(const Record& record) {
     leave_step();
     return false;
   }
-  go_on(record.axes);
+  go_on();
   return true;
 }
 
@@ -56,9 +56,9 @@ bool ProgramJudge::plain_ahead() {
   return step.is_plain;
 }
 
-void ProgramJudge::go_on(AxisSet named) {
+void ProgramJudge::go_on() {
   InStep& step = *in_step_;
-  step.coordinates += coordinates_in(step.next.kind, named);
+  step.coordinates += step.next.coordinates();
   step.at = step.next.to;
   step.ahead = nullptr;
   m_functions_.note_motion(step.next.block);

@@ -322,33 +322,37 @@ bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTer
 Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
                RoundingCensus* census) {
   Grade grade;
-  const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* taken) {
+  // `exact_ones` takes a coordinate that is exact, `others` one that is not.
+  const auto compare = [&](const Number& got, const Number& exact, RoundingCensus* exact_ones,
+                           RoundingCensus* others) {
     const Number difference = got - exact;
     // An enclosure cannot be told from its exact value: not exact, for the grade.
     const bool enclosed = difference.form() == Number::Form::enclosure;
     if (!enclosed && difference.sign() == 0) {
-      if (taken != nullptr) taken->take_exact(1);
+      if (exact_ones != nullptr) exact_ones->take_exact(1);
       return;
     }
     grade.exact = false;
     const bool is_correct = is_correctly_rounded(got, exact, terms);
     grade.rounded = grade.rounded && is_correct;
-    if (taken != nullptr) taken->take(exact, got, is_correct);
+    if (others != nullptr) others->take(exact, got, is_correct);
   };
   for (Axis axis : kAllAxes) {
-    const bool is_told = is_linear(axis) && motion.record.axes.has(axis);
-    compare(motion.to()[axis], want.to()[axis], is_told ? census : nullptr);
+    // What a subject moves by mistake is off, too; that it comes back from there says nothing.
+    RoundingCensus* const told = tells_end(want, axis) ? census : nullptr;
+    RoundingCensus* const moved = tells_end(motion, axis) ? census : told;
+    compare(motion.to()[axis], want.to()[axis], told, moved);
   }
   if (motion.record.kind == RecordKind::arc) {
     const std::optional<Motion> arc =
         want.record.kind == RecordKind::arc3 ? as_arc(want) : std::optional(want);
     for (std::size_t i : {0U, 1U}) {
-      compare(motion.record.centre[i], arc->record.centre[i], census);
+      compare(motion.record.centre[i], arc->record.centre[i], census, census);
     }
   } else if (motion.record.kind == RecordKind::arc3 && !is_exactly_on(want, via_of(motion))) {
     if (want.record.kind == RecordKind::arc3) {
       for (Axis axis : reference::kLinearAxes) {
-        compare(motion.record.via[axis], want.record.via[axis], nullptr);
+        compare(motion.record.via[axis], want.record.via[axis], nullptr, nullptr);
       }
     } else {
       grade.exact = grade.rounded = false;

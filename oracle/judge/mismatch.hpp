@@ -45,7 +45,8 @@ struct Grade {
   bool exact = true;    // end and centre are exact
   bool rounded = true;  // ... or correctly rounded
 };
-// `census` takes the coordinates that its record names; null: none does.
+// `census` takes the coordinates that `want` tells (tells_end), and those that are not exact where
+// `motion` alone moves; null: none does.
 Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
                RoundingCensus* census = nullptr);
 // J-PATH-04: whether a coordinate that is not exact is the correctly rounded one.

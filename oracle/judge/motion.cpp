@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/motion.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -56,6 +57,17 @@ bool is_same_motion(const Motion& got, const Motion& want) {
 
 bool is_same_point(const Position& a, const Position& b) {
   return is_same(a.at, b.at);
+}
+
+bool tells_end(const Motion& motion, Axis axis) {
+  return is_linear(axis) && motion.record.axes.has(axis) &&
+         !is_same(motion.from[axis], motion.to()[axis]);
+}
+
+std::size_t coordinates_in(const Motion& motion) {
+  const auto ends = std::ranges::count_if(reference::kLinearAxes,
+                                          [&](Axis axis) { return tells_end(motion, axis); });
+  return static_cast<std::size_t>(ends) + (motion.record.kind == RecordKind::arc ? 2 : 0);
 }
 
 void shift(Position& position, const Position& by) {

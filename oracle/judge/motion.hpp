@@ -30,12 +30,11 @@ constexpr bool is_round(RecordKind kind) {
   return kind == RecordKind::arc || kind == RecordKind::arc3;
 }
 
-// How many coordinates a record names: of its end along x, y and z, and of the centre of an arc.
-constexpr std::size_t coordinates_in(RecordKind kind, AxisSet named) {
-  std::size_t count = kind == RecordKind::arc ? 2 : 0;
-  for (const Axis axis : reference::kLinearAxes) count += named.has(axis) ? 1U : 0U;
-  return count;
-}
+// What a motion of the reference has to say of its end: the linear axes that its record names and
+// that it moves along, as far as a look tells. A subject may name more of them or fewer.
+bool tells_end(const Motion& motion, Axis axis);
+// How many coordinates that are, with those of the centre of an arc.
+std::size_t coordinates_in(const Motion& motion);
 
 // The motion of a record that starts at `from`: axes that the record does not name stay.
 Motion motion_from(const Position& from, const Record& record, std::size_t number);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/plain_motion.hpp"
 
+#include <algorithm>
+
 namespace gonogo::oracle {
 namespace {
 
@@ -69,6 +71,13 @@ bool PlainMotion::is(const Record& record) const {
   if (kind == RecordKind::feed) return true;
   return record.plane == plane && record.rot == rot && oracle::is(record.centre[0], centre[0]) &&
          oracle::is(record.centre[1], centre[1]);
+}
+
+std::size_t PlainMotion::coordinates() const {
+  const auto ends = std::ranges::count_if(reference::kLinearAxes, [&](Axis axis) {
+    return axes.has(axis) && from[index(axis)] != to[index(axis)];
+  });
+  return static_cast<std::size_t>(ends) + (kind == RecordKind::arc ? 2 : 0);
 }
 
 bool PlainMotion::is_visible(const JudgeTerms& terms) const {

@@ -36,6 +36,9 @@ struct PlainMotion {
   // Whether the record, from the same start, is the same motion to the last digit.
   bool is(const Record& record) const;
 
+  // As coordinates_in() says of such a motion.
+  std::size_t coordinates() const;
+
   // Whether it is longer than the tolerance along an axis, so that neither side drops it: even
   // after what a subject's doubles may be off.
   bool is_visible(const JudgeTerms& terms) const;

@@ -64,7 +64,7 @@ class ProgramJudge {
   bool equal_record(const Record& record);
   bool fall_into_step();
   bool plain_ahead();
-  void go_on(AxisSet named);
+  void go_on();
   void leave_step();
 
   // The end of the subject, in program_end.cpp.
@@ -107,7 +107,7 @@ class ProgramJudge {
     const reference::Item* ahead =
         nullptr;  // of the reference: `next`, if `is_plain`; null: not asked
     bool is_plain = false;
-    std::size_t coordinates = 0;  // that the records name
+    std::size_t coordinates = 0;  // that the reference tells
   };
   std::optional<InStep> in_step_;
 

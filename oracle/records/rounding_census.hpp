@@ -82,11 +82,12 @@ class RoundingCensus {
   void take_exact(std::size_t count) { exact_ += count; }
   void add(const RoundingCensus& other);
 
-  bool empty() const { return exact_ + open_ + correct_.count() + off_.count() == 0; }
+  bool empty() const { return exact_ + open_ + inexact() == 0; }
   std::size_t exact() const { return exact_; }
   const RoundedCoordinates& correct() const { return correct_; }  // and not exact
   const RoundedCoordinates& off() const { return off_; }          // neither
   RoundedCoordinates rounded() const;                             // both
+  std::size_t inexact() const { return correct_.count() + off_.count(); }
   // "12 exact, 3 correctly rounded; on a grid of 0.001 mm, within 1 of it, nearest"; the two kinds
   // each for itself where no mode fits both.
   std::string text() const;

@@ -63,7 +63,7 @@ struct Verdict {
   reference::ClauseId clause = reference::kNoClause;
   // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
-  std::size_t property_motions = 0;   // of a GO: motions of the subject held to properties alone
+  std::size_t property_motions = 0;  // of a GO: motions of the subject held to properties alone
   // Of a GO: those that are compared.
   std::optional<RoundingCensus> coordinates = {};
   std::string reading;                // another reading under which the answer would be GO: "k=v"

@@ -17,14 +17,6 @@ std::string line_of(const Record& record) {
   return line;
 }
 
-// How coordinates are rounded. How many are exact is left out: where motions lie in one line, which of
-// their ends are met hangs on the way that the comparison takes.
-std::string rounding_text(const Verdict& verdict) {
-  if (!verdict.coordinates) return "";
-  return fmt::format("{} / {}", verdict.coordinates->correct().text(),
-                     verdict.coordinates->off().text());
-}
-
 std::string text_of(const SessionVerdict& said) {
   const Verdict& verdict = said.verdict;
   return fmt::format(
@@ -32,7 +24,7 @@ std::string text_of(const SessionVerdict& said) {
       verdict.property_motions, reference::clause_name(verdict.clause), verdict.block,
       verdict.record.value_or(0), verdict.word.text(), verdict.want, verdict.got,
       verdict.deviation_exact, verdict.deviation_mm, verdict.witness, verdict.message,
-      said.explaining.size(), rounding_text(verdict));
+      said.explaining.size(), verdict.coordinates ? verdict.coordinates->text() : "");
 }
 
 SessionVerdict judged(const reference::Profile& profile, const std::string& program,
