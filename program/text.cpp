@@ -18,6 +18,10 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+bool is_sign(char c) {
+  return c == '-' || c == '+';
+}
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -41,10 +45,20 @@ std::size_t close_of(std::string_view line, std::size_t at) {
 std::size_t number_behind_blanks(std::string_view line, std::size_t at) {
   const std::size_t next = line.find_first_not_of(" \t", at);
   if (next == at || next == std::string_view::npos) return at;
-  const bool has_sign = line[next] == '-' || line[next] == '+';
-  const std::size_t digit = has_sign ? next + 1 : next;
-  if (digit == line.size() || (!is_digit(line[digit]) && line[digit] != '.')) return at;
+  const std::size_t digit = is_sign(line[next]) ? line.find_first_not_of(" \t", next + 1) : next;
+  if (digit == std::string_view::npos || (!is_digit(line[digit]) && line[digit] != '.')) return at;
   return next;
+}
+
+bool is_of_number(char c) {
+  return is_digit(c) || c == '.' || is_sign(c);
+}
+
+// Where a number goes on behind blanks in it, X- 3 3.1 (NGC-COM-04); `at` where it does not.
+std::size_t digits_behind_blanks(std::string_view text, std::size_t at) {
+  const std::size_t next = text.find_first_not_of(" \t", at);
+  if (next == at || next == std::string_view::npos) return at;
+  return is_digit(text[next]) || text[next] == '.' ? next : at;
 }
 
 // One past the word that begins at `at`. A letter begins a new word after a digit, but not after
@@ -65,6 +79,7 @@ std::size_t word_end(std::string_view line, std::size_t at) {
     if (line[at] == '(' && !takes_operand) break;
     if (is_letter(line[at]) && !takes_operand) break;
     at = line[at] == '(' ? close_of(line, at) : at + 1;
+    if (is_of_number(line[at - 1])) at = digits_behind_blanks(line, at);
   }
   return at;
 }
@@ -139,14 +154,14 @@ bool is_word(const TextWord& word) {
 
 std::string code_of(const TextWord& word) {
   std::string code = address_of(word);
-  std::string_view rest = std::string_view(word.text).substr(code.size());
-  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  std::string rest = word.text.substr(code.size());
+  std::erase_if(rest, is_blank);
   const bool is_number = rest.find_first_not_of("0123456789.") == std::string_view::npos;
   if (!is_number || code.empty()) return {};
   if (code.size() == 1 && (code != "G" && code != "M")) return {};
   if (rest.empty()) return code.size() > 1 ? code : std::string();
   const std::size_t first = std::min(rest.find_first_not_of('0'), rest.size());
-  std::string digits(rest.substr(first));
+  std::string digits = rest.substr(first);
   if (digits.empty() || digits.front() == '.') digits.insert(0, "0");
   return code + digits;
 }
@@ -170,7 +185,7 @@ std::optional<NumberPlace> number_at(std::string_view text, std::size_t at) {
   NumberPlace place{at, at, {}};
   bool point = false;
   std::size_t digits = 0;
-  for (; place.end < text.size(); ++place.end) {
+  while (place.end < text.size()) {
     const char c = text[place.end];
     if (c == '.' && !point) {
       point = true;
@@ -180,9 +195,19 @@ std::optional<NumberPlace> number_at(std::string_view text, std::size_t at) {
     } else {
       break;
     }
+    place.end = digits_behind_blanks(text, place.end + 1);
   }
   if (digits == 0 || digits > kMostDigits) return std::nullopt;
   return place;
+}
+
+// The sign of the number that begins at `at`, which is no operator behind a digit; blanks may part
+// them.
+std::optional<std::size_t> sign_before(std::string_view text, std::size_t at) {
+  while (at > 0 && is_blank(text[at - 1])) --at;
+  if (at == 0 || !is_sign(text[at - 1])) return std::nullopt;
+  if (at > 1 && is_digit(text[at - 2])) return std::nullopt;
+  return at - 1;
 }
 
 }  // namespace
@@ -204,11 +229,10 @@ std::vector<NumberPlace> numbers_of(const TextWord& word) {
       continue;
     }
     at = place->end;
-    const bool has_sign = place->begin > 0 &&
-                          (text[place->begin - 1] == '-' || text[place->begin - 1] == '+') &&
-                          (place->begin == 1 || !is_digit(text[place->begin - 2]));
-    if (has_sign && text[place->begin - 1] == '-') place->number.value = -place->number.value;
-    if (has_sign) --place->begin;
+    if (const auto sign = sign_before(text, place->begin)) {
+      if (text[*sign] == '-') place->number.value = -place->number.value;
+      place->begin = *sign;
+    }
     places.push_back(*place);
   }
   return places;

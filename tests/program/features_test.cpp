@@ -26,6 +26,12 @@ TEST(ProgramFeatures, AWordMayNeedAFeature) {
   EXPECT_EQ(features_of("sinumerik840d", "G2 X1 CR=5\n"), (Features{"arc", "basic", "cr"}));
 }
 
+// NGC-COM-04: what looks like G3 is G33.1.
+TEST(ProgramFeatures, BlanksInACodeChangeNothing) {
+  EXPECT_EQ(features_of("rs274", "G3  3.1 Z-5 K1\n"), (Features{"basic", "g33.1"}));
+  EXPECT_EQ(features_of("rs274", "G 8 1 X 1 0 Z - 1 R2\n"), (Features{"basic", "g81"}));
+}
+
 TEST(ProgramFeatures, PIsTurnsInArcsOnly) {
   EXPECT_EQ(features_of("rs274", "G4 P1\n"), (Features{"basic"}));
   EXPECT_EQ(features_of("rs274", "G2 I1 P2\n"), (Features{"arc", "basic", "turns"}));

@@ -43,6 +43,14 @@ TEST(ProgramText, WordsEndWhereTheNextLetterBegins) {
   EXPECT_EQ(words_of("N10G01X-5.5 F200"), (Words{"N10", "G01", "X-5.5", "F200"}));
 }
 
+// NGC-COM-04; in the other dialects no number follows another.
+TEST(ProgramText, BlanksMayPartTheDigitsOfANumber) {
+  EXPECT_EQ(words_of("G 3  3.1M3X5\t.1 Y - 0 . 5 (7) 8"),
+            (Words{"G 3  3.1", "M3", "X5\t.1", "Y - 0 . 5", "(7)", "8"}));
+  EXPECT_EQ(code_of({"", "G 3  3.1"}), "G33.1");
+  EXPECT_EQ(value_of({"", "X - 1 2 . 5 0"}), (SmallDecimal{-1250, 2}));
+}
+
 TEST(ProgramText, ExpressionsAndCallsAreOneWord) {
   EXPECT_EQ(words_of("R101=R1+SIN(R2) X=AC(3)Y2"), (Words{"R101=R1+SIN(R2)", "X=AC(3)", "Y2"}));
 }
