@@ -35,8 +35,7 @@ std::vector<std::string> board_lines(const std::string& title, const HuntStandin
   const auto percent = [&](std::size_t part) {
     return part * 100 / std::max<std::size_t>(1, count.programs);
   };
-  const double a_second =
-      static_cast<double>(count.programs) / std::max(standing.seconds, 0.001);
+  const double a_second = static_cast<double>(count.programs) / std::max(standing.seconds, 0.001);
   std::vector<std::string> lines = {
       "gonogo hunt: " + title,
       fmt::format("  run time  {}{}", clock_text(standing.seconds),
@@ -82,13 +81,10 @@ void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
   found_ = Clock::now();
   clear();
   Output output;
-  output.text() = fmt::format("{}. {}  {}\n{}", findings_, finding.signature.text(), id,
-                              finding_text(finding));
+  output.text() =
+      fmt::format("{}. {}  {}\n{}", findings_, finding.signature.text(), id, finding_text(finding));
   output.text() +=
-      fmt::format("  again: gonogo reduce {0} --subject {1} --profile {2}\n\n",
-                  oracle::shell_quoted(folder + "/findings/" + id + "/program.nc"),
-                  oracle::shell_quoted(words_.trial.subject),
-                  oracle::shell_quoted(folder + "/findings/" + id + "/profile.json"));
+      fmt::format("  again: {}\n\n", reduce_command(folder + "/findings/" + id, words_.trial));
   output.flush();
 }
 

@@ -23,8 +23,8 @@ struct HuntStanding {
   std::size_t rounds = 0;
   std::size_t jobs = 1;
   std::size_t findings = 0;
-  double since_finding = 0;    // seconds; of no meaning without findings
-  std::size_t features = 0;    // of the reference, of the job that has most in its round
+  double since_finding = 0;     // seconds; of no meaning without findings
+  std::size_t features = 0;     // of the reference, of the job that has most in its round
   std::size_t in_programs = 0;  // that it keeps for them
 };
 

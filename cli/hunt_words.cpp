@@ -66,6 +66,13 @@ std::string command_of(const HuntWords& words) {
   return command;
 }
 
+std::string reduce_command(const std::string& folder, const TrialWords& words) {
+  return fmt::format("gonogo reduce {} --subject {} --profile {}{}",
+                     oracle::shell_quoted(folder + "/program.nc"),
+                     oracle::shell_quoted(words.subject),
+                     oracle::shell_quoted(folder + "/profile.json"), tolerances_of(words.limits));
+}
+
 std::string listed(const std::string& program) {
   std::string text;
   std::size_t begin = 0;
@@ -102,6 +109,12 @@ double HuntEnd::seconds_left(std::size_t tried) const {
     left = std::min(left, each * static_cast<double>(programs - std::min(programs, tried)));
   }
   return std::max(0.0, left);
+}
+
+void add_known_failures(Command& command, std::string& known_failures, std::string& corpus) {
+  command.option("--known-failures", known_failures,
+                 "TOML file of cases that the subject is known to fail: what they show is no news");
+  command.option("--corpus", corpus, "corpus of the known failures (the checked-in one)");
 }
 
 void know_failures(const HuntWords& words, hunt::HuntOptions& options) {

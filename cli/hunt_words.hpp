@@ -46,6 +46,9 @@ std::string tolerances_of(const LimitOptions& limits);
 // The hunt on the command line, but for when it is over.
 std::string command_of(const HuntWords& words);
 
+// The line that shows a finding in this folder again and makes it small.
+std::string reduce_command(const std::string& folder, const TrialWords& words);
+
 // A program below a finding, a line each, without what a terminal would obey.
 std::string listed(const std::string& program);
 // A line of a finding: its name, and the value or "nothing".
@@ -71,6 +74,8 @@ bool judged_little(const hunt::HuntCount& count);
 // What the words say of the programs. Throws UsageError.
 hunt::HuntOptions hunt_options(const HuntWords& words);
 
+// --known-failures and --corpus
+void add_known_failures(Command& command, std::string& known_failures, std::string& corpus);
 // Makes what the known failures show on the subject no news, and says how much that is. Throws
 // UsageError.
 void know_failures(const HuntWords& words, hunt::HuntOptions& options);

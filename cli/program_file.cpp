@@ -82,6 +82,12 @@ reference::Profile profile_of(const std::string& text, const ProfileOptions& opt
 
 }  // namespace
 
+void check_dialect_name(const std::string& dialect) {
+  if (reference::find_dialect(dialect) != nullptr) return;
+  throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", dialect,
+                               reference::dialect_names()));
+}
+
 void check_readings_once(const std::vector<std::string>& readings) {
   std::set<std::string> names;
   for (const std::string& choice : readings) {

@@ -23,6 +23,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Throws UsageError where there is no dialect of that name.
+void check_dialect_name(const std::string& dialect);
+
 inline constexpr const char* kNcProgram = "an NC program, or - for standard input";
 
 // An NC program as a stream; "-" is standard input. `kind` says what the file ought to be.

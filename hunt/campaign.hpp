@@ -26,7 +26,8 @@ class HuntCampaign {
   // Is asked before each program; false breaks the round off, and nothing of it counts but the
   // files of its findings.
   using GoOn = std::function<bool(const Hunt&)>;
-  // One round: what became of its programs; nothing where it was broken off. Throws oracle::SubjectUnusable, std::system_error.
+  // One round: what became of its programs; nothing where it was broken off. Throws
+  // oracle::SubjectUnusable, std::system_error.
   std::optional<HuntCount> round(const Tell& tell, const GoOn& go_on);
 
   const CampaignState& state() const { return state_; }

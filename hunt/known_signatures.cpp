@@ -12,13 +12,17 @@ std::set<Signature> known_signatures(const std::vector<oracle::KnownFailure>& en
   oracle::CaseReader reader(corpus, oracle::Detail::to_run);
   while (const auto test = reader.next()) {
     if (test->dialect != dialect) continue;
-    const auto entry = std::ranges::find_if(entries, [&](const oracle::KnownFailure& known) {
-      return !known.flaky && known.covers(test->id);
-    });
-    if (entry == entries.end()) continue;
+    const auto is_of_it = [&](const oracle::KnownFailure& entry) {
+      return !entry.flaky && entry.covers(test->id);
+    };
+    if (std::ranges::none_of(entries, is_of_it)) continue;
     const generate::GeneratedProgram program{test->profile, test->program};
     const std::optional<oracle::Verdict> verdict = trial.run(program);
-    if (verdict && entry->is(*verdict)) signatures.insert(signature_of(*verdict, program));
+    const bool is_known =
+        verdict && std::ranges::any_of(entries, [&](const oracle::KnownFailure& entry) {
+          return is_of_it(entry) && entry.is(*verdict);
+        });
+    if (is_known) signatures.insert(signature_of(*verdict, program));
   }
   return signatures;
 }

@@ -13,8 +13,8 @@
 
 namespace gonogo::hunt {
 
-// Runs the corpus's cases of the dialect that an entry covers; the signatures of those that fail as
-// the entry says. A flaky entry hides nothing: a hunt could not tell it from a failure that is
+// Runs the corpus's cases of the dialect that entries cover; the signatures of those that fail as
+// one of them says. A flaky entry hides nothing: a hunt could not tell it from a failure that is
 // always there. Throws oracle::CorpusError, oracle::SubjectUnusable.
 std::set<Signature> known_signatures(const std::vector<oracle::KnownFailure>& entries,
                                      const oracle::Corpus& corpus, const std::string& dialect,

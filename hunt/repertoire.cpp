@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kFeature = "feature ";
 constexpr std::string_view kSetting = "setting ";
-constexpr std::size_t kLearning = 400;     // programs
+constexpr std::size_t kLearning = 400;    // programs
 constexpr std::size_t kMostTogether = 3;  // parts that are tried at once
 
 bool is_code_or_word(const std::string& part) {
@@ -85,8 +85,9 @@ std::size_t blocks_run(const generate::GeneratedProgram& program) {
   return static_cast<std::size_t>(last);
 }
 
-// The block by itself as it runs by the reference, for why one with an alarm is skipped says nothing
-// of its parts; with a word of another block where it does not run without (G1 and the F in force).
+// The block by itself as it runs by the reference, for why one with an alarm is skipped says
+// nothing of its parts; with a word of another block where it does not run without (G1 and the F in
+// force).
 std::optional<generate::GeneratedProgram> runs_alone(const reference::Profile& machine,
                                                      const ProgramText& text,
                                                      const TextBlock& block, Numbers numbers,
@@ -115,8 +116,7 @@ std::optional<generate::GeneratedProgram> runs_alone(const reference::Profile& m
 Repertoire::Repertoire(const oracle::SubjectInfo& info, std::string dialect)
     : info_(info), dialect_(std::move(dialect)) {}
 
-Parts Repertoire::parts_of(const generate::GeneratedProgram& program,
-                                       std::size_t blocks) const {
+Parts Repertoire::parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const {
   const ProgramText text(program.profile, program.text);
   Parts parts;
   for (const TextBlock& block :
@@ -228,8 +228,8 @@ std::optional<std::string> Repertoire::least_blamed(
   return least;
 }
 
-// A block by itself with codes and words that are not known to run, that which was least tried: some
-// run together only (G1 and its F), whether or not one of them ran elsewhere.
+// A block by itself with codes and words that are not known to run, that which was least tried:
+// some run together only (G1 and its F), whether or not one of them ran elsewhere.
 std::optional<generate::GeneratedProgram> Repertoire::together(
     const generate::GeneratedProgram& program) const {
   const ProgramText text(program.profile, program.text);
@@ -244,8 +244,8 @@ std::optional<generate::GeneratedProgram> Repertoire::together(
     if (!made || !is_declared(*made)) continue;
     const ProgramText alone(made->profile, made->text);
     const Parts parts = codes_and_words(alone.blocks.front(), *alone.table);
-    const auto unknown = static_cast<std::size_t>(std::ranges::count_if(
-        parts, [&](const std::string& part) { return !in_.contains(part); }));
+    const auto unknown = static_cast<std::size_t>(
+        std::ranges::count_if(parts, [&](const std::string& part) { return !in_.contains(part); }));
     if (parts.size() < 2 || unknown == 0 || unknown > kMostTogether) continue;
     const auto tried = together_.find(parts);
     const std::size_t times = tried == together_.end() ? 0 : tried->second;

@@ -19,15 +19,15 @@
 
 namespace gonogo::hunt {
 
-// A program is made of parts: those of its blocks (hunt/block_parts.hpp) and settings of its machine
-// that are not the default ("setting 3", hunt/profile_parts.hpp).
+// A program is made of parts: those of its blocks (hunt/block_parts.hpp) and settings of its
+// machine that are not the default ("setting 3", hunt/profile_parts.hpp).
 //
 // (1) As long as the subject skips fewer than one program in twenty, programs stay as they are, but
 //     for what is not declared.
 // (2) A part goes out by a program that was skipped and had no other that was not known to run, or
 //     where programs of known parts with it are skipped again and again.
-// (3) What comes with other parts (rank_of_part) may stand until it was all that was not known to run
-//     in a program that was skipped; what stands together in a block, until it was twice.
+// (3) What comes with other parts (rank_of_part) may stand until it was all that was not known to
+//     run in a program that was skipped; what stands together in a block, until it was twice.
 // (4) What is out is tried again now and then, and comes back where it runs. Where no word runs at
 //     all it is begun anew.
 class Repertoire {

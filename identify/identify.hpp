@@ -42,7 +42,7 @@ struct Identification {
   std::vector<std::size_t> contradiction;  // places in `runs`
   // How its coordinates are rounded in the runs that are GO under what was found.
   oracle::RoundingCensus coordinates;
-  double bits = 0;                         // log2 of the number of assignments at the beginning
+  double bits = 0;  // log2 of the number of assignments at the beginning
 
   // Programs that the subject answered.
   std::size_t answered() const;

@@ -121,7 +121,8 @@ void add_programs(Command& command, CiWords& words) {
 void add_change(Command& ci) {
   auto words = std::make_shared<CiWords>();
   Command command = ci.add_command(
-      "change", "on every push: the corpus, and a short hunt that tries the same programs each time");
+      "change",
+      "on every push: the corpus, and a short hunt that tries the same programs each time");
   add_subject(command, *words);
   command.option("--dialect", words->dialect, "dialect of cases and programs");
   command.option("--corpus", words->corpus, "folder of the corpus (the checked-in one)");
@@ -145,9 +146,7 @@ void add_batch(Command& ci) {
   add_subject(command, *words);
   command.option("--dialect", words->dialect, "dialect of the programs");
   command.needed_option("--campaign", words->campaign, "folder of the hunt, which goes on there");
-  command.option("--known-failures", words->known_failures,
-                 "TOML file of cases that the subject is known to fail: what they show is no news");
-  command.option("--corpus", words->corpus, "corpus of the known failures (the checked-in one)");
+  add_known_failures(command, words->known_failures, words->corpus);
   command.option("--time", words->time, "how long: 90s, 10m, 2h (1h)");
   command.number("--programs", words->programs, 1, std::numeric_limits<long>::max(),
                  "how many programs, in place of a time");
@@ -161,7 +160,8 @@ void add_batch(Command& ci) {
 void add_prune(Command& ci) {
   auto words = std::make_shared<CiWords>();
   Command command = ci.add_command(
-      "prune", "now and then: programs that show nothing of their own go, what is mended is marked");
+      "prune",
+      "now and then: programs that show nothing of their own go, what is mended is marked");
   add_subject(command, *words);
   command.needed_option("--campaign", words->campaign, "folder of the hunt");
   command.option("--known-failures", words->known_failures,

@@ -144,14 +144,11 @@ std::set<std::string> features_of_subject(const GenerateWords& words) {
     throw UsageError(fmt::format("{} does not name the dialect {}. Leave --subject out.",
                                  words.subject, words.dialect));
   }
-  std::set<std::string> features = declared->second;
-  if (!features.empty()) features.insert("basic");
-  return features;
+  return declared->second;
 }
 
-// The features that programs may need; empty: all. Throws UsageError.
-std::set<std::string> declared_features(const GenerateWords& words) {
-  if (!words.subject.empty()) return features_of_subject(words);
+// Those of --feature. Throws UsageError.
+std::set<std::string> named_features(const GenerateWords& words) {
   std::set<std::string> features;
   for (const std::string& name : words.features) {
     std::string known;
@@ -167,6 +164,13 @@ std::set<std::string> declared_features(const GenerateWords& words) {
     }
     features.insert(name);
   }
+  return features;
+}
+
+// The features that programs may need; empty: all. Throws UsageError.
+std::set<std::string> declared_features(const GenerateWords& words) {
+  std::set<std::string> features =
+      words.subject.empty() ? named_features(words) : features_of_subject(words);
   if (!features.empty()) features.insert("basic");
   return features;
 }
@@ -242,10 +246,7 @@ int generate_drawn(const GenerateWords& words) {
 }
 
 int generate(const GenerateWords& words) {
-  if (reference::find_dialect(words.dialect) == nullptr) {
-    throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", words.dialect,
-                                 reference::dialect_names()));
-  }
+  check_dialect_name(words.dialect);
   std::error_code ignored;
   if (std::filesystem::exists(words.out, ignored) &&
       !std::filesystem::is_empty(words.out, ignored)) {

@@ -51,11 +51,7 @@ std::string again(const HuntWords& words, const hunt::Finding& finding, const st
   if (id.empty() || !finding.exhibit.before.empty()) {
     return fmt::format("{} --programs {}", command_of(words), finding.program);
   }
-  const std::string subject = oracle::shell_quoted(words.trial.subject);
-  const std::string folder = fmt::format("{}/findings/{}", words.trial.out, id);
-  return fmt::format(
-      "gonogo reduce {} --subject {} --profile {}{}", oracle::shell_quoted(folder + "/program.nc"),
-      subject, oracle::shell_quoted(folder + "/profile.json"), tolerances_of(words.trial.limits));
+  return reduce_command(fmt::format("{}/findings/{}", words.trial.out, id), words.trial);
 }
 
 struct HuntTally {
@@ -72,8 +68,7 @@ bool take_known(const HuntBefore& before, const hunt::Finding& finding, HuntTall
   if (cause.empty()) return false;
   ++tally.known;
   Output output;
-  output.text() =
-      fmt::format("known: {}, a new face of: {}\n", finding.signature.text(), cause);
+  output.text() = fmt::format("known: {}, a new face of: {}\n", finding.signature.text(), cause);
   output.flush();
   return true;
 }
@@ -104,9 +99,9 @@ std::string summary(const HuntWords& words, const hunt::Hunt& hunt, const HuntTa
       count.skipped, count.gaps, count.too_long,
       count.outside == 0 ? "" : fmt::format(", {} departures outside the domain", count.outside),
       hunt.pool().features(), hunt.pool().size(), tally.findings(),
-      tally.known == 0 ? ""
-                       : ", " + oracle::counted(tally.known, "new face", "new faces") +
-                             " of known causes",
+      tally.known == 0
+          ? ""
+          : ", " + oracle::counted(tally.known, "new face", "new faces") + " of known causes",
       tally.complete ? "" : "; the hunt is incomplete");
 }
 
@@ -221,9 +216,7 @@ void add_hunt(Command& program) {
   command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs (1)");
   command.number("--programs", words->programs, 1, kMost, "how many programs");
   command.number("--stop-after", words->stop_after, 1, kMost, "how many findings");
-  command.option("--known-failures", words->known_failures,
-                 "TOML file of cases that the subject is known to fail: what they show is no news");
-  command.option("--corpus", words->corpus, "corpus of the known failures (the checked-in one)");
+  add_known_failures(command, words->known_failures, words->corpus);
   command.option("--campaign", words->campaign,
                  "folder of a long hunt, which goes on where it was broken off");
   command.option("--shard", words->shard, "i/n: the campaign's rounds of machine i of n (1/1)");

@@ -40,9 +40,10 @@ void run_job(hunt::HuntCampaign& campaign, const std::string& folder, std::size_
              HuntBoard& board) {
   try {
     while (!board.is_over()) {
-      const auto done = campaign.round([&](const hunt::Finding& finding,
-                         const std::string& id) { board.tell(finding, folder, id); },
-                     [&](const hunt::Hunt& hunt) { return board.take_one(job, hunt); });
+      const auto done =
+          campaign.round([&](const hunt::Finding& finding,
+                             const std::string& id) { board.tell(finding, folder, id); },
+                         [&](const hunt::Hunt& hunt) { return board.take_one(job, hunt); });
       if (done) board.round_done(job, *done);
     }
   } catch (const std::exception& error) {
@@ -85,16 +86,18 @@ int hunt_campaign(HuntWords words) {
     const std::string folder = folder_of(words, shard, shards);
     try {
       work.push_back(std::make_unique<Job>(
-          Job{job, folder, hunt::HuntCampaign(folder, wanted_state(words, shard, shards),
-                                         trial_subject(words.trial), trial_options(words.trial),
-                                         options, fmt::format("gonogo {}", kVersion))}));
+          Job{job, folder,
+              hunt::HuntCampaign(folder, wanted_state(words, shard, shards),
+                                 trial_subject(words.trial), trial_options(words.trial), options,
+                                 fmt::format("gonogo {}", kVersion))}));
     } catch (const std::invalid_argument& error) {
       throw UsageError(fmt::format("{} ({})", error.what(), folder));
     }
   }
   std::vector<std::thread> threads;
   for (const auto& job : work) {
-    threads.emplace_back([&board, &job] { run_job(job->campaign, job->folder, job->number, board); });
+    threads.emplace_back(
+        [&board, &job] { run_job(job->campaign, job->folder, job->number, board); });
   }
   for (std::thread& thread : threads) thread.join();
   board.close();

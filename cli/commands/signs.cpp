@@ -61,10 +61,7 @@ void append_dialect(std::string& out, const SignsWords& words, std::string_view 
 }
 
 int signs(const SignsWords& words) {
-  if (!words.dialect.empty() && reference::find_dialect(words.dialect) == nullptr) {
-    throw UsageError(fmt::format("There is no dialect {}. Choose one of {}.", words.dialect,
-                                 reference::dialect_names()));
-  }
+  if (!words.dialect.empty()) check_dialect_name(words.dialect);
   const oracle::Corpus corpus(corpus_folder(words.corpus));
   Output output;
   for (const reference::Dialect& dialect : reference::dialects()) {

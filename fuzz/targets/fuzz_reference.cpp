@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reference invariants on raw text: it ends, each record and alarm names its clause, a cycle of G94
-// ends where it began, block numbers go back for an O word only, and the reference judged as its own subject is
-// GO; in every dialect. Cost cap: 512 bytes and 5,000 records, since a tiny Q over a great depth is
-// a long program.
+// ends where it began, block numbers go back for an O word only, and the reference judged as its
+// own subject is GO; in every dialect. Cost cap: 512 bytes and 5,000 records, since a tiny Q over a
+// great depth is a long program.
 #include "fuzz/targets/target.hpp"
 #include "oracle/differential/reference_run.hpp"
 #include "reference/dialect.hpp"

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <string_view>
 
 namespace gonogo::fuzz {
 namespace {
@@ -11,14 +13,10 @@ namespace {
 constexpr std::size_t kCounters = 4'096;
 [[gnu::section("__libfuzzer_extra_counters"), gnu::used]] std::uint8_t counters[kCounters];
 
-// The place of a sign, the same in every run and build.
+// The place of a sign, the same in every run.
 std::size_t place_of(std::string_view clause, std::string_view what, int sign) {
-  std::uint64_t hash = 0xCBF29CE484222325U;
-  const auto mix = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * 0x100000001B3U; };
-  for (const char c : clause) mix(static_cast<std::uint8_t>(c));
-  for (const char c : what) mix(static_cast<std::uint8_t>(c));
-  mix(static_cast<std::uint8_t>(sign + 1));
-  return static_cast<std::size_t>(hash >> 32U) % kCounters;
+  constexpr std::hash<std::string_view> kHash;
+  return ((kHash(clause) * 31 + kHash(what)) * 3 + static_cast<std::size_t>(sign + 1)) % kCounters;
 }
 
 }  // namespace

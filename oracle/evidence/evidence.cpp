@@ -106,9 +106,8 @@ class Writers {
   void add_pass(const std::string& id) {
     const auto found = programs_of_passes_.find(id);
     if (found == programs_of_passes_.end()) return;
-    report::CorpusCase test = found->second;
-    test.profile = reader_.json().value("profile", Json::object());
-    has_room_for_passes_ = page_.add_pass(test);
+    found->second.profile = reader_.json().value("profile", Json::object());
+    has_room_for_passes_ = page_.add_pass(found->second);
   }
   void write_whole(const Json& line) {
     const CaseRow row = case_row(line);

@@ -70,40 +70,18 @@ TEST_F(HuntCampaigns, OneThatIsBrokenOffFindsWhatOneThatIsNotFinds) {
   }
 }
 
-// Every 97th run of the subject with a fault puts its first motion 1 mm beside.
-class FlickeringFault : public oracle::Subject {
- public:
-  explicit FlickeringFault(std::size_t& runs)
-      : runs_(runs), inner_(builtin("ngc", "radius-sign-ignored")()) {}
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
-  oracle::RunEnd run(std::string_view id, std::string_view program,
-                     const oracle::RecordSink& sink) override {
-    bool is_due = ++runs_ % 97 == 0;
-    return inner_->run(id, program, [&](const reference::Record& record) {
-      reference::Record shown = record;
-      if (is_due && reference::is_motion(record.kind)) {
-        shown.to[reference::Axis::x] += reference::Number(1);
-        is_due = false;
-      }
-      return sink(shown);
-    });
-  }
-  void renew() override { inner_->renew(); }
-
- private:
-  std::size_t& runs_;
-  std::unique_ptr<oracle::Subject> inner_;
-};
-
 // In the rounds of a campaign the flicker is one finding, and what the fault shows each time stands
 // beside it as what it is.
 TEST_F(HuntCampaigns, AFlickerOfOnePercentIsToldAsSuchAndHidesNoFault) {
   CampaignState state = wanted();
   state.programs_of_round = 400;
   std::size_t runs = 0;
-  HuntCampaign campaign(in("flicker"), state,
-                        [&] { return std::make_unique<FlickeringFault>(runs); }, {}, {}, "gonogo");
+  HuntCampaign campaign(
+      in("flicker"), state,
+      [&] {
+        return std::make_unique<Flickering>(builtin("ngc", "radius-sign-ignored")(), true, runs);
+      },
+      {}, {}, "gonogo");
   for (int round = 0; round < 3; ++round) EXPECT_TRUE(campaign.round(say_nothing, go_on));
   std::size_t flickers = 0;
   std::size_t of_the_fault = 0;
@@ -118,8 +96,8 @@ TEST_F(HuntCampaigns, AFlickerOfOnePercentIsToldAsSuchAndHidesNoFault) {
     const Exhibit exhibit = read_exhibit(in("flicker/findings/") + finding.id, "rs274");
     const auto verdict = steady.run_alone(exhibit);
     ASSERT_TRUE(verdict);
-    EXPECT_EQ(decision(verdict->kind), oracle::Decision::no_go)
-        << signature.text() << "\n" << exhibit.program.text;
+    EXPECT_EQ(decision(verdict->kind), oracle::Decision::no_go) << signature.text() << "\n"
+                                                                << exhibit.program.text;
     if (signature.clause == "NGC-ARC-04") ++of_the_fault;
   }
   EXPECT_EQ(flickers, 1U);

@@ -78,38 +78,10 @@ TEST(Hunt, StateThatLeaksIsFoundWithTheProgramBefore) {
   EXPECT_NE(findings[0].exhibit.before[0].text.find('F'), std::string::npos);
 }
 
-// Every 97th run puts its first motion 1 mm beside.
-class Flickering : public oracle::Subject {
- public:
-  Flickering(bool keeps_state, std::size_t& runs)
-      : keeps_state_(keeps_state), runs_(runs), inner_(builtin("gsk")()) {}
-  const oracle::SubjectInfo& info() const override { return inner_->info(); }
-  void configure(const reference::Profile& profile) override { inner_->configure(profile); }
-  oracle::RunEnd run(std::string_view id, std::string_view program,
-                     const oracle::RecordSink& sink) override {
-    bool is_due = ++runs_ % 97 == 0;
-    return inner_->run(id, program, [&](const reference::Record& record) {
-      reference::Record shown = record;
-      if (is_due && reference::is_motion(record.kind)) {
-        shown.to[reference::Axis::x] += reference::Number(1);
-        is_due = false;
-      }
-      return sink(shown);
-    });
-  }
-  void renew() override { inner_->renew(); }
-  bool keeps_state() const override { return keeps_state_; }
-
- private:
-  bool keeps_state_;
-  std::size_t& runs_;
-  std::unique_ptr<oracle::Subject> inner_;
-};
-
 TEST(Hunt, AFlickerOfOnePercentIsFoundAndToldAsSuch) {
   for (const bool keeps_state : {true, false}) {
     std::size_t runs = 0;
-    Hunt hunt([&] { return std::make_unique<Flickering>(keeps_state, runs); }, {},
+    Hunt hunt([&] { return std::make_unique<Flickering>(builtin("gsk")(), keeps_state, runs); }, {},
               hunting("gsk988ta"));
     std::vector<Finding> findings;
     while (hunt.count().programs < 1'000) {

@@ -103,16 +103,16 @@ TEST(Repertoire, LeavesTheProgramsOfASubjectThatDoesEverythingAlone) {
 }
 
 // What a first subject in a few lines of shell takes: G0 and G1 with their words in one order and
-// one blank between them, F with G1 alone and whole, M2 alone; on the default machine. It says so of
-// nothing.
+// one blank between them, F with G1 alone and whole, M2 alone; on the default machine. It says so
+// of nothing.
 bool is_line(const std::string& line) {
   static const std::regex kMove(
       R"((G0|G1)( X-?\d+(\.\d+)?)?( Y-?\d+(\.\d+)?)?( Z-?\d+(\.\d+)?)?( F[1-9]\d*)?)");
   if (line.find_first_not_of(" \t") == std::string::npos || line == "M2") return true;
   const std::size_t feed = line.find(" F");
   const bool is_cut = line.starts_with("G1");
-  return std::regex_match(line, kMove) && is_cut == (feed != std::string::npos) && line.size() > 2 &&
-         feed != 2;
+  return std::regex_match(line, kMove) && is_cut == (feed != std::string::npos) &&
+         line.size() > 2 && feed != 2;
 }
 
 class LineSubject : public oracle::Subject {
@@ -181,15 +181,22 @@ TEST(Repertoire, TheFaultOfASubjectThatTakesItsWordsInOneOrderOnlyIsFound) {
   }
 }
 
-// G1 with F runs and G1 alone does not: neither is to blame, but that they do not stand together.
-TEST(Repertoire, LeavesOutWhatMayNotStandTogether) {
+generate::GeneratedProgram program(const char* text) {
+  return {defaults("rs274"), text};
+}
+
+// Of a subject that says nothing of itself, and skipped enough for what it does to be learned.
+Repertoire that_saw_much_skipped() {
   oracle::SubjectInfo info;
   info.everything = true;
   Repertoire repertoire(info, "rs274");
-  const auto program = [](const char* text) {
-    return generate::GeneratedProgram{defaults("rs274"), text};
-  };
   for (int i = 0; i < 3; ++i) repertoire.skipped(program("N5 G1 X9 (all of it)\n"));
+  return repertoire;
+}
+
+// G1 with F runs and G1 alone does not: neither is to blame, but that they do not stand together.
+TEST(Repertoire, LeavesOutWhatMayNotStandTogether) {
+  Repertoire repertoire = that_saw_much_skipped();
   repertoire.ran(program("G0 X1\nG1 X9 F100\nM2\n"));
   for (int i = 0; i < 2; ++i) repertoire.skipped(program("G1 X9\nM2\n"));
   for (int i = 0; i < 61; ++i) repertoire.ran(program("G0 X1\nG1 X9 F100\nM2\n"));
@@ -199,13 +206,7 @@ TEST(Repertoire, LeavesOutWhatMayNotStandTogether) {
 
 // Ways to write that a subject skips are written otherwise: no word is lost for them.
 TEST(Repertoire, WritesPlainlyWhatASubjectDoesNotRead) {
-  oracle::SubjectInfo info;
-  info.everything = true;
-  Repertoire repertoire(info, "rs274");
-  const auto program = [](const char* text) {
-    return generate::GeneratedProgram{defaults("rs274"), text};
-  };
-  for (int i = 0; i < 3; ++i) repertoire.skipped(program("N5 G1 X9 (all of it)\n"));
+  Repertoire repertoire = that_saw_much_skipped();
   for (int i = 0; i < 64; ++i) repertoire.ran(program("G1 X9 Y8 F100\nM2\n"));
   for (const char* text : {" G1 X9 Y8 F100\nM2\n", "G1  X9 Y8 F100\nM2\n", "G1 X9Y8 F100\nM2\n",
                            "G1 X9 Y8 F100 \nM2\n", "X9 Y8 G1 F100\nM2\n"}) {

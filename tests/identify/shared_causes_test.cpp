@@ -36,7 +36,8 @@ class Displaced : public oracle::Subject {
       Record other = record;
       if (is_displaced && record.axes.has(reference::Axis::x)) {
         other.to[reference::Axis::x] =
-            other.to[reference::Axis::x] + *reference::Number::parse(++moved % 2 == 0 ? "0.717" : "3.1");
+            other.to[reference::Axis::x] +
+            *reference::Number::parse(++moved % 2 == 0 ? "0.717" : "3.1");
       }
       return sink(other);
     });
