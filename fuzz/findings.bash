@@ -30,23 +30,24 @@ reduce_to_vector() {
   mkdir "$folder"
   GONOGO_FUZZ_FINDING=$folder "$build/fuzz/$target" "$input" >/dev/null 2>&1 || true
   [ -s "$folder/program.nc" ] || return 0  # it stopped for another reason
-  local subject=builtin:$expander${GONOGO_FUZZ_FAULT:++$GONOGO_FUZZ_FAULT}
+  local subject=${GONOGO_FUZZ_SUBJECT:-builtin:$expander${GONOGO_FUZZ_FAULT:++$GONOGO_FUZZ_FAULT}}
   "${GONOGO:-$root/gonogo}" reduce "$folder/program.nc" --subject "$subject" --dialect "$dialect" \
     --profile "$folder/profile.json" --out "$out/vectors" >"$folder/reduced.nc" 2>"$folder/verdict" ||
     true
   cat "$folder/verdict" "$folder/reduced.nc"
   [ -s "$folder/reduced.nc" ] || return 0
-  printf 'the vector again: ./gonogo certify --subject %s --corpus %q\n' "$subject" "$out/vectors"
+  printf 'the vector again: ./gonogo certify --subject %q --corpus %q\n' "$subject" "$out/vectors"
 }
 
 # The input itself stands in the line: a build machine's files are gone when somebody reads it.
 report_finding() {
-  local target=$1 input=$2 small=$2.small fault=
+  local target=$1 input=$2 small=$2.small tried=
   minimise "$target" "$input" "$small"
-  [ -z "${GONOGO_FUZZ_FAULT:-}" ] || fault="GONOGO_FUZZ_FAULT=$GONOGO_FUZZ_FAULT "
+  [ -z "${GONOGO_FUZZ_FAULT:-}" ] || tried="GONOGO_FUZZ_FAULT=$GONOGO_FUZZ_FAULT "
+  [ -z "${GONOGO_FUZZ_SUBJECT:-}" ] || tried="GONOGO_FUZZ_SUBJECT=$(printf %q "$GONOGO_FUZZ_SUBJECT") "
   printf '\n%s stops, on %s bytes instead of %s:\n' "$target" "$(stat -c %s "$small")" \
     "$(stat -c %s "$input")"
   reduce_to_vector "$target" "$small"
   printf 'the input again: base64 -d <<<%s >input && %sbuild/fuzz/fuzz/%s input\n\n' \
-    "$(base64 -w 0 "$small")" "$fault" "$target"
+    "$(base64 -w 0 "$small")" "$tried" "$target"
 }

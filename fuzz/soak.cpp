@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo_soak: generated programs through a built-in expander and the judge, until one is not GO.
-//   gonogo_soak [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
+// gonogo_soak: generated programs through a subject and the judge, until one is not GO.
+//   gonogo_soak [--programs N] [--seed S] [--subject SUBJECT] [--dialect D] [--settings LIST]
 //               [--distribution]
-//   gonogo_soak --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]
+//   gonogo_soak --input FILE [--subject SUBJECT] [--dialect D] [--settings LIST]
+// SUBJECT is a built-in expander (NAME, NAME+FAULT), or lib:, pipe: and oneshot: as on the command
+// line, which gets of each program what it declares; a library runs in this process.
 // LIST is as generate/generator_settings.hpp says: raw=1,near-invalid=0,blocks=4. --distribution
 // prints what the programs hold and reach: kinds, machines, records, planes, clauses, alarms,
 // verdicts, and what lies outside of the domain (docs/domain.md); a departure there is counted, and
 // no failure. An expander of several dialects gets programs of the first one where none is named.
 // --input tries the one program that a fuzzer's input decides, and prints it first: also one that
 // never ends. Exit: 0 all GO, 1 a program is not (it is printed with the seed that makes it), 2
-// wrong use.
+// wrong use, 3 fewer than one program in ten was judged, or an input is not.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -24,8 +26,7 @@
 #include <string>
 #include <vector>
 
-#include "expanders/registry.hpp"
-#include "generate/generator.hpp"
+#include "fuzz/tried_subject.hpp"
 #include "generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/differential/domain.hpp"
@@ -40,7 +41,7 @@ struct SoakOptions {
   std::uint64_t programs = 10'000;
   std::uint64_t seed = 1;
   std::string subject = "gsk";
-  std::string dialect;  // "": the expander's first
+  std::string dialect;  // "": the expander's first, or the only one that the subject names
   std::string input;    // a fuzzer's input: its bytes decide one program
   bool distribution = false;
   generate::GeneratorSettings settings;
@@ -99,8 +100,7 @@ bool is_out_of_reach(const oracle::Verdict& verdict) {
 }
 
 // One program, from the decisions in a fuzzer's input.
-int try_input(const SoakOptions& options, const generate::Generator& generator,
-              oracle::Subject& subject) {
+int try_input(const SoakOptions& options, const fuzz::TriedSubject& tried) {
   std::ifstream file(options.input, std::ios::binary);
   if (!file) {
     fmt::print(stderr, "{} cannot be read.\n", options.input);
@@ -109,64 +109,89 @@ int try_input(const SoakOptions& options, const generate::Generator& generator,
   const std::vector<char> text{std::istreambuf_iterator<char>(file), {}};
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   generate::Choices choices{std::span<const std::uint8_t>(bytes)};
-  const generate::GeneratedProgram program = generator.generate(choices, options.settings, nullptr);
-  fmt::print("profile: {}\nprogram:\n{}", reference::profile_json(program.profile), program.text);
+  const auto program =
+      tried.within_declared(tried.generator().generate(choices, options.settings, nullptr));
+  if (!program) {
+    fmt::print("The subject declares too little of the program.\n");
+    return 3;
+  }
+  fmt::print("profile: {}\nprogram:\n{}", reference::profile_json(program->profile), program->text);
   std::fflush(stdout);
-  const auto verdict = oracle::run_and_judge(subject, program.profile, program.text,
+  const auto verdict = oracle::run_and_judge(tried.subject(), program->profile, program->text,
                                              std::numeric_limits<std::size_t>::max());
   fmt::print("verdict: {}\n{}\n", name(verdict->kind), verdict->message);
   return decision(verdict->kind) == oracle::Decision::no_go ? 1 : 0;
 }
 
-int soak(const SoakOptions& options) {
-  const std::size_t plus = options.subject.find('+');
-  const std::string fault = plus == std::string::npos ? "" : options.subject.substr(plus + 1);
-  const gonogo_subject_v1* table = expanders::find(options.subject.substr(0, plus), fault);
-  if (table == nullptr) {
-    fmt::print(stderr, "There is no built-in expander {}.\n", options.subject);
-    return 2;
-  }
-  const generate::Generator* generator =
-      generate::find_generator(options.subject.substr(0, plus), options.dialect);
-  if (generator == nullptr) {
-    fmt::print(stderr, "{} does not expand {}.\n", options.subject, options.dialect);
-    return 2;
-  }
-  auto subject = oracle::make_interface_subject(*table);
-  if (!options.input.empty()) return try_input(options, *generator, *subject);
+// What became of the programs.
+struct SoakTally {
+  std::uint64_t judged = 0;
+  std::uint64_t skipped = 0;  // by the subject, or for what it does not declare
   generate::Distribution distribution;
+};
+
+// Whether the verdict is a failure of the subject, and not of what the gauge says that it does not
+// judge, or outside of its domain.
+bool is_failure(const oracle::Verdict& verdict, const generate::GeneratedProgram& program,
+                SoakTally& tally) {
+  if (decision(verdict.kind) == oracle::Decision::go) {
+    ++tally.judged;
+    return false;
+  }
+  if (is_out_of_reach(verdict)) return false;
+  const auto rule = oracle::outside_domain(program.profile, program.text, verdict);
+  if (rule.empty()) return true;
+  ++tally.distribution[fmt::format("out of domain, and no failure: {}", rule)];
+  return false;
+}
+
+// Program i of seed s is program 0 of seed s + i, so that one number brings a failure back. Whether
+// it is no failure.
+bool try_program(const SoakOptions& options, const fuzz::TriedSubject& tried, std::uint64_t seed,
+                 SoakTally& tally) {
+  generate::Choices choices(seed);
+  const auto program = tried.within_declared(tried.generator().generate(
+      choices, options.settings, options.distribution ? &tally.distribution : nullptr));
+  if (!program) {
+    ++tally.skipped;
+    return true;
+  }
+  if (options.distribution) {
+    generate::count_program(*program, tally.distribution);
+    const std::string_view rule = oracle::outside_domain(program->profile, program->text);
+    if (!rule.empty()) ++tally.distribution[fmt::format("out of domain: {}", rule)];
+  }
+  const auto verdict = judged(tried.subject(), *program, seed);
+  ++tally.distribution[verdict ? fmt::format("verdict {}", name(verdict->kind)) : "too long"];
+  if (!verdict) return true;
+  // What the subject does not implement it says: neither right nor wrong.
+  if (verdict->kind == oracle::VerdictKind::skip) {
+    ++tally.skipped;
+    return true;
+  }
+  if (!is_failure(*verdict, *program, tally)) return true;
+  fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", seed,
+             oracle::failure_text(*verdict, program->profile, program->text),
+             oracle::trace_text(tried.subject(), program->profile, program->text));
+  return false;
+}
+
+int soak(const SoakOptions& options) {
+  const fuzz::TriedSubject tried(options.subject, options.dialect);
+  if (!options.input.empty()) return try_input(options, tried);
+  SoakTally tally;
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t i = 0; i < options.programs; ++i) {
-    // Program i of seed s is program 0 of seed s + i, so that one number brings a failure back.
-    generate::Choices choices(options.seed + i);
-    const generate::GeneratedProgram program = generator->generate(
-        choices, options.settings, options.distribution ? &distribution : nullptr);
-    if (options.distribution) {
-      generate::count_program(program, distribution);
-      const std::string_view rule = oracle::outside_domain(program.profile, program.text);
-      if (!rule.empty()) ++distribution[fmt::format("out of domain: {}", rule)];
-    }
-    const auto verdict = judged(*subject, program, options.seed + i);
-    ++distribution[verdict ? fmt::format("verdict {}", name(verdict->kind)) : "too long"];
-    // What the expander does not implement it says: neither right nor wrong.
-    if (!verdict || verdict->kind == oracle::VerdictKind::skip) continue;
-    if (decision(verdict->kind) == oracle::Decision::go) continue;
-    if (is_out_of_reach(*verdict)) continue;
-    const auto rule = oracle::outside_domain(program.profile, program.text, *verdict);
-    if (!rule.empty()) {
-      ++distribution[fmt::format("out of domain, and no failure: {}", rule)];
-      continue;
-    }
-    fmt::print("--seed {} --programs 1 gives:\n{}\ntrace:\n{}", options.seed + i,
-               oracle::failure_text(*verdict, program.profile, program.text),
-               oracle::trace_text(*subject, program.profile, program.text));
-    return 1;
+    if (!try_program(options, tried, options.seed + i, tally)) return 1;
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  fmt::print("{} programs from seed {} on: no failure ({:.0f} a second)\n", options.programs,
-             options.seed, static_cast<double>(options.programs) / spent.count());
-  fmt::print("{}", generate::distribution_text(distribution));
-  return 0;
+  fmt::print("{} programs from seed {} on: no failure ({:.0f} a second), {} judged, {} skipped\n",
+             options.programs, options.seed, static_cast<double>(options.programs) / spent.count(),
+             tally.judged, tally.skipped);
+  fmt::print("{}", generate::distribution_text(tally.distribution));
+  if (tally.judged * 10 >= options.programs) return 0;
+  fmt::print("Fewer than one program in ten was judged: this says little of the subject.\n");
+  return 3;
 }
 
 }  // namespace
@@ -175,11 +200,16 @@ int main(int argc, char** argv) {
   SoakOptions options;
   if (!parse(argc, argv, options)) {
     fmt::print(stderr,
-               "usage: {} [--programs N] [--seed S] [--subject NAME[+FAULT]] [--dialect D] "
+               "usage: {} [--programs N] [--seed S] [--subject SUBJECT] [--dialect D] "
                "[--settings LIST] [--distribution]\n"
-               "       {} --input FILE [--subject NAME[+FAULT]] [--dialect D] [--settings LIST]\n",
+               "       {} --input FILE [--subject SUBJECT] [--dialect D] [--settings LIST]\n",
                argv[0], argv[0]);
     return 2;
   }
-  return soak(options);
+  try {
+    return soak(options);
+  } catch (const oracle::SubjectUnusable& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
 }

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/targets/differential_target.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <memory>
 #include <span>
 #include <unordered_set>
 
-#include "expanders/registry.hpp"
 #include "fuzz/targets/sign_counters.hpp"
 #include "fuzz/targets/target.hpp"
+#include "fuzz/tried_subject.hpp"
 #include "generate/generator.hpp"
 #include "generate/program_report.hpp"
 #include "oracle/differential/differential.hpp"
@@ -17,14 +19,19 @@
 namespace gonogo::fuzz {
 namespace {
 
-// The expander with the planted fault, if there is one.
-std::unique_ptr<oracle::Subject> make_subject(std::string_view name) {
-  const gonogo_subject_v1* const expander = expanders::find(name, planted_fault());
-  if (expander == nullptr) {
-    std::fprintf(stderr, "the expander has no fault %s\n", std::string(planted_fault()).c_str());
+// Environment GONOGO_FUZZ_SUBJECT=SUBJECT, as in fuzz/tried_subject.hpp: it is tried in place of
+// the expander. That has the planted fault, if there is one.
+TriedSubject make_subject(std::string_view name, std::string_view dialect) {
+  const char* const other = std::getenv("GONOGO_FUZZ_SUBJECT");
+  std::string expander(name);
+  if (!planted_fault().empty()) expander += "+" + std::string(planted_fault());
+  if (dialect.empty()) dialect = generate::find_generator(name)->dialect;
+  try {
+    return {other == nullptr ? expander : other, std::string(dialect)};
+  } catch (const oracle::SubjectUnusable& error) {
+    std::fprintf(stderr, "%s\n", error.what());
     std::exit(2);
   }
-  return oracle::make_interface_subject(*expander);
 }
 
 // A broken bench, which fuzz/check-bench has to notice: a judge that says GO to everything.
@@ -48,17 +55,18 @@ bool runs_alone() {
   return kAlone;
 }
 
-void check(oracle::Subject& subject, const reference::Profile& profile, std::string_view program,
-           std::size_t most_records) {
-  if (runs_alone()) return oracle::run_alone(subject, profile, program, most_records);
+// What became of the program: the name of a verdict, or "too long".
+std::string_view check(oracle::Subject& subject, const reference::Profile& profile,
+                       std::string_view program, std::size_t most_records) {
   const SignCounters counters;
   const auto verdict = oracle::run_and_judge(subject, profile, program, most_records);
-  if (judge_is_blind()) return;
-  if (verdict && oracle::decision(verdict->kind) == oracle::Decision::no_go &&
+  if (!verdict) return "too long";
+  if (!judge_is_blind() && oracle::decision(verdict->kind) == oracle::Decision::no_go &&
       oracle::outside_domain(profile, program).empty()) {
     keep(profile, program);
     fail(oracle::failure_text(*verdict, profile, program), "");
   }
+  return oracle::name(verdict->kind);
 }
 
 // Environment GONOGO_FUZZ_STATISTICS=FILE: what the programs were is written there at the end.
@@ -75,6 +83,9 @@ class ProgramStatistics {
     const std::string all = oracle::profile_text(program.profile) + program.text;
     if (!seen_.insert(std::hash<std::string>()(all)).second)
       ++distribution_["programs seen before"];
+  }
+  void count_verdict(std::string_view verdict) {
+    if (file_ != nullptr) ++distribution_[fmt::format("verdict {}", verdict)];
   }
 
  private:
@@ -105,12 +116,16 @@ generate::GeneratedProgram generate(std::string_view name, std::string_view dial
 
 void try_expander(std::string_view name, generate::Choices choices, std::string_view dialect) {
   constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
-  static const auto subject = make_subject(name);
+  static const TriedSubject tried = make_subject(name, dialect);
   static ProgramStatistics statistics;
-  const generate::GeneratedProgram program =
-      generate(name, dialect, choices, statistics.distribution());
-  statistics.count(program);
-  check(*subject, program.profile, program.text, kMostRecords);
+  const auto program =
+      tried.within_declared(generate(name, dialect, choices, statistics.distribution()));
+  if (!program) return statistics.count_verdict("skip");
+  statistics.count(*program);
+  if (runs_alone()) {
+    return oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+  }
+  statistics.count_verdict(check(tried.subject(), program->profile, program->text, kMostRecords));
 }
 
 void decide_program(std::string_view name, generate::Choices& choices, std::string_view dialect) {
@@ -121,12 +136,16 @@ void try_text(std::string_view name, std::string_view dialect, const std::uint8_
               std::size_t size) {
   constexpr std::size_t kMostBytes = 512;
   constexpr std::size_t kMostRecords = 20'000;  // about a second under the sanitizers
-  static const auto subject = make_subject(name);
+  static const TriedSubject tried = make_subject(name, dialect);
   static const auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
   if (size > kMostBytes) return;
   const std::string_view text = text_of(data, size);
-  if (!oracle::has_short_numbers(text)) return oracle::run_alone(*subject, profile, text, kMostRecords);
-  check(*subject, profile, text, kMostRecords);
+  const auto program = tried.within_declared({profile, std::string(text)});
+  if (!program) return;
+  if (runs_alone() || !oracle::has_short_numbers(program->text)) {
+    return oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+  }
+  check(tried.subject(), program->profile, program->text, kMostRecords);
 }
 
 }  // namespace gonogo::fuzz

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/tried_subject.hpp"
+
+#include <fmt/format.h>
+
+#include "expanders/registry.hpp"
+#include "oracle/subjects/library_file.hpp"
+#include "reference/dialect.hpp"
+
+namespace gonogo::fuzz {
+namespace {
+
+using oracle::SubjectUnusable;
+
+std::unique_ptr<oracle::Subject> make_builtin(const std::string& name, const std::string& fault) {
+  const gonogo_subject_v1* const expander = expanders::find(name, fault);
+  if (expander != nullptr) return oracle::make_interface_subject(*expander);
+  if (expanders::find(name) == nullptr) {
+    throw SubjectUnusable(fmt::format("There is no built-in expander {}.", name));
+  }
+  throw SubjectUnusable(fmt::format("The expander {} has no fault {}.", name, fault));
+}
+
+const generate::Generator* generator_for(const oracle::SubjectInfo& info, std::string dialect) {
+  if (dialect.empty() && info.dialects.size() == 1) dialect = info.dialects.begin()->first;
+  if (dialect.empty()) {
+    throw SubjectUnusable("The subject does not say which dialect it reads. Name one: --dialect.");
+  }
+  if (reference::find_dialect(dialect) == nullptr) {
+    throw SubjectUnusable(fmt::format("There is no dialect {}. Choose one of {}.", dialect,
+                                      reference::dialect_names()));
+  }
+  if (!info.declares(dialect, "")) {
+    throw SubjectUnusable(fmt::format("The subject does not name the dialect {}.", dialect));
+  }
+  return &generate::generator_of(dialect);
+}
+
+}  // namespace
+
+TriedSubject::TriedSubject(const std::string& text, const std::string& dialect) {
+  const oracle::SubjectSpec spec =
+      oracle::parse_subject_spec(text).value_or(oracle::SubjectSpec{"builtin", text});
+  if (spec.kind == "builtin") {
+    const std::size_t plus = spec.rest.find('+');
+    const std::string name = spec.rest.substr(0, plus);
+    subject_ = make_builtin(name, plus == std::string::npos ? "" : spec.rest.substr(plus + 1));
+    generator_ = generate::find_generator(name, dialect);
+    if (generator_ != nullptr) return;
+    throw SubjectUnusable(fmt::format("{} does not expand {}.", name, dialect));
+  }
+  if (spec.kind == "lib") {
+    subject_ = oracle::make_interface_subject(oracle::Library(spec.rest).subject());
+  } else if (spec.kind == "pipe") {
+    subject_ = oracle::make_pipe_subject(spec.rest, {});
+  } else if (spec.kind == "oneshot") {
+    subject_ = oracle::make_oneshot_subject(spec.rest, {});
+  } else {
+    throw SubjectUnusable(
+        fmt::format("\"{}\" names no subject. Write NAME, NAME+FAULT, lib:PATH.so, pipe:COMMAND or "
+                    "oneshot:COMMAND.",
+                    text));
+  }
+  const oracle::SubjectInfo& info = subject_->info();
+  generator_ = generator_for(info, dialect);
+  if (!info.everything) declared_.emplace(info, std::string(generator_->dialect));
+}
+
+std::optional<generate::GeneratedProgram> TriedSubject::within_declared(
+    const generate::GeneratedProgram& program) const {
+  return declared_ ? declared_->fitted(program) : program;
+}
+
+}  // namespace gonogo::fuzz
