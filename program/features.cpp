@@ -42,6 +42,21 @@ bool is_used(reference::Use use, bool is_repeated, const BlockModes& modes) {
   return false;
 }
 
+bool is_comment(const TextWord& word) {
+  return word.text.front() == '(' || word.text.front() == ';';
+}
+
+// O with more than a name (NGC-COM-06).
+bool is_line_of_o_word(const TextBlock& block) {
+  const auto is_o = [](const TextWord& word) { return address_of(word) == "O"; };
+  const auto is_more = [&](const TextWord& word) {
+    return !is_comment(word) && !is_o(word) && address_of(word) != "N" && word.text != "/";
+  };
+  const auto name = std::ranges::find_if(block.words, is_o);
+  return name != block.words.end() && (name->text.find('<') != std::string::npos ||
+                                       std::ranges::any_of(block.words, is_more));
+}
+
 class Needs {
  public:
   explicit Needs(const reference::Descriptor& table) : table_(table) {}
@@ -53,7 +68,11 @@ class Needs {
     }
     for (const TextWord& word : block.words) {
       if (is_word(word)) take(word, block);
+      if (!is_comment(word) && word.text.find_first_of("#[") != std::string::npos) {
+        add_of_lines("parameters");
+      }
     }
+    if (is_line_of_o_word(block)) add_of_lines("o-words");
     if (block.modes.code() != nullptr) take_joint_words(*block.modes.code(), block);
     if (block.modes.motion != nullptr) take_uses(*block.modes.motion, block);
   }
@@ -61,6 +80,11 @@ class Needs {
  private:
   void add(std::string_view feature) {
     if (!feature.empty()) features_.emplace(feature);
+  }
+  // What stands in lines and is no code's: NGC-PAR, NGC-EXP, NGC-OWD.
+  void add_of_lines(std::string_view feature) {
+    const auto known = std::ranges::find(table_.features, feature, &reference::DialectFeature::name);
+    if (known != table_.features.end()) add(feature);
   }
   void take(const TextWord& word, const TextBlock& block) {
     const std::string name = name_of(word);

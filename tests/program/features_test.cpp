@@ -26,6 +26,16 @@ TEST(ProgramFeatures, AWordMayNeedAFeature) {
   EXPECT_EQ(features_of("sinumerik840d", "G2 X1 CR=5\n"), (Features{"arc", "basic", "cr"}));
 }
 
+// They stand for no code. A lone O is a program's name (NGC-COM-06).
+TEST(ProgramFeatures, ParametersAndOWordsAreNeededWhereverTheyStand) {
+  EXPECT_EQ(features_of("rs274", "G6 X#1\n"), (Features{"basic", "parameters"}));
+  EXPECT_EQ(features_of("rs274", "#1=2 (#)\n"), (Features{"basic", "parameters"}));
+  EXPECT_EQ(features_of("rs274", "G0 X[1+2]\n"), (Features{"basic", "parameters"}));
+  EXPECT_EQ(features_of("rs274", "N1 O100 sub\nO100 endsub\n"), (Features{"basic", "o-words"}));
+  EXPECT_EQ(features_of("rs274", "o<part> call\n"), (Features{"basic", "o-words"}));
+  EXPECT_EQ(features_of("rs274", "N1 O0007 (part #1)\nG0 X1 ; [\n"), (Features{"basic"}));
+}
+
 // NGC-COM-04: what looks like G3 is G33.1.
 TEST(ProgramFeatures, BlanksInACodeChangeNothing) {
   EXPECT_EQ(features_of("rs274", "G3  3.1 Z-5 K1\n"), (Features{"basic", "g33.1"}));
