@@ -24,7 +24,8 @@ Verdict m_verdict(const Record* want, const Record* got, std::string message) {
   return verdict;
 }
 
-// Whether a text that begins behind an M is this number, or something to be calculated.
+// Whether a text that begins behind an M is this number, or something to be calculated. With
+// decimals it may count as the whole number above, too (ngc.whole).
 bool may_be_number(std::string_view text, std::int32_t number) {
   constexpr std::string_view kCalculated = "[#=R(";
   constexpr std::int64_t kMost = 1'000'000;
@@ -32,6 +33,7 @@ bool may_be_number(std::string_view text, std::int32_t number) {
   for (const char c : text) {
     if (c == ' ' || c == '\t' || (c == '+' && value < 0)) continue;
     if (value < 0 && kCalculated.find(c) != std::string_view::npos) return true;
+    if (c == '.' && std::max<std::int64_t>(value, 0) + 1 == number) return true;
     if (c < '0' || c > '9' || value > kMost) break;
     value = std::max<std::int64_t>(value, 0) * 10 + (c - '0');
   }

@@ -200,6 +200,9 @@ TEST(FalseGo, NoMFunctionComesBesideAnAlarmThatItsBlockDoesNotName) {
   EXPECT_EQ(kind("G1 X2 M80", kM8), VerdictKind::fail_order);
   EXPECT_EQ(decision(kind("G1 X2 M8", kM8)), Decision::go);
   EXPECT_EQ(decision(kind("G1 X2 m 08", kM8)), Decision::go);
+  // Near enough to 8 where ngc.whole says so; found by fuzz_differential_ngc.
+  EXPECT_EQ(decision(kind("G1 X2 m 7.999991", kM8)), Decision::go);
+  EXPECT_EQ(kind("G1 X2 M6.999991", kM8), VerdictKind::fail_order);
   EXPECT_EQ(decision(kind("G1 X2 M8", "")), Decision::go);
 }
 
