@@ -33,6 +33,11 @@ GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& sett
   return generate_sinumerik(kDialect, choices, settings, kind, distribution);
 }
 
+// Of offsets, parameters, expressions and O words.
+constexpr auto kUnaskedByNgc = std::to_array(
+    {reference::ReadingKey::ngc_g92_other_axes, reference::ReadingKey::ngc_equal,
+     reference::ReadingKey::ngc_sign_of_value, reference::ReadingKey::ngc_call_parameters});
+
 constexpr std::string_view k840d = "sinumerik840d";
 constexpr std::string_view k802s = "sinumerik802s";
 
@@ -46,23 +51,26 @@ std::string_view name(ProgramKind kind) {
 
 std::span<const Generator> generators() {
   static const auto kGenerators = std::to_array<Generator>({
-      {"gsk988ta", "gsk", generate_gsk},
-      {"hnc21t", "hnc", generate_hnc},
-      {"rs274", "ngc", generate_ngc},
-      {k840d, "sinumerik", write_sinumerik<k840d>},
-      {k802s, "sinumerik", write_sinumerik<k802s>},
+      {"gsk988ta", "gsk", generate_gsk, {}},
+      {"hnc21t", "hnc", generate_hnc, {}},
+      {"rs274", "ngc", generate_ngc, kUnaskedByNgc},
+      {k840d, "sinumerik", write_sinumerik<k840d>, {}},
+      {k802s, "sinumerik", write_sinumerik<k802s>, {}},
   });
   return kGenerators;
 }
 
 namespace {
 
-// An alternative for every reading that the profile leaves open and that has more than one.
-void close_readings(Choices& choices, reference::Profile& profile) {
+// An alternative for every reading that the profile leaves open and that has more than one, but for
+// `unasked`.
+void close_readings(Choices& choices, reference::Profile& profile,
+                    std::span<const reference::ReadingKey> unasked) {
   for (const reference::Reading& reading : reference::readings()) {
     const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
     if (reading.by_properties || count < 2 || !reading.belongs_to(profile.dialect) ||
-        !profile.readings.is(reading.key, "any")) {
+        !profile.readings.is(reading.key, "any") ||
+        std::ranges::find(unasked, reading.key) != unasked.end()) {
       continue;
     }
     profile.readings.set(reading.key, reading.alternatives[choices.below(count)]);
@@ -81,7 +89,7 @@ GeneratedProgram Generator::generate(Choices& choices, const GeneratorSettings& 
   // The last of the decisions, so that the text is the same whatever is decided here.
   const std::uint32_t open_one_in = settings.open_one_in;
   if (open_one_in > 1 && choices.below(open_one_in) + 1 < open_one_in) {
-    close_readings(choices, program.profile);
+    close_readings(choices, program.profile, unasked);
   }
   return program;
 }

@@ -30,6 +30,9 @@ struct Generator {
   // The dialect's own writer; of every kind but raw.
   GeneratedProgram (*write)(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
                             Distribution* distribution);
+  // Readings that none of the writer's programs asks for: they stay open, since a subject that does
+  // not have what they are about need not know their alternatives.
+  std::span<const reference::ReadingKey> unasked;
 
   // A program of a kind that the settings have. `distribution` may be null.
   GeneratedProgram generate(Choices& choices, const GeneratorSettings& settings,
