@@ -284,5 +284,22 @@ TEST(Generator, ReadingsAreLeftOpenAsOftenAsItSaysAndTheTextIsTheSame) {
   }
 }
 
+// A subject without offsets, expressions and O words need not know the alternatives of theirs.
+TEST(Generator, ReadingsThatNoProgramAsksForStayOpen) {
+  static const std::regex kAsking(R"(G *92|[-+] *[#[]|EQ|NE|call)");
+  GeneratorSettings settings = in_process_settings();
+  settings.machine.readings = false;
+  const Generator& generator = generator_of("rs274");
+  ASSERT_EQ(generator.unasked.size(), 4U);
+  for (std::uint64_t seed = 1; seed <= 2'000; ++seed) {
+    Choices choices(seed);
+    const GeneratedProgram program = generator.generate(choices, settings, nullptr);
+    for (const reference::ReadingKey key : generator.unasked) {
+      ASSERT_EQ(program.profile.readings.get(key), "any") << seed;
+    }
+    ASSERT_FALSE(std::regex_search(program.text, kAsking)) << program.text;
+  }
+}
+
 }  // namespace
 }  // namespace gonogo::generate
