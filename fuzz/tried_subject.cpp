@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "expanders/registry.hpp"
 #include "oracle/subjects/library_file.hpp"
 #include "reference/dialect.hpp"
@@ -63,12 +65,35 @@ TriedSubject::TriedSubject(const std::string& text, const std::string& dialect) 
   }
   const oracle::SubjectInfo& info = subject_->info();
   generator_ = generator_for(info, dialect);
-  if (!info.everything) declared_.emplace(info, std::string(generator_->dialect));
+  repertoire_.emplace(info, std::string(generator_->dialect));
+  learn();
 }
 
-std::optional<generate::GeneratedProgram> TriedSubject::within_declared(
+void TriedSubject::learn() {
+  constexpr std::size_t kRuns = 2'000;
+  constexpr std::uint64_t kMostDrawn = 50 * kRuns;
+  constexpr std::size_t kMostRecords = 5'000;
+  std::size_t runs = 0;
+  for (std::uint64_t seed = 1; seed <= kMostDrawn && runs < kRuns; ++seed) {
+    generate::Choices choices(seed);
+    const auto program = repertoire_->fitted(generator_->generate(choices, nullptr));
+    if (!program) continue;
+    ++runs;
+    subject_->configure(program->profile);
+    std::size_t records = 0;
+    const oracle::RunEnd end =
+        subject_->run(std::to_string(seed), program->text,
+                      [&](const reference::Record&) { return ++records < kMostRecords; });
+    const bool is_skipped =
+        end.kind == oracle::RunEnd::Kind::skip || end.kind == oracle::RunEnd::Kind::refused;
+    is_skipped ? repertoire_->skipped(*program) : repertoire_->ran(*program);
+  }
+  repertoire_->settle();
+}
+
+std::optional<generate::GeneratedProgram> TriedSubject::fitted(
     const generate::GeneratedProgram& program) const {
-  return declared_ ? declared_->fitted(program) : program;
+  return repertoire_ ? repertoire_->fitted(program) : program;
 }
 
 }  // namespace gonogo::fuzz

@@ -13,8 +13,9 @@
 
 namespace gonogo::fuzz {
 
-// A built-in expander, or somebody's subject in its place, which gets what it declares alone.
-// Nothing is learned from its answers: a program is the same whatever ran before.
+// A built-in expander, or somebody's subject in its place, which gets programs of what it declares
+// and runs. What it runs is learned when it is made, from programs of fixed seeds: afterwards a
+// program is the same whatever was tried before.
 class TriedSubject {
  public:
   // "NAME", "NAME+FAULT" or as on the command line: builtin:, lib:, pipe: and oneshot:. A library
@@ -25,14 +26,15 @@ class TriedSubject {
 
   oracle::Subject& subject() const { return *subject_; }
   const generate::Generator& generator() const { return *generator_; }
-  // What of the program the subject declares; nothing where too little of it is left.
-  std::optional<generate::GeneratedProgram> within_declared(
-      const generate::GeneratedProgram& program) const;
+  // What of the program the subject runs; nothing where too little of it is left.
+  std::optional<generate::GeneratedProgram> fitted(const generate::GeneratedProgram& program) const;
 
  private:
+  void learn();
+
   std::unique_ptr<oracle::Subject> subject_;
   const generate::Generator* generator_ = nullptr;
-  std::optional<hunt::Repertoire> declared_;  // nothing: everything
+  std::optional<hunt::Repertoire> repertoire_;  // nothing: of a built-in expander
 };
 
 }  // namespace gonogo::fuzz

@@ -201,7 +201,9 @@ std::string Repertoire::fitted_text(const ProgramText& text, Trying& trying) con
 // Later only now and then: what is untried is mostly skipped.
 Repertoire::Turn Repertoire::turn() const {
   constexpr std::size_t kTryOneIn = 50;
-  if (!skips_ || (runs_ > kLearning && runs_ % kTryOneIn != 0)) return Turn::what_runs;
+  if (!skips_ || is_settled_ || (runs_ > kLearning && runs_ % kTryOneIn != 0)) {
+    return Turn::what_runs;
+  }
   const std::size_t number = runs_ > kLearning ? runs_ / kTryOneIn : runs_;
   if (number % 2 == 0) return Turn::untried;
   return number % 4 == 1 ? Turn::again : Turn::together;
@@ -261,7 +263,7 @@ std::optional<generate::GeneratedProgram> Repertoire::fitted(
   constexpr std::size_t kSingleBlocks = 60;
   constexpr std::size_t kLeast = 2;  // blocks
   if (!skips_ && is_declared(program)) return program;
-  if (skips_ && runs_ <= kSingleBlocks) {
+  if (skips_ && !is_settled_ && runs_ <= kSingleBlocks) {
     const generate::GeneratedProgram single = single_block(program, runs_);
     if (is_declared(single)) return single;
   }

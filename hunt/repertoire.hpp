@@ -41,6 +41,8 @@ class Repertoire {
 
   void ran(const generate::GeneratedProgram& program);
   void skipped(const generate::GeneratedProgram& program);
+  // From now on nothing is tried: a program has what is known to run, and no more.
+  void settle() { is_settled_ = true; }
 
   // What is out, for people: "codes G2 G3; words A B".
   std::string left_out() const;
@@ -90,6 +92,7 @@ class Repertoire {
   // Codes and words of a block: how often it was skipped by itself.
   std::map<Parts, std::size_t> together_;
   bool skips_ = false;
+  bool is_settled_ = false;
   std::size_t runs_ = 0;
   // Before much was skipped: the last programs, and whether each ran. What they are made of is
   // asked for only then.

@@ -53,8 +53,8 @@ bool is_line_of_o_word(const TextBlock& block) {
     return !is_comment(word) && !is_o(word) && address_of(word) != "N" && word.text != "/";
   };
   const auto name = std::ranges::find_if(block.words, is_o);
-  return name != block.words.end() && (name->text.find('<') != std::string::npos ||
-                                       std::ranges::any_of(block.words, is_more));
+  return name != block.words.end() &&
+         (name->text.find('<') != std::string::npos || std::ranges::any_of(block.words, is_more));
 }
 
 class Needs {
@@ -83,7 +83,8 @@ class Needs {
   }
   // What stands in lines and is no code's: NGC-PAR, NGC-EXP, NGC-OWD.
   void add_of_lines(std::string_view feature) {
-    const auto known = std::ranges::find(table_.features, feature, &reference::DialectFeature::name);
+    const auto known =
+        std::ranges::find(table_.features, feature, &reference::DialectFeature::name);
     if (known != table_.features.end()) add(feature);
   }
   void take(const TextWord& word, const TextBlock& block) {

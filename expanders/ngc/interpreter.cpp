@@ -126,8 +126,8 @@ Flow Interpreter::unsupported(char letter, unsigned tenths) {
   return unsupported(std::string_view{code, static_cast<std::size_t>(size)});
 }
 
-// What the control can do and this expander cannot; it goes before every alarm of the block but that
-// of a code that the control does not know, which may have been another motion.
+// What the control can do and this expander cannot; it goes before every alarm of the block but
+// that of a code that the control does not know, which may have been another motion.
 Flow Interpreter::check_coverage() {
   if (const Code* code = block_.outside()) return unsupported('G', code->tenths);
   for (const char address : {'B', 'U', 'V', 'W'}) {
@@ -136,7 +136,8 @@ Flow Interpreter::check_coverage() {
   const Code* code = block_.code(Group::kMotion);
   const Motion motion = code != nullptr ? static_cast<Motion>(code->tenths) : machine_.state.motion;
   const bool synchronous = motion == Motion::kG33 || motion == Motion::kG331;
-  if (synchronous && !block_.unknown_code() && block_.has_any(kRotaryWords)) return unsupported("G33 with a rotary axis");
+  if (synchronous && !block_.unknown_code() && block_.has_any(kRotaryWords))
+    return unsupported("G33 with a rotary axis");
   for (const FunctionWord& word : block_.functions()) {
     if (word.number && find_function(*word.number) == Function::kOutside) {
       return unsupported('M', static_cast<unsigned>(*word.number * 10));

@@ -118,8 +118,7 @@ void try_expander(std::string_view name, generate::Choices choices, std::string_
   constexpr std::size_t kMostRecords = 1'000;  // a tenth of a second under the sanitizers
   static const TriedSubject tried = make_subject(name, dialect);
   static ProgramStatistics statistics;
-  const auto program =
-      tried.within_declared(generate(name, dialect, choices, statistics.distribution()));
+  const auto program = tried.fitted(generate(name, dialect, choices, statistics.distribution()));
   if (!program) return statistics.count_verdict("skip");
   statistics.count(*program);
   if (runs_alone()) {
@@ -140,7 +139,7 @@ void try_text(std::string_view name, std::string_view dialect, const std::uint8_
   static const auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
   if (size > kMostBytes) return;
   const std::string_view text = text_of(data, size);
-  const auto program = tried.within_declared({profile, std::string(text)});
+  const auto program = tried.fitted({profile, std::string(text)});
   if (!program) return;
   if (runs_alone() || !oracle::has_short_numbers(program->text)) {
     return oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);

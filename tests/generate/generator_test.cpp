@@ -222,7 +222,9 @@ TEST(Generator, ASwitchLeavesOutWhatItNamesAndNothingElse) {
       {"gsk988ta", &MachineSettings::state,
        [](const auto& one, const auto& standard) { return one.increment != standard.increment; }},
       {"sinumerik802s", &MachineSettings::tools,
-       [](const auto& one, const auto&) { return one.tools.at("1").radius != reference::Number(1); }},
+       [](const auto& one, const auto&) {
+         return one.tools.at("1").radius != reference::Number(1);
+       }},
   };
   for (const Part& part : parts) {
     const auto generator = std::ranges::find(generators(), part.dialect, &Generator::dialect);
