@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <string>
-
 #include "expanders/registry.hpp"
+#include "oracle/differential/differential.hpp"
 #include "oracle/subjects/library_file.hpp"
 #include "reference/dialect.hpp"
 
@@ -79,21 +78,19 @@ void TriedSubject::learn() {
     const auto program = repertoire_->fitted(generator_->generate(choices, nullptr));
     if (!program) continue;
     ++runs;
-    subject_->configure(program->profile);
-    std::size_t records = 0;
-    const oracle::RunEnd end =
-        subject_->run(std::to_string(seed), program->text,
-                      [&](const reference::Record&) { return ++records < kMostRecords; });
+    const auto ended =
+        oracle::run_alone(*subject_, program->profile, program->text, kMostRecords).kind;
     const bool is_skipped =
-        end.kind == oracle::RunEnd::Kind::skip || end.kind == oracle::RunEnd::Kind::refused;
+        ended == oracle::RunEnd::Kind::skip || ended == oracle::RunEnd::Kind::refused;
     is_skipped ? repertoire_->skipped(*program) : repertoire_->ran(*program);
   }
   repertoire_->settle();
 }
 
 std::optional<generate::GeneratedProgram> TriedSubject::fitted(
-    const generate::GeneratedProgram& program) const {
-  return repertoire_ ? repertoire_->fitted(program) : program;
+    generate::GeneratedProgram program) const {
+  if (!repertoire_) return program;
+  return repertoire_->fitted(program);
 }
 
 }  // namespace gonogo::fuzz

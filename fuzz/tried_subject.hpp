@@ -27,7 +27,7 @@ class TriedSubject {
   oracle::Subject& subject() const { return *subject_; }
   const generate::Generator& generator() const { return *generator_; }
   // What of the program the subject runs; nothing where too little of it is left.
-  std::optional<generate::GeneratedProgram> fitted(const generate::GeneratedProgram& program) const;
+  std::optional<generate::GeneratedProgram> fitted(generate::GeneratedProgram program) const;
 
  private:
   void learn();

@@ -42,10 +42,6 @@ bool is_used(reference::Use use, bool is_repeated, const BlockModes& modes) {
   return false;
 }
 
-bool is_comment(const TextWord& word) {
-  return word.text.front() == '(' || word.text.front() == ';';
-}
-
 // O with more than a name (NGC-COM-06).
 bool is_line_of_o_word(const TextBlock& block) {
   const auto is_o = [](const TextWord& word) { return address_of(word) == "O"; };

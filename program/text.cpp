@@ -152,6 +152,10 @@ bool is_word(const TextWord& word) {
   return !address.empty() && address != "N" && address != "O";
 }
 
+bool is_comment(const TextWord& word) {
+  return word.text.starts_with('(') || word.text.starts_with(';');
+}
+
 std::string code_of(const TextWord& word) {
   std::string code = address_of(word);
   std::string rest = word.text.substr(code.size());
@@ -215,7 +219,7 @@ std::optional<std::size_t> sign_before(std::string_view text, std::size_t at) {
 std::vector<NumberPlace> numbers_of(const TextWord& word) {
   std::vector<NumberPlace> places;
   const std::string& text = word.text;
-  if (text.empty() || text.front() == '(' || text.front() == ';') return places;
+  if (is_comment(word)) return places;
   const std::size_t equals = text.find('=');
   std::size_t at = equals == std::string::npos ? 0 : equals + 1;
   while (at < text.size()) {

@@ -42,8 +42,9 @@ std::string address_of(const TextWord& word);
 std::string name_of(const TextWord& word);
 // Whether it is an address or a code, and not the number of a block or a program, nor a comment.
 bool is_word(const TextWord& word);
-// The same with its number where it is a code: "G1" of g01, "G90.1", "M30", "LCYC75", "CIP"; else
-// empty.
+bool is_comment(const TextWord& word);
+// The address of a word with its number where it is a code: "G1" of g01, "G90.1", "M30", "LCYC75",
+// "CIP"; else empty.
 std::string code_of(const TextWord& word);
 
 // A decimal of at most 15 digits: value / 10^scale.

@@ -51,7 +51,7 @@ bool is_nearly_a_code(const TextWord& word) {
 // With blanks in it, or a part of a word that blanks have cut.
 bool is_cut(const TextWord& word) {
   const std::string& text = word.text;
-  if (text.front() == '(' || text.front() == ';') return false;
+  if (program::is_comment(word)) return false;
   const bool goes_on = std::string_view("=+-*/").find(text.back()) != std::string_view::npos;
   const bool is_part_of_a_number = text[0] == '.' || (text[0] >= '0' && text[0] <= '9');
   return text == "G" || text == "g" || text.starts_with("=") || is_part_of_a_number ||

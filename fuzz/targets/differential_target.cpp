@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <memory>
 #include <span>
 #include <unordered_set>
 
@@ -122,7 +121,8 @@ void try_expander(std::string_view name, generate::Choices choices, std::string_
   if (!program) return statistics.count_verdict("skip");
   statistics.count(*program);
   if (runs_alone()) {
-    return oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+    oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+    return;
   }
   statistics.count_verdict(check(tried.subject(), program->profile, program->text, kMostRecords));
 }
@@ -142,7 +142,8 @@ void try_text(std::string_view name, std::string_view dialect, const std::uint8_
   const auto program = tried.fitted({profile, std::string(text)});
   if (!program) return;
   if (runs_alone() || !oracle::has_short_numbers(program->text)) {
-    return oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+    oracle::run_alone(tried.subject(), program->profile, program->text, kMostRecords);
+    return;
   }
   check(tried.subject(), program->profile, program->text, kMostRecords);
 }

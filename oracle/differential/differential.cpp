@@ -25,12 +25,12 @@ std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
   return session.finish(end).verdict;
 }
 
-void run_alone(oracle::Subject& subject, const reference::Profile& profile,
-               std::string_view program, std::size_t most_records) {
+RunEnd run_alone(oracle::Subject& subject, const reference::Profile& profile,
+                 std::string_view program, std::size_t most_records) {
   subject.configure(profile);
   std::size_t records = 0;
-  subject.run("generated", program,
-              [&](const oracle::Record&) { return ++records <= most_records; });
+  return subject.run("generated", program,
+                     [&](const oracle::Record&) { return ++records <= most_records; });
 }
 
 bool contradicts_itself(const reference::Profile& profile, std::string_view program,

@@ -17,9 +17,9 @@ std::optional<oracle::Verdict> run_and_judge(oracle::Subject& subject,
                                              const reference::Profile& profile,
                                              std::string_view program, std::size_t most_records);
 
-// The same without the judge and the reference: what the subject alone costs.
-void run_alone(oracle::Subject& subject, const reference::Profile& profile,
-               std::string_view program, std::size_t most_records);
+// The same without the judge and the reference: what the subject alone costs, and says at its end.
+RunEnd run_alone(oracle::Subject& subject, const reference::Profile& profile,
+                 std::string_view program, std::size_t most_records);
 
 // Whether the reference's own path is NO-GO: where a reading and a rule contradict each other no
 // path is right. The judge says so itself of run-outs that cut deeper than their pass; of anything
