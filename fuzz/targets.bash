@@ -54,3 +54,10 @@ copy_seeds() {
   [ -z "$dialect" ] ||
     "$fuzz_folder/seed-programs" "$dialect" "$3" "$(target_most_bytes "$1" "$2")" 20
 }
+
+# run_stream TARGET BUILD SEED INPUTS FOLDER...: the files of the folders, then so many inputs of a fixed
+# stream made of them: the same on every machine and under any load, which an engine that explores is not.
+# Where the target stops, the input is in the file GONOGO_FUZZ_INPUT.
+run_stream() {
+  GONOGO_FUZZ_STREAM="$3 $4 $(target_most_bytes "$1" "$2")" "$2/fuzz/$1" "${@:5}"
+}

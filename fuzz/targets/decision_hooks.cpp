@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "fuzz/targets/fixed_stream.hpp"
+#include "fuzz/targets/target.hpp"
 #include "generate/decision_mutator.hpp"
 
 // libFuzzer's own mutations. Other engines have none.
@@ -45,11 +47,16 @@ generate::Choices choices_of(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace gonogo::fuzz
 
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  gonogo::fuzz::run_stream_if_asked(*argc, *argv);
+  return 0;
+}
+
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
   using namespace gonogo;
   const std::vector<generate::NotedDecision>& decisions = fuzz::decisions_of(data, size);
-  if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) {
+  if (LLVMFuzzerMutate != nullptr && fuzz::is_turn_of_engine(seed)) {
     return LLVMFuzzerMutate(data, generate::deciding_bytes(decisions), most);
   }
   const std::vector<std::uint8_t> after =

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "fuzz/targets/fixed_stream.hpp"
 #include "fuzz/targets/target.hpp"
 #include "program/mutator/program_mutator.hpp"
 
@@ -29,7 +30,8 @@ const program::Dictionary* dictionary() {
 }  // namespace
 
 // With GONOGO_FUZZ_DICTIONARY set the target only prints the dictionary of its dialect.
-extern "C" int LLVMFuzzerInitialize(int*, char***) {
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  run_stream_if_asked(*argc, *argv);
   if (std::getenv("GONOGO_FUZZ_DICTIONARY") == nullptr) return 0;
   const std::string text = program::dictionary_text(GONOGO_FUZZ_DIALECT);
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -38,7 +40,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
-  if (LLVMFuzzerMutate != nullptr && seed % 4 == 0) return LLVMFuzzerMutate(data, size, most);
+  if (LLVMFuzzerMutate != nullptr && is_turn_of_engine(seed)) return LLVMFuzzerMutate(data, size, most);
   const std::string text = program::mutate_program(text_of(data, size), most, seed, dictionary());
   std::ranges::copy(text, data);
   return text.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A plain main for a fuzz target: replays files and folders, so that every ordinary build runs the
-// seeds and a found input can be looked at in a debugger.
+// A plain main for a fuzz target: replays files and folders, or runs a fixed stream, so that every ordinary
+// build runs the seeds and a found input can be looked at in a debugger.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +28,10 @@ std::size_t replay(const std::filesystem::path& path) {
 
 }  // namespace
 
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+
 int main(int argc, char** argv) {
+  LLVMFuzzerInitialize(&argc, &argv);
   std::size_t count = 0;
   for (int i = 1; i < argc; ++i) count += replay(argv[i]);
   std::printf("%zu inputs replayed\n", count);

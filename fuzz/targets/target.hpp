@@ -23,6 +23,11 @@ inline std::string_view planted_fault() {
   return kFault == nullptr ? std::string_view() : kFault;
 }
 
+// A quarter of all mutations is the engine's own; the others are those of the target's structured mutator.
+inline bool is_turn_of_engine(unsigned int seed) {
+  return seed % 4 == 0;
+}
+
 // A finding: said on standard error, then an abort for the engine to catch.
 [[noreturn]] inline void fail(const std::string& what, std::string_view input) {
   std::fprintf(stderr, "%s\n%.*s\n", what.c_str(), static_cast<int>(input.size()), input.data());

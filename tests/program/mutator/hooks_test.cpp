@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/targets/fixed_stream.hpp"
 #include "program/mutator/program_mutator.hpp"
 
 using Bytes = std::vector<std::uint8_t>;
@@ -18,6 +19,10 @@ std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::s
 std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* one, std::size_t one_size,
                                       const std::uint8_t* other, std::size_t other_size,
                                       std::uint8_t* out, std::size_t most, unsigned int seed);
+// The stream runs it; these tests only look at inputs.
+int LLVMFuzzerTestOneInput(const std::uint8_t*, std::size_t) {
+  return 0;
+}
 }
 
 namespace gonogo::program {
@@ -57,6 +62,21 @@ TEST(MutatorHooks, CrossIntoTheRoom) {
                                                        one.size(), out.data(), kRoom, seed);
     expect_kept_within(out, size);
   }
+}
+
+// Programs of two stored ones, changed: the same for the same number, and most of them keep a word of an axis.
+TEST(MutatorHooks, MakeAFixedStreamOfPrograms) {
+  const std::vector<Bytes> stored = {buffer(), Bytes(kFaceCut.begin(), kFaceCut.end())};
+  const fuzz::FixedStream one(stored, 3, kRoom);
+  const fuzz::FixedStream other(stored, 3, kRoom);
+  int with_axis = 0;
+  for (std::uint64_t number = 0; number < 300; ++number) {
+    const Bytes input = one.input(number);
+    EXPECT_EQ(input, other.input(number));
+    EXPECT_LE(input.size(), kRoom);
+    if (std::ranges::find_first_of(input, std::string_view("XZ")) != input.end()) ++with_axis;
+  }
+  EXPECT_GT(with_axis, 200);
 }
 
 }  // namespace
