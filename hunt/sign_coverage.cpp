@@ -35,9 +35,10 @@ void expand_case(const oracle::Case& test) {
 
 }  // namespace
 
-void SignCounter::note(reference::ClauseId clause, std::string_view what, int sign) {
-  const std::size_t place = sign < 0 ? 0 : sign == 0 ? 1 : 2;
-  ++counts_[{clause, std::string(what)}][place];
+void SignCounter::note(const reference::Decision& decision) {
+  if (decision.clause == reference::kNoClause) return;
+  const std::size_t place = decision.sign < 0 ? 0 : decision.sign == 0 ? 1 : 2;
+  ++counts_[{decision.clause, std::string(decision.what)}][place];
 }
 
 SignCounter::Counts signs_of_corpus(const oracle::Corpus& corpus, std::string_view dialect) {

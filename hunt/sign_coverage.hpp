@@ -20,9 +20,9 @@ namespace gonogo::hunt {
 using Signs = std::array<std::uint64_t, 3>;
 
 // Counts what is decided in its thread while it lives.
-class SignCounter final : public reference::SignWatch {
+class SignCounter final : public reference::DecisionWatch {
  public:
-  void note(reference::ClauseId clause, std::string_view what, int sign) override;
+  void note(const reference::Decision& decision) override;
   // By clause and expression.
   using Counts = std::map<std::pair<reference::ClauseId, std::string>, Signs>;
   const Counts& counts() const { return counts_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/arc_centre.hpp"
 
+#include "reference/predicate.hpp"
+
 namespace gonogo::reference {
 namespace {
 
@@ -11,6 +13,12 @@ Number fine(const Number& length) {
 
 Number square(const Number& value) {
   return value * value;
+}
+
+// Of two radii whose squares these are.
+bool is_at_least(const Number& radius_2, const Number& limit_2) {
+  const int sign = sign_of(limit_2 <=> radius_2);
+  return decided_by_roots("limit - radius", sign, {{1, limit_2}, {-1, radius_2}}) <= 0;
 }
 
 }  // namespace
@@ -37,7 +45,9 @@ std::array<Number, 2> ArcEnds::middle() const {
 }
 
 bool ArcEnds::chord_within(const Number& length) const {
-  return chord_2 <= square(fine(length));
+  const Number most_2 = square(fine(length));
+  const int sign = sign_of(chord_2 <=> most_2);
+  return decided_by_roots("chord - limit", sign, {{1, chord_2}, {-1, most_2}}) <= 0;
 }
 
 // The centre stands off the middle of the chord by sqrt(R^2 - (chord/2)^2): in chords,
@@ -45,7 +55,9 @@ bool ArcEnds::chord_within(const Number& length) const {
 std::optional<std::array<Number, 2>> centre_off_middle(const ArcEnds& ends, const Number& radius_2,
                                                        int side) {
   const Number rest = radius_2 * 4 - ends.chord_2;
-  if (rest.sign() < 0) return std::nullopt;
+  if (decided_by_roots("chord - 2 R", -rest.sign(), {{1, ends.chord_2}, {-2, radius_2}}) > 0) {
+    return std::nullopt;
+  }
   return Number::roots(ends.middle(), {ends.dq * side, ends.dp * -side}, rest, ends.chord_2 * 4);
 }
 
@@ -65,7 +77,7 @@ OffsetCentre::OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Nu
 bool OffsetCentre::radii_agree(const Number& limit) const {
   // Nearly always enough: the radii differ by the difference of their squares over their sum, which
   // is at least `reach`. Not for enclosures: whether equal ones are equal is not decided.
-  if (end_2.is_rational()) {
+  if (end_2.is_rational() && !decisions_are_watched()) {
     const Number reach = max(abs(from_centre[0]), abs(from_centre[1])) +
                          max(abs(from_centre[2]), abs(from_centre[3]));
     if (abs(start_2 - end_2) <= fine(limit) * reach) return true;
@@ -75,23 +87,27 @@ bool OffsetCentre::radii_agree(const Number& limit) const {
 
 // abs(sqrt(a) - sqrt(b))^2 <= limit^2 without roots: a + b - limit^2 <= 2 sqrt(a b).
 bool OffsetCentre::radii_agree_squared(const Number& limit_2) const {
-  const Number left = start_2 + end_2 - fine(fine(limit_2));
-  return left.sign() <= 0 || square(left) <= start_2 * end_2 * 4;
+  const Number most_2 = fine(fine(limit_2));
+  const Number left = start_2 + end_2 - most_2;
+  const int sign = left.sign() < 0 ? -1 : sign_of(square(left) <=> start_2 * end_2 * 4);
+  return decided_by_roots("difference of radii - limit", sign,
+                          {{1, start_2}, {-1, end_2}, {-1, most_2}}) <= 0;
 }
 
 // sqrt(b) >= (1 - part) sqrt(a), where b is the smaller one.
 bool OffsetCentre::radii_agree_in_part(const Number& part) const {
-  return min(start_2, end_2) >= square(Number(1) - part) * max(start_2, end_2);
+  return is_at_least(min(start_2, end_2), square(Number(1) - part) * max(start_2, end_2));
 }
 
 // (1 - part) sqrt(a) <= sqrt(b) <= (1 + part) sqrt(a), where a is at the start.
 bool OffsetCentre::radii_agree_in_part_of_start(const Number& part) const {
-  const bool not_short = part >= Number(1) || end_2 >= square(Number(1) - part) * start_2;
-  return not_short && end_2 <= square(Number(1) + part) * start_2;
+  const bool not_short =
+      part >= Number(1) || is_at_least(end_2, square(Number(1) - part) * start_2);
+  return not_short && is_at_least(square(Number(1) + part) * start_2, end_2);
 }
 
 bool OffsetCentre::radius_below(const Number& length) const {
-  return min(start_2, end_2) < square(fine(length));
+  return !is_at_least(min(start_2, end_2), square(fine(length)));
 }
 
 }  // namespace gonogo::reference

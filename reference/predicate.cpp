@@ -1,32 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/predicate.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gonogo::reference {
 namespace {
 
-thread_local SignWatch* innermost = nullptr;
-
-int told(ClauseId clause, std::string_view what, int sign) {
-  if (innermost != nullptr) innermost->note(clause, what, sign);
-  return sign;
-}
+thread_local DecisionWatch* innermost = nullptr;
 
 }  // namespace
 
-SignWatch::SignWatch() : before_(std::exchange(innermost, this)) {}
-SignWatch::~SignWatch() {
+DecisionWatch::DecisionWatch() : before_(std::exchange(innermost, this)) {}
+DecisionWatch::~DecisionWatch() {
   innermost = before_;
 }
 
 int decided(ClauseId clause, std::string_view what, const Number& value) {
-  return told(clause, what, value.sign());
+  const int sign = value.sign();
+  if (innermost != nullptr) innermost->note({clause, what, sign, value});
+  return sign;
 }
 
 int decided(ClauseId clause, std::string_view what, const Number& a, const Number& b) {
-  const std::strong_ordering order = a <=> b;
-  return told(clause, what, order < 0 ? -1 : order > 0 ? 1 : 0);
+  const int sign = sign_of(a <=> b);
+  if (innermost != nullptr) innermost->note({clause, what, sign, a - b});
+  return sign;
+}
+
+bool decisions_are_watched() {
+  return innermost != nullptr;
+}
+
+int decided_by_roots(std::string_view what, int sign, std::initializer_list<Decision::Root> roots) {
+  if (innermost != nullptr) {
+    Decision decision{kNoClause, what, sign, 0};
+    std::ranges::copy(roots, decision.roots.begin());
+    innermost->note(decision);
+  }
+  return sign;
 }
 
 }  // namespace gonogo::reference

@@ -5,6 +5,9 @@
 // reference does not hang on it.
 #pragma once
 
+#include <array>
+#include <compare>
+#include <initializer_list>
 #include <string_view>
 
 #include "reference/axis.hpp"
@@ -12,25 +15,50 @@
 
 namespace gonogo::reference {
 
-// Takes the signs of the reference's decisions in its own thread, while it lives; the one that was
-// made last where several live. Those live as on a stack.
-class SignWatch {
+// What was decided, for who watches. Both hold until `note` returns.
+struct Decision {
+  // `what` is an expression with the letters of the words, "L - 2 D". kNoClause: it is one of the geometry
+  // that several clauses stand on.
+  ClauseId clause = kNoClause;
+  std::string_view what;
+  int sign = 0;       // of the expression: -1, 0 or 1
+  Number value;       // of the expression; of roots it is 0
+  // Lengths of which the squares alone are known, um^2, so many times each: the expression is the size of the
+  // sum of the first two, and the third.
+  struct Root {
+    int factor = 0;
+    Number square;
+  };
+  std::array<Root, 3> roots{};
+};
+
+// Takes the reference's decisions in its own thread, while it lives; the one that was made last where
+// several live. Those live as on a stack.
+class DecisionWatch {
  public:
-  SignWatch();
-  SignWatch(const SignWatch&) = delete;
-  SignWatch& operator=(const SignWatch&) = delete;
-  virtual ~SignWatch();
-  // `what` is an expression whose sign it is, with the letters of the words: "L - 2 D". It holds
-  // until this returns. `sign` is -1, 0 or 1.
-  virtual void note(ClauseId clause, std::string_view what, int sign) = 0;
+  DecisionWatch();
+  DecisionWatch(const DecisionWatch&) = delete;
+  DecisionWatch& operator=(const DecisionWatch&) = delete;
+  virtual ~DecisionWatch();
+  virtual void note(const Decision& decision) = 0;
 
  private:
-  SignWatch* before_;
+  DecisionWatch* before_;
 };
+
+constexpr int sign_of(std::strong_ordering order) {
+  return order < 0 ? -1 : order > 0 ? 1 : 0;
+}
 
 // The sign of `value`, or of a - b, as the clause has it decided. Throws exact::Undecided as the
 // comparison does.
 int decided(ClauseId clause, std::string_view what, const Number& value);
 int decided(ClauseId clause, std::string_view what, const Number& a, const Number& b);
+
+// Whether anybody watches in this thread: then no decision may be left out.
+bool decisions_are_watched();
+
+// The sign of an expression of roots, as their squares say it.
+int decided_by_roots(std::string_view what, int sign, std::initializer_list<Decision::Root> roots);
 
 }  // namespace gonogo::reference

@@ -14,15 +14,17 @@ constexpr std::size_t kCounters = 4'096;
 [[gnu::section("__libfuzzer_extra_counters"), gnu::used]] std::uint8_t counters[kCounters];
 
 // The place of a sign, the same in every run.
-std::size_t place_of(std::string_view clause, std::string_view what, int sign) {
+std::size_t place_of(const reference::Decision& decision) {
   constexpr std::hash<std::string_view> kHash;
-  return ((kHash(clause) * 31 + kHash(what)) * 3 + static_cast<std::size_t>(sign + 1)) % kCounters;
+  const std::size_t expression =
+      kHash(reference::clause_name(decision.clause)) * 31 + kHash(decision.what);
+  return (expression * 3 + static_cast<std::size_t>(decision.sign + 1)) % kCounters;
 }
 
 }  // namespace
 
-void SignCounters::note(reference::ClauseId clause, std::string_view what, int sign) {
-  std::uint8_t& counter = counters[place_of(reference::clause_name(clause), what, sign)];
+void SignCounters::note(const reference::Decision& decision) {
+  std::uint8_t& counter = counters[place_of(decision)];
   if (counter != UINT8_MAX) ++counter;
 }
 

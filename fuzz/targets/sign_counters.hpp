@@ -9,9 +9,9 @@
 
 namespace gonogo::fuzz {
 
-class SignCounters final : public reference::SignWatch {
+class SignCounters final : public reference::DecisionWatch {
  public:
-  void note(reference::ClauseId clause, std::string_view what, int sign) override;
+  void note(const reference::Decision& decision) override;
 };
 
 }  // namespace gonogo::fuzz

@@ -8,6 +8,7 @@
 #include "oracle/judge/approximate.hpp"
 #include "oracle/judge/program_input.hpp"
 #include "reference/expander.hpp"
+#include "reference/predicate.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -41,6 +42,32 @@ std::string_view take_digits(std::string_view& text) {
   text.remove_prefix(taken.size());
   return taken;
 }
+
+// D-DOM-10: whether a decision of a clause misses its limit by less than the least increment.
+class LimitWatch final : public reference::DecisionWatch {
+ public:
+  explicit LimitWatch(const reference::Profile& profile)
+      : increment_(approximate(profile.resolution())) {}
+
+  void note(const reference::Decision& decision) override {
+    if (decision.sign == 0) return;
+    const double distance =
+        std::fabs(approximate(decision.value) +
+                  std::fabs(root(decision.roots[0]) + root(decision.roots[1])) +
+                  root(decision.roots[2]));
+    // A whole increment stays one where doubles lose its last digits.
+    is_near_ = is_near_ || distance < increment_ * (1 - 1e-6);
+  }
+  bool is_near() const { return is_near_; }
+
+ private:
+  static double root(const reference::Decision::Root& root) {  // mm
+    return root.factor == 0 ? 0 : root.factor * std::sqrt(approximate(root.square)) / 1000;
+  }
+
+  double increment_;
+  bool is_near_ = false;
+};
 
 // Follows a program, item by item.
 class DomainCheck {
@@ -187,8 +214,10 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
   oracle::ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
   DomainCheck check(profile);
+  const LimitWatch limits(profile);
   try {
     while (const reference::Item* item = expander.next()) {
+      if (limits.is_near()) return "D-DOM-10";
       const auto broken = std::visit([&](const auto& each) { return check.take(each); }, *item);
       if (!broken.empty()) return broken;
       if (most_items-- == 0) break;
