@@ -28,6 +28,7 @@ struct FaultsOptions {
   bool list = false;
   bool matrix = false;
   bool only_field_defects = false;
+  bool fail_fast = false;
   std::string methods = "corpus,hunt";
   std::string format = "text";
   std::string only;
@@ -46,16 +47,17 @@ void append_list(std::string& out) {
   }
 }
 
-// What the corpus says of one subject.
+// What the corpus says of one subject; with fail_fast, up to the first case that finds it.
 struct Kills {
   std::size_t cases = 0;
   std::string first;  // id of the first case that finds it
   std::set<std::string> verdicts;
 };
 
-Kills run(const oracle::Corpus& corpus, const std::string& spec) {
+Kills run(const oracle::Corpus& corpus, const std::string& spec, bool fail_fast) {
   oracle::CampaignOptions campaign;
   campaign.jobs = 2;
+  campaign.fail_fast = fail_fast;
   Kills kills;
   auto note = [&](const std::string& id, oracle::VerdictKind kind) {
     // A fault may be planted where no text says anything.
@@ -186,18 +188,21 @@ int faults(const FaultsOptions& options) {
   std::size_t survivors = 0;
   std::size_t all = 0;
   for (std::string_view name : expanders::names()) {
-    const Kills clean = run(corpus, fmt::format("builtin:{}", name));
+    const Kills clean = run(corpus, fmt::format("builtin:{}", name), false);
     output.text() += fmt::format("{:<34} {:>6} cases find it  {}\n", name, clean.cases,
                                  clean.cases == 0 ? "(fault-free)" : "FALSE ALARM " + clean.first);
     survivors += clean.cases == 0 ? 0 : 1;
     for (const expanders::FaultDescription& fault : expanders::faults(name)) {
       const std::string spec = fmt::format("{}+{}", name, fault.name);
-      const Kills kills = run(corpus, "builtin:" + spec);
+      const Kills kills = run(corpus, "builtin:" + spec, options.fail_fast);
       std::string verdicts;
       for (const std::string& verdict : kills.verdicts) verdicts += " " + verdict;
-      output.text() += kills.cases == 0 ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
-                                        : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec,
-                                                      kills.cases, kills.first, verdicts);
+      output.text() += kills.cases == 0
+                           ? fmt::format("{:<34} SURVIVES: {}\n", spec, fault.what)
+                        : options.fail_fast
+                            ? fmt::format("{:<34} found by {}{}\n", spec, kills.first, verdicts)
+                            : fmt::format("{:<34} {:>6} cases, first {}{}\n", spec, kills.cases,
+                                          kills.first, verdicts);
       output.flush();
       survivors += kills.cases == 0 ? 1 : 0;
       ++all;
@@ -217,6 +222,7 @@ void add_faults(Command& program) {
       program.add_command("faults", "Run every planted fault through the corpus: the kill matrix");
   command.option("--corpus", options->corpus, "folder of the corpus (the checked-in one)");
   command.flag("--list", options->list, "only name the faults and what they do");
+  command.flag("--fail-fast", options->fail_fast, "of each fault, stop at the first case that finds it");
   command.flag("--matrix", options->matrix, "what it costs each method to find each fault");
   command.option("--method", options->methods,
                  "with --matrix, of corpus,properties,operations,hunt,fuzz (corpus,hunt)");

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <system_error>
+
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/output.hpp"
+#include "cli/program_file.hpp"
+#include "cli/run.hpp"
+#include "cli/version.hpp"
+#include "oracle/corpus/corpus.hpp"
+#include "oracle/subject.hpp"
+
+namespace gonogo::cli {
+
+std::vector<std::string>& arguments() {
+  static std::vector<std::string> words;
+  return words;
+}
+
+namespace {
+
+int run_command(int argc, char** argv) {
+  CommandLine line("gonogo", "GoNoGo, the master gauge for CNC canned cycles.",
+                   std::string("gonogo ") + kVersion);
+  Command& program = line.program();
+  arguments().assign(argv + 1, argv + argc);
+  add_expand(program);
+  add_explain(program);
+  add_judge(program);
+  add_certify(program);
+  add_spec(program);
+  add_report(program);
+  add_selftest(program);
+  add_faults(program);
+  add_corpus(program);
+  add_misbehave(program);
+  add_merge(program);
+  add_compare(program);
+  add_site(program);
+  add_verify(program);
+  add_export(program);
+  add_host(program);
+  add_hunt(program);
+  add_ci(program);
+  add_reduce(program);
+  add_identify(program);
+  add_generate(program);
+  add_signs(program);
+  add_completion(line);
+  add_man(line);
+  return line.parse(argc, argv);
+}
+
+// A file that another path would not fail for, as a full disk does.
+bool is_of_the_place(const std::error_code& code) {
+  constexpr std::errc kOfThePlace[] = {std::errc::no_such_file_or_directory,
+                                       std::errc::not_a_directory,
+                                       std::errc::is_a_directory,
+                                       std::errc::permission_denied,
+                                       std::errc::file_exists,
+                                       std::errc::filename_too_long,
+                                       std::errc::operation_not_permitted,
+                                       std::errc::read_only_file_system,
+                                       std::errc::too_many_symbolic_link_levels};
+  return std::ranges::any_of(kOfThePlace, [&](std::errc one) { return code == one; });
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  try {
+    return run_command(argc, argv);
+  } catch (const UsageError& error) {
+    complain("gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const oracle::SubjectUnusable& error) {
+    complain("gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const oracle::CorpusError& error) {
+    complain("gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const OutputError& error) {
+    if (!error.quiet()) complain("gonogo: {}\n", error.what());
+    return kUndecided;
+  } catch (const std::system_error& error) {
+    complain("gonogo: {}.\n", error.what());
+    return is_of_the_place(error.code()) ? kWrongUse : kUndecided;
+  } catch (const std::exception& error) {
+    complain("gonogo: an error of the gauge itself: {}. Please report it.\n", error.what());
+    return kUndecided;
+  }
+}
+
+}  // namespace gonogo::cli
