@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "judging.hpp"
@@ -91,12 +91,12 @@ TEST(EnclosedArcs, ArcsByTheirAngleAreFollowedFast) {
     trace.arc("G17", {{'x', x + 5}, {'y', 0}}, -1,
               {{'x', x + 5 + 5 * std::cos(angle)}, {'y', 5 * std::sin(angle)}});
   }
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   const Verdict verdict = judge_trace(program, trace.text(), sinumerik());
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message << verdict.want;
-  RecordProperty("microseconds_per_arc", static_cast<int>(took.count() * 1e6 / kArcs));
-  EXPECT_LT(took.count(), 20);
+  RecordProperty("microseconds_per_arc", static_cast<int>(took * 1e6 / kArcs));
+  EXPECT_LT(took, 20);  // seconds of the processor, whatever else runs
 }
 
 // From (30 cos 20, 30 sin 20, 0) through (30, 15, 4) to (12, 25, 9): of the tilted circle only
