@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# The steps of a test run and what each took; for `source` by run-all, whose folder `times` it writes.
+# build/test-times/steps has a line a step: its name, seconds on the clock, seconds of the processors.
+
+# What starts whole programs or goes through the corpus; by the labels of ctest.
+whole_runs='browser|peers|packaging|playground|cluster|end-to-end|e2e|faults-injected|documents|vendor|helpers|fuzz-build|fuzz-replay|corpus'
+
+mkdir -p "$times"
+rm -f "$times"/*
+step_name=
+
+end_step() {
+  [ -n "$step_name" ] || return 0
+  # Not in a subshell: what it waited for is no part of a subshell's times.
+  times >"$times/clock"
+  local processors
+  processors=$(awk -F '[ms ]+' 'NR <= 2 {sum += 60 * $1 + $2 + 60 * $3 + $4} END {print sum}' "$times/clock")
+  rm "$times/clock"
+  printf '%s\t%d\t%.0f\n' "$step_name" $((SECONDS - step_began)) \
+    "$(awk "BEGIN {print $processors - $step_processors}")" >>"$times/steps"
+  step_processors=$processors
+  step_name=
+}
+step_processors=0
+
+# step NAME: ends the step before and begins this one.
+step() {
+  end_step
+  step_name=$1
+  step_began=$SECONDS
+  printf '\n== %s (%d:%02d)\n' "$1" $((SECONDS / 60)) $((SECONDS % 60))
+}
+
+# Ends the last step and prints the table.
+end_steps() {
+  end_step
+  printf '\n== all done (%d:%02d)\n' $((SECONDS / 60)) $((SECONDS % 60))
+  tests/times "$times" | tee "$times/table"
+}
