@@ -87,7 +87,7 @@ TEST(GapReasons, TellWhatIsNotReadFromWhatTheProfileLacks) {
     return judge_trace(program, "", of_dialect("rs274")).gap;
   };
   EXPECT_EQ(reason("G21 G90 G94\nG41 D1 G1 X60 F100\n"), GapReason::not_covered);
-  EXPECT_EQ(reason("G21 G90 G94\nG28 X1\n"), GapReason::profile_lacks);
+  EXPECT_EQ(reason("G21 G90 G94\nG43 H7\nG0 X1\n"), GapReason::profile_lacks);
 }
 
 }  // namespace
