@@ -51,7 +51,8 @@ ResultsFile::ResultsFile(std::string path) : path_(std::move(path)), in_(path_, 
   }
   if (!read_line()) throw Fault(path_ + " is empty: a results file begins with its header.");
   header_ = parse_json(text_);
-  if (header_.integer_of("format") != 1) throw Fault(path_ + " is of another format than 1.");
+  const auto format = header_.integer_of("format");
+  if (format != 1 && format != 2) throw Fault(path_ + " is of another format than 1 and 2.");
 }
 
 void ResultsFile::fault(const std::string& sentence) {

@@ -44,6 +44,9 @@ std::string evidence(const Verdict& verdict, std::string_view indent) {
     put("properties",
         fmt::format("{} motions are held to properties alone", verdict.property_motions));
   }
+  put("known", verdict.known);
+  put("rule", oracle::rule_text(name(oracle::rule_of(verdict))));
+  put("gap", std::string(name(verdict.gap)));
   if (verdict.clause != reference::kNoClause) {
     const reference::Clause& clause = reference::clause(verdict.clause);
     put("clause", fmt::format("{}: {}", clause.id, clause.text));

@@ -90,13 +90,9 @@ std::optional<oracle::Verdict> judged(oracle::Subject& subject,
 // What the gauge says of itself that it does not judge: a code or a number, a level of too many
 // motions, a reading under which no path is right, what the profile lacks.
 bool is_out_of_reach(const oracle::Verdict& verdict) {
-  if (verdict.kind != oracle::VerdictKind::oracle_gap) return false;
-  const auto says = [&](std::string_view part) {
-    return verdict.message.find(part) != std::string::npos;
-  };
-  return says("gauge does not") || says("gauge reads") || says("read by the gauge") ||
-         says("No manual says") || says("No text says") || says("motions is not judged") ||
-         says("run-out of the reading") || says("profile does not say");
+  using enum oracle::GapReason;
+  return verdict.gap == not_covered || verdict.gap == profile_lacks || verdict.gap == cap_level ||
+         verdict.gap == reading_unfit;
 }
 
 // One program, from the decisions in a fuzzer's input.

@@ -272,8 +272,8 @@ std::optional<Finding> finding_of(Trial& trial, const generate::GeneratedProgram
                                   Verdict& verdict) {
   const std::optional<Verdict> answer = trial.run_alone({{}, program});
   if (!answer) {
-    verdict.kind = VerdictKind::oracle_gap;
-    verdict.message = "The program has too many records to be reduced.";
+    verdict = oracle::gap_verdict(oracle::GapReason::cap_records,
+                                  "The program has too many records to be reduced.");
     return std::nullopt;
   }
   verdict = *answer;

@@ -191,7 +191,7 @@ bool CaseJudge::settle_flaky(const Case& test, const JudgeTerms& terms, Attempt&
   const std::string count = fmt::format("{} of {} runs failed so", failures, known->flaky->runs);
   if (failures <= known->flaky->failures) {
     known->make_known(verdict);
-    verdict.message += fmt::format("; {}.", count);
+    attempt.end.notes += fmt::format("{}{}.", attempt.end.notes.empty() ? "" : "\n", count);
   } else {
     verdict.message += fmt::format(" {}; it is known to fail in at most {} of them ({}).", count,
                                    known->flaky->failures, known->reason);

@@ -127,6 +127,9 @@ void append_basis(const Verdict& verdict, LineText& line) {
 
 void append_departure(const Verdict& verdict, LineText& line) {
   if (verdict.departure) line.text("departure", name(*verdict.departure));
+  const RelationRule rule = rule_of(verdict);
+  if (rule != RelationRule::none) line.text("rule", name(rule));
+  if (verdict.gap != GapReason::none) line.text("gap", name(verdict.gap));
   if (verdict.clause != reference::kNoClause) {
     line.text("clause", reference::clause_name(verdict.clause));
   }
@@ -146,6 +149,7 @@ void append_departure(const Verdict& verdict, LineText& line) {
   if (!verdict.witness.empty()) line.json("witness", verdict.witness);
   if (!verdict.feature.empty()) line.text("feature", verdict.feature);
   if (!verdict.message.empty()) line.text("message", verdict.message);
+  if (!verdict.known.empty()) line.text("known", verdict.known);
 }
 
 void append_sampled(const SampledFigures& figures, LineText& line) {
@@ -158,6 +162,8 @@ void append_sampled(const SampledFigures& figures, LineText& line) {
   if (!figures.worst.empty()) line.text("worst", figures.worst);
   if (!figures.worst_at.empty()) line.json("at", figures.worst_at);
   if (figures.worst_block != 0) line.number("b", figures.worst_block);
+  line.text("longest", figures.longest);
+  line.text("unseen", figures.unseen);
   line.close();
 }
 

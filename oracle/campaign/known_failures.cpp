@@ -30,7 +30,7 @@ bool KnownFailure::is(const Verdict& got_verdict) const {
 }
 
 void KnownFailure::make_known(Verdict& known) const {
-  known.message = fmt::format("Known: {} ({}: {})", reason, name(known.kind), known.message);
+  known.known = reason;
   known.departure = known.kind;
   known.kind = VerdictKind::xfail;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/campaign/encoding.hpp"
+#include "oracle/records/case_head.hpp"
 
 namespace gonogo::oracle {
 
@@ -68,7 +69,7 @@ Json selection_json(const ResultsHeader& header) {
 
 std::string header_line(const ResultsHeader& header) {
   Json line;
-  line["format"] = 1;
+  line["format"] = kResultsFormat;
   line["gonogo"] = header.version;
   line["gauge"] = {{"commit", text_or_null(header.commit)},
                    {"sha256", text_or_null(header.program_sha256)}};
@@ -154,6 +155,8 @@ CaseResult result_of_line(std::string_view line) {
     if (clauses[i].id == clause) verdict.clause = static_cast<reference::ClauseId>(i);
   }
   verdict.departure = verdict_kind(text_in(source, "departure"));
+  verdict.rule = relation_rule(text_in(source, "rule")).value_or(RelationRule::none);
+  verdict.gap = gap_reason(text_in(source, "gap")).value_or(GapReason::none);
   verdict.reading = text_in(source, "reading");
   verdict.block = source.value("b", std::uint64_t{0});
   if (source.contains("record")) verdict.record = source["record"].get<std::size_t>();
@@ -166,6 +169,10 @@ CaseResult result_of_line(std::string_view line) {
   if (source.contains("witness")) verdict.witness = dump(source["witness"]);
   verdict.feature = text_in(source, "feature");
   verdict.message = text_in(source, "message");
+  verdict.known = text_in(source, "known");
+  if (verdict.kind == VerdictKind::xfail && verdict.known.empty()) {
+    split_known_message(text_in(source, "departure"), verdict.known, verdict.message);
+  }
   return result;
 }
 

@@ -45,7 +45,10 @@ ResultsReader::ResultsReader(std::string path, Order order)
   header_ = parsed();
   auto format = header_.find("format");
   if (format == header_.end()) fail("is not the header of a results file");
-  if (*format != 1) fail(fmt::format("names the format {}; this program reads 1", dump(*format)));
+  if (!format->is_number_integer() || !reads_results_format(format->get<std::int64_t>())) {
+    fail(fmt::format("names the format {}; this program reads 1 to {}", dump(*format),
+                     kResultsFormat));
+  }
 }
 
 void ResultsReader::fail(const std::string& sentence) const {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/capture/export_manifest.hpp"
+#include "oracle/gap_reason.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -61,6 +62,9 @@ void CaptureTally::take(const std::string& line) {
   following_ = max(following_, number_in(*found, "following"));
   const bool of_the_path = verdict == "fail.geometry" || verdict == "fail.order" ||
                            verdict == "fail.overrun" || verdict == "oracle-gap";
+  longest_ = max(longest_, number_in(*found, "longest"));
+  unseen_ = max(unseen_, number_in(*found, "unseen"));
+  if (text_in(entry, "gap") == name(GapReason::samples_hole)) ++with_holes_;
   if (found->contains("worst")) {
     const Number worst = number_in(*found, "worst");
     go_from_.push_back(worst);
@@ -91,11 +95,19 @@ std::optional<Number> CaptureTally::suggested_tolerance() const {
 
 std::string CaptureTally::text() const {
   const std::size_t all = go_from_.size() + never_;
-  if (all == 0) return {};
-  std::string text = fmt::format(
+  const std::string holes =
+      with_holes_ == 0
+          ? ""
+          : fmt::format("  {} cases are undecided: their samples have holes\n", with_holes_);
+  if (all == 0) return holes;
+  std::string text = holes;
+  text += fmt::format(
       "  samples: they scatter by up to {} mm and stay up to {} mm off the path at constant speed "
       "(estimates)\n",
       noise_.text(), following_.text());
+  text += fmt::format(
+      "  up to {} s pass between two: {} mm away from the path and back would not be seen\n",
+      longest_.text(), unseen_.text());
   if (!worst_where_.empty()) {
     text += fmt::format("  worst deviation of a GO: {} mm, {}\n", worst_.text(), worst_where_);
   }

@@ -39,6 +39,9 @@ class CaptureTally {
   std::size_t too_fine_ = 0;                // the tolerance is below the noise
   reference::Number noise_ = 0;
   reference::Number following_ = 0;
+  reference::Number longest_ = 0;  // s, between two samples
+  reference::Number unseen_ = 0;   // mm
+  std::size_t with_holes_ = 0;
   reference::Number worst_ = 0;
   std::string worst_where_;
   std::set<std::string> judged_;

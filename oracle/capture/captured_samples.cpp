@@ -9,6 +9,7 @@
 
 #include "oracle/capture/noise_watch.hpp"
 #include "oracle/capture/sample_thinner.hpp"
+#include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -42,6 +43,7 @@ class CapturedSamples::Judging {
   // What NO-GO means where the tolerance is finer than the samples are, or X a diameter.
   void explain(Verdict& verdict, const Number& noise, const std::optional<Number>& go_from);
   bool go_with_half_x();
+  bool has_hole() const { return quick(longest_) > sampled_.longest_interval; }
   std::vector<std::string> drawn_samples(const Verdict& verdict) const;
   std::unique_ptr<SampledRun> run(bool strict, double patience) const;
   SampledVerdict complete(const SampledRun& run) const;
@@ -58,6 +60,7 @@ class CapturedSamples::Judging {
   mutable reference::AxisSet seen_;
   mutable double following_ = 0;
   WorstSample worst_;
+  Number longest_ = 0;  // s, between two samples of the program
   SampledTerms sampled_;
 };
 
@@ -70,13 +73,6 @@ constexpr std::uint64_t kAfterAllBlocks = std::numeric_limits<std::uint32_t>::ma
 Number upward(double value) {
   constexpr double kSteps = 1e4;
   return Number::millionths(100 * static_cast<std::int64_t>(std::ceil(value * kSteps - 1e-6)));
-}
-
-Verdict gap(std::string message) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = std::move(message);
-  return verdict;
 }
 
 }  // namespace
@@ -93,16 +89,17 @@ std::unique_ptr<SampledRun> CapturedSamples::Judging::run(bool strict, double pa
     if (!run->take(sample)) break;
     noise.add(SamplePoint(sample), quick(sample.time), run->off());
   }
-  run->finish();
+  run->finish(reader.ends_in_hole());
   following_ = noise.figures().following;
   return run;
 }
 
 bool CapturedSamples::Judging::go_at(const Number& tolerance) {
   const Number kept = std::exchange(terms_.tolerance, tolerance);
-  const bool is_go = decision(judge_here().verdict.kind) == Decision::go;
+  const Verdict verdict = judge_here().verdict;
   terms_.tolerance = kept;
-  return is_go;
+  // No tolerance fills a hole.
+  return decision(verdict.kind) == Decision::go || verdict.gap == GapReason::samples_hole;
 }
 
 std::optional<Number> CapturedSamples::Judging::go_from() {
@@ -139,6 +136,8 @@ SampledVerdict CapturedSamples::Judging::judge() {
   const Number noise = upward(sampled_.noise);
   figures->noise = noise.text();
   figures->following = upward(following_).text();
+  figures->longest = longest_.text();
+  figures->unseen = upward(approximate(sampled_.fastest) * quick(longest_) / 2).text();
   if (of_the_path) {
     const std::optional<Number> from = go_from();
     if (from) figures->go_from = from->text();
@@ -169,7 +168,8 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
     }
     return;
   }
-  const std::string least = fmt::format("GO from {} mm up.", go_from->text());
+  const std::string least =
+      fmt::format("GO from {} mm up{}.", go_from->text(), has_hole() ? ", but for the hole" : "");
   // J-RUN-11.
   constexpr int kPeak = 3;  // times the noise: what scatters like it comes as far as that
   const bool too_fine = terms_.tolerance * 3 < noise * 2 && *go_from <= noise * kPeak;
@@ -177,7 +177,8 @@ void CapturedSamples::Judging::explain(Verdict& verdict, const Number& noise,
     verdict.message += " " + least;
     return;
   }
-  Verdict open = gap(
+  Verdict open = gap_verdict(
+      GapReason::samples_scatter,
       fmt::format("The samples scatter by {} mm, more than the tolerance of {} mm, which they "
                   "therefore cannot be held to. {} Say which tolerance counts with --tolerance.",
                   noise.text(), terms_.tolerance.text(), least));
@@ -205,11 +206,13 @@ SampledVerdict CapturedSamples::Judging::judge_here() {
   constexpr double kTwice = 2;
   const auto sure = run(true, 1);
   worst_ = sure->worst();
+  longest_ = max(longest_, sure->holes().longest());
   if (!sure->departure()) return complete(*sure);
   const auto doubtful = run(false, 1);
   if (!doubtful->departure()) {
     if (doubtful->feed_fault()) return {*doubtful->feed_fault(), doubtful->progress()};
-    return {gap("A sample lies too close to the tolerance of an arc to say."),
+    return {gap_verdict(GapReason::comparison,
+                        "A sample lies too close to the tolerance of an arc to say."),
             doubtful->progress()};
   }
   if (doubtful->feed_fault()) return {*doubtful->feed_fault(), doubtful->progress()};
@@ -223,11 +226,14 @@ SampledVerdict CapturedSamples::Judging::judge_here() {
 
 SampledVerdict CapturedSamples::Judging::complete(const SampledRun& run) const {
   if (run.feed_fault()) return {*run.feed_fault(), run.progress()};
-  if (!run.open().empty()) return {gap(run.open()), run.progress()};
+  if (run.open()) return {*run.open(), run.progress()};
   Verdict verdict = judge_end(run);
   if (decision(verdict.kind) == Decision::go) {
-    verdict.kind = run.unseen() ? VerdictKind::oracle_gap : VerdictKind::pass_tolerance;
+    verdict.kind = VerdictKind::pass_tolerance;
     verdict.message = run.summary();
+    if (run.not_shown() != GapReason::none) {
+      verdict = gap_verdict(run.not_shown(), std::move(verdict.message));
+    }
   }
   return {std::move(verdict), run.progress()};
 }
@@ -285,7 +291,7 @@ SampledVerdict CapturedSamples::judge(const reference::Profile& profile, const P
   try {
     return Judging(*this, profile, program, terms, end).judge();
   } catch (const exact::Undecided& undecided) {
-    return {gap(fmt::format("A comparison could not be decided: {}.", undecided.what())), 0};
+    return {undecided_verdict(undecided), 0};
   } catch (const SampleFault& fault) {
     Verdict verdict;
     verdict.kind = VerdictKind::protocol;
@@ -298,13 +304,17 @@ RunEnd check_samples(const std::string& path, SampledTerms& sampled) {
   SampleReader reader(path, sampled.columns);
   Sample sample;
   NoiseWatch noise;
+  SampleRhythm rhythm;
   sampled.samples = 0;
   for (; reader.next(sample); ++sampled.samples) {
+    rhythm.add(quick(sample.time));
     noise.add(SamplePoint(sample), quick(sample.time), 0);
   }
   if (sampled.samples == 0) throw SampleFault(fmt::format("{}: There is no sample.", path));
   sampled.time_decimals = reader.time_decimals();
   sampled.noise = noise.figures().noise;
+  sampled.usual_interval = rhythm.usual();
+  sampled.longest_interval = rhythm.limit(0.5 * std::pow(10.0, -sampled.time_decimals));
   RunEnd end;
   if (reader.alarm()) {
     end.kind = RunEnd::Kind::alarm;

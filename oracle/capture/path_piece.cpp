@@ -56,8 +56,9 @@ std::unique_ptr<PathPiece> PathPiece::at_rest(const Position& at) {
   return piece;
 }
 
-std::unique_ptr<PathPiece> PathPiece::undecided(std::string why) {
+std::unique_ptr<PathPiece> PathPiece::undecided(GapReason reason, std::string why) {
   std::unique_ptr<PathPiece> piece(new PathPiece);
+  piece->gap_ = reason;
   piece->text_ = std::move(why);
   return piece;
 }

@@ -10,6 +10,7 @@
 
 #include "oracle/capture/round_tube.hpp"
 #include "oracle/judge/motion.hpp"
+#include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
 
@@ -39,12 +40,13 @@ class PathPiece {
   PathPiece(Motion motion, std::string text, double fastest);
   static std::unique_ptr<PathPiece> dwelling(const Record& record, const Position& at);
   static std::unique_ptr<PathPiece> at_rest(const Position& at);
-  static std::unique_ptr<PathPiece> undecided(std::string why);
+  static std::unique_ptr<PathPiece> undecided(GapReason reason, std::string why);
 
   PieceKind kind() const { return kind_; }
   const Motion& motion() const { return motion_; }
   const std::string& text() const { return text_; }
   const std::string& why() const { return text_; }
+  Verdict gap() const { return gap_verdict(gap_, text_); }  // of an open piece
   reference::ClauseId clause() const { return motion_.record.clause; }
   std::uint64_t block() const { return motion_.record.block; }
 
@@ -74,6 +76,7 @@ class PathPiece {
   Number line_deviation(const Position& point) const;
 
   PieceKind kind_ = PieceKind::open;
+  GapReason gap_ = GapReason::none;
   Motion motion_;
   std::string text_;
   std::array<Number, reference::kAxes> travel_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace gonogo::oracle {
 namespace {
@@ -223,18 +224,29 @@ void SampleReader::read_row(Sample& sample) {
   if (alarm_) alarm_->block = sample.block;
 }
 
+bool SampleReader::lacks_time() const {
+  const auto time = std::ranges::find(columns_, SampleField::time, &SampleColumn::field);
+  const auto place = static_cast<std::size_t>(time - columns_.begin());
+  return cells_.size() == columns_.size() && cells_[place].empty();
+}
+
 bool SampleReader::next(Sample& sample) {
-  if (!next_line()) return false;
-  if (alarm_) fail(0, "A line follows the alarm that closes the file.");
-  if (cells_.front() == "alarm") {
-    read_alarm_row();
-    if (next_line()) fail(0, "A line follows the alarm that closes the file.");
-    return false;
+  after_hole_ = false;
+  for (; next_line(); after_hole_ = true) {
+    if (alarm_) fail(0, "A line follows the alarm that closes the file.");
+    if (cells_.front() == "alarm") {
+      read_alarm_row();
+      if (next_line()) fail(0, "A line follows the alarm that closes the file.");
+      return false;
+    }
+    if (lacks_time()) continue;
+    read_row(sample);
+    sample.line = line_;
+    sample.number = samples_++;
+    sample.after_hole = std::exchange(after_hole_, false);
+    return true;
   }
-  read_row(sample);
-  sample.line = line_;
-  sample.number = samples_++;
-  return true;
+  return false;
 }
 
 }  // namespace gonogo::oracle

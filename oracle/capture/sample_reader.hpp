@@ -10,7 +10,7 @@
 //
 // Other names and units: sample_columns.hpp. Every number is an exact decimal and never passes
 // through binary floating point. Lines that are empty are passed over; CR LF and a byte order mark
-// are taken. The first line tells what separates: a semicolon where it has one, else a tab, else
+// are taken; so are lines without a time, each of which makes a hole. The first line tells what separates: a semicolon where it has one, else a tab, else
 // the comma; where the comma does not separate, it may stand for the point of a decimal.
 #pragma once
 
@@ -33,6 +33,7 @@ struct Sample {
   std::uint64_t block = 0;  // 0: not given
   std::uint64_t line = 0;   // of the file, from 1
   std::size_t number = 0;   // from 0
+  bool after_hole = false;  // samples whose time is missing stand before it
 };
 
 // The file cannot be read as samples: file, line, column and a sentence.
@@ -48,7 +49,9 @@ class SampleReader {
   explicit SampleReader(const std::string& path, const SampleColumns& columns = {});
   // The next sample; false after the last one. Throws SampleFault.
   bool next(Sample& sample);
-  // After the last sample: the alarm that closed the file.
+  // After the last sample: whether others without a time follow it.
+  bool ends_in_hole() const { return after_hole_; }
+  // ... the alarm that closed the file.
   const std::optional<SubjectAlarm>& alarm() const { return alarm_; }
   // The axes that have a column.
   reference::AxisSet axes() const { return axes_; }
@@ -57,6 +60,7 @@ class SampleReader {
 
  private:
   bool next_line();
+  bool lacks_time() const;
   void split();
   void find_separator();
   bool is_header(const SampleColumns& columns) const;
@@ -79,6 +83,7 @@ class SampleReader {
   reference::AxisSet axes_;
   std::uint64_t line_ = 0;
   std::size_t samples_ = 0;
+  bool after_hole_ = false;
   std::optional<Number> last_time_;
   std::optional<SubjectAlarm> alarm_;
   int time_decimals_ = 0;

@@ -50,6 +50,7 @@ SampledRun::SampledRun(const reference::Profile& profile, const ProgramText& pro
       clock_(half_unit(sampled.time_decimals)),
       wide_{terms.tolerance + sampled.blend, approximate(terms.tolerance + sampled.blend), strict},
       corner_(kCorner * approximate(sampled.blend)),
+      holes_(sampled.usual_interval, sampled.longest_interval),
       last_at_(start_) {}
 
 const std::vector<Stretch>& SampledRun::stretches(std::size_t i, const SamplePoint& point) {
@@ -258,7 +259,7 @@ bool SampledRun::begin(const SamplePoint& point, double time) {
 }
 
 bool SampledRun::take(const Sample& given) {
-  if (departure_ || !open_.empty()) return false;
+  if (departure_ || open_) return false;
   Sample sample = given;
   for (Axis axis : kAllAxes) {
     if (!seen_.has(axis)) sample.at[axis] = start_[axis];
@@ -276,6 +277,7 @@ bool SampledRun::take(const Sample& given) {
     if (in_header || approach) {
       last_time_ = time;
       header_seen_ = in_header;
+      holes_.take(sample, false, 0);
       return true;
     }
     if (!header_seen_) last_time_ = time;
@@ -300,8 +302,9 @@ bool SampledRun::take(const Sample& given) {
   watch_feeds(states_, time);
   close_pieces(states_.begin()->first.piece);
   const PathPiece& least = *path_.piece(states_.begin()->first.piece);
-  if (least.kind() == PieceKind::open) open_ = least.why();
-  return open_.empty();
+  holes_.take(sample, true, least.block());
+  if (least.kind() == PieceKind::open) open_ = least.gap();
+  return !open_;
 }
 
 void SampledRun::note_visits(States& states) {
@@ -367,8 +370,9 @@ void SampledRun::close_pieces(std::size_t before) {
   path_.drop_before(before);
 }
 
-void SampledRun::finish() {
-  if (departure_ || !open_.empty()) return;
+void SampledRun::finish(bool in_hole) {
+  if (in_hole) holes_.end_in_hole();
+  if (departure_ || open_) return;
   if (!begun_) {
     Verdict verdict;
     verdict.kind = VerdictKind::fail_geometry;
@@ -386,9 +390,11 @@ void SampledRun::finish() {
   State& state = states_.rbegin()->second;
   const PathPiece& piece = *path_.piece(farthest);
   at_end_ = piece.kind() == PieceKind::stand;
-  if (piece.kind() == PieceKind::open) open_ = piece.why();
+  if (piece.kind() == PieceKind::open) open_ = piece.gap();
   if (piece.kind() == PieceKind::dwell) {
-    open_ = fmt::format("The samples end before the dwell of line {} does.", piece.block());
+    open_ = gap_verdict(
+        GapReason::samples_end,
+        fmt::format("The samples end before the dwell of line {} does.", piece.block()));
   }
   const bool complete = is_motion_piece(piece) && piece.after(state.place) <= Tube::kUnsure;
   if (complete && !state.visit.shows()) state.unseen.insert(farthest);
@@ -401,6 +407,8 @@ std::string SampledRun::summary() const {
       "From samples: {} motions followed; the feed of {} of them is bounded only, to within {} %, "
       "of {} not compared.",
       motions_, feeds_, (sampled_.feed_tolerance * 100).text(), feeds_open_);
+  if (holes_.any()) text += holes_.holes_text();
+  text += holes_.rate_text(approximate(sampled_.fastest));
   if (unseen_.empty()) return text;
   text += " Not checked, because no sample shows them:";
   for (std::size_t i = 0; i < unseen_.size() && i < kNamedUnseen; ++i) {

@@ -26,6 +26,10 @@
 //   last sample before and the first one after. How long it stood before the first sample is not
 //   known: where that decides, oracle-gap.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
+// Holes (J-RUN-13). Where more time passes between two samples than their rhythm has it, the
+// machine
+//   may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not show is
+//   told.
 // Open paths. Pocket levels, threads and helical pockets whose path the manual leaves open are not
 //   decided from samples: judged up to there, then oracle-gap.
 // Alarms. As for records: class, line, and that the motion before it is complete.
@@ -39,6 +43,7 @@
 #include <set>
 
 #include "oracle/capture/feed_bounds.hpp"
+#include "oracle/capture/sample_rhythm.hpp"
 #include "oracle/capture/sampled_path.hpp"
 
 namespace gonogo::oracle {
@@ -53,6 +58,8 @@ struct SampledTerms {
   Number x_scale = 1;                              // tried: X as a diameter
   std::size_t samples = 0;                         // of the file
   double noise = 0;                                // ... mm, estimated (noise_watch.hpp)
+  double usual_interval = 0;                       // ... s (sample_rhythm.hpp)
+  double longest_interval = 0;                     // ... s; a longer one is a hole
 };
 
 // How far the samples were from the path at most, rounded up.
@@ -71,12 +78,12 @@ class SampledRun {
 
   // The next sample; false when nothing can change the answer.
   bool take(const Sample& sample);
-  // After the last sample.
-  void finish();
+  // After the last sample; `in_hole`: others without a time follow it.
+  void finish(bool in_hole);
 
   const std::optional<Verdict>& departure() const { return departure_; }  // place, order, dwell
   const std::optional<Verdict>& feed_fault() const { return feed_fault_; }
-  const std::string& open() const { return open_; }  // why the end is not decided
+  const std::optional<Verdict>& open() const { return open_; }  // why the end is not decided
   bool at_end() const { return at_end_; }            // of the path
   bool left_end() const { return left_end_; }        // moved on after it
   bool moved() const { return moved_; }              // from the start
@@ -86,7 +93,12 @@ class SampledRun {
   const WorstSample& worst() const { return worst_; }
   // How far the last sample is from the path where the machine may be, about; mm.
   double off() const { return off_; }
-  bool unseen() const { return !unseen_.empty(); }
+  // Why a GO would be none: the samples do not show all.
+  GapReason not_shown() const {
+    if (holes_.any()) return GapReason::samples_hole;
+    return unseen_.empty() ? GapReason::none : GapReason::samples_rate;
+  }
+  const HoleWatch& holes() const { return holes_; }
 
  private:
   // What samples show of a piece.
@@ -168,6 +180,7 @@ class SampledRun {
   double off_ = 0;
   bool moved_ = false;
   std::map<std::size_t, FeedWatch> watches_;
+  HoleWatch holes_;
   bool begun_ = false;
   bool header_seen_ = false;  // samples of the header's lines have come
   double last_time_ = 0;
@@ -176,7 +189,7 @@ class SampledRun {
   std::optional<Sample> first_;
   std::optional<Verdict> departure_;
   std::optional<Verdict> feed_fault_;
-  std::string open_;
+  std::optional<Verdict> open_;
   bool at_end_ = false;
   bool left_end_ = false;
   std::size_t progress_ = 0;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -50,8 +51,10 @@ std::unique_ptr<PathPiece> SampledPath::make(const Motion& motion) const {
   }
   for (Axis axis : kAllAxes) {
     if (!moved.has(axis) || seen_.has(axis)) continue;
-    return PathPiece::undecided(fmt::format(
-        "The program moves the axis {}, of which the samples have no column.", letter(axis)));
+    return PathPiece::undecided(
+        GapReason::samples_open,
+        fmt::format("The program moves the axis {}, of which the samples have no column.",
+                    letter(axis)));
   }
   return std::make_unique<PathPiece>(back_to_start(motion, shift_), record_text(motion.record),
                                      fastest_);
@@ -75,10 +78,13 @@ bool SampledPath::pull() {
     } else {
       complete_ = true;
       const auto* outside = std::get_if<reference::NotCovered>(&step);
-      const bool end = stream_.at_end() && outside == nullptr;
-      pieces_.push_back(
-          end ? PathPiece::at_rest(at_)
-              : PathPiece::undecided(outside != nullptr ? outside->message : kOpenPath));
+      if (outside != nullptr) {
+        pieces_.push_back(PathPiece::undecided(reason_of(*outside), outside->message));
+      } else {
+        pieces_.push_back(stream_.at_end()
+                              ? PathPiece::at_rest(at_)
+                              : PathPiece::undecided(GapReason::samples_open, kOpenPath));
+      }
     }
     if (!complete_) stream_.advance();
     return true;

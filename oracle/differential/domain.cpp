@@ -230,8 +230,7 @@ std::string_view outside_domain(const reference::Profile& profile, std::string_v
 
 std::string_view outside_domain(const reference::Profile& profile, std::string_view program,
                                 const oracle::Verdict& verdict) {
-  const bool undecided = verdict.kind == oracle::VerdictKind::oracle_gap &&
-                         verdict.message.find("could not be decided") != std::string::npos;
+  const bool undecided = verdict.gap == GapReason::comparison;
   return undecided ? "D-DOM-09" : outside_domain(profile, program);
 }
 

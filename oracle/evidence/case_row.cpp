@@ -18,6 +18,9 @@ CaseRow case_row(const Json& line) {
   facts.kind = verdict_kind(text_of(line, "verdict")).value_or(VerdictKind::oracle_error);
   facts.clause = text_of(line, "clause");
   facts.departure = text_of(line, "departure");
+  facts.rule = text_of(line, "rule");
+  facts.gap = text_of(line, "gap");
+  facts.known = text_of(line, "known");
   facts.basis = text_of(line, "basis");
   facts.reading = text_of(line, "reading");
   facts.block = report::count_of(line, "b");
@@ -27,6 +30,9 @@ CaseRow case_row(const Json& line) {
   facts.deviation_exact = text_of(deviation, "exact");
   facts.deviation_mm = text_of(deviation, "mm");
   facts.message = text_of(line, "message");
+  if (facts.kind == VerdictKind::xfail && facts.known.empty()) {
+    split_known_message(facts.departure, facts.known, facts.message);
+  }
   facts.microseconds = report::count_of(line, "us").value_or(0);
   const auto expected = line.find("expected");
   facts.expected = expected != line.end() && *expected == true;
@@ -42,6 +48,9 @@ CaseRow case_row(const CaseHead& line) {
   facts.kind = verdict_kind(line.verdict).value_or(VerdictKind::oracle_error);
   facts.clause = line.clause;
   facts.departure = line.departure;
+  facts.rule = line.rule;
+  facts.gap = line.gap;
+  facts.known = line.known;
   facts.message = line.message;
   facts.microseconds = line.microseconds;
   facts.expected = line.expected;
@@ -60,7 +69,10 @@ std::string row_text(const CaseRow& facts) {
     if (!value.empty()) text += fmt::format("{:<10} {}\n", what, value);
   };
   if (!facts.message.empty()) text += facts.message + "\n";
+  put("known", facts.known);
   put("would be", facts.departure);
+  put("rule", rule_text(facts.rule));
+  put("gap", facts.gap);
   if (!facts.clause.empty()) {
     const reference::Clause* clause = report::find_clause(facts.clause);
     put("clause", clause == nullptr

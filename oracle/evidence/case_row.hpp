@@ -21,6 +21,9 @@ struct CaseRow {
   VerdictKind kind = VerdictKind::oracle_error;
   std::string clause;
   std::string departure;  // of an advice or xfail: the verdict that it would be
+  std::string rule;       // of the relation, that is broken
+  std::string gap;        // of an oracle-gap: its reason
+  std::string known;      // of an xfail: the reason of its entry
   std::string basis;      // of the expectation departed from
   std::string reading;
   std::optional<std::uint64_t> block;

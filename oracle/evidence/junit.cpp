@@ -51,7 +51,9 @@ std::string element(std::string_view tag, const CaseRow& facts, const Finding* f
 
 std::string skipped(const CaseRow& facts) {
   std::string verdict(facts.verdict());
-  if (!facts.departure.empty()) verdict += fmt::format(" ({})", facts.departure);
+  const std::string& why = facts.gap.empty() ? facts.departure : facts.gap;
+  if (!why.empty()) verdict += fmt::format(" ({})", why);
+  if (!facts.known.empty()) verdict += fmt::format(", known: {}", facts.known);
   const std::string reason =
       facts.message.empty() ? verdict : fmt::format("{}: {}", verdict, facts.message);
   return fmt::format("<skipped message=\"{}\"/>", xml_attribute(reason));

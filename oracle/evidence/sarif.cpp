@@ -83,6 +83,8 @@ std::string message(const CaseRow& facts) {
   auto put = [&](std::string_view what, const std::string& value) {
     if (!value.empty()) text += fmt::format("\n{}: {}", what, value);
   };
+  put("Rule", rule_text(facts.rule));
+  put("Undecided for", facts.gap);
   put("Want", facts.want);
   put("Got", facts.got);
   put("Deviation", deviation_text(facts));
@@ -101,6 +103,9 @@ Json properties(const CaseRow& facts, const std::string& command) {
   put("clause", facts.clause);
   put("departure", facts.departure);
   put("basis", facts.basis);
+  put("rule", facts.rule);
+  put("gap", facts.gap);
+  put("known", facts.known);
   put("want", facts.want);
   put("got", facts.got);
   if (!facts.deviation_exact.empty()) {
@@ -166,7 +171,7 @@ Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
                  {"partialFingerprints", {{"caseAndRule/v1", fingerprint(facts)}}}};
   if (facts.kind == VerdictKind::xfail) {
     result["suppressions"] = Json::array(
-        {{{"kind", "external"}, {"status", "accepted"}, {"justification", facts.message}}});
+        {{{"kind", "external"}, {"status", "accepted"}, {"justification", facts.known}}});
   }
   result["properties"] = properties(facts, command_);
   if (finding != nullptr) {

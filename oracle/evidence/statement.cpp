@@ -30,17 +30,11 @@ class Waivers {
   }
   // False when there is no reason for it.
   bool add(const CaseRow& row) {
-    // The longest of those that begin the message is its own.
-    Waiver* own = nullptr;
-    std::size_t longest = 0;
-    for (auto& [reason, waiver] : by_reason_) {
-      if (!row.message.starts_with("Known: " + reason + " (") || reason.size() < longest) continue;
-      own = &waiver;
-      longest = reason.size();
-    }
-    if (own == nullptr) return false;
-    ++own->cases;
-    if (own->first.size() < kNamedCases) own->first.push_back(row.id);
+    const auto own = by_reason_.find(row.known);
+    if (own == by_reason_.end()) return false;
+    Waiver& waiver = own->second;
+    ++waiver.cases;
+    if (waiver.first.size() < kNamedCases) waiver.first.push_back(row.id);
     return true;
   }
   Json json() const {

@@ -62,7 +62,8 @@ bool Alignment::settle() {
 // A hypothesis that is given up for a doubt may be right, until all others are past its step.
 bool Alignment::finish(std::vector<Hypothesis> reached) {
   if (reached.size() > kMostHypotheses) {
-    doubt(reached.front().step, gap_verdict("The motions may be meant in too many ways."));
+    doubt(reached.front().step,
+          gap_verdict(GapReason::cap_ways, "The motions may be meant in too many ways."));
     reached.clear();
   }
   hypotheses_ = std::move(reached);
@@ -79,7 +80,8 @@ void Alignment::doubt(std::size_t step, Verdict gap) {
 
 void Alignment::refute(Refutation refutation) {
   if (refutation.answer.departure == Departure::undecided) {
-    return doubt(refutation.from.step, gap_verdict(std::move(refutation.answer.reason)));
+    return doubt(refutation.from.step,
+                 gap_verdict(refutation.answer.gap, std::move(refutation.answer.reason)));
   }
   if (refutation.verdict && refutation.verdict->kind == VerdictKind::oracle_gap) {
     return doubt(refutation.from.step, *std::move(refutation.verdict));
@@ -121,8 +123,7 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
     if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
     if (is_small && passed > kMostPassedForSmall) return;
     if (passed > kMostPassed) {
-      return doubt(from.step,
-                   gap_verdict("More than 100,000 motions in a row are too small to see."));
+      return doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
     }
     // A way that cannot be told is given up; what was found before it stands.
     const std::size_t here = from.step;
@@ -190,7 +191,8 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
     return false;
   }
   if (!same_place(motion.from, from.at, terms_)) {
-    doubt(from.step, gap_verdict("A motion of the subject spans a renaming of the position."));
+    doubt(from.step, gap_verdict(GapReason::two_readings,
+                                 "A motion of the subject spans a renaming of the position."));
     return false;
   }
   from.at = motion.from;  // what leads nowhere may have been passed over before it

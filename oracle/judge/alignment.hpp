@@ -107,6 +107,8 @@ class Alignment {
   // J-CONST-06.
   static constexpr std::size_t kMostHypotheses = 128;
   static constexpr std::size_t kMostPassed = 100'000;
+  static constexpr const char* kTooManySmall =
+      "More than 100,000 motions in a row are too small to see.";
   static constexpr std::size_t kMostPassedForSmall = 128;
 
   // What comes of one record.

@@ -77,6 +77,7 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
   if (motion.record.kind == RecordKind::arc3) motion = as_arc(motion).value_or(motion);
   OpenStepAnswer answer = from.open->take(motion);
   if (answer.is_decided()) {
+    answer.verdict.rule = RelationRule::free_step;
     refute(std::move(from), motion, std::move(answer.verdict));
     return false;
   }
@@ -99,7 +100,8 @@ bool Alignment::take_waiting(Hypothesis& from, std::vector<Hypothesis>& reached)
 bool Alignment::leave_open_step(Hypothesis& from, const Position& here) {
   const OpenStep::Exit exit = from.open->exit(here);
   if (!steps_.go_on_from(from.step, exit.at, exit.moves_machine)) {
-    doubt(from.step, gap_verdict("The motions of an open path may be meant in several ways."));
+    doubt(from.step, gap_verdict(GapReason::two_readings,
+                                 "The motions of an open path may be meant in several ways."));
     return false;
   }
   from.open.reset();
@@ -124,7 +126,10 @@ Alignment::Passing Alignment::pass(Hypothesis& from) {
   }
   OpenStep* open = open_step_of(from);
   if (open == nullptr) return {};
-  if (std::optional<Verdict> why_not = open->end(from.at)) return {false, std::move(why_not)};
+  if (std::optional<Verdict> why_not = open->end(from.at)) {
+    why_not->rule = RelationRule::free_step;
+    return {false, std::move(why_not)};
+  }
   return {leave_open_step(from, from.at)};
 }
 

@@ -83,7 +83,7 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
   Passing passing{true};
   for (std::size_t passed = 0; passing.passed; ++passed) {
     if (passed > kMostPassed) {
-      doubt(from.step, gap_verdict("More than 100,000 motions in a row are too small to see."));
+      doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
       return false;
     }
     const ReferenceStep& what = step_of(from).what;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/gap_reason.hpp"
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/round_curve.hpp"
 #include "oracle/judge/terms.hpp"
@@ -41,11 +42,15 @@ struct CurveAnswer {
   std::vector<CurveWay> ways;
   Departure departure = Departure::none;
   std::string reason;  // a sentence when it departs
+  GapReason gap = GapReason::none;  // of an undecided one
   // The centre of the subject's arc, where that is what differs.
   std::optional<Apart> centre = {};
 
   static CurveAnswer departs(Departure departure, std::string reason) {
     return {{}, departure, std::move(reason)};
+  }
+  static CurveAnswer undecided(GapReason gap, std::string reason) {
+    return {{}, Departure::undecided, std::move(reason), gap};
   }
   static CurveAnswer goes(CurveProgress progress, bool done) {
     CurveAnswer answer;

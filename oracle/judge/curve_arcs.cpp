@@ -96,7 +96,7 @@ CurveAnswer doubtful(CurveProgress progress, const char* reason) {
 // The end of the curve, after pieces that may all belong to it.
 CurveAnswer at_end(CurveProgress progress) {
   if (progress.doubt != nullptr) {
-    return CurveAnswer::departs(Departure::undecided, progress.doubt);
+    return CurveAnswer::undecided(GapReason::comparison, progress.doubt);
   }
   return CurveAnswer::goes(std::move(progress), true);
 }
@@ -272,7 +272,7 @@ CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject
     return CurveAnswer::departs(Departure::geometry, "The chord goes back along the arc.");
   }
   const int inside = chord_stays(from, subject, granted);
-  if (inside == 0) return CurveAnswer::departs(Departure::undecided, kSpiralTooClose);
+  if (inside == 0) return CurveAnswer::undecided(GapReason::comparison, kSpiralTooClose);
   if (inside < 0) {
     return CurveAnswer::departs(Departure::geometry,
                                 "The chord leaves the arc by more than was granted.");
@@ -339,7 +339,7 @@ CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subjec
   turns = std::max(turns, 0.0);
   const auto off = [](Departure departure) {
     return departure == Departure::undecided
-               ? CurveAnswer::departs(departure, kHelixTooClose)
+               ? CurveAnswer::undecided(GapReason::comparison, kHelixTooClose)
                : CurveAnswer::departs(departure, "The arc leaves the curve between its ends.");
   };
   const auto departure_at = [&](const Position& point, double own, const Number& tolerance) {
@@ -359,8 +359,8 @@ CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subjec
     const Departure at = departure_at(point, own, tau * 2 - slack);
     if (at == Departure::none) continue;
     if (slack.sign() == 0 || departure_at(point, own, tau * 2 + slack) == at) return off(at);
-    return CurveAnswer::departs(Departure::undecided,
-                                "The width of an enclosure decides about an arc.");
+    return CurveAnswer::undecided(GapReason::comparison,
+                                  "The width of an enclosure decides about an arc.");
   }
   return {};
 }

@@ -48,9 +48,11 @@ MatchResult CurveFollower::match(const Motion& subject) {
       departure = std::move(answer);
     }
   }
-  if (reached.empty()) return {departure.departure, false, std::move(departure.reason)};
+  if (reached.empty())
+    return {departure.departure, false, std::move(departure.reason), departure.gap};
   if (reached.size() > kMostWays) {
-    return {Departure::undecided, false, "The motions may be pieces of the curve in too many ways."};
+    return MatchResult::undecided(GapReason::cap_ways,
+                                  "The motions may be pieces of the curve in too many ways.");
   }
   reached_ = std::move(reached);
   return {};

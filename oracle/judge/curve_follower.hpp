@@ -11,6 +11,11 @@ struct MatchResult {
   Departure departure = Departure::none;
   bool done = false;   // the curve is complete
   std::string reason;  // a sentence when it departs
+  GapReason gap = GapReason::none;  // of an undecided one
+
+  static MatchResult undecided(GapReason gap, std::string reason) {
+    return {Departure::undecided, false, std::move(reason), gap};
+  }
 };
 
 class CurveFollower {

@@ -108,7 +108,8 @@ Verdict HelixPocketJudge::incomplete(const Position& position) const {
 }
 
 OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
-  if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
+  if (result.departure == Departure::undecided)
+    return OpenStepAnswer::gap(result.gap, result.reason);
   Verdict verdict;
   if (result.departure == Departure::feed) {
     verdict = departure_from(VerdictKind::fail_feed, "GSK-G112-08"_clause, motion,
@@ -207,7 +208,8 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
   if (!is_cut(motion.record.kind)) return wrong_entry(motion);
   constexpr std::size_t kMaximumEntry = 50'000;
   if (entry_.size() >= kMaximumEntry) {
-    return OpenStepAnswer::gap("An entry of more than 50,000 motions is not judged.");
+    return OpenStepAnswer::gap(GapReason::cap_level,
+                               "An entry of more than 50,000 motions is not judged.");
   }
   entry_.push_back(motion);
   OpenStart starts(item_.radius, terms_.tolerance);
@@ -218,7 +220,7 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
     return {};
   }
   if (!open_.add(shape_, std::move(starts), motion.to(), terms_)) {
-    return OpenStepAnswer::gap("The helix may have begun at too many points.");
+    return OpenStepAnswer::gap(GapReason::cap_ways, "The helix may have begun at too many points.");
   }
   return {};
 }

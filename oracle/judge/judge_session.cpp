@@ -237,9 +237,10 @@ SessionVerdict JudgeSession::finish(const RunEnd& end) {
   }
   result.open = open_;
   if (too_many_) {
-    result.verdict.kind = VerdictKind::oracle_gap;
-    result.verdict.message = fmt::format(
-        "The program touches open readings with more than {} assignments.", kMaximumAssignments);
+    result.verdict =
+        gap_verdict(GapReason::cap_assignments,
+                    fmt::format("The program touches open readings with more than {} assignments.",
+                                kMaximumAssignments));
     return result;
   }
   std::optional<SampledVerdict> best;

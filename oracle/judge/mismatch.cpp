@@ -13,22 +13,20 @@ namespace gonogo::oracle {
 
 using reference::kAllAxes;
 
-Verdict not_covered_verdict(const reference::NotCovered& outside) {
-  Verdict verdict = gap_verdict(outside.message);
-  verdict.block = outside.block;
-  return verdict;
+GapReason reason_of(const reference::NotCovered& outside) {
+  return outside.lacks.empty() ? GapReason::not_covered : GapReason::profile_lacks;
 }
 
-Verdict gap_verdict(std::string message) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = std::move(message);
+Verdict not_covered_verdict(const reference::NotCovered& outside) {
+  Verdict verdict = gap_verdict(reason_of(outside), outside.message);
+  verdict.block = outside.block;
   return verdict;
 }
 
 // J-CONST-01.
 Verdict undecided_verdict(const exact::Undecided& undecided) {
-  return gap_verdict(fmt::format("A comparison could not be decided: {}.", undecided.what()));
+  return gap_verdict(GapReason::comparison,
+                     fmt::format("A comparison could not be decided: {}.", undecided.what()));
 }
 
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
@@ -85,6 +83,7 @@ std::string_view short_sentence(RecordKind kind) {
 Verdict short_of(const Motion& want, const Motion& piece) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
+  if (want.record.kind == RecordKind::rapid) verdict.rule = RelationRule::traverse;
   verdict.clause = want.record.clause;
   verdict.block = want.record.block != 0 ? want.record.block : piece.record.block;
   verdict.record = piece.number + piece.behind_first;
@@ -107,6 +106,7 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   if (const Record* due = placed_m_function(step)) return m_function_missing(*due, got, records);
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
+  if (std::holds_alternative<Record>(step)) verdict.rule = RelationRule::event;
   verdict.got = got;
   verdict.clause = clause_of(step);
   verdict.block = block_of(step);
@@ -147,6 +147,7 @@ Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps
   } else if (std::get<Record>(step).kind == RecordKind::dwell) {
     verdict.kind = fits_later(motion, number + 1, steps, terms) ? VerdictKind::fail_order
                                                                 : VerdictKind::fail_geometry;
+    verdict.rule = RelationRule::event;
     verdict.message = "The subject moves where a dwell is due.";
   }
   return verdict;
@@ -202,6 +203,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   const bool expected = want != nullptr && want->kind == RecordKind::dwell;
   Verdict verdict;
   verdict.kind = expected ? VerdictKind::fail_geometry : VerdictKind::fail_order;
+  verdict.rule = RelationRule::event;
   verdict.record = number;
   verdict.block = dwell.block;
   verdict.got = record_text(dwell);
@@ -241,6 +243,12 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Jud
   const Motion& motion = *refutation.motion;
   const Motion& want = from.curve->motion();
   verdict.kind = VerdictKind::fail_geometry;
+  const Departure how = refutation.answer.departure;
+  if (how == Departure::kind || how == Departure::block) {
+    verdict.rule = RelationRule::label;
+  } else if (want.record.kind == RecordKind::rapid) {
+    verdict.rule = RelationRule::traverse;
+  }
   const AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
   const std::optional<Apart>& centre = refutation.answer.centre;
   verdict.witness = point_text(centre ? centre->at : motion.to(), axes);
@@ -252,6 +260,7 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Jud
       verdict = short_of(want, *from.piece);
     } else if (fits_later(motion, from.step + from.joined + 1, steps, terms)) {
       verdict.kind = VerdictKind::fail_order;
+      verdict.rule = RelationRule::event;
       verdict.message = "A later motion comes here: one before it is missing, or comes after it.";
     }
   } catch (const exact::Undecided&) {
@@ -268,7 +277,7 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Judge
   const Motion& want = refutation.from.curve->motion();
   const CurveAnswer& answer = refutation.answer;
   if (answer.departure != Departure::feed && hangs_on_rounding(want, terms.tolerance)) {
-    return gap_verdict(kPointsNearlyInLine);
+    return gap_verdict(GapReason::rounding, kPointsNearlyInLine);
   }
   Verdict verdict;
   verdict.clause = want.record.clause;

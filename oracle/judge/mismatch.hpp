@@ -31,7 +31,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
                     ReferenceSteps& steps, const JudgeTerms& terms);
 
 // What is not judged, and why.
-Verdict gap_verdict(std::string message);
+GapReason reason_of(const reference::NotCovered& outside);
 Verdict not_covered_verdict(const reference::NotCovered& outside);
 Verdict undecided_verdict(const exact::Undecided& undecided);
 

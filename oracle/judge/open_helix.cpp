@@ -62,14 +62,13 @@ MatchResult OpenHelices::match(const Motion& motion) {
     if (result.done && done_.empty()) done_.splice(done_.end(), open_, here);
     if (result.departure == Departure::none) continue;
     open_.erase(here);
-    undecided_ = undecided_ || result.departure == Departure::undecided;
+    if (result.departure == Departure::undecided) undecided_ = result;
     last = std::move(result);
   }
   if (!done_.empty()) return {Departure::none, true, {}};
   if (!open_.empty()) return {};
   // What was not decided must not be passed over for what departs.
-  if (undecided_) last.departure = Departure::undecided;
-  return last;
+  return undecided_.value_or(last);
 }
 
 bool OpenHelices::add(const HelixShape& shape, OpenStart starts, const Position& at,

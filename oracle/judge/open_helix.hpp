@@ -67,7 +67,7 @@ class OpenHelices {
   static constexpr std::size_t kMaximum = 1'000;  // J-CONST-10
   std::list<OpenHelix> open_;
   std::list<OpenHelix> done_;
-  bool undecided_ = false;  // of one that was dropped
+  std::optional<MatchResult> undecided_;  // of one that was dropped
 };
 
 // Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it

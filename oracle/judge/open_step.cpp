@@ -7,13 +7,6 @@ namespace gonogo::oracle {
 
 using reference::kAllAxes;
 
-OpenStepAnswer OpenStepAnswer::gap(std::string message) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::oracle_gap;
-  verdict.message = std::move(message);
-  return decide(std::move(verdict));
-}
-
 bool turns_rotary_axis(const Motion& motion, const Number& tolerance) {
   for (Axis axis : kAllAxes) {
     if (!reference::is_linear(axis) && !agree(motion.from[axis], motion.to()[axis], tolerance)) {

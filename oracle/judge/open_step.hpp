@@ -29,7 +29,9 @@ struct OpenStepAnswer {
   static OpenStepAnswer take(Cost cost = Cost::counts) { return {Kind::taken, {}, {}, cost}; }
   static OpenStepAnswer end(const Position& here) { return {Kind::ended, here, {}}; }
   static OpenStepAnswer decide(Verdict verdict) { return {Kind::decided, {}, std::move(verdict)}; }
-  static OpenStepAnswer gap(std::string message);
+  static OpenStepAnswer gap(GapReason reason, std::string message) {
+    return decide(gap_verdict(reason, std::move(message)));
+  }
   bool is_decided() const { return kind == Kind::decided; }
 };
 

@@ -124,7 +124,8 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   motions_.push_back(std::move(part));
   records_.push_back(record);
   if (motions_.size() > region::kMaximumLevelMotions) {
-    return OpenStepAnswer::gap(fmt::format("A level of more than {} motions is not judged.",
+    return OpenStepAnswer::gap(GapReason::cap_level,
+                               fmt::format("A level of more than {} motions is not judged.",
                                            region::kMaximumLevelMotions));
   }
   return OpenStepAnswer::take(OpenStepAnswer::Cost::level_cut);
@@ -185,7 +186,7 @@ std::optional<Verdict> PocketLevelStep::end(const Position& here) {
   if (known || cleared) return std::nullopt;
   const region::LevelVerdict answer = region::judge_level(circle(plunge_), motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap) {
-    return OpenStepAnswer::gap(answer.gap).verdict;
+    return OpenStepAnswer::gap(answer.reason, answer.gap).verdict;
   }
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
     return fault(answer.finding.value(), here);

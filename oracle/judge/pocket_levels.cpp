@@ -115,7 +115,8 @@ OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
                      std::ranges::equal(judged_->motions, motions_, same_rounded_motion);
   if (known) return OpenStepAnswer::take();
   const region::LevelVerdict answer = region::judge_level(level, motions_);
-  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenStepAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::gap)
+    return OpenStepAnswer::gap(answer.reason, answer.gap);
   if (answer.kind == region::LevelVerdict::Kind::no_go) {
     OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
     if (!may_be_above_floor()) return fault;
@@ -153,7 +154,8 @@ OpenStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
   std::ranges::copy_if(motions_, std::back_inserter(contour),
                        [&](const auto& part) { return !stays_inside(part); });
   const region::LevelVerdict answer = region::judge_level(whole, contour);
-  if (answer.kind == region::LevelVerdict::Kind::gap) return OpenStepAnswer::gap(answer.gap);
+  if (answer.kind == region::LevelVerdict::Kind::gap)
+    return OpenStepAnswer::gap(answer.reason, answer.gap);
   if (answer.kind == region::LevelVerdict::Kind::go) return OpenStepAnswer::take();
   OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
   fault.verdict.clause = "SIE-LC75-07"_clause;

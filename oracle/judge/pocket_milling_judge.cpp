@@ -227,7 +227,8 @@ OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
   motions_.push_back(own(motion));
   records_.push_back(motion.record);
   if (motions_.size() > region::kMaximumLevelMotions) {
-    return OpenStepAnswer::gap("A level of more than 50,000 motions is not judged.");
+    return OpenStepAnswer::gap(GapReason::cap_level,
+                               "A level of more than 50,000 motions is not judged.");
   }
   return OpenStepAnswer::take();
 }
@@ -309,7 +310,9 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
                    "The tool travels where nothing is cleared.");
   }
   const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
-  if (!inside) return OpenStepAnswer::gap("A motion is too close to the wall to decide.");
+  if (!inside)
+    return OpenStepAnswer::gap(GapReason::comparison,
+                               "A motion is too close to the wall to decide.");
   if (*inside) return OpenStepAnswer::take();
   return departs(
       VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,

@@ -377,7 +377,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
       const bool is_of_block =
           motion != nullptr && (!terms_.compare_blocks || alarm.block == motion->record.block);
       if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
-        return {from, gap_verdict(kPointsNearlyInLine)};
+        return {from, gap_verdict(GapReason::rounding, kPointsNearlyInLine)};
       }
       unfinished.emplace(Unfinished{from, here});
     }

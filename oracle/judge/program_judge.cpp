@@ -60,6 +60,7 @@ bool ProgramJudge::record(const Record& record) {
 void ProgramJudge::decide_too_many(const Record& record) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
+  verdict.rule = RelationRule::correspondence;
   verdict.block = record.block;
   verdict.record = records_ - 1;
   verdict.got = record_text(record);

@@ -56,7 +56,8 @@ Verdict ThreadJudge::incomplete(const Position& position) const {
 OpenStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId clause,
                                      const Motion& motion, std::string message) const {
   if (clear.kind == Clearance::Kind::undecided) {
-    return OpenStepAnswer::gap("Whether an arc below the R plane clears the part is not decided.");
+    return OpenStepAnswer::gap(GapReason::comparison,
+                               "Whether an arc below the R plane clears the part is not decided.");
   }
   OpenStepAnswer answer = fault(VerdictKind::fail_geometry, clause, motion, std::move(message));
   Position witness = motion.from;
@@ -82,7 +83,8 @@ OpenStepAnswer ThreadJudge::touching(const Clearance& clear, reference::ClauseId
 OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& result) const {
   constexpr VerdictKind kGeometry = VerdictKind::fail_geometry;
   const reference::ClauseId clause = "GSK-G114-06"_clause;
-  if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
+  if (result.departure == Departure::undecided)
+    return OpenStepAnswer::gap(result.gap, result.reason);
   if (result.departure == Departure::feed) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
                  "The feed of the thread differs.");

@@ -69,6 +69,7 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   waits_ = false;
   if (passes_ > 1 && agree(item_.r_plane, item_.bottom, terms_.tolerance)) {
     return OpenStepAnswer::gap(
+        GapReason::two_readings,
         "The passes of a thread that is no deeper than the tolerance cannot be told apart.");
   }
   if (terms_.compare_blocks && motion.record.block != item_.block) {
@@ -84,7 +85,8 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
                  "A feed bound to the spindle has no place in thread milling.");
   }
   if (motion.record.kind == RecordKind::arc3) {
-    return OpenStepAnswer::gap("An arc through a point is not judged in a thread.");
+    return OpenStepAnswer::gap(GapReason::unjudged_form,
+                               "An arc through a point is not judged in a thread.");
   }
   OpenStepAnswer answer = take_in_phase(motion);
   if (answer.kind != OpenStepAnswer::Kind::taken) return answer;
@@ -175,7 +177,8 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
       if (why) {
         if (!entry_fault_) entry_fault_ = std::move(why);
       } else if (named && !open_->add(helix, *std::move(starts), motion.from, terms_)) {
-        return {Departure::undecided, false, "The helix may have begun at too many points."};
+        return MatchResult::undecided(GapReason::cap_ways,
+                                      "The helix may have begun at too many points.");
       }
     }
   }
@@ -213,7 +216,8 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
       geometry_.clearance(motion, promises_clearance() ? item_.start_radius : radius());
   if (clear.kind != Clearance::Kind::clear) {
     if (item_.runout_length.sign() != 0 && run_out_->all_end_in_material()) {
-      return OpenStepAnswer::gap("The run-out of the reading ends in the material.");
+      return OpenStepAnswer::gap(GapReason::reading_unfit,
+                                 "The run-out of the reading ends in the material.");
     }
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way back to the R plane goes through the part.");
@@ -284,6 +288,7 @@ OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
   }
   if (!terms_.compare_blocks && at_initial) {
     return OpenStepAnswer::gap(
+        GapReason::two_readings,
         "Without block numbers it cannot be told where the motions of the thread end, because the "
         "tool stands at the initial plane already.");
   }

@@ -85,7 +85,8 @@ OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
       next_named(motion.from);
       continue;
     }
-    if (result.departure == Departure::undecided) return OpenStepAnswer::gap(result.reason);
+    if (result.departure == Departure::undecided)
+      return OpenStepAnswer::gap(result.gap, result.reason);
     const bool feed = result.departure == Departure::feed;
     OpenStepAnswer answer =
         fault(feed ? VerdictKind::fail_feed : VerdictKind::fail_geometry,

@@ -73,7 +73,8 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   const Clearance clear = geometry_.clearance(flat, radius());
   if (clear.kind != Clearance::Kind::clear) {
     if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
-      return OpenStepAnswer::gap("The run-out of the reading cuts deeper than its pass itself.");
+      return OpenStepAnswer::gap(GapReason::reading_unfit,
+                                 "The run-out of the reading cuts deeper than its pass itself.");
     }
     // J-THR-08
     if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};

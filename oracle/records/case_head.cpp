@@ -56,13 +56,16 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   auto parsed = document.parse(line);
   auto* object = std::get_if<simdjson::dom::object>(&parsed);
   if (object == nullptr) return false;
-  const std::array<std::pair<std::string_view, std::string*>, 10> texts = {{
+  const std::array<std::pair<std::string_view, std::string*>, 13> texts = {{
       {"id", &head.id},
       {"dialect", &head.dialect},
       {"cycle", &head.cycle},
       {"verdict", &head.verdict},
       {"clause", &head.clause},
       {"departure", &head.departure},
+      {"rule", &head.rule},
+      {"gap", &head.gap},
+      {"known", &head.known},
       {"feature", &head.feature},
       {"message", &head.message},
       {"want", &head.want},
@@ -104,7 +107,29 @@ bool read_case_head(std::string_view line, CaseHead& head) {
       break;
     }
   }
+  if (head.verdict == "xfail" && head.known.empty()) {
+    split_known_message(head.departure, head.known, head.message);
+  }
   return true;
+}
+
+void split_known_message(std::string_view departure, std::string& known, std::string& message) {
+  constexpr std::string_view kBegin = "Known: ";
+  const std::string whole = std::exchange(message, {});
+  known = whole;
+  if (!whole.starts_with(kBegin)) return;
+  const std::string_view rest = std::string_view(whole).substr(kBegin.size());
+  known = rest;
+  // Between them stands the verdict; a reason may have parentheses of its own.
+  std::string middle = " (";
+  if (!departure.empty()) middle.append(departure).append(": ");
+  const std::size_t at = rest.find(middle);
+  // Behind it a flaky one says in how many runs it failed so.
+  const std::size_t end = rest.ends_with(')') ? rest.size() - 1 : rest.rfind("); ");
+  const std::size_t from = at + middle.size();
+  if (at == std::string_view::npos || end == std::string_view::npos || end < from) return;
+  known = rest.substr(0, at);
+  message = rest.substr(from, end - from);
 }
 
 }  // namespace gonogo::oracle

@@ -18,6 +18,8 @@ struct SampledFigures {
   std::string worst;      // of a GO: how far off the path at most, to 1e-4 upward; empty: not GO
   std::string worst_at;   // the sample, JSON; empty: none was off
   std::uint64_t worst_block = 0;
+  std::string longest;  // s, between two samples of the program
+  std::string unseen;   // how far away and back the machine may have been between them, upward
   std::vector<std::string> drawn;  // the way of the machine as records, thinned; of a NO-GO
 };
 

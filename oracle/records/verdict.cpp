@@ -36,6 +36,32 @@ constexpr std::array<std::string_view, 28> kNames = {"pass-exact",
                                                      "oracle-error",
                                                      ""};
 
+constexpr std::array<std::string_view, 9> kRules = {"",   "R1", "R2", "R3", "R4",
+                                                    "R5", "R6", "R7", "R8"};
+
+// The rule that a kind is the name of.
+RelationRule rule_of_kind(VerdictKind kind) {
+  switch (kind) {
+    case VerdictKind::fail_geometry:
+      return RelationRule::place;
+    case VerdictKind::fail_feed:
+      return RelationRule::label;
+    case VerdictKind::fail_order:
+    case VerdictKind::fail_overrun:
+      return RelationRule::event;
+    case VerdictKind::fail_region:
+      return RelationRule::free_step;
+    case VerdictKind::fail_alarm_missing:
+    case VerdictKind::fail_alarm_spurious:
+    case VerdictKind::fail_alarm_class:
+    case VerdictKind::fail_alarm_late:
+    case VerdictKind::unmapped_alarm:
+      return RelationRule::alarm;
+    default:
+      return RelationRule::none;
+  }
+}
+
 }  // namespace
 
 std::string_view name(VerdictKind kind) {
@@ -57,6 +83,41 @@ Decision decision(VerdictKind kind) {
 
 std::span<const std::string_view> verdict_names() {
   return std::span(kNames).first(kNames.size() - 1);
+}
+
+std::string_view name(RelationRule rule) {
+  return kRules[static_cast<std::size_t>(rule)];
+}
+
+std::optional<RelationRule> relation_rule(std::string_view name) {
+  const auto found = std::ranges::find(kRules, name);
+  if (found == kRules.end()) return std::nullopt;
+  return static_cast<RelationRule>(found - kRules.begin());
+}
+
+std::string rule_text(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kTitles = {
+      "", "correspondence", "place", "label", "traverse", "event", "alarm", "silence", "free step"};
+  std::string text(name);
+  const auto rule = relation_rule(name);
+  if (!rule || *rule == RelationRule::none) return text;
+  return text.append(" (").append(kTitles[static_cast<std::size_t>(*rule)]).append(")");
+}
+
+RelationRule rule_of(const Verdict& verdict) {
+  if (verdict.kind == VerdictKind::advice) return RelationRule::silence;
+  const bool is_known = verdict.kind == VerdictKind::xfail && verdict.departure;
+  const VerdictKind kind = is_known ? *verdict.departure : verdict.kind;
+  if (decision(kind) != Decision::no_go) return RelationRule::none;
+  return verdict.rule != RelationRule::none ? verdict.rule : rule_of_kind(kind);
+}
+
+Verdict gap_verdict(GapReason reason, std::string message) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::oracle_gap;
+  verdict.gap = reason;
+  verdict.message = std::move(message);
+  return verdict;
 }
 
 }  // namespace gonogo::oracle

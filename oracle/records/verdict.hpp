@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "oracle/gap_reason.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/records/sampled_figures.hpp"
 #include "reference/record.hpp"
@@ -57,9 +58,27 @@ std::optional<VerdictKind> verdict_kind(std::string_view name);
 Decision decision(VerdictKind kind);
 std::span<const std::string_view> verdict_names();
 
+// The rules of the acceptance relation (docs/relation.md), R1 to R8.
+enum class RelationRule : std::uint8_t {
+  none,  // a GO; or what is no matter of the relation, as a crash
+  correspondence,
+  place,
+  label,
+  traverse,
+  event,
+  alarm,
+  silence,
+  free_step,
+};
+std::string_view name(RelationRule rule);  // "R2"; "" of none
+std::optional<RelationRule> relation_rule(std::string_view name);
+std::string rule_text(std::string_view name);  // "R2 (place)"; of another name the name itself
+
 // A verdict with its evidence. Texts of records are JSON, numbers exact.
 struct Verdict {
   VerdictKind kind = VerdictKind::pass_exact;
+  RelationRule rule = RelationRule::none;  // none: that which the kind is the name of (rule_of)
+  GapReason gap = GapReason::none;         // of an oracle_gap
   reference::ClauseId clause = reference::kNoClause;
   // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
@@ -77,7 +96,15 @@ struct Verdict {
   std::string witness;          // a point that proves it: {"x":"1",...}; empty: none
   std::string feature;          // what the subject skips; empty: it refused a profile
   std::string message;          // a sentence for people
+  std::string known;            // of an xfail: the reason that its entry gives
   std::shared_ptr<const SampledFigures> sampled = nullptr;  // of sampled positions
 };
+
+// The rule that the verdict says is broken; of R8 `clause` is that of the step. An xfail keeps that
+// of what is known.
+RelationRule rule_of(const Verdict& verdict);
+
+// What the gauge cannot say, and why: for people and for programs.
+Verdict gap_verdict(GapReason reason, std::string message);
 
 }  // namespace gonogo::oracle

@@ -20,11 +20,12 @@ constexpr double kWindow = 1e-5;
 // Into how many parts of the tolerance a spiral's radius is cut, the coarse and the fine attempt.
 constexpr double kCuts[] = {8, 128};
 
-Coverage undecided(std::string why) {
+Coverage undecided(GapReason reason, std::string why) {
   Coverage result;
   result.kind = Coverage::Kind::undecided;
   result.by_filter = false;
   result.why = std::move(why);
+  result.reason = reason;
   return result;
 }
 
@@ -128,12 +129,13 @@ Coverage Decision::by_filter() {
     ++attempts;
     if (auto hole = refute(filter.hole().x, filter.hole().y)) return *hole;
   }
-  if (attempts == kMaximumAttempts) return undecided("No place that seems uncovered proves to be.");
+  if (attempts == kMaximumAttempts)
+    return undecided(GapReason::comparison, "No place that seems uncovered proves to be.");
   if (filter.covered()) return {};
   // A path that nowhere comes near the area: its middle is as good a place as any.
   if (!filter.only_open_spots()) {
     if (auto hole = refute(0, 0)) return *hole;
-    return undecided("The budget of the certified subdivision ran out.");
+    return undecided(GapReason::cap_area, "The budget of the certified subdivision ran out.");
   }
   return settle(filter.open());
 }
@@ -142,7 +144,8 @@ Coverage Decision::by_filter() {
 Coverage Decision::settle(const std::vector<Spot>& open) {
   std::vector<Spot> done;
   for (const Spot& spot : open) {
-    if (spot.size > kWindow) return undecided("A place seems uncovered but does not prove to be.");
+    if (spot.size > kWindow)
+      return undecided(GapReason::comparison, "A place seems uncovered but does not prove to be.");
     const auto inside = [&spot](const Spot& other) {
       return std::max(std::fabs(spot.x - other.x), std::fabs(spot.y - other.y)) < kWindow / 2;
     };
@@ -161,15 +164,16 @@ Coverage Decision::settle(const std::vector<std::uint32_t>& near,
                           const std::optional<Window>& window) {
   const RoundedRectangle& area = target_.area;
   if (!area.core_p.is_rational() || !area.core_q.is_rational() || !area.radius.is_rational()) {
-    return undecided("The exact decision needs a rational area.");
+    return undecided(GapReason::comparison, "The exact decision needs a rational area.");
   }
   std::vector<Shape> shapes;
   for (const std::uint32_t band : near) {
     if (!append_shapes(bands_[band], target_.reach, shapes)) {
-      return undecided("The exact decision needs rational coordinates.");
+      return undecided(GapReason::comparison, "The exact decision needs rational coordinates.");
     }
   }
-  if (shapes.size() > kMaximumShapes) return undecided("The exact decision would take too long.");
+  if (shapes.size() > kMaximumShapes)
+    return undecided(GapReason::cap_area, "The exact decision would take too long.");
   Coverage result;
   result.by_filter = false;
   try {
@@ -182,9 +186,9 @@ Coverage Decision::settle(const std::vector<std::uint32_t>& near,
       }
     }
   } catch (const CircleSetsError& error) {
-    return undecided(error.what());
+    return undecided(GapReason::comparison, error.what());
   }
-  return undecided("What is left uncovered is too small to prove it.");
+  return undecided(GapReason::comparison, "What is left uncovered is too small to prove it.");
 }
 
 Coverage Decision::by_circle_sets() {
@@ -204,7 +208,8 @@ Coverage check_coverage(const Path& path, const Target& target, const Number& to
   Coverage result;
   for (const double cuts : kCuts) {
     auto bands = make_bands(path, target.reach, enclose(tolerance).lo / cuts);
-    if (!bands) return undecided("The spirals of the level have too many parts.");
+    if (!bands)
+      return undecided(GapReason::cap_area, "The spirals of the level have too many parts.");
     if (cleared) add_cleared(*bands, *cleared);
     Decision decision(path, target, *bands);
     result = method == Method::filter_first ? decision.by_filter() : decision.by_circle_sets();

@@ -17,6 +17,7 @@ struct Coverage {
   Number excess;          // uncovered: how much farther the witness lies than reach and margin
   bool by_filter = true;  // decided by certified subdivision alone
   std::string why;        // undecided
+  GapReason reason = GapReason::none;
 };
 
 // exact_only leaves the filter out, so that the two ways can be compared.

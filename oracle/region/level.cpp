@@ -12,6 +12,7 @@ namespace {
 LevelVerdict out_of_range(std::string what) {
   LevelVerdict verdict;
   verdict.kind = LevelVerdict::Kind::gap;
+  verdict.reason = GapReason::unjudged_form;
   verdict.gap = std::move(what);
   return verdict;
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/gap_reason.hpp"
 #include "reference/exact/number.hpp"
 
 namespace gonogo::oracle::region {
@@ -109,6 +110,7 @@ struct LevelVerdict {
   enum class Kind { go, no_go, gap } kind = Kind::go;
   std::optional<Finding> finding;  // no_go
   std::string gap;                 // why it could not be decided
+  GapReason reason = GapReason::none;
   bool by_filter = true;           // decided by certified subdivision alone
 };
 

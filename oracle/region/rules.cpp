@@ -11,9 +11,10 @@
 namespace gonogo::oracle::region {
 namespace {
 
-LevelVerdict gap(std::string why) {
+LevelVerdict gap(GapReason reason, std::string why) {
   LevelVerdict verdict;
   verdict.kind = LevelVerdict::Kind::gap;
+  verdict.reason = reason;
   verdict.gap = std::move(why);
   return verdict;
 }
@@ -84,8 +85,8 @@ class LevelJudge {
   void clear_with(Arc arc, bool counterclockwise);
   void clear_with(const Line& line);
   void clear_with_ends(const LevelMotion& motion);
-  void doubt(const char* why) {
-    if (doubt_.empty()) doubt_ = why;
+  void doubt(GapReason reason, std::string why) {
+    if (!doubt_) doubt_ = gap(reason, std::move(why));
   }
 
   const Terms& terms_;
@@ -99,7 +100,7 @@ class LevelJudge {
   Path path_;
   std::optional<CutSequence> sequence_;  // where the order counts
   std::optional<PlanePoint> line_end_;  // where the last motion ended, if it was a line that clears
-  std::string doubt_;                   // the first thing that stayed undecided
+  std::optional<LevelVerdict> doubt_;   // the first thing that stayed undecided
   bool by_filter_ = true;
 };
 
@@ -122,7 +123,7 @@ LevelVerdict LevelJudge::judge() {
     if (auto verdict = covers(Rule::step, border_, *terms_.step / Number(2))) return *verdict;
     if (auto verdict = order()) return *verdict;
   }
-  if (!doubt_.empty()) return gap(doubt_);
+  if (doubt_) return *doubt_;
   LevelVerdict verdict;
   verdict.by_filter = by_filter_;
   return verdict;
@@ -151,7 +152,8 @@ std::optional<LevelVerdict> LevelJudge::sense() {
     if (terms_.by_border) {
       // SIE-LC75-12: of all motions, those along the border.
       const Against answer = against(motion);
-      if (answer == Against::undecided) doubt("Whether a motion follows the border is undecided.");
+      if (answer == Against::undecided)
+        doubt(GapReason::comparison, "Whether a motion follows the border is undecided.");
       if (answer != Against::yes) continue;
     } else {
       // GSK-G110-09: by arcs turning the commanded way.
@@ -193,7 +195,8 @@ std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
 std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   const ChordTurning turning =
       turning_of(motions_, chords_, terms_.sense, Number(8) * terms_.tolerance);
-  if (turning.kind == Turning::undecided) doubt("Whether chords turn the wrong way is undecided.");
+  if (turning.kind == Turning::undecided)
+    doubt(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
   if (turning.kind != Turning::against) return std::nullopt;
   const LevelMotion& motion = motions_[turning.motion];
   return broken(Rule::sense, motion.record, motion.from, Number());
@@ -231,7 +234,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion,
     return std::nullopt;
   }
   if (motion.is_arc && motion.rot == 0 && !(motion.from == motion.to)) {
-    doubt("An arc has no direction.");
+    doubt(GapReason::unjudged_form, "An arc has no direction.");
   }
   if (motion.is_arc || motion.from == motion.to) {
     clear_with_ends(motion);
@@ -247,7 +250,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
   if (motion.from == motion.centre || motion.to == motion.centre) {
     // One that is as small as the tolerance came to it by rounding.
     if (!ends_agree(motion, terms_.tolerance)) {
-      doubt("An arc begins or ends on its own centre.");
+      doubt(GapReason::unjudged_form, "An arc begins or ends on its own centre.");
     } else if (auto verdict = gouge_of_ends(motion, terms_.tolerance)) {
       return verdict;
     }
@@ -303,7 +306,7 @@ Reach LevelJudge::reach_of(const Part& part, const Number& margin) const {
 
 std::optional<LevelVerdict> LevelJudge::within(const LevelMotion& motion, const Reach& reach) {
   if (reach.kind == Reach::Kind::undecided) {
-    doubt("Whether a motion stays within the pocket could not be decided.");
+    doubt(GapReason::comparison, "Whether a motion stays within the pocket could not be decided.");
   }
   if (reach.kind != Reach::Kind::outside) return std::nullopt;
   return broken(Rule::gouge, motion.record, reach.witness + terms_.middle, reach.beyond);
@@ -314,7 +317,8 @@ std::optional<LevelVerdict> LevelJudge::order() {
   const Number half_side = border_.radius + terms_.tolerance + terms_.chord;
   const CutOrder order = sequence_->check(enclose(half_side).hi);
   if (order.kind == CutOrder::Kind::undecided) {
-    doubt("Whether the level is cut from the centre outwards could not be decided.");
+    doubt(GapReason::comparison,
+          "Whether the level is cut from the centre outwards could not be decided.");
   }
   if (order.kind != CutOrder::Kind::broken) return std::nullopt;
   return broken(Rule::order, order.record, order.witness + terms_.middle,
@@ -371,7 +375,7 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
   by_filter_ = by_filter_ && coverage.by_filter;
   if (coverage.kind == Coverage::Kind::covered) return std::nullopt;
   if (coverage.kind == Coverage::Kind::undecided) {
-    doubt(coverage.why.c_str());
+    doubt(coverage.reason, coverage.why);
     return std::nullopt;
   }
   // J-PKT-11
@@ -385,11 +389,12 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
 
 LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
                             Method method) {
-  if (motions.size() > kMaximumLevelMotions) return gap("The level has more than 50,000 motions.");
+  if (motions.size() > kMaximumLevelMotions)
+    return gap(GapReason::cap_level, "The level has more than 50,000 motions.");
   try {
     return LevelJudge(terms, motions, method).judge();
   } catch (const exact::Undecided& error) {
-    return gap(error.what());
+    return gap(GapReason::comparison, error.what());
   }
 }
 

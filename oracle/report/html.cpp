@@ -102,8 +102,10 @@ HtmlPage::~HtmlPage() {
 void HtmlPage::add(const CaseHead& line, const Finding* finding) {
   if (!rows_.empty()) rows_ += ',';
   char between = '[';
+  const std::string message =
+      line.known.empty() ? line.message : fmt::format("Known: {} {}", line.known, line.message);
   for (const std::string* text :
-       {&line.id, &line.dialect, &line.cycle, &line.verdict, &line.clause, &line.message}) {
+       {&line.id, &line.dialect, &line.cycle, &line.verdict, &line.clause, &message}) {
     rows_ += std::exchange(between, ',');
     append_text(*text, rows_);
   }
@@ -171,9 +173,11 @@ std::optional<ReportError> write_html_report(const std::string& results,
   std::string line;
   std::getline(in, line);
   const std::optional<Json> header = parse_object(line);
-  if (!header || count_of(*header, "format") != 1) {
+  const auto format = header ? count_of(*header, "format") : std::nullopt;
+  if (!format || !reads_results_format(static_cast<std::int64_t>(*format))) {
     return ReportError{
-        fmt::format("{} does not begin with the header of a results file of format 1.", results)};
+        fmt::format("{} does not begin with the header of a results file of format 1 or {}.",
+                    results, kResultsFormat)};
   }
   HtmlPage page(directory, *header);
   Summary summary;

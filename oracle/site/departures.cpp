@@ -22,13 +22,9 @@ bool is_departure(const CaseHead& line, VerdictKind kind) {
 }
 
 Finding::Key key_of(const CaseHead& line, VerdictKind kind) {
-  std::string message = line.message;
-  if (kind == VerdictKind::xfail) {
-    kind = verdict_kind(line.departure).value_or(kind);
-    message = known_message(line).message;
-  }
+  if (kind == VerdictKind::xfail) kind = verdict_kind(line.departure).value_or(kind);
   return {gravity(kind), kind, line.dialect, line.clause,
-          departed_about(kind, line.want, line.got, message)};
+          departed_about(kind, line.want, line.got, line.message)};
 }
 
 }  // namespace
@@ -54,14 +50,9 @@ void Departures::add(const CaseHead& line, VerdictKind kind, std::size_t run) {
   departure.cycles.insert(line.cycle);
   Departure::Share& share = departure.shares[run];
   if (share.cases++ == 0) share.first = line.id;
-  std::string message = line.message;
-  if (kind == VerdictKind::xfail) {
-    ++share.known;
-    const KnownMessage known = known_message(line);
-    message = known.message.empty() ? known.reason : known.message;
-  }
-  const Departure::Example example{line.id, std::move(message), line.program_blocks,
-                                   line.program_bytes, run};
+  if (kind == VerdictKind::xfail) ++share.known;
+  const Departure::Example example{line.id, line.message.empty() ? line.known : line.message,
+                                   line.program_blocks, line.program_bytes, run};
   if (departure.smallest.id.empty() || size_of(example) < size_of(departure.smallest)) {
     departure.smallest = example;
   }

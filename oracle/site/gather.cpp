@@ -193,11 +193,9 @@ class Gatherer {
         continue;
       }
       const CaseHead& line = all_[run].side->line();
-      const bool known = answer->outcome == Outcome::known;
-      const KnownMessage message = known ? known_message(line) : KnownMessage{{}, line.message};
       votes.push_back({run, false, answer->departure,
                        line.departure.empty() ? line.verdict : line.departure, line.clause,
-                       message.message.empty() ? message.reason : message.message});
+                       line.message.empty() ? line.known : line.message});
     }
     out_.votes.add(test_, votes);
   }

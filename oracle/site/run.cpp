@@ -94,7 +94,7 @@ void Run::add(const CaseHead& line, Outcome outcome) {
   cycles[{line.dialect, line.cycle}].add(outcome);
   if (outcome != Outcome::skip) speed.add(line.id, line.microseconds);
   if (outcome == Outcome::known) {
-    Reason& reason = reasons[known_message(line).reason];
+    Reason& reason = reasons[line.known];
     ++reason.cases;
     reason.verdicts.insert(line.departure.empty() ? line.verdict : line.departure);
   }
@@ -111,22 +111,6 @@ void Run::add(const CaseHead& line, Outcome outcome) {
   }
   // A case may depart at a clause that it is not there to test.
   if (departs(outcome) && !line.clause.empty()) ++clauses[line.clause].departed;
-}
-
-KnownMessage known_message(const CaseHead& line) {
-  constexpr std::string_view kBegin = "Known: ";
-  if (!line.message.starts_with(kBegin)) return {line.message, {}};
-  const std::string_view rest = std::string_view(line.message).substr(kBegin.size());
-  // Between them stands the verdict; a reason may have parentheses of its own.
-  const std::string middle = line.departure.empty() ? " (" : " (" + line.departure + ": ";
-  const std::size_t at = rest.find(middle);
-  // Behind it a flaky one says in how many runs it failed so.
-  const std::size_t end = rest.ends_with(')') ? rest.size() - 1 : rest.rfind("); ");
-  const std::size_t from = at + middle.size();
-  if (at == std::string_view::npos || end == std::string_view::npos || end < from) {
-    return {std::string(rest), {}};
-  }
-  return {std::string(rest.substr(0, at)), std::string(rest.substr(from, end - from))};
 }
 
 }  // namespace gonogo::oracle::site

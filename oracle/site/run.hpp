@@ -113,13 +113,4 @@ struct Run {
   void add(const CaseHead& line, Outcome outcome);
 };
 
-// The reason and the message of a known failure, which its line has in one sentence.
-struct KnownMessage {
-  std::string reason;
-  std::string message;
-};
-// REQUIRES: the line is one of an xfail. Where its message is not that of this program the whole
-// of it is the reason.
-KnownMessage known_message(const CaseHead& line);
-
 }  // namespace gonogo::oracle::site

@@ -232,16 +232,18 @@ void LibraryHost::Impl::close_reply(const RunEnd& end) {
     reply_ += '}';
     return write();
   }
-  std::string message = end.message;
   if (end.kind == RunEnd::Kind::skip) {
     reply_ += "\"outcome\":\"skip\",\"feature\":";
     append_json_string(end.feature, reply_);
   } else {
     reply_ += "\"outcome\":\"error\"";
-    if (end.kind == RunEnd::Kind::protocol) message.insert(0, kBrokenInterface);
+    if (end.kind == RunEnd::Kind::protocol) {
+      reply_ += ",\"feature\":";
+      append_json_string(kBrokenInterface, reply_);
+    }
   }
   reply_ += ",\"message\":";
-  append_json_string(message, reply_);
+  append_json_string(end.message, reply_);
   reply_ += '}';
   write();
 }

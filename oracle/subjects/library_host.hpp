@@ -14,9 +14,9 @@ namespace gonogo::oracle {
 // How many runs the runner may send ahead.
 inline constexpr int kHostWindow = 64;
 
-// The message of an outcome "error" begins with this when the library broke the C interface. The
-// runner knows its own host, and takes such an outcome for `protocol`.
-inline constexpr std::string_view kBrokenInterface = "The C interface is broken: ";
+// The `feature` of an outcome "error" when the library broke the C interface. The runner knows its
+// own host, and takes such an outcome for `protocol`.
+inline constexpr std::string_view kBrokenInterface = "c-interface";
 
 class LibraryHost {
  public:

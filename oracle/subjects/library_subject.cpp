@@ -37,8 +37,10 @@ class LibrarySubject : public Subject {
 
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
     RunEnd end = pipe_->run(id, program, sink);
-    if (end.kind == RunEnd::Kind::error && end.message.starts_with(kBrokenInterface)) {
+    if (end.kind == RunEnd::Kind::error && end.feature == kBrokenInterface) {
       end.kind = RunEnd::Kind::protocol;
+      end.message.insert(0, "The C interface is broken: ");
+      end.feature.clear();
     }
     switch (end.kind) {
       case RunEnd::Kind::crash:

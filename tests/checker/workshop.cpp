@@ -152,7 +152,7 @@ void Workshop::set_verdict(const std::string& id, const std::string& verdict) {
 
 std::string Workshop::results_text() {
   const Corpus corpus((folder_ / "corpus").string());
-  std::string text = R"({"format":1,"gonogo":"0.1.0","corpus":{"version":"2026.1.0","sha256":")" +
+  std::string text = R"({"format":2,"gonogo":"0.1.0","corpus":{"version":"2026.1.0","sha256":")" +
                      corpus.sha256() + R"("},"subject":{"name":"tiny","numeric":{"kind":"fixed",)" +
                      R"("resolution":"0.001"},"features":["blocks","m"]},"profile":{},)" +
                      R"("tolerance":null,"chord":null,"seed":0,"shard":"1/1","argv":[]})" + "\n";

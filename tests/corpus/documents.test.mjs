@@ -23,7 +23,7 @@ for (const file of readdirSync(join(root, "corpus/schema"))) {
 }
 const documents = ["protocol.md", "formats.md"].map((name) => readFileSync(join(root, "docs", name), "utf8"));
 
-// "results-1 header" or "vectors-1 #": a definition, or the whole.
+// "results-2 header" or "vectors-1 #": a definition, or the whole.
 function part(name) {
   const [file, definition] = name.split(" ");
   const schema = schemas.get(file);
@@ -91,9 +91,14 @@ test("a key too many or too few is noticed", () => {
 });
 
 test("every verdict is documented", () => {
-  for (const verdict of schemas.get("results-1").$defs.verdict.enum) {
+  for (const verdict of schemas.get("results-2").$defs.verdict.enum) {
     assert.ok(documents[1].includes(`\`${verdict}\``), verdict);
   }
+});
+
+test("every rule and every reason of a gap is documented", () => {
+  const { rule, gap } = schemas.get("results-2").$defs.case.properties;
+  for (const name of [...rule.enum, ...gap.enum]) assert.ok(documents[1].includes(`\`${name}\``), name);
 });
 
 test("the examples of the documents are valid", () => {

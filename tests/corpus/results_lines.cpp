@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   failure.mapped = "PS0061";
   writer.add(failure);
   CaseResult gap = case_of("a.000003", VerdictKind::oracle_gap);
+  gap.verdict.gap = GapReason::not_covered;
   gap.program = "G71\n";
   gap.expected_gap = true;
   writer.add(gap);
@@ -63,6 +64,10 @@ int main(int argc, char** argv) {
   conflict.readings =
       OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=r-plane"}, VerdictKind::pass_exact};
   writer.add(conflict);
+  CaseResult known = case_of("a.000005", VerdictKind::xfail);
+  known.verdict.departure = VerdictKind::fail_feed;
+  known.verdict.known = "a known bug";
+  writer.add(known);
   ResultsFooter footer;
   ResultsWriter::Ending ending;
   ending.alarms = {"PS0061", "PS0062"};

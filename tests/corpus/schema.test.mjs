@@ -14,7 +14,7 @@ const corpus = new URL("../../corpus/", import.meta.url).pathname;
 const read = (file) => JSON.parse(readFileSync(file, "utf8"));
 const ajv = new Ajv2020({ strict: true, strictRequired: false, strictTypes: false });
 const vectors = ajv.compile(read(join(corpus, "schema/vectors-1.schema.json")));
-const results = ajv.compile(read(join(corpus, "schema/results-1.schema.json")));
+const results = ajv.compile(read(join(corpus, "schema/results-2.schema.json")));
 
 function vectorFiles() {
   const root = join(corpus, "vectors");
@@ -86,7 +86,7 @@ test("every line of a results file is valid", () => {
 test("the results schema refuses what is no line", () => {
   const [header, , failure, , , footer] = resultsLines();
   assert.equal(results({}), false);
-  assert.equal(results({ ...header, format: 2 }), false);
+  assert.equal(results({ ...header, format: 3 }), false);
   assert.equal(results({ ...failure, verdict: "fail" }), false);
   assert.equal(results({ ...failure, program: undefined, trace: "none" }), false);
   assert.equal(results({ ...footer, sha256: "0" }), false);

@@ -208,6 +208,32 @@ TEST(House, ToolsHaveNoCodesOfTheirOwn) {
   EXPECT_GT(files, 300U);
 }
 
+// Sentences are for people. What can be seen of it in the text: no search in a thing that is called
+// a message, a reason or a sentence, nor its comparison with anything; no search for two words with
+// a blank between them, whatever they are looked for in; and a gap is made where its reason has to
+// be given. What splits the sentences of results of format 1 decides nothing.
+TEST(House, NoDecisionHangsOnTheWordingOfAMessage) {
+  static const std::regex kSearch(
+      R"re(\b(message|reason|sentence|why)\w*(\(\))?(\.|->)(r?find\w*|contains|starts_with|ends_with|compare)\()re"
+      R"re(|\b(message|sentence)(\(\))?\s*[!=]=\s*)re");
+  static const std::regex kSentence(
+      R"re(\b(r?find|contains|starts_with|ends_with)\(\s*"[^"\\]*[A-Za-z]+ [a-z]{2})re");
+  static const std::regex kComment(R"(//[^\n]*)");
+  for (const char* folder : {"oracle", "program", "generate", "relations", "hunt", "identify",
+                             "fuzz", "cli", "tests/oracle/mutations"}) {
+    for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      std::smatch found;
+      const std::string code = code_of(text);
+      EXPECT_FALSE(std::regex_search(code, found, kSearch)) << path << ": " << found.str();
+      const std::string with_texts = std::regex_replace(text, kComment, "");
+      EXPECT_FALSE(std::regex_search(with_texts, found, kSentence)) << path << ": " << found.str();
+      if (path == "oracle/records/verdict.cpp") return;
+      EXPECT_EQ(code.find("kind = VerdictKind::oracle_gap"), std::string::npos) << path;
+      EXPECT_EQ(code.find("kind = oracle::VerdictKind::oracle_gap"), std::string::npos) << path;
+    });
+  }
+}
+
 // `./gonogo` builds again when a source is newer: of every folder that the program is linked from.
 TEST(House, TheDoorLooksAtEveryFolderOfTheProgram) {
   const std::string door = read(kRoot / "gonogo");

@@ -25,11 +25,48 @@ CLOSE = 1e-9    # nearer to a limit than this is decided exactly
 FASTEST = 1000  # mm/s; of what has no feed of its own
 NOISE = 1e-9    # s
 INFINITY = float("inf")
-LOOK_AHEAD = 500
+LIMIT = 1000000  # intervals that tell the rhythm
 
 
 class Undecided(Exception):
     """Neither GO nor NO-GO; the text says why."""
+
+
+def longest_interval(times, clock):
+    """What is longer is a hole; and what passes between two samples as a rule, s."""
+    intervals = sorted(b - a for a, b in zip(times[:LIMIT], times[1:LIMIT + 1]))
+    if not intervals:
+        return INFINITY, 0.0
+    quarter, half = (intervals[(len(intervals) - 1) // parts] for parts in (4, 2))
+    return min(1.5 * quarter + 4 * (half - quarter), 4 * quarter) + 2 * clock + NOISE, quarter
+
+
+class Holes:
+    """Holes in the samples, and the longest time between two of them."""
+
+    def __init__(self, times, clock):
+        self.limit, self.usual = longest_interval(times, clock)
+        self.before, self.longest, self.found = None, 0.0, []
+
+    def take(self, point, counts):
+        before, self.before = self.before, point.time
+        if not counts:
+            return
+        interval = point.time - before if before is not None else 0.0
+        self.longest = max(self.longest, interval)
+        if interval > self.limit or point.after_hole:
+            self.found.append((str(before), str(point.time)))
+
+    def text(self):
+        named = ", ".join("%s s to %s s" % hole for hole in self.found[:10])
+        if len(self.found) > 10:
+            named += " and %d more" % (len(self.found) - 10)
+        return ("the samples have holes, in which the machine may have been anywhere: %s; as a rule "
+                "%.6g s pass between two" % (named, self.usual))
+
+    def rate(self):
+        return ("up to %.6g s pass between two samples: %.4g mm away from the path and back would "
+                "not be seen" % (self.longest, FASTEST * self.longest / 2))
 
 
 def exact(value):
@@ -72,6 +109,7 @@ class Point:
         self.time = time
         self.line = line
         self.number = number
+        self.after_hole = False  # lines without a time stand before it
 
     def at(self, i):
         return Fraction(self.texts[i])
@@ -355,7 +393,8 @@ def further(stretch, reached):
 class Run:
     """The samples of a program along one way that it may take."""
 
-    def __init__(self, way, start, tube, seen, header_lines, granted, clock):
+    def __init__(self, way, start, tube, seen, header_lines, granted, clock, holes):
+        self.holes = holes
         self.pieces = [Piece(data) for data in way["pieces"]]
         self._leave_out_small(start, tube)
         self.start, self.tube, self.seen, self.header_lines = start, tube, seen, header_lines
@@ -473,6 +512,7 @@ class Run:
                         not agree(point, self.start, self.tube))
             if in_header or approach:
                 self.last_time, self.header_seen = point.time, in_header
+                self.holes.take(point, False)
                 return True
             if not self.header_seen:
                 self.last_time = point.time
@@ -496,6 +536,7 @@ class Run:
             return False
         self.last_time = point.time
         self.moved = self.moved or not agree(point, self.start, self.tube)
+        self.holes.take(point, True)
         self._note(point)
         return self.open is None
 
@@ -561,7 +602,7 @@ class Run:
 
 def read_samples(path, start):
     """Points, the axes seen, the resolution of the clock, and the alarm (name, line) or None."""
-    points, alarm, decimals = [], None, 0
+    points, alarm, decimals, in_hole = [], None, 0, False
     with open(path, encoding="utf-8-sig", newline="") as file:
         rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
     names = [name.strip().lower() for name in rows[0]]
@@ -576,14 +617,20 @@ def read_samples(path, start):
         if row[0] == "alarm":
             alarm = (row[1], int(row[2]) if len(row) > 2 and row[2] else 0)
             break
+        if not row[time]:
+            in_hole = True
+            continue
         texts = [row[columns[axis]] if axis in columns else str(start[i])
                  for i, axis in enumerate(AXES)]
         at = int(row[line]) if line is not None and row[line] else 0
         decimals = max(decimals, len(row[time].partition(".")[2]))
         points.append(Point(texts, float(row[time]), at, len(points)))
+        points[-1].after_hole, in_hole = in_hole, False
+        if len(points) > 1 and points[-1].time <= points[-2].time:
+            raise ValueError("the time %s does not grow" % row[time])
         if "alarm" in columns and row[columns["alarm"]]:
             alarm = (row[columns["alarm"]], at)
-    return points, seen, 0.5 * 10.0 ** -decimals, alarm
+    return points, seen, 0.5 * 10.0 ** -decimals, alarm, in_hole
 
 
 def end_of(run, end, alarm, classes, header_lines):
@@ -608,16 +655,28 @@ def end_of(run, end, alarm, classes, header_lines):
     return "GO", ""
 
 
-def judge_way(way, start, points, seen, clock, alarm, options):
+def shown(run):
+    """The answer where all that the samples show is right."""
+    if run.holes.found:
+        return "UNDECIDED", run.holes.text()
+    if run.unseen:
+        lines = sorted({run.pieces[i].block for i in run.unseen if i < len(run.pieces)})
+        return "UNDECIDED", "no sample shows lines %s" % ", ".join(map(str, lines))
+    return "GO", run.holes.rate()
+
+
+def judge_way(way, start, points, seen, clock, alarm, in_hole, options):
     """(answer, sentence, progress) along one way."""
     runs = []
     for strict in (True, False):
         run = Run(way, start, Tube(options.tolerance, strict), seen, options.header_lines,
-                  options.granted, clock)
+                  options.granted, clock, Holes([point.time for point in points], clock))
         for point in points:
             if not run.take(point):
                 break
         run.finish()
+        if in_hole:
+            run.holes.found.append((str(points[-1].time), "the end"))
         runs.append(run)
         if strict and not run.departure:
             break
@@ -635,9 +694,8 @@ def judge_way(way, start, points, seen, clock, alarm, options):
         answer = end_of(run, way["end"], alarm, options.classes, options.header_lines)
         if run.left_end and answer[0] == "GO":
             answer = "NO-GO", run.departure
-        if answer[0] == "GO" and run.unseen:
-            lines = sorted({run.pieces[i].block for i in run.unseen if i < len(run.pieces)})
-            answer = "UNDECIDED", "no sample shows lines %s" % ", ".join(map(str, lines))
+        if answer[0] == "GO":
+            answer = shown(run)
     return answer + (run.progress,)
 
 
@@ -652,10 +710,13 @@ def judge(entry, path, options):
     try:
         if not expected["ways"]:
             raise Undecided("too many readings are open")
-        points, seen, clock, alarm = read_samples(path, start)
+        try:
+            points, seen, clock, alarm, in_hole = read_samples(path, start)
+        except (ValueError, IndexError) as why:
+            return "NO-GO", "the log cannot be read: %s" % why
         if not points:
             return "NO-GO", "there is no sample"
-        found = [judge_way(way, start, points, seen, clock, alarm, options)
+        found = [judge_way(way, start, points, seen, clock, alarm, in_hole, options)
                  for way in expected["ways"]]
     except Undecided as why:
         return "UNDECIDED", str(why)

@@ -25,6 +25,9 @@ function showCase(c) {
   if (location.hash !== hash) history.replaceState(null, '', hash);
 }
 
+// The rules of the acceptance relation.
+const kRules = { R1: 'correspondence', R2: 'place', R3: 'label', R4: 'traverse', R5: 'event', R6: 'alarm', R7: 'silence', R8: 'free step' };
+
 function clauseList(ids) {
   return ids.flatMap((id, i) => [i > 0 ? ', ' : '', el('span', { class: 'mono', title: clauseTitle(id) }, id)]);
 }
@@ -92,6 +95,8 @@ function showFailure(detail, c, data) {
       clause ? el('span', { class: 'level' }, `${clause.source}; ${clause.level}`) : null);
   }
   if (data.departure) fact('Would be', el('span', { class: 'mono' }, data.departure), ' if a text stated it');
+  if (data.rule) fact('Rule', el('span', { class: 'mono' }, data.rule), ` ${kRules[data.rule] ?? ''}`);
+  if (data.gap) fact('Undecided for', el('span', { class: 'mono' }, data.gap));
   if (data.basis) fact('Stands on', { text: 'a text of the manual', derived: 'what follows from a text', silent: 'no text: our judgement' }[data.basis] ?? data.basis);
   if (c.clauses.length > 0) fact('Clauses of the case', ...clauseList(c.clauses));
   if (data.b !== undefined) fact('Block', `line ${data.b}${data.word ? `, word ${data.word}` : ''}`);

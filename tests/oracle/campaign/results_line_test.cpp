@@ -72,6 +72,32 @@ TEST(CaseLine, SaysOfAGapWhetherItWasExpected) {
   EXPECT_NE(case_line(gap, false).find("\"expected\":true"), std::string::npos);
 }
 
+// What broke the relation names its rule, what the gauge cannot say its reason; other lines
+// neither.
+TEST(CaseLine, NamesTheRuleOrTheReasonOfAGap) {
+  EXPECT_NE(case_line(failed(), false).find("\"rule\":\"R2\""), std::string::npos);
+  CaseResult gap = passed("a");
+  gap.verdict = gap_verdict(GapReason::samples_hole, "A hole.");
+  const std::string line = case_line(gap, false);
+  EXPECT_NE(line.find("\"gap\":\"samples-hole\""), std::string::npos) << line;
+  EXPECT_EQ(line.find("\"rule\""), std::string::npos) << line;
+  EXPECT_EQ(result_of_line(line).verdict.gap, GapReason::samples_hole);
+  const std::string pass = case_line(passed("a"), false);
+  EXPECT_EQ(pass.find("\"rule\""), std::string::npos) << pass;
+  EXPECT_EQ(pass.find("\"gap\""), std::string::npos) << pass;
+}
+
+TEST(CaseLine, OfAKnownFailureKeepsItsRuleMessageAndReason) {
+  CaseResult known = failed();
+  known.verdict.departure = VerdictKind::fail_feed;
+  known.verdict.kind = VerdictKind::xfail;
+  known.verdict.known = "a known bug";
+  const CaseResult read = result_of_line(case_line(known, false));
+  EXPECT_EQ(rule_of(read.verdict), RelationRule::label);
+  EXPECT_EQ(read.verdict.known, "a known bug");
+  EXPECT_EQ(read.verdict.message, "a, b");
+}
+
 TEST(CaseLine, GivesTheVerdictBackForPeople) {
   const CaseResult read = result_of_line(case_line(failed(), true));
   EXPECT_EQ(read.id, failed().id);

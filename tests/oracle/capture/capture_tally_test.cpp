@@ -40,6 +40,14 @@ TEST(CaptureTally, WhereTheMachineMostlyDepartsNothingIsSuggested) {
             std::string::npos);
 }
 
+TEST(CaptureTally, TellsHolesAndWhatTheRhythmDoesNotShow) {
+  CaptureTally tally;
+  tally.take(R"({"id":"a.1","verdict":"oracle-gap","gap":"samples-hole","sampled":{}})");
+  EXPECT_EQ(tally.text(), "  1 cases are undecided: their samples have holes\n");
+  tally.take(line(2, "pass-tolerance", R"(,"worst":"0","longest":"0.1","unseen":"50")"));
+  EXPECT_NE(tally.text().find("up to 0.1 s pass between two: 50 mm away"), std::string::npos);
+}
+
 TEST(CaptureTally, FilesAndCasesThatDoNotFindEachOtherAreListed) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / "gonogo-capture-tally";

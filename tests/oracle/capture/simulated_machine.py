@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""simulated_machine.py GONOGO EXPORTED OUT [--fault FAULT] [--interval S]
+"""simulated_machine.py GONOGO EXPORTED OUT [--fault FAULT] [--interval S] [--jitter PART]
 
 A machine that runs the programs of an export and logs its axes: each motion with a trapezoid of
 speed, sampled evenly, as CSV. Faults: deep (all cuts 0.01 too far in z), short (the last cut is
-left out), fast and slow (feeds wrong by a fifth).
+left out), fast and slow (feeds wrong by a fifth), holes (two stretches of the log are lost). Jitter: each
+sample comes off its time by up to that part of the interval.
 """
 import argparse
 import json
 import math
 import pathlib
+import random
 import subprocess
 import tempfile
 from fractions import Fraction
@@ -48,8 +50,9 @@ def duration(length, speed):
 
 
 class Machine:
-    def __init__(self, interval, fault):
+    def __init__(self, interval, fault, jitter=0.0):
         self.interval = interval
+        self.jitter = random.Random(39), jitter
         self.fault = fault
         self.at = dict.fromkeys(AXES, 0.0)
         self.now = 0.0
@@ -59,7 +62,10 @@ class Machine:
         first = math.ceil(self.now / self.interval - 1e-9)
         last = self.now + seconds
         while first * self.interval < last - 1e-9:
-            self.log(first, place(first * self.interval - self.now))
+            source, part = self.jitter
+            off = source.uniform(-part, part) * self.interval if part else 0.0
+            time = min(max(first * self.interval + off, self.now), last - 1e-9)
+            self.log(time / self.interval, place(time - self.now))
             first += 1
         self.now = last
 
@@ -133,7 +139,13 @@ def without_last_cut(records):
     return [record for i, record in enumerate(records) if not cuts or i != cuts[-1]]
 
 
-def run_program(gonogo, entry, folder, interval, fault):
+def without_holes(rows):
+    """Without two stretches of a twentieth."""
+    count = len(rows)
+    return [row for i, row in enumerate(rows) if i * 20 // count not in (6, 14)]
+
+
+def run_program(gonogo, entry, folder, interval, fault, jitter):
     with tempfile.NamedTemporaryFile("w", suffix=".json") as profile:
         profile.write(json.dumps(dict(entry["profile"], dialect=entry["dialect"])))
         profile.flush()
@@ -142,11 +154,12 @@ def run_program(gonogo, entry, folder, interval, fault):
     records = [json.loads(line) for line in text.stdout.decode().splitlines()]
     if fault == "short":
         records = without_last_cut(records)
-    machine = Machine(interval, fault)
+    machine = Machine(interval, fault, jitter)
     for record in records:
         machine.take(record)
     machine.log(math.ceil(machine.now / interval - 1e-9), machine.at)
-    lines = ["t,x,y,z,a,c"] + [",".join(row) for row in machine.rows]
+    rows = [row for before, row in zip([[""]] + machine.rows, machine.rows) if row[0] != before[0]]
+    lines = ["t,x,y,z,a,c"] + [",".join(row) for row in (without_holes(rows) if fault == "holes" else rows)]
     lines += [f"alarm,{r['class']},{r['b']}" for r in records if r["k"] == "alarm"]
     return "\n".join(lines) + "\n"
 
@@ -156,14 +169,16 @@ def main():
     parser.add_argument("gonogo")
     parser.add_argument("exported", type=pathlib.Path)
     parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("--fault", choices=["deep", "short", "fast", "slow"])
+    parser.add_argument("--fault", choices=["deep", "short", "fast", "slow", "holes"])
     parser.add_argument("--interval", type=float, default=0.004)
+    parser.add_argument("--jitter", type=float, default=0.0)
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True)
     manifest = (arguments.exported / "manifest.json").read_text()
     (arguments.out / "manifest.json").write_text(manifest)
     for entry in json.loads(manifest)["programs"]:
-        csv = run_program(arguments.gonogo, entry, arguments.exported, arguments.interval, arguments.fault)
+        csv = run_program(arguments.gonogo, entry, arguments.exported, arguments.interval, arguments.fault,
+                          arguments.jitter)
         (arguments.out / (entry["id"] + ".csv")).write_text(csv)
 
 

@@ -145,12 +145,11 @@ TEST(Domain, HoldsEveryLimitInOneWay) {
 // D-DOM-09
 TEST(Domain, LeavesOutWhatCannotBeDecided) {
   const auto profile = std::get<reference::Profile>(reference::default_profile("rs274"));
-  oracle::Verdict verdict;
-  verdict.kind = oracle::VerdictKind::oracle_gap;
-  verdict.message = "A comparison could not be decided: it is too close.";
+  oracle::Verdict verdict = oracle::gap_verdict(oracle::GapReason::comparison, "It is too close.");
   EXPECT_EQ(outside_domain(profile, "M2", verdict), "D-DOM-09");
-  verdict.message = "The gauge does not read G55.";
+  verdict = oracle::gap_verdict(oracle::GapReason::not_covered, "The gauge does not read G55.");
   EXPECT_EQ(outside_domain(profile, "M2", verdict), "");
+  verdict = {};
   verdict.kind = oracle::VerdictKind::fail_geometry;
   EXPECT_EQ(outside_domain(profile, "M2", verdict), "");
   EXPECT_EQ(outside_domain(profile, "F1 G1 X10001\nM2", verdict), "D-DOM-02");

@@ -101,7 +101,8 @@ TEST(ResultsReader, SaysThatTheFirstLineIsNoHeader) {
 }
 
 TEST(ResultsReader, SaysThatTheFormatIsAnother) {
-  EXPECT_EQ(fault_of("{\"format\":2}\n"), ": line 1 names the format 2; this program reads 1.");
+  EXPECT_EQ(fault_of("{\"format\":3}\n"),
+            ": line 1 names the format 3; this program reads 1 to 2.");
 }
 
 TEST(ResultsReader, SaysThatALineIsCutOff) {

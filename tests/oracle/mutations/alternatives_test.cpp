@@ -105,15 +105,7 @@ class Alternatives {
   long rejected() const { return tried() - accepted() - too_close(); }
 
   // J-PATH-14: the estimate of an angle does not tell. It rejects nothing, but decides nothing.
-  long too_close() const {
-    long count = 0;
-    for (const auto& [name, one] : counts_) {
-      for (const auto& [why, times] : one.rejected) {
-        if (why.starts_with("oracle-gap") && why.ends_with("is too close.")) count += times;
-      }
-    }
-    return count;
-  }
+  long too_close() const { return too_close_; }
 
   void print() const {
     for (const auto& [name, one] : counts_) {
@@ -142,6 +134,7 @@ class Alternatives {
     }
     const std::string why = fmt::format("{}: {}", oracle::name(verdict.kind), verdict.message);
     ++count.rejected[why];
+    if (verdict.gap == oracle::GapReason::comparison) ++too_close_;
     // The smallest of its kind.
     const std::size_t size = attempt.trace.records.size();
     auto& example = examples_[fmt::format("{}{}{}: {}", name, what.empty() ? "" : " ", what, why)];
@@ -154,6 +147,7 @@ class Alternatives {
   Trials& trials_;
   std::vector<Alternative> all_ = all_alternatives();
   std::map<std::string, Count> counts_;
+  long too_close_ = 0;
   std::map<std::string, std::pair<std::size_t, std::string>> examples_;
 };
 

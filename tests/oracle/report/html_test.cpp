@@ -238,7 +238,7 @@ TEST_F(HtmlReport, loads_nothing_from_elsewhere) {
 
 TEST_F(HtmlReport, refuses_a_file_that_is_no_results_file) {
   EXPECT_TRUE(write_html_report(directory_ / "missing.jsonl", directory_ / "out"));
-  std::ofstream(directory_ / "other.jsonl") << "{\"format\":2}\n";
+  std::ofstream(directory_ / "other.jsonl") << "{\"format\":3}\n";
   EXPECT_TRUE(write_html_report(directory_ / "other.jsonl", directory_ / "out"));
   EXPECT_FALSE(std::filesystem::exists(directory_ / "out" / "index.html"));
 }

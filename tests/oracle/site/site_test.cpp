@@ -286,13 +286,11 @@ TEST_F(Site, WhatLiesThereIsUntouchedWhenASiteCannotBeWritten) {
   EXPECT_EQ(after, wanted);  // nothing else was left behind either
 }
 
-TEST(KnownMessage, IsReasonAndMessageOfWhatIsKnown) {
-  CaseHead head;
-  head.departure = "crash";
-  const auto parts = [&](const std::string& message) {
-    head.message = message;
-    const KnownMessage known = known_message(head);
-    return known.reason + "|" + known.message;
+TEST(CaseHead, OfFormat1SplitsReasonAndMessageOfWhatIsKnown) {
+  const auto parts = [](std::string message) {
+    std::string known;
+    split_known_message("crash", known, message);
+    return known + "|" + message;
   };
   EXPECT_EQ(parts("Known: it (once) falls (crash: It ended.)"), "it (once) falls|It ended.");
   EXPECT_EQ(parts("Known: it falls (crash: It ended (9).); 1 of 3 runs failed so."),

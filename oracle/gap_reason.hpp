@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Why the gauge cannot say (R9): a gap is made for one of these reasons, and for no other.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace gonogo::oracle {
+
+enum class GapReason : std::uint8_t {
+  none,           // it is no gap
+  not_covered,    // a code or construct that the gauge does not read
+  profile_lacks,  // something of the machine that the profile does not say
+  comparison,     // two numbers, or a place and a limit, that are not told apart (J-CONST-01)
+  rounding,       // points whose rounding decides what they make
+  two_readings,   // one trace may be read in two ways, and they lead to different verdicts
+  reading_unfit,  // under the reading the text's own path is none that it allows
+  unjudged_form,  // a form of motion that the gauge does not judge there
+  // Stated caps (J-CONST).
+  cap_assignments,  // of open readings
+  cap_ways,         // to read a trace, or where a helix may begin
+  cap_small,        // motions in a row that are too small to see
+  cap_level,        // motions of a level or of an entry
+  cap_area,         // cells, shapes and bands of a level
+  cap_records,      // of a program that is to be reduced
+  // Of sampled positions.
+  samples_hole,     // longer than the rhythm of the samples
+  samples_rate,     // a motion that no sample shows
+  samples_scatter,  // more than the tolerance
+  samples_open,     // a path that samples do not decide
+  samples_end,      // they end in a dwell
+};
+
+// As results, reports and the program write them.
+inline constexpr std::array<std::string_view, 19> kGapReasons = {"",
+                                                                 "not-covered",
+                                                                 "profile-lacks",
+                                                                 "comparison",
+                                                                 "rounding",
+                                                                 "two-readings",
+                                                                 "reading-unfit",
+                                                                 "unjudged-form",
+                                                                 "cap-assignments",
+                                                                 "cap-ways",
+                                                                 "cap-small",
+                                                                 "cap-level",
+                                                                 "cap-area",
+                                                                 "cap-records",
+                                                                 "samples-hole",
+                                                                 "samples-rate",
+                                                                 "samples-scatter",
+                                                                 "samples-open",
+                                                                 "samples-end"};
+
+constexpr std::string_view name(GapReason reason) {
+  return kGapReasons[static_cast<std::size_t>(reason)];
+}
+static_assert(name(GapReason::samples_end) == "samples-end");
+
+inline std::optional<GapReason> gap_reason(std::string_view name) {
+  const auto found = std::ranges::find(kGapReasons, name);
+  if (found == kGapReasons.end()) return std::nullopt;
+  return static_cast<GapReason>(found - kGapReasons.begin());
+}
+
+}  // namespace gonogo::oracle
