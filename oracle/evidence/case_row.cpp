@@ -5,6 +5,7 @@
 
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/clauses.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -27,6 +28,7 @@ CaseRow case_row(const Json& line) {
   facts.deviation_exact = text_of(deviation, "exact");
   facts.deviation_mm = text_of(deviation, "mm");
   facts.message = text_of(line, "message");
+  facts.against = text_of(line.value("readings", Json::object()), "against");
   facts.microseconds = report::count_of(line, "us").value_or(0);
   const auto expected = line.find("expected");
   facts.expected = expected != line.end() && *expected == true;
@@ -43,9 +45,16 @@ CaseRow case_row(const CaseHead& line) {
   facts.clause = line.clause;
   facts.departure = line.departure;
   facts.message = line.message;
+  facts.against = line.against;
   facts.microseconds = line.microseconds;
   facts.expected = line.expected;
   return facts;
+}
+
+std::string again_words(const CaseRow& facts) {
+  const std::string own = report::shell_word(facts.id);
+  if (facts.against.empty()) return own;
+  return own + " --case " + report::shell_word(facts.against);
 }
 
 std::string deviation_text(const CaseRow& facts) {
