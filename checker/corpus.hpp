@@ -32,12 +32,12 @@ struct Expectation {
 struct Vector {
   std::string id;
   std::string dialect;
-  std::string cycle;
-  std::vector<std::string> clauses;
   std::vector<std::string> features;
   Json profile;
   std::string program;  // bytes
   std::vector<Expectation> expect;
+  std::string cycle = {};
+  std::vector<std::string> clauses = {};
 };
 
 // What a selection asks of a vector.

@@ -76,7 +76,7 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec) {
   run_campaign(corpus, campaign, maker, take, nullptr);
   oracle::ReadingTally tally;
   for (const auto& [id, readings] : open) {
-    if (!tally.add(readings)) note(id, oracle::VerdictKind::fail_reading);
+    if (tally.add(id, readings)) note(id, oracle::VerdictKind::fail_reading);
   }
   return kills;
 }

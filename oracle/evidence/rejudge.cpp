@@ -90,11 +90,15 @@ std::string difference(const Json& line, const CaseRow& row, const Verdict& now)
     return fmt::format("{}: the {} was {}, but judged again it is {}.", row.id, what,
                        was.empty() ? "none" : was, is.empty() ? "none" : is);
   };
-  if (now.kind != row.kind) {
-    return differs("verdict", std::string(row.verdict()), std::string(name(now.kind)));
+  const bool is_known = row.kind == VerdictKind::xfail;
+  const std::string verdict = is_known ? row.departure : std::string(row.verdict());
+  if (name(now.kind) != verdict) {
+    return differs("verdict", verdict, std::string(name(now.kind)));
   }
   const std::string departure(now.departure ? name(*now.departure) : std::string_view());
-  if (departure != row.departure) return differs("departure", row.departure, departure);
+  if (!is_known && departure != row.departure) {
+    return differs("departure", row.departure, departure);
+  }
   const std::string clause(now.clause == reference::kNoClause ? ""
                                                               : reference::clause_name(now.clause));
   if (clause != row.clause) return differs("clause", row.clause, clause);
@@ -145,7 +149,7 @@ Rejudged rejudge(const Json& line, const RunTerms& terms) {
   const CaseRow row = case_row(line);
   const bool is_gap = row.kind == VerdictKind::oracle_gap;
   const VerdictKind departure =
-      row.kind == VerdictKind::advice
+      row.kind == VerdictKind::advice || row.kind == VerdictKind::xfail
           ? verdict_kind(row.departure).value_or(VerdictKind::oracle_error)
           : row.kind;
   const bool can_tell = is_gap || departs_in_motion(departure) || departs_in_alarm(departure);

@@ -20,7 +20,7 @@ CaseFacts facts(std::string id, VerdictKind verdict, std::string dialect = "gsk9
 
 CaseFacts under(std::string id, std::vector<std::string> explaining) {
   CaseFacts made = facts(std::move(id), VerdictKind::pass_exact);
-  made.readings = OpenReadings{{"r"}, std::move(explaining), VerdictKind::pass_exact};
+  made.readings = OpenReadings{{"r"}, std::move(explaining), VerdictKind::pass_exact, {}};
   return made;
 }
 
@@ -223,7 +223,7 @@ TEST(Tally, ACaseLineSaysItsFacts) {
   result.id = "a \"quoted\"";
   result.dialect = "gsk988ta";
   result.verdict.kind = VerdictKind::pass_rounded;
-  result.readings = OpenReadings{{"r", "s"}, {"r=1", "r=2 s=3"}, VerdictKind::pass_rounded};
+  result.readings = OpenReadings{{"r", "s"}, {"r=1", "r=2 s=3"}, VerdictKind::pass_rounded, {}};
   result.mapped = "PS*";
   const CaseFacts read = facts_of(case_line(result, true));
   EXPECT_EQ(read.id, result.id);
@@ -239,7 +239,7 @@ TEST(Tally, AReconciledLineStillSaysWhatItWasBefore) {
   CaseResult result;
   result.id = "a";
   result.dialect = "gsk988ta";
-  result.readings = OpenReadings{{"r"}, {"r=1"}, VerdictKind::pass_exact};
+  result.readings = OpenReadings{{"r"}, {"r=1"}, VerdictKind::pass_exact, {}};
   result.program = "G0 X1\n";
   result.trace = {R"({"k":"rapid"})"};
   const std::string line = case_line(result, true);
