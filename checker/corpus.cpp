@@ -150,6 +150,8 @@ Vector Corpus::read(const std::string& id) const {
   const std::string& text = files_[place.file].text;
   const Json one = parse_json(std::string_view(text).substr(place.begin, place.end - place.begin));
   Vector vector{id, group.topic.dialect, group.features, group.profile, {}, {}};
+  vector.cycle = group.topic.cycle;
+  vector.clauses = group.topic.clauses;
   const Json* program = one.find("program");
   if (program == nullptr) throw Fault("The program is missing.");
   vector.program = program_bytes(*program);

@@ -36,6 +36,8 @@ struct Vector {
   Json profile;
   std::string program;  // bytes
   std::vector<Expectation> expect;
+  std::string cycle = {};
+  std::vector<std::string> clauses = {};
 };
 
 // What a selection asks of a vector.
@@ -68,6 +70,7 @@ class Corpus {
   // Of an id that is there.
   const std::string& dialect_of(const std::string& id) const { return topic_of(id).dialect; }
   const Topic& topic_of(const std::string& id) const { return groups_[cases_.at(id).group].topic; }
+  const Json& profile_of(const std::string& id) const { return groups_[cases_.at(id).group].profile; }
   // Id and topic of every vector, by id.
   void for_each(const std::function<void(const std::string& id, const Topic& topic)>& visit) const;
   // Of an id that is there. Throws Fault for a vector that cannot be read.

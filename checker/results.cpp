@@ -8,9 +8,9 @@
 namespace gonogo::checker {
 namespace {
 
-constexpr std::array<std::string_view, 5> kGo = {"pass-exact", "pass-rounded", "pass-tolerance",
-                                                 "pass-properties", "xfail"};
-constexpr std::array<std::string_view, 2> kNeither = {"skip", "advice"};
+constexpr std::array<std::string_view, 4> kGo = {"pass-exact", "pass-rounded", "pass-tolerance",
+                                                 "pass-properties"};
+constexpr std::array<std::string_view, 3> kNeither = {"xfail", "skip", "advice"};
 constexpr std::array<std::string_view, 18> kNoGo = {"fail.geometry",
                                                     "fail.order",
                                                     "fail.feed",
@@ -31,7 +31,32 @@ constexpr std::array<std::string_view, 18> kNoGo = {"fail.geometry",
                                                     "xpass"};
 constexpr std::array<std::string_view, 2> kUndecided = {"oracle-gap", "oracle-error"};
 
+// The features of a case that are not those of every subject; a case without any is of its dialect.
+std::vector<std::string> own_features(const Json& line) {
+  const Json* list = line.find("features");
+  std::vector<std::string> names = list == nullptr ? std::vector<std::string>() : list->texts();
+  std::erase_if(names, [](const std::string& name) {
+    return name == "blocks" || name == "m" || name == "bytes";
+  });
+  if (names.empty()) names.emplace_back();
+  return names;
+}
+
+// Skipped for a feature that the case needs and the subject does not declare.
+bool is_undeclared(const Json& line) {
+  const Json* feature = line.find("feature");
+  const Json* list = line.find("features");
+  if (feature == nullptr || line.text_of("verdict") != "skip") return false;
+  const std::vector<std::string> names = list == nullptr ? std::vector<std::string>() : list->texts();
+  return names.empty() || std::ranges::find(names, feature->text) != names.end();
+}
+
 }  // namespace
+
+bool is_judged(std::string_view verdict) {
+  const auto decision = decision_of(verdict);
+  return decision == Decision::go || decision == Decision::no_go;
+}
 
 std::optional<Decision> decision_of(std::string_view verdict) {
   const auto is_in = [&](const auto& names) {
@@ -93,8 +118,7 @@ void ResultsFile::note_case(const Json& line) {
   const auto decision = decision_of(verdict);
   if (!decision) fault("The verdict " + verdict + " is unknown.");
   ++totals_[verdict];
-  bool& judged = judged_[line.text_of("dialect")];
-  judged = judged || (verdict != "skip" && decision != Decision::undecided);
+  note_features(line);
   if (decision == Decision::undecided) {
     unexpected_gap_ =
         unexpected_gap_ || verdict == "oracle-error" || line.find("expected") == nullptr;
@@ -108,6 +132,19 @@ void ResultsFile::note_case(const Json& line) {
     hashed += '"' + key + "\":" + text_.substr(value.begin, value.end - value.begin);
   }
   hash_.update(hashed + "}\n");
+}
+
+// A feature is GO when the greater part of its cases was judged, and none is NO-GO.
+void ResultsFile::note_features(const Json& line) {
+  auto& features = features_[line.text_of("dialect")];
+  const std::string& verdict = line.text_of("verdict");
+  const bool says_nothing = verdict == "skip" || verdict == "oracle-gap";
+  if ((says_nothing && line.find("expected") != nullptr) || is_undeclared(line)) return;
+  for (const std::string& name : own_features(line)) {
+    Feature& feature = features[name];
+    ++(is_judged(verdict) ? feature.judged : feature.others);
+    feature.no_go = feature.no_go || decision_of(verdict) == Decision::no_go;
+  }
 }
 
 void ResultsFile::check_footer() {
@@ -124,7 +161,7 @@ void ResultsFile::check_footer() {
   if (totals != totals_) fault("The totals of the footer are not those of the lines.");
   std::size_t judged = 0;
   for (const auto& [verdict, count] : totals_) {
-    if (verdict != "skip" && decision_of(verdict) != Decision::undecided) judged += count;
+    if (is_judged(verdict)) judged += count;
   }
   if (static_cast<std::size_t>(footer_->integer_of("judged")) != judged) {
     fault("The footer counts another number of judged cases than the lines have.");
@@ -142,7 +179,12 @@ void ResultsFile::check_decision() {
   const Json* stale = footer_->find("stale");
   const bool is_stale = stale != nullptr && !stale->items.empty();
   const bool unjudged =
-      std::ranges::any_of(judged_, [](const auto& dialect) { return !dialect.second; });
+      features_.empty() || std::ranges::any_of(features_, [](const auto& dialect) {
+        return std::ranges::none_of(dialect.second, [](const auto& feature) {
+          return feature.second.judged > 0 && feature.second.judged >= feature.second.others &&
+                 !feature.second.no_go;
+        });
+      });
   const std::string_view decision = no_go || is_stale             ? "NO-GO"
                                     : unjudged || unexpected_gap_ ? "UNDECIDED"
                                                                   : "GO";

@@ -18,6 +18,8 @@ namespace gonogo::checker {
 enum class Decision { go, no_go, undecided, neither };
 // Nothing for a verdict that is unknown.
 std::optional<Decision> decision_of(std::string_view verdict);
+// Whether a case that ended so was judged: in GO or NO-GO.
+bool is_judged(std::string_view verdict);
 
 class ResultsFile {
  public:
@@ -27,6 +29,8 @@ class ResultsFile {
   const Json& header() const { return header_; }
   // The next case; false after the last. Throws Fault for a line that is no case.
   bool next(Json& line);
+  // The line that was read last, to which the places of its values belong.
+  const std::string& text() const { return text_; }
   // After the last case: whether there was a footer.
   bool is_whole() const { return footer_.has_value(); }
   const std::optional<Json>& footer() const { return footer_; }
@@ -37,7 +41,13 @@ class ResultsFile {
 
  private:
   bool read_line();
+  struct Feature {
+    std::size_t judged = 0;
+    std::size_t others = 0;
+    bool no_go = false;
+  };
   void note_case(const Json& line);
+  void note_features(const Json& line);
   void check_footer();
   void check_decision();
   void fault(const std::string& sentence);
@@ -53,7 +63,7 @@ class ResultsFile {
   std::string last_id_;
   std::size_t cases_ = 0;
   std::map<std::string, std::size_t> totals_;
-  std::map<std::string, bool> judged_;  // by dialect: a case of it was
+  std::map<std::string, std::map<std::string, Feature>> features_;  // by dialect
   bool unexpected_gap_ = false;
 };
 

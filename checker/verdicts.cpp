@@ -9,7 +9,7 @@
 #include "checker/corpus.hpp"
 #include "checker/derive.hpp"
 #include "checker/results.hpp"
-#include "checker/selection.hpp"
+#include "checker/roll.hpp"
 #include "checker/trace.hpp"
 
 namespace gonogo::checker {
@@ -17,8 +17,6 @@ namespace {
 
 // Verdicts about how the subject behaved, or about the run as a whole: no trace can tell.
 const std::map<std::string, std::string, std::less<>> kNoTraceTells = {
-    {"skip", "skipped: the subject was not asked or did not have it"},
-    {"fail.reading", "fail.reading: a matter of the run as a whole"},
     {"fail.declaration", "fail.declaration: the subject skipped what it declares"},
     {"state-leak", "state-leak: a matter of two runs"},
     {"crash", "crash: there is no outcome"},
@@ -31,7 +29,8 @@ const std::map<std::string, std::string, std::less<>> kNoTraceTells = {
 class Verdicts {
  public:
   Verdicts(const VerdictOptions& options, std::FILE* out)
-      : options_(options), out_(out), corpus_(options.corpus), results_(options.results) {}
+      : options_(options), out_(out), corpus_(options.corpus), results_(options.results),
+        roll_(results_.header()) {}
 
   int run() {
     check_header();
@@ -72,26 +71,26 @@ class Verdicts {
     if (named.text_of("sha256") != corpus_.sha256()) {
       file_fault("The run was made with another corpus than the one in " + options_.corpus + ".");
     }
+    if (named.text_of("version") != corpus_.version()) {
+      file_fault("The run names another version of the corpus than the one in " + options_.corpus +
+                 ".");
+    }
+    for (const std::string& fault : header_faults(results_.header())) file_fault(fault);
     for (const std::string& fault : corpus_.faults()) say("corpus", options_.corpus, fault);
     file_faults_ += corpus_.faults().size();
   }
 
-  // Whether the case ran under the profile of its vector.
-  bool has_own_profile(const Json& line, const Vector& vector) {
-    const Json none = parse_json("{}");
-    const Json* said = line.find("profile");
-    return vector.profile.same_as(said == nullptr ? none : *said);
+  bool has_known_failures() const {
+    const Json* sum = results_.header().find("known_failures");
+    return sum != nullptr && sum->is(Json::Kind::text);
   }
-  bool is_overridden() const {
-    const Json& header = results_.header();
-    const Json* readings = header.find("readings");
-    return !header.member("profile", Json::Kind::object).members.empty() ||
-           (readings != nullptr && !readings->items.empty());
-  }
-
   void take(const Json& line);
   void note_readings(const Json& line);
-  void check_words(const Json& line, const Vector& vector);
+  void take_skip(const Json& line, const Vector& vector);
+  void unproven(const std::string& reason) {
+    leave_out(reason);
+    ++unproven_;
+  }
   std::string stated_against(const std::string& verdict, const Derived& derived);
   void check_explaining(const Json& line, const Vector& vector, const Derived& derived);
   void check_assignments();
@@ -102,7 +101,11 @@ class Verdicts {
   std::FILE* out_;
   Corpus corpus_;
   ResultsFile results_;
+  Roll roll_;
   std::set<std::string> seen_;
+  // Dialect and profile -> a case that the subject refused under them, and one that it ran.
+  std::map<std::string, std::string> refused_;
+  std::map<std::string, std::string> run_;
   Assignments assignments_;
   std::size_t derived_go_ = 0;
   std::size_t derived_no_go_ = 0;
@@ -110,30 +113,27 @@ class Verdicts {
   std::size_t differing_ = 0;
   std::size_t file_faults_ = 0;
   std::size_t missing_ = 0;
+  std::size_t unproven_ = 0;
   std::map<std::string, std::size_t> left_out_;
 };
+
+// As it was before the readings of the run were reconciled.
+std::string verdict_before(const Json& line) {
+  const Json* readings = line.find("readings");
+  return (readings == nullptr ? line : *readings).text_of("verdict");
+}
+
+// What stands for the profile of a line among those of its dialect.
+std::string machine_of(const Json& line, const std::string& text) {
+  const Json* profile = line.find("profile");
+  return line.text_of("dialect") +
+         (profile == nullptr ? "" : text.substr(profile->begin, profile->end - profile->begin));
+}
 
 void Verdicts::note_readings(const Json& line) {
   const Json* readings = line.find("readings");
   if (readings == nullptr || decision_of(line.text_of("verdict")) != Decision::go) return;
   assignments_.add(readings->member("explaining", Json::Kind::list).texts());
-}
-
-void Verdicts::check_words(const Json& line, const Vector& vector) {
-  if (line.text_of("dialect") != vector.dialect) {
-    throw Fault("The line names another dialect than the vector.");
-  }
-  const Json* program = line.find("program");
-  if (program != nullptr && line.text_of("verdict") != "fail.reading" &&
-      program_bytes(*program) != vector.program) {
-    throw Fault("The program of the line is not that of the vector.");
-  }
-  const bool expects_gap = std::ranges::any_of(vector.expect, [](const Expectation& one) {
-    return one.ending == Expectation::Ending::not_covered;
-  });
-  if (line.find("expected") != nullptr && !expects_gap) {
-    throw Fault("The line says that the corpus expects an oracle-gap, and it does not.");
-  }
 }
 
 // Empty: they agree, or the case is left out.
@@ -192,26 +192,59 @@ void Verdicts::check_explaining(const Json& line, const Vector& vector, const De
   }
 }
 
+// Whether the subject may have skipped it.
+void Verdicts::take_skip(const Json& line, const Vector& vector) {
+  const Json* feature = line.find("feature");
+  if (const std::string lacks = roll_.undeclared(vector); !lacks.empty()) {
+    if (feature == nullptr || feature->text != lacks) {
+      throw Fault("It was not skipped for " + lacks + ", which the subject does not declare.");
+    }
+    return leave_out("skipped: the subject does not declare what it needs");
+  }
+  if (!options_.traces.empty() && read_trace_file(options_.traces + "/" + vector.id + ".jsonl")) {
+    throw Fault("It was skipped, but there is a trace of it.");
+  }
+  const bool is_bytes = feature != nullptr && feature->text == "bytes";
+  if (!roll_.declares() || roll_.is_recorded() || line.find("expected") != nullptr || is_bytes) {
+    return unproven("skipped: only the subject can say why");
+  }
+  if (line.find("profile") == nullptr) {
+    throw Fault("It was skipped, though the subject declares all that it needs.");
+  }
+  refused_.try_emplace(machine_of(line, results_.text()), vector.id);
+  unproven("skipped: only the subject can say whether it refuses the profile");
+}
+
 void Verdicts::take(const Json& line) {
   const std::string& id = line.text_of("id");
-  const std::string& verdict = line.text_of("verdict");
   if (!corpus_.has(id)) throw Fault("The corpus has no such case.");
   const Vector vector = corpus_.read(id);
-  check_words(line, vector);
-  if (const auto found = kNoTraceTells.find(verdict); found != kNoTraceTells.end()) {
+  roll_.check_words(line, vector);
+  if (line.text_of("verdict") == "skip") return take_skip(line, vector);
+  if (const std::string lacks = roll_.undeclared(vector); !lacks.empty()) {
+    throw Fault("The subject does not declare " + lacks + ": such a case is skipped.");
+  }
+  run_.try_emplace(machine_of(line, results_.text()), id);
+  const std::string verdict = verdict_before(line);
+  const bool is_known = verdict == "xfail" || verdict == "xpass";
+  if (is_known && !has_known_failures()) {
+    throw Fault("It is " + verdict + ", and the run had no known failures.");
+  }
+  const Json* departure = line.find("departure");
+  const std::string what = verdict == "xfail" && departure != nullptr ? departure->text : verdict;
+  if (const auto found = kNoTraceTells.find(what); found != kNoTraceTells.end()) {
     leave_out(found->second);
     return;
   }
-  if (!has_own_profile(line, vector)) {
-    if (!is_overridden()) throw Fault("It ran under another profile than that of its vector.");
-    leave_out("run under a profile of the certifier's");
+  if (!roll_.profile_of(vector.dialect, vector.profile)->same_as(vector.profile)) {
+    unproven("run under a profile of the certifier's");
     return;
   }
   std::optional<Trace> trace;
   if (!options_.traces.empty()) trace = read_trace_file(options_.traces + "/" + id + ".jsonl");
   if (!trace && line.find("trace") != nullptr) trace = trace_of_line(line);
   if (!trace) {
-    leave_out("no trace is kept");
+    unproven("no trace is kept");
     return;
   }
   const Derived derived = derive(vector, *trace, results_.header());
@@ -229,32 +262,37 @@ void Verdicts::check_assignments() {
   if (!difference.empty()) file_fault(difference);
 }
 
+// Which cases there must be; those that the certifier's profile contradicts are left out.
 void Verdicts::check_complete() {
-  const Selection selection(results_.header());
   std::size_t missing = 0;
+  long left_out = 0;
   std::string first;
   corpus_.for_each([&](const std::string& id, const Topic& topic) {
-    if (!selection.takes(id, topic) || seen_.contains(id)) return;
-    if (++missing == 1) first = id;
-  });
-  for (const std::string& id : seen_) {
-    if (corpus_.has(id) && !selection.takes(id, corpus_.topic_of(id))) {
-      file_fault("The case " + id + " was not asked for.");
+    const bool is_there = seen_.contains(id);
+    if (!roll_.takes(id, topic)) {
+      if (is_there) file_fault("The case " + id + " was not asked for.");
+    } else if (!roll_.profile_of(topic.dialect, corpus_.profile_of(id))) {
+      ++left_out;
+    } else if (!is_there && ++missing == 1) {
+      first = id;
     }
-  }
-  long left_out = 0;
-  if (results_.is_whole()) {
-    const Json* told = results_.footer()->find("left_out");
-    if (told != nullptr) left_out = told->integer();
-  } else {
-    file_fault("There is no footer: the run did not end.");
-  }
+  });
   missing_ = missing;
-  if (missing == static_cast<std::size_t>(left_out)) {
-    missing_ = 0;
-  } else {
+  if (missing > 0) {
     file_fault(std::to_string(missing) + " cases that were asked for are not there, " + first +
-               " among them; the footer accounts for " + std::to_string(left_out) + ".");
+               " among them.");
+  }
+  for (const auto& [machine, skipped] : refused_) {
+    const auto run = run_.find(machine);
+    if (run == run_.end()) continue;
+    file_fault("The case " + skipped + " was skipped, but " + run->second +
+               " was run under the same profile.");
+  }
+  if (!results_.is_whole()) return file_fault("There is no footer: the run did not end.");
+  const Json* told = results_.footer()->find("left_out");
+  if ((told == nullptr ? 0 : told->integer()) != left_out) {
+    file_fault("The footer leaves another number of cases out than the certifier's profile does: " +
+               std::to_string(left_out) + ".");
   }
 }
 
@@ -273,7 +311,7 @@ int Verdicts::summary() {
   if (differing_ > 0) return 1;
   if (is_incomplete) return 3;
   if (file_faults_ > 0) return 1;
-  return derived_go_ + derived_no_go_ == 0 ? 3 : 0;
+  return unproven_ > 0 || derived_go_ + derived_no_go_ == 0 ? 3 : 0;
 }
 
 }  // namespace

@@ -31,4 +31,13 @@ std::string corpus_folder(const std::string& given) {
   throw UsageError("The corpus was not found beside the program. Name its folder with --corpus.");
 }
 
+std::string corpus_here(const std::string& given) {
+  if (!given.empty()) return corpus_folder(given);
+  try {
+    return corpus_folder("");
+  } catch (const UsageError&) {
+    return {};
+  }
+}
+
 }  // namespace gonogo::cli

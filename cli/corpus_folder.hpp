@@ -9,5 +9,7 @@ namespace gonogo::cli {
 // (oracle::kCarriedFolder), beside the checkout that it was built in, or where it was installed.
 // Throws UsageError when there is none.
 std::string corpus_folder(const std::string& given);
+// The same; empty when none is named and none is there.
+std::string corpus_here(const std::string& given);
 
 }  // namespace gonogo::cli

@@ -66,12 +66,6 @@ std::string KnownFailuresFile::write(const oracle::Corpus& corpus,
         "them.\n",
         result.unsteady);
   }
-  if (result.reconciled > 0) {
-    text += fmt::format(
-        "  {} cases contradict the readings of the others and are not written: --reading is for "
-        "them.\n",
-        result.reconciled);
-  }
   return text;
 }
 

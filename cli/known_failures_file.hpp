@@ -18,8 +18,9 @@ class KnownFailuresFile {
   // file that is there already.
   KnownFailuresFile(std::string path, const std::string& known);
 
-  void add(const oracle::CaseFacts& facts, const oracle::Finding* finding) {
-    update_.add(facts, finding);
+  void add(const oracle::CaseFacts& facts, oracle::VerdictKind kind,
+           const oracle::Finding* finding) {
+    update_.add(facts, kind, finding);
   }
   // Writes the file, whole or not at all, and says what changed, some lines. Throws OutputError.
   std::string write(const oracle::Corpus& corpus, const CampaignSummary& summary) const;

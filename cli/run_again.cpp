@@ -15,6 +15,7 @@
 #include "cli/subjects.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
+#include "oracle/campaign/selection.hpp"
 #include "oracle/evidence/statement.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -46,52 +47,26 @@ class ScratchFolder {
   fs::path path_;
 };
 
-std::vector<std::string> texts(const Json& list) {
-  std::vector<std::string> found;
-  for (const Json& item : list) {
-    if (item.is_string()) found.push_back(item.get<std::string>());
-  }
-  return found;
-}
-
-void read_subject_files(const fs::path& folder, const Json& header,
-                        oracle::CampaignOptions& campaign) {
+void read_subject_files(const fs::path& folder, oracle::CampaignOptions& campaign) {
   if (const fs::path path = folder / oracle::evidence::kWaiversFile; fs::exists(path)) {
     campaign.known_failures = load_known_failures(path.string());
   }
   if (const fs::path path = folder / oracle::evidence::kAlarmMapFile; fs::exists(path)) {
     campaign.alarm_map = load_alarm_map(path.string());
   }
-  const std::string dialect = oracle::evidence::unnamed_dialect(header);
-  for (const char* name : {oracle::evidence::kProfileFile, oracle::evidence::kProfileJson}) {
-    const fs::path path = folder / name;
-    if (fs::exists(path)) load_machine(campaign, dialect, path.string());
-  }
 }
 
 oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
   using oracle::report::text_of;
-  oracle::CampaignOptions campaign;
-  const Json selection = header.value("selection", Json::object());
-  campaign.dialects = texts(selection.value("dialects", Json::array()));
-  campaign.only = texts(selection.value("only", Json::array()));
-  campaign.cases = texts(selection.value("cases", Json::array()));
-  if (const std::string one = text_of(selection, "case"); !one.empty()) campaign.cases = {one};
-  campaign.cycles = texts(selection.value("cycles", Json::array()));
-  campaign.clauses = texts(selection.value("clauses", Json::array()));
-  campaign.readings = texts(header.value("readings", Json::array()));
+  oracle::CampaignOptions campaign = oracle::asked_in(header);
   campaign.grants = {
       length_option(text_of(header, "tolerance"), "the tolerance of the run"),
       length_option(text_of(header, "chord"), "the chord of the run"),
       feed_option(text_of(header, "feed_resolution"), "the feed resolution of the run"),
       header.value("strict", false)};
-  if (std::sscanf(text_of(header, "shard").c_str(), "%u/%u", &campaign.shard, &campaign.shards) !=
-      2) {
-    campaign.shard = campaign.shards = 1;
-  }
   campaign.limits = limits_of_run(header).limits();
   campaign.jobs = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
-  read_subject_files(folder, header, campaign);
+  read_subject_files(folder, campaign);
   return campaign;
 }
 

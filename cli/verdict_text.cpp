@@ -228,7 +228,9 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += fmt::format("  An entry of the subject's files is stale: {}\n", entry);
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
-  if (summary.answer.judged_nothing) text += "  There is a dialect in which no case was judged.\n";
+  if (summary.answer.judged_nothing) {
+    text += "  There is a dialect of which no feature was judged for the most part.\n";
+  }
   text += in_tone(summary.answer.head, tone_of(summary.answer.decision), colour) + "\n";
   return text;
 }

@@ -57,7 +57,7 @@ Kill run_corpus(const MatrixTarget& target, const MatrixOptions& options) {
     watch.note(kill);
     const bool no_go = decision(result.verdict.kind) == oracle::Decision::no_go ||
                        result.verdict.kind == oracle::VerdictKind::advice;  // as under strict
-    const bool contradicts = result.readings && !tally.add(*result.readings);
+    const bool contradicts = result.readings && tally.add(result.id, *result.readings);
     kill.killed = (no_go || contradicts) && !options.blind;
     if (!kill.killed) return;
     kill.how = result.id;

@@ -33,6 +33,7 @@
 #include "expanders/registry.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
+#include "oracle/campaign/selection.hpp"
 #include "oracle/campaign/trace_file.hpp"
 #include "oracle/capture/capture_tally.hpp"
 #include "oracle/corpus/sha256.hpp"
@@ -141,7 +142,11 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   header.corpus_sha256 = corpus.sha256();
   header.subject_spec = subject;
   header.subject = info;
-  if (campaign.profile) header.profile = reference::profile_json(*campaign.profile);
+  if (campaign.profile) {
+    header.profile = reference::profile_json(*campaign.profile);
+    header.machine = campaign.profile->dialect;
+    header.machine_keys = campaign.profile_keys;
+  }
   header.readings = options.readings;
   header.dialects = options.dialects;
   header.only = options.only;
@@ -208,7 +213,7 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
         if (captured != nullptr) captured->take(line);
         const oracle::CaseFacts facts = oracle::facts_of(line);
         const oracle::Finding* finding = summary.findings.add(facts.head, kind);
-        if (known != nullptr) known->add(facts, finding);
+        if (known != nullptr) known->add(facts, kind, finding);
         if (facts.head.attempts > kConfirming) {
           ++summary.run_again;
           summary.further_runs += facts.head.attempts - kConfirming;
@@ -267,12 +272,7 @@ void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& r
   if (!campaign.is_part() || !std::filesystem::exists(results_path)) return;
   try {
     const nlohmann::ordered_json header = oracle::ResultsReader(results_path).header();
-    const auto selection = header.value("selection", nlohmann::ordered_json::object());
-    const auto none = nlohmann::ordered_json::array();
-    const bool is_part = !selection.value("only", none).empty() || selection.contains("cases") ||
-                         selection.contains("cycles") || selection.contains("clauses") ||
-                         !oracle::report::text_of(selection, "case").empty();
-    if (is_part || !header.contains("selection")) return;
+    if (!header.contains("selection") || oracle::asked_in(header).is_part()) return;
   } catch (const oracle::ResultsError&) {
     return;  // no results: nothing is lost
   }
@@ -282,8 +282,9 @@ void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& r
                   results_path));
 }
 
-int certify_one(const CertifyOptions& options, const std::string& subject,
-                const std::string& report) {
+int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
+  // A pass is proven by its trace alone.
+  if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
   const oracle::CampaignOptions campaign = campaign_options(options);
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
@@ -396,6 +397,7 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   if (options.failed_of.empty()) return options;
   const std::string path = results_in(options.failed_of);
   oracle::Findings findings;
+  std::set<std::string> cases;  // what contradicts another case is seen beside it
   try {
     oracle::ResultsReader results(path);
     if (options.subjects.empty()) {
@@ -407,11 +409,14 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
     for (oracle::CaseHead head; results.next(head);) {
       const auto kind =
           oracle::verdict_kind(head.verdict).value_or(oracle::VerdictKind::oracle_error);
-      if (findings.add(head, kind) != nullptr) options.cases.push_back(head.id);
+      if (findings.add(head, kind) == nullptr) continue;
+      cases.insert(head.id);
+      if (!head.against.empty()) cases.insert(head.against);
     }
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
   }
+  options.cases.insert(options.cases.end(), cases.begin(), cases.end());
   if (findings.empty()) {
     throw UsageError(fmt::format("No case of {} failed: there is nothing to run again.", path));
   }

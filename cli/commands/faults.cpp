@@ -78,7 +78,7 @@ Kills run(const oracle::Corpus& corpus, const std::string& spec, bool fail_fast)
   run_campaign(corpus, campaign, maker, take, nullptr);
   oracle::ReadingTally tally;
   for (const auto& [id, readings] : open) {
-    if (!tally.add(readings)) note(id, oracle::VerdictKind::fail_reading);
+    if (tally.add(id, readings)) note(id, oracle::VerdictKind::fail_reading);
   }
   return kills;
 }

@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "cli/arguments.hpp"
 #include "cli/colour.hpp"
 #include "cli/commands.hpp"
+#include "cli/corpus_folder.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
@@ -44,22 +46,32 @@ void check_places(const oracle::MergeOptions& options) {
   }
 }
 
-int merge(oracle::MergeOptions options) {
+int merge(oracle::MergeOptions options, const std::string& corpus) {
   for (std::string& path : options.results) path = results_in(path);
   options.out = out_file(options.out);
   options.argv = arguments();
   check_places(options);
   oracle::MergeOutcome outcome;
+  std::optional<oracle::Corpus> of_run;
   try {
+    if (const std::string folder = corpus_here(corpus); !folder.empty()) of_run.emplace(folder);
+    options.corpus = of_run ? &*of_run : nullptr;
     outcome = oracle::merge_results(options);
   } catch (const oracle::MergeError& error) {
     throw UsageError(error.what());
   } catch (const oracle::ResultsError& error) {
     throw UsageError(error.what());
+  } catch (const oracle::CorpusError& error) {
+    throw UsageError(error.what());
   } catch (const oracle::ResultsUnwritable& error) {
     throw OutputError(fmt::format("{}.", error.what()), false);
   }
   for (const std::string& note : outcome.notes) complain("gonogo: {}\n", note);
+  if (!outcome.has_corpus) {
+    complain(
+        "gonogo: the corpus of the run is not here: whether the shards have all of its cases was "
+        "not checked. --corpus names it.\n");
+  }
   for (const std::string& shard : outcome.missing) complain("gonogo: {}.\n", shard);
   Output output;
   if (outcome.missing.empty()) {
@@ -79,13 +91,15 @@ int merge(oracle::MergeOptions options) {
 
 void add_merge(Command& program) {
   auto options = std::make_shared<oracle::MergeOptions>();
+  auto corpus = std::make_shared<std::string>();
   Command command = program.add_command("merge", "Put the results of the shards of a run together");
   command.arguments("results", options->results,
                     "results.jsonl of each shard, or the folders that they are in");
   command.needed_option("--out", options->out, "file, or folder for results.jsonl");
   command.flag("--partial", options->partial,
                "write what is there when shards are missing: an incomplete file");
-  command.run([options] { return merge(*options); });
+  command.option("--corpus", *corpus, "folder of the corpus of the run (the checked-in one)");
+  command.run([options, corpus] { return merge(*options, *corpus); });
 }
 
 }  // namespace gonogo::cli

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "oracle/judge/step_text.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -27,6 +28,8 @@ struct CaseJudge::Attempt {
   bool whole = true;            // all of them were kept
   std::string mapped;           // the entry of the alarm map that was met
 
+  // Whether the subject answered, rather than hung or broke down.
+  bool answers() const { return !is_breakdown(session.verdict.kind); }
   // Two runs that differ: the subject keeps something from run to run.
   bool differs(const Attempt& other) const {
     const Verdict& x = session.verdict;
@@ -148,7 +151,10 @@ CaseJudge::Attempt CaseJudge::run(Subject& subject, const Case& test, const Judg
 }
 
 Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
-  if (!second_) second_ = make();
+  if (!second_) {
+    second_ = make();
+    second_->set_run_limit(options_.limits.run * kTimeoutFactor);
+  }
   second_->renew();
   second_->configure(profile);
   return *second_;
@@ -206,6 +212,11 @@ void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& atte
   Attempt again = run(fresh_subject(test.profile), test, terms);
   ++result.attempts;
   if (again.end.given_up || settle_memory(attempt, again)) return;
+  if (again.session.verdict.kind == VerdictKind::timeout) {
+    // No answer is no other answer.
+    attempt.session.verdict.message += " A fresh process gave no answer in time.";
+    return;
+  }
   if (!attempt.differs(again)) {
     // Nothing was under way beside it or before: what is said of it is the same each time.
     attempt = std::move(again);
@@ -228,12 +239,14 @@ void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attem
   const auto limit = std::chrono::microseconds(options_.limits.run).count();
   int in_time = 0;
   for (int i = 0; i < kTries; ++i) {
-    Subject& subject = fresh_subject(test.profile);
-    subject.set_run_limit(options_.limits.run * kTimeoutFactor);
-    Attempt again = run_kept(subject, test, terms);
-    subject.set_run_limit(options_.limits.run);
+    Attempt again = run_kept(fresh_subject(test.profile), test, terms);
     ++result.attempts;
     if (again.session.verdict.kind == VerdictKind::timeout) continue;
+    if (!again.answers()) {
+      attempt = std::move(again);
+      attempt.session.verdict.message += " The first run gave no answer in time.";
+      return;
+    }
     const bool is_slow = again.end.microseconds > limit || !subject_->keeps_state();
     if (!is_slow && ++in_time < kTries) continue;
     if (is_slow) {
@@ -250,10 +263,8 @@ void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attem
   }
 }
 
-void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const Attempt& attempt,
-                              CaseResult& result) const {
+void CaseJudge::keep_path(const Case& test, const Attempt& attempt, CaseResult& result) {
   result.program = test.program;
-  result.notes = attempt.end.notes;
   // How far it came before a limit was reached is another thing each time.
   const bool is_cut =
       attempt.end.kind == RunEnd::Kind::timeout || attempt.end.kind == RunEnd::Kind::out_of_memory;
@@ -263,6 +274,12 @@ void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const A
   if (attempt.session.verdict.sampled != nullptr) {
     result.trace = attempt.session.verdict.sampled->drawn;
   }
+}
+
+void CaseJudge::keep_evidence(const Case& test, const JudgeTerms& terms, const Attempt& attempt,
+                              CaseResult& result) const {
+  keep_path(test, attempt, result);
+  result.notes = attempt.end.notes;
   const bool comparable =
       attempt.end.kind == RunEnd::Kind::ok || attempt.end.kind == RunEnd::Kind::alarm;
   const bool departs = decision(result.verdict.kind) == Decision::no_go ||
@@ -286,6 +303,8 @@ CaseResult CaseJudge::judge(const Case& test) {
   result.profile = profile_text_;
   result.expected_gap = std::ranges::any_of(test.expect, &Expectation::not_covered);
   if (const auto feature = undeclared_feature(test)) {
+    // An earlier run may have left a trace.
+    if (!options_.traces.empty()) TraceFile(options_.traces, test.id);
     result.verdict.kind = VerdictKind::skip;
     result.verdict.feature = *feature;
     result.verdict.message =
@@ -294,6 +313,10 @@ CaseResult CaseJudge::judge(const Case& test) {
   }
   const JudgeTerms terms = make_terms(subject_->info(), test.profile, options_.grants);
   Attempt attempt = run_kept(*subject_, test, terms);
+  if (result.expected_gap && attempt.session.verdict.kind == VerdictKind::timeout) {
+    // How long a program takes that nobody covers says nothing (J-RUN-09).
+    attempt.session.verdict.kind = VerdictKind::oracle_gap;
+  }
   const bool is_settled = settle_flaky(test, terms, attempt, result);
   if (!is_settled && attempt.session.verdict.kind == VerdictKind::timeout) {
     confirm_timeout(test, terms, attempt, result);
@@ -307,8 +330,10 @@ CaseResult CaseJudge::judge(const Case& test) {
   result.verdict = attempt.session.verdict;
   result.microseconds = attempt.end.microseconds;
   result.mapped = attempt.mapped;
-  if (decision(result.verdict.kind) == Decision::go && result.verdict.kind != VerdictKind::xfail) {
+  if (decision(result.verdict.kind) == Decision::go) {
     result.readings = open_readings(attempt.session);
+    // The readings of the run may leave it a failure.
+    if (result.readings) keep_path(test, attempt, result);
   } else if (result.verdict.kind != VerdictKind::skip) {
     keep_evidence(test, terms, attempt, result);
   }

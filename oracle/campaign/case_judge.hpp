@@ -41,6 +41,7 @@ class CaseJudge {
   void confirm(const Case& test, const JudgeTerms& terms, Attempt& attempt, CaseResult& result);
   void confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                        CaseResult& result);
+  static void keep_path(const Case& test, const Attempt& attempt, CaseResult& result);
   void keep_evidence(const Case& test, const JudgeTerms& terms, const Attempt& attempt,
                      CaseResult& result) const;
   std::unique_ptr<Subject> make() const;

@@ -182,6 +182,7 @@ void append_readings(const OpenReadings& readings, LineText& line) {
   line.texts("open", readings.open);
   line.texts("explaining", readings.explaining);
   line.text("verdict", name(readings.verdict));
+  if (!readings.known.empty()) line.text("known", readings.known);
   line.close();
 }
 
@@ -240,7 +241,7 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
     line.number("property_motions", verdict.property_motions);
   }
-  const bool is_go = decision(verdict.kind) == Decision::go && verdict.kind != VerdictKind::xfail;
+  const bool is_go = decision(verdict.kind) == Decision::go;
   if (verdict.coordinates && is_go) append_coordinates(*verdict.coordinates, line);
   append_departure(verdict, line);
   if (!result.mapped.empty()) line.text("mapped", result.mapped);
@@ -252,7 +253,8 @@ std::string case_line(const CaseResult& result, bool with_timing) {
   }
   if (result.readings) append_readings(*result.readings, line);
   if (!result.profile.empty() && result.profile != "{}") line.json("profile", result.profile);
-  if (decision(verdict.kind) != Decision::go && verdict.kind != VerdictKind::skip) {
+  const bool may_fail = result.readings && !result.program.empty();
+  if ((!is_go && verdict.kind != VerdictKind::skip) || may_fail) {
     line.json("program", dump(program_json(result.program)));
     line.jsons("trace", result.trace);
   }

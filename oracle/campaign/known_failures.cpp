@@ -47,6 +47,10 @@ void KnownFailures::apply(CaseResult& result) const {
   for (const KnownFailure& entry : entries_) {
     if (entry.flaky || !entry.covers(result.id)) continue;
     if (answer == Decision::undecided || answer == Decision::neither) return;
+    if (answer == Decision::go && entry.verdict == VerdictKind::fail_reading && result.readings) {
+      result.readings->known = entry.reason;  // the readings of the run tell
+      return;
+    }
     if (answer == Decision::go) {
       verdict.kind = VerdictKind::xpass;
       verdict.message = fmt::format("Known to fail with {} ({}), but it passes.",
@@ -92,6 +96,10 @@ const AlarmMap::Entry* AlarmMap::name_class(RunEnd& end) const {
   const Entry* const known = entry_for(end.alarm.native);
   if (known != nullptr) end.alarm.alarm_class = known->alarm_class;
   return known;
+}
+
+std::string stale_alarm(const std::string& native) {
+  return fmt::format("alarm map {}: no case met it", native);
 }
 
 std::vector<std::string> AlarmMap::natives() const {

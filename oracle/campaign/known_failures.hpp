@@ -114,6 +114,8 @@ class AlarmMap {
  private:
   std::vector<Entry> entries_;
 };
+// What a footer says of an entry that no case met.
+std::string stale_alarm(const std::string& native);
 std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::string_view text);
 
 }  // namespace gonogo::oracle

@@ -82,11 +82,9 @@ KnownFailuresUpdate::KnownFailuresUpdate(std::vector<KnownCause> before)
   }
 }
 
-void KnownFailuresUpdate::add(const CaseFacts& facts, const Finding* finding) {
-  const Decision answer = decision(facts.verdict);
-  if (answer == Decision::undecided || answer == Decision::neither) return;
-  judged_.insert(facts.id);
-  if (facts.verdict == VerdictKind::xfail) {
+void KnownFailuresUpdate::add(const CaseFacts& facts, VerdictKind kind, const Finding* finding) {
+  if (kind == VerdictKind::xfail) {
+    judged_.insert(facts.id);
     const Verdict departure = departure_of(facts.head);
     const auto own = std::ranges::find_if(entries_, [&](const auto& one) {
       return one.second.is(departure) && one.second.covers(facts.id);
@@ -94,16 +92,16 @@ void KnownFailuresUpdate::add(const CaseFacts& facts, const Finding* finding) {
     if (own != entries_.end()) explained_.emplace(facts.id, own->first);
     return;
   }
-  if (finding == nullptr || facts.verdict == VerdictKind::xpass) return;
-  if (answer != Decision::no_go) {
-    ++reconciled_;
-  } else if (facts.verdict == VerdictKind::state_leak) {
+  if (!is_judged(kind)) return;
+  judged_.insert(facts.id);
+  if (finding == nullptr || kind == VerdictKind::xpass) return;
+  if (kind == VerdictKind::state_leak) {
     ++unsteady_;
   } else {
     New& fresh = new_[finding->key];
     fresh.reason = fmt::format("Not looked at yet: {}.", finding->text());
     fresh.finding = finding->number;
-    fresh.cases[{facts.verdict, facts.head.deviation}].push_back(facts.id);
+    fresh.cases[{kind, facts.head.deviation}].push_back(facts.id);
   }
 }
 
@@ -142,7 +140,6 @@ KnownFailuresUpdate::Result KnownFailuresUpdate::result(
     const std::map<std::size_t, std::string>& smallest) const {
   Result result;
   result.unsteady = unsteady_;
-  result.reconciled = reconciled_;
   for (std::size_t i = 0; i < before_.size(); ++i) {
     KnownCause cause{before_[i].reason, before_[i].program, {}};
     for (std::size_t k = 0; k < before_[i].failures.size(); ++k) {

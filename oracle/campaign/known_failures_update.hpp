@@ -20,15 +20,15 @@ class KnownFailuresUpdate {
  public:
   explicit KnownFailuresUpdate(std::vector<KnownCause> before);
 
-  // A case line of the run. `finding`: the one that it belongs to; null: it is none.
-  void add(const CaseFacts& facts, const Finding* finding);
+  // A case line of the run, with its verdict there. `finding`: the one that it belongs to; null: it
+  // is none.
+  void add(const CaseFacts& facts, VerdictKind kind, const Finding* finding);
 
   struct Result {
     std::vector<KnownCause> causes;
     std::size_t added = 0;       // cases
     std::size_t pruned = 0;      // cases that an entry named and that do not fail so any more
     std::size_t unsteady = 0;    // NO-GO as state-leak: no entry says how they fail
-    std::size_t reconciled = 0;  // NO-GO for a reading of the run only: no entry can name them
   };
   // `corpus`: the ids of all its cases. What was not run or not judged keeps its entries.
   // `smallest`: the program of a finding, by its number; without one the cause names none.
@@ -52,7 +52,6 @@ class KnownFailuresUpdate {
   std::set<std::string> judged_;
   std::map<Finding::Key, New> new_;
   std::size_t unsteady_ = 0;
-  std::size_t reconciled_ = 0;
 };
 
 // Globs that cover exactly these ids: those that differ in their last digit only are one.

@@ -9,6 +9,7 @@
 
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/selection.hpp"
+#include "oracle/corpus/id_set.hpp"
 
 namespace gonogo::oracle {
 
@@ -25,6 +26,7 @@ struct Shard {
   std::optional<Json> footer;  // nothing: incomplete
   std::string sha256;
   std::uint64_t cases = 0;
+  IdSet ids;
 };
 
 bool is_journal(const std::string& path) {
@@ -52,6 +54,7 @@ Shard look_at(const std::string& path) {
       throw MergeError(
           fmt::format("{}: the case {} does not belong to shard {}.", path, head.id, text));
     }
+    shard.ids.insert(head.id);
   }
   shard.footer = reader.footer();
   shard.sha256 = reader.sha256();
@@ -137,12 +140,45 @@ ResultsWriter::Ending ending_of(const std::map<unsigned, Shard>& shards) {
   return ending;
 }
 
+// Each case that the run was asked for lies in its shard, and no other (J-RUN-13). A shard whose
+// lines were dropped is as whole in itself as any.
+void check_cases(const Corpus& corpus, const std::map<unsigned, Shard>& shards) {
+  CampaignOptions asked = asked_in(shards.begin()->second.header);
+  const unsigned all = std::exchange(asked.shards, 1);
+  std::map<unsigned, std::uint64_t> cases;
+  std::map<unsigned, std::uint64_t> left_out;
+  CaseReader reader(corpus, Detail::to_run);
+  while (std::optional<Case> test = reader.next()) {
+    if (!is_selected(asked, *test)) continue;
+    const std::string id = test->id;
+    const unsigned number = shard_of(id, all);
+    const bool is_run = under(asked, *std::move(test)).has_value();
+    ++(is_run ? cases : left_out)[number];
+    const Shard& shard = shards.at(number);
+    if (is_run == shard.ids.contains(id)) continue;
+    throw MergeError(is_run ? fmt::format("{}: the case {} is missing.", shard.path, id)
+                            : fmt::format("{}: the run leaves the case {} out.", shard.path, id));
+  }
+  for (const auto& [number, shard] : shards) {
+    if (shard.cases != cases[number]) {
+      throw MergeError(fmt::format("{} has {} cases, and the run has {} in shard {}/{}.",
+                                   shard.path, shard.cases, cases[number], number, all));
+    }
+    if (shard.footer->value("left_out", std::uint64_t{0}) != left_out[number]) {
+      throw MergeError(fmt::format("{}: the run leaves {} cases out in shard {}/{}.", shard.path,
+                                   left_out[number], number, all));
+    }
+  }
+}
+
 void add_lines(const Shard& shard, ResultsWriter& writer) {
   ResultsReader reader = open(shard.path);
   for (CaseHead head; reader.next(head);) {
     // As it was before the readings of the shard alone were reconciled.
     const CaseFacts facts = facts_of(reader.text());
-    writer.add_line(facts.readings ? reconciled_line(reader.text(), facts.verdict) : reader.text());
+    writer.add_line(facts.readings ? reconciled_line(reader.text(), facts.verdict, std::nullopt,
+                                                     PassEvidence::keep)
+                                   : reader.text());
   }
 }
 
@@ -170,6 +206,10 @@ MergeOutcome merge_results(const MergeOptions& options) {
     }
   }
   if (!outcome.missing.empty() && !options.partial) return outcome;
+  const auto run = shards.begin()->second.header.value("corpus", Json::object());
+  outcome.has_corpus =
+      options.corpus != nullptr && run.value("sha256", "") == options.corpus->sha256();
+  if (outcome.has_corpus && outcome.missing.empty()) check_cases(*options.corpus, shards);
   Json header = shards.begin()->second.header;
   header["shard"] = "1/1";
   header["argv"] = options.argv;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/campaign/results_writer.hpp"
+#include "oracle/corpus/corpus.hpp"
 
 namespace gonogo::oracle {
 
@@ -21,12 +22,15 @@ struct MergeOptions {
   std::vector<std::string> results;  // files, complete ones or journals, in any order
   std::string out;                   // file
   std::vector<std::string> argv;
+  // That of the run, which says what cases its shards must have; null: it is not here.
+  const Corpus* corpus = nullptr;
   bool partial = false;  // write what is there, without a footer
 };
 
 struct MergeOutcome {
   std::vector<std::string> notes;    // a shard that was there twice, ...
   std::vector<std::string> missing;  // shards that are not there or not complete, and why
+  bool has_corpus = false;           // of the run: whether the shards have all cases is checked
   bool written = false;
   RunAnswer answer;  // when nothing is missing
   ResultsFooter footer;

@@ -54,8 +54,47 @@ ReadingTally::Assignment ReadingTally::parsed(const std::string& text) {
   return assignment;
 }
 
-bool ReadingTally::add(const OpenReadings& readings) {
-  if (readings.explaining.empty() || taken_.contains(readings.explaining)) return true;
+ReadingTally::Shown ReadingTally::shown_by(const std::vector<Assignment>& choices) {
+  Shown shown;
+  for (const auto& [key, value] : choices.front()) {
+    std::set<std::string> values;
+    for (const Assignment& choice : choices) {
+      const auto found = choice.find(key);
+      if (found != choice.end()) values.insert(found->second);
+    }
+    const bool is_needed = std::ranges::all_of(
+        choices, [&](const Assignment& choice) { return choice.contains(key); });
+    if (is_needed) shown[key] = std::move(values);
+  }
+  return shown;
+}
+
+// "gsk.duplicate: gsk.basic.000060 shows alarm, this case last", of the first such case.
+ReadingConflict ReadingTally::conflict(const Shown& shown) const {
+  ReadingConflict found;
+  for (const auto& [key, own] : shown) {
+    const auto before = shown_.find(key);
+    if (before == shown_.end()) continue;
+    for (const auto& [values, id] : before->second) {
+      const bool agree =
+          std::ranges::any_of(values, [&](const auto& value) { return own.contains(value); });
+      if (agree || (!found.against.empty() && found.against <= id)) continue;
+      found.against = id;
+      found.message = fmt::format(
+          "No single assignment of readings explains this case and those before it. {}: {} shows "
+          "{}, this case {}.",
+          key, id, fmt::join(values, " or "), fmt::join(own, " or "));
+    }
+  }
+  if (found.message.empty()) {
+    found.message = "No single assignment of readings explains this case and those before it.";
+  }
+  return found;
+}
+
+std::optional<ReadingConflict> ReadingTally::add(const std::string& id,
+                                                 const OpenReadings& readings) {
+  if (readings.explaining.empty() || taken_.contains(readings.explaining)) return std::nullopt;
   std::vector<Assignment> choices;
   for (const std::string& text : readings.explaining) choices.push_back(parsed(text));
   std::vector<Assignment> next;
@@ -66,10 +105,12 @@ bool ReadingTally::add(const OpenReadings& readings) {
       if (both && known.insert(*both).second) next.push_back(*std::move(both));
     }
   }
-  if (next.empty()) return false;
+  const Shown shown = shown_by(choices);
+  if (next.empty()) return conflict(shown);
+  for (const auto& [key, values] : shown) shown_[key].try_emplace(values, id);
   if (next.size() <= kMost) left_ = std::move(next);
   taken_.insert(readings.explaining);
-  return true;
+  return std::nullopt;
 }
 
 std::vector<std::string> ReadingTally::texts() const {

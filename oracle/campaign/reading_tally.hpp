@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +18,12 @@ struct OpenReadings {
   std::vector<std::string> open;                  // names
   std::vector<std::string> explaining;            // "k=v k=v"; a name that is not there stays open
   VerdictKind verdict = VerdictKind::pass_exact;  // under them
+  std::string known;  // why it is known to contradict the others: the reason; empty: it is not
+};
+// Why no assignment explains a case and those before it.
+struct ReadingConflict {
+  std::string message;  // a sentence, which names the alternatives
+  std::string against;  // the case that showed the other one; empty: several did together
 };
 // Nothing when no reading was open.
 std::optional<OpenReadings> open_readings(const SessionVerdict& session);
@@ -24,9 +31,9 @@ std::optional<OpenReadings> open_readings(const SessionVerdict& session);
 // Its memory grows with the number of different sets of assignments, not with that of the cases.
 class ReadingTally {
  public:
-  // Takes a passed case in. False when no assignment is left that explains it and all before; the
-  // case is then left out.
-  bool add(const OpenReadings& readings);
+  // Takes a passed case in. A conflict when no assignment is left that explains it and all before;
+  // the case is then left out.
+  std::optional<ReadingConflict> add(const std::string& id, const OpenReadings& readings);
   // "gsk.pocket.end=initial gsk.x-depth=radius", sorted; empty when no reading was open.
   std::vector<std::string> texts() const;
 
@@ -35,8 +42,14 @@ class ReadingTally {
   using Assignment = std::map<std::string, std::string>;
   static constexpr std::size_t kMost = 4'096;
   static Assignment parsed(const std::string& text);
+  // Reading -> the alternatives that explain a case, of those that it always needs.
+  using Shown = std::map<std::string, std::set<std::string>>;
+  static Shown shown_by(const std::vector<Assignment>& choices);
+  ReadingConflict conflict(const Shown& shown) const;
 
   std::vector<Assignment> left_ = {{}};
+  // Reading -> alternatives -> the first case that they explain.
+  std::map<std::string, std::map<std::set<std::string>, std::string>> shown_;
   std::set<std::vector<std::string>> taken_;  // what a second time would change nothing
 };
 

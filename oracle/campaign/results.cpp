@@ -81,6 +81,9 @@ std::string header_line(const ResultsHeader& header) {
                      {"numeric", numeric_json(header.subject)},
                      {"features", header.subject.features}};
   line["profile"] = Json::parse(header.profile.empty() ? "{}" : header.profile);
+  if (!header.machine.empty()) {
+    line["machine"] = {{"dialect", header.machine}, {"sets", header.machine_keys}};
+  }
   line["readings"] = header.readings;
   line["tolerance"] = text_or_null(header.tolerance);
   line["chord"] = text_or_null(header.chord);
@@ -119,24 +122,52 @@ std::string footer_line(const ResultsFooter& footer) {
   return dump(line);
 }
 
-// Without and with the evidence that a fail.reading has: the motions are those of a pass.
-std::string reconciled_line(const std::string& line, VerdictKind kind) {
+namespace {
+
+// What the readings of the run make of a pass, in its own words.
+struct ReadingWords {
+  std::string message;
+  std::string departure;
+};
+
+ReadingWords reading_words(const Json& line, VerdictKind kind,
+                           const std::optional<ReadingConflict>& conflict) {
+  const std::string known = text_in(line.at("readings"), "known");
+  const std::string failure(name(VerdictKind::fail_reading));
+  const std::string message = conflict ? conflict->message : std::string();
+  switch (kind) {
+    case VerdictKind::fail_reading:
+      return {message, {}};
+    case VerdictKind::xfail:
+      return {fmt::format("Known: {} ({}: {})", known, failure, message), failure};
+    case VerdictKind::xpass:
+      return {fmt::format("Known to fail with {} ({}), but it passes.", failure, known), {}};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+// A key that the reconciliation writes is none of a pass.
+std::string reconciled_line(const std::string& line, VerdictKind kind,
+                            const std::optional<ReadingConflict>& conflict, PassEvidence evidence) {
   const Json before = Json::parse(line);
-  const std::string_view verdict = name(kind);
-  if (text_in(before, "verdict") == verdict) return line;
-  const bool is_failure = kind == VerdictKind::fail_reading;
+  const ReadingWords words = reading_words(before, kind, conflict);
+  const bool drops = decision(kind) == Decision::go && evidence == PassEvidence::drop;
   Json after;
   for (const auto& [key, value] : before.items()) {
-    if (key == "message" || key == "program" || key == "trace") continue;
-    if (key == "us" && is_failure) {
-      after["message"] = "No single assignment of readings explains this case and those before it.";
+    if (key == "message" || key == "departure") continue;
+    if (drops && (key == "program" || key == "trace")) continue;
+    const bool is_behind = key == "us" || key == "readings";  // a line of the hash has no time
+    if (is_behind && !after.contains("message") && !words.message.empty()) {
+      if (!words.departure.empty()) after["departure"] = words.departure;
+      after["message"] = words.message;
     }
-    after[key] = key == "verdict" ? Json(verdict) : value;
+    after[key] = key == "verdict" ? Json(name(kind)) : value;
   }
-  if (is_failure) {
-    after["program"] = "";
-    after["trace"] = Json::array();
-  }
+  after["readings"].erase("against");
+  if (conflict && !conflict->against.empty()) after["readings"]["against"] = conflict->against;
   return dump(after);
 }
 

@@ -16,6 +16,7 @@
 #include "oracle/judge/terms.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/subject.hpp"
+#include "reference/profile.hpp"
 
 namespace gonogo::oracle {
 
@@ -29,6 +30,8 @@ struct ResultsHeader {
   std::string subject_spec;
   SubjectInfo subject;
   std::string profile;                // JSON object of what the certifier set
+  std::string machine;  // dialect of the certifier's profile; empty: there is none
+  std::vector<reference::ProfileKey> machine_keys;  // that it sets, to the default or not
   std::vector<std::string> readings;  // "k=v" over the cases' profiles
   std::string tolerance;              // empty: as declared
   std::string chord;                  // empty: none
@@ -58,8 +61,8 @@ struct CaseResult {
   std::vector<std::string> clauses;
   Verdict verdict;
   std::string profile;             // JSON object
-  std::string program;             // bytes; only when not GO
-  std::vector<std::string> trace;  // records as JSON; only when not GO
+  std::string program;             // bytes; only when not GO, or when readings may make it so
+  std::vector<std::string> trace;  // records as JSON; likewise
   std::string notes;               // what the subject noted and wrote to stderr; only when not GO
   std::int64_t microseconds = 0;
   int attempts = 1;
@@ -73,7 +76,7 @@ struct ResultsFooter {
   std::string head;                           // of what, in a line
   std::map<std::string, std::size_t> totals;  // by verdict
   std::size_t cases = 0;
-  std::size_t judged = 0;                             // neither skipped nor undecided
+  std::size_t judged = 0;                             // ended in GO or NO-GO
   std::size_t left_out = 0;                           // contradict the certifier's profile
   std::vector<std::string> assignments;               // readings that explain all passes, "k=v k=v"
   std::map<std::string, RoundingCensus> coordinates;  // as in RunAnswer
@@ -97,8 +100,12 @@ std::string case_line(const CaseResult& result, bool with_timing);
 std::string line_without_timing(std::string_view line);
 // Takes a case line, as written here, into the hash of the footer.
 void hash_case_line(std::string_view line, Sha256& hash);
-// A case line as it is in a run where the readings leave the case the verdict `kind`.
-std::string reconciled_line(const std::string& line, VerdictKind kind);
+// A case line as it is in a run where the readings leave the case the verdict `kind`, for the
+// `conflict` of the run. Program and trace of a pass stay only where it may still come to another
+// verdict: with other shards.
+enum class PassEvidence { keep, drop };
+std::string reconciled_line(const std::string& line, VerdictKind kind,
+                            const std::optional<ReadingConflict>& conflict, PassEvidence evidence);
 // The id that a case line begins with.
 std::string id_of_line(std::string_view line);
 // What a case line says of the verdict, for people: id, dialect, cycle, verdict.

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/corpus/sha256.hpp"
 
@@ -152,6 +153,7 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   out.put(header_);
   Sha256 hash;
   Tally tally;
+  const PassEvidence evidence = ending.is_shard ? PassEvidence::keep : PassEvidence::drop;
   std::set<std::string> mapped;
   std::string last;
   sorter.for_each([&](const std::string& id, const std::string& line) {
@@ -160,7 +162,8 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
     CaseFacts facts = facts_of(line);
     const VerdictKind kind = tally.add(facts);
     if (!facts.mapped.empty()) mapped.insert(std::move(facts.mapped));
-    const std::string written = facts.readings ? reconciled_line(line, kind) : line;
+    const std::string written =
+        facts.readings ? reconciled_line(line, kind, tally.conflict(), evidence) : line;
     out.put(written);
     hash_case_line(written, hash);
     if (visit) visit(written, kind);
@@ -174,11 +177,11 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
                          [&](const std::string& entry) { return !mapped.contains(entry); });
     if (!ending.is_shard) {
       for (const std::string& entry : *footer.unused_alarms) {
-        footer.stale.push_back(fmt::format("alarm map {}: no case met it", entry));
+        footer.stale.push_back(stale_alarm(entry));
       }
     }
   }
-  const RunAnswer answer = tally.finish(footer.stale);
+  const RunAnswer answer = tally.finish(footer.stale, conditions_of(Json::parse(header_)));
   footer.decision = answer.decision;
   footer.head = answer.head;
   footer.totals = answer.totals;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/campaign/selection.hpp"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "oracle/campaign/results_reader.hpp"
 #include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::oracle {
@@ -43,7 +45,51 @@ bool has_key(const Json& table, const reference::ProfileKey& key) {
   return true;
 }
 
+// The certifier's profile. A header that does not name its dialect is of the only one asked for.
+void read_machine(const Json& header, CampaignOptions& asked) {
+  const Json profile = header.value("profile", Json::object());
+  const Json machine = header.value("machine", Json());
+  if (profile.empty() && machine.is_null()) return;
+  std::string dialect = asked.dialects.size() == 1 ? asked.dialects.front() : std::string();
+  asked.profile_keys = reference::keys_of_json(profile.dump());
+  if (!machine.is_null()) {
+    dialect = machine.at("dialect").get<std::string>();
+    asked.profile_keys = machine.at("sets").get<std::vector<reference::ProfileKey>>();
+  }
+  auto read = reference::profile_from_json(profile.dump(), dialect);
+  if (const auto* error = std::get_if<reference::ProfileError>(&read)) {
+    throw ResultsError(fmt::format("The profile of the header: {}", error->message));
+  }
+  asked.profile = std::get<reference::Profile>(std::move(read));
+}
+
 }  // namespace
+
+CampaignOptions asked_in(const Json& header) try {
+  CampaignOptions asked;
+  const Json selection = header.value("selection", Json::object());
+  const auto names = [&](const char* key) {
+    return selection.value(key, std::vector<std::string>());
+  };
+  asked.dialects = names("dialects");
+  asked.only = names("only");
+  asked.cases = names("cases");
+  asked.cycles = names("cycles");
+  asked.clauses = names("clauses");
+  const Json one = selection.value("case", Json());
+  if (one.is_string()) asked.cases = {one.get<std::string>()};
+  asked.readings = header.value("readings", std::vector<std::string>());
+  const auto shard = header.at("shard").get<std::string>();
+  char rest = 0;
+  if (std::sscanf(shard.c_str(), "%u/%u%c", &asked.shard, &asked.shards, &rest) != 2 ||
+      asked.shard < 1 || asked.shard > asked.shards) {
+    throw ResultsError(fmt::format("The header's shard \"{}\" is no shard i/n.", shard));
+  }
+  read_machine(header, asked);
+  return asked;
+} catch (const Json::exception& error) {
+  throw ResultsError(fmt::format("The header cannot be read: {}.", error.what()));
+}
 
 unsigned shard_of(std::string_view id, unsigned shards) {
   Sha256 hash;

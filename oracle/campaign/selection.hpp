@@ -3,6 +3,8 @@
 // Which cases of a corpus a campaign runs, and under which profile.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "oracle/campaign/campaign.hpp"
 
 namespace gonogo::oracle {
@@ -11,6 +13,10 @@ namespace gonogo::oracle {
 unsigned shard_of(std::string_view id, unsigned shards);
 
 bool is_selected(const CampaignOptions& options, const Case& test);
+
+// What the header of a results file says of it: selection, shard, profile and readings. Throws
+// ResultsError.
+CampaignOptions asked_in(const nlohmann::ordered_json& header);
 
 // The case under the certifier's profile and readings; nothing when they contradict its own.
 std::optional<Case> under(const CampaignOptions& options, Case test);

@@ -83,6 +83,7 @@ CaseFacts facts_of(std::string_view case_line) {
     facts.readings->open = texts_of(readings, "open");
     facts.readings->explaining = texts_of(readings, "explaining");
     facts.readings->verdict = verdict_of(readings, case_line);
+    facts.readings->known = text_of(readings, "known");
     facts.verdict = facts.readings->verdict;
   }
   return facts;
@@ -90,9 +91,16 @@ CaseFacts facts_of(std::string_view case_line) {
 
 VerdictKind Tally::add(const CaseFacts& facts) {
   VerdictKind kind = facts.verdict;
-  if (facts.readings && decision(kind) == Decision::go && !readings_.add(*facts.readings)) {
-    kind = VerdictKind::fail_reading;
-    if (answer_.reading_conflict.empty()) answer_.reading_conflict = facts.id;
+  conflict_.reset();
+  if (facts.readings && decision(kind) == Decision::go) {
+    conflict_ = readings_.add(facts.id, *facts.readings);
+    const bool is_known = !facts.readings->known.empty();
+    if (conflict_) {
+      kind = is_known ? VerdictKind::xfail : VerdictKind::fail_reading;
+      if (answer_.reading_conflict.empty()) answer_.reading_conflict = facts.id;
+    } else if (is_known) {
+      kind = VerdictKind::xpass;
+    }
   }
   answer_.scope.add(facts.head, kind);
   ++answer_.cases;
@@ -105,31 +113,32 @@ VerdictKind Tally::add(const CaseFacts& facts) {
   }
   if (kind == VerdictKind::oracle_error) ++answer_.oracle_errors;
   if (kind == VerdictKind::oracle_gap && !facts.expected_gap) ++answer_.unexpected_gaps;
-  if (answer == Decision::go || answer == Decision::no_go || kind == VerdictKind::advice) {
+  if (is_judged(kind)) {
     ++answer_.judged;
     ++judged;
   }
   return kind;
 }
 
-RunAnswer Tally::finish(const std::vector<std::string>& stale) const {
+RunAnswer Tally::finish(const std::vector<std::string>& stale,
+                        const RunConditions& conditions) const {
   RunAnswer answer = answer_;
   answer.assignments = readings_.texts();
   answer.judged_nothing =
-      judged_by_dialect_.empty() ||
+      judged_by_dialect_.empty() || !answer.scope.claims_every_dialect() ||
       std::ranges::any_of(judged_by_dialect_, [](const auto& entry) { return entry.second == 0; });
   if (answer.no_go > 0 || !stale.empty()) {
     answer.exit_code = 1;
     answer.decision = "NO-GO";
   } else if (answer.judged_nothing || answer.oracle_errors > 0 || answer.unexpected_gaps > 0) {
-    // J-RUN-07.
+    // J-RUN-07, J-RUN-14.
     answer.exit_code = 3;
     answer.decision = "UNDECIDED";
   } else {
     answer.exit_code = 0;
     answer.decision = "GO";
   }
-  answer.head = answer.scope.head(answer.decision);
+  answer.head = answer.scope.head(answer.decision) + conditions.text();
   return answer;
 }
 

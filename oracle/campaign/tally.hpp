@@ -14,6 +14,7 @@
 #include "oracle/campaign/reading_tally.hpp"
 #include "oracle/records/case_head.hpp"
 #include "oracle/records/rounding_census.hpp"
+#include "oracle/records/run_conditions.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/verdict.hpp"
 
@@ -39,11 +40,11 @@ CaseFacts facts_of(std::string_view case_line);
 struct RunAnswer {
   std::map<std::string, std::size_t> totals;  // by verdict
   std::size_t cases = 0;
-  std::size_t judged = 0;  // neither skipped nor undecided
+  std::size_t judged = 0;  // ended in GO or NO-GO
   std::size_t no_go = 0;
   std::size_t unexpected_gaps = 0;
   std::size_t oracle_errors = 0;
-  bool judged_nothing = false;           // in all, or in one of the dialects
+  bool judged_nothing = false;           // no feature is GO, in all or in one of the dialects
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   // Of all that is GO: how coordinates are rounded, by dialect.
@@ -57,14 +58,19 @@ struct RunAnswer {
 class Tally {
  public:
   // Cases in the order of their ids. Returns the verdict of the case in the run: its own, or
-  // fail.reading when no assignment explains it and all before.
+  // fail.reading when no assignment explains it and all before, which may be known (J-RUN-17).
   VerdictKind add(const CaseFacts& facts);
-  // `stale`: entries of the subject's files that are no longer true.
-  RunAnswer finish(const std::vector<std::string>& stale) const;
+  // Of the case that was added last.
+  const std::optional<ReadingConflict>& conflict() const { return conflict_; }
+  // `stale`: entries of the subject's files that are no longer true. `conditions` stand in the head
+  // line and decide nothing.
+  RunAnswer finish(const std::vector<std::string>& stale,
+                   const RunConditions& conditions = {}) const;
 
  private:
   RunAnswer answer_;
   ReadingTally readings_;
+  std::optional<ReadingConflict> conflict_;
   std::map<std::string, std::size_t> judged_by_dialect_;
 };
 

@@ -6,13 +6,12 @@
 
 namespace gonogo::oracle::evidence {
 
-// Green is what was judged in full alone: a skip and an advice are not (J-RUN-05).
+// Green is a whole corpus under the subject's own numbers alone (J-RUN-15).
 std::string badge_json(const RunState& state) {
   const Json& headline = state.summary["headline"];
   std::string colour = "yellow";
   if (state.decision == "GO") {
-    const bool is_whole = headline["notClaimed"] == 0 && headline["advices"] == 0;
-    colour = is_whole ? "brightgreen" : "yellowgreen";
+    colour = headline["whole"] == true ? "brightgreen" : "yellowgreen";
   } else if (state.decision == "NO-GO") {
     colour = "red";
   }

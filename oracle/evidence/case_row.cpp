@@ -5,6 +5,7 @@
 
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/clauses.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -33,6 +34,7 @@ CaseRow case_row(const Json& line) {
   if (facts.kind == VerdictKind::xfail && facts.known.empty()) {
     split_known_message(facts.departure, facts.known, facts.message);
   }
+  facts.against = text_of(line.value("readings", Json::object()), "against");
   facts.microseconds = report::count_of(line, "us").value_or(0);
   const auto expected = line.find("expected");
   facts.expected = expected != line.end() && *expected == true;
@@ -52,9 +54,16 @@ CaseRow case_row(const CaseHead& line) {
   facts.gap = line.gap;
   facts.known = line.known;
   facts.message = line.message;
+  facts.against = line.against;
   facts.microseconds = line.microseconds;
   facts.expected = line.expected;
   return facts;
+}
+
+std::string again_words(const CaseRow& facts) {
+  const std::string own = report::shell_word(facts.id);
+  if (facts.against.empty()) return own;
+  return own + " --case " + report::shell_word(facts.against);
 }
 
 std::string deviation_text(const CaseRow& facts) {

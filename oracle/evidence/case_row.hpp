@@ -32,6 +32,7 @@ struct CaseRow {
   std::string deviation_exact;
   std::string deviation_mm;
   std::string message;
+  std::string against;  // of a fail.reading: the case that shows another alternative
   std::uint64_t microseconds = 0;
   bool expected = false;               // an oracle-gap that the corpus expects
   std::optional<std::string> program;  // bytes
@@ -47,6 +48,8 @@ CaseRow case_row(const Json& line);
 // What the head of a line says: all there is to say of a pass or a skip.
 CaseRow case_row(const CaseHead& line);
 
+// The ids, shell words behind `--case`, that show the case again.
+std::string again_words(const CaseRow& facts);
 // Message, clause with its text, line, want, got, deviation, other reading: some lines for people.
 std::string row_text(const CaseRow& facts);
 // "0.5 mm (exactly 1/2)"; empty: none.

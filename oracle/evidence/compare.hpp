@@ -14,10 +14,10 @@ namespace gonogo::oracle::evidence {
 
 // What became of a case that is not the same in both runs.
 enum class Change {
-  regression,  // GO before, NO-GO now
+  regression,  // a pass before and none now, or a known failure that fails otherwise now
   mended,      // NO-GO before, GO now
   departure,   // NO-GO in both, but departs elsewhere
-  verdict,     // any other change of the verdict: skipped now, undecided now, ...
+  verdict,     // any other change of the verdict: NO-GO before, skipped now, ...
 };
 
 struct ChangedCase {

@@ -22,7 +22,7 @@ struct HeaderPart {
   std::string_view what;
   const char* pointer;
 };
-inline constexpr std::array<HeaderPart, 12> kHeaderParts = {{
+inline constexpr std::array<HeaderPart, 18> kHeaderParts = {{
     {"subject", "/subject/name"},
     {"version of the subject", "/subject/version"},
     {"version of gonogo", "/gonogo"},
@@ -31,6 +31,12 @@ inline constexpr std::array<HeaderPart, 12> kHeaderParts = {{
     {"readings asked for", "/readings"},
     {"tolerance", "/tolerance"},
     {"chord", "/chord"},
+    {"feed resolution", "/feed_resolution"},
+    {"blend", "/blend"},
+    {"strictness", "/strict"},
+    {"features declared", "/subject/dialects"},
+    {"what is told besides motions", "/subject/features"},
+    {"numbers declared", "/subject/numeric"},
     {"cases asked for", "/selection"},
     {"shard", "/shard"},
     {"known failures (SHA-256)", "/known_failures"},
@@ -45,7 +51,7 @@ struct ChangeNames {
   std::string_view title;
 };
 inline constexpr std::array<ChangeNames, 4> kChanges = {{
-    {Change::regression, "regressions", "Regressions (GO before, NO-GO now)"},
+    {Change::regression, "regressions", "Regressions (GO before, not GO now)"},
     {Change::departure, "departures", "Other departures (NO-GO before and now)"},
     {Change::verdict, "verdicts", "Other changes of the verdict"},
     {Change::mended, "mended", "Mended (NO-GO before, GO now)"},

@@ -26,9 +26,7 @@ class SideOfRuns {
     return oracle::decision(verdict_kind(line_.verdict).value_or(VerdictKind::oracle_error));
   }
   Json part() const {
-    if (decision() == Decision::go && line_.verdict != name(VerdictKind::xfail)) {
-      return {{"verdict", line_.verdict}};
-    }
+    if (decision() == Decision::go) return {{"verdict", line_.verdict}};
     return departure_part(reader_.json());
   }
   void step() { at_end_ = !reader_.next(line_); }
@@ -54,18 +52,21 @@ std::vector<const SideOfRuns*> having(const Sides& sides, const std::string& id)
 std::optional<Change> change_among(const std::vector<const SideOfRuns*>& at) {
   const SideOfRuns& now = *at.back();
   bool was_go = false;
+  bool was_known = false;
   bool was_no_go = false;
   bool same_verdict = true;
   bool same_departure = true;
   for (const SideOfRuns* one : at) {
     if (one == &now) continue;
     was_go = was_go || one->decision() == Decision::go;
+    was_known = was_known || one->line().verdict == name(VerdictKind::xfail);
     was_no_go = was_no_go || one->decision() == Decision::no_go;
     same_verdict = same_verdict && one->line().verdict == now.line().verdict;
     const bool both = one->decision() == Decision::no_go && now.decision() == Decision::no_go;
     same_departure = same_departure && (!both || one->part() == now.part());
   }
-  if (now.decision() == Decision::no_go && was_go) return Change::regression;
+  if (now.decision() != Decision::go && was_go) return Change::regression;
+  if (now.decision() == Decision::no_go && was_known) return Change::regression;
   if (now.decision() == Decision::go && was_no_go) return Change::mended;
   if (now.decision() == Decision::no_go && was_no_go && !same_departure) return Change::departure;
   return same_verdict ? std::nullopt : std::optional(Change::verdict);

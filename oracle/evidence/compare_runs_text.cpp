@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> run_lines(const RunsComparison& comparison) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < comparison.paths.size(); ++i) {
-    lines.push_back(fmt::format("{} {}{} ({})", i + 1, subject_title(comparison.headers[i]),
+    lines.push_back(fmt::format("{} {}{} ({})", i + 1, run_title(comparison.headers[i]),
                                 i + 1 == comparison.paths.size() ? ", now" : "",
                                 comparison.paths[i]));
   }

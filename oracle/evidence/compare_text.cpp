@@ -17,8 +17,8 @@ using report::text_of;
 namespace {
 
 std::string titles(const Comparison& comparison) {
-  return fmt::format("{} before, {} now", subject_title(comparison.old_header),
-                     subject_title(comparison.new_header));
+  return fmt::format("{} before, {} now", run_title(comparison.old_header),
+                     run_title(comparison.new_header));
 }
 
 std::string text_table(const Comparison& comparison) {

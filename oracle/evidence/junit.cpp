@@ -44,7 +44,7 @@ std::string element(std::string_view tag, const CaseRow& facts, const Finding* f
   const std::string body =
       row_text(facts) +
       (finding == nullptr ? std::string() : "finding    " + finding->text() + "\n") +
-      "again      " + command + report::shell_word(facts.id) + "\n";
+      "again      " + command + again_words(facts) + "\n";
   return fmt::format("<{} type=\"{}\" message=\"{}\">{}</{}>", tag, facts.verdict(),
                      xml_attribute(facts.message), markup_text(body), tag);
 }
@@ -167,7 +167,8 @@ std::string JunitWriter::properties(const RunState& state) const {
   std::string own = property("decision", state.decision) + property("head", state.head) +
                     property("judged", headline["judged"].dump()) +
                     property("advices", headline["advices"].dump()) +
-                    property("not-claimed", headline["notClaimed"].dump());
+                    property("not-claimed", headline["notClaimed"].dump()) +
+                    property("known-to-fail", headline["known"].dump());
   for (const Json& finding : state.summary["findings"]) {
     own += property("finding", report::text_of(finding, "line"));
   }

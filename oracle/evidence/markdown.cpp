@@ -173,7 +173,7 @@ std::string MarkdownSummary::failure(const CaseRow& facts) const {
   if (!facts.reading.empty()) {
     text += "- GO under the reading " + markdown_code(facts.reading) + "\n";
   }
-  return text + "\n" + markdown_fence(command_ + report::shell_word(facts.id)) + "\n";
+  return text + "\n" + markdown_fence(command_ + again_words(facts)) + "\n";
 }
 
 // Each finding once, the first with the evidence of their smallest case.

@@ -55,7 +55,7 @@ struct Outcome {
 };
 
 // The outcome as far as the line holds it; nothing when that is not enough.
-std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row) {
+std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row, VerdictKind departure) {
   if (line.value("notes", std::string()).starts_with(kSampledNote)) return std::nullopt;
   const Json trace = line.value("trace", Json::array());
   if (trace.size() >= kKeptRecords) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Outcome> outcome_of(const Json& line, const CaseRow& row) {
   for (const Json& entry : trace) {
     if (!take(report::dump(entry))) return std::nullopt;
   }
-  if (!departs_in_alarm(row.kind) || has_alarm) return outcome;
+  if (!departs_in_alarm(departure) || has_alarm) return outcome;
   // The alarm stands in what was got.
   const std::size_t records = outcome.records.size();
   if (!take(row.got) || outcome.records.size() != records) return std::nullopt;
@@ -90,8 +90,14 @@ std::string difference(const Json& line, const CaseRow& row, const Verdict& now)
     return fmt::format("{}: the {} was {}, but judged again it is {}.", row.id, what,
                        was.empty() ? "none" : was, is.empty() ? "none" : is);
   };
-  if (now.kind != row.kind) {
-    return differs("verdict", std::string(row.verdict()), std::string(name(now.kind)));
+  const bool is_known = row.kind == VerdictKind::xfail;
+  const std::string verdict = is_known ? row.departure : std::string(row.verdict());
+  if (name(now.kind) != verdict) {
+    return differs("verdict", verdict, std::string(name(now.kind)));
+  }
+  const std::string departure(now.departure ? name(*now.departure) : std::string_view());
+  if (!is_known && departure != row.departure) {
+    return differs("departure", row.departure, departure);
   }
   const std::string clause(now.clause == reference::kNoClause ? ""
                                                               : reference::clause_name(now.clause));
@@ -126,6 +132,10 @@ RunTerms run_terms(const Json& header) {
   terms.subject.resolution = number_of(numeric, "resolution");
   terms.subject.feed_resolution = number_of(numeric, "feed_resolution");
   terms.subject.chord = number_of(numeric, "chord");
+  terms.subject.recorded = text_of(subject, "spec").starts_with("capture:");
+  const Json dialects = subject.value("dialects", Json());
+  terms.subject.everything = !dialects.is_object();
+  if (dialects.is_object()) terms.subject.dialects = dialects.get<decltype(SubjectInfo::dialects)>();
   for (const Json& feature : subject.value("features", Json::array())) {
     if (feature.is_string()) terms.subject.features.insert(feature.get<std::string>());
   }
@@ -137,17 +147,26 @@ RunTerms run_terms(const Json& header) {
 
 Rejudged rejudge(const Json& line, const RunTerms& terms) {
   const CaseRow row = case_row(line);
-  if (!row.program || !(departs_in_motion(row.kind) || departs_in_alarm(row.kind))) return {};
+  const bool is_gap = row.kind == VerdictKind::oracle_gap;
+  const VerdictKind departure =
+      row.kind == VerdictKind::advice || row.kind == VerdictKind::xfail
+          ? verdict_kind(row.departure).value_or(VerdictKind::oracle_error)
+          : row.kind;
+  const bool can_tell = is_gap || departs_in_motion(departure) || departs_in_alarm(departure);
+  if (!row.program || !can_tell) return {};
   const auto profile = report::case_profile(row.dialect, line.value("profile", Json::object()));
   if (const auto* fault = std::get_if<std::string>(&profile)) {
     return {true, fmt::format("{}: its profile cannot be read: {}", row.id, *fault)};
   }
-  const auto outcome = outcome_of(line, row);
+  const auto outcome = outcome_of(line, row, departure);
   if (!outcome) return {};
   const auto& machine = std::get<reference::Profile>(profile);
   const JudgeTerms judge_terms = make_terms(terms.subject, machine, terms.grants);
   const SessionVerdict now =
       judge_outcome(machine, *row.program, judge_terms, outcome->records, outcome->end);
+  // How the run of a gap ended is not told; a record that departs does so however it ended.
+  const bool departs = now.verdict.record && decision(now.verdict.kind) == Decision::no_go;
+  if (is_gap && now.verdict.kind != row.kind && !departs) return {};
   return {true, difference(line, row, now.verdict)};
 }
 

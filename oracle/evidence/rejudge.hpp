@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A NO-GO judged again from what the results file holds of it: program, profile and trace.
+// What is not GO judged again from what the results file holds of it: program, profile and trace.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/evidence/run_state.hpp"
 
+#include <fmt/format.h>
+
+#include "oracle/records/run_conditions.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -15,6 +18,12 @@ std::string subject_title(const Json& header) {
   return version.empty() ? name : name + " " + version;
 }
 
+std::string run_title(const Json& header) {
+  const std::string conditions = conditions_of(header).short_text();
+  return conditions.empty() ? subject_title(header)
+                            : fmt::format("{} ({})", subject_title(header), conditions);
+}
+
 RunState run_state(const report::Summary& summary, const Json& header, const Json* footer) {
   RunState state;
   state.subject = subject_title(header);
@@ -23,13 +32,13 @@ RunState run_state(const report::Summary& summary, const Json& header, const Jso
     state.unfinished = "The run did not come to its end: the results file has no footer.";
     const bool failed = state.summary["headline"]["noGo"] > 0;
     state.decision = failed ? "NO-GO" : "INCOMPLETE";
-    state.head = summary.scope().head(state.decision);
+    state.head = summary.scope().head(state.decision) + conditions_of(header).text();
     return state;
   }
   state.footer = *footer;
   state.decision = text_of(*footer, "decision");
   if (state.decision.empty()) state.decision = text_of(state.summary["headline"], "decision");
-  state.head = summary.scope().head(state.decision);
+  state.head = summary.scope().head(state.decision) + conditions_of(header).text();
   return state;
 }
 

@@ -112,7 +112,7 @@ Json properties(const CaseRow& facts, const std::string& command) {
     bag["deviation"] = {{"exact", facts.deviation_exact}, {"mm", facts.deviation_mm}};
   }
   put("reading", facts.reading);
-  bag["command"] = command + report::shell_word(facts.id);
+  bag["command"] = command + again_words(facts);
   return bag;
 }
 

@@ -3,18 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <set>
+#include <variant>
 
+#include "oracle/campaign/case_roll.hpp"
+#include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results.hpp"
+#include "oracle/campaign/selection.hpp"
 #include "oracle/campaign/tally.hpp"
 #include "oracle/corpus/corpus.hpp"
-#include "oracle/corpus/id_set.hpp"
 #include "oracle/evidence/certificate_files.hpp"
 #include "oracle/evidence/compare.hpp"
-#include "oracle/evidence/rejudge.hpp"
 #include "oracle/evidence/statement.hpp"
+#include "oracle/evidence/text.hpp"
+#include "oracle/evidence/verify_cases.hpp"
+#include "oracle/evidence/verify_header.hpp"
 #include "oracle/evidence/verify_sums.hpp"
-#include "oracle/evidence/verify_traces.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -30,10 +37,7 @@ struct ResultsFacts {
   Json header;
   Json footer;
   RunAnswer answer;
-  std::vector<std::string> strangers;  // cases that the corpus here does not have
-  std::vector<std::string> misjudged;  // sentences
-  std::size_t rejudged = 0;
-  std::size_t not_rejudged = 0;           // NO-GO, but the line does not hold what it takes
+  std::set<std::string> mapped;           // entries of the alarm map that a case met
   std::vector<std::string> inconsistent;  // lines whose verdict is not what the tally makes of it
 };
 
@@ -45,37 +49,26 @@ std::vector<std::string> texts_in(const Json& object, const char* key) {
   return texts;
 }
 
-// `known`: the cases of the corpus here; null: there is none. Throws ResultsError.
-ResultsFacts read_results(const std::string& path, const IdSet* known) {
+// Throws ResultsError.
+ResultsFacts read_results(const std::string& path) {
   ResultsReader reader(path);
   ResultsFacts facts;
   facts.header = reader.header();
-  const RunTerms terms = run_terms(reader.header());
-  const bool from_samples =
-      text_of(facts.header.value("subject", Json::object()), "spec").starts_with("capture:");
   Tally tally;
-  Json line;
-  while (reader.next(line)) {
-    const CaseRow row = case_row(line);
-    if (known != nullptr && !known->contains(row.id)) {
-      facts.strangers.push_back(fmt::format("{} is no case of the corpus.", row.id));
-    }
-    const VerdictKind kind = tally.add(facts_of(reader.text()));
-    if (kind != row.kind) {
-      facts.inconsistent.push_back(
-          fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
-                      row.id, row.verdict(), name(kind)));
-    }
-    if (row.decision() != Decision::no_go) continue;
-    const Rejudged again = from_samples ? Rejudged{} : rejudge(line, terms);
-    ++(again.judged ? facts.rejudged : facts.not_rejudged);
-    if (!again.fault.empty()) facts.misjudged.push_back(again.fault);
+  for (CaseHead head; reader.next(head);) {
+    const CaseFacts line = facts_of(reader.text());
+    if (!line.mapped.empty()) facts.mapped.insert(line.mapped);
+    const VerdictKind kind = tally.add(line);
+    if (name(kind) == head.verdict) continue;
+    facts.inconsistent.push_back(
+        fmt::format("{}: the line says {}, but with the readings of the whole run it is {}.",
+                    head.id, head.verdict, name(kind)));
   }
   if (!reader.footer()) {
     throw ResultsError(fmt::format("{} has no footer: it is incomplete.", path));
   }
   facts.footer = *reader.footer();
-  facts.answer = tally.finish(texts_in(facts.footer, "stale"));
+  facts.answer = tally.finish(texts_in(facts.footer, "stale"), conditions_of(facts.header));
   return facts;
 }
 
@@ -100,18 +93,6 @@ void check_footer(const ResultsFacts& facts, Findings& findings) {
   findings.add_list(faults,
                     fmt::format("Totals, readings and decision ({}) follow from the {} cases.",
                                 facts.answer.decision, facts.answer.cases));
-}
-
-void check_again(const ResultsFacts& facts, Findings& findings) {
-  findings.add_list(
-      facts.misjudged,
-      fmt::format("{} NO-GO judged again from program and trace: all the same.", facts.rejudged));
-  if (facts.not_rejudged > 0) {
-    findings.add(Result::holds,
-                 fmt::format("{} NO-GO have no trace to judge again (a crash, a timeout, a state "
-                             "leak, a known failure that passes, ...); --subject runs them again.",
-                             facts.not_rejudged));
-  }
 }
 
 // Which gonogo.
@@ -168,7 +149,7 @@ void check_statement(const fs::path& folder, const ResultsFacts& facts, const Ga
   findings.add_list(faults, "The statement follows from results and waivers.");
 }
 
-// The files of the run are those whose sums the results name.
+// The files of the run are those whose sums the results name, and the traces are of its subject.
 void check_run_files(const fs::path& folder, const ResultsFacts& facts, Findings& findings) {
   std::vector<std::string> faults;
   auto check = [&](const char* name, const char* key) {
@@ -183,68 +164,117 @@ void check_run_files(const fs::path& folder, const ResultsFacts& facts, Findings
   };
   check(kWaiversFile, "known_failures");
   check(kAlarmMapFile, "alarm_map");
-  findings.add_list(faults, "Waivers and alarm map are those of the run.");
+  if (const fs::path own = folder / kTraces / "subject.json"; fs::exists(own)) {
+    const Json said = Json::parse(file_text(own.string()), nullptr, false);
+    const Json subject = facts.header.value("subject", Json::object());
+    for (const char* key : {"dialects", "features", "numeric"}) {
+      const Json told = subject.value(key, Json());
+      if (said.is_object() && said.value(key, Json()) == told) continue;
+      faults.push_back(fmt::format("{} has other {} than the header.", own.string(), key));
+    }
+  }
+  findings.add_list(faults, "Waivers, alarm map and what the subject declares are those of the run.");
 }
 
-// The corpus that is here, as far as it can be read.
-struct CorpusHere {
-  std::string version;  // empty: there is none
-  std::string sha256;
-  std::string fault;  // why there is none, a sentence
-  IdSet ids;
-};
-
-CorpusHere corpus_in(const std::string& folder) {
-  CorpusHere here;
-  if (folder.empty()) {
-    here.fault = "there is none here; name one with --corpus.";
-    return here;
-  }
-  try {
-    const Corpus corpus(folder);
-    corpus.for_each([&](const Case& test) {
-      here.ids.insert(test.id);
-      return true;
-    });
-    here.sha256 = corpus.sha256();
-    here.version = corpus.version();
-  } catch (const CorpusError& error) {
-    here.fault = error.what();
-  }
-  return here;
-}
-
-void check_corpus(const CorpusHere& here, const ResultsFacts& facts, Findings& findings) {
-  const Json told = facts.header.value("corpus", Json::object());
+// The corpus that is here, when it is that of the run.
+std::optional<Corpus> corpus_of(const std::string& folder, const Json& header,
+                                Findings& findings) {
+  const Json told = header.value("corpus", Json::object());
   const std::string version = text_of(told, "version");
-  if (here.version.empty()) {
-    findings.add(Result::unchecked, fmt::format("The corpus {}: {}", version, here.fault));
-    return;
+  const auto unchecked = [&](const std::string& why) {
+    findings.add(Result::unchecked,
+                 fmt::format("Cases, profiles and features, of the corpus {}: {}", version, why));
+    return std::nullopt;
+  };
+  if (folder.empty()) return unchecked("there is none here; name one with --corpus.");
+  try {
+    Corpus corpus(folder);
+    const bool is_same = corpus.sha256() == text_of(told, "sha256");
+    if (is_same && corpus.version() == version) {
+      findings.add(Result::holds, fmt::format("The corpus {} here is that of the run.", version));
+      return corpus;
+    }
+    if (is_same || corpus.version() == version) {
+      findings.add(Result::fails,
+                   fmt::format("The corpus {} here has the version {} and the SHA-256 {}, that of "
+                               "the run {} and {}.",
+                               folder, corpus.version(), corpus.sha256(), version,
+                               text_of(told, "sha256")));
+      return std::nullopt;
+    }
+    return unchecked(fmt::format("here is {}.", corpus.version()));
+  } catch (const CorpusError& error) {
+    return unchecked(error.what());
   }
-  if (here.version != version) {
-    findings.add(Result::unchecked, fmt::format("The corpus: the run had version {}, here is {}.",
-                                                version, here.version));
-    return;
-  }
-  std::vector<std::string> faults = facts.strangers;
-  if (here.sha256 != text_of(told, "sha256")) {
-    faults.push_back(
-        fmt::format("The corpus {} here has another SHA-256 than that of the run.", version));
-  }
-  findings.add_list(faults, fmt::format("The corpus {} here is that of the run.", version));
 }
 
-void check_traces_of(const std::string& folder, const ResultsFacts& facts,
-                     const std::string& corpus, const CorpusHere& here, Findings& findings) {
-  const Json told = facts.header.value("corpus", Json::object());
-  if (here.sha256 != text_of(told, "sha256")) {
-    findings.add(
-        Result::unchecked,
-        "The traces: their programs are those of the corpus of the run, which is not here.");
-    return;
+template <typename Entries>
+Entries entries_in(const fs::path& file,
+                   std::variant<Entries, FileFault> (*read)(std::string_view text)) {
+  if (!fs::exists(file)) return {};
+  auto entries = read(file_text(file.string()));
+  if (const auto* fault = std::get_if<FileFault>(&entries)) {
+    throw ResultsError(fmt::format("{}: {}", file.string(), fault->message));
   }
-  check_traces((fs::path(folder) / kResultsFile).string(), (fs::path(folder) / kTraces).string(),
-               corpus, findings);
+  return std::get<Entries>(std::move(entries));
+}
+
+// Whether the footer has to name the entries of the alarm map that no case met.
+bool tells_unused_alarms(const ResultsFacts& facts) {
+  if (facts.footer.contains("unused_alarms")) return true;
+  const auto argv = facts.header.value("argv", std::vector<std::string>());
+  const bool is_run = !argv.empty() && argv.front() == "certify" &&
+                      std::ranges::find(argv, "--fail-fast") == argv.end();
+  return is_run && !text_of(facts.header, "alarm_map").empty() &&
+         !asked_in(facts.header).is_part();
+}
+
+// What the footer has to say of entries of the subject's files that are no longer true.
+Json stale_entries(const fs::path& folder, const ResultsFacts& facts, const KnownFailures& known) {
+  std::vector<std::string> stale = known.stale();
+  if (!tells_unused_alarms(facts)) return {{"stale", stale}};
+  std::vector<std::string> unused;
+  const AlarmMap map(entries_in(folder / kAlarmMapFile, &alarm_map_from_toml));
+  for (const std::string& native : map.natives()) {
+    if (!facts.mapped.contains(native)) unused.push_back(native);
+  }
+  if (text_of(facts.header, "shard") == "1/1") {
+    for (const std::string& native : unused) stale.push_back(stale_alarm(native));
+  }
+  return {{"stale", stale}, {"unused_alarms", unused}};
+}
+
+// Which cases there are, and each verdict, from corpus, header and traces.
+void check_cases(const fs::path& folder, const std::optional<Corpus>& corpus,
+                 const ResultsFacts& facts, Findings& findings) {
+  const std::vector<KnownFailure> waivers =
+      entries_in(folder / kWaiversFile, &known_failures_from_toml);
+  VerdictsAgain verdicts(facts.header, (folder / kTraces).string(), waivers);
+  ResultsReader reader((folder / kResultsFile).string());
+  if (!corpus) {
+    for (Json line; reader.next(line);) verdicts.take(line, nullptr);
+    return verdicts.tell(findings);
+  }
+  KnownFailures known(waivers);
+  CaseRoll roll(
+      *corpus, facts.header,
+      [&](const Case& test, const Json& line) { verdicts.take(line, &test); },
+      [&](const std::string& id) { known.note_case(id); });
+  for (CaseHead head; reader.next(head);) roll.take(head, reader.text());
+  roll.finish();
+  std::vector<std::string> faults = roll.faults();
+  Json footer = stale_entries(folder, facts, known);
+  footer["left_out"] = roll.left_out();
+  for (const auto& [key, own] : footer.items()) {
+    const Json told = facts.footer.value(key, Json());
+    if (told == own) continue;
+    faults.push_back(fmt::format("The footer says {} {}, but corpus and header make it {}.", key,
+                                 report::dump(told), report::dump(own)));
+  }
+  findings.add_list(faults, fmt::format("Cases, profiles, features and expected gaps of {} lines "
+                                        "are those of corpus and header.",
+                                        grouped(facts.answer.cases)));
+  verdicts.tell(findings);
 }
 
 }  // namespace
@@ -254,16 +284,12 @@ std::vector<Check> verify_certificate(const std::string& folder, const std::stri
   Findings findings;
   try {
     check_sums(folder, findings);
-    const CorpusHere here = corpus_in(corpus);
-    const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string(),
-                                            here.version.empty() ? nullptr : &here.ids);
+    const ResultsFacts facts = read_results((fs::path(folder) / kResultsFile).string());
     check_footer(facts, findings);
+    findings.add_list(header_faults(facts.header), "The header says what its command line does.");
     check_statement(folder, facts, {version, commit}, findings);
     check_run_files(folder, facts, findings);
-    check_corpus(here, facts, findings);
-    check_again(facts, findings);
-    if (fs::exists(fs::path(folder) / kTraces))
-      check_traces_of(folder, facts, corpus, here, findings);
+    check_cases(folder, corpus_of(corpus, facts.header, findings), facts, findings);
   } catch (const std::runtime_error& error) {
     // A file that is faulty; what follows from it cannot be checked any more.
     findings.add(Result::fails, error.what());

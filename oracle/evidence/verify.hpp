@@ -16,13 +16,15 @@ struct Check {
   };
   Result result = Result::holds;
   std::string sentence;
+  bool shown_by_subject = false;  // unchecked: a run of the subject that comes to the same shows it
 };
 
-// Checks the sums, the results' own hash and order, the statement against the results, totals,
-// readings and decision worked out again, the reasons of the waivers, the corpus against the one in
-// `corpus` (empty: there is none here), and every NO-GO with a trace by judging it again; with
-// traces in the certificate, and the corpus of the run here, every case that has one, passes too.
-// `version` and `commit`: of this gonogo; an empty commit is any.
+// Checks the sums, the results' own hash and order, the header against its own command line, the
+// statement against the results, totals, readings, stale entries and decision worked out again, and
+// the corpus against the one in `corpus` (empty: there is none here). With the corpus of the run it
+// derives which cases there are, their profiles, features and expected gaps, and each verdict from
+// its trace or its line; what could not be derived is told as unchecked (J-RUN-13). `version` and
+// `commit`: of this gonogo; an empty commit is any.
 std::vector<Check> verify_certificate(const std::string& folder, const std::string& corpus,
                                       const std::string& version, const std::string& commit = {});
 

@@ -19,6 +19,10 @@ class Findings {
   void add(Check::Result result, std::string sentence) {
     checks_.push_back({result, std::move(sentence)});
   }
+  // What could not be derived, and a run of the subject can show.
+  void add_unproven(std::string sentence) {
+    checks_.push_back({Check::Result::unchecked, std::move(sentence), true});
+  }
   // `ok` when there is no fault; of many the first are named.
   void add_list(const std::vector<std::string>& faults, std::string ok);
   std::vector<Check> take() { return std::move(checks_); }

@@ -73,6 +73,7 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   }};
   for (const auto& [key, text] : texts) text->clear();
   head.deviation.clear();
+  head.against.clear();
   head.features.clear();
   head.clauses.clear();
   head.block = 0;
@@ -97,6 +98,9 @@ bool read_case_head(std::string_view line, CaseHead& head) {
     } else if (field.key == "deviation") {
       std::string_view exact;
       if (field.value["exact"].get(exact) == simdjson::SUCCESS) head.deviation = exact;
+    } else if (field.key == "readings") {
+      std::string_view against;
+      if (field.value["against"].get(against) == simdjson::SUCCESS) head.against = against;
     } else if (field.key == "expected") {
       if (field.value.get(head.expected) != simdjson::SUCCESS) head.expected = false;
     }

@@ -32,6 +32,7 @@ struct CaseHead {
   std::string want;                   // the reference's record or alarm that was departed from
   std::string got;                    // the subject's
   std::string deviation;              // exact
+  std::string against;                // of a fail.reading: the case that shows another alternative
   std::vector<std::string> features;  // that the case needs
   std::vector<std::string> clauses;
   std::uint64_t block = 0;  // source line; 0: none

@@ -14,6 +14,8 @@ constexpr std::size_t kFirst = 20;
 constexpr std::size_t kMostReasons = 200;
 constexpr const char* kOtherReasons = "for further reasons";
 
+constexpr std::string_view kNoGo = "NO-GO";
+
 constexpr std::string_view kOfEverySubject[] = {"blocks", "m", "bytes"};
 
 bool is_of_every_subject(std::string_view feature) {
@@ -65,7 +67,27 @@ bool NaturalOrder::operator()(std::string_view a, std::string_view b) const {
   return a < b;
 }
 
-// A skip is neither GO nor judged (J-RUN-05), and an advice is judged (J-RUN-04).
+void RunScope::count_features(const CaseHead& line, VerdictKind kind) {
+  const auto count_in = [&](Judged& seen) {
+    if (kind == VerdictKind::skip) {
+      ++seen.skipped;
+    } else if (!is_judged(kind)) {
+      ++seen.unsettled;
+    } else {
+      ++seen.cases;
+      if (decision(kind) == Decision::no_go) ++seen.no_go;
+    }
+  };
+  bool is_nameless = true;
+  for (const std::string& feature : line.features) {
+    if (is_of_every_subject(feature)) continue;
+    is_nameless = false;
+    count_in(features_[line.dialect][feature]);
+  }
+  if (is_nameless) count_in(nameless_[line.dialect]);
+}
+
+// What ended in neither GO nor NO-GO was not judged (J-RUN-14).
 void RunScope::add(const CaseHead& line, VerdictKind kind) {
   dialects_.insert(line.dialect);
   if (line.expected && (kind == VerdictKind::skip || kind == VerdictKind::oracle_gap)) {
@@ -83,39 +105,47 @@ void RunScope::add(const CaseHead& line, VerdictKind kind) {
     if (lacks) return;
   } else if (decision(kind) == Decision::undecided) {
     ++undecided_;
-    return;
+  } else if (kind == VerdictKind::xfail) {
+    ++known_;
+  } else if (kind == VerdictKind::advice) {
+    ++advised_;
+    count(group_of(advices_, Advice{line.clause, line.departure}, Advice{}), line.id);
   } else {
     ++judged_;
     if (decision(kind) == Decision::no_go) ++no_go_;
-    if (kind == VerdictKind::xfail) ++known_;
   }
-  if (kind == VerdictKind::advice) {
-    ++advised_;
-    count(group_of(advices_, Advice{line.clause, line.departure}, Advice{}), line.id);
-  } else if (kind == VerdictKind::fail_declaration) {
+  if (kind == VerdictKind::fail_declaration) {
     count(group_of(broken_, Broken{line.dialect, line.cycle, line.message},
                    Broken{line.dialect, line.cycle, kOtherReasons}),
           line.id);
   }
-  for (const std::string& feature : line.features) {
-    if (is_of_every_subject(feature)) continue;
-    Judged& seen = features_[line.dialect][feature];
-    ++(kind == VerdictKind::skip ? seen.skipped : seen.cases);
-  }
+  count_features(line, kind);
 }
 
-// "basic, g94 of gsk988ta; arc of hnc21t". A feature of which cases were skipped for other reasons
-// than another feature says how many were judged. More than `most` of a dialect: their number.
-std::string RunScope::judged_features(std::size_t most) const {
+bool RunScope::claims_every_dialect() const {
+  return std::ranges::all_of(dialects_, [&](const std::string& dialect) {
+    const auto named = features_.find(dialect);
+    const auto nameless = nameless_.find(dialect);
+    return (nameless != nameless_.end() && nameless->second.is_go()) ||
+           (named != features_.end() &&
+            std::ranges::any_of(named->second,
+                                [](const auto& feature) { return feature.second.is_go(); }));
+  });
+}
+
+// "basic, g94 (10 of 12 cases) of gsk988ta; arc of hnc21t". A feature of which some cases were not
+// judged says how many were. More than `most` of a dialect: their number. `of_go`: those that are GO
+// alone.
+std::string RunScope::judged_features(std::size_t most, bool of_go) const {
   std::string text;
   for (const auto& [dialect, features] : features_) {
     std::vector<std::string> names;
     for (const auto& [name, seen] : features) {
-      if (seen.cases == 0) continue;
-      names.push_back(seen.skipped == 0
+      if (of_go ? !seen.is_go() : seen.cases == 0) continue;
+      names.push_back(seen.all() == seen.cases
                           ? name
                           : fmt::format("{} ({} of {} cases)", name, grouped(seen.cases),
-                                        grouped(seen.cases + seen.skipped)));
+                                        grouped(seen.all())));
     }
     if (names.empty()) continue;
     if (!text.empty()) text += "; ";
@@ -124,6 +154,22 @@ std::string RunScope::judged_features(std::size_t most) const {
     text += " of " + dialect;
   }
   return text;
+}
+
+// Features of which the greater part was not judged; those that were skipped altogether are not
+// claimed.
+std::string RunScope::hardly_judged() const {
+  std::vector<std::string> names;
+  for (const auto& [dialect, features] : features_) {
+    for (const auto& [name, seen] : features) {
+      if (seen.is_judged() || seen.all() == seen.skipped) continue;
+      names.push_back(fmt::format("{} ({} of {} cases)",
+                                  with_dialect(name, dialect, dialects_.size() > 1),
+                                  grouped(seen.cases), grouped(seen.all())));
+    }
+  }
+  if (names.empty()) return {};
+  return fmt::format("; not judged for the most part: {}", fmt::join(names, ", "));
 }
 
 std::string RunScope::counts() const {
@@ -174,23 +220,26 @@ std::string RunScope::skips() const {
 
 // J-RUN-01.
 std::string RunScope::head(std::string_view decision) const {
-  const std::string features = judged_features(std::numeric_limits<std::size_t>::max());
+  const std::string features =
+      judged_features(std::numeric_limits<std::size_t>::max(), decision != kNoGo);
   std::string text(decision);
   if (!features.empty()) text += " for " + features;
-  return text + ": " + counts() + skips();
+  return text + ": " + counts() + skips() + hardly_judged();
 }
 
 std::string RunScope::short_head(std::string_view decision) const {
   constexpr std::string_view kDot = " \xC2\xB7 ";
   constexpr std::size_t kMostNames = 4;
   std::string text(decision);
-  if (const std::string features = judged_features(kMostNames); !features.empty()) {
+  if (const std::string features = judged_features(kMostNames, decision != kNoGo);
+      !features.empty()) {
     text.append(kDot).append(features);
   }
   text.append(kDot);
   text += no_go_ > 0 ? fmt::format("{} of {} judged", grouped(no_go_), grouped(judged_))
                      : fmt::format("{} judged", grouped(judged_));
   if (advised_ > 0) text += ", " + counted(advised_, "advice", "advices");
+  if (known_ > 0) text += fmt::format(", {} known to fail", grouped(known_));
   if (skipped_ > 0) text += fmt::format(", {} not claimed", grouped(skipped_));
   return text;
 }

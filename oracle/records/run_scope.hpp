@@ -53,7 +53,14 @@ class RunScope {
   // Of the cases that need a feature.
   struct Judged {
     std::size_t cases = 0;
-    std::size_t skipped = 0;  // for another reason than a feature that is not declared
+    std::size_t no_go = 0;      // of them
+    std::size_t skipped = 0;    // for another reason than a feature that is not declared
+    std::size_t unsettled = 0;  // an advice, a known failure, a gap that the corpus does not expect
+
+    std::size_t all() const { return cases + skipped + unsettled; }
+    // Whether the greater part was judged.
+    bool is_judged() const { return cases > 0 && cases >= skipped + unsettled; }
+    bool is_go() const { return is_judged() && no_go == 0; }
   };
 
   // `kind`: in the run, which may be another than the line's own.
@@ -64,11 +71,15 @@ class RunScope {
   // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed".
   std::string short_head(std::string_view decision) const;
 
+  // Whether a feature of each dialect is GO.
+  bool claims_every_dialect() const;
   std::size_t judged() const { return judged_; }
   std::size_t no_go() const { return no_go_; }
   // Not claimed; without those that the corpus expects no answer to.
   std::size_t skipped() const { return skipped_; }
   std::size_t advised() const { return advised_; }
+  std::size_t known() const { return known_; }
+  std::size_t undecided() const { return undecided_; }
   // Dialect -> feature; features of every subject (`m`, `bytes`) are no part of it.
   using Features = std::map<std::string, Judged, NaturalOrder>;
   const std::map<std::string, Features>& features() const { return features_; }
@@ -77,7 +88,9 @@ class RunScope {
   const std::map<Advice, Group>& advices() const { return advices_; }
 
  private:
-  std::string judged_features(std::size_t most) const;
+  void count_features(const CaseHead& line, VerdictKind kind);
+  std::string judged_features(std::size_t most, bool of_go) const;
+  std::string hardly_judged() const;
   std::string counts() const;
   std::string skips() const;
 
@@ -90,6 +103,7 @@ class RunScope {
   std::size_t not_covered_ = 0;  // the corpus expects no answer
   std::set<std::string> dialects_;
   std::map<std::string, Features> features_;
+  std::map<std::string, Judged> nameless_;  // by dialect: cases that need no feature of their own
   std::map<Skipped, Group> not_claimed_;
   std::map<Broken, Group> broken_;
   std::map<Advice, Group> advices_;

@@ -76,7 +76,7 @@ std::optional<VerdictKind> verdict_kind(std::string_view name) {
 }
 
 Decision decision(VerdictKind kind) {
-  if (kind <= VerdictKind::xfail) return Decision::go;
+  if (kind < VerdictKind::xfail) return Decision::go;
   if (kind <= VerdictKind::advice) return Decision::neither;
   return kind < VerdictKind::oracle_gap ? Decision::no_go : Decision::undecided;
 }

@@ -22,8 +22,8 @@ enum class VerdictKind : std::uint8_t {
   pass_rounded,
   pass_tolerance,
   pass_properties,  // a path that the manual leaves open, held to its properties
-  xfail,
   // Neither
+  xfail,   // fails as it is known to
   skip,    // not claimed
   advice,  // departs from an expectation that no text states
   // NO-GO
@@ -56,6 +56,11 @@ inline constexpr std::size_t kDecisions = 4;
 std::string_view name(VerdictKind kind);  // "fail.geometry"
 std::optional<VerdictKind> verdict_kind(std::string_view name);
 Decision decision(VerdictKind kind);
+// Whether a case that ended so was judged (J-RUN-14): neither an advice nor a known failure, skip or
+// gap.
+inline bool is_judged(VerdictKind kind) {
+  return decision(kind) == Decision::go || decision(kind) == Decision::no_go;
+}
 std::span<const std::string_view> verdict_names();
 
 // The rules of the acceptance relation (docs/relation.md), R1 to R8.

@@ -88,8 +88,12 @@ Json scope_json(const RunScope& scope) {
   Json features = Json::object();
   for (const auto& [dialect, seen] : scope.features()) {
     for (const auto& [feature, cases] : seen) {
-      if (cases.cases == 0) continue;
-      features[dialect][feature] = {{"judged", cases.cases}, {"skipped", cases.skipped}};
+      if (cases.all() == cases.skipped && cases.cases == 0) continue;
+      features[dialect][feature] = {{"judged", cases.cases},
+                                    {"no_go", cases.no_go},
+                                    {"skipped", cases.skipped},
+                                    {"unsettled", cases.unsettled},
+                                    {"go", cases.is_go()}};
     }
   }
   Json not_claimed = Json::array();
@@ -146,12 +150,12 @@ const Finding* Summary::add(const CaseHead& line) {
   const Decision its = decision_of(line.verdict);
   if (line.verdict == "skip") return nullptr;
   cycles_.insert(line.cycle);
-  if (its != Decision::undecided) ++judged;
+  if (is_judged(kind)) ++judged;
   auto hit = [&](const std::string& clause) {
     MatrixCell& cell = cells_[clause][line.cycle];
     switch (its) {
       case Decision::go:
-        ++(line.verdict == "xfail" ? cell.elsewhere : cell.passed);
+        ++cell.passed;
         break;
       case Decision::no_go:
         ++(clause == line.clause ? cell.failed : cell.elsewhere);
@@ -174,7 +178,15 @@ const Finding* Summary::add(const CaseHead& line) {
   return findings_.add(line, kind);
 }
 
-Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
+// Whether all of the corpus was judged, under the subject's own numbers (J-RUN-15).
+bool Summary::is_whole(const RunConditions& conditions, const Json* footer) const {
+  const std::size_t unjudged =
+      scope_.skipped() + scope_.advised() + scope_.known() + scope_.undecided();
+  return unjudged == 0 && conditions.are_none() && footer != nullptr &&
+         footer->value("left_out", std::size_t{0}) == 0;
+}
+
+Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
   std::uint64_t count[kDecisions] = {};
   for (const auto& [verdict, cases] : totals_) {
     count[static_cast<std::size_t>(decision_of(verdict))] += cases;
@@ -192,8 +204,14 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
   }
   const bool whole = reasons.empty();
   if (cases_ == 0) reasons.push_back("No case was run.");
+  bool is_claimed = scope_.claims_every_dialect();
   for (const auto& [dialect, judged] : judged_) {
-    if (judged == 0) reasons.push_back("No case of dialect " + dialect + " was judged.");
+    if (judged > 0) continue;
+    reasons.push_back("No case of dialect " + dialect + " was judged.");
+    is_claimed = true;  // that is why not
+  }
+  if (!is_claimed && scope_.no_go() == 0) {
+    reasons.push_back("There is a dialect in which the greater part of each feature was not judged.");
   }
   if (totals_.contains("oracle-error")) {
     reasons.push_back("The gauge itself failed on at least one case (oracle-error).");
@@ -209,13 +227,18 @@ Json Summary::headline(const Json* footer, std::uint64_t bad_lines) const {
                          : undecided       ? "UNDECIDED"
                          : reasons.empty() ? "GO"
                                            : "INCOMPLETE";
+  const RunConditions conditions = conditions_of(header);
   return {{"decision", decision},
-          {"head", scope_.head(decision)},
-          {"short", scope_.short_head(decision)},
+          {"head", scope_.head(decision) + conditions.text()},
+          {"short", conditions.short_text().empty()
+                        ? scope_.short_head(decision)
+                        : scope_.short_head(decision) + " \xC2\xB7 " + conditions.short_text()},
           {"incomplete", reasons},
           {"judged", scope_.judged()},
           {"advices", scope_.advised()},
           {"notClaimed", scope_.skipped()},
+          {"known", scope_.known()},
+          {"whole", is_whole(conditions, footer)},
           {"cases", cases_},
           {"go", count[static_cast<std::size_t>(Decision::go)]},
           {"noGo", count[no_go]},
@@ -297,7 +320,7 @@ Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_l
   return {{"header", header},
           {"footer", footer != nullptr ? *footer : Json(nullptr)},
           {"coordinates", coordinates(footer)},
-          {"headline", headline(footer, bad_lines)},
+          {"headline", headline(header, footer, bad_lines)},
           {"totals", totals_},
           {"decisions", decisions},
           {"judged", judged_},

@@ -14,6 +14,7 @@
 
 #include "oracle/records/case_head.hpp"
 #include "oracle/records/finding.hpp"
+#include "oracle/records/run_conditions.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "oracle/records/verdict.hpp"
 
@@ -47,7 +48,8 @@ class Summary {
 
  private:
   static Json coordinates(const Json* footer);
-  Json headline(const Json* footer, std::uint64_t bad_lines) const;
+  Json headline(const Json& header, const Json* footer, std::uint64_t bad_lines) const;
+  bool is_whole(const RunConditions& conditions, const Json* footer) const;
   Json matrix() const;
   Json not_checked(const Json& header) const;
 

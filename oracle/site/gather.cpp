@@ -120,15 +120,17 @@ void add_step(const std::string& id, const Answer& before, const Answer& after, 
   const auto answered = [](const Answer& one) {
     return one.outcome == Outcome::go || departs(one.outcome);
   };
-  if (!answered(before) || !answered(after)) return;
-  ++step.compared;
   const bool was_go = before.outcome == Outcome::go;
   const bool is_go = after.outcome == Outcome::go;
+  // A pass that is none any more is lost, whatever it is called now (J-RUN-16).
+  const bool is_lost = was_go && !is_go;
+  if (!is_lost && (!answered(before) || !answered(after))) return;
+  ++step.compared;
   const auto count = [&](std::uint64_t& cases, std::vector<std::string>& first) {
     ++cases;
     if (first.size() < kFirstOfStep) first.push_back(id);
   };
-  if (was_go && !is_go) count(step.lost, step.first_lost);
+  if (is_lost) count(step.lost, step.first_lost);
   if (!was_go && is_go) count(step.mended, step.first_mended);
   if (!was_go && !is_go && before.departure != after.departure) count(step.moved, step.first_moved);
 }

@@ -38,7 +38,7 @@ struct Step {
   std::size_t before = 0;  // runs
   std::size_t after = 0;
   std::uint64_t compared = 0;           // cases that both answered
-  std::uint64_t lost = 0;               // GO before, departs now
+  std::uint64_t lost = 0;               // GO before, not GO now
   std::uint64_t mended = 0;             // departs before, GO now
   std::uint64_t moved = 0;              // departs in both, in another way
   std::vector<std::string> first_lost;  // ids

@@ -182,8 +182,8 @@ TEST(CheckerVerdicts, AHashThatIsNotThatOfTheLinesIsNoticed) {
 TEST(CheckerVerdicts, TimesAreNotHashed) {
   Workshop shop;
   shop.change_results(
-      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","clauses":[],"verdict":"pass-exact","us":17)",
-      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","clauses":[],"verdict":"pass-exact","us":99)");
+      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","features":["basic"],"clauses":["NGC-G0-01"],"verdict":"pass-exact","us":17)",
+      R"("id":"tiny.arc.000001","dialect":"rs274","cycle":"tiny","features":["basic"],"clauses":["NGC-G0-01"],"verdict":"pass-exact","us":99)");
   expect_said(shop, 0, "3 verdicts derived again");
 }
 
@@ -237,16 +237,73 @@ TEST(CheckerVerdicts, ATraceThatIsNoneIsNoticed) {
   expect_said(shop, 1, "stands in quotes");
 }
 
+TEST(CheckerVerdicts, AKnownFailureOfARunWithoutThemIsNoticed) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "xfail");
+  expect_said(shop, 1, "It is xfail, and the run had no known failures.");
+}
+
 TEST(CheckerVerdicts, AKnownFailureMustFail) {
   Workshop shop;
+  shop.change_results(R"("chord":null)", R"("chord":null,"known_failures":"ab")");
   shop.set_verdict(kLineCase, "xfail");
   expect_said(shop, 1, "differs  " + kLineCase + ": The file says xfail; derived: GO.");
 }
 
-TEST(CheckerVerdicts, ASkippedCaseIsLeftOutWithItsReason) {
+TEST(CheckerVerdicts, ASkippedCaseWithATraceIsNoticed) {
   Workshop shop;
   shop.set_verdict(kLineCase, "skip");
-  expect_said(shop, 0, "1  skipped: the subject was not asked");
+  expect_said(shop, 1, "It was skipped, but there is a trace of it.");
+}
+
+// J-RUN-13: nobody but the subject knows why it skips what it never said that it has.
+TEST(CheckerVerdicts, ASkippedCaseOfASubjectThatDeclaresNothingIsUnproven) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "skip");
+  shop.drop_trace(kLineCase);
+  expect_said(shop, 3, "1  skipped: only the subject can say why");
+}
+
+TEST(CheckerVerdicts, ASkippedCaseOfDeclaredFeaturesIsNoticed) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "skip");
+  shop.drop_trace(kLineCase);
+  shop.change_results(R"("features":["blocks","m"])",
+                      R"("features":["blocks","m"],"dialects":{"rs274":["basic"]})");
+  expect_said(shop, 1, "It was skipped, though the subject declares all that it needs.");
+}
+
+TEST(CheckerVerdicts, ACaseOfAFeatureThatIsNotDeclaredHasToBeSkipped) {
+  Workshop shop;
+  shop.change_results(R"("features":["blocks","m"])",
+                      R"("features":["blocks","m"],"dialects":{"rs274":["arc"]})");
+  expect_said(shop, 1, "The subject does not declare basic: such a case is skipped.");
+}
+
+TEST(CheckerVerdicts, AVersionOfTheCorpusThatIsAnotherIsNoticed) {
+  Workshop shop;
+  shop.change_results(R"("corpus":{"version":"2026.1.0")", R"("corpus":{"version":"2025.1.0")");
+  expect_said(shop, 1, "The run names another version of the corpus");
+}
+
+TEST(CheckerVerdicts, AnExpectedGapThatTheCorpusDoesNotExpectIsNoticed) {
+  Workshop shop;
+  shop.set_verdict(kLineCase, "oracle-gap");
+  shop.change_lines(R"("verdict":"oracle-gap")", R"("verdict":"oracle-gap","expected":true)");
+  expect_said(shop, 1, "The line says that the corpus expects an oracle-gap, and it does not.");
+}
+
+TEST(CheckerVerdicts, AHeaderThatIsNotItsCommandLineIsNoticed) {
+  Workshop shop;
+  shop.change_results(R"("argv":[])", R"("argv":["certify","--tolerance","1"])");
+  expect_said(shop, 1, "The header and its command line differ in --tolerance.");
+}
+
+TEST(CheckerVerdicts, MoreCasesLeftOutThanTheProfileDoesAreNoticed) {
+  Workshop shop;
+  shop.drop_line(kLineCase);
+  shop.change_results(R"("assignments":[])", R"("left_out":1,"assignments":[])");
+  expect_said(shop, 3, "1 cases that were asked for are not there");
 }
 
 TEST(CheckerVerdicts, WithoutLineNumbersAnAlarmIsJudgedByItsClass) {

@@ -140,7 +140,8 @@ void Workshop::change_trace(const std::string& id, const std::string& from, cons
 
 void Workshop::set_verdict(const std::string& id, const std::string& verdict) {
   verdicts_[id] = verdict;
-  std::string line = R"({"id":")" + id + R"(","dialect":"rs274","cycle":"tiny","clauses":[],)";
+  std::string line = R"({"id":")" + id + R"(","dialect":"rs274","cycle":"tiny",)" +
+                     R"("features":["basic"],"clauses":["NGC-G0-01"],)";
   line += R"("verdict":")" + verdict + R"(","us":17,"attempts":1)";
   if (decision_of(verdict) != Decision::go) {
     const std::size_t at = vectors_.find("\"program\":", vectors_.find(id));
@@ -168,7 +169,7 @@ std::string Workshop::results_text() {
     const std::string& verdict = verdicts_[id];
     ++totals[verdict];
     no_go = no_go || decision_of(verdict) == Decision::no_go;
-    if (verdict != "skip" && decision_of(verdict) != Decision::undecided) ++judged;
+    if (is_judged(verdict)) ++judged;
   }
   std::string counts;
   for (const auto& [verdict, count] : totals) {

@@ -32,6 +32,7 @@ class Workshop {
   void change_results(const std::string& from, const std::string& to);
   void drop_line(const std::string& id);
   void set_trace(const std::string& id, const std::string& records) { traces_[id] = records; }
+  void drop_trace(const std::string& id) { traces_.erase(id); }
   void change_trace(const std::string& id, const std::string& from, const std::string& to);
   // A verdict that stands in the line with the records of its trace.
   void set_verdict(const std::string& id, const std::string& verdict);

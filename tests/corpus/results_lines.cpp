@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   ResultsWriter writer(argv[1], header);
   CaseResult pass = case_of("a.000001", VerdictKind::pass_exact);
   pass.readings =
-      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=initial"}, VerdictKind::pass_exact};
+      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=initial"}, VerdictKind::pass_exact, {}};
   writer.add(pass);
   CaseResult failure = case_of("a.000002", VerdictKind::fail_geometry);
   failure.verdict.clause = 0;
@@ -62,7 +62,9 @@ int main(int argc, char** argv) {
   writer.add(gap);
   CaseResult conflict = case_of("a.000004", VerdictKind::pass_exact);
   conflict.readings =
-      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=r-plane"}, VerdictKind::pass_exact};
+      OpenReadings{{"gsk.pocket.end"}, {"gsk.pocket.end=r-plane"}, VerdictKind::pass_exact, {}};
+  conflict.program = "G00 X1\n";
+  conflict.trace = {R"({"k":"rapid","b":1,"to":{"x":"0.5"}})"};
   writer.add(conflict);
   CaseResult known = case_of("a.000005", VerdictKind::xfail);
   known.verdict.departure = VerdictKind::fail_feed;

@@ -20,7 +20,7 @@ function showCase(c) {
     el('p', { class: 'message' }, c.message || (decisionOf(c.verdict) === 'go' ? 'This case is GO.' : 'No message.')));
   if (data) showFailure(detail, c, data);
   else showPass(detail, c, passOf(c.index));
-  detail.append(commandBox(c));
+  detail.append(commandBox([c.id, data?.readings?.against].filter(Boolean)));
   const hash = `#case=${encodeURIComponent(c.id)}`;
   if (location.hash !== hash) history.replaceState(null, '', hash);
 }
@@ -187,10 +187,11 @@ function programBox(data) {
 // A word for a shell.
 const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-const commandLine = (c) => summary.command + quoted(c.id);
+// What contradicts another case is seen beside it.
+const commandLine = (ids) => summary.command + ids.map(quoted).join(' --case ');
 
-function commandBox(c) {
-  const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(c));
+function commandBox(ids) {
+  const pre = el('pre', { id: 'command', tabindex: 0 }, commandLine(ids));
   const button = el('button', { type: 'button', on: { click: async () => {
     try {
       await navigator.clipboard.writeText(pre.textContent);

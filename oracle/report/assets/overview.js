@@ -11,6 +11,7 @@ function showHeadline() {
   const tone = { GO: 'go', 'NO-GO': 'no-go' }[headline.decision] ?? 'undecided';
   const parts = [`${count(headline.judged)} of ${counted(headline.cases, 'case', 'cases')} judged`, `${count(headline.go)} GO`,
     `${count(headline.noGo)} NO-GO`];
+  if (headline.known > 0) parts.push(`${count(headline.known)} known to fail`);
   if (headline.advices > 0) parts.push(counted(headline.advices, 'advice', 'advices'));
   if (headline.undecided > 0) parts.push(`${count(headline.undecided)} undecided`);
   if (headline.notClaimed > 0) parts.push(`${count(headline.notClaimed)} not claimed`);

@@ -123,15 +123,16 @@ TEST(Campaign, ASkipInsideADeclaredFeatureIsAFailureOfTheDeclaration) {
   }
 }
 
-// J-RUN-05: a subject that declares nothing claims what it does not skip.
-TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForThatOne) {
+// J-RUN-05, J-RUN-14: a subject that declares nothing claims what it does not skip, and one case of
+// ten is not the feature.
+TEST(Campaign, ASubjectThatSkipsAllButOneIsNotGo) {
   const Scratch scratch;
   write_corpus(scratch, 10);
   const std::string footer =
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
   EXPECT_NE(
-      footer.find("\"head\":\"GO for basic (1 of 10 cases) of gsk988ta: 1 judged; not claimed: "
-                  "9 cases\""),
+      footer.find("\"head\":\"UNDECIDED: 1 judged; not claimed: 9 cases; not judged for the most "
+                  "part: basic (1 of 10 cases)\""),
       std::string::npos)
       << footer;
 }
@@ -208,6 +209,51 @@ TEST(Campaign, ATimeoutIsTriedThreeTimesMore) {
 }
 
 // How many records have come by then is another number each time.
+// J-RUN-08: no answer in time is no other answer.
+TEST(Campaign, ACrashAndThenATimeoutIsACrash) {
+  const Scratch scratch;
+  write_corpus(scratch, 1);
+  FakeSubject subject;
+  int all = 0;
+  subject.act = [&all](std::string_view, int) -> std::optional<RunEnd> {
+    return ended(all++ == 0 ? RunEnd::Kind::crash : RunEnd::Kind::timeout);
+  };
+  results_of(scratch, "r", options_of(1), fake_maker(subject));
+  EXPECT_NE(scratch.read("r").find("\"verdict\":\"crash\""), std::string::npos);
+  all = 0;
+  subject.act = [&all](std::string_view, int) -> std::optional<RunEnd> {
+    return ended(all++ > 0 ? RunEnd::Kind::crash : RunEnd::Kind::timeout);
+  };
+  results_of(scratch, "r", options_of(1), fake_maker(subject));
+  EXPECT_NE(scratch.read("r").find("\"verdict\":\"crash\""), std::string::npos);
+}
+
+// J-RUN-09.
+TEST(Campaign, AProgramThatTheCorpusDoesNotCoverNeverFailsByItsTime) {
+  const Scratch scratch;
+  Case outside;
+  outside.id = "t.basic.000001";
+  outside.comment = "G71 is not read.";
+  outside.program = "G71 U1 R1\n";
+  outside.provenance = "hand";
+  outside.group = "t";
+  outside.features = {"basic"};
+  outside.clauses = {"GSK-BASE-01"};
+  outside.dialect = "gsk988ta";
+  outside.cycle = "basic";
+  outside.profile = std::get<reference::Profile>(reference::default_profile("gsk988ta"));
+  outside.expect = {expectation_of(outside.profile, outside.program)};
+  ASSERT_TRUE(outside.expect.front().not_covered);
+  write_corpus(scratch, 0);
+  scratch.write("corpus/vectors/gsk988ta/outside.json", vector_file_text("2026.1.0", {outside}));
+  FakeSubject hangs;
+  hangs.act = [](std::string_view, int) { return std::optional(ended(RunEnd::Kind::timeout)); };
+  results_of(scratch, "r", options_of(1), fake_maker(hangs));
+  EXPECT_NE(scratch.read("r").find("\"verdict\":\"oracle-gap\",\"expected\":true"),
+            std::string::npos)
+      << scratch.read("r");
+}
+
 TEST(Campaign, ATimeoutHasNoTrace) {
   const Scratch scratch;
   write_corpus(scratch, 1);

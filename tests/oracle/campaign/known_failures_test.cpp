@@ -49,7 +49,7 @@ TEST(KnownFailures, AFailureAsKnownIsExpected) {
 TEST(KnownFailures, WhatPassesUnderAnyReadingIsUnexpectedToo) {
   CaseResult made = result("ngc.arc.000001", VerdictKind::pass_exact);
   made.dialect = "rs274";
-  made.readings = OpenReadings{{"k"}, {"k=a"}, VerdictKind::pass_exact};
+  made.readings = OpenReadings{{"k"}, {"k=a"}, VerdictKind::pass_exact, {}};
   known(kOneEntry).apply(made);
   Tally tally;
   EXPECT_EQ(tally.add(facts_of(case_line(made, true))), VerdictKind::xpass);

@@ -24,7 +24,7 @@ class JudgedRun {
     result.verdict.deviation_exact = deviation;
     known_.apply(result);
     const CaseFacts facts = facts_of(case_line(result, true));
-    update_.add(facts, findings_.add(facts.head, facts.verdict));
+    update_.add(facts, facts.verdict, findings_.add(facts.head, facts.verdict));
   }
   KnownFailuresUpdate::Result end(const std::vector<std::string>& corpus) const {
     return update_.result(corpus, {{1, "G0 X1\nG1 X2 F3\n\n"}});

@@ -108,7 +108,7 @@ TEST_F(Merge, ReconcilesTheReadingsOfAllShardsTogether) {
     for (const auto& [id, reading] : {std::pair{"abc", "r=1"}, std::pair{"d", "r=2"}}) {
       if (name[0] == 's' && (name[1] == '1') != (std::string(id) == "abc")) continue;
       CaseResult result = passed(id);
-      result.readings = OpenReadings{{"r"}, {reading}, VerdictKind::pass_exact};
+      result.readings = OpenReadings{{"r"}, {reading}, VerdictKind::pass_exact, {}};
       writer.add(result);
     }
     ResultsFooter footer;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "oracle/campaign/results.hpp"
 
 namespace gonogo::oracle {
@@ -18,7 +20,7 @@ CaseFacts facts(std::string id, VerdictKind verdict, std::string dialect = "gsk9
 
 CaseFacts under(std::string id, std::vector<std::string> explaining) {
   CaseFacts made = facts(std::move(id), VerdictKind::pass_exact);
-  made.readings = OpenReadings{{"r"}, std::move(explaining), VerdictKind::pass_exact};
+  made.readings = OpenReadings{{"r"}, std::move(explaining), VerdictKind::pass_exact, {}};
   return made;
 }
 
@@ -79,14 +81,55 @@ TEST(Tally, AdvicesAndSkipsChangeNothingButTheHeadLine) {
                                of_feature("d", VerdictKind::skip, "g110"),
                                of_feature("e", VerdictKind::skip, "g90")});
   EXPECT_EQ(go.exit_code, 0);
-  EXPECT_EQ(go.judged, 3U);
+  EXPECT_EQ(go.judged, 2U);
   EXPECT_EQ(go.head,
-            "GO for basic, g94 of gsk988ta: 3 judged, 1 advice; not claimed: g90, g110 (2 cases)");
+            "GO for basic, g94 (1 of 2 cases) of gsk988ta: 2 judged, 1 advice; not claimed: g90, "
+            "g110 (2 cases)");
   EXPECT_EQ(go.scope.short_head("GO"),
-            "GO \xC2\xB7 basic, g94 of gsk988ta \xC2\xB7 3 judged, 1 advice, 2 not claimed");
+            "GO \xC2\xB7 basic, g94 (1 of 2 cases) of gsk988ta \xC2\xB7 2 judged, 1 advice, 2 not "
+            "claimed");
   ASSERT_EQ(go.scope.advices().size(), 1U);
   EXPECT_EQ(go.scope.advices().begin()->first.clause, "GSK-G94-02");
   EXPECT_EQ(go.scope.advices().begin()->second.first, std::vector<std::string>{"c"});
+}
+
+// J-RUN-14: three cases of three that are advices are not GO.
+TEST(Tally, AFeatureOfWhichTheGreaterPartWasNotJudgedIsNotGo) {
+  const RunAnswer none = answer({of_feature("a", VerdictKind::advice, "g94"),
+                                 of_feature("b", VerdictKind::advice, "g94"),
+                                 of_feature("c", VerdictKind::advice, "g94")});
+  EXPECT_EQ(none.exit_code, 3);
+  EXPECT_EQ(none.head,
+            "UNDECIDED: 0 judged, 3 advices; not judged for the most part: g94 (0 of 3 cases)");
+  CaseFacts refused = of_feature("d", VerdictKind::skip, "lcyc75");
+  refused.head.feature.clear();  // it refuses the profile
+  const RunAnswer some =
+      answer({of_feature("a", VerdictKind::pass_exact, "basic"),
+              of_feature("b", VerdictKind::pass_exact, "lcyc75"), refused, refused});
+  EXPECT_EQ(some.exit_code, 0);
+  EXPECT_EQ(some.head,
+            "GO for basic of gsk988ta: 2 judged; not claimed: 2 cases; not judged for the most part: "
+            "lcyc75 (1 of 3 cases)");
+}
+
+TEST(Tally, KnownFailuresAreNotJudged) {
+  const RunAnswer known = answer({facts("a", VerdictKind::xfail), facts("b", VerdictKind::xfail)});
+  EXPECT_EQ(known.decision, "UNDECIDED");
+  EXPECT_EQ(known.judged, 0U);
+}
+
+// J-RUN-15.
+TEST(Tally, WhatWasGrantedStandsInTheHeadLine) {
+  Tally tally;
+  tally.add(of_feature("a", VerdictKind::pass_exact, "g94"));
+  const auto header = nlohmann::ordered_json::parse(
+      R"({"tolerance":"1000","chord":"0.1","blend":"0.2","known_failures":"ab","strict":true,)"
+      R"("shard":"1/300","selection":{"only":["g*"],"case":null,"cycles":["g94"]},)"
+      R"("readings":["gsk.g94.in-mode=keep"],"subject":{"features":[]}})");
+  EXPECT_EQ(tally.finish({}, conditions_of(header)).head,
+            "GO for g94 of gsk988ta: 1 judged; granted: tolerance 1000 mm, chord 0.1 mm, blend 0.2 "
+            "mm, known failures, reading gsk.g94.in-mode=keep; a part: shard 1/300, glob g*, cycle "
+            "g94; not compared: M functions, source lines; strict");
 }
 
 // 5,243 skips and one pass read "5,244 GO" once.
@@ -106,12 +149,26 @@ TEST(Tally, ACaseThatNoAssignmentExplainsWithThoseBeforeItFails) {
   EXPECT_EQ(tally.add(under("a", {"r=1", "r=2"})), VerdictKind::pass_exact);
   EXPECT_EQ(tally.add(under("b", {"r=1"})), VerdictKind::pass_exact);
   EXPECT_EQ(tally.add(under("c", {"r=2"})), VerdictKind::fail_reading);
+  EXPECT_EQ(tally.conflict()->against, "b");
+  EXPECT_NE(tally.conflict()->message.find("r: b shows 1, this case 2."), std::string::npos);
   EXPECT_EQ(tally.add(under("d", {"r=1"})), VerdictKind::pass_exact);
   const RunAnswer no_go = tally.finish({});
   EXPECT_EQ(no_go.reading_conflict, "c");
   EXPECT_EQ(no_go.assignments, std::vector<std::string>{"r=1"});
   EXPECT_EQ(no_go.totals.at("fail.reading"), 1U);
   EXPECT_EQ(no_go.exit_code, 1);
+}
+
+// J-RUN-17.
+TEST(Tally, AFailureOfReadingsMayBeKnown) {
+  Tally tally;
+  EXPECT_EQ(tally.add(under("a", {"r=1"})), VerdictKind::pass_exact);
+  CaseFacts known = under("b", {"r=2"});
+  known.readings->known = "two makers";
+  EXPECT_EQ(tally.add(known), VerdictKind::xfail);
+  known = under("c", {"r=1"});
+  known.readings->known = "two makers";
+  EXPECT_EQ(tally.add(known), VerdictKind::xpass);
 }
 
 TEST(Tally, ReadingsOfDifferentCasesAreJoined) {
@@ -166,7 +223,7 @@ TEST(Tally, ACaseLineSaysItsFacts) {
   result.id = "a \"quoted\"";
   result.dialect = "gsk988ta";
   result.verdict.kind = VerdictKind::pass_rounded;
-  result.readings = OpenReadings{{"r", "s"}, {"r=1", "r=2 s=3"}, VerdictKind::pass_rounded};
+  result.readings = OpenReadings{{"r", "s"}, {"r=1", "r=2 s=3"}, VerdictKind::pass_rounded, {}};
   result.mapped = "PS*";
   const CaseFacts read = facts_of(case_line(result, true));
   EXPECT_EQ(read.id, result.id);
@@ -182,12 +239,25 @@ TEST(Tally, AReconciledLineStillSaysWhatItWasBefore) {
   CaseResult result;
   result.id = "a";
   result.dialect = "gsk988ta";
-  result.readings = OpenReadings{{"r"}, {"r=1"}, VerdictKind::pass_exact};
+  result.readings = OpenReadings{{"r"}, {"r=1"}, VerdictKind::pass_exact, {}};
+  result.program = "G0 X1\n";
+  result.trace = {R"({"k":"rapid"})"};
   const std::string line = case_line(result, true);
-  const std::string failed = reconciled_line(line, VerdictKind::fail_reading);
-  EXPECT_NE(failed.find("\"verdict\":\"fail.reading\""), std::string::npos);
+  const ReadingConflict conflict{"r: x shows 2, this case 1.", "x"};
+  const std::string failed =
+      reconciled_line(line, VerdictKind::fail_reading, conflict, PassEvidence::drop);
+  const auto told = nlohmann::json::parse(failed);
+  EXPECT_EQ(told["verdict"], "fail.reading");
+  EXPECT_EQ(told["message"], conflict.message);
+  EXPECT_EQ(told["readings"]["against"], "x");
+  EXPECT_EQ(told["program"], result.program);
+  EXPECT_EQ(told["trace"][0]["k"], "rapid");
   EXPECT_EQ(facts_of(failed).verdict, VerdictKind::pass_exact);
-  EXPECT_EQ(reconciled_line(failed, VerdictKind::pass_exact), line);
+  EXPECT_EQ(
+      reconciled_line(failed, VerdictKind::pass_exact, std::nullopt, PassEvidence::keep), line);
+  result.program.clear();
+  EXPECT_EQ(reconciled_line(line, VerdictKind::pass_exact, std::nullopt, PassEvidence::drop),
+            case_line(result, true));
 }
 
 TEST(Tally, WhatIsNoCaseLineIsRefused) {

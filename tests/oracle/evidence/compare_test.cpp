@@ -58,12 +58,26 @@ TEST_F(Compare, TimesMakeNoDifference) {
       1U);
 }
 
-TEST_F(Compare, PassThatIsSkippedOrUndecidedNowIsTold) {
-  const Comparison comparison =
-      compare({line("a", "pass-exact"), line("b", "pass-exact"), line("c", "fail.order")},
-              {line("a", "skip"), line("b", "oracle-gap"), line("c", "oracle-gap")});
-  EXPECT_EQ(comparison.count(Change::verdict), 3U);
-  EXPECT_EQ(comparison.count(Change::regression), 0U);
+// J-RUN-16: 2,038 passes that became advices, and 592 that became skips, were no regression once.
+TEST_F(Compare, PassThatIsNoneNowIsARegressionWhateverItIsCalled) {
+  const char* const kNone[] = {"skip", "advice", "oracle-gap", "xfail", "oracle-error"};
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+  for (const char* verdict : kNone) {
+    before.push_back(line(std::string("a.") + std::to_string(before.size()), "pass-exact"));
+    after.push_back(line(std::string("a.") + std::to_string(after.size()), verdict));
+  }
+  EXPECT_EQ(compare(before, after).count(Change::regression), 5U);
+}
+
+TEST_F(Compare, NoGoThatIsUndecidedOrKnownNowIsTold) {
+  const Comparison comparison = compare({line("a", "fail.order"), line("b", "fail.order")},
+                                        {line("a", "oracle-gap"), line("b", "xfail")});
+  EXPECT_EQ(comparison.count(Change::verdict), 2U);
+}
+
+TEST_F(Compare, KnownFailureThatFailsOtherwiseNowIsARegression) {
+  EXPECT_EQ(compare({line("a", "xfail")}, {line("a", "crash")}).count(Change::regression), 1U);
 }
 
 TEST_F(Compare, CasesOfOneRunOnlyAreNewOrGone) {

@@ -205,8 +205,37 @@ TEST_F(Evidence, BadgeIsGreenForGoAndRedWithTheNumberForNoGo) {
   EXPECT_EQ(badge["color"], "brightgreen");
   write(all_kinds());
   badge = json::parse(read("badge.json"));
-  EXPECT_EQ(badge["message"], "NO-GO \u00b7 2 of 4 judged");
+  EXPECT_EQ(badge["message"], "NO-GO \u00b7 2 of 3 judged, 1 known to fail");
   EXPECT_EQ(badge["color"], "red");
+}
+
+// J-RUN-15: what was granted, and which part it is, stands in the badge, and it is not green.
+TEST_F(Evidence, BadgeIsNotGreenForAPartOrForWhatWasGranted) {
+  const auto badge_with = [&](const std::string& from, const std::string& to) {
+    std::string text = results_text({kPass});
+    text.replace(text.find(from), from.size(), to);
+    write(text);
+    return json::parse(read("badge.json"));
+  };
+  json badge = badge_with(R"("tolerance":null)", R"("tolerance":"1000")");
+  EXPECT_EQ(badge["message"], "GO \u00b7 1 judged \u00b7 tolerance 1000 mm");
+  EXPECT_EQ(badge["color"], "yellowgreen");
+  badge = badge_with(R"("shard":"1/1")", R"("shard":"1/300","selection":{"case":"ngc.a.1"})");
+  EXPECT_EQ(badge["message"], "GO \u00b7 1 judged \u00b7 shard 1/300, case ngc.a.1");
+  EXPECT_EQ(badge["color"], "yellowgreen");
+  badge = badge_with(R"("features":["blocks","m"])", R"("features":["blocks"])");
+  EXPECT_EQ(badge["message"], "GO \u00b7 1 judged \u00b7 without M functions");
+  EXPECT_EQ(badge["color"], "yellowgreen");
+  EXPECT_NE(read("summary.md").find("**GO: 1 judged; not compared: M functions**"),
+            std::string::npos);
+}
+
+// `error` to everything and a file of known failures made it "GO: 99 judged", and green.
+TEST_F(Evidence, KnownFailuresAloneAreNoGo) {
+  write(results_text({kKnown}, "UNDECIDED"));
+  const json badge = json::parse(read("badge.json"));
+  EXPECT_EQ(badge["message"], "UNDECIDED \u00b7 0 judged, 1 known to fail");
+  EXPECT_EQ(badge["color"], "yellow");
 }
 
 const std::string kSkip =
@@ -238,11 +267,11 @@ TEST_F(Evidence, ASkipIsNotGreenAndIsToldEverywhere) {
       << junit;
 }
 
-// J-RUN-04: a note, a skipped test case, a group of its own; never a failure.
+// J-RUN-04, J-RUN-14: a note, a skipped test case, a group of its own; never a failure.
 TEST_F(Evidence, AnAdviceIsListedAndIsNoFailure) {
   write(results_text({kPass, kAdvice}));
   EXPECT_EQ(json::parse(read("badge.json"))["message"],
-            "GO \u00b7 basic of rs274 \u00b7 2 judged, 1 advice");
+            "GO \u00b7 1 judged, 1 advice");
   const std::string junit = read("junit.xml");
   EXPECT_NE(junit.find("tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"1\""), std::string::npos);
   EXPECT_NE(junit.find("<skipped message=\"advice (fail.alarm-missing): No alarm came.\"/>"),

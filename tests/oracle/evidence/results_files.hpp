@@ -29,7 +29,7 @@ class Scratch {
 inline constexpr std::string_view kHeaderLine =
     R"({"format":1,"gonogo":"0.1.0","corpus":{"version":"2026.6.0","sha256":"c0ffee"},)"
     R"("subject":{"spec":"pipe:./acme --fast","name":"acme","version":"3.2","numeric":{"kind":"exact"},)"
-    R"("features":["blocks"]},"profile":{},"tolerance":null,"chord":null,"seed":0,"shard":"1/1",)"
+    R"("features":["blocks","m"]},"profile":{},"tolerance":null,"chord":null,"seed":0,"shard":"1/1",)"
     R"("argv":["certify","--subject","pipe:./acme --fast"]})";
 
 // A whole file: header, these case lines, and a footer with their totals and hash.

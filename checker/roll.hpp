@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run must have, whatever the subject did: from its header and the corpus alone.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checker/corpus.hpp"
+#include "checker/selection.hpp"
+
+namespace gonogo::checker {
+
+// In what the header differs from the command line that it names: sentences. Nothing of a run that
+// was merged.
+std::vector<std::string> header_faults(const Json& header);
+
+class Roll {
+ public:
+  // `header` must outlive it. Throws Fault.
+  explicit Roll(const Json& header);
+
+  bool takes(const std::string& id, const Topic& topic) const { return selection_.takes(id, topic); }
+  // The profile of the vector with what the certifier's sets; nothing: they contradict each other,
+  // and the run leaves the case out.
+  std::optional<Json> profile_of(const std::string& dialect, const Json& profile) const;
+  // Throws Fault for a line that says another thing of its case than the vector does.
+  void check_words(const Json& line, const Vector& vector) const;
+  // A feature that the case needs and the subject does not declare; empty: there is none.
+  std::string undeclared(const Vector& vector) const;
+  // Whether the subject says at all what it has.
+  bool declares() const { return dialects_ != nullptr; }
+  bool is_recorded() const { return is_recorded_; }
+  bool has_feature(const std::string& name) const;
+
+ private:
+  bool is_set(const Json& profile, const Json& key) const;
+
+  Selection selection_;
+  const Json& machine_;            // keys of the certifier's profile
+  std::string machine_dialect_;    // empty: there is no such profile
+  const Json* sets_ = nullptr;     // the keys that it sets, to the default or not
+  const Json* readings_ = nullptr;
+  const Json* dialects_ = nullptr;  // the features declared of each; null: nothing is declared
+  std::vector<std::string> features_;
+  bool is_recorded_ = false;
+};
+
+}  // namespace gonogo::checker

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/records/run_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gonogo::oracle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostNames = 3;
+
+std::string text_in(const Json& object, const char* key) {
+  const Json value = object.value(key, Json());
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+// "case a", "cases a, b", "12 cases".
+void add_names(std::vector<std::string>& into, const std::string& what, const Json& names) {
+  if (!names.is_array() || names.empty()) return;
+  std::vector<std::string> texts;
+  for (const Json& name : names) texts.push_back(name.is_string() ? name.get<std::string>() : "");
+  const std::string many = names.size() == 1 ? what : what + "s";
+  into.push_back(texts.size() > kMostNames ? fmt::format("{} {}", texts.size(), many)
+                                           : fmt::format("{} {}", many, fmt::join(texts, ", ")));
+}
+
+void add_grants(const Json& header, std::vector<std::string>& granted) {
+  struct Grant {
+    const char* key;
+    const char* what;
+    const char* unit;
+  };
+  constexpr std::array<Grant, 4> kGrants = {{{"tolerance", "tolerance", " mm"},
+                                             {"chord", "chord", " mm"},
+                                             {"feed_resolution", "feed resolution", ""},
+                                             {"blend", "blend", " mm"}}};
+  for (const Grant& grant : kGrants) {
+    const std::string number = text_in(header, grant.key);
+    if (!number.empty()) granted.push_back(fmt::format("{} {}{}", grant.what, number, grant.unit));
+  }
+  if (!text_in(header, "known_failures").empty()) granted.emplace_back("known failures");
+  if (!header.value("profile", Json::object()).empty() || header.contains("machine")) {
+    granted.emplace_back("a profile of the certifier's");
+  }
+  add_names(granted, "reading", header.value("readings", Json()));
+}
+
+void add_part(const Json& header, std::vector<std::string>& part) {
+  const std::string shard = text_in(header, "shard");
+  if (!shard.empty() && shard != "1/1") part.push_back("shard " + shard);
+  const Json selection = header.value("selection", Json::object());
+  add_names(part, "glob", selection.value("only", Json()));
+  if (const std::string one = text_in(selection, "case"); !one.empty()) part.push_back("case " + one);
+  add_names(part, "case", selection.value("cases", Json()));
+  add_names(part, "cycle", selection.value("cycles", Json()));
+  add_names(part, "clause", selection.value("clauses", Json()));
+}
+
+}  // namespace
+
+// J-RUN-15.
+RunConditions conditions_of(const Json& header) {
+  RunConditions conditions;
+  if (!header.is_object()) return conditions;
+  add_grants(header, conditions.granted);
+  conditions.strict = header.value("strict", Json(false)) == true;
+  add_part(header, conditions.part);
+  const Json features = header.value("/subject/features"_json_pointer, Json());
+  const auto lacks = [&](const char* feature) {
+    return features.is_array() && std::ranges::find(features, Json(feature)) == features.end();
+  };
+  if (lacks("m")) conditions.not_compared.emplace_back("M functions");
+  if (lacks("blocks")) conditions.not_compared.emplace_back("source lines");
+  return conditions;
+}
+
+std::string RunConditions::text() const {
+  std::string text;
+  const auto put = [&](std::string_view what, const std::vector<std::string>& list) {
+    if (!list.empty()) text += fmt::format("; {}: {}", what, fmt::join(list, ", "));
+  };
+  put("granted", granted);
+  put("a part", part);
+  put("not compared", not_compared);
+  if (strict) text += "; strict";
+  return text;
+}
+
+std::string RunConditions::short_text() const {
+  std::vector<std::string> all = granted;
+  all.insert(all.end(), part.begin(), part.end());
+  for (const std::string& what : not_compared) all.push_back("without " + what);
+  if (strict) all.emplace_back("strict");
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
+}  // namespace gonogo::oracle

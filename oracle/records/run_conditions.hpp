@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What lies between a run and one of a whole corpus under the subject's own numbers.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace gonogo::oracle {
+
+struct RunConditions {
+  std::vector<std::string> granted;       // by the certifier: "tolerance 1000 mm"
+  std::vector<std::string> part;          // of the cases of the dialects: "shard 1/300"
+  std::vector<std::string> not_compared;  // "M functions"
+  bool strict = false;
+
+  // None, or strictness alone, which grants nothing.
+  bool are_none() const { return granted.empty() && part.empty() && not_compared.empty(); }
+  // "; granted: tolerance 1000 mm; a part: shard 1/300; not compared: M functions"; or empty.
+  std::string text() const;
+  // "tolerance 1000 mm, shard 1/300, without M functions"; or empty.
+  std::string short_text() const;
+};
+
+// Of the header of a results file.
+RunConditions conditions_of(const nlohmann::ordered_json& header);
+
+}  // namespace gonogo::oracle
