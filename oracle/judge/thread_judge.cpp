@@ -7,9 +7,20 @@ namespace gonogo::oracle {
 
 using reference::operator""_clause;
 
-ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, const Position& start,
+namespace {
+
+OpenStepAnswer untold_end() {
+  return OpenStepAnswer::gap(
+      "Without block numbers it cannot be told where the motions of the thread end, because the "
+      "tool stands at the initial plane already.");
+}
+
+}  // namespace
+
+ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
                          const JudgeTerms& terms, RunOutSet& run_outs)
     : item_(item),
+      is_named_(path == Path::named),
       terms_(terms),
       run_outs_(run_outs),
       geometry_(item, terms),
@@ -29,7 +40,7 @@ void ThreadJudge::begin_pass(const Position& from) {
   entry_fault_.reset();
   open_.emplace();
   away_direction_ = 0;
-  if (item_.arc_path) step_ = Step::entry;
+  if (is_named_) step_ = Step::entry;
 }
 
 // A thread so shallow that the way back to the R plane is too small to see.
@@ -119,7 +130,7 @@ OpenStepAnswer ThreadJudge::take_in_phase(const Motion& motion) {
 
 // J-THR-02, J-THR-03. Where the helix begins shows only when it leaves the R plane.
 OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
-  if (item_.arc_path && step_ != Step::helix) return take_named(motion);
+  if (is_named_ && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);
   if (phase_ == Phase::run_out) return {};
   if (is_below(motion.from) || is_below(motion.to())) {
@@ -134,7 +145,7 @@ OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
-  if (item_.arc_path) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
+  if (is_named_) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
   switch (entry_.add(motion)) {
     case ThreadEntry::Taken::progress:
       return {};
@@ -169,9 +180,9 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
     const HelixShape helix = shape();
     if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, terms_)) {
-      const bool named = !item_.arc_path || starts->narrow({}, {helix.radius, 0});
+      const bool named = !is_named_ || starts->narrow({}, {helix.radius, 0});
       std::optional<std::string> why;
-      if (!item_.arc_path) why = entry_.fault_before_helix(motion.from);
+      if (!is_named_) why = entry_.fault_before_helix(motion.from);
       if (why) {
         if (!entry_fault_) entry_fault_ = std::move(why);
       } else if (named && !open_->add(helix, *std::move(starts), motion.from, terms_)) {
@@ -184,6 +195,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
     helix_ = open_->take_done();
     open_.emplace();
     line_.reset();
+    highest_ = height(motion.to());
     run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(),
                      allowed_run_outs(run_outs_), allowed_run_outs({}));
     phase_ = Phase::run_out;
@@ -207,10 +219,9 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
   }
   const bool same_place = agree(motion.to()[axes_.p], run_out_end_[axes_.p], terms_.tolerance) &&
                           agree(motion.to()[axes_.q], run_out_end_[axes_.q], terms_.tolerance);
-  const bool falls = height(motion.to()) < height(motion.from) - terms_.tolerance;
+  const bool falls = is_falling(motion);
   if (!same_place || falls || motion.record.kind == RecordKind::arc) return wrong_way_back(motion);
-  const Clearance clear =
-      geometry_.clearance(motion, promises_clearance() ? item_.start_radius : radius());
+  const Clearance clear = geometry_.clearance(motion, radius_kept());
   if (clear.kind != Clearance::Kind::clear) {
     if (item_.runout_length.sign() != 0 && run_out_->all_end_in_material()) {
       return OpenStepAnswer::gap("The run-out of the reading ends in the material.");
@@ -218,7 +229,8 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way back to the R plane goes through the part.");
   }
-  if (item_.arc_path && motion.record.kind != RecordKind::rapid) return wrong_way_back(motion);
+  if (is_named_ && motion.record.kind != RecordKind::rapid) return wrong_way_back(motion);
+  highest_ = max(highest_, height(motion.to()));
   if (is_below(motion.to())) return {};
   if (geometry_.is_above(motion.to())) return rise_beyond(motion);
   phase_ = Phase::away;
@@ -238,9 +250,9 @@ OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
   return not_away(motion);
 }
 
-// J-THR-07: along p alone until the tool is at a safe position.
+// J-THR-07: along p alone, clear of the part, until the tool is at a safe position.
 OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
-  if (item_.arc_path) return take_named(motion);
+  if (is_named_) return take_named(motion);
   const Number& tau = terms_.tolerance;
   const bool safe = is_safe(position_);  // infeed may follow that is too small to see
   const bool last = pass_ == passes_;
@@ -250,17 +262,30 @@ OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
   }
   const Number way = motion.to()[axes_.p] - motion.from[axes_.p];
   const bool goes_on = in_plane && geometry_.moves_first_axis_alone(motion) &&
+                       agree(motion.to()[axes_.q], run_out_end_[axes_.q], tau * 2) &&
                        way.sign() * away_direction_ >= 0 &&
                        (!safe || motion.record.kind == RecordKind::rapid);
   if (goes_on) {
     away_direction_ = way.sign();
-    return {};
+    const Clearance clear = geometry_.clearance(motion, radius_kept());
+    const bool is_clear = clear.kind == Clearance::Kind::clear;
+    const bool is_far = geometry_.is_beyond_reach(motion.to());
+    if (is_clear && !is_far) return {};
+    if (last && (safe || is_clear) && is_end_untold()) return untold_end();
+    if (is_clear) return not_away(motion);
+    return touching(clear, "GSK-G114-10"_clause, motion,
+                    "The way to the safe position goes through the part.");
   }
   if (!safe) return not_away(motion);
   if (last) return take_after_last(motion);
   pass_ += 1;
   begin_pass(position_);
   return take_entry(motion);
+}
+
+// J-THR-09. Without block numbers, where the R plane is the initial one.
+bool ThreadJudge::is_end_untold() const {
+  return !terms_.compare_blocks && agree(item_.r_plane, item_.initial_plane, terms_.tolerance);
 }
 
 // J-THR-09. After the last pass the tool returns along d to the initial plane.
@@ -278,15 +303,11 @@ OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
     return OpenStepAnswer::end(motion.from);
   }
   if (is_below(motion.to())) {
-    if (at_initial && !terms_.compare_blocks) return OpenStepAnswer::end(motion.from);
+    if (is_end_untold()) return OpenStepAnswer::end(motion.from);
     return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
                  "The tool goes below the R plane again after the last pass.");
   }
-  if (!terms_.compare_blocks && at_initial) {
-    return OpenStepAnswer::gap(
-        "Without block numbers it cannot be told where the motions of the thread end, because the "
-        "tool stands at the initial plane already.");
-  }
+  if (is_end_untold()) return untold_end();
   if (is_cut(motion.record.kind) && !geometry_.is_above(motion.to())) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
                  "The tool goes in again after the last pass.");
