@@ -42,7 +42,8 @@ bool ThreadJudge::is_chord_clear(const Motion& flat) const {
 // the part. The groove rises by the lead a turn, and so by its part of that over K degrees, either
 // way round.
 Clearance ThreadJudge::clearance_where_risen(const Motion& motion, const Motion& flat) const {
-  const Number& k = item_.runout_angle;
+  // The reading gsk.thread.k-range = table has K beyond a turn.
+  const Number k = item_.runout_angle - (item_.runout_angle / 360).floor() * 360;
   const Number allowed = item_.lead * min(k, Number(360) - k) / 360 + terms_.tolerance;
   const Number from = geometry_.height_over_bottom(motion.from);
   const Number to = geometry_.height_over_bottom(motion.to());

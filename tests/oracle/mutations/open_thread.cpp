@@ -207,7 +207,7 @@ class OpenThread : public OpenPart {
     // J-THR-05: higher than the groove leads while it is in the material.
     bool rises_in_material(const Stroke& motion) const {
       constexpr int kParts = 64;
-      const double allowed = of.lead_ * std::min(of.angle_, 2 * pi - of.angle_) / (2 * pi);
+      const double allowed = of.lead_ * std::abs(std::remainder(of.angle_, 2 * pi)) / (2 * pi);
       for (int i = 1; i <= kParts; ++i) {
         const Place place = motion.at(static_cast<double>(i) / kParts);
         const double rise = of.up_ * (place[of.d_] - of.bottom_);
