@@ -86,7 +86,7 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
     if (complete()) return OpenStepAnswer::end(motion.from);
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
-  if (turns_rotary_axis(motion, terms_.tolerance)) {
+  if (turns_rotary_axis(start_, motion.to(), terms_.tolerance)) {
     return fault(VerdictKind::fail_geometry, item_.clause, motion,
                  "A rotary axis moves in a thread.");
   }

@@ -195,6 +195,43 @@ TEST(ThreadEnvelope, TurnsOfAnEntryAreCounted) {
   }
 }
 
+// Between the same two places over and over, by flat arcs: each is small, and they never end.
+TEST(ThreadEnvelope, AnEntryThatGoesToAndFroIsNoGo) {
+  for (const bool external : {true, false}) {
+    const double start = external ? 18 : 4.5;
+    Pass pass;
+    pass.entry = [=](Mill m) {
+      m.arc(start / 2, 1'000, 1, start, 0, 15);
+      for (int i = 0; i < 20; ++i) {
+        m.arc(start / 2, -1'000, 1, 0, 0, 15);
+        m.arc(start / 2, 1'000, 1, start, 0, 15);
+      }
+    };
+    everywhere(external, pass, Decision::no_go, "turns back");
+  }
+}
+
+// By nine tenths of the tolerance a piece.
+TEST(ThreadEnvelope, ARotaryAxisThatCreepsIsNoGo) {
+  for (const Frame& frame : all_frames()) {
+    const double radius = frame.external ? 17 : 5.5;
+    const auto helix = [=](double creeps) {
+      Pass pass;
+      pass.helix = [=](Mill m) {
+        for (int i = 1; i <= 8; ++i) {
+          const double side = i % 2 != 0 ? -radius : radius;
+          m.trace.arc(
+              m.frame.plane, {{m.frame.p, 0}, {m.frame.q, 0}}, m.frame.sense,
+              {{m.frame.p, side}, {m.frame.q, 0}, {m.frame.d, 15 - 2.5 * i}, {'c', creeps * i}});
+        }
+      };
+      return pass;
+    };
+    helix(0).is(frame, Decision::go);
+    helix(0.0009).is(frame, Decision::no_go, "rotary axis");
+  }
+}
+
 TEST(ThreadEnvelope, TurnsOfAHelixAreCounted) {
   for (const bool external : {true, false}) {
     const double radius = external ? 17 : 5.5;
