@@ -99,6 +99,7 @@ struct ThreadMilling {
   Number initial_plane;          // coordinate of d to which the cycle returns after them
   Number lead;                   // I
   Number start_radius;           // E/2 + D external, E/2 - D internal
+  Number tool_radius;            // D
   Number height;                 // P
   Number infeed;                 // Q of a pass; P where all is one pass
   Number runout_length;          // J

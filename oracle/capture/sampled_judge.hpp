@@ -26,7 +26,7 @@
 //   last sample before and the first one after. How long it stood before the first sample is not
 //   known: where that decides, oracle-gap.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
-// Holes (J-RUN-13). Where more time passes between two samples than their rhythm has it, the
+// Holes (J-RUN-18). Where more time passes between two samples than their rhythm has it, the
 // machine
 //   may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not show is
 //   told.

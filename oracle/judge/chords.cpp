@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "oracle/judge/swept_turns.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -83,7 +85,7 @@ bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tol
   const std::optional<Circle> circle = circle_of(points);
   if (!circle || !agrees_with(*circle, points.front(), tolerance)) return false;
   int sense = 0;
-  double swept = 0;  // radians; an estimate
+  SweptTurns swept;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!agrees_with(*circle, points[i], tolerance)) return false;
     const PlaneVector from = points[i - 1] - circle->centre;
@@ -91,15 +93,15 @@ bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tol
     const Number turn = vector_product(from, to);
     if (turn.sign() == 0 || (sense != 0 && turn.sign() != sense)) return false;
     sense = turn.sign();
-    swept += std::abs(std::atan2(estimate(turn), estimate(scalar_product(from, to))));
+    swept.add(std::abs(std::atan2(estimate(turn), estimate(scalar_product(from, to)))) /
+              (2 * std::numbers::pi));
     // A sagitta of g has a half chord of sqrt(2 r g - g^2).
     const PlaneVector chord = points[i] - points[i - 1];
     const bool is_flat =
         circle->radius * granted * 2 >= granted * granted + scalar_product(chord, chord) / 4;
     if (circle->radius > granted && !is_flat) return false;
   }
-  constexpr double kEstimate = 1e-6;
-  return swept <= 2 * std::numbers::pi + kEstimate;
+  return !swept.exceed_a_turn(estimate(tolerance), estimate(circle->radius));
 }
 
 }  // namespace gonogo::oracle

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/clearance.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
+#include "oracle/judge/approximate.hpp"
 #include "oracle/region/arc.hpp"
 
 namespace gonogo::oracle {
@@ -53,18 +55,33 @@ int side(const Interval& distance, const Interval& bound, bool outside) {
   return (outside ? distance.hi < bound.lo : distance.lo > bound.hi) ? -1 : 0;
 }
 
-Clearance halve(const region::Arc& arc, const Keep& keep) {
+// Parts of a sweep, which halving keeps exact.
+struct PartOfSweep {
+  double low = 0;
+  double high = 1;
+};
+
+struct OpenStretch {
+  region::Stretch stretch;
+  PartOfSweep part;
+};
+
+// `counts`: the part of the arc's sweep that is looked at.
+Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& counts) {
   const Interval bound =
       region::enclose(keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack);
-  std::vector<region::Stretch> open{whole(arc)};
+  std::vector<OpenStretch> open{{whole(arc), {}}};
   bool undecided = false;
   for (int budget = kMaximumStretches; !open.empty() && budget > 0; --budget) {
-    const region::Stretch stretch = open.back();
+    const auto [stretch, part] = open.back();
     open.pop_back();
+    if (part.high <= counts.low || part.low >= counts.high) continue;
     if (side(distance_of(arc, stretch), bound, keep.outside) > 0) continue;
     const auto parts = halves(stretch);
+    const double middle = (part.low + part.high) / 2;
     const region::IntervalVector point = arc.c + parts[0].rb * parts[0].ub;
-    if (side(norm(point), bound, keep.outside) < 0) {
+    const bool is_looked_at = counts.low <= middle && middle <= counts.high;
+    if (is_looked_at && side(norm(point), bound, keep.outside) < 0) {
       const PlanePoint witness{region::to_number(point.x.middle()),
                                region::to_number(point.y.middle())};
       return {Clearance::Kind::touches, witness,
@@ -75,7 +92,8 @@ Clearance halve(const region::Arc& arc, const Keep& keep) {
       undecided = true;
       continue;
     }
-    open.insert(open.end(), parts.begin(), parts.end());
+    open.push_back({parts[0], {part.low, middle}});
+    open.push_back({parts[1], {middle, part.high}});
   }
   if (undecided || !open.empty()) return {Clearance::Kind::undecided, {}, {}};
   return {};
@@ -133,15 +151,21 @@ Clearance clearance_of_box(const PlanePoint& from, const PlanePoint& to, const K
       {abs(from.p) < abs(to.p) ? to.p : from.p, abs(from.q) < abs(to.q) ? to.q : from.q}, keep);
 }
 
-Clearance clearance_of_arc(const region::LevelMotion& motion, const Keep& keep) {
-  for (const PlanePoint& end : {motion.from, motion.to}) {
-    Clearance clearance = clearance_of_point(end, keep);
-    if (clearance.kind != Clearance::Kind::clear) return clearance;
+Clearance clearance_of_arc(const region::LevelMotion& motion, const Keep& keep,
+                           const Number& from) {
+  Clearance at_ends = clearance_of_point(motion.to, keep);
+  if (at_ends.kind == Clearance::Kind::clear && from.sign() == 0) {
+    at_ends = clearance_of_point(motion.from, keep);
   }
+  if (at_ends.kind != Clearance::Kind::clear) return at_ends;
   if (motion.from == motion.centre || motion.to == motion.centre) {
     return {Clearance::Kind::undecided, {}, {}};
   }
-  Clearance clearance = halve(region::make_arc(motion, {Number(0), Number(0)}), keep);
+  // An arc is read counterclockwise, so that the sweep of a clockwise one begins at its end.
+  const double first = from.sign() > 0 ? std::nextafter(approximate(from), 0.0) : 0;
+  const PartOfSweep counts =
+      motion.rot > 0 ? PartOfSweep{first, 1} : PartOfSweep{0, std::nextafter(1 - first, 1.0)};
+  Clearance clearance = halve(region::make_arc(motion, {Number(0), Number(0)}), keep, counts);
   if (clearance.kind == Clearance::Kind::undecided && is_clear_as_circle(motion, keep)) return {};
   return clearance;
 }

@@ -131,7 +131,7 @@ OpenStepAnswer HelixPocketJudge::take(const Motion& motion) {
   if (terms_.compare_blocks && motion.record.block != item_.block) {
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
-  if (turns_rotary_axis(motion, terms_.tolerance)) {
+  if (turns_rotary_axis(place_, motion.to(), terms_.tolerance)) {
     return departs({Departure::geometry, false, "A rotary axis moves in a pocket."}, motion);
   }
   switch (phase_) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/open_step.hpp"
 
+#include <algorithm>
+
 #include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -8,12 +10,13 @@ namespace gonogo::oracle {
 using reference::kAllAxes;
 
 bool turns_rotary_axis(const Motion& motion, const Number& tolerance) {
-  for (Axis axis : kAllAxes) {
-    if (!reference::is_linear(axis) && !agree(motion.from[axis], motion.to()[axis], tolerance)) {
-      return true;
-    }
-  }
-  return false;
+  return turns_rotary_axis(motion.from, motion.to(), tolerance);
+}
+
+bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance) {
+  return std::ranges::any_of(kAllAxes, [&](Axis axis) {
+    return !reference::is_linear(axis) && !agree(from[axis], to[axis], tolerance);
+  });
 }
 
 Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,

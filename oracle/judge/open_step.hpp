@@ -80,8 +80,9 @@ bool is_open_step(const ReferenceStep& step);
 constexpr bool is_cut(RecordKind kind) {
   return kind == RecordKind::feed || kind == RecordKind::arc;
 }
-// Whether a rotary axis moves.
+// Whether a rotary axis moves; from one place to another, which pieces of motions lie between.
 bool turns_rotary_axis(const Motion& motion, const Number& tolerance);
+bool turns_rotary_axis(const Position& from, const Position& to, const Number& tolerance);
 
 // A NO-GO with what both sides say; the witness is where the motion ends.
 Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,

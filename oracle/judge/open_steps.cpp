@@ -4,7 +4,7 @@
 #include "oracle/judge/helix_pocket_judge.hpp"
 #include "oracle/judge/open_step_memory.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
-#include "oracle/judge/thread_judge.hpp"
+#include "oracle/judge/thread_step.hpp"
 
 namespace gonogo::oracle {
 
@@ -24,7 +24,7 @@ std::unique_ptr<OpenStep> make_open_step(const ReferenceSteps::Step& step, const
     return std::make_unique<HelixPocketJudge>(*pocket, step.place, terms);
   }
   if (auto* thread = std::get_if<reference::ThreadMilling>(&step.what)) {
-    return std::make_unique<ThreadJudge>(*thread, step.place, terms, memory.run_outs);
+    return std::make_unique<ThreadStep>(*thread, step.place, terms, memory.run_outs);
   }
   if (auto* pocket = std::get_if<reference::PocketMilling>(&step.what)) {
     return std::make_unique<PocketMillingJudge>(*pocket, step.place, terms);

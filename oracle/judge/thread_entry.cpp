@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/thread_entry.hpp"
 
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
 
 #include "oracle/judge/chords.hpp"
 
@@ -9,6 +10,7 @@ namespace gonogo::oracle {
 namespace {
 
 constexpr std::size_t kMostPoints = 50'000;
+constexpr const char* kManyPieces = "The entry has more than 50,000 pieces.";
 
 }  // namespace
 
@@ -17,9 +19,13 @@ void ThreadEntry::begin(const Position& from, const Number& pass) {
   radius_ = item.radius_of_pass(pass);
   reached_ = pass > 1 ? item.radius_of_pass(pass - 1) : item.start_radius;
   stands_ = from;
+  from_ = near_rational(geometry_.from_axis(from));
+  const Number away = exact::sqrt(from_.p * from_.p + from_.q * from_.q);
+  reach_ = item.external ? max(geometry_.reach(), away + item.tool_radius * 2) : reached_;
   sense_ = 0;
-  swept_ = 0;
-  points_ = {near_rational(geometry_.from_axis(from))};
+  swept_ = {};
+  far_.clear();
+  points_ = {from_};
   departure_.clear();
 }
 
@@ -59,19 +65,59 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
   if (record.plane != geometry_.item().plane) return "The entry arc lies in another plane.";
   if (points_.size() > 1) return "An arc follows the infeed, where the helix is due.";
   const int sense = record.rot < 0 ? -1 : 1;
-  if (sense_ != 0 && sense != sense_) return "The entry turns back.";
+  const PlaneVector begin = from_centre(record, motion.from);
+  const PlaneVector end = from_centre(record, motion.to());
+  const bool is_on =
+      sense_ == 0 || (sense == sense_ && (end_arm_.p * begin.p + end_arm_.q * begin.q).sign() >= 0);
+  if (!is_on) return "The entry turns back.";
   sense_ = sense;
-  swept_ += approximate_turns(motion);
-  constexpr double kEstimate = 1e-6;
-  if (std::abs(record.rot) > 1 || swept_ > 1 + kEstimate) {
+  end_arm_ = end;
+  swept_.add(approximate_turns(motion));
+  const double radius = std::hypot(estimate(end.p), estimate(end.q));
+  if (swept_.exceed_a_turn(estimate(geometry_.terms().tolerance * 2), radius)) {
     return "The entry turns round more than once.";
+  }
+  if (!is_inside(motion)) {
+    if (!geometry_.item().external) return "The entry goes through the wall of the bore.";
+    if (far_.size() >= kMostPoints) return kManyPieces;
+    far_.push_back(motion);
   }
   points_ = {near_rational(geometry_.from_axis(motion.to()))};
   return std::nullopt;
 }
 
+bool ThreadEntry::is_inside(const Motion& motion) const {
+  const Clearance inside = geometry_.within(motion, reach_);
+  if (inside.kind == Clearance::Kind::undecided) {
+    throw exact::Undecided("whether an arc of the entry stays in its region is not decided");
+  }
+  return inside.kind == Clearance::Kind::clear;
+}
+
+// J-THR-02. `start`: of the infeed, behind the chords.
+bool ThreadEntry::leaves_region(const PlaneVector& start,
+                                std::span<const PlaneVector> chords) const {
+  if (!is_inside(staying(start))) return true;
+  const auto leaves = [&](const Motion& motion) {
+    return !geometry_.item().external ||
+           geometry_.within_chord(motion, from_, start).kind != Clearance::Kind::clear;
+  };
+  return std::ranges::any_of(far_, leaves) ||
+         std::ranges::any_of(chords, [&](const PlaneVector& end) {
+           const Motion there = staying(end);
+           return !is_inside(there) && leaves(there);
+         });
+}
+
+Motion ThreadEntry::staying(const PlaneVector& v) const {
+  Motion motion;
+  motion.record.kind = RecordKind::feed;
+  motion.from = motion.record.to = at(v);
+  return motion;
+}
+
 std::optional<std::string> ThreadEntry::add_line(const Motion& motion) {
-  if (points_.size() >= kMostPoints) return "The entry has more than 50,000 pieces.";
+  if (points_.size() >= kMostPoints) return kManyPieces;
   points_.push_back(near_rational(geometry_.from_axis(motion.to())));
   return std::nullopt;
 }
@@ -118,6 +164,12 @@ std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
     return "The entry arc is missing.";
   }
   if (!geometry_.is_free(at(points[infeed]), reached_)) return "The infeed is missing.";
+  if (leaves_region(points[infeed], points.first(infeed))) {
+    return geometry_.item().external
+               ? "The entry leads farther from the part than the safe position and a tool's "
+                 "diameter beside it."
+               : "The entry goes through the wall of the bore.";
+  }
   Motion line;
   line.record.kind = RecordKind::feed;
   line.from = at(points[infeed]);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/judge/swept_turns.hpp"
 #include "oracle/judge/thread_geometry.hpp"
 
 namespace gonogo::oracle {
@@ -31,18 +32,25 @@ class ThreadEntry {
  private:
   std::optional<std::string> add_arc(const Motion& motion);
   std::optional<std::string> add_line(const Motion& motion);
+  bool is_inside(const Motion& motion) const;
+  bool leaves_region(const PlaneVector& start, std::span<const PlaneVector> chords) const;
   std::optional<std::string> wrong_traverse() const;
   std::optional<std::string> fault_of(std::size_t infeed, const PlaneVector& here) const;
   bool on_start_circle(const PlaneVector& at) const;
   Position at(const PlaneVector& v) const;
+  Motion staying(const PlaneVector& v) const;  // there
   bool chords_granted() const { return geometry_.terms().chord.sign() > 0; }
 
   const ThreadGeometry& geometry_;
   Number radius_;                    // of the pass
   Number reached_;                   // radius to which the passes before have cut
+  Number reach_;                     // how far from the axis the entry may lead
+  PlaneVector from_;                 // where it begins, from the axis
   Position stands_;                  // after the last motion that counts
   int sense_ = 0;                    // of the arcs; 0: none yet
-  double swept_ = 0;                 // by them, in turns; an estimate
+  SweptTurns swept_;                 // by them
+  PlaneVector end_arm_;              // of the last, from its centre to its end
+  std::vector<Motion> far_;          // those of them that lead farther
   std::vector<PlaneVector> points_;  // from the axis: the ends of the straight cuts behind them
   std::string departure_;
 };

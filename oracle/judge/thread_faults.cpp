@@ -182,13 +182,12 @@ OpenStepAnswer ThreadJudge::wrong_way_down(const Motion& motion) const {
 
 // J-THR-06
 OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
-  const bool falls = height(motion.to()) < height(motion.from) - terms_.tolerance;
   std::string message =
       "The way back to the R plane does not lead along the depth axis alone from the end of the "
       "run-out.";
   if (motion.record.kind == RecordKind::arc) {
     message = "The tool turns on its way back to the R plane.";
-  } else if (falls) {
+  } else if (is_falling(motion)) {
     message = "The tool goes down again on its way back to the R plane.";
   } else if (motion.record.kind == RecordKind::rapid) {
     message = "A traverse below the R plane does not lead along the depth axis alone.";
@@ -198,11 +197,15 @@ OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
 
 // J-THR-07
 OpenStepAnswer ThreadJudge::not_away(const Motion& motion) const {
-  const bool moves_p = geometry_.moves_first_axis_alone(motion);
-  return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion,
-               moves_p ? "The tool turns back before it has reached the safe position."
-                       : "The tool does not move along the first axis of the plane to the safe "
-                         "position before it goes on.");
+  std::string message =
+      "The tool does not move along the first axis of the plane to the safe position before it "
+      "goes on.";
+  if (geometry_.is_beyond_reach(motion.to())) {
+    message = "The tool goes farther than the safe position and a tool's diameter beside it.";
+  } else if (geometry_.moves_first_axis_alone(motion)) {
+    message = "The tool turns back before it has reached the safe position.";
+  }
+  return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion, std::move(message));
 }
 
 }  // namespace gonogo::oracle

@@ -50,6 +50,10 @@ bool ThreadGeometry::is_safe(const Position& at, bool named) const {
   return abs(v.p) <= abs(safe) + tau;
 }
 
+bool ThreadGeometry::is_beyond_reach(const Position& at) const {
+  return item_.external && abs(from_axis(at).p) > reach() + terms_.tolerance;
+}
+
 bool ThreadGeometry::moves_depth_alone(const Motion& motion) const {
   return moved_axes(motion, terms_.tolerance) == AxisSet{axes_.d};
 }
@@ -64,38 +68,50 @@ bool ThreadGeometry::moves_in_plane(const Motion& motion) const {
   return moved.has(axes_.p) || moved.has(axes_.q) || nearly_full_turn(motion);
 }
 
-Clearance ThreadGeometry::clearance(const Motion& motion, const Number& radius) const {
-  return clearance_from(motion, {item_.external, radius, slack()});
+Clearance ThreadGeometry::clearance(const Motion& motion, const Number& radius,
+                                    const Number& part) const {
+  return clearance_in({{item_.external, radius, slack()}, {}}, motion, part);
 }
 
-Clearance ThreadGeometry::clearance_of_chord(const Motion& chord, const Number& radius) const {
-  return clearance_from(chord, {item_.external, radius, slack() + terms_.chord});
+Clearance ThreadGeometry::clearance_of_chord(const Motion& chord, const Number& radius,
+                                             const Number& part) const {
+  return clearance_in({{item_.external, radius, slack() + terms_.chord}, {}}, chord, part);
 }
 
 Clearance ThreadGeometry::within(const Motion& motion, const Number& radius) const {
-  return clearance_from(motion, {false, radius, slack()});
+  return clearance_in({{false, radius, slack()}, {}}, motion, 0);
 }
 
-Clearance ThreadGeometry::clearance_from(const Motion& motion, const Keep& keep) const {
-  const PlaneVector from = near_rational(from_axis(motion.from));
-  const PlaneVector to = near_rational(from_axis(motion.to()));
+Clearance ThreadGeometry::within_chord(const Motion& motion, const PlaneVector& a,
+                                       const PlaneVector& b) const {
+  const PlaneVector half{(b.p - a.p) / 2, (b.q - a.q) / 2};
+  const Number radius = exact::sqrt(half.p * half.p + half.q * half.q);
+  return clearance_in({{false, radius, slack() + terms_.chord}, {a.p + half.p, a.q + half.q}},
+                      motion, 0);
+}
+
+Clearance ThreadGeometry::clearance_in(const Limit& limit, const Motion& motion,
+                                       const Number& part) const {
+  const auto place = [&](const PlaneVector& from_axis) {
+    const PlaneVector v = near_rational(from_axis);
+    return region::PlanePoint{v.p - limit.middle.p, v.q - limit.middle.q};
+  };
+  const region::PlanePoint from = place(from_axis(motion.from));
+  const region::PlanePoint to = place(from_axis(motion.to()));
   const Record& record = motion.record;
-  if (record.kind == RecordKind::rapid) {
-    return clearance_of_box({from.p, from.q}, {to.p, to.q}, keep);
-  }
+  if (record.kind == RecordKind::rapid) return clearance_of_box(from, to, limit.keep);
   if (record.kind == RecordKind::feed) {
-    return clearance_of_line({from.p, from.q}, {to.p, to.q}, keep);
+    return clearance_of_line({from.p + part * (to.p - from.p), from.q + part * (to.q - from.q)}, to,
+                             limit.keep);
   }
   if (record.plane != item_.plane) return {Clearance::Kind::undecided, {}, {}};
-  const PlaneVector centre = near_rational(
-      PlaneVector{record.centre[0] - item_.centre[0], record.centre[1] - item_.centre[1]});
   region::LevelMotion arc;
   arc.is_arc = true;
-  arc.from = {from.p, from.q};
-  arc.to = {to.p, to.q};
-  arc.centre = {centre.p, centre.q};
+  arc.from = from;
+  arc.to = to;
+  arc.centre = place({record.centre[0] - item_.centre[0], record.centre[1] - item_.centre[1]});
   arc.rot = record.rot;
-  return clearance_of_arc(arc, keep);
+  return clearance_of_arc(arc, limit.keep, part);
 }
 
 }  // namespace gonogo::oracle

@@ -35,20 +35,33 @@ class ThreadGeometry {
   // J-THR-07: external, as far from the axis as rho_0 + J; internal, as near to it along p as
   // rho_0 - J. `named`: just there, on the positive side of p.
   bool is_safe(const Position& at, bool named) const;
+  // J-THR-07: whether it lies farther along p than an external thread's tool goes. A bore's is kept
+  // by its wall.
+  bool is_beyond_reach(const Position& at) const;
   bool moves_depth_alone(const Motion& motion) const;
   bool moves_first_axis_alone(const Motion& motion) const;
   bool moves_in_plane(const Motion& motion) const;
 
-  // Whether a motion keeps off the material that begins at the circle. A traverse may go anywhere
-  // within its box.
-  Clearance clearance(const Motion& motion, const Number& radius) const;
+  // Whether a motion keeps off the material that begins at the circle, from that part of it on. A
+  // traverse may go anywhere within its box.
+  Clearance clearance(const Motion& motion, const Number& radius, const Number& part = 0) const;
   // The same of a chord that the certifier grants, which may cut deeper by that much.
-  Clearance clearance_of_chord(const Motion& chord, const Number& radius) const;
-  // Whether it stays within a circle about the axis.
+  Clearance clearance_of_chord(const Motion& chord, const Number& radius,
+                               const Number& part = 0) const;
+  // Whether it stays within a circle about the axis; or about the middle of two points, through
+  // both.
   Clearance within(const Motion& motion, const Number& radius) const;
+  Clearance within_chord(const Motion& motion, const PlaneVector& a, const PlaneVector& b) const;
+  // J-THR-02, J-THR-07. How far from the axis the words lead: to the safe position of an external
+  // thread, and a tool's diameter beside it.
+  Number reach() const { return item_.start_radius + item_.runout_length + item_.tool_radius * 2; }
 
  private:
-  Clearance clearance_from(const Motion& motion, const Keep& keep) const;
+  struct Limit {
+    Keep keep;
+    PlaneVector middle;  // of its circle, from the axis
+  };
+  Clearance clearance_in(const Limit& limit, const Motion& motion, const Number& part) const;
   // A point that agrees on each axis lies up to sqrt(2) tau beyond a circle; 1.41422 is more.
   Number slack() const { return Number::millionths(1'414'220) * terms_.tolerance; }
 

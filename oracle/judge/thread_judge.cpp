@@ -7,9 +7,10 @@ namespace gonogo::oracle {
 
 using reference::operator""_clause;
 
-ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, const Position& start,
+ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
                          const JudgeTerms& terms, RunOutSet& run_outs)
     : item_(item),
+      is_named_(path == Path::named),
       terms_(terms),
       run_outs_(run_outs),
       geometry_(item, terms),
@@ -29,7 +30,7 @@ void ThreadJudge::begin_pass(const Position& from) {
   entry_fault_.reset();
   open_.emplace();
   away_direction_ = 0;
-  if (item_.arc_path) step_ = Step::entry;
+  if (is_named_) step_ = Step::entry;
 }
 
 // A thread so shallow that the way back to the R plane is too small to see.
@@ -76,7 +77,7 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
     if (complete()) return OpenStepAnswer::end(motion.from);
     return OpenStepAnswer::decide(incomplete(motion.from));
   }
-  if (turns_rotary_axis(motion, terms_.tolerance)) {
+  if (turns_rotary_axis(start_, motion.to(), terms_.tolerance)) {
     return fault(VerdictKind::fail_geometry, item_.clause, motion,
                  "A rotary axis moves in a thread.");
   }
@@ -121,7 +122,7 @@ OpenStepAnswer ThreadJudge::take_in_phase(const Motion& motion) {
 
 // J-THR-02, J-THR-03. Where the helix begins shows only when it leaves the R plane.
 OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
-  if (item_.arc_path && step_ != Step::helix) return take_named(motion);
+  if (is_named_ && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);
   if (phase_ == Phase::run_out) return {};
   if (is_below(motion.from) || is_below(motion.to())) {
@@ -136,7 +137,7 @@ OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
-  if (item_.arc_path) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
+  if (is_named_) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
   switch (entry_.add(motion)) {
     case ThreadEntry::Taken::progress:
       return {};
@@ -171,9 +172,9 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
     const HelixShape helix = shape();
     if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, terms_)) {
-      const bool named = !item_.arc_path || starts->narrow({}, {helix.radius, 0});
+      const bool named = !is_named_ || starts->narrow({}, {helix.radius, 0});
       std::optional<std::string> why;
-      if (!item_.arc_path) why = entry_.fault_before_helix(motion.from);
+      if (!is_named_) why = entry_.fault_before_helix(motion.from);
       if (why) {
         if (!entry_fault_) entry_fault_ = std::move(why);
       } else if (named && !open_->add(helix, *std::move(starts), motion.from, terms_)) {
@@ -187,6 +188,7 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
     helix_ = open_->take_done();
     open_.emplace();
     line_.reset();
+    highest_ = height(motion.to());
     run_out_.emplace(geometry_, pass_, helix_.front(), to_end_, motion.to(),
                      allowed_run_outs(run_outs_), allowed_run_outs({}));
     phase_ = Phase::run_out;
@@ -198,107 +200,6 @@ OpenStepAnswer ThreadJudge::take_helix(const Motion& motion) {
   const MatchResult result = match_helix(motion);
   if (result.departure == Departure::none) return {};
   return no_helix(motion, result);
-}
-
-// J-THR-06: along d alone from where the run-out ended; GSK-G114-10: with J >= t_n that keeps off
-// the material.
-OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
-  if (!is_below(motion.from) && !is_below(motion.to()) && !geometry_.is_above(motion.to())) {
-    // So shallow that the way back was too small to see.
-    phase_ = Phase::away;
-    return take_away(motion);
-  }
-  const bool same_place = agree(motion.to()[axes_.p], run_out_end_[axes_.p], terms_.tolerance) &&
-                          agree(motion.to()[axes_.q], run_out_end_[axes_.q], terms_.tolerance);
-  const bool falls = height(motion.to()) < height(motion.from) - terms_.tolerance;
-  if (!same_place || falls || motion.record.kind == RecordKind::arc) return wrong_way_back(motion);
-  const Clearance clear =
-      geometry_.clearance(motion, promises_clearance() ? item_.start_radius : radius());
-  if (clear.kind != Clearance::Kind::clear) {
-    if (item_.runout_length.sign() != 0 && run_out_->all_end_in_material()) {
-      return OpenStepAnswer::gap(GapReason::reading_unfit,
-                                 "The run-out of the reading ends in the material.");
-    }
-    return touching(clear, "GSK-G114-10"_clause, motion,
-                    "The way back to the R plane goes through the part.");
-  }
-  if (item_.arc_path && motion.record.kind != RecordKind::rapid) return wrong_way_back(motion);
-  if (is_below(motion.to())) return {};
-  if (geometry_.is_above(motion.to())) return rise_beyond(motion);
-  phase_ = Phase::away;
-  return {};
-}
-
-// The return to the R plane and the traverse to the initial plane in one: right where the tool
-// stands at a safe position already.
-OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
-  phase_ = Phase::away;
-  Position here = motion.from;
-  here[axes_.d] = item_.r_plane;
-  position_ = here;
-  const bool to_initial =
-      agree(motion.to()[axes_.d], item_.initial_plane, terms_.tolerance) || !terms_.compare_blocks;
-  if (complete() && to_initial) return OpenStepAnswer::end(here);
-  return not_away(motion);
-}
-
-// J-THR-07: along p alone until the tool is at a safe position.
-OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
-  if (item_.arc_path) return take_named(motion);
-  const Number& tau = terms_.tolerance;
-  const bool safe = is_safe(position_);  // infeed may follow that is too small to see
-  const bool last = pass_ == passes_;
-  const bool in_plane = !is_below(motion.to()) && !geometry_.is_above(motion.to());
-  if (in_plane && agree(motion.from, motion.to(), tau) && !nearly_full_turn(motion)) {
-    return wait();
-  }
-  const Number way = motion.to()[axes_.p] - motion.from[axes_.p];
-  const bool goes_on = in_plane && geometry_.moves_first_axis_alone(motion) &&
-                       way.sign() * away_direction_ >= 0 &&
-                       (!safe || motion.record.kind == RecordKind::rapid);
-  if (goes_on) {
-    away_direction_ = way.sign();
-    return {};
-  }
-  if (!safe) return not_away(motion);
-  if (last) return take_after_last(motion);
-  pass_ += 1;
-  begin_pass(position_);
-  return take_entry(motion);
-}
-
-// J-THR-09. After the last pass the tool returns along d to the initial plane.
-OpenStepAnswer ThreadJudge::take_after_last(const Motion& motion) {
-  const Number& tau = terms_.tolerance;
-  const bool at_initial = agree(item_.r_plane, item_.initial_plane, tau);
-  // GSK-G114-07. The initial plane may lie below the R plane (gsk.thread.direction = free).
-  const bool rises = height(motion.to()) - height(motion.from) > tau;
-  // Without block numbers the next block's traverse may be joined to the return.
-  const bool to_initial =
-      agree(motion.to()[axes_.d], item_.initial_plane, tau) || (!terms_.compare_blocks && rises);
-  // In pieces, of which one was dropped, the last may be no motion that is seen.
-  const bool is_small = agree(motion.from, motion.to(), tau);
-  if ((geometry_.moves_depth_alone(motion) || is_small) && to_initial && !at_initial) {
-    return OpenStepAnswer::end(motion.from);
-  }
-  if (is_below(motion.to())) {
-    if (at_initial && !terms_.compare_blocks) return OpenStepAnswer::end(motion.from);
-    return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
-                 "The tool goes below the R plane again after the last pass.");
-  }
-  if (!terms_.compare_blocks && at_initial) {
-    return OpenStepAnswer::gap(
-        GapReason::two_readings,
-        "Without block numbers it cannot be told where the motions of the thread end, because the "
-        "tool stands at the initial plane already.");
-  }
-  if (is_cut(motion.record.kind) && !geometry_.is_above(motion.to())) {
-    return fault(VerdictKind::fail_geometry, "GSK-G114-04"_clause, motion,
-                 "The tool goes in again after the last pass.");
-  }
-  return fault(VerdictKind::fail_geometry, "GSK-G114-07"_clause, motion,
-               "After the last pass the tool leaves its safe position otherwise than by a traverse "
-               "along the depth axis to the initial plane.");
 }
 
 }  // namespace gonogo::oracle

@@ -17,10 +17,12 @@ namespace gonogo::oracle {
 
 class ThreadJudge : public OpenStep {
  public:
+  // The path of the reading gsk.thread.path = arc, or any that the steps leave open.
+  enum class Path { named, open };
   // `item`, `terms` and `run_outs`, those that the program has left so far, must outlive the judge.
   // `start`: where the tool stands, at the R plane.
-  ThreadJudge(const reference::ThreadMilling& item, const Position& start, const JudgeTerms& terms,
-              RunOutSet& run_outs);
+  ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
+              const JudgeTerms& terms, RunOutSet& run_outs);
 
   OpenStepAnswer take(const Motion& motion) override;
   // It may end when the passes are done and the tool is at the R plane, at a safe position.
@@ -50,7 +52,7 @@ class ThreadJudge : public OpenStep {
   OpenStepAnswer take_after_last(const Motion& motion);
   void begin_pass(const Position& from);
 
-  // The path of the reading gsk.thread.path = arc, where it is named.
+  // Of a path that is named.
   enum class Step { entry, infeed, helix, away, over };
   OpenStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing
@@ -62,7 +64,9 @@ class ThreadJudge : public OpenStep {
   RunOutSet allowed_run_outs(const RunOutSet& left) const;
   bool is_remainder(const Motion& motion) const;
   bool is_chord_clear(const Motion& flat) const;
+  Clearance clearance_where_risen(const Motion& motion, const Motion& flat) const;
   bool is_back_unseen() const;
+  bool is_end_untold() const;
   std::optional<Verdict> finish_run_out(const Motion& motion);
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }
 
@@ -82,9 +86,15 @@ class ThreadJudge : public OpenStep {
   Number radius() const { return item_.radius_of_pass(pass_); }
   Number height(const Position& at) const { return geometry_.height(at); }
   bool is_below(const Position& at) const { return geometry_.is_below(at); }
-  bool is_safe(const Position& at) const { return geometry_.is_safe(at, item_.arc_path); }
+  bool is_safe(const Position& at) const { return geometry_.is_safe(at, is_named_); }
+  // What the way back and the way to the safe position are free of.
+  bool is_falling(const Motion& motion) const {
+    return height(motion.to()) < highest_ - terms_.tolerance;
+  }
+  Number radius_kept() const { return promises_clearance() ? item_.start_radius : radius(); }
 
   const reference::ThreadMilling& item_;
+  const bool is_named_;
   const JudgeTerms& terms_;
   RunOutSet& run_outs_;
   ThreadGeometry geometry_;
@@ -105,6 +115,7 @@ class ThreadJudge : public OpenStep {
   std::optional<OpenHelices> open_;         // that may have begun
   std::list<OpenHelix> helix_;              // the one that is complete
   std::optional<ThreadRunOutJudge> run_out_;
+  Number highest_;  // place over the R plane since the helix
   Position run_out_end_;
   int away_direction_ = 0;  // along p
   Motion line_want_;        // a motion that a reading names

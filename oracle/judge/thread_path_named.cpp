@@ -66,7 +66,9 @@ void ThreadJudge::next_named(const Position& at) {
 OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
   if (phase_ == Phase::away) step_ = Step::away;
   while (true) {
-    if (step_ == Step::over) return OpenStepAnswer::end(motion.from);
+    if (step_ == Step::over) {
+      return is_end_untold() ? OpenStepAnswer::end(motion.from) : take_after_last(motion);
+    }
     if (step_ == Step::helix) return take_entry(motion);
     if (!line_ && !prepare_named(motion.from)) {
       next_named(motion.from);

@@ -2,6 +2,7 @@
 #include "oracle/judge/thread_run_out.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "oracle/judge/chords.hpp"
@@ -87,6 +88,7 @@ Motion ThreadRunOutJudge::line_to(ThreadRunOut run_out) const {
 bool ThreadRunOutJudge::take(const Motion& flat) {
   if (!begun_) chords_ = {near_rational(geometry_.from_axis(flat.from))};
   begun_ = true;
+  if (leaves_region(flat)) return false;
   for (const ThreadRunOut each : kRunOuts) {
     if (!left_.has(each)) continue;
     const bool follows = each == ThreadRunOut::polar ? take_polar(flat) : take_line(each, flat);
@@ -131,21 +133,22 @@ bool ThreadRunOutJudge::take_arc(const Motion& arc) {
   off_line_[place_of(ThreadRunOut::polar)] = true;
   if (chords_.size() > 1 || record.plane != geometry_.item().plane) arc_departed_ = true;
   if (!arc_) arc_ = record;
-  swept_ += approximate_turns(arc);
+  swept_.add(approximate_turns(arc));
   const Number& apart = geometry_.loose_terms().tolerance;
-  constexpr double kEstimate = 1e-6;
+  const PlaneVector end = from_centre(record, arc.to());
+  const double radius = std::hypot(estimate(end.p), estimate(end.q));
   const bool goes_on = std::abs(record.rot) == 1 && (record.rot < 0) == (arc_->rot < 0) &&
                        agree(record.centre[0], arc_->centre[0], apart) &&
                        agree(record.centre[1], arc_->centre[1], apart);
-  if (!goes_on || swept_ > 1 + kEstimate || bulges(arc)) arc_departed_ = true;
+  if (!goes_on || swept_.exceed_a_turn(estimate(apart), radius)) arc_departed_ = true;
   return !arc_departed_;
 }
 
-// A bore has no room for that.
-bool ThreadRunOutJudge::bulges(const Motion& arc) const {
+// Of a bore its wall, which the pass is held to, leaves no room.
+bool ThreadRunOutJudge::leaves_region(const Motion& flat) const {
   if (!geometry_.item().external) return false;
   const Number farthest = farthest_of_polar(geometry_.item(), radius_);
-  return geometry_.within(arc, farthest).kind == Clearance::Kind::touches;
+  return geometry_.within(flat, farthest).kind == Clearance::Kind::touches;
 }
 
 bool ThreadRunOutJudge::ends_at(ThreadRunOut run_out, const Position& here) const {

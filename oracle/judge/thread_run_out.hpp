@@ -10,6 +10,7 @@
 
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/open_helix.hpp"
+#include "oracle/judge/swept_turns.hpp"
 #include "oracle/judge/thread_geometry.hpp"
 
 namespace gonogo::oracle {
@@ -61,7 +62,7 @@ class ThreadRunOutJudge {
   bool is_end_of_another(const Position& here) const;
   bool has_begun() const { return begun_; }
   // How far arcs have turned, in turns; an estimate.
-  double swept() const { return swept_; }
+  double swept() const { return swept_.estimate(); }
   // How far along an axis a point is from the nearest of their ends.
   Number distance_from_end(const Position& here) const;
   // J-THR-11: whether all that the reading names cut deeper than the pass itself, or leave J behind
@@ -73,7 +74,7 @@ class ThreadRunOutJudge {
   bool take_polar(const Motion& flat);
   bool take_arc(const Motion& arc);
   bool take_line(ThreadRunOut run_out, const Motion& flat);
-  bool bulges(const Motion& arc) const;
+  bool leaves_region(const Motion& flat) const;
   bool ends_at(ThreadRunOut run_out, const Position& here) const;
   bool surely_ends_at(ThreadRunOut run_out, const Position& here) const;
   Similarity map_of(ThreadRunOut run_out) const;  // from the start of the helix to the end
@@ -100,7 +101,7 @@ class ThreadRunOutJudge {
   std::array<bool, 3> off_line_ = {};
   // Of the polar run-out as an arc.
   std::optional<Record> arc_;  // its first piece
-  double swept_ = 0;           // in turns; an estimate
+  SweptTurns swept_;           // by all of them
   bool arc_departed_ = false;
   std::vector<PlaneVector> chords_;
 };

@@ -38,6 +38,22 @@ bool ThreadJudge::is_chord_clear(const Motion& flat) const {
          geometry_.clearance_of_chord(flat, radius()).kind == Clearance::Kind::clear;
 }
 
+// J-THR-05: of the part of the motion that is higher than the groove leads, whether it is free of
+// the part. The groove rises by the lead a turn, and so by its part of that over K degrees, either
+// way round.
+Clearance ThreadJudge::clearance_where_risen(const Motion& motion, const Motion& flat) const {
+  // The reading gsk.thread.k-range = table has K beyond a turn.
+  const Number k = item_.runout_angle - (item_.runout_angle / 360).floor() * 360;
+  const Number allowed = item_.lead * min(k, Number(360) - k) / 360 + terms_.tolerance;
+  const Number from = geometry_.height_over_bottom(motion.from);
+  const Number to = geometry_.height_over_bottom(motion.to());
+  if (to <= allowed) return {};
+  const Number part = from < allowed ? (allowed - from) / (to - from) : Number(0);
+  const bool is_chord = flat.record.kind == RecordKind::feed && terms_.chord.sign() > 0;
+  return is_chord ? geometry_.clearance_of_chord(flat, item_.start_radius, part)
+                  : geometry_.clearance(flat, item_.start_radius, part);
+}
+
 OpenStepAnswer ThreadJudge::take_run_out(const Motion& motion) {
   if (is_cut(motion.record.kind)) {
     if (is_remainder(motion)) return wait();
@@ -58,7 +74,7 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
                  "The tool cuts below the bottom of the thread.");
   }
   if (item_.runout_length.sign() == 0) return no_run_out(motion);
-  const bool falls = rise < geometry_.height_over_bottom(motion.from) - terms_.tolerance;
+  const bool falls = is_falling(motion);
   if (falls || geometry_.is_above(motion.to())) {
     return fault(VerdictKind::fail_geometry, "GSK-G114-11"_clause, motion,
                  falls ? "The run-out goes down again." : "The run-out rises beyond the R plane.");
@@ -70,6 +86,11 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   // A run-out that rises is judged by its part in the plane.
   Motion flat = motion;
   flat.from[axes_.d] = flat.record.to[axes_.d] = item_.bottom;
+  if (const Clearance risen = clearance_where_risen(motion, flat);
+      risen.kind != Clearance::Kind::clear) {
+    return touching(risen, "GSK-G114-11"_clause, motion,
+                    "The run-out rises out of its groove while it is still in the material.");
+  }
   const Clearance clear = geometry_.clearance(flat, radius());
   if (clear.kind != Clearance::Kind::clear) {
     if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
@@ -80,6 +101,7 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
     if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};
     return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
   }
+  highest_ = max(highest_, height(motion.to()));
   if (run_out_->take(flat)) return {};
   return no_run_out(motion);
 }

@@ -137,6 +137,7 @@ ThreadMilling make_thread(BlockContext& block, const MillingSite& site, const Th
   thread.travel = site.travel;
   thread.initial_plane = site.initial_plane;
   thread.lead = *words.lead;
+  thread.tool_radius = *words.tool;
   thread.height = *words.height;
   thread.start_radius =
       thread.external ? *words.diameter / 2 + *words.tool : *words.diameter / 2 - *words.tool;

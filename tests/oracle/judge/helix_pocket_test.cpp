@@ -139,6 +139,52 @@ TEST(HelixPocketJudge, AnotherNumberOfTurnsIsNoGo) {
   expect_pocket_no_go(pocket, "GSK-G112-05");
 }
 
+// In place of the helix's or a semicircle's own, in one record: of -5 and -1.
+TEST(HelixPocketJudge, TurnsWithoutEndAreNoGo) {
+  for (const std::string_view rot : {"\"rot\":-5", "\"rot\":-1"}) {
+    for (const bool first : {true, false}) {
+      for (const std::string_view turns : {"\"rot\":-1000000000", "\"rot\":-2"}) {
+        std::string text = Pocket{}.text();
+        text.replace(first ? text.find(rot) : text.rfind(rot), rot.size(), turns);
+        EXPECT_EQ(judge_trace(kHelixPocket, text).kind, VerdictKind::fail_geometry) << text;
+      }
+    }
+  }
+}
+
+// A cut aside or up from a place of the path, and back.
+Decision with_excursion_at(int place, double aside, double up) {
+  TraceText text(1, 200);
+  int here = 0;
+  const auto from = [&](double z, double y) {
+    if (here++ != place) return;
+    text.feed({{'z', z + aside}, {'y', y + up}}).feed({{'z', z}, {'y', y}});
+  };
+  text.rapid({{'x', 35}, {'y', 30}, {'z', 70}}).block(3, 200);
+  from(70, 30);
+  text.arc("G18", {{'x', 35}, {'z', 72}}, -1, {{'x', 35}, {'z', 74}});
+  from(74, 30);
+  text.arc("G18", {{'x', 35}, {'z', 70}}, -3, {{'x', 35}, {'z', 66}, {'y', 25}});
+  from(66, 25);
+  text.arc("G18", {{'x', 35}, {'z', 70}}, -3, {{'x', 35}, {'z', 74}, {'y', 20}});
+  from(74, 20);
+  text.arc("G18", {{'x', 35}, {'z', 72}}, -1, {{'x', 35}, {'z', 70}});
+  from(70, 20);
+  text.rapid({{'y', 30}}).block(4, 200).rapid({{'x', 40}});
+  return decision(judge_trace(kHelixPocket, text.text()).kind);
+}
+
+TEST(HelixPocketJudge, AnExcursionAtAnyHeightIsNoGo) {
+  constexpr int kPlaces = 5;
+  EXPECT_EQ(with_excursion_at(kPlaces, 0, 0), Decision::go);
+  for (int place = 0; place < kPlaces; ++place) {
+    for (const double far : {0.01, -1.0, 5'000.0}) {
+      EXPECT_EQ(with_excursion_at(place, far, 0), Decision::no_go) << place << " " << far;
+      EXPECT_EQ(with_excursion_at(place, 0, far), Decision::no_go) << place << " " << far;
+    }
+  }
+}
+
 TEST(HelixPocketJudge, AnotherDepthIsNoGo) {
   Pocket pocket;
   pocket.bottom = 20.01;

@@ -45,6 +45,7 @@ struct Thread {
   enum class Return { to_r_plane, to_initial, none, tilted } way_back = Return::to_r_plane;
   double start_radius = 18;  // rho_0
   double safe = 20;          // along p from the centre
+  bool near_side = false;    // of the axis, where the run-out ended
   enum class Entry { semicircle, two_arcs, chords, flat_arc, none } entry = Entry::semicircle;
   bool infeed_by_arc = false;
   bool mixed_run_outs = false;  // the passes behind the first leave radially
@@ -180,7 +181,7 @@ struct Thread {
       if (mixed_run_outs && radius != radii.front()) pass.run_out = RunOut::radial;
       from = pass.leave(trace, radius);
       if (way_back == Return::none) continue;
-      from.z = centre_z + safe;
+      from.z = centre_z + (near_side && from.z < centre_z ? -safe : safe);
       if (way_back == Return::tilted) {
         trace.rapid({{'z', from.z}, {'y', r_plane}});
         continue;

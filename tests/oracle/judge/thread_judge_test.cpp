@@ -55,13 +55,20 @@ TEST(ThreadJudge, TheTangentRunOutOfTheManualsInternalThreadGouges) {
   expect_no_go(thread, "GSK-G114-10", "goes through the part");
 }
 
-TEST(ThreadJudge, TheSafePositionMayLieOnEitherSideAndFartherOut) {
-  for (double safe : {20.0, -20.0, 40.0, -45.5}) {
+// 18 + 2 from the axis, and 6 of a tool's diameter beside it; on the side where the run-out ends.
+TEST(ThreadJudge, TheSafePositionMayLieFartherOut) {
+  for (double safe : {20.0, 23.5, 26.0}) {
     Thread thread;
     thread.safe = safe;
     expect_go(thread);
+    thread.start_degrees = 180;
+    thread.safe = -safe;
+    expect_go(thread);
   }
-  // rho_0 - J = 2.5 in a bore.
+}
+
+// rho_0 - J = 2.5.
+TEST(ThreadJudge, TheSafePositionInABoreMayLieOnEitherSide) {
   for (double safe : {2.5, -2.5, 0.0, 1.25}) {
     Thread thread = internal();
     thread.safe = safe;
@@ -91,9 +98,11 @@ TEST(ThreadJudge, TheHelixMayStartAtAnotherAngle) {
   for (double degrees : {45.0, 90.0, 123.4, 270.0}) {
     Thread thread;
     thread.start_degrees = degrees;
+    thread.near_side = true;
     expect_go(thread);
     thread = internal();
     thread.start_degrees = degrees;
+    thread.safe = 0;
     thread.pieces = 7;
     expect_go(thread, {.reading = "gsk.thread.runout=polar"});
   }
@@ -108,6 +117,7 @@ TEST(ThreadJudge, RoundedPointsAreGoAtAnyAngle) {
     Thread thread;
     thread.decimals = 3;
     thread.start_degrees = i + 0.37;
+    thread.near_side = true;
     thread.bottom = -3;
     thread.turns = 3.6;
     thread.pieces = i % 3 + 1;
@@ -164,10 +174,14 @@ TEST(ThreadJudge, WithoutBlockNumbersAnInitialPlaneAtTheRPlaneIsAGap) {
       "G0 X70 Z70 Y15\nG18\nG114 X0 Z0 V-20 I5 J2 K30 E30 P1 Q0.5 D3 F900\nG0 X70\n";
   Thread thread;
   thread.initial = 15;
+  thread.safe = 21;
   EXPECT_EQ(judge_trace(program, thread.text(), Judging{.blocks = false}).kind,
             VerdictKind::oracle_gap);
-  const Verdict verdict = judge_trace(program, thread.text());
-  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+  EXPECT_EQ(judge_trace(program, thread.text()).kind, VerdictKind::pass_properties);
+  // That of the reading ends at 18 + 2.
+  thread.safe = 20;
+  EXPECT_EQ(judge_trace(program, thread.text(), Judging{.blocks = false}).kind,
+            VerdictKind::pass_properties);
 }
 
 TEST(ThreadJudge, TheDiameterTakenAsARadiusIsNoGo) {
@@ -300,17 +314,17 @@ TEST(ThreadJudge, ChordsAreGoWhenTheCertifierGrantsThem) {
 }
 
 TEST(ThreadJudge, BlocksAfterTheThreadStartWhereTheSubjectLeftIt) {
-  // A safe position of its own at Z-30: the increment W10 after it leads to Z-20.
+  // A safe position of its own at Z25: the increment W10 after it leads to Z35.
   const std::string program =
       "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-20 R-5 I5 J2 K30 E30 P1 Q0.5 D3 F900\nG0 W10\n";
   auto trace = [](double z) {
     Thread thread;
-    thread.safe = -30;
+    thread.safe = 25;
     std::string text = thread.text();
     text.erase(text.rfind("{\"k\":\"rapid\",\"b\":4"));
     return text + TraceText(4).rapid({{'z', z}}).text();
   };
-  EXPECT_EQ(decision(judge_trace(program, trace(-20)).kind), Decision::go);
+  EXPECT_EQ(decision(judge_trace(program, trace(35)).kind), Decision::go);
   EXPECT_EQ(decision(judge_trace(program, trace(30)).kind), Decision::no_go);
 }
 

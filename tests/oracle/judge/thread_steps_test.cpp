@@ -293,8 +293,10 @@ TEST(ThreadSteps, ARunOutByAnArcInAnotherPlaneIsNoGo) {
   }
 }
 
-TEST(ThreadSteps, ARunOutThatRisesIsJudgedByItsPartInThePlane) {
-  is_go({.run_out = [](TraceText& t) { t.feed({{'z', 19}, {'y', 3}}); }});
+// With K 0 the groove leads up by nothing. At Z18 the tool is out of the material.
+TEST(ThreadSteps, ARunOutMayRiseOutOfTheMaterial) {
+  is_go({.run_out = [](TraceText& t) { t.feed({{'z', 18}}).feed({{'z', 19}, {'y', 3}}); }});
+  is_no_go({.run_out = [](TraceText& t) { t.feed({{'z', 19}, {'y', 3}}); }}, "rises out of its");
   is_no_go({.run_out = [](TraceText& t) { t.feed({{'z', 20}, {'y', 3}}); }}, "run-out");
   is_no_go({.run_out = [](TraceText& t) { t.feed({{'z', 19}, {'y', 16}}); }}, "beyond the R plane");
   is_no_go({.run_out = [](TraceText& t) { t.feed({{'z', 19}, {'y', -6}}); }}, "below the bottom");

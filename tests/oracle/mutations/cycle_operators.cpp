@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Steps of the milling cycles left out, done otherwise, or too many.
+// Steps of pockets left out, done otherwise, or too many.
 #include <algorithm>
 #include <cmath>
 
@@ -14,158 +14,8 @@ using reference::Axis;
 using reference::PlaneAxes;
 using reference::Position;
 
-// What a record of a thread is, by its clause and where it leads.
-enum class Step : std::uint8_t { other, entry, infeed, helix, run_out, back, away };
-
 double way(const Edit& edit, std::size_t number, Axis axis) {
   return std::abs(value_of(edit.specimen.after[number][axis] - edit.specimen.before[number][axis]));
-}
-
-Step step_of(const Edit& edit, std::size_t number) {
-  const Record& record = edit.right(number);
-  const std::string_view clause = reference::clause_name(record.clause);
-  if (clause == "GSK-G114-11") return Step::run_out;
-  if (clause != "GSK-G114-06") return Step::other;
-  if (record.kind == RecordKind::feed) return Step::infeed;
-  const auto words = edit.cutting_words(number);
-  const PlaneAxes axes = axes_of(words ? words->plane : record.plane);
-  if (record.kind == RecordKind::arc) {
-    return record.axes.has(axes_of(record.plane).d) ? Step::helix : Step::entry;
-  }
-  return record.axes.has(axes.d) ? Step::back : Step::away;
-}
-
-std::optional<std::size_t> any_step(Edit& edit, Step step) {
-  return edit.any([&](std::size_t i) {
-    return step_of(edit, i) == step && edit.size_of(i) > 8 * edit.specimen.tolerance();
-  });
-}
-
-bool leave_out(Edit& edit, Step step) {
-  const auto number = any_step(edit, step);
-  if (!number || !edit.lead_next_to_its_end(*number)) return false;
-  edit.erase(*number);
-  return true;
-}
-
-bool no_entry(Edit& edit) {
-  return leave_out(edit, Step::entry);
-}
-bool no_infeed(Edit& edit) {
-  return leave_out(edit, Step::infeed);
-}
-bool no_helix(Edit& edit) {
-  return leave_out(edit, Step::helix);
-}
-bool no_run_out(Edit& edit) {
-  return leave_out(edit, Step::run_out);
-}
-bool no_way_back(Edit& edit) {
-  return leave_out(edit, Step::back);
-}
-bool no_way_to_safety(Edit& edit) {
-  return leave_out(edit, Step::away);
-}
-
-// A traverse from the centre to the pass radius, without arc or infeed.
-bool straight_in(Edit& edit) {
-  const auto number = edit.any([&](std::size_t i) {
-    return step_of(edit, i) == Step::entry && i + 1 < edit.specimen.right.records.size() &&
-           step_of(edit, i + 1) == Step::infeed;
-  });
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
-  record.kind = RecordKind::rapid;
-  record.axes = reference::kEveryAxis;
-  record.to = edit.specimen.after[*number + 1];
-  edit.erase(*number + 1);
-  return true;
-}
-
-// The run-out straight on to a place that is so many times as far.
-bool run_out_by(Edit& edit, const Number& factor) {
-  const auto number = any_step(edit, Step::run_out);
-  if (!number) return false;
-  Record& record = edit.trace.records[*number];
-  Position to = edit.specimen.after[*number];
-  for (const Axis axis : reference::kLinearAxes) {
-    const Number& from = edit.specimen.before[*number][axis];
-    to[axis] = from + (to[axis] - from) * factor;
-  }
-  record.kind = RecordKind::feed;
-  record.axes = reference::kEveryAxis;
-  record.to = to;
-  return true;
-}
-
-bool long_run_out(Edit& edit) {
-  return run_out_by(edit, 3);
-}
-bool run_out_to_the_other_side(Edit& edit) {
-  return run_out_by(edit, -1);
-}
-
-// Away from the thread at its bottom, where J is 0 or has been used up.
-bool run_out_too_many(Edit& edit) {
-  const auto number = edit.any([&](std::size_t i) { return step_of(edit, i) == Step::back; });
-  if (!number) return false;
-  const auto words = edit.cutting_words(*number);
-  if (!words || words->kind != RecordKind::arc) return false;
-  const PlaneAxes axes = axes_of(words->plane);
-  Position aside = edit.specimen.before[*number];
-  for (const bool second : {false, true}) {
-    const Axis axis = second ? axes.q : axes.p;
-    aside[axis] += (aside[axis] - words->centre[second ? 1 : 0]) / 4;
-  }
-  Record out = edit.motion_to(RecordKind::feed, edit.right(*number).block, aside);
-  out.feed = words->feed;
-  out.feed_mode = words->feed_mode;
-  Record& up = edit.trace.records[*number];
-  up.axes = reference::kEveryAxis;
-  up.to = aside;
-  up.to[axes.d] = edit.specimen.after[*number][axes.d];
-  edit.lead_next_to_its_end(*number);
-  edit.insert(*number, out);
-  return true;
-}
-
-// A second thread on the way back, with the hand of the first or the other.
-bool helix_on_the_way_back(Edit& edit) {
-  const auto number = any_step(edit, Step::back);
-  if (!number) return false;
-  std::size_t helix = *number;
-  while (helix > 0 && step_of(edit, helix) != Step::helix) --helix;
-  if (step_of(edit, helix) != Step::helix) return false;
-  Record up = edit.right(helix);
-  up.axes = reference::kEveryAxis;
-  up.to = edit.specimen.after[*number];
-  if (edit.chance.once_in(2)) up.rot = -up.rot;
-  const PlaneAxes axes = axes_of(up.plane);
-  const double radius =
-      plane_radius(axes, place_of(up.to), {value_of(up.centre[0]), value_of(up.centre[1])});
-  if (radius < 0.1) return false;
-  edit.trace.records[*number] = up;
-  return true;
-}
-
-// All of one pass but its helix's neighbours: a pass less than P and Q order.
-bool no_pass(Edit& edit) {
-  const auto number = any_step(edit, Step::helix);
-  if (!number) return false;
-  std::size_t begin = *number;
-  while (begin > 0 &&
-         (step_of(edit, begin - 1) == Step::infeed || step_of(edit, begin - 1) == Step::entry)) {
-    --begin;
-  }
-  std::size_t end = *number + 1;
-  while (end < edit.specimen.right.records.size() && step_of(edit, end) != Step::other &&
-         step_of(edit, end) != Step::infeed && step_of(edit, end) != Step::entry) {
-    ++end;
-  }
-  const auto first = edit.trace.records.begin();
-  edit.trace.records.erase(first + static_cast<std::ptrdiff_t>(begin),
-                           first + static_cast<std::ptrdiff_t>(end));
-  return true;
 }
 
 bool is_level_cut(const Edit& edit, std::size_t i) {
@@ -359,18 +209,6 @@ bool plunge_aside(Edit& edit) {
 std::vector<Operator> cycle_operators() {
   return {
       {"no-approach", "a cycle begins without its traverses", no_approach},
-      {"no-entry", "a thread is entered without its arc", no_entry},
-      {"no-infeed", "a pass lacks its infeed", no_infeed},
-      {"straight-in", "a traverse from the centre to the pass radius", straight_in},
-      {"no-helix", "a pass lacks its helix", no_helix},
-      {"no-pass", "a pass is missing", no_pass},
-      {"no-run-out", "the run-out is missing", no_run_out},
-      {"long-run-out", "the run-out is three times as long", long_run_out},
-      {"run-out-to-the-other-side", "the run-out leads into the thread", run_out_to_the_other_side},
-      {"run-out-too-many", "a run-out more", run_out_too_many},
-      {"helix-on-the-way-back", "a second thread on the way back", helix_on_the_way_back},
-      {"no-way-back", "the tool leaves the thread across it", no_way_back},
-      {"no-way-to-safety", "the safe position is left out", no_way_to_safety},
       {"no-level", "a level is not cleared", no_level},
       {"clear-inwards", "a level is cleared from the wall to the middle", clear_inwards},
       {"through-solid", "a cut to the wall before the level is cleared", through_solid},

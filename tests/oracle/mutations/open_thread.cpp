@@ -32,6 +32,8 @@ class OpenThread : public OpenPart {
         start_radius_(value_of(thread.start_radius)),
         run_out_(value_of(thread.runout_length)),
         angle_(value_of(thread.runout_angle) * kDegree),
+        lead_(value_of(thread.lead)),
+        beside_(2 * value_of(thread.tool_radius)),
         passes_(thread.passes().to_int64().value()) {}
 
   std::string broken_by(std::span<const Stroke> strokes, const Margin& margin) const override {
@@ -81,14 +83,43 @@ class OpenThread : public OpenPart {
       return record.feed == of.thread_.feed && record.feed_mode == of.thread_.feed_mode;
     }
 
+    // J-THR-02. How far from the axis the motions of an entry that begins at `from` may lead, and a
+    // half more: a semicircle on a chord leaves the circle of its ends by less than that.
+    double widest(const Place& from, bool is_round) const {
+      constexpr double kMore = 1.5;
+      if (of.free_ > 0) {
+        return kMore * std::max(of.start_radius_ + of.run_out_, at(from)) + of.beside_;
+      }
+      // From the middle of a bore nothing leads through its wall.
+      if (pass == 1 && at(from) <= margin.arc) {
+        return (is_round ? of.start_radius_ : radius()) + 3 * margin.arc;
+      }
+      return kMore * std::max(radius(), at(from));
+    }
+
+    std::string excursion_of_entry(const Stroke& motion, const Place& begin) const {
+      constexpr int kParts = 64;
+      for (int i = 1; i <= kParts; ++i) {
+        if (at(motion.at(static_cast<double>(i) / kParts)) > widest(begin, motion.is_round)) {
+          return "the entry leads far from the part or through the wall (GSK-CYC-01)";
+        }
+      }
+      return "";
+    }
+
     // At the R plane, with an arc at least in the first pass, to the radius of the pass.
     std::string entry() {
       bool turned = false;
+      double swept = 0;
+      const Place begin = next > 0 ? strokes[next - 1].to : strokes[0].from;
       for (skip_nil(); more() && at_top(stroke().to); ++next, skip_nil()) {
         const Stroke& motion = stroke();
         if (motion.is_dwell()) return "a dwell";
         if (!at_top(motion.from)) return "a motion from elsewhere to the R plane before the pass";
         turned = turned || motion.is_round;
+        if (motion.is_round) swept += std::abs(motion.sweep);
+        if (swept > 2 * pi + 0.1) return "the entry turns more than once";
+        if (std::string broken = excursion_of_entry(motion, begin); !broken.empty()) return broken;
         if (motion.kind() == RecordKind::rapid) {
           if (pass == 1) return "a traverse in place of the entry arc (GSK-G114-10)";
           if (of.free_ * (at(motion.to) - of.start_radius_) < -margin.arc) {
@@ -173,6 +204,19 @@ class OpenThread : public OpenPart {
               straight(of.angle_), straight(pi / 2 - of.angle_)};
     }
 
+    // J-THR-05: higher than the groove leads while it is in the material.
+    bool rises_in_material(const Stroke& motion) const {
+      constexpr int kParts = 64;
+      const double allowed = of.lead_ * std::abs(std::remainder(of.angle_, 2 * pi)) / (2 * pi);
+      for (int i = 1; i <= kParts; ++i) {
+        const Place place = motion.at(static_cast<double>(i) / kParts);
+        const double rise = of.up_ * (place[of.d_] - of.bottom_);
+        const double inside = of.free_ * (of.start_radius_ - at(place));
+        if (rise > allowed + 2 * margin.place && inside > 3 * margin.arc) return true;
+      }
+      return false;
+    }
+
     std::string run_out() {
       skip_nil();
       const Place from = next > 0 ? strokes[next - 1].to : strokes[0].from;
@@ -196,6 +240,7 @@ class OpenThread : public OpenPart {
             return "deeper than the pass (GSK-G114-10)";
           }
         }
+        if (rises_in_material(motion)) return "the run-out rises out of its groove (GSK-G114-11)";
         if (motion.is_round) turned += std::abs(motion.sweep);
         end = motion.to;
         ++count;
@@ -242,6 +287,26 @@ class OpenThread : public OpenPart {
       return "the way back ends below the R plane (GSK-G114-10)";
     }
 
+    // J-THR-07, of a bolt: farther than a tool's diameter beside the safe position; or through the
+    // part, but to the place that `expand` shows.
+    std::string excursion_of_away(const Stroke& motion) const {
+      if (of.free_ < 0) return "";
+      const double from = motion.from[index(of.axes_.p)] - of.centre_[0];
+      const double to = motion.to[index(of.axes_.p)] - of.centre_[0];
+      const double aside = motion.to[index(of.axes_.q)] - of.centre_[1];
+      const double safe = of.start_radius_ + of.run_out_;
+      if (std::abs(to) > safe + of.beside_ + margin.arc) {
+        return "the safe position is far out (GSK-CYC-01)";
+      }
+      if (std::abs(to - safe) <= 2 * margin.arc) return "";
+      const double nearest = from * to < 0
+                                 ? std::abs(aside)
+                                 : std::hypot(std::min(std::abs(from), std::abs(to)), aside);
+      const double depth = value_of(of.thread_.depth_of_pass(Number(pass)));
+      const double kept = of.run_out_ >= depth ? of.start_radius_ : radius();
+      return nearest < kept - 4 * margin.arc ? "away through the part (GSK-G114-10)" : "";
+    }
+
     std::string away() {
       skip_nil();
       const double safe = of.start_radius_ + of.free_ * of.run_out_;
@@ -261,6 +326,7 @@ class OpenThread : public OpenPart {
         if (std::abs(motion.to[index(of.axes_.q)] - motion.from[index(of.axes_.q)]) > margin.arc) {
           return "the way to the safe position leads aside (GSK-G114-10)";
         }
+        if (std::string broken = excursion_of_away(motion); !broken.empty()) return broken;
         if (is_safe(motion.to)) {
           ++next;
           return "";
@@ -281,6 +347,8 @@ class OpenThread : public OpenPart {
   double start_radius_;
   double run_out_;
   double angle_;
+  double lead_;
+  double beside_;  // a tool's diameter
   std::int64_t passes_;
 };
 

@@ -60,7 +60,8 @@ std::vector<Operator> sequence_operators();  // dropped, repeated, reversed, ins
 std::vector<Operator> word_operators();      // kinds, feeds, blocks, leads, planes
 std::vector<Operator> turning_operators();   // senses, turns, rings
 std::vector<Operator> event_operators();     // M functions, dwells, alarms, the end
-std::vector<Operator> cycle_operators();     // steps of cycles
+std::vector<Operator> cycle_operators();     // steps of pockets
+std::vector<Operator> thread_operators();    // steps of threads
 std::vector<Operator> wrong_operators();     // all of these
 
 }  // namespace gonogo::mutations

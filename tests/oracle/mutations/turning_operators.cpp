@@ -32,6 +32,14 @@ bool turn_more(Edit& edit) {
   return true;
 }
 
+bool turns_without_end(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::arc);
+  if (!number) return false;
+  std::int32_t& rot = edit.trace.records[*number].rot;
+  rot += rot < 0 ? -1'000'000'000 : 1'000'000'000;
+  return true;
+}
+
 bool turn_less(Edit& edit) {
   const auto number = edit.any([&](std::size_t i) {
     return edit.right(i).kind == RecordKind::arc && std::abs(edit.right(i).rot) > 1;
@@ -119,6 +127,7 @@ std::vector<Operator> turning_operators() {
       {"other-sense", "an arc turns the other way", other_sense},
       {"all-other-senses", "all arcs turn the other way", all_other_senses},
       {"turn-more", "an arc has a turn more", turn_more},
+      {"turns-without-end", "an arc has a thousand million turns more", turns_without_end},
       {"turn-less", "an arc has a turn less", turn_less},
       {"ring-with", "a full ring more, in the sense of the arc", ring_with},
       {"ring-against", "a full ring more, against the arc", ring_against},
