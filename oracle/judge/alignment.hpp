@@ -154,6 +154,7 @@ class Alignment {
   void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
   // J-CMP-04: joins the step behind, which may move nothing. False where it does not go on.
   bool join_step(Hypothesis& from);
+  bool join_motion(Hypothesis& from);
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
   bool leads_outside(const Hypothesis& from, const Motion& motion);

@@ -62,10 +62,14 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   return false;
 }
 
+// Not over an M function.
 bool Alignment::join_step(Hypothesis& from) {
-  const std::size_t next = from.step + from.joined + 1;
-  const auto* motion = std::get_if<Motion>(&steps_.at(next).what);
-  if (motion == nullptr || overdue_at(next) != nullptr) return false;
+  return overdue_at(from.step + from.joined + 1) == nullptr && join_motion(from);
+}
+
+bool Alignment::join_motion(Hypothesis& from) {
+  const auto* motion = std::get_if<Motion>(&step_behind(from).what);
+  if (motion == nullptr) return false;
   if (!moves_nothing(*motion)) {
     Motion both = from.curve->motion();
     if (!join(both, *motion)) return false;
@@ -156,12 +160,14 @@ bool Alignment::leads_outside(const Hypothesis& from, const Motion& motion) {
 // A motion that goes on where an M function is due.
 bool Alignment::leads_over_m_function(const Hypothesis& from, const Motion& motion) {
   Hypothesis longer = from;
+  std::optional<DueMFunction> due;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
-    if (const DueMFunction* due = overdue_at(longer.step + longer.joined + 1)) {
-      refute_missing(from, *due, record_text(motion.record), motion.number);
-      return true;
-    }
-    if (!join_step(longer)) return false;
+    const DueMFunction* here = overdue_at(longer.step + longer.joined + 1);
+    if (!due && here != nullptr) due = *here;
+    if (!join_motion(longer)) return false;
+    if (!due || longer.curve->follow(longer.progress, motion).departs()) continue;
+    refute_missing(from, *due, record_text(motion.record), motion.number);
+    return true;
   }
   return false;
 }

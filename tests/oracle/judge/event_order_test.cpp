@@ -186,6 +186,19 @@ TEST(EventOrder, NoMotionLeadsOverAnMFunction) {
   EXPECT_EQ(kind({"F2,0,40", "M3,8", "M5,5"}), VerdictKind::fail_order);
 }
 
+// What departs before an M function that is due departs first.
+TEST(EventOrder, AMotionThatDepartsIsNoMissingMFunction) {
+  const auto kind = [](const std::string& program, const WordTrace& trace) {
+    return judged_words(program, trace).kind;
+  };
+  const std::string thread = "M3\nG33 X3 Z4 K5\nM2\n";
+  EXPECT_EQ(kind(thread, {"M1,3", "T2,3,4,4", "M3,2"}), VerdictKind::pass_exact);
+  EXPECT_EQ(kind(thread, {"M1,3", "T2,3,4,5", "M3,2"}), VerdictKind::fail_feed);
+  const std::string cut = "F100\nG1 Z4\nM8\nG1 Z9\nM2\n";
+  EXPECT_EQ(kind(cut, {"F2,0,5", "M3,8", "F4,0,9", "M5,2"}), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind(cut, {"F2,0,3", "M3,8", "F4,0,9", "M5,2"}), VerdictKind::fail_geometry);
+}
+
 // O words of rs274: the lines come again, each time with the M functions between the same motions.
 TEST(EventOrder, HoldsInLoops) {
   const std::string program =
