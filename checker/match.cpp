@@ -227,8 +227,12 @@ class Match {
   }
 
   // An M function stands before or after the motions of its block, not among those of another.
+  // Whether it may stand elsewhere than where it is due is not told here.
   Finding find_places() const {
-    if (!terms_.has_blocks) return {};
+    const bool as_due = got_.behind == want_.behind && !got_.joins_over_function;
+    if (as_due || got_.motions.empty()) return {};
+    const Finding unknown{Answer::undecided, "the place of an M function in its block"};
+    if (!terms_.has_blocks) return unknown;
     for (std::size_t i = 0; i < got_.functions.size(); ++i) {
       const long block = got_.functions[i].block;
       for (std::size_t k = 0; k < got_.motions.size(); ++k) {
@@ -241,7 +245,7 @@ class Match {
         }
       }
     }
-    return {};
+    return unknown;
   }
 
   static std::string list(const std::vector<Record>& functions) {

@@ -166,6 +166,9 @@ class Builder {
     if (!path_.motions.empty()) {
       const Truth joins = goes_on(path_.motions.back(), motion);
       if (joins == Truth::yes && join(path_.motions.back(), motion)) {
+        if (!path_.behind.empty() && path_.behind.back() == path_.motions.size()) {
+          path_.joins_over_function = true;
+        }
         // The other side may have kept what parts the two here.
         if (parts_) path_.is_doubtful = true;
         return;

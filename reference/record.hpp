@@ -26,7 +26,7 @@ struct Record {
   std::int32_t rot = 0;        // arc: sign + counterclockwise seen from +d, n - 1 whole turns first
   std::int32_t m = 0;          // m
   bool before_cut = false;     // m: it has to come before the cutting motions of its block
-  bool among_motions = false;  // m: it has to come between the motions and dwells round it
+  bool among_motions = false;  // m: the text says between which motions and dwells it comes
   std::uint64_t block = 0;     // 1-based source line; 0: not known
   ClauseId clause = kNoClause;  // what says so
   // Of an arc whose centre the control works out: how finely. No part of the trace.

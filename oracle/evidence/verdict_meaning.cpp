@@ -22,11 +22,11 @@ std::string_view meaning_of_go(VerdictKind kind) {
 std::string_view meaning_of_failure(VerdictKind kind) {
   switch (kind) {
     case VerdictKind::fail_geometry:
-      return "A motion is not that of the reference.";
+      return "A motion, dwell or M function is not that of the reference.";
     case VerdictKind::fail_order:
-      return "The motions come in another order.";
+      return "Motions, dwells or M functions come in another order.";
     case VerdictKind::fail_feed:
-      return "Only the feed differs.";
+      return "Only a feed, a lead or the time of a dwell differs.";
     case VerdictKind::fail_region:
       return "The clearing of a pocket breaks a rule: it gouges, leaves material, steps too wide "
              "or turns the wrong way.";

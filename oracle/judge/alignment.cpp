@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "oracle/judge/curve_follower.hpp"
-#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
@@ -78,6 +77,13 @@ void Alignment::doubt(std::size_t step, Verdict gap) {
   gap_step_ = step;
 }
 
+// J-CONST-06.
+bool Alignment::passes_too_many(const Hypothesis& from, std::size_t passed) {
+  if (passed <= kMostPassed) return false;
+  doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
+  return true;
+}
+
 void Alignment::refute(Refutation refutation) {
   if (refutation.answer.departure == Departure::undecided) {
     return doubt(refutation.from.step,
@@ -92,6 +98,10 @@ void Alignment::refute(Refutation refutation) {
 
 void Alignment::refute(Hypothesis from, const Motion& motion, Verdict verdict) {
   refute(Refutation{std::move(from), motion, {}, std::move(verdict)});
+}
+
+void Alignment::refute(Hypothesis from, Verdict verdict) {
+  refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict)});
 }
 
 // Two that have come equally far are one.
@@ -122,9 +132,7 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
   for (std::size_t passed = 0;; ++passed) {
     if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
     if (is_small && passed > kMostPassedForSmall) return;
-    if (passed > kMostPassed) {
-      return doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
-    }
+    if (passes_too_many(from, passed)) return;
     // A way that cannot be told is given up; what was found before it stands.
     const std::size_t here = from.step;
     try {
@@ -141,6 +149,7 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
     stay(std::move(from), motion, stage);
     return false;
   }
+  if (waits_for_m_function(from, motion, stage)) return false;
   if (std::holds_alternative<Motion>(what)) return meet_motion(from, motion, stage);
   if (std::holds_alternative<Renaming>(what)) return meet_renaming(from, motion, stage);
   if (auto* outside = std::get_if<NotCovered>(&what)) {
@@ -206,14 +215,10 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
   return true;
 }
 
-// Where no motion is due: at a dwell, an M function, an alarm or the end.
+// Where no motion is due: at a dwell, an alarm or the end.
 void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
   if (leads_nowhere(from, motion, step.place)) return stay(std::move(from), motion, stage);
-  if (const Record* due = placed_m_function(step.what)) {
-    return refute(from, motion,
-                  m_function_missing(*due, record_text(motion.record), motion.number));
-  }
   auto* report = std::get_if<AlarmReport>(&step.what);
   const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
                           motion.record.block < report->block;
@@ -221,7 +226,7 @@ void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
     from.after_alarm = motion;
     return stay(std::move(from), motion, stage);
   }
-  refute(from, motion, motion_too_many(motion, from.step, steps_, terms_));
+  refute(Refutation{from, motion, {}, motion_too_many(motion, step.what), late_dwell(step.what)});
 }
 
 }  // namespace gonogo::oracle

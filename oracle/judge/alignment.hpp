@@ -8,6 +8,7 @@
 // came farthest.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <unordered_set>
@@ -50,6 +51,13 @@ struct Hypothesis {
   bool is_fresh() const { return !curve && !open; }
 };
 
+// J-CMP-12. What departs is out of order where a record follows that `shows` it, which `message`
+// says. Null: nothing shows it.
+struct OtherOrder {
+  std::function<bool(const Record&)> shows = nullptr;
+  std::string_view message = {};
+};
+
 // Why a hypothesis does not explain a motion, a dwell or an end: a verdict, or how the motion
 // departs from the step.
 struct Refutation {
@@ -57,6 +65,7 @@ struct Refutation {
   std::optional<Motion> motion;  // what departs
   CurveAnswer answer;
   std::optional<Verdict> verdict;
+  OtherOrder other_order = {};
 };
 
 // What does not count against the budget of records.
@@ -74,10 +83,11 @@ class Alignment {
   // The subject's next motion, or dwell. False: no hypothesis explains it (see `refutation`).
   bool take_motion(const Record& record, std::size_t number);
   bool take_dwell(const Record& record, std::size_t number);
-  // The subject's next M function, while none waits for the other side's. `settled`: steps before
-  // that one have had the M functions before them. Free: it is none of a cycle's own.
-  enum class MFunction { taken, free, departs };
-  MFunction take_m_function(const Record& record, std::size_t number, std::size_t settled);
+  // The subject's next M function. `of_alarm`: it may belong to a block that alarms.
+  enum class MFunction { taken, of_alarm, departs };
+  MFunction take_m_function(const Record& record, std::size_t number);
+  // J-CMP-05: the M function that has to come before the step begins, and has not; null: none.
+  const DueMFunction* overdue(const Hypothesis& from);
 
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
   std::vector<Hypothesis>& hypotheses() { return hypotheses_; }
@@ -123,8 +133,20 @@ class Alignment {
     return from.curve ? from.curve->motion() : std::get<Motion>(step.what);
   }
 
-  enum class MFunctionDue { none, free_before, here };
-  MFunctionDue reach_m_function(Hypothesis& from, std::size_t settled);
+  // In alignment_m_functions.cpp.
+  const DueMFunction* overdue_at(std::size_t step);
+  bool waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage);
+  void refute_missing(Hypothesis from, const DueMFunction& due, std::string got,
+                      std::size_t number);
+  MFunction meet_m_function(Hypothesis& from, const Record& record, std::size_t number);
+  void refute_early(Hypothesis from, const Record& record, std::size_t number);
+  void refute_m_function(Hypothesis from, const Record& record, std::size_t number);
+  bool is_told(const DueMFunction& due, const Record& record) const;
+  bool is_within(const Hypothesis& from, const DueMFunction& due);
+  bool may_come_early(const Hypothesis& from, const Record& record);
+  bool may_be_of_alarm(const Hypothesis& from, const Record& record);
+  bool is_due_later(const Hypothesis& from, const Record& record);
+
   void walk(Hypothesis from, Motion motion, Stage& stage);
   // One step; true where the hypothesis goes on to the next one with the motion.
   bool meet(Hypothesis& from, Motion& motion, Stage& stage);
@@ -133,10 +155,12 @@ class Alignment {
                  Stage& stage);
   void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
   // J-CMP-04: joins the step behind, which may move nothing. False where it does not go on.
-  bool join_step(Hypothesis& from, const ReferenceStep& next) const;
+  bool join_step(Hypothesis& from);
+  bool join_motion(Hypothesis& from);
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);
   void depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer, Stage& stage);
   bool leads_outside(const Hypothesis& from, const Motion& motion);
+  bool leads_over_m_function(const Hypothesis& from, const Motion& motion);
   bool leads_into_open_step(const Hypothesis& from, const Motion& motion, Stage& stage);
   bool takes_coarse_centre(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                            Stage& stage);
@@ -151,6 +175,8 @@ class Alignment {
   void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
                     Stage& stage);
   void meet_last(Hypothesis from, const Motion& motion, Stage& stage);
+  // What shows that the dwell of this step only comes later; nothing of another step.
+  OtherOrder late_dwell(const ReferenceStep& due) const;
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);
 
   bool leads_nowhere(const Hypothesis& from, const Motion& motion, const Position& place) const;
@@ -161,7 +187,9 @@ class Alignment {
   bool finish(std::vector<Hypothesis> reached);
   void refute(Refutation refutation);
   void refute(Hypothesis from, const Motion& motion, Verdict verdict);
+  void refute(Hypothesis from, Verdict verdict);
   void doubt(std::size_t step, Verdict gap);
+  bool passes_too_many(const Hypothesis& from, std::size_t passed);
   const ReferenceSteps::Step& step_of(const Hypothesis& from) { return steps_.at(from.step); }
   // Behind those that are joined.
   const ReferenceSteps::Step& step_behind(const Hypothesis& from) {

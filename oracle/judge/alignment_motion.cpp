@@ -62,8 +62,13 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   return false;
 }
 
-bool Alignment::join_step(Hypothesis& from, const ReferenceStep& next) const {
-  const auto* motion = std::get_if<Motion>(&next);
+// Not over an M function.
+bool Alignment::join_step(Hypothesis& from) {
+  return overdue_at(from.step + from.joined + 1) == nullptr && join_motion(from);
+}
+
+bool Alignment::join_motion(Hypothesis& from) {
+  const auto* motion = std::get_if<Motion>(&step_behind(from).what);
   if (motion == nullptr) return false;
   if (!moves_nothing(*motion)) {
     Motion both = from.curve->motion();
@@ -78,7 +83,7 @@ bool Alignment::join_step(Hypothesis& from, const ReferenceStep& next) const {
 bool Alignment::extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer) {
   Hypothesis longer = from;
   while (longer.curve->goes_beyond(longer.progress, motion)) {
-    if (!join_step(longer, step_behind(longer).what)) return false;
+    if (!join_step(longer)) return false;
     CurveAnswer further = longer.curve->follow(longer.progress, motion);
     if (further.departs()) continue;
     from = std::move(longer);
@@ -121,7 +126,7 @@ void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, St
   const auto* end = std::get_if<Motion>(&next);
   if (end == nullptr || !same_place(end->to(), motion.to(), terms_)) return;
   Hypothesis longer = from;
-  if (!join_step(longer, next)) return;
+  if (!join_step(longer)) return;
   CurveAnswer answer = longer.curve->follow(longer.progress, motion);
   if (answer.departs() || take_ways(longer, motion, answer, stage)) return;
   take_longer_end(longer, motion, stage);
@@ -130,6 +135,7 @@ void Alignment::take_longer_end(const Hypothesis& from, const Motion& motion, St
 void Alignment::depart(const Hypothesis& from, const Motion& motion, CurveAnswer answer,
                        Stage& stage) {
   if (leads_outside(from, motion)) return;
+  if (leads_over_m_function(from, motion)) return;
   if (leads_into_open_step(from, motion, stage)) return;
   if (takes_coarse_centre(from, motion, answer, stage)) return;
   refute(Refutation{from, motion, std::move(answer), std::nullopt});
@@ -146,7 +152,22 @@ bool Alignment::leads_outside(const Hypothesis& from, const Motion& motion) {
       doubt(longer.step + longer.joined + 1, not_covered_verdict(*outside));
       return true;
     }
-    if (!join_step(longer, next)) return false;
+    if (!join_step(longer)) return false;
+  }
+  return false;
+}
+
+// A motion that goes on where an M function is due.
+bool Alignment::leads_over_m_function(const Hypothesis& from, const Motion& motion) {
+  Hypothesis longer = from;
+  std::optional<DueMFunction> due;
+  while (longer.curve->goes_beyond(longer.progress, motion)) {
+    const DueMFunction* here = overdue_at(longer.step + longer.joined + 1);
+    if (!due && here != nullptr) due = *here;
+    if (!join_motion(longer)) return false;
+    if (!due || longer.curve->follow(longer.progress, motion).departs()) continue;
+    refute_missing(from, *due, record_text(motion.record), motion.number);
+    return true;
   }
   return false;
 }
@@ -158,7 +179,8 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
   Hypothesis beyond = from;
   leave_motion(beyond);
   const ReferenceSteps::Step& next = steps_.at(beyond.step);
-  if (!make_open_step(next, terms_, memory_) || block_of(next.what) != want.record.block) {
+  if (!make_open_step(next, terms_, memory_) || block_of(next.what) != want.record.block ||
+      overdue(beyond) != nullptr) {
     return false;
   }
   begin_open_step(beyond);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Alignment's part for what comes between motions: dwells and the M functions of a cycle.
+// Alignment's part for dwells.
 #include "oracle/judge/alignment.hpp"
-
-#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/step_text.hpp"
 
@@ -22,59 +20,10 @@ bool Alignment::take_dwell(const Record& record, std::size_t number) {
   return finish(std::move(reached));
 }
 
-// J-CMP-05. One way to read the motions at which it is due is enough: the others are given up.
-Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number,
-                                                std::size_t settled) {
-  farthest_.reset();
-  const auto is_due = [&](const Record& due) {
-    return due.m == record.m && (!terms_.compare_blocks || due.block == record.block);
-  };
-  std::vector<Hypothesis> reached;
-  std::vector<Hypothesis> before;
-  std::vector<Hypothesis> elsewhere;
-  for (const Hypothesis& from : hypotheses_) {
-    Hypothesis at = from;
-    const MFunctionDue due = reach_m_function(at, settled);
-    const ReferenceSteps::Step& step = step_of(at);
-    if (due == MFunctionDue::here && is_due(std::get<Record>(step.what))) {
-      ++at.step;
-      keep(std::move(at), reached);
-    } else if (due == MFunctionDue::here) {
-      refute(
-          Refutation{std::move(at),
-                     std::nullopt,
-                     {},
-                     m_function_missing(std::get<Record>(step.what), record_text(record), number)});
-    } else {
-      if (due == MFunctionDue::free_before && is_due(step.m_functions.front())) {
-        keep(std::move(at), before);
-      }
-      elsewhere.push_back(from);
-    }
-  }
-  if (reached.empty() && !elsewhere.empty()) {
-    hypotheses_ = std::move(before.empty() ? elsewhere : before);
-    return MFunction::free;
-  }
-  return finish(std::move(reached)) ? MFunction::taken : MFunction::departs;
-}
-
-// Past motions too small to see, to the M function of a cycle, or to those before it that may stand
-// anywhere and have not been told. None: no M function of a cycle is due.
-Alignment::MFunctionDue Alignment::reach_m_function(Hypothesis& from, std::size_t settled) {
-  std::optional<Hypothesis> before;
-  for (std::size_t passed = 0; passed < kMostPassedForSmall; ++passed) {
-    const ReferenceSteps::Step& step = step_of(from);
-    const bool is_open = from.step >= settled && !step.m_functions.empty();
-    if (is_open && !before) before = from;
-    if (placed_m_function(step.what) != nullptr) {
-      if (!before) return MFunctionDue::here;
-      from = *std::move(before);
-      return MFunctionDue::free_before;
-    }
-    if (!std::holds_alternative<Motion>(step.what) || !pass(from).passed) break;
-  }
-  return MFunctionDue::none;
+OtherOrder Alignment::late_dwell(const ReferenceStep& due) const {
+  if (dwell_of(due) == nullptr) return {};
+  return {[due, this](const Record& record) { return is_dwell_due(due, record, terms_); },
+          "A dwell comes later than it is due."};
 }
 
 // J-CMP-06.
@@ -82,11 +31,12 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
   if (from.after_alarm) return true;
   Passing passing{true};
   for (std::size_t passed = 0; passing.passed; ++passed) {
-    if (passed > kMostPassed) {
-      doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
+    if (passes_too_many(from, passed)) return false;
+    const ReferenceStep& what = step_of(from).what;
+    if (const DueMFunction* due = overdue(from)) {
+      refute_missing(from, *due, record_text(record), number);
       return false;
     }
-    const ReferenceStep& what = step_of(from).what;
     if (auto* outside = std::get_if<NotCovered>(&what)) {
       doubt(from.step, not_covered_verdict(*outside));
       return false;
@@ -102,11 +52,10 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
     passing = pass(from);
   }
   if (passing.why_not && from.open->is_judged_when_left()) {
-    refute(Refutation{from, std::nullopt, {}, std::move(passing.why_not)});
+    refute(from, *std::move(passing.why_not));
     return false;
   }
-  Verdict verdict = wrong_dwell(record, number, from, steps_, terms_);
-  refute(Refutation{from, std::nullopt, {}, std::move(verdict)});
+  refute(from, wrong_dwell(record, number, from, steps_, terms_));
   return false;
 }
 

@@ -36,6 +36,7 @@ bool ProgramJudge::equal_record(const Record& record) {
 // The two sides stand at one place, with nothing begun or waiting.
 bool ProgramJudge::fall_into_step() {
   if (alignment_.hypotheses().size() != 1 || end_record_) return false;
+  if (!reference_.waiting().empty()) return false;
   const Hypothesis& only = alignment_.hypotheses().front();
   if (!only.is_fresh() || only.after_alarm || !reference_.is_next(only.step)) return false;
   InStep step;
@@ -51,7 +52,7 @@ bool ProgramJudge::plain_ahead() {
     step.ahead = reference_.next_item();
     const auto* record = step.ahead == nullptr ? nullptr : std::get_if<Record>(step.ahead);
     step.is_plain = record != nullptr && step.next.take(*record, step.at) &&
-                    step.next.is_visible(terms_) && m_functions_.are_settled(step.next.block);
+                    step.next.is_visible(terms_);
   }
   return step.is_plain;
 }
@@ -61,8 +62,6 @@ void ProgramJudge::go_on() {
   step.coordinates += step.next.coordinates();
   step.at = step.next.to;
   step.ahead = nullptr;
-  m_functions_.note_motion(step.next.block);
-  if (step.next.kind != RecordKind::rapid) m_functions_.note_cut(step.next.block);
   moved_ = true;
 }
 

@@ -2,6 +2,7 @@
 #include "oracle/judge/m_functions.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "oracle/judge/step_text.hpp"
 
@@ -10,19 +11,6 @@ namespace gonogo::oracle {
 using reference::Record;
 
 namespace {
-
-// Of what the reference or the subject has there; null: nothing, of at most one of them.
-Verdict m_verdict(const Record* want, const Record* got, std::string message) {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_order;
-  verdict.block = want != nullptr ? want->block : got->block;
-  if (want != nullptr) verdict.clause = want->clause;
-  if (want != nullptr) verdict.want = record_text(*want);
-  if (got != nullptr) verdict.got = record_text(*got);
-  verdict.word = 'M';
-  verdict.message = std::move(message);
-  return verdict;
-}
 
 // Whether a text that begins behind an M is this number, or something to be calculated. With
 // decimals it may count as the whole number above, too (ngc.whole).
@@ -40,8 +28,39 @@ bool may_be_number(std::string_view text, std::int32_t number) {
   return value == number;
 }
 
-// Whether the line of an alarm names the M function. By its text: the alarm keeps the reference
-// from saying what the block means.
+bool is_one_of(std::int32_t number, std::initializer_list<std::int32_t> numbers) {
+  return std::ranges::find(numbers, number) != numbers.end();
+}
+
+// Of what the reference has there, or nothing.
+Verdict m_verdict(VerdictKind kind, const Record* due, const Record* got, std::size_t number,
+                  std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.block = due != nullptr ? due->block : got->block;
+  if (due != nullptr) verdict.clause = due->clause;
+  if (due != nullptr) verdict.want = record_text(*due);
+  if (got != nullptr) verdict.got = record_text(*got);
+  verdict.record = number;
+  verdict.word = 'M';
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+}  // namespace
+
+bool ends_program(const Record& m_function) {
+  return is_one_of(m_function.m, {2, 17, 30});
+}
+
+bool starts_something(const Record& m_function) {
+  return m_function.before_cut || is_one_of(m_function.m, {3, 4, 6, 7, 8});
+}
+
+bool stops_something(const Record& m_function) {
+  return ends_program(m_function) || is_one_of(m_function.m, {0, 1, 5, 9, 60});
+}
+
 bool names_m_function(std::string_view line, std::int32_t number) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const bool is_m = line[i] == 'M' || line[i] == 'm';
@@ -50,90 +69,30 @@ bool names_m_function(std::string_view line, std::int32_t number) {
   return false;
 }
 
-// An M function stands before or after the motions of its block, not among those of another.
-Verdict out_of_place(const Record& record, std::size_t number) {
-  Verdict verdict =
-      m_verdict(nullptr, &record, "An M function is passed on among the motions of another block.");
-  verdict.record = number;
-  return verdict;
-}
-
-Verdict differing(const Record* want, const Record* got) {
-  return m_verdict(want, got, "The M functions passed on differ.");
-}
-
-}  // namespace
-
-Verdict m_function_missing(const Record& want, std::string got, std::size_t number) {
-  Verdict verdict = m_verdict(
-      &want, nullptr, "An M function of the cycle is due here, between its motions and dwells.");
+Verdict m_function_missing(const Record& due, std::string got, std::size_t number) {
+  Verdict verdict = m_verdict(VerdictKind::fail_geometry, &due, nullptr, number,
+                              "An M function is due here, and something else comes.");
   verdict.got = std::move(got);
-  verdict.record = number;
   return verdict;
 }
 
-std::optional<Verdict> MFunctions::want(const Record& record) {
-  want_.push_back(record);
-  return settle();
+Verdict other_m_function(const Record& due, const Record& got, std::size_t number) {
+  return m_verdict(VerdictKind::fail_geometry, &due, &got, number,
+                   "The M functions passed on differ.");
 }
 
-std::optional<Verdict> MFunctions::take_place(const Record& record, std::size_t number) {
-  if (tells_order() && record.block < motion_block_) return out_of_place(record, number);
-  m_block_ = record.block;
-  return std::nullopt;
+Verdict m_function_within(const Record& due, const Record& got, std::size_t number) {
+  return m_verdict(VerdictKind::fail_order, &due, &got, number,
+                   "An M function stands within a cycle or a cut that has none there.");
 }
 
-std::optional<Verdict> MFunctions::take(const Record& record, std::size_t number) {
-  if (std::optional<Verdict> verdict = take_place(record, number)) return verdict;
-  got_.push_back({record, record.block != 0 && record.block == cut_block_});
-  return settle();
+Verdict m_function_too_early(const Record& got, std::size_t number) {
+  return m_verdict(VerdictKind::fail_order, nullptr, &got, number, std::string(kComesEarly));
 }
 
-std::optional<Verdict> MFunctions::take_event(const Record& record, std::size_t number) {
-  motion_block_ = record.block;
-  if (!tells_order() || record.block >= m_block_) return std::nullopt;
-  return out_of_place(record, number);
-}
-
-// They are compared in their order, wherever among the motions of their block they stand, but for
-// those that have to come before the tool cuts.
-std::optional<Verdict> MFunctions::settle() {
-  while (!want_.empty() && !got_.empty()) {
-    const Record& want = want_.front();
-    const Record& got = got_.front().record;
-    const bool same = want.m == got.m && (!terms_.compare_blocks || want.block == got.block);
-    const bool late = terms_.compare_blocks && want.before_cut && got_.front().after_cut;
-    if (!same || late) return differing(&want, &got);
-    want_.pop_front();
-    got_.pop_front();
-  }
-  return std::nullopt;
-}
-
-std::optional<Verdict> MFunctions::end() {
-  if (!terms_.compare_m) return std::nullopt;
-  if (std::optional<Verdict> verdict = settle()) return verdict;
-  if (!want_.empty()) return differing(&want_.front(), nullptr);
-  if (!got_.empty()) return differing(nullptr, &got_.front().record);
-  return std::nullopt;
-}
-
-std::optional<Verdict> MFunctions::end_before_alarm(std::uint64_t block, std::string_view line,
-                                                    bool at_load) {
-  got_.erase_if([&](const Got& got) {
-    return (!terms_.compare_blocks || got.record.block == block) &&
-           names_m_function(line, got.record.m);
-  });
-  if (std::optional<Verdict> verdict = settle()) return verdict;
-  if (at_load) want_.clear();
-  return end();
-}
-
-std::optional<Verdict> MFunctions::end_of_earlier(std::uint64_t block) {
-  if (!terms_.compare_blocks) return std::nullopt;
-  got_.erase_if([&](const Got& got) { return got.record.block >= block; });
-  want_.erase_if([&](const Record& want) { return want.block >= block; });
-  return end();
+Verdict m_function_too_many(const Record& got, std::size_t number) {
+  return m_verdict(VerdictKind::fail_geometry, nullptr, &got, number,
+                   "An M function is passed on where none is due.");
 }
 
 }  // namespace gonogo::oracle

@@ -1,73 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CMP-05. The M functions of both sides, which do not hold up the motions among which they stand.
+// J-CMP-05. Where an M function may stand among the motions and dwells, and what is said of one
+// that stands elsewhere.
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
-#include "oracle/judge/queue.hpp"
-#include "oracle/judge/reference_steps.hpp"
-#include "oracle/judge/terms.hpp"
 #include "oracle/records/verdict.hpp"
+#include "reference/record.hpp"
 
 namespace gonogo::oracle {
 
-class MFunctions {
- public:
-  // `terms` and `steps` must outlive it.
-  MFunctions(const JudgeTerms& terms, const ReferenceSteps& steps) : terms_(terms), steps_(steps) {}
-
-  // One that the reference has come to; one of the subject's, which is its record `number`. Each
-  // says what differs.
-  std::optional<Verdict> want(const reference::Record& record);
-  std::optional<Verdict> take(const reference::Record& record, std::size_t number);
-  // The subject's, wherever it belongs: whether it stands among the motions of its block.
-  std::optional<Verdict> take_place(const reference::Record& record, std::size_t number);
-  // A motion or a dwell of the subject's that is to be seen.
-  std::optional<Verdict> take_event(const reference::Record& record, std::size_t number);
-  // A cut, which some M functions have to come before.
-  void note_cut(std::uint64_t block) { cut_block_ = block; }
-  // The same of a motion of block `block` that neither departs nor waits for anything.
-  void note_motion(std::uint64_t block) { motion_block_ = block; }
-  // Whether a motion of the block finds no M function out of its place, and none waits for the
-  // other side's.
-  bool are_settled(std::uint64_t block) const {
-    return is_none_due() && (block >= m_block_ || !tells_order());
-  }
-  // Whether none waits for the other side's.
-  bool is_none_due() const { return want_.empty() && got_.empty(); }
-
-  // At the end of the program: nothing may be missing or be too many.
-  std::optional<Verdict> end();
-  // Before an alarm in `block`, whose line that is. Those of earlier blocks must have come as
-  // motion must; of its own block no text says whether any do that alarms. A control that checks at
-  // load need not pass any, and passes no others either.
-  std::optional<Verdict> end_before_alarm(std::uint64_t block, std::string_view line, bool at_load);
-  // Before what no text states: those of that block and behind it are not judged (J-ALM-04).
-  // Without line numbers nobody can tell them from the others.
-  std::optional<Verdict> end_of_earlier(std::uint64_t block);
-
- private:
-  std::optional<Verdict> settle();
-  // Where lines come again, the number of one says nothing of its place among others.
-  bool tells_order() const { return terms_.compare_blocks && steps_.is_in_order(); }
-
-  const JudgeTerms& terms_;
-  const ReferenceSteps& steps_;
-  Queue<reference::Record> want_;
-  struct Got {
-    reference::Record record;
-    bool after_cut;  // of its block
-  };
-  Queue<Got> got_;
-  std::uint64_t cut_block_ = 0;     // of the last cutting motion
-  std::uint64_t motion_block_ = 0;  // of the last motion or dwell
-  std::uint64_t m_block_ = 0;       // of the last M function that the subject passed on
+// One that the reference passes on.
+struct DueMFunction {
+  reference::Record record;
+  std::size_t step = 0;   // the step of the reference that it comes before
+  bool is_fixed = false;  // it stands nowhere else
 };
 
-// An M function of a cycle that the subject has not passed on where it is due: it goes on by
-// something else (`got`, its record `number`), or ends.
-Verdict m_function_missing(const reference::Record& want, std::string got, std::size_t number);
+// What the numbers say that all makers share: it ends the program, so that nothing runs behind it;
+// it starts or closes what a cut needs; it stops or ends something.
+bool ends_program(const reference::Record& m_function);
+bool starts_something(const reference::Record& m_function);
+bool stops_something(const reference::Record& m_function);
+
+// Whether the line names the M function. By its text: an alarm keeps the reference from saying what
+// the block means.
+bool names_m_function(std::string_view line, std::int32_t number);
+
+// It is due, and something else comes (`got`, record `number`).
+Verdict m_function_missing(const reference::Record& due, std::string got, std::size_t number);
+// The subject's, its record `number`, is another than is due; stands between the motions of a cycle
+// or within a cut; comes before it is due; or is due nowhere hereabouts.
+Verdict other_m_function(const reference::Record& due, const reference::Record& got,
+                         std::size_t number);
+Verdict m_function_within(const reference::Record& due, const reference::Record& got,
+                          std::size_t number);
+inline constexpr std::string_view kComesEarly = "An M function comes before it is due.";
+Verdict m_function_too_early(const reference::Record& got, std::size_t number);
+Verdict m_function_too_many(const reference::Record& got, std::size_t number);
 
 }  // namespace gonogo::oracle

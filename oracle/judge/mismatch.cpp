@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/unit_error.hpp"
@@ -54,7 +53,6 @@ namespace {
 // J-CMP-12: whether the motion is one that the reference makes later on, from step `number`.
 bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
                 const JudgeTerms& terms) {
-  constexpr std::size_t kLookAhead = 200;  // J-CONST-09
   if (agree(motion.from, motion.to(), terms.tolerance)) return false;
   for (std::size_t i = number; i < number + kLookAhead; ++i) {
     const ReferenceSteps::Step& step = steps.at(i);
@@ -103,7 +101,6 @@ Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_
   if (std::holds_alternative<Motion>(step) && from.piece) {
     return short_of(from.curve->motion(), *from.piece);
   }
-  if (const Record* due = placed_m_function(step)) return m_function_missing(*due, got, records);
   Verdict verdict;
   verdict.kind = VerdictKind::fail_geometry;
   if (std::holds_alternative<Record>(step)) verdict.rule = RelationRule::event;
@@ -129,9 +126,7 @@ Verdict before_renaming(const Motion& motion, const ReferenceStep& step) {
   return verdict;
 }
 
-Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps& steps,
-                        const JudgeTerms& terms) {
-  const ReferenceStep& step = steps.at(number).what;
+Verdict motion_too_many(const Motion& motion, const ReferenceStep& step) {
   Verdict verdict;
   verdict.kind = VerdictKind::fail_overrun;
   verdict.message = "The subject moves after the end of the program.";
@@ -144,12 +139,23 @@ Verdict motion_too_many(const Motion& motion, std::size_t number, ReferenceSteps
   if (std::holds_alternative<reference::AlarmReport>(step)) {
     verdict.kind = VerdictKind::fail_geometry;
     verdict.message = "The subject moves before the block that alarms, and no motion is due.";
-  } else if (std::get<Record>(step).kind == RecordKind::dwell) {
-    verdict.kind = fits_later(motion, number + 1, steps, terms) ? VerdictKind::fail_order
-                                                                : VerdictKind::fail_geometry;
+  } else if (dwell_of(step) != nullptr) {
+    verdict.kind = VerdictKind::fail_geometry;
     verdict.rule = RelationRule::event;
     verdict.message = "The subject moves where a dwell is due.";
   }
+  return verdict;
+}
+
+Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number) {
+  Verdict verdict;
+  verdict.kind = VerdictKind::fail_geometry;
+  verdict.clause = clause_of(due);
+  verdict.block = block_of(due);
+  verdict.record = number;
+  verdict.want = step_text(due);
+  verdict.got = record_text(got);
+  verdict.message = "An M function comes where a dwell is due.";
   return verdict;
 }
 
@@ -176,8 +182,8 @@ std::string unit_error_of(const Record& want, const Record& got, const JudgeTerm
 }  // namespace
 
 bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms) {
-  const auto* want = std::get_if<Record>(&step);
-  if (want == nullptr || want->kind != RecordKind::dwell) return false;
+  const Record* want = dwell_of(step);
+  if (want == nullptr || dwell.kind != RecordKind::dwell) return false;
   if (terms.compare_blocks && want->block != dwell.block) return false;
   const Number difference = abs(want->seconds - dwell.seconds);
   return difference.sign() == 0 ||
@@ -185,32 +191,44 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTer
          (terms.resolution && difference * 2 <= *terms.resolution);
 }
 
+namespace {
+
+// J-CMP-12, of one that is not due at step `number`.
+VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceSteps& steps,
+                          const JudgeTerms& terms) {
+  for (std::size_t i = number; i < number + kLookAhead; ++i) {
+    const ReferenceStep& step = steps.at(i).what;
+    if (is_end(step)) break;
+    if (is_dwell_due(step, dwell, terms)) return VerdictKind::fail_order;
+  }
+  const Record* want = dwell_of(steps.at(number).what);
+  const bool is_of_block =
+      want != nullptr && (!terms.compare_blocks || want->block == dwell.block);
+  return is_of_block ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
+}
+
+}  // namespace
+
 // J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
                     ReferenceSteps& steps, const JudgeTerms& terms) {
   const ReferenceStep& step = steps.at(from.step).what;
   if (std::holds_alternative<Motion>(step) && from.piece) {
     const ReferenceStep& behind = steps.at(from.step + from.joined + 1).what;
-    const auto* due = std::get_if<Record>(&behind);
-    if (due != nullptr && due->kind == RecordKind::dwell) {
-      return short_of(from.curve->motion(), *from.piece);
-    }
+    if (dwell_of(behind) != nullptr) return short_of(from.curve->motion(), *from.piece);
   }
-  if (const Record* due = placed_m_function(step)) {
-    return m_function_missing(*due, record_text(dwell), number);
-  }
-  const auto* want = std::get_if<Record>(&step);
-  const bool expected = want != nullptr && want->kind == RecordKind::dwell;
+  const Record* want = dwell_of(step);
   Verdict verdict;
-  verdict.kind = expected ? VerdictKind::fail_geometry : VerdictKind::fail_order;
-  verdict.rule = RelationRule::event;
+  verdict.kind = kind_of_dwell(dwell, from.step, steps, terms);
+  if (verdict.kind != VerdictKind::fail_feed) verdict.rule = RelationRule::event;
   verdict.record = number;
   verdict.block = dwell.block;
   verdict.got = record_text(dwell);
   verdict.want = step_text(step);
   verdict.clause = clause_of(step);
-  verdict.message = expected ? "The dwell differs." : "The subject dwells where no dwell is due.";
-  if (expected) {
+  verdict.message = "The subject dwells where no dwell is due.";
+  if (want != nullptr) {
+    verdict.message = "The dwell differs.";
     verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,
                                   rounding(dwell.seconds, terms.resolution, terms));
   }

@@ -19,11 +19,14 @@ Verdict short_of(const Motion& want, const Motion& piece);
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got);
 
+// J-CONST-09: so far an event that departs is looked for elsewhere, in steps or records.
+inline constexpr std::size_t kLookAhead = 200;
+
 // A motion where none is due: before a renaming of the position; before a dwell, in an earlier
 // block than an alarm, or behind the end.
 Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
-Verdict motion_too_many(const Motion& motion, std::size_t step, ReferenceSteps& steps,
-                        const JudgeTerms& terms);
+Verdict motion_too_many(const Motion& motion, const ReferenceStep& step);
+Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number);
 
 // J-CMP-06. Whether the dwell is the one that is due; and what is said of one that is not.
 bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms);

@@ -22,9 +22,10 @@ using reference::NotCovered;
 struct ProgramJudge::Ending {
   Hypothesis from;
   std::optional<Verdict> verdict = {};  // nothing: GO
-  // What of the M functions goes before it: those that the reference has come to up to `step`.
-  enum class Settle { none, all, before_alarm, of_earlier } settle = Settle::none;
-  std::size_t step = 0;
+  // What of the M functions goes before it, of so many that are due by then: all but those of the
+  // block that alarms; but those behind it, too, which are not judged (J-ALM-04).
+  enum class MFunctions { none, before_alarm, of_earlier } judges = MFunctions::none;
+  std::size_t m_functions = 0;
   std::uint64_t block = 0;  // that alarms
   bool at_load = false;
   std::size_t item = 0;  // of the reference, where it departs; 0: that of the hypothesis
@@ -152,25 +153,32 @@ ProgramJudge::Ending ProgramJudge::end_of(Hypothesis from, const RunEnd& end) {
 
 // M functions are settled first; then what the ending says.
 void ProgramJudge::settle(Ending ending) {
-  if (ending.settle != Ending::Settle::none) note_m_functions(ending.step);
-  if (verdict_) return;
-  switch (ending.settle) {
-    case Ending::Settle::none:
-      break;
-    case Ending::Settle::all:
-      decide(m_functions_.end());
-      break;
-    case Ending::Settle::before_alarm:
-      decide(m_functions_.end_before_alarm(ending.block, reference_.failed_line(), ending.at_load));
-      break;
-    case Ending::Settle::of_earlier:
-      decide(m_functions_.end_of_earlier(ending.block));
-      break;
-  }
+  decide(m_functions_before_alarm(ending));
   if (ending.verdict) {
     departed_at_ = ending.item != 0 ? ending.item : reference_.at(ending.from.step).item;
   }
   decide(std::move(ending.verdict));
+}
+
+// J-CMP-08. Those of earlier blocks must have come as motion must; of its own block no text says
+// whether any do that alarms. A control that checks at load need not pass any.
+std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
+  using MFunctions = Ending::MFunctions;
+  if (ending.judges == MFunctions::none) return std::nullopt;
+  for (const SubjectMFunction& got : m_functions_of_alarm_) {
+    const bool is_of_block = !terms_.compare_blocks || got.record.block == ending.block;
+    const bool is_free =
+        ending.judges == MFunctions::before_alarm
+            ? is_of_block && names_m_function(reference_.failed_line(), got.record.m)
+            : is_of_block || got.record.block > ending.block;
+    if (!is_free) return m_function_too_many(got.record, got.number);
+  }
+  if (ending.at_load) return std::nullopt;
+  for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {
+    if (due.record.block >= ending.block) break;
+    return m_function_missing(due.record, {}, records_);
+  }
+  return std::nullopt;
 }
 
 // J-CMP-07.
@@ -197,23 +205,25 @@ ProgramJudge::Ending ProgramJudge::open_end(const Hypothesis& from, Verdict why_
 }
 
 // What is behind the only hypothesis is not looked at again.
-void ProgramJudge::forget_behind(const Hypothesis& from, bool takes_m_functions) {
+void ProgramJudge::forget_behind(const Hypothesis& from, bool leaves_out_m_functions) {
   if (alignment_.hypotheses().size() != 1) return;
-  if (takes_m_functions) note_m_functions(from.step);
+  if (leaves_out_m_functions) reference_.leave_out_m_functions();
   reference_.forget_before(from.step);
 }
 
 ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
-  using Settle = Ending::Settle;
   while (true) {
-    forget_behind(from, true);
-    if (verdict_) return {from, verdict_};
+    forget_behind(from, false);
+    const std::size_t m_functions = reference_.at(from.step).m_functions;
     const ReferenceStep& step = reference_.at(from.step).what;
+    if (const DueMFunction* due = alignment_.overdue(from)) {
+      return {from, m_function_missing(due->record, "end", records_)};
+    }
     if (auto* outside = std::get_if<NotCovered>(&step)) {
       return {from, not_covered_verdict(*outside)};
     }
     if (is_record_end(step)) {
-      return {from, compare_end(std::get<Record>(step)), Settle::all, from.step};
+      return {from, compare_end(std::get<Record>(step))};
     }
     if (auto* report = std::get_if<AlarmReport>(&step)) {
       Verdict verdict =
@@ -226,8 +236,8 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
       if (!is_advice(verdict, terms_)) return {from, std::move(verdict)};
       // J-ALM-04: the reference ends here, and what the subject goes on to do has no measure.
       verdict.message += " What the subject does after it is not judged.";
-      return {from, advised(std::move(verdict), terms_), Settle::of_earlier, from.step,
-              report->block};
+      return {from, advised(std::move(verdict), terms_), Ending::MFunctions::of_earlier,
+              m_functions, report->block};
     }
     Alignment::Passing passing = alignment_.pass(from);
     if (passing.why_not) return open_end(from, *std::move(passing.why_not));
@@ -313,8 +323,9 @@ std::optional<Verdict> ProgramJudge::alarm_outside(const SubjectAlarm& alarm) co
 ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm& alarm,
                                             bool at_load,
                                             const std::optional<Unfinished>& unfinished) {
-  using Settle = Ending::Settle;
-  const auto* report = std::get_if<AlarmReport>(&reference_.at(from.step).what);
+  using MFunctions = Ending::MFunctions;
+  const ReferenceSteps::Step& here = reference_.at(from.step);
+  const auto* report = std::get_if<AlarmReport>(&here.what);
   std::optional<Verdict> departure =
       report != nullptr ? compare_alarm(from, alarm, *report, unfinished)
                         : spurious_alarm(from, alarm, unfinished,
@@ -326,18 +337,19 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm
   const std::uint64_t block = is_early ? alarmed : report->block;
   const std::size_t item = unfinished ? unfinished->step.item : 0;
   if (departure && !is_advice(*departure, terms_)) {
-    return {from, std::move(departure), Settle::none, 0, 0, false, item};
+    return {from, std::move(departure), MFunctions::none, 0, 0, false, item};
   }
   if (unfinished && (!departure || block_of(unfinished->step.what) < block)) {
     Verdict verdict =
         ends_early(unfinished->from, unfinished->step.what, records_, alarm_text(alarm));
-    return {unfinished->from, std::move(verdict), Settle::none, 0, 0, false, item};
+    return {unfinished->from, std::move(verdict), MFunctions::none, 0, 0, false, item};
   }
-  // Past what is undone no M function has been come to, but for a control that checks at load.
-  const std::size_t step = unfinished && !at_load ? unfinished->from.step : from.step;
-  if (!departure) return {from, {}, Settle::before_alarm, step, block, at_load};
+  // Past what is undone no M function has been come to.
+  const std::size_t due = unfinished ? unfinished->step.m_functions : here.m_functions;
+  if (!departure) return {from, {}, MFunctions::before_alarm, due, block, at_load};
   departure = advised(*std::move(departure), terms_);
-  return {from, std::move(departure), at_load ? Settle::none : Settle::of_earlier, step, block};
+  return {from, std::move(departure), at_load ? MFunctions::none : MFunctions::of_earlier, due,
+          block};
 }
 
 bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
@@ -351,8 +363,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
   std::optional<Unfinished> unfinished;
   for (std::size_t passed = 0; passed < kMostPassed; ++passed) {
-    forget_behind(from, at_load || !unfinished);
-    if (verdict_) return {from, verdict_};
+    forget_behind(from, at_load || unfinished);
     const ReferenceSteps::Step& here = reference_.at(from.step);
     const ReferenceStep& step = here.what;
     if (auto* outside = std::get_if<NotCovered>(&step)) {

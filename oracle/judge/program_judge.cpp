@@ -19,7 +19,6 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       program_(program),
       reference_(profile_, program_, terms_),
       alignment_(reference_, profile_.initial.at, terms_, memory_),
-      m_functions_(terms_, reference_),
       budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {
@@ -40,10 +39,16 @@ void ProgramJudge::decide_departure() {
   Verdict verdict = explain(alignment_.refutation(), reference_, terms_, departed_at);
   departed_at_ = departed_at;
   decide(std::move(verdict));
+  if (verdict_->kind == VerdictKind::fail_geometry) {
+    other_order_ = std::move(alignment_.refutation().other_order);
+  }
 }
 
 bool ProgramJudge::record(const Record& record) {
-  if (verdict_) return false;
+  if (verdict_) {
+    if (other_order_.shows) look_for_order(record);
+    return !is_decided();
+  }
   ++records_;
   try {
     if (!budget_.allows(records_, reference_.items_and_passes())) {
@@ -54,7 +59,17 @@ bool ProgramJudge::record(const Record& record) {
   } catch (const exact::Undecided& undecided) {
     decide_undecided(undecided);
   }
-  return !verdict_;
+  return !is_decided();
+}
+
+void ProgramJudge::look_for_order(const Record& record) {
+  if (other_order_.shows(record)) {
+    verdict_->kind = VerdictKind::fail_order;
+    verdict_->message = other_order_.message;
+    other_order_ = {};
+  } else if (++looked_at_ == kLookAhead) {
+    other_order_ = {};
+  }
 }
 
 void ProgramJudge::decide_too_many(const Record& record) {
@@ -97,15 +112,6 @@ void ProgramJudge::take_record(const Record& record) {
   }
 }
 
-// Those before step `step` have been passed, and nothing looks back.
-void ProgramJudge::note_m_functions(std::size_t step) {
-  for (; noted_ <= step && !verdict_; ++noted_) {
-    for (const Record& record : reference_.at(noted_).m_functions) {
-      if (!verdict_) decide(m_functions_.want(record));
-    }
-  }
-}
-
 void ProgramJudge::take_motion(const Record& record) {
   // J-CMP-10.
   if (terms_.compare_blocks && record.block == 0) {
@@ -116,18 +122,10 @@ void ProgramJudge::take_motion(const Record& record) {
     verdict.message = "The subject declares the feature `blocks`, but this record has no `b`.";
     return decide(std::move(verdict));
   }
-  note_m_functions(alignment_.first_step());
-  const bool is_low = budget_.runs_low(records_, reference_.items_and_passes());
-  if (!verdict_ && (terms_.compare_m || is_low)) {
-    const Hypothesis& first = alignment_.hypotheses().front();
-    const Motion motion = motion_from(first.at, record, records_ - 1);
-    if (!stays_at(first.anchor, motion, terms_)) {
-      decide(m_functions_.take_event(record, records_ - 1));
-      if (record.kind != RecordKind::rapid) m_functions_.note_cut(record.block);
-    }
-    if (!verdict_ && is_low && makes_progress(motion)) budget_.forgive();
+  if (budget_.runs_low(records_, reference_.items_and_passes())) {
+    const Position& at = alignment_.hypotheses().front().at;
+    if (makes_progress(motion_from(at, record, records_ - 1))) budget_.forgive();
   }
-  if (verdict_) return;
   moved_ = true;
   if (!alignment_.take_motion(record, records_ - 1)) return decide_departure();
   const Forgiven forgiven = alignment_.take_forgiven();
@@ -140,31 +138,23 @@ void ProgramJudge::take_motion(const Record& record) {
 // way to forget, or a program of motions and dwells in turn would be kept whole.
 void ProgramJudge::forget_passed() {
   if (verdict_) return;  // there may be no hypothesis left
-  reference_.forget_before(std::min(noted_, alignment_.first_step()));
+  reference_.forget_before(alignment_.first_step());
 }
 
 // J-CMP-05.
 void ProgramJudge::take_m_function(const Record& record) {
-  note_m_functions(alignment_.first_step());
-  forget_passed();
-  if (verdict_) return;
-  if (!m_functions_.is_none_due()) return decide(m_functions_.take(record, records_ - 1));
-  switch (alignment_.take_m_function(record, records_ - 1, noted_)) {
+  switch (alignment_.take_m_function(record, records_ - 1)) {
     case Alignment::MFunction::taken:
-      return decide(m_functions_.take_place(record, records_ - 1));
-    case Alignment::MFunction::free:
-      note_m_functions(alignment_.first_step());
-      if (verdict_) return;
-      return decide(m_functions_.take(record, records_ - 1));
+      return forget_passed();
+    case Alignment::MFunction::of_alarm:
+      return m_functions_of_alarm_.push_back({record, records_ - 1});
     case Alignment::MFunction::departs:
       return decide_departure();
   }
 }
 
 void ProgramJudge::take_dwell(const Record& record) {
-  note_m_functions(alignment_.first_step());
-  if (!verdict_) decide(m_functions_.take_event(record, records_ - 1));
-  if (!verdict_ && !alignment_.take_dwell(record, records_ - 1)) decide_departure();
+  if (!alignment_.take_dwell(record, records_ - 1)) decide_departure();
   forget_passed();
 }
 

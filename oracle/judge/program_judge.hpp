@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "oracle/judge/alignment.hpp"
-#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/open_step_memory.hpp"
 #include "oracle/judge/plain_motion.hpp"
 #include "oracle/judge/program_input.hpp"
@@ -35,7 +34,7 @@ class ProgramJudge {
   // How far the comparison came, in items of the reference.
   std::size_t progress() const { return departed_at_.value_or(reference_.items()); }
   // Whether nothing that is still to come changes the answer.
-  bool is_decided() const { return verdict_.has_value(); }
+  bool is_decided() const { return verdict_.has_value() && !other_order_.shows; }
   // What its reference has asked for so far.
   const reference::ReadingsInUse& readings() const { return reference_.readings(); }
   // Whether the record, or the line, that it was told last is item number `progress` of the
@@ -43,19 +42,24 @@ class ProgramJudge {
   bool is_in_step() const { return in_step_ && !reference_.was_moved(); }
 
  private:
+  struct SubjectMFunction {
+    Record record;
+    std::size_t number;
+  };
+
   void decide(Verdict verdict);
   void decide(std::optional<Verdict> verdict);
   void decide_undecided(const exact::Undecided& undecided);
   void decide_too_many(const Record& record);
   // No hypothesis is left.
   void decide_departure();
+  // J-CMP-12: what departs may be out of order, which what follows shows.
+  void look_for_order(const Record& record);
 
   void take_record(const Record& record);
   void take_motion(const Record& record);
   void take_m_function(const Record& record);
   void take_dwell(const Record& record);
-  // The M functions that the reference has come to by now.
-  void note_m_functions(std::size_t step);
   bool makes_progress(const Motion& motion);
   // The steps that nothing looks back at.
   void forget_passed();
@@ -70,7 +74,7 @@ class ProgramJudge {
   // The end of the subject, in program_end.cpp.
   struct Ending;
   Ending end_of(Hypothesis from, const RunEnd& end);
-  void forget_behind(const Hypothesis& from, bool takes_m_functions);
+  void forget_behind(const Hypothesis& from, bool leaves_out_m_functions);
   Ending ok_end(Hypothesis& from);
   Ending alarm_end(Hypothesis& from, const SubjectAlarm& alarm);
   Ending open_end(const Hypothesis& from, Verdict why_not) const;
@@ -85,6 +89,7 @@ class ProgramJudge {
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
   bool is_left_at_alarm(Hypothesis& from);
+  std::optional<Verdict> m_functions_before_alarm(const Ending& ending) const;
   std::optional<Verdict> compare_end(const Record& end) const;
   void settle(Ending ending);
 
@@ -94,8 +99,6 @@ class ProgramJudge {
   ReferenceSteps reference_;
   OpenStepMemory memory_;
   Alignment alignment_;
-  MFunctions m_functions_;
-  std::size_t noted_ = 0;  // the first step whose M functions have not been noted
   RecordBudget budget_;
   VisitedPlaces visited_;
   std::size_t records_ = 0;
@@ -112,8 +115,11 @@ class ProgramJudge {
   std::optional<InStep> in_step_;
 
   std::optional<Verdict> verdict_;
+  OtherOrder other_order_;                  // of the verdict, while it is looked for
+  std::size_t looked_at_ = 0;               // records since then
   std::optional<std::size_t> departed_at_;  // in items
-  std::optional<Record> end_record_;        // the subject's `end`
+  std::vector<SubjectMFunction> m_functions_of_alarm_;  // which may be of the block that alarms
+  std::optional<Record> end_record_;                    // the subject's `end`
   bool moved_ = false;                      // the subject has put out a motion
 };
 

@@ -12,11 +12,33 @@ bool is_end(const ReferenceStep& step) {
          std::holds_alternative<reference::NotCovered>(step);
 }
 
-const Record* placed_m_function(const ReferenceStep& step) {
-  const Record* record = std::get_if<Record>(&step);
-  const bool is_placed =
-      record != nullptr && record->kind == RecordKind::m && record->among_motions;
-  return is_placed ? record : nullptr;
+namespace {
+
+// Whether the tool cuts, of an item or a step. The kinds that are not named are open paths.
+struct Cuts {
+  bool operator()(const Record& record) const {
+    return is_motion(record.kind) && record.kind != RecordKind::rapid;
+  }
+  bool operator()(const Motion& motion) const { return (*this)(motion.record); }
+  bool operator()(const reference::Renaming&) const { return false; }
+  bool operator()(const reference::AlarmReport&) const { return false; }
+  bool operator()(const reference::NotCovered&) const { return false; }
+  bool operator()(const auto&) const { return true; }
+};
+
+std::uint64_t line_of(const reference::Item& item) {
+  return std::visit([](const auto& one) { return one.block; }, item);
+}
+
+}  // namespace
+
+bool cuts(const ReferenceStep& step) {
+  return std::visit(Cuts{}, step);
+}
+
+const Record* dwell_of(const ReferenceStep& step) {
+  const auto* record = std::get_if<Record>(&step);
+  return record != nullptr && record->kind == RecordKind::dwell ? record : nullptr;
 }
 
 ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
@@ -24,11 +46,15 @@ ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramT
     : terms_(terms),
       input_(program),
       expander_(profile, input_.lines, reference::OpenPaths::judged),
-      place_(profile.initial.at) {}
+      place_(profile.initial.at),
+      leaves_out_m_functions_(!terms.compare_m) {}
 
 const reference::Item* ReferenceSteps::next_item() {
   const reference::Item* item = expander_.next();
-  if (item != nullptr) ++items_;
+  if (item == nullptr) return item;
+  ++items_;
+  cut_block_ = next_cut_block_;
+  if (std::visit(Cuts{}, *item)) next_cut_block_ = line_of(*item);
   return item;
 }
 
@@ -53,9 +79,9 @@ void ReferenceSteps::forget_before(std::size_t number) {
 void ReferenceSteps::take(const reference::Item& item) {
   const Record* record = std::get_if<Record>(&item);
   if (record != nullptr && record->kind == RecordKind::m) {
-    if (!terms_.compare_m) return;
-    // They do not hold up the motions round them.
-    if (!record->among_motions) return m_functions_.push_back(*record);
+    if (leaves_out_m_functions_) return;
+    const bool is_fixed = record->among_motions || ends_program(*record);
+    return m_functions_.push_back({*record, first_ + steps_.size(), is_fixed});
   }
   if (record != nullptr && record->kind == RecordKind::dwell && record->seconds.sign() == 0) {
     return;
@@ -63,7 +89,9 @@ void ReferenceSteps::take(const reference::Item& item) {
   Step& step = steps_.emplace_back();
   step.place = place_;
   step.item = items_;
-  step.m_functions = std::exchange(m_functions_, {});
+  step.block = line_of(item);
+  step.cut_block = cut_block_;
+  step.m_functions = taken_m_functions_ + m_functions_.size();
   if (record != nullptr && is_motion(record->kind)) {
     Motion motion = motion_from(place_, *record, items_);
     if (!terms_.compare_blocks) motion.record.block = 0;
@@ -74,6 +102,11 @@ void ReferenceSteps::take(const reference::Item& item) {
   if (auto* renaming = std::get_if<reference::Renaming>(&item)) shift(place_, renaming->shift);
   if (auto* thread = std::get_if<reference::ThreadMilling>(&item)) count_passes(*thread);
   std::visit([&](const auto& one) { step.what = one; }, item);
+}
+
+void ReferenceSteps::take_m_function() {
+  m_functions_.pop_front();
+  ++taken_m_functions_;
 }
 
 // A pass is an entry, a helix, a run-out and a way back.

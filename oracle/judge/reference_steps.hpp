@@ -4,28 +4,33 @@
 // looked at, and kept until no reading of the subject's motions looks back at it.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
 #include "oracle/judge/curve.hpp"
+#include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/program_input.hpp"
+#include "oracle/judge/queue.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
 
-// What the subject has to do next: a motion, a dwell, an M function of a cycle, something whose
-// path is open, or the end (an `end` record, an alarm, not covered), which is the last step.
+// What the subject has to do next: a motion, a dwell, something whose path is open, or the end (an
+// `end` record, an alarm, not covered), which is the last step. M functions stand between them.
 using ReferenceStep =
     std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
                  reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
                  reference::AlarmReport, reference::NotCovered>;
 
 bool is_end(const ReferenceStep& step);
-// The M function that a cycle has among its motions (J-CMP-05); null: another step.
-const Record* placed_m_function(const ReferenceStep& step);
+// Whether the tool cuts.
+bool cuts(const ReferenceStep& step);
+const Record* dwell_of(const ReferenceStep& step);  // null: another step
 
 class ReferenceSteps {
  public:
@@ -35,8 +40,10 @@ class ReferenceSteps {
   struct Step {
     ReferenceStep what;
     Position place;                   // where the reference stands before it
-    std::size_t item = 0;             // its number among the items of the reference, from 1
-    std::vector<Record> m_functions;  // that are passed on before it, in their order
+    std::size_t item = 0;         // its number among the items of the reference, from 1
+    std::uint64_t block = 0;      // its line, declared or not; 0: it has none
+    std::uint64_t cut_block = 0;  // the line of the last cut before it
+    std::size_t m_functions = 0;  // how many of them come before it
     mutable std::shared_ptr<const Curve> curve = {};  // of a motion, once it has been asked for
   };
 
@@ -45,6 +52,18 @@ class ReferenceSteps {
   // Of a step that is a motion.
   const std::shared_ptr<const Curve>& curve_of(const Step& step) const;
   void forget_before(std::size_t number);
+
+  // M functions that the subject has not passed on, in their order: of so many that are due before
+  // a step (Step::m_functions), and of all steps that were asked for.
+  std::span<const DueMFunction> waiting(std::size_t m_functions) const {
+    const std::size_t due = m_functions - std::min(m_functions, taken_m_functions_);
+    return waiting().first(std::min(due, m_functions_.size()));
+  }
+  std::span<const DueMFunction> waiting() const { return {m_functions_.begin(), m_functions_.end()}; }
+  // The first of them has come.
+  void take_m_function();
+  // Nobody asks for those that follow.
+  void leave_out_m_functions() { leaves_out_m_functions_ = true; }
 
   // After step `number`, whose path is open, the reference goes on from where the subject left it:
   // `moves_machine`: blocks that follow start from there, too. False where it goes on from
@@ -80,8 +99,12 @@ class ReferenceSteps {
   reference::Expander expander_;
   std::deque<Step> steps_;
   std::size_t first_ = 0;            // number of the first step that is kept
-  Position place_;                   // where the steps so far end
-  std::vector<Record> m_functions_;  // since the last step
+  Position place_;         // where the steps so far end
+  Queue<DueMFunction> m_functions_;
+  std::size_t taken_m_functions_ = 0;
+  bool leaves_out_m_functions_;
+  std::uint64_t cut_block_ = 0;       // as of a step, of the item that came last
+  std::uint64_t next_cut_block_ = 0;  // and of the next one
   std::size_t items_ = 0;
   std::size_t passes_ = 0;
   std::map<std::size_t, Position> settled_;  // where open paths ended, of the steps that are kept

@@ -14,7 +14,7 @@
 namespace gonogo::reference::rs274 {
 namespace {
 
-// NGC-COM-01
+// NGC-COM-01, NGC-MOD-01
 void take_m_function(const grammar::Word& word, std::uint64_t line, const ReadingsInUse& readings,
                      BlockOutput& out) {
   const ClauseId clause = "NGC-COM-01"_clause;
@@ -42,6 +42,7 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   record.clause = clause;
   record.block = line;
   record.m = static_cast<std::int32_t>(*number);
+  record.among_motions = true;
   const bool before = function->kind == Kind::machine;
   (before ? out.items : out.after).emplace_back(std::move(record));
   if (function->kind == Kind::program_end) out.program_end = true;

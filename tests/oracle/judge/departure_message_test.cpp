@@ -130,7 +130,7 @@ TEST(DepartureMessage, ADwellThatIsNotDueIsWhatDeparts) {
   TraceText trace(2, 100);
   trace.feed({{'x', 25}}).line(R"({"k":"dwell","b":2,"s":"1"})").feed({{'x', 50}});
   const Verdict verdict = judge_trace(kLine, trace.text(), of("rs274"));
-  expect(verdict, {VerdictKind::fail_order, 1, "NGC-G0-01", "",
+  expect(verdict, {VerdictKind::fail_geometry, 1, "NGC-G0-01", "",
                    "The subject dwells where no dwell is due."});
 }
 

@@ -97,7 +97,7 @@ TEST(FalseGo, AnMFunctionStandsBeforeTheDwellOfALaterBlock) {
   const std::string dwell = "{\"k\":\"dwell\",\"b\":2,\"s\":\"1\"}\n";
   const Judging judging = {.m = true, .dialect = "rs274"};
   EXPECT_EQ(judge_trace("M8\nG4 P1\n", kFunctions[0] + dwell, judging).kind,
-            VerdictKind::fail_order);
+            VerdictKind::fail_geometry);
   const std::string coolant = "{\"k\":\"m\",\"b\":1,\"m\":8}\n";
   EXPECT_EQ(judge_trace("M8\nG4 P1\n", coolant + dwell, judging).kind, VerdictKind::pass_exact);
   EXPECT_EQ(judge_trace("M8\nG4 P1\n", dwell + coolant, judging).kind, VerdictKind::fail_order);
@@ -196,13 +196,13 @@ TEST(FalseGo, NoMFunctionComesBesideAnAlarmThatItsBlockDoesNotName) {
         .kind;
   };
   constexpr const char* kM8 = "{\"k\":\"m\",\"b\":2,\"m\":8}\n";
-  EXPECT_EQ(kind("G1 X2", kM8), VerdictKind::fail_order);
-  EXPECT_EQ(kind("G1 X2 M80", kM8), VerdictKind::fail_order);
+  EXPECT_EQ(kind("G1 X2", kM8), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind("G1 X2 M80", kM8), VerdictKind::fail_geometry);
   EXPECT_EQ(decision(kind("G1 X2 M8", kM8)), Decision::go);
   EXPECT_EQ(decision(kind("G1 X2 m 08", kM8)), Decision::go);
   // Near enough to 8 where ngc.whole says so; found by fuzz_differential_ngc.
   EXPECT_EQ(decision(kind("G1 X2 m 7.999991", kM8)), Decision::go);
-  EXPECT_EQ(kind("G1 X2 M6.999991", kM8), VerdictKind::fail_order);
+  EXPECT_EQ(kind("G1 X2 M6.999991", kM8), VerdictKind::fail_geometry);
   EXPECT_EQ(decision(kind("G1 X2 M8", "")), Decision::go);
 }
 

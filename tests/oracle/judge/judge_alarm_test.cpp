@@ -81,17 +81,17 @@ TEST(AlarmJudge, MFunctionsOfEarlierBlocksMustHaveCome) {
   EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8)),
             VerdictKind::pass_exact);
   for (const bool blocks : {true, false}) {
-    EXPECT_EQ(kind_with_m(kRapidInLine2 + m_function(2, 8), blocks), VerdictKind::fail_order);
-    EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2, blocks), VerdictKind::fail_order);
-    EXPECT_EQ(kind_with_m(kRapidInLine2, blocks), VerdictKind::fail_order);
+    EXPECT_EQ(kind_with_m(kRapidInLine2 + m_function(2, 8), blocks), VerdictKind::fail_geometry);
+    EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2, blocks), VerdictKind::fail_geometry);
+    EXPECT_EQ(kind_with_m(kRapidInLine2, blocks), VerdictKind::fail_geometry);
   }
 }
 
 TEST(AlarmJudge, NoMFunctionMayComeThatIsNotDueBeforeTheAlarm) {
   EXPECT_EQ(kind_with_m(m_function(1, 3) + kRapidInLine2 + m_function(2, 8) + m_function(2, 5)),
-            VerdictKind::fail_order);
+            VerdictKind::fail_geometry);
   EXPECT_EQ(kind_with_m(m_function(1, 4) + kRapidInLine2 + m_function(2, 8)),
-            VerdictKind::fail_order);
+            VerdictKind::fail_geometry);
 }
 
 // J-CMP-08.

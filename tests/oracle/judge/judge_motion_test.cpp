@@ -156,7 +156,7 @@ TEST(MotionJudge, ALaterMotionFromTheSamePointIsAnOrderFailure) {
   EXPECT_EQ(judge_trace(kTwo, trace.text()).kind, VerdictKind::fail_order);
 }
 
-// J-CMP-06.
+// J-CMP-06, J-CMP-12.
 TEST(MotionJudge, ADwellIsDueWhereItStands) {
   constexpr std::string_view kDwell = "G00 Z10\nG04 X1.5\nG00 Z20\n";
   auto trace = [](const char* seconds, bool late) {
@@ -169,7 +169,7 @@ TEST(MotionJudge, ADwellIsDueWhereItStands) {
     return text.text();
   };
   EXPECT_EQ(judge_trace(kDwell, trace("1.5", false)).kind, VerdictKind::pass_exact);
-  EXPECT_EQ(judge_trace(kDwell, trace("1.6", false)).kind, VerdictKind::fail_geometry);
+  EXPECT_EQ(judge_trace(kDwell, trace("1.6", false)).kind, VerdictKind::fail_feed);
   EXPECT_EQ(judge_trace(kDwell, trace("1.5", true)).kind, VerdictKind::fail_order);
 }
 
@@ -185,7 +185,7 @@ TEST(MotionJudge, MFunctionsAreComparedInTheirOrderOnlyWhenDeclared) {
   };
   EXPECT_EQ(decided(kM, trace(3, 8), {.m = true}), Decision::go);
   const Verdict verdict = judge_trace(kM, trace(8, 3).text(), Judging{.m = true});
-  EXPECT_EQ(verdict.kind, VerdictKind::fail_order);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(verdict.word, 'M');
   EXPECT_EQ(decided(kM, trace(8, 3)), Decision::go);
 }

@@ -153,9 +153,9 @@ TEST(PathJudge, ADwellOfAnotherLengthOrPlaceDeparts) {
   const auto kind = [](std::string_view program, const char* trace) {
     return judge_trace(program, trace, {.dialect = "rs274"}).kind;
   };
-  EXPECT_EQ(kind("G4 P1\n", R"({"k":"dwell","b":1,"s":"2"})"), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind("G4 P1\n", R"({"k":"dwell","b":1,"s":"2"})"), VerdictKind::fail_feed);
   EXPECT_EQ(kind("G0 X1\nG4 P1\n", R"({"k":"dwell","b":2,"s":"1"})"), VerdictKind::fail_order);
-  EXPECT_EQ(kind("G0 X1\n", R"({"k":"dwell","b":1,"s":"1"})"), VerdictKind::fail_order);
+  EXPECT_EQ(kind("G0 X1\n", R"({"k":"dwell","b":1,"s":"1"})"), VerdictKind::fail_geometry);
 }
 
 }  // namespace

@@ -21,6 +21,19 @@ Verdict judge(const Specimen& specimen, const Trace& trace) {
       .verdict;
 }
 
+// Where blocks tell nothing that the motions do not.
+bool is_told_by_its_motions(const Specimen& specimen) {
+  return specimen.items.empty() && specimen.renamings.empty();
+}
+
+Verdict judge_without_blocks(const Specimen& specimen, Trace trace) {
+  oracle::JudgeTerms terms = specimen.terms;
+  terms.compare_blocks = false;
+  for (Record& record : trace.records) record.block = 0;
+  trace.end.alarm.block = 0;
+  return judge_outcome(specimen.profile, specimen.program, terms, trace.records, trace.end).verdict;
+}
+
 std::string verdict_text(const Verdict& verdict) {
   return fmt::format("{}: {}", name(verdict.kind), verdict.message);
 }
@@ -108,11 +121,20 @@ void Bench::try_operator(const Specimen& specimen, const Operator& op, Trials& t
     ++row.uncounted;
     return;
   }
-  const Verdict verdict = judge(specimen, edit.trace);
+  count(specimen, op, statement, edit.trace, judge(specimen, edit.trace));
+  if (op.orders_events && is_told_by_its_motions(specimen)) {
+    ++row.mutants;
+    count(specimen, op, statement, edit.trace, judge_without_blocks(specimen, edit.trace));
+  }
+}
+
+void Bench::count(const Specimen& specimen, const Operator& op, const Statement& statement,
+                  const Trace& mutant, const Verdict& verdict) {
+  Row& row = rows_[op.name];
   const Decision decided = decision(verdict.kind);
   if (statement.answer == Answer::same) {
     ++row.explained[statement.why];
-    if (decided != Decision::go) note(harsh_, specimen, op, statement, verdict, edit.trace);
+    if (decided != Decision::go) note(harsh_, specimen, op, statement, verdict, mutant);
     return;
   }
   ++row.wrong;
@@ -123,7 +145,7 @@ void Bench::try_operator(const Specimen& specimen, const Operator& op, Trials& t
   } else {
     if (decided == Decision::undecided) ++row.gap;
     ++row.survivors;
-    note(survivors_, specimen, op, statement, verdict, edit.trace);
+    note(survivors_, specimen, op, statement, verdict, mutant);
   }
 }
 

@@ -48,6 +48,8 @@ class Bench {
  private:
   void try_specimen(const Specimen& specimen, Trials& trials);
   void try_operator(const Specimen& specimen, const Operator& op, Trials& trials);
+  void count(const Specimen& specimen, const Operator& op, const Statement& statement,
+             const Trace& mutant, const oracle::Verdict& verdict);
 
   const RawCases& cases_;
   std::vector<Operator> operators_ = wrong_operators();

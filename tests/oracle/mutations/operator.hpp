@@ -53,6 +53,8 @@ struct Operator {
   std::function<bool(Edit&)> apply;
   // Wrong by its nature, where the path is open: then no other proof is needed.
   bool wrong_by_nature = false;
+  // Of M functions and dwells among the motions: line numbers say nothing of it.
+  bool orders_events = false;
 };
 
 std::vector<Operator> shifting_operators();  // ends, centres, radii
@@ -60,6 +62,7 @@ std::vector<Operator> sequence_operators();  // dropped, repeated, reversed, ins
 std::vector<Operator> word_operators();      // kinds, feeds, blocks, leads, planes
 std::vector<Operator> turning_operators();   // senses, turns, rings
 std::vector<Operator> event_operators();     // M functions, dwells, alarms, the end
+std::vector<Operator> m_operators();         // M functions and dwells out of their place
 std::vector<Operator> cycle_operators();     // steps of pockets
 std::vector<Operator> thread_operators();    // steps of threads
 std::vector<Operator> wrong_operators();     // all of these

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <regex>
 
 namespace gonogo::mutations {
@@ -51,30 +52,72 @@ std::vector<PassedOn> functions_of(const Trace& trace) {
   return all;
 }
 
-// Whether an M function stands among motions of other blocks, or too late in its own.
-bool is_out_of_place(const Trace& trace, double tolerance, const Specimen& specimen) {
-  std::uint64_t last_motion = 0;
-  std::uint64_t last_function = 0;
-  std::uint64_t last_cut = 0;
-  const std::vector<Stroke> strokes = specimen.strokes(trace);
-  std::size_t next = 0;
+// What of its own block stands on one side of an M function.
+struct Side {
+  int strokes = 0;
+  int cuts = 0;
+  int dwells = 0;
+
+  void take(const Stroke& stroke) {
+    ++strokes;
+    dwells += stroke.is_dwell() ? 1 : 0;
+    cuts += !stroke.is_dwell() && stroke.kind() != RecordKind::rapid ? 1 : 0;
+  }
+};
+
+struct Standing {
+  const Record* function = nullptr;
+  Place at{};      // of the tool
+  int dwells = 0;  // that came before it
+  Side before;
+  Side behind;
+  bool among_others = false;  // a later block stands before it, or an earlier one behind it
+};
+
+// Of what is surely seen. No memory of blocks: each stands once, but for loops.
+std::vector<Standing> standings_in(const Specimen& specimen, const Trace& trace) {
+  std::vector<Standing> all;
+  std::vector<Stroke> seen = specimen.strokes(trace);
+  std::erase_if(seen, [&](const Stroke& one) { return one.is_nil(2 * specimen.tolerance()); });
   for (std::size_t i = 0; i < trace.records.size(); ++i) {
     const Record& record = trace.records[i];
-    if (next < strokes.size() && strokes[next].number == i) {
-      const Stroke& stroke = strokes[next++];
-      if (stroke.is_nil(2 * tolerance)) continue;
-      if (record.block < last_function) return true;
-      last_motion = record.block;
-      if (record.kind != RecordKind::rapid && record.kind != RecordKind::dwell) {
-        last_cut = record.block;
+    if (record.kind != RecordKind::m) continue;
+    Standing& standing = all.emplace_back();
+    standing.function = &record;
+    standing.at = specimen.start;
+    for (const Stroke& stroke : seen) {
+      const bool is_before = stroke.number < i;
+      const std::uint64_t block = stroke.record->block;
+      if (is_before) standing.at = stroke.unnamed(stroke.to);
+      if (is_before && stroke.is_dwell()) ++standing.dwells;
+      if (block == record.block) {
+        (is_before ? standing.before : standing.behind).take(stroke);
+      } else if ((block > record.block) == is_before) {
+        standing.among_others = true;
       }
-    } else if (record.kind == RecordKind::m) {
-      if (record.block < last_motion) return true;
-      if (record.before_cut && last_cut == record.block) return true;
-      last_function = record.block;
     }
   }
-  return false;
+  return all;
+}
+
+bool is_one_of(std::int32_t m, std::initializer_list<std::int32_t> numbers) {
+  return std::ranges::find(numbers, m) != numbers.end();
+}
+
+// Whether it may stand elsewhere in its block than the right one does, and there.
+bool breaks_its_block(const Standing& got, const Standing& right) {
+  const Record& function = *right.function;
+  const bool starts = function.before_cut || is_one_of(function.m, {3, 4, 6, 7, 8});
+  const bool stops = is_one_of(function.m, {0, 1, 5, 9});
+  const bool is_same_side = (got.before.strokes > 0) == (right.before.strokes > 0) &&
+                            (got.behind.strokes > 0) == (right.behind.strokes > 0);
+  if (function.among_motions || is_one_of(function.m, {2, 17, 30})) return !is_same_side;
+  if (is_same_side) return false;
+  if (starts && got.before.cuts + got.before.dwells > 0) return true;
+  if (stops && got.behind.cuts > 0) return true;
+  const bool is_cycle = right.before.cuts + right.behind.cuts > 0 &&
+                        right.before.strokes + right.behind.strokes > 1;
+  return is_cycle && !function.before_cut && got.before.strokes > 0 && got.behind.strokes > 0;
 }
 
 // Whether the program has O words that say which line is next: then the number of a line says
@@ -100,9 +143,17 @@ Statement state_functions(const Specimen& specimen, const Trace& mutant) {
     }
     return wrong("other M functions");
   }
-  if (is_out_of_place(mutant, specimen.tolerance(), specimen)) {
-    if (lines_may_come_again(specimen)) return {Answer::unsure, "lines may come again (J-CMP-05)"};
-    return wrong("an M function out of its place");
+  const std::vector<Standing> right = standings_in(specimen, specimen.right);
+  const std::vector<Standing> got = standings_in(specimen, mutant);
+  constexpr double kElsewhere = 4;  // tolerances
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const bool is_fixed = right[i].function->among_motions;
+    const bool is_elsewhere = apart(got[i].at, right[i].at) > kElsewhere * specimen.tolerance() ||
+                              got[i].dwells != right[i].dwells;
+    if (is_fixed && is_elsewhere) return wrong("an M function at another place");
+    if (lines_may_come_again(specimen)) continue;
+    if (got[i].among_others) return wrong("an M function out of its block");
+    if (breaks_its_block(got[i], right[i])) return wrong("an M function out of its place");
   }
   return nothing();
 }

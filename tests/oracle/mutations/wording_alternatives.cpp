@@ -153,20 +153,61 @@ bool other_m(Attempt& attempt) {
   return true;
 }
 
-// Before the motions of its block, or behind them.
+// J-CMP-05: the places in its block where the M function `number` may stand, too: the numbers of
+// the records that it stands before. None where its block has another one.
+std::vector<std::size_t> other_places(const std::vector<Record>& records, std::size_t number) {
+  const std::int32_t m = records[number].m;
+  const auto is_one_of = [&](std::initializer_list<std::int32_t> numbers) {
+    return std::ranges::find(numbers, m) != numbers.end();
+  };
+  const auto is_of_block = [&](std::size_t i) {
+    return records[i].block == records[number].block && records[i].kind != RecordKind::end;
+  };
+  std::size_t first = number;
+  while (first > 0 && is_of_block(first - 1)) --first;
+  std::size_t last = number;
+  while (last + 1 < records.size() && is_of_block(last + 1)) ++last;
+  const auto count = [&](const auto& wanted) {
+    return std::count_if(records.begin() + static_cast<std::ptrdiff_t>(first),
+                         records.begin() + static_cast<std::ptrdiff_t>(last + 1), wanted);
+  };
+  const auto functions = count([](const Record& one) { return one.kind == RecordKind::m; });
+  const auto dwells = count([](const Record& one) { return one.kind == RecordKind::dwell; });
+  const auto motions = count([](const Record& one) { return is_motion(one.kind); });
+  const auto cuts = motions - count([](const Record& one) { return one.kind == RecordKind::rapid; });
+  if (functions > 1 || is_one_of({2, 17, 30})) return {};
+  const bool starts = is_one_of({3, 4, 6, 7, 8});
+  const bool stops = is_one_of({0, 1, 5, 9});
+  std::vector<std::size_t> places;
+  for (std::size_t place = first; place <= last + 1; ++place) {
+    const bool is_first = place == first;
+    const bool is_last = place == last + 1;
+    if (place == number || place == number + 1) continue;
+    if (cuts > 0 && motions > 1 && !is_first && !is_last) continue;
+    if (starts && !is_first && cuts + dwells > 0) continue;
+    if (stops && !is_last && cuts > 0) continue;
+    places.push_back(place);
+  }
+  return places;
+}
+
+// Before the motions of its block, behind them, or between them.
 bool m_elsewhere_in_its_block(Attempt& attempt) {
   std::vector<Record>& records = attempt.trace.records;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const Record& record = records[i];
     if (record.kind != RecordKind::m || record.before_cut || record.among_motions) continue;
-    std::size_t to = i;
-    while (to > 0 && records[to - 1].block == records[i].block && is_motion(records[to - 1].kind)) {
-      --to;
+    const std::vector<std::size_t> places = other_places(records, i);
+    if (places.empty()) continue;
+    const std::size_t to = attempt.chance.one_of(places);
+    const auto at = [&](std::size_t number) {
+      return records.begin() + static_cast<std::ptrdiff_t>(number);
+    };
+    if (to <= i) {
+      std::rotate(at(to), at(i), at(i + 1));
+    } else {
+      std::rotate(at(i), at(i + 1), at(to));
     }
-    if (to == i) continue;
-    std::rotate(records.begin() + static_cast<std::ptrdiff_t>(to),
-                records.begin() + static_cast<std::ptrdiff_t>(i),
-                records.begin() + static_cast<std::ptrdiff_t>(i + 1));
     return true;
   }
   return false;

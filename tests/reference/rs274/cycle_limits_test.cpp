@@ -215,8 +215,8 @@ TEST(NgcCycleModes, EveryRecordNamesItsClause) {
                                                   "NGC-G84-02", "NGC-G84-03", "NGC-G84-03"}));
 }
 
-// NGC-CYC-28: those of a cycle have a place, and those of words have none.
-TEST(NgcCycleModes, MFunctionsOfACycleStandAmongItsMotions) {
+// NGC-CYC-28: those of a cycle have a place; NGC-MOD-01: and so have those of words.
+TEST(NgcCycleModes, MFunctionsHaveTheirPlacesAmongTheMotions) {
   std::vector<std::pair<int, bool>> functions;
   for (const Item& item : expand("M3 F100\nG99 G86 X0 Z-1 R0 P1\nM3 G33.1 Z-1 K1 M8\nM2", ngc())) {
     const Record* record = std::get_if<Record>(&item);
@@ -224,14 +224,14 @@ TEST(NgcCycleModes, MFunctionsOfACycleStandAmongItsMotions) {
       functions.emplace_back(record->m, record->among_motions);
     }
   }
-  EXPECT_EQ(functions, (std::vector<std::pair<int, bool>>{{3, false},
+  EXPECT_EQ(functions, (std::vector<std::pair<int, bool>>{{3, true},
                                                           {5, true},
                                                           {3, true},
-                                                          {3, false},
-                                                          {8, false},
+                                                          {3, true},
+                                                          {8, true},
                                                           {4, true},
                                                           {3, true},
-                                                          {2, false}}));
+                                                          {2, true}}));
 }
 
 }  // namespace

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Alignment's part for M functions, which are events of one order with motions and dwells
+// (J-CMP-05). The block of one is that of the steps round it, so that this holds without line
+// numbers, too.
+#include <algorithm>
+#include <utility>
+
+#include "oracle/judge/alignment.hpp"
+#include "oracle/judge/mismatch.hpp"
+#include "oracle/judge/step_text.hpp"
+
+namespace gonogo::oracle {
+
+using reference::AlarmReport;
+using reference::NotCovered;
+
+namespace {
+
+// Whether the M function may come behind this step, which stands behind it.
+bool may_come_behind(const DueMFunction& due, const ReferenceSteps::Step& step) {
+  if (due.is_fixed || step.block != due.record.block) return false;
+  const bool waits = cuts(step.what) || dwell_of(step.what) != nullptr;
+  return !waits || !starts_something(due.record);
+}
+
+}  // namespace
+
+bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
+  return due.record.m == record.m &&
+         (!terms_.compare_blocks || due.record.block == record.block);
+}
+
+// J-CMP-05. Those of both sides are partners in their order, so that the subject's next one is the
+// reference's next whichever way its motions are read; what hangs on that is whether it may come
+// where the subject stands.
+Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number) {
+  if (!settle()) return MFunction::departs;
+  farthest_.reset();
+  bool is_taken = false;
+  std::vector<Hypothesis> reached;
+  for (Hypothesis& from : std::exchange(hypotheses_, {})) {
+    const MFunction met = meet_m_function(from, record, number);
+    is_taken = is_taken || met == MFunction::taken;
+    if (met != MFunction::departs) keep(std::move(from), reached);
+  }
+  if (!finish(std::move(reached))) return MFunction::departs;
+  if (is_taken) steps_.take_m_function();
+  return is_taken ? MFunction::taken : MFunction::of_alarm;
+}
+
+// Where it is due, or passed over and may come behind, or may come early; past what the subject
+// need not show.
+Alignment::MFunction Alignment::meet_m_function(Hypothesis& from, const Record& record,
+                                                std::size_t number) {
+  if (from.after_alarm) return MFunction::of_alarm;
+  Passing passing{true};
+  for (std::size_t passed = 0; passing.passed; ++passed) {
+    if (passes_too_many(from, passed)) return MFunction::departs;
+    const ReferenceSteps::Step& step = steps_.at(from.step + from.joined);
+    const auto waiting = steps_.waiting(step.m_functions);
+    if (!waiting.empty()) {
+      if (!is_told(waiting.front(), record)) break;
+      if (!is_within(from, waiting.front())) return MFunction::taken;
+    } else if (std::holds_alternative<AlarmReport>(step.what)) {
+      return MFunction::of_alarm;
+    } else if (auto* outside = std::get_if<NotCovered>(&step.what)) {
+      doubt(from.step, not_covered_verdict(*outside));
+      return MFunction::departs;
+    } else if (may_come_early(from, record)) {
+      return MFunction::taken;
+    }
+    passing = pass(from);
+  }
+  if (may_be_of_alarm(from, record)) return MFunction::of_alarm;
+  if (passing.why_not && from.open->is_judged_when_left()) {
+    refute(std::move(from), *std::move(passing.why_not));
+  } else {
+    refute_m_function(std::move(from), record, number);
+  }
+  return MFunction::departs;
+}
+
+void Alignment::refute_m_function(Hypothesis from, const Record& record, std::size_t number) {
+  const bool is_later = is_due_later(from, record);
+  const auto waiting = steps_.waiting(steps_.at(from.step + from.joined).m_functions);
+  if (waiting.empty()) {
+    if (is_later) return refute_early(std::move(from), record, number);
+    return refute(std::move(from), m_function_too_many(record, number));
+  }
+  const DueMFunction& due = waiting.front();
+  if (is_told(due, record)) {
+    refute(std::move(from), m_function_within(due.record, record, number));
+  } else if (is_later) {
+    refute_missing(std::move(from), due, record_text(record), number);
+  } else {
+    refute(std::move(from), other_m_function(due.record, record, number));
+  }
+}
+
+// J-PATH-13: where it is due behind the cut that the subject has left unfinished, the cut is short,
+// or goes on behind it.
+void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t number) {
+  const auto behind = steps_.waiting(step_behind(from).m_functions);
+  if (!from.piece || behind.empty() || !is_told(behind.front(), record)) {
+    const ReferenceStep& due = step_of(from).what;
+    OtherOrder late = late_dwell(due);
+    Verdict verdict = late.shows ? m_function_for_dwell(due, record, number)
+                                 : m_function_too_early(record, number);
+    return refute(
+        Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(late)});
+  }
+  OtherOrder goes_on = {[from, number](const Record& next) {
+                          const Motion motion = motion_from(from.at, next, number);
+                          return is_motion(next.kind) &&
+                                 !from.curve->follow(from.progress, motion).departs();
+                        },
+                        kComesEarly};
+  Verdict verdict = short_of(from.curve->motion(), *from.piece);
+  refute(Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(goes_on)});
+}
+
+void Alignment::refute_missing(Hypothesis from, const DueMFunction& due, std::string got,
+                               std::size_t number) {
+  Verdict verdict = m_function_missing(due.record, std::move(got), number);
+  refute(Refutation{std::move(from),
+                    std::nullopt,
+                    {},
+                    std::move(verdict),
+                    {[this, due](const Record& record) {
+                       return record.kind == RecordKind::m && is_told(due, record);
+                     },
+                     "An M function comes later than it is due."}});
+}
+
+const DueMFunction* Alignment::overdue_at(std::size_t number) {
+  const ReferenceSteps::Step& step = steps_.at(number);
+  for (const DueMFunction& due : steps_.waiting(step.m_functions)) {
+    if (!may_come_behind(due, step)) return &due;
+  }
+  return nullptr;
+}
+
+// A new name of the position shows in no record, and an alarm has rules of its own (J-CMP-08).
+const DueMFunction* Alignment::overdue(const Hypothesis& from) {
+  const ReferenceStep& what = step_of(from).what;
+  const bool is_passed_over = !from.is_fresh() || from.after_alarm ||
+                              std::holds_alternative<reference::Renaming>(what) ||
+                              std::holds_alternative<AlarmReport>(what);
+  return is_passed_over ? nullptr : overdue_at(from.step);
+}
+
+bool Alignment::waits_for_m_function(Hypothesis& from, const Motion& motion, Stage& stage) {
+  const DueMFunction* due = overdue(from);
+  if (due == nullptr) return false;
+  if (leads_nowhere(from, motion, step_of(from).place)) {
+    stay(std::move(from), motion, stage);
+  } else {
+    refute_missing(std::move(from), *due, record_text(motion.record), motion.number);
+  }
+  return true;
+}
+
+// Whether one that is not at its place stands between the motions of a cycle, or stops something
+// before the rest of a cut. A block that cuts and moves otherwise too is a cycle. What closes a
+// clamp may come once the tool is in place.
+bool Alignment::is_within(const Hypothesis& from, const DueMFunction& due) {
+  const ReferenceSteps::Step& here = step_of(from);
+  const std::uint64_t block = due.record.block;
+  const bool is_at_place = from.is_fresh() && from.step == due.step;
+  if (is_at_place || here.block != block || due.record.before_cut) return false;
+  if (here.cut_block == block) return true;
+  if (!from.is_fresh() && cuts(here.what) && stops_something(due.record)) return true;
+  const std::size_t next = from.is_fresh() ? from.step : from.step + from.joined + 1;
+  for (std::size_t number = next;; ++number) {
+    const ReferenceSteps::Step& step = steps_.at(number);
+    if (step.block != block || is_end(step.what)) return false;
+    if (cuts(step.what)) return true;
+  }
+}
+
+// One that stands behind the motions of its block, none of which cuts, may come before them.
+bool Alignment::may_come_early(const Hypothesis& from, const Record& record) {
+  const std::uint64_t block = step_of(from).block;
+  if (step_of(from).cut_block == block) return false;
+  for (std::size_t number = from.step;; ++number) {
+    const ReferenceSteps::Step& step = steps_.at(number);
+    if (const auto waiting = steps_.waiting(step.m_functions); !waiting.empty()) {
+      const DueMFunction& due = waiting.front();
+      return !due.is_fixed && due.record.block == block && is_told(due, record);
+    }
+    if (step.block != block || is_end(step.what) || cuts(step.what)) return false;
+  }
+}
+
+// J-CMP-08: of a block that alarms, with what a reading has moved of it.
+bool Alignment::may_be_of_alarm(const Hypothesis& from, const Record& record) {
+  const std::uint64_t block = step_of(from).block;
+  if (terms_.compare_blocks && record.block != block) return false;
+  for (std::size_t number = from.step; number < from.step + kLookAhead; ++number) {
+    const ReferenceSteps::Step& step = steps_.at(number);
+    if (step.block != block) return false;
+    if (is_end(step.what)) return std::holds_alternative<AlarmReport>(step.what);
+  }
+  return false;
+}
+
+bool Alignment::is_due_later(const Hypothesis& from, const Record& record) {
+  std::size_t number = from.step;
+  while (number < from.step + kLookAhead && !is_end(steps_.at(number).what)) ++number;
+  return std::ranges::any_of(steps_.waiting(),
+                             [&](const DueMFunction& due) { return is_told(due, record); });
+}
+
+}  // namespace gonogo::oracle
