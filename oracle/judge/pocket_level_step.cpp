@@ -29,7 +29,7 @@ std::string_view sentence(region::Rule rule) {
     case region::Rule::step:
       return "The step between the tool's paths is too wide.";
     case region::Rule::sense:
-      return "An arc of the level turns the wrong way.";
+      return "The level turns the wrong way round its middle.";
     case region::Rule::order:
       return "The tool cuts through solid material for more than the step.";
   }
@@ -54,7 +54,12 @@ bool same_level(const PocketLevel& a, const PocketLevel& b) {
 
 PocketLevelStep::PocketLevelStep(const PocketLevel& level, const Position& place,
                                  const JudgeTerms& terms, std::optional<JudgedLevel>& last)
-    : level_(level), axes_(axes_of(level.plane)), place_(place), terms_(terms), last_(last) {}
+    : level_(level),
+      axes_(axes_of(level.plane)),
+      place_(place),
+      terms_(terms),
+      last_(last),
+      again_(ring_width(level.step, terms.level_tolerance())) {}
 
 OpenStepAnswer PocketLevelStep::departs(VerdictKind kind, const Motion& motion,
                                         std::string message) const {
@@ -113,6 +118,9 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   feed.feed_mode = level_.feed_mode;
   if (!feeds_agree(feed, record, terms_)) {
     return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
+  }
+  if (!again_.allows(motion)) {
+    return departs(VerdictKind::fail_overrun, motion, std::string(kMilledTooOften));
   }
   region::LevelMotion part;
   part.is_arc = record.kind == RecordKind::arc;

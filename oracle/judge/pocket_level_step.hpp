@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/judge/open_step.hpp"
+#include "oracle/judge/progress.hpp"
 #include "oracle/region/level.hpp"
 #include "reference/outcome.hpp"
 
@@ -51,6 +52,7 @@ class PocketLevelStep : public OpenStep {
   Position plunge_;  // where the tool came down
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;  // the same, for the evidence
+  MilledAgain again_;
 };
 
 }  // namespace gonogo::oracle

@@ -3,7 +3,6 @@
 // PocketMillingJudge's part for levels and places: what a level clears, which depths it may have,
 // where the centre is, and what stays inside.
 #include <algorithm>
-#include <iterator>
 
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
@@ -78,6 +77,7 @@ OpenStepAnswer PocketMillingJudge::finish_floor_or_travel(const Motion& next) {
 }
 
 void PocketMillingJudge::close_level() {
+  again_.clear();
   motions_.clear();
   records_.clear();
   const std::optional<Number> place = due_place(depth_);
@@ -111,6 +111,7 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
 OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
   const region::RectangularLevel level = level_at(depth_);
   const bool whole = !level.cleared;
+  if (const OpenStepAnswer floor = check_contour_only(next); floor.is_decided()) return floor;
   const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
                      std::ranges::equal(judged_->motions, motions_, same_rounded_motion);
   if (known) return OpenStepAnswer::take();
@@ -124,43 +125,18 @@ OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
     taken_above_floor_ = true;
     return judge_level(next);
   }
-  if (item_.contour_only && rough_area_) {
-    const OpenStepAnswer floor = check_contour_only(next);
-    if (floor.is_decided()) return floor;
-  }
   judged_ = Judged{motions_, plunge_, whole};
   return OpenStepAnswer::take();
 }
 
-// SIE-LC75-07, J-PKT-10: the motions that touch the strip, and the plunge, mill the contour. Where
-// all motions clear the whole level and these alone do not, the others mill the floor.
-OpenStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) {
-  region::RectangularLevel whole = level_at(depth_);
-  whole.cleared.reset();
-  if (region::judge_level(whole, motions_).kind != region::LevelVerdict::Kind::go) {
-    return OpenStepAnswer::take();
-  }
-  const region::RoundedRectangle inner =
-      region::with_radius(rough_reach_, rough_reach_.radius + terms_.tolerance);
-  const auto stays_inside = [&](const region::LevelMotion& part) {
-    const bool turns = part.is_arc && !(part.from == part.centre) && !(part.to == part.centre);
-    if (turns) {
-      return region::reach_of_arc(region::make_arc(part, {}), inner).kind ==
-             region::Reach::Kind::inside;
-    }
-    return region::contains(inner, part.from) && region::contains(inner, part.to);
-  };
-  std::vector<region::LevelMotion> contour;
-  std::ranges::copy_if(motions_, std::back_inserter(contour),
-                       [&](const auto& part) { return !stays_inside(part); });
-  const region::LevelVerdict answer = region::judge_level(whole, contour);
-  if (answer.kind == region::LevelVerdict::Kind::gap)
-    return OpenStepAnswer::gap(answer.reason, answer.gap);
-  if (answer.kind == region::LevelVerdict::Kind::go) return OpenStepAnswer::take();
-  OpenStepAnswer fault = level_fault(answer.finding.value(), next.from);
+// SIE-LC75-07, J-PKT-10
+OpenStepAnswer PocketMillingJudge::check_contour_only(const Motion& next) const {
+  const std::optional<region::PlanePoint> place =
+      floor_cuts_ ? floor_cuts_->milled_place() : std::nullopt;
+  if (!place) return OpenStepAnswer::take();
+  OpenStepAnswer fault = level_fault({region::Rule::cover, std::nullopt, *place, {}}, next.from);
   fault.verdict.clause = "SIE-LC75-07"_clause;
-  fault.verdict.deviation_exact.clear();
-  fault.verdict.deviation_mm.clear();
+  fault.verdict.got = record_text(next.record);
   fault.verdict.message = "The floor is milled, where R124 and R125 ask for the contour alone.";
   return fault;
 }
@@ -298,11 +274,12 @@ region::LevelMotion PocketMillingJudge::own(const Motion& motion) const {
 std::optional<bool> PocketMillingJudge::stays_in(const Motion& motion,
                                                  const region::RoundedRectangle& area) const {
   const region::LevelMotion part = own(motion);
+  const bool turns = part.is_arc && !(part.from == part.to && part.from == part.centre);
+  // A spiral from its own centre, which may lead anywhere round it.
+  if (turns && (part.from == part.centre || part.to == part.centre)) return std::nullopt;
   const auto reach = [&](const Number& margin) {
     const region::RoundedRectangle limit = region::with_radius(area, area.radius + margin);
-    if (part.is_arc && !(part.from == part.centre) && !(part.to == part.centre)) {
-      return region::reach_of_arc(region::make_arc(part, {}), limit).kind;
-    }
+    if (turns) return region::reach_of_arc(region::make_arc(part, {}), limit).kind;
     const auto start = region::reach_of_point(part.from, limit).kind;
     const auto end = region::reach_of_point(part.to, limit).kind;
     return start == region::Reach::Kind::inside ? end : start;

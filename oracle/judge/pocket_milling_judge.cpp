@@ -30,7 +30,8 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
       rough_reach_(reach_),
       cleared_{item.clearance, item.clearance},
       last_depth_(item.clearance),
-      depth_(item.clearance) {
+      depth_(item.clearance),
+      again_(ring_width(item.tool_radius, terms.level_tolerance())) {
   // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
   const Number narrower = min(item.length, item.width) - item.allowance * 2;
   if (!item.finishing || narrower < item.tool_radius * 2) return;
@@ -39,6 +40,7 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
   rough_area_ = area_of(item.length - twice, item.width - twice, corner);
   rough_reach_ = region::eroded(*rough_area_, item.tool_radius).value();
   cleared_.rough = item.rough_floor;
+  if (item.contour_only) floor_cuts_.emplace(area_, item.tool_radius, rough_reach_);
 }
 
 Verdict PocketMillingJudge::incomplete(const Position& position) const {
@@ -90,12 +92,6 @@ bool PocketMillingJudge::may_begin_within(const Motion& rest) const {
 }
 
 OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
-  OpenStepAnswer answer = take_motion(motion);
-  if (is_limited() && is_cut(motion.record.kind)) answer.cost = OpenStepAnswer::Cost::free;
-  return answer;
-}
-
-OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (over_) return OpenStepAnswer::end(motion.from);
   if (terms_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
@@ -122,7 +118,12 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
     return departs(VerdictKind::fail_region, item_.clause, motion,
                    "The arc lies in another plane.");
   }
+  if (is_cut(kind) && !again_.allows(motion)) {
+    return departs(VerdictKind::fail_overrun, "SIE-LC75-04"_clause, motion,
+                   std::string(kMilledTooOften));
+  }
   take_slack_of(motion);
+  if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
   if (!goes_along_depth(motion)) return take_in_plane(motion);
@@ -132,6 +133,12 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
     if (answer.is_decided()) return answer;
   }
   return to < from ? take_down(motion) : take_travel(motion);
+}
+
+// At whatever feed.
+void PocketMillingJudge::note_floor_cut(const Motion& motion) {
+  const bool is_flat = !goes_along_depth(motion);
+  if (is_flat && is_floor(motion.to()[axes_.d])) floor_cuts_->add(own(motion));
 }
 
 bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
@@ -309,6 +316,10 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
                    "The tool travels where nothing is cleared.");
   }
+  if (traverses_on_floor(motion)) {
+    return departs(VerdictKind::fail_region, "SIE-LC75-11"_clause, motion,
+                   "The tool traverses on the floor of the pocket.");
+  }
   const std::optional<bool> inside = stays_in(motion, above ? reach_ : rough_reach_);
   if (!inside)
     return OpenStepAnswer::gap(GapReason::comparison,
@@ -317,6 +328,19 @@ OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   return departs(
       VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
       above ? "The tool leaves the pocket." : "The tool travels outside of what is cleared.");
+}
+
+// J-PKT-09: whether a traverse ends at the depth of a floor, be it the one that roughing left. Off
+// a floor it may begin; on the floor that it has roughed itself the tool may travel.
+bool PocketMillingJudge::traverses_on_floor(const Motion& motion) const {
+  if (motion.record.kind != RecordKind::rapid) return false;
+  const Number& from = motion.from[axes_.d];
+  const Number& to = motion.to()[axes_.d];
+  const bool leaves = to > from + terms_.tolerance;
+  const bool in_air = to >= item_.reference_plane - terms_.tolerance;
+  if (leaves || in_air) return false;
+  if (item_.finishing) return to <= cleared_.rough + terms_.tolerance;
+  return to < from - terms_.tolerance && is_floor(to);
 }
 
 // Whether a motion leads past R101 above the centre, behind the cycle. Without line numbers the
@@ -328,8 +352,8 @@ bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
 }
 
 OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
-  if (is_cut(motion.record.kind)) ++idle_cuts_;
   if (passes_retract_plane(motion)) {
+    if (OpenStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
     over_ = true;
     Position here = motion.to();
     here[axes_.d] = item_.retract;
@@ -345,7 +369,7 @@ OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   }
   // SIE-LC75-13: the end is above the centre at R101.
   over_ = agree(motion.to()[axes_.d], item_.retract, terms_.tolerance);
-  return OpenStepAnswer::take();
+  return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
 }
 
 // J-CYC-01: of roughing the first infeed follows the approach, at the centre. Of finishing
@@ -354,7 +378,8 @@ OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;
   if (item_.finishing || !first_ || milling_ || below) return OpenStepAnswer::take();
   const bool sinks = motion.to()[axes_.d] <= motion.from[axes_.d] + terms_.tolerance;
-  if (sinks && above_centre(motion.to())) return OpenStepAnswer::take();
+  const bool stays = above_centre(motion.to()) && !goes_round(motion, terms_.tolerance);
+  if (sinks && stays) return OpenStepAnswer::take();
   return departs(VerdictKind::fail_region, "SIE-LC75-04"_clause, motion,
                  "The tool moves away before the first infeed, where no clause leads it.");
 }

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "oracle/judge/open_step.hpp"
+#include "oracle/judge/progress.hpp"
 #include "oracle/region/frame.hpp"
+#include "oracle/region/milled_floor.hpp"
 #include "oracle/region/rectangle.hpp"
 #include "reference/outcome.hpp"
 
@@ -29,10 +31,6 @@ class PocketMillingJudge : public OpenStep {
   bool may_begin_within(const Motion& rest) const override;
 
  private:
-  OpenStepAnswer take_motion(const Motion& motion);
-  // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
-  // through what is cleared, of which a pocket may have as many as a level.
-  bool is_limited() const { return milling_ || idle_cuts_ <= region::kMaximumLevelMotions; }
   Verdict incomplete(const Position& position) const;
   // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
   struct Cleared {
@@ -56,6 +54,7 @@ class PocketMillingJudge : public OpenStep {
   OpenStepAnswer take_down(const Motion& motion);
   OpenStepAnswer take_travel(const Motion& motion);
   OpenStepAnswer check_travel(const Motion& motion) const;
+  bool traverses_on_floor(const Motion& motion) const;
   OpenStepAnswer check_first(const Motion& motion) const;
   bool passes_retract_plane(const Motion& motion) const;
   OpenStepAnswer check_plunge(const Motion& motion) const;
@@ -63,7 +62,8 @@ class PocketMillingJudge : public OpenStep {
   OpenStepAnswer finish_level(const Motion& next);
   OpenStepAnswer judge_level(const Motion& next);
   // SIE-LC75-07: whether the floor is milled where only the contour is to be.
-  OpenStepAnswer check_contour_only(const Motion& next);
+  OpenStepAnswer check_contour_only(const Motion& next) const;
+  void note_floor_cut(const Motion& motion);
   OpenStepAnswer level_fault(const region::Finding& finding, const Position& at) const;
   OpenStepAnswer departs(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                          std::string message) const;
@@ -114,7 +114,8 @@ class PocketMillingJudge : public OpenStep {
   std::optional<Verdict> floor_fault_;  // why not
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
-  std::size_t idle_cuts_ = 0;
+  MilledAgain again_;
+  std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled
   region::PlanePoint plunge_;
   bool floor_done_ = false;
   bool over_ = false;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CYC-02: which records make progress, so that they do not count against the budget of records.
+// J-CYC-02: which records make progress, so that they do not count against the budget of records;
+// and what a level of a pocket mills again and again.
 #pragma once
 
 #include <cstdint>
+#include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "oracle/judge/motion.hpp"
@@ -30,6 +33,32 @@ class VisitedPlaces {
  private:
   std::size_t step_ = 0;
   std::unordered_set<std::uint64_t> places_;
+};
+
+// J-CONST-05: how far apart rings count as two where the step, or the tool's radius, is the given
+// one.
+Number ring_width(const Number& step, const Number& tolerance);
+
+inline constexpr std::string_view kMilledTooOften =
+    "The tool goes over the same place of a level more than ten times.";
+
+// How often the cuts of a level make one motion, and how many turns they make on one ring.
+class MilledAgain {
+ public:
+  // Motions and rings no farther apart than `width` are one, mm.
+  explicit MilledAgain(const Number& width);
+
+  // Counts the cut. False when it makes one motion, or a turn on one ring, once too often.
+  bool allows(const Motion& cut);
+  // A new level begins.
+  void clear() { times_.clear(); }
+
+ private:
+  // J-CONST-05
+  static constexpr double kMostTimes = 10;
+
+  double width_;
+  std::unordered_map<std::uint64_t, double> times_;  // by places, as they hash
 };
 
 }  // namespace gonogo::oracle

@@ -101,6 +101,10 @@ bool BorderSense::runs_along(const Line& line) const {
   return is_beside(line) || along(LinePiece{line.a, line.b}) == Against::yes;
 }
 
+bool BorderSense::touches(const PlanePoint& at) const {
+  return inner_ && contains(outer_, at) && !is_nearly_inside(enclose(at));
+}
+
 bool BorderSense::is_long_enough(const PlanePoint& from, const PlanePoint& to) const {
   return norm(enclose(to) - enclose(from)).lo > shortest_;
 }

@@ -20,10 +20,10 @@ class BorderSense {
   Against of_line(const Line& line) const;
   Against of_arc(const Arc& arc, bool counterclockwise) const;
 
-  // Of pieces in a row, each too short to have a direction: whether one surely runs along the
-  // border, and whether a way along it from one point to another, long enough, goes against the
-  // sense.
+  // Of pieces in a row: whether one surely runs along the border, or a place lies on it, and
+  // whether a way along it from one point to another, long enough, goes against the sense.
   bool runs_along(const Line& line) const;
+  bool touches(const PlanePoint& place) const;
   bool is_long_enough(const PlanePoint& from, const PlanePoint& to) const;
   bool goes_against(const PlanePoint& from, const PlanePoint& to) const;
 

@@ -4,11 +4,7 @@
 #include <limits>
 
 namespace gonogo::oracle::region {
-namespace {
 
-constexpr int kMaximumDistanceStretches = 4'000;
-
-// Bounds of the distance to a round arc; the lower one holds wherever the nearest point is.
 Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
   const IntervalVector offset = point - arc.c;
   const Interval to_circle = absolute(norm(offset) - arc.ra);
@@ -26,6 +22,10 @@ Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
   const bool out = arc.sweep.wide ? before && after : before || after;
   return out ? to_end : Interval{std::min(to_circle.lo, to_end.lo), to_end.hi};
 }
+
+namespace {
+
+constexpr int kMaximumDistanceStretches = 4'000;
 
 Interval distance_to_stretch(const Arc& arc, const Stretch& stretch, const IntervalVector& point) {
   const IntervalVector offset = point - arc.c;

@@ -24,4 +24,7 @@ struct Path {
 // REQUIRES: the point is rational.
 std::optional<Number> excess(const Path& path, const PlanePoint& point, const Number& reach);
 
+// Bounds of the distance to a round arc; the lower one holds wherever the nearest point is.
+Interval distance_to_round(const Arc& arc, const IntervalVector& point);
+
 }  // namespace gonogo::oracle::region

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/rules.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "oracle/region/border_sense.hpp"
 #include "oracle/region/chords.hpp"
 #include "oracle/region/gouge.hpp"
 #include "oracle/region/order.hpp"
+#include "oracle/region/winding.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
@@ -54,7 +56,8 @@ class LevelJudge {
         method_(method),
         border_(terms.border()),
         surely_(border_, terms.sense, terms.tolerance - terms.slack),
-        perhaps_(border_, terms.sense, terms.tolerance + terms.slack) {
+        perhaps_(border_, terms.sense, terms.tolerance + terms.slack),
+        nearby_(enclose(min(terms.tool_radius, inner_radius(border_)) / Number(4)).lo) {
     if (terms.chord.sign() > 0) {
       chords_ = find_chords(motions, terms.chord + terms.tolerance);
       along_chords_.emplace(border_, terms.sense, terms.tolerance + terms.chord);
@@ -65,9 +68,16 @@ class LevelJudge {
 
  private:
   std::optional<LevelVerdict> sense();
+  bool turns_wrongly(const LevelMotion& motion) const;
+  std::optional<LevelVerdict> sense_along_border();
+  std::optional<LevelVerdict> sense_round_middle();
   std::optional<LevelVerdict> sense_of_pieces();
   std::optional<LevelVerdict> sense_of_chords();
   Against against(const LevelMotion& motion) const;
+  Line line_of(const LevelMotion& motion) const {
+    return make_line(motion.from - terms_.middle, motion.to - terms_.middle);
+  }
+  bool is_small(const LevelMotion& motion) const;
   bool is_against(const Arc& arc, bool counterclockwise) const {
     if (terms_.by_border) return surely_.of_arc(arc, counterclockwise) != Against::no;
     return counterclockwise != (terms_.sense > 0);
@@ -95,6 +105,7 @@ class LevelJudge {
   RoundedRectangle border_;
   BorderSense surely_;
   BorderSense perhaps_;
+  double nearby_;  // how far small motions lead from the border
   std::optional<BorderSense> along_chords_;
   std::vector<bool> chords_;  // of the motions, where they are granted
   Path path_;
@@ -132,7 +143,7 @@ LevelVerdict LevelJudge::judge() {
 // Against the sense along the border: only what is so whichever way the slack falls.
 Against LevelJudge::against(const LevelMotion& motion) const {
   const auto by = [&](const BorderSense& border) {
-    if (!motion.is_arc) return border.of_line(make_line(motion.from, motion.to));
+    if (!motion.is_arc) return border.of_line(line_of(motion));
     return border.of_arc(make_arc(motion, terms_.middle), motion.rot > 0);
   };
   if (motion.is_arc) {
@@ -146,47 +157,88 @@ Against LevelJudge::against(const LevelMotion& motion) const {
   return surely == by(perhaps_) ? surely : Against::undecided;
 }
 
+// What leads nowhere has none.
+bool has_sense(const LevelMotion& motion, const Number& tolerance) {
+  return !motion.is_arc || (moves(motion) && !is_ambiguous(motion, tolerance));
+}
+
 std::optional<LevelVerdict> LevelJudge::sense() {
-  for (const LevelMotion& motion : motions_) {
-    if (motion.is_arc && (!moves(motion) || is_ambiguous(motion, terms_.tolerance))) continue;
-    if (terms_.by_border) {
-      // SIE-LC75-12: of all motions, those along the border.
-      const Against answer = against(motion);
-      if (answer == Against::undecided)
-        doubt(GapReason::comparison, "Whether a motion follows the border is undecided.");
-      if (answer != Against::yes) continue;
-    } else {
-      // GSK-G110-09: by arcs turning the commanded way.
-      if (!motion.is_arc) continue;
-      if (motion.rot != 0 && (motion.rot > 0) == (terms_.sense > 0)) continue;
-      if (motion.rot == 0 && motion.from == motion.to) continue;
+  if (!terms_.by_border) {
+    for (const LevelMotion& motion : motions_) {
+      if (turns_wrongly(motion)) return broken(Rule::sense, motion.record, motion.from, Number());
     }
-    return broken(Rule::sense, motion.record, motion.from, Number());
   }
-  if (terms_.by_border) return sense_of_pieces();
+  if (auto verdict = sense_along_border()) return verdict;
+  if (auto verdict = sense_of_pieces()) return verdict;
+  if (terms_.by_border) return std::nullopt;
+  if (auto verdict = sense_round_middle()) return verdict;
   return terms_.chord.sign() > 0 ? sense_of_chords() : std::nullopt;
 }
 
-// J-PKT-06: straight pieces that run along the border one after the other, as one.
+// GSK-G110-09: by arcs turning the commanded way.
+bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
+  if (!motion.is_arc || !has_sense(motion, terms_.tolerance)) return false;
+  if (motion.rot == 0) return !(motion.from == motion.to);
+  return (motion.rot > 0) != (terms_.sense > 0);
+}
+
+// J-PKT-06, SIE-LC75-12: of all motions, those along the border.
+std::optional<LevelVerdict> LevelJudge::sense_along_border() {
+  for (const LevelMotion& motion : motions_) {
+    if (!has_sense(motion, terms_.tolerance)) continue;
+    const Against answer = against(motion);
+    if (answer == Against::undecided)
+      doubt(GapReason::comparison, "Whether a motion follows the border is undecided.");
+    if (answer == Against::yes) return broken(Rule::sense, motion.record, motion.from, Number());
+  }
+  return std::nullopt;
+}
+
+// J-PKT-06: rings round the middle, in pieces of any kind.
+std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
+  const Number blur = Number(8) * terms_.tolerance;
+  Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0), blur);
+  for (const LevelMotion& motion : motions_) {
+    if (!has_sense(motion, terms_.tolerance)) continue;
+    const Against answer = winding.add(motion);
+    if (answer == Against::undecided)
+      doubt(GapReason::comparison, "Which way the path goes round is undecided.");
+    if (answer == Against::yes) return broken(Rule::sense, motion.record, motion.from, Number());
+  }
+  return std::nullopt;
+}
+
+// Whether the motion stays near where it begins.
+bool LevelJudge::is_small(const LevelMotion& motion) const {
+  const IntervalVector way = enclose(motion.to) - enclose(motion.from);
+  if (!(norm(way).hi <= nearby_)) return false;
+  if (!motion.is_arc || motion.rot == 0) return true;
+  if (motion.from == motion.centre || motion.to == motion.centre) return true;
+  const Arc arc = make_arc(motion, terms_.middle);
+  return 2 * std::max(arc.ra.hi, arc.rb.hi) <= nearby_ || (arc.turns == 0 && !arc.sweep.wide);
+}
+
+// J-PKT-06: small motions in a row that touch the border again and again, as one along it; straight
+// chords that run along it likewise.
 std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
-  std::optional<PlanePoint> start;
+  std::optional<PlanePoint> touch;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LevelMotion& motion = motions_[i];
     if (!motion.is_arc && motion.from == motion.to) continue;
     const BorderSense& border = is_chord(i) ? *along_chords_ : surely_;
     const BorderSense& length = is_chord(i) ? *along_chords_ : perhaps_;
-    // A longer one of those that are no chords is judged by itself.
-    const bool has_direction = !is_chord(i) && length.is_long_enough(motion.from, motion.to);
-    if (motion.is_arc || has_direction || !border.runs_along(make_line(motion.from, motion.to))) {
-      start.reset();
-      continue;
-    }
-    if (!start) start = motion.from;
-    if (!length.is_long_enough(*start, motion.to)) continue;
-    if (length.goes_against(*start, motion.to)) {
+    const PlanePoint to = motion.to - terms_.middle;
+    const bool follows = is_chord(i) && border.runs_along(line_of(motion));
+    const bool is_near =
+        is_small(motion) && touch && norm(enclose(to) - enclose(*touch)).hi <= nearby_;
+    if (!follows && !is_near) touch.reset();
+    if (!border.touches(to)) continue;
+    if (!touch) touch = follows ? motion.from - terms_.middle : to;
+    if (!length.is_long_enough(*touch, to)) continue;
+    if (length.goes_against(*touch, to)) {
       return broken(Rule::sense, motion.record, motion.from, Number());
     }
-    start = motion.to;
+    touch = to;
   }
   return std::nullopt;
 }

@@ -67,6 +67,55 @@ TEST(RecordBudget, RingsMilledOverAndOverAreStopped) {
   EXPECT_EQ(judge_trace(kPocket, leave(trace)).kind, VerdictKind::fail_overrun);
 }
 
+// Rings of 3, 6, 9, 12, the last so many times more, in so many arcs each, or in one record.
+std::string last_ring_again(int times, int pieces, int in_one_record = 0) {
+  TraceText trace = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring(trace, radius, 2);
+  for (int k = 0; k < times; ++k) ring(trace, 12, pieces);
+  if (in_one_record != 0) {
+    trace.arc("G18", {{'x', 25}, {'z', 50}}, in_one_record, {{'x', 25}, {'z', 62}});
+  }
+  return leave(trace);
+}
+
+// J-CYC-02: ten times is an allowance, an eleventh time is too many.
+TEST(RecordBudget, ARingIsTurnedOnTenTimes) {
+  for (const int pieces : {1, 2, 7, 60}) {
+    EXPECT_EQ(decision(judge_trace(kPocket, last_ring_again(9, pieces)).kind), Decision::go);
+    EXPECT_EQ(judge_trace(kPocket, last_ring_again(50, pieces)).kind, VerdictKind::fail_overrun)
+        << pieces;
+  }
+}
+
+// No time hangs on how many turns a record makes.
+TEST(RecordBudget, TurnsCountWhereOneRecordMakesThem) {
+  EXPECT_EQ(decision(judge_trace(kPocket, last_ring_again(0, 1, -9)).kind), Decision::go);
+  for (const int rot : {-11, -1'000'000'000, -2'147'483'647}) {
+    EXPECT_EQ(judge_trace(kPocket, last_ring_again(0, 1, rot)).kind, VerdictKind::fail_overrun)
+        << rot;
+  }
+}
+
+// Off the middle, and on a link to and fro.
+TEST(RecordBudget, TurnsAsideAndLinksToAndFroAreCountedToo) {
+  TraceText aside = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring(aside, radius, 2);
+  aside.arc("G18", {{'x', 25}, {'z', 61.5}}, -1'000'000, {{'x', 25}, {'z', 62}});
+  EXPECT_EQ(judge_trace(kPocket, leave(aside)).kind, VerdictKind::fail_overrun);
+  TraceText links = approach();
+  for (const double radius : {3.0, 6.0, 9.0, 12.0}) ring(links, radius, 2);
+  for (int k = 0; k < 40; ++k) links.feed({{'z', k % 2 == 0 ? 50.0 : 62.0}});
+  EXPECT_EQ(judge_trace(kPocket, leave(links)).kind, VerdictKind::fail_overrun);
+}
+
+// 300 rings 0.04 apart, L / 75, each in its own place.
+TEST(RecordBudget, ManyRingsASmallStepApartAreGo) {
+  TraceText trace = approach();
+  for (int k = 1; k <= 300; ++k) ring(trace, 0.04 * k, 2);
+  const Verdict verdict = judge_trace(kPocket, leave(trace));
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
 TEST(RecordBudget, ALineInFiveThousandPiecesIsGo) {
   TraceText trace(1, 200);
   trace.rapid({{'x', 65}, {'z', 5}}).block(2, 200);

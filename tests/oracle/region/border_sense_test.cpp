@@ -112,6 +112,28 @@ TEST(BorderSense, AWholeTurnGoesAsItTurns) {
   EXPECT_TRUE(breaks(Rule::sense, job));
 }
 
+// J-PKT-06: no motion runs along the border, for each leads 0.01 or 0.025 away from it, but the row
+// does. Upward along the right side is counterclockwise.
+TEST(BorderSense, SmallMotionsThatTouchTheBorderGoAsTheirRow) {
+  for (const bool round : {false, true}) {
+    for (const int side : {1, -1}) {
+      Pocket job = cleared();
+      line_to(job, {mm("24.25"), 0});
+      for (int k = 1; k <= 40; ++k) {
+        const Number q = Number(side * k) / Number(20);
+        const Number middle = q - Number(side) / Number(40);
+        if (round) {
+          arc_to(job, {mm("24.25"), q}, {mm("24.25"), middle}, -side);
+        } else {
+          line_to(job, {mm("24.24"), middle});
+          line_to(job, {mm("24.25"), q});
+        }
+      }
+      EXPECT_TRUE(side > 0 ? is_go(job) : breaks(Rule::sense, job)) << round;
+    }
+  }
+}
+
 // A turn whose end was rounded away from its start, the wrong way: it may be no motion at all.
 TEST(BorderSense, AnEndATinyWayFromTheStartIsReadAsItFits) {
   Pocket job = pocket("40", "40", "20", "5", "0");

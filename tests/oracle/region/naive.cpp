@@ -255,6 +255,23 @@ std::string flaw_of_hole(const Job& job, const Finding& finding) {
   return {};
 }
 
+// An arc that turns the other way; or a path that goes back about the middle, sampled.
+std::string flaw_of_sense(const Job& job, const LevelMotion& motion) {
+  if (motion.is_arc && (motion.rot > 0) != (job.level.sense > 0)) return "";
+  const std::vector<Sample> samples = samples_of(job, 0.02);
+  double back = 0;
+  double most = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const Sample& a = samples[k - 1];
+    const Sample& b = samples[k];
+    if (std::hypot(a.x, a.y) < 0.1 || std::hypot(b.x, b.y) < 0.1) continue;
+    back -= job.level.sense * std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+    back = std::max(back, 0.0);
+    most = std::max(most, back);
+  }
+  return most > std::numbers::pi / 4 ? "" : "turns as it should";
+}
+
 }  // namespace
 
 std::string flaw_of_finding(const Job& job, const Finding& finding) {
@@ -262,9 +279,7 @@ std::string flaw_of_finding(const Job& job, const Finding& finding) {
   const PlanePoint& w = finding.witness;
   if (finding.rule == Rule::cover || finding.rule == Rule::step) return flaw_of_hole(job, finding);
   const LevelMotion& motion = job.motions.at(finding.record.value());
-  if (finding.rule == Rule::sense) {
-    return motion.is_arc && (motion.rot > 0) != (level.sense > 0) ? "" : "turns as it should";
-  }
+  if (finding.rule == Rule::sense) return flaw_of_sense(job, motion);
   const double x = approximate(w.p - level.centre.p);
   const double y = approximate(w.q - level.centre.q);
   if (finding.rule == Rule::order) return flaw_of_disorder(job, finding, x, y);

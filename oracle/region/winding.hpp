@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// J-PKT-06: how far the path of a level goes back round the middle of its pocket, whatever way each
+// of its arcs turns.
+#pragma once
+
+#include "oracle/region/border_sense.hpp"
+
+namespace gonogo::oracle::region {
+
+// The angle swept about the middle by the motions of a level, in the order of time.
+class Winding {
+ public:
+  // `sense`: + counterclockwise. A straight motion longer than `longest` travels and counts only
+  // where it leads the commanded way. What comes nearer to the middle than `blur` may pass it on
+  // either side.
+  Winding(const PlanePoint& middle, int sense, const Number& longest, const Number& blur);
+
+  // Whether the path has gone back by more than three quarters of a turn, with this motion.
+  Against add(const LevelMotion& motion);
+
+ private:
+  double angle_of(const LevelMotion& motion) const;
+
+  PlanePoint middle_;
+  int sense_;
+  double longest_;
+  double blur_;
+  double back_ = 0;  // since the path was farthest on; an angle
+};
+
+}  // namespace gonogo::oracle::region
