@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
+#include "oracle/judge/labels.hpp"
 #include "oracle/judge/m_functions.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
@@ -178,10 +179,7 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTer
   const auto* want = std::get_if<Record>(&step);
   if (want == nullptr || want->kind != RecordKind::dwell) return false;
   if (terms.compare_blocks && want->block != dwell.block) return false;
-  const Number difference = abs(want->seconds - dwell.seconds);
-  return difference.sign() == 0 ||
-         (terms.binary64 && difference <= want->seconds * Number::binary(1, -51)) ||
-         (terms.resolution && difference * 2 <= *terms.resolution);
+  return times_agree(*want, dwell, terms);
 }
 
 // J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.

@@ -36,6 +36,7 @@ LevelVerdict judge_level_by(Method method, const CircularLevel& level,
   terms.plunge = level.plunge;
   terms.tolerance = level.tolerance;
   terms.chord = level.chord;
+  terms.open_turns = level.open_turns.value_or(OpenTurns{level.tolerance});
   return judge_by_rules(terms, motions, method);
 }
 
@@ -56,6 +57,7 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
   terms.tolerance = level.tolerance;
   terms.slack = level.slack;
   terms.chord = level.chord;
+  terms.open_turns = level.open_turns.value_or(OpenTurns{level.tolerance});
   return judge_by_rules(terms, motions, method);
 }
 
