@@ -212,7 +212,7 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
   const Clearance clear =
       geometry_.clearance(motion, promises_clearance() ? item_.start_radius : radius());
   if (clear.kind != Clearance::Kind::clear) {
-    if (item_.runout_length.sign() != 0 && run_out_->all_end_in_material()) {
+    if (item_.runout_length.sign() != 0 && run_out_->must_end_in_material()) {
       return OpenStepAnswer::gap("The run-out of the reading ends in the material.");
     }
     return touching(clear, "GSK-G114-10"_clause, motion,
