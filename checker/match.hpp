@@ -26,7 +26,9 @@ struct Terms {
   Real tolerance;                           // mm
   std::optional<Rational> resolution;       // lengths are rounded to it
   std::optional<Rational> feed_resolution;  // feeds are rounded to it
+  Rational increment = Rational(1, 1000);   // of the machine: the coarsest rounding
   bool is_binary64 = false;                 // feeds may be off by 2 ulp
+  bool is_exact = false;                    // it says that no number is rounded
   bool has_blocks = true;                   // the records name source lines
   bool has_functions = true;                // M functions are told
 };

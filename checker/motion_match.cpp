@@ -38,16 +38,33 @@ Real absolute(const Real& value) {
   return value.is_negative() == Truth::yes ? -value : value;
 }
 
-Truth same_angle(const Real& want, const Real& got, const Real& tolerance) {
-  const Real difference = want - got;
-  const Rational turns = floor_of(Rational(difference.low() / 360 + Rational(1, 2)));
-  return within(difference, Real(Rational(turns * 360)), tolerance);
+// The last place of a decimal as a number; nothing where it is no decimal.
+std::optional<Rational> last_place(const Real& value) {
+  if (!value.is_rational()) return std::nullopt;
+  mpz_class rest = value.low().get_den();
+  mpz_class scale = 1;
+  for (; mpz_divisible_ui_p(rest.get_mpz_t(), 10) != 0; scale *= 10) rest /= 10;
+  for (const unsigned prime : {2U, 5U}) {
+    for (; mpz_divisible_ui_p(rest.get_mpz_t(), prime) != 0; scale *= 10) rest /= prime;
+  }
+  if (rest != 1) return std::nullopt;
+  return Rational(1, scale);
 }
 
 bool plane_near(const Motion& arc, const Real& reach) {
   const Plane& plane = arc.record.plane;
   return (within(*arc.from[plane.first], *arc.to[plane.first], reach) &&
           within(*arc.from[plane.second], *arc.to[plane.second], reach)) != Truth::no;
+}
+
+// Of an arc whose ends are near each other: those that the last one nearly completes are counted,
+// one that has hardly begun is not. Nothing: undecided.
+std::optional<long> whole_turns(const Motion& arc) {
+  const long size = arc.record.rotation < 0 ? -arc.record.rotation : arc.record.rotation;
+  const Real side = cross(arc.record.plane, arc.record.centre, arc.from, arc.to);
+  const Truth begun = (arc.record.rotation < 0 ? -side : side).is_positive();
+  if (begun == Truth::unknown) return std::nullopt;
+  return begun == Truth::yes ? size - 1 : size;
 }
 
 // Whether the radius at the start may be about the tolerance.
@@ -61,13 +78,18 @@ bool is_tiny(const Motion& arc, const Real& tolerance) {
 
 namespace {
 
-// J-PATH-04: equal, or no farther off than rounding to the resolution makes it.
+// J-PATH-04: equal, or no farther off than rounding to the resolution makes it; where none is
+// declared, than rounding to the number's own last place and no more coarsely than the machine.
 Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>& resolution,
                 const Terms& terms) {
   Truth answer = equal(want, got);
   if (answer == Truth::yes) return answer;
-  if (resolution) answer = answer || within(want, got, Real(Rational(*resolution / 2)));
-  if (terms.is_binary64 && want.low() != 0) {
+  std::optional<Rational> step = resolution;
+  if (!step) step = last_place(got);
+  if (step && !resolution) step = std::min(*step, terms.increment);
+  if (step) answer = answer || within(want, got, Real(Rational(*step / 2)));
+  const bool may_be_double = terms.is_binary64 || (!terms.is_exact && !resolution);
+  if (may_be_double && want.low() != 0) {
     answer = answer || within(want, got, Real(Rational(2 * ulp_of(want.low()))));
   }
   return answer;
@@ -81,6 +103,12 @@ Truth feed_agrees(const Real& want, const Real& got, const Terms& terms) {
 
 Truth lead_agrees(const Real& want, const Real& got, const Terms& terms) {
   return rounds_to(want, got, terms.resolution, terms);
+}
+
+// Whole turns apart are the same.
+Truth angle_agrees(const Real& want, const Real& got, const Terms& terms) {
+  const Rational turns = floor_of(Rational((got - want).low() / 360 + Rational(1, 2)));
+  return rounds_to(want + Real(Rational(turns * 360)), got, terms.resolution, terms);
 }
 
 Truth root_at_most(const Real& x, const Real& y, const Real& t) {
@@ -133,7 +161,7 @@ StepAnswer MotionMatch::check_words(const Motion& got) const {
   if (want.per_revolution != have.per_revolution) return departs("the units of the feeds differ");
   Truth same = feed_agrees(want.feed, have.feed, terms_) &&
                lead_agrees(want.lead, have.lead, terms_) &&
-               same_angle(want.start, have.start, terms_.tolerance);
+               angle_agrees(want.start, have.start, terms_);
   if (same != Truth::yes) return answer(same, "feed, lead or start angle differ");
   if (equal(want.seconds, have.seconds) == Truth::yes) return {};
   const Truth near = within(want.seconds, have.seconds, terms_.tolerance);
@@ -262,25 +290,26 @@ StepAnswer MotionMatch::arc_so_far(const Motion& so_far) const {
   if (ends == Truth::unknown) return undecided("the ends may differ");
   const long wanted = want.rotation < 0 ? -want.rotation : want.rotation;
   const long made = so_far.record.rotation < 0 ? -so_far.record.rotation : so_far.record.rotation;
-  if (wanted == made) return {};
-  // Fewer turns may be the first of several pieces of a helix.
-  if (made < wanted - 1) return undecided("a helix in pieces");
   if (!plane_near(want_, Real(3) * terms_.tolerance)) {
+    if (wanted == made) return {};
     return made < wanted ? undecided("a helix in pieces") : departs("the turns differ");
   }
-  // The ends are so near that rounding decides between the nil and the full last turn: the whole
-  // turns of the expectation are counted, and either is taken from the subject. But where it ends
-  // exactly where it starts the turn is a full one, and after others one that it nearly makes.
-  const Real side = cross(want.plane, want.centre, want_.from, want_.to) * Real(want.rotation);
-  const long turns = side.is_positive() == Truth::yes ? wanted - 1 : wanted;
-  if (is_tiny(want_, terms_.tolerance) || !plane_near(want_, terms_.tolerance)) {
-    return undecided("how many turns a small arc makes");
+  // J-PATH-06. The ends are so near that it hangs on the last digits what the last turn is.
+  if (is_tiny(want_, terms_.tolerance)) return undecided("how many turns a small arc makes");
+  const auto due = whole_turns(want_);
+  const auto told = whole_turns(so_far);
+  if (!due || !told) return undecided("how many turns an arc makes");
+  if (*due == *told) return {};
+  // Rounded, one that has hardly begun may be whole, and a whole one alone may be none.
+  const bool may_be_meant = *told == made ? made == 1 && *due == 0 : *due == made;
+  if (!terms_.is_exact && may_be_meant) {
+    return undecided("rounding may decide how many turns an arc makes");
   }
-  const Real own = cross(want.plane, want.centre, so_far.from, so_far.to) * Real(want.rotation);
-  const bool may_be_nil =
-      !plane_near(so_far, Real(0)) && (made == 1 || own.is_positive() != Truth::no);
-  if (turns == made || (may_be_nil && turns == made - 1)) return {};
-  return turns > made ? undecided("a helix in pieces") : departs("the turns differ");
+  if (*told > *due) return departs("the turns differ");
+  const std::size_t third = want.plane.third;
+  const bool is_flat = want_.from[third] && want_.to[third] &&
+                       equal(*want_.from[third], *want_.to[third]) == Truth::yes;
+  return is_flat ? StepAnswer{Step::part, "turns are missing"} : undecided("a helix in pieces");
 }
 
 // The end differs: it may be a piece of the arc.

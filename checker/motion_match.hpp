@@ -53,6 +53,7 @@ class MotionMatch {
 // declared makes them.
 Truth feed_agrees(const Real& want, const Real& got, const Terms& terms);
 Truth lead_agrees(const Real& want, const Real& got, const Terms& terms);
+Truth angle_agrees(const Real& want, const Real& got, const Terms& terms);
 // sqrt(x) <= sqrt(y) + t, for x, y, t not negative.
 Truth root_at_most(const Real& x, const Real& y, const Real& t);
 

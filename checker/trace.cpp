@@ -61,7 +61,9 @@ Terms terms_of(const Json& header, std::string_view dialect, const Json& profile
     terms.feed_resolution = parse_rational(feeds->text);
   }
   const Json* kind = numeric.find("kind");
+  terms.increment = least;
   terms.is_binary64 = kind != nullptr && kind->text == "binary64";
+  terms.is_exact = kind != nullptr && kind->text == "exact";
   terms.has_blocks = lists(subject, "blocks");
   terms.has_functions = lists(subject, "m");
   return terms;

@@ -32,6 +32,7 @@ struct SubjectInfo {
   bool recorded = false;  // captured output: what is not there was not asked of the machine
   std::set<std::string> features;         // "blocks", "m", "bytes"
   std::string numeric_kind = "exact";     // fixed, binary64, exact
+  bool says_numeric = false;              // whether it said so itself
   std::optional<Number> resolution;       // mm
   std::optional<Number> feed_resolution;  // mm/min or mm/rev
   std::optional<Number> chord;            // mm

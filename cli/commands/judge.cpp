@@ -34,6 +34,7 @@ oracle::JudgeTerms terms_for(const TraceFeatures& features, const JudgeOptions& 
   subject.resolution = length_option(options.resolution, "--resolution");
   if (subject.resolution) subject.numeric_kind = "fixed";
   if (!options.numeric.empty()) subject.numeric_kind = options.numeric;
+  subject.says_numeric = subject.resolution || !options.numeric.empty();
   return make_terms(subject, profile, options.limits.grants());
 }
 

@@ -15,7 +15,8 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json numeric_json(const SubjectInfo& subject) {
-  Json numeric = {{"kind", subject.numeric_kind}};
+  Json numeric = Json::object();
+  if (subject.says_numeric) numeric["kind"] = subject.numeric_kind;
   if (subject.resolution) numeric["resolution"] = subject.resolution->text();
   if (subject.feed_resolution) numeric["feed_resolution"] = subject.feed_resolution->text();
   if (subject.chord) numeric["chord"] = subject.chord->text();

@@ -24,7 +24,8 @@ std::string subject_json(const SubjectInfo& subject) {
   reply["subject"] = {{"name", subject.name}, {"version", subject.version}};
   if (!subject.everything) reply["dialects"] = subject.dialects;
   reply["features"] = subject.features;
-  reply["numeric"] = {{"kind", subject.numeric_kind}};
+  reply["numeric"] = nlohmann::ordered_json::object();
+  if (subject.says_numeric) reply["numeric"]["kind"] = subject.numeric_kind;
   if (subject.resolution) reply["numeric"]["resolution"] = subject.resolution->text();
   if (subject.feed_resolution) {
     reply["numeric"]["feed_resolution"] = subject.feed_resolution->text();

@@ -128,6 +128,7 @@ RunTerms run_terms(const Json& header) {
   terms.subject.version = text_of(subject, "version");
   if (const std::string kind = text_of(numeric, "kind"); !kind.empty()) {
     terms.subject.numeric_kind = kind;
+    terms.subject.says_numeric = true;
   }
   terms.subject.resolution = number_of(numeric, "resolution");
   terms.subject.feed_resolution = number_of(numeric, "feed_resolution");

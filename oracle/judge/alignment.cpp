@@ -115,7 +115,7 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
     }
     other.exact = other.exact || hypothesis.exact;
     other.rounded = other.rounded || hypothesis.rounded;
-    if (!hypothesis.advice) other.advice.reset();
+    if (!hypothesis.instead) other.instead.reset();
     return;
   }
   reached.push_back(std::move(hypothesis));

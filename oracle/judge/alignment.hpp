@@ -45,7 +45,7 @@ struct Hypothesis {
   bool rounded = true;  // ... or correctly rounded
   RoundingCensus coordinates;
   std::size_t property_motions = 0;
-  std::optional<Verdict> advice;  // of what was passed over, the first
+  std::optional<Verdict> instead;  // of a pass: an advice or a gap, the first that it went on behind
 
   // Whether nothing of its step has been seen.
   bool is_fresh() const { return !curve && !open; }

@@ -109,6 +109,9 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
       next.exact = next.exact && grade.exact;
       next.rounded = next.rounded && grade.rounded;
       is_exact = is_exact || grade.exact;
+      if (way.progress.doubt != nullptr && !next.instead) {
+        next.instead = gap_verdict(GapReason::comparison, way.progress.doubt);
+      }
       leave_motion(next);
     } else {
       next.progress = way.progress;
@@ -202,7 +205,7 @@ bool Alignment::takes_coarse_centre(const Hypothesis& from, const Motion& motion
       coarse_centre_advice(answer, motion, from.curve->motion(), terms_);
   if (!advice) return false;
   Hypothesis next = from;
-  if (!next.advice) next.advice = std::move(advice);
+  if (!next.instead) next.instead = std::move(advice);
   next.at = next.anchor = motion.to();
   leave_motion(next);
   keep(std::move(next), stage.reached);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/places.hpp"
 
 namespace gonogo::oracle {
@@ -11,11 +12,6 @@ namespace {
 
 using reference::kAllAxes;
 using reference::PlaneAxes;
-
-// 2^-exponent of the magnitude of a.
-Number scaled_down(const Number& a, int exponent) {
-  return abs(a) * Number::binary(1, -exponent);
-}
 
 // The parameters t of [0, 1] at which from + t (to - from) agrees with `point` on every axis.
 struct Span01 {
@@ -62,15 +58,6 @@ bool moves_one_axis(const Motion& motion, const Number& tolerance) {
   return std::ranges::count_if(kAllAxes, [&](Axis axis) { return moved.has(axis); }) == 1;
 }
 
-// J-PATH-04: whether `got` is the exact value, or that correctly rounded.
-bool rounds_to(const Number& exact, const Number& got, const std::optional<Number>& resolution,
-               const JudgeTerms& terms) {
-  if (resolution && agree(exact * 2, got * 2, *resolution)) return true;
-  // J-CONST-03. Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
-  if (terms.binary64 && agree(exact, got, scaled_down(exact, 51))) return true;
-  return exact == got;
-}
-
 }  // namespace
 
 Axis longest_axis(const Motion& motion) {
@@ -84,11 +71,6 @@ Axis longest_axis(const Motion& motion) {
     }
   }
   return longest;
-}
-
-bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms) {
-  return reference.feed_mode == subject.feed_mode &&
-         rounds_to(reference.feed, subject.feed, terms.feed_resolution, terms);
 }
 
 Curve::Curve(Motion reference, const JudgeTerms& terms, std::optional<OpenArc> open)
@@ -115,7 +97,7 @@ CurveAnswer Curve::follow_any(const CurveProgress& from, const Motion& subject) 
   const RecordKind got = subject.record.kind;
   if (got == RecordKind::feed && is_flat_arc3()) return follow_line(from, subject);
   if (round_) return follow_round(from, subject);
-  if (want == RecordKind::feed && got == RecordKind::arc3) return follow_flat(from, subject);
+  if (want == RecordKind::feed && is_round(got)) return follow_flat(from, subject);
   if (want != got) {
     return CurveAnswer::departs(Departure::kind, "The motion is of another kind.");
   }
@@ -124,21 +106,15 @@ CurveAnswer Curve::follow_any(const CurveProgress& from, const Motion& subject) 
   return follow_line(from, subject);
 }
 
-// J-PATH-03. A line whose lead counts instead of a feed. The spindle angle is that of its
-// beginning: of the first of several pieces.
+// J-PATH-03. A line whose lead counts instead of a feed. A piece that goes on has the spindle angle
+// of the first: at another one it would cut beside the groove.
 CurveAnswer Curve::follow_thread(const CurveProgress& from, const Motion& subject) const {
-  const Record& want = reference_.record;
-  const Record& got = subject.record;
-  const bool begins = agree(subject.from, reference_.from, terms_.tolerance);
   CurveAnswer answer = follow_line(from, subject);
   if (answer.departs()) return answer;
-  if (!rounds_to(want.lead, got.lead, terms_.resolution, terms_)) {
+  if (!leads_agree(reference_.record, subject.record, terms_)) {
     return CurveAnswer::departs(Departure::feed, "The lead differs.");
   }
-  const Number turn = 360;
-  const Number apart = got.start - want.start - turn * ((got.start - want.start) / turn).floor();
-  if (begins && !rounds_to(want.start, got.start, terms_.resolution, terms_) &&
-      !rounds_to(0, min(apart, turn - apart), terms_.resolution, terms_)) {
+  if (!start_angles_agree(reference_.record, subject.record, terms_)) {
     return CurveAnswer::departs(Departure::geometry,
                                 "The thread starts at another angle of the spindle.");
   }
@@ -161,16 +137,14 @@ CurveAnswer Curve::follow_traverse(const CurveProgress& from, const Motion& subj
   CurveProgress progress = from;
   const bool done = agree(subject.to(), reference_.to(), terms_.tolerance);
   if (!done) {
-    // Not the piece's own end: steps back within the tolerance must not add up. By estimates, of
-    // which each is nearer than the one before, for places at enclosures may be equal.
+    // Not the piece's own end: steps back within the tolerance must not add up.
     Position nearest = reached;
     for (Axis axis : kAllAxes) {
       const Number& target = reference_.to()[axis];
-      const double before = estimate(target - nearest[axis]);
-      const double now = estimate(target - subject.to()[axis]);
-      if (before * now < 0) {
+      const int side = visible_sign(target - nearest[axis]);
+      if (visible_sign(target - subject.to()[axis]) * side < 0) {
         nearest[axis] = target;
-      } else if (std::abs(now) < std::abs(before)) {
+      } else if (visible_sign(subject.to()[axis] - nearest[axis]) * side > 0) {
         nearest[axis] = subject.to()[axis];
       }
     }
@@ -207,11 +181,13 @@ bool Curve::is_flat_arc3() const {
   return points.circle ? points.is_flat(terms_.tolerance) : !points.is_over_half();
 }
 
-// An arc in space that nothing tells from its chord.
+// J-PATH-11. An arc that nothing tells from its chord.
 CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject) const {
-  const Position via = via_of(subject);
-  if (!ThreePoints(subject).is_flat(terms_.tolerance) ||
-      !agrees_with_line(reference_, via, terms_.tolerance)) {
+  const Number& tau = terms_.tolerance;
+  const bool is_arc = subject.record.kind == RecordKind::arc;
+  const bool is_flat = is_arc ? is_flat_arc(subject, tau) : ThreePoints(subject).is_flat(tau);
+  if (!is_flat ||
+      !agrees_with_line(reference_, is_arc ? middle_of_arc(subject) : via_of(subject), tau)) {
     return CurveAnswer::departs(Departure::kind,
                                 "The cut goes along an arc instead of a straight line.");
   }
@@ -222,7 +198,8 @@ bool Curve::goes_beyond(const CurveProgress& from, const Motion& subject) const 
   if (terms_.compare_blocks && reference_.record.block != subject.record.block) return false;
   const bool cut = reference_.record.kind != RecordKind::rapid;
   if (cut && !feeds_agree(reference_.record, subject.record, terms_)) return false;
-  if (round_) return is_round(subject.record.kind) && arc_goes_beyond(from, subject);
+  if (round_ && is_round(subject.record.kind)) return arc_goes_beyond(from, subject);
+  if (round_) return subject.record.kind == RecordKind::feed && chord_goes_beyond(from, subject);
   return reference_.record.kind == subject.record.kind && line_goes_beyond(subject);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "oracle/gap_reason.hpp"
+#include "oracle/judge/labels.hpp"  // IWYU pragma: export
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/round_curve.hpp"
 #include "oracle/judge/terms.hpp"
@@ -27,7 +28,7 @@ struct Apart {
 struct CurveProgress {
   Number line;                       // along the axis that moves most
   double arc = 0;                    // turns, to choose between whole turns only
-  const char* doubt = nullptr;       // of a piece of which it is open whether it belongs to it
+  const char* doubt = nullptr;       // a sentence: of a piece it is open whether it belongs to it
   std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
 };
 
@@ -89,8 +90,12 @@ class Curve {
   CurveAnswer follow_arc(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_chord(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_arc3(const CurveProgress& from, const Motion& subject) const;
-  // Of an arc whose ends are seen from its centre in one direction.
-  CurveAnswer nil_or_full(const CurveProgress& from, const Motion& subject, double turns) const;
+  bool takes_chords() const;
+  // What the arc may be if its numbers are rounded, beside what its record says.
+  CurveAnswer by_rounding(const CurveProgress& from, const Motion& subject, double turns) const;
+  CurveAnswer as_turns(const CurveProgress& from, const Motion& subject, double turns) const;
+  bool closes() const;
+  bool is_rounded_curve(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer other_centre(const Motion& subject) const;
   CurveAnswer end_of_piece(const CurveProgress& from, const Motion& subject, double turns) const;
   int chord_stays(const CurveProgress& from, const Motion& chord, const Number& granted) const;
@@ -100,6 +105,7 @@ class Curve {
   CurveAnswer sweep_of_arc3(const CurveProgress& from, const Motion& subject, double& turns) const;
   Departure on_curve(const Position& point, double turns, const Number& tolerance) const;
   bool arc_goes_beyond(const CurveProgress& from, const Motion& subject) const;
+  bool chord_goes_beyond(const CurveProgress& from, const Motion& subject) const;
   bool ends_at(const Position& point) const;
   bool centre_agrees(const Record& arc) const;
   // From what is left of the curve; `turns` along it, where it is round. In curve_distance.cpp.
@@ -114,8 +120,5 @@ class Curve {
 // By estimates: of two that are as long as each other either will do, and enclosures of one length
 // could not be told apart.
 Axis longest_axis(const Motion& motion);
-
-// Whether the feeds of two cutting motions are the same on these terms.
-bool feeds_agree(const Record& reference, const Record& subject, const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

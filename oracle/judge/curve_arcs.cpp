@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-#include "oracle/judge/approximate.hpp"
+#include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/curve.hpp"
 
 namespace gonogo::oracle {
@@ -22,83 +22,15 @@ using reference::PlaneAxes;
 // J-CONST-08.
 constexpr double kQuarterTurn = 0.25;
 
-using Vector2 = std::array<double, 2>;
-
-// The directions in which a box of the tolerance about a point is seen from the centre, less the
-// point's own, in radians; nothing where the centre lies in it.
-std::optional<Vector2> directions_of_box(const Vector2& point, double tau) {
-  if (std::abs(point[0]) <= tau && std::abs(point[1]) <= tau) return std::nullopt;
-  Vector2 seen = {0, 0};
-  for (const double p : {point[0] - tau, point[0] + tau}) {
-    for (const double q : {point[1] - tau, point[1] + tau}) {
-      const double aside = std::atan2(point[0] * q - point[1] * p, point[0] * p + point[1] * q);
-      seen = {std::min(seen[0], aside), std::max(seen[1], aside)};
-    }
-  }
-  return seen;
-}
-
-// Whether the boxes about two points are seen in one direction.
-bool may_be_in_line(const Vector2& from, const Vector2& to, double tau) {
-  const auto first = directions_of_box(from, tau);
-  const auto last = directions_of_box(to, tau);
-  if (!first || !last) return true;
-  const double between =
-      std::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
-  constexpr double kTurn = 2 * std::numbers::pi;
-  constexpr double kRounding = 1e-9;
-  return std::ranges::any_of(std::array{-kTurn, 0.0, kTurn}, [&](double turn) {
-    const double apart = between + turn;
-    return apart + (*last)[0] <= (*first)[1] + kRounding &&
-           apart + (*last)[1] >= (*first)[0] - kRounding;
-  });
-}
-
-// Whether the arc's ends, each moved by no more than the tolerance an axis, may lie on one ray from
-// its centre: what it sweeps beside other whole turns is nil or a full turn then, and its numbers
-// do not tell which. An estimate, for only what fits the curve is taken.
-bool nearly_whole(const Motion& arc, const Number& tolerance) {
-  const PlaneVector a = from_centre(arc.record, arc.from);
-  const PlaneVector b = from_centre(arc.record, arc.to());
-  const Vector2 from = {estimate(a.p), estimate(a.q)};
-  const Vector2 to = {estimate(b.p), estimate(b.q)};
-  const double tau = approximate(tolerance);
-  const double sides =
-      std::abs(from[0]) + std::abs(from[1]) + std::abs(to[0]) + std::abs(to[1]) + 2 * tau;
-  const double along = from[0] * to[0] + from[1] * to[1];
-  const double across = from[0] * to[1] - from[1] * to[0];
-  return along >= -tau * sides && std::abs(across) <= tau * sides && may_be_in_line(from, to, tau);
-}
-
-// Whether the arc's centre lies within the tolerance of one of its ends, which then shows no
-// direction: the record does not tell what part of a turn it sweeps. An estimate, for only what
-// ends where the curve does is taken.
-bool hides_its_sweep(const Motion& arc, const Number& tolerance) {
-  const double tau = approximate(tolerance);
-  const auto is_centre = [&](const PlaneVector& v) {
-    return std::abs(estimate(v.p)) <= tau && std::abs(estimate(v.q)) <= tau;
-  };
-  return is_centre(from_centre(arc.record, arc.from)) ||
-         is_centre(from_centre(arc.record, arc.to()));
-}
-
 // J-PATH-14.
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
-// A piece of which it is open whether it ends on the curve decides nothing yet, for it is not the
-// end: if what follows departs, so does the whole; if it leads to the end, the whole is open.
+// A piece of which it is open whether it ends on the curve decides nothing yet: if what follows
+// departs, so does the whole; if it leads to the end, the whole is open.
 CurveAnswer doubtful(CurveProgress progress, const char* reason) {
   progress.doubt = reason;
   return CurveAnswer::goes(std::move(progress), false);
-}
-
-// The end of the curve, after pieces that may all belong to it.
-CurveAnswer at_end(CurveProgress progress) {
-  if (progress.doubt != nullptr) {
-    return CurveAnswer::undecided(GapReason::comparison, progress.doubt);
-  }
-  return CurveAnswer::goes(std::move(progress), true);
 }
 
 CurveProgress advanced(const CurveProgress& from, double turns) {
@@ -107,18 +39,14 @@ CurveProgress advanced(const CurveProgress& from, double turns) {
   return progress;
 }
 
-// Whether nothing is seen of a motion in the plane; a helix may rise there.
-bool turns_unseen(const Motion& motion, const PlaneAxes& axes, const Number& tolerance) {
-  return agree(motion.from[axes.p], motion.to()[axes.p], tolerance) &&
-         agree(motion.from[axes.q], motion.to()[axes.q], tolerance) &&
-         !goes_round(motion, tolerance);
-}
+constexpr const char* kHangsOnRounding =
+    "Rounding decides whether the arc makes a turn more or less than its record says.";
 
-// What the motion may be by either answer. Of two departures the second, unless the first is open.
+// What the motion may be by either answer. Of two departures the first, unless the other is open.
 CurveAnswer joined(CurveAnswer one, CurveAnswer other) {
   if (one.departs()) {
-    const bool open = other.departs() && one.departure == Departure::undecided;
-    return open ? one : other;
+    const bool other_says = !other.departs() || other.departure == Departure::undecided;
+    return other_says ? other : one;
   }
   std::ranges::move(other.ways, std::back_inserter(one.ways));
   return one;
@@ -159,7 +87,7 @@ CurveAnswer Curve::follow_round(const CurveProgress& from, const Motion& subject
   const RecordKind got = subject.record.kind;
   if (got == RecordKind::arc) return follow_arc(from, subject);
   if (got == RecordKind::arc3) return follow_arc3(from, subject);
-  if (got == RecordKind::feed && terms_.chord.sign() > 0) return follow_chord(from, subject);
+  if (got == RecordKind::feed && takes_chords()) return follow_chord(from, subject);
   return CurveAnswer::departs(Departure::kind, "The motion is of another kind.");
 }
 
@@ -169,7 +97,7 @@ CurveAnswer Curve::end_of_piece(const CurveProgress& from, const Motion& subject
   const double whole = round_->whole();
   CurveProgress progress = advanced(from, turns);
   if (std::abs(progress.arc - whole) < kQuarterTurn && ends_at(subject.to())) {
-    return at_end(std::move(progress));
+    return CurveAnswer::goes(std::move(progress), true);
   }
   if (progress.arc >= whole) {
     return CurveAnswer::departs(Departure::geometry, "The arc goes beyond its end.");
@@ -212,32 +140,69 @@ CurveAnswer Curve::follow_arc(const CurveProgress& from, const Motion& subject) 
   }
   if (!centre_agrees(got)) return other_centre(subject);
   const double turns = approximate_turns(subject);
-  if (!nearly_whole(subject, terms_.tolerance)) return end_of_piece(from, subject, turns);
-  CurveAnswer answer = nil_or_full(from, subject, turns);
+  return joined(end_of_piece(from, subject, turns), by_rounding(from, subject, turns));
+}
+
+// J-PATH-06. Where rounding may have moved the end across the ray of the start: a turn more, or, of
+// a record of one turn that is the curve's, rounded, none. After whole turns a turn that the arc
+// does make is no nil one. Where an end may be the centre, the rest of the curve.
+CurveAnswer Curve::by_rounding(const CurveProgress& from, const Motion& subject,
+                               double turns) const {
+  CurveAnswer answer = CurveAnswer::departs(Departure::geometry, {});
+  const Number rounding = rounding_of(subject, terms_);
+  const double before = std::abs(subject.record.rot) - 1;
+  const bool is_small = turns - before < 0.5;
+  if ((is_small || before == 0) && may_be_nil_or_whole(subject, rounding)) {
+    CurveAnswer other = as_turns(from, subject, is_small ? turns + 1 : turns - 1);
+    const bool ends = !other.departs() && other.ways.front().done;
+    if (is_small || (ends && is_rounded_curve(from, subject))) answer = std::move(other);
+  }
   const double rest = round_->whole() - from.arc;
-  if (std::abs(rest - turns) >= 1 || !hides_its_sweep(subject, terms_.tolerance)) return answer;
-  CurveAnswer to_end = end_of_piece(from, subject, rest);
+  if (std::abs(rest - turns) >= 1 || !may_end_on_its_centre(subject, rounding)) return answer;
+  CurveAnswer to_end = as_turns(from, subject, rest);
   if (to_end.departs() || !to_end.ways.front().done) return answer;
   return joined(std::move(answer), std::move(to_end));
 }
 
-// J-PATH-06. The nil and the full turn are both what may be meant. After other whole turns, a turn
-// that the arc does make is no nil one; and an arc that ends exactly where it starts is a full turn
-// by what a record means, unless the reference's turn is as small.
-CurveAnswer Curve::nil_or_full(const CurveProgress& from, const Motion& subject,
-                               double turns) const {
-  const Record& got = subject.record;
-  const PlaneAxes axes = reference::axes_of(got.plane);
-  const bool closes = agree(subject.from[axes.p], subject.to()[axes.p], terms_.tolerance) &&
-                      agree(subject.from[axes.q], subject.to()[axes.q], terms_.tolerance);
-  const double before = std::abs(got.rot) - 1;
-  const double part = turns - before;
-  const double small = part < 0.5 ? part : part - 1;
-  CurveAnswer full = end_of_piece(from, subject, before + small + 1);
-  const bool exactly_whole = part == 1.0 && !turns_unseen(reference_, axes, terms_.tolerance);
-  const bool is_full = (closes && exactly_whole) || (before > 0 && part >= 0.5);
-  if (is_full || (!full.departs() && full.ways.front().done)) return full;
-  return joined(std::move(full), end_of_piece(from, subject, before + small));
+// So many turns instead of those that the record says. It is open whether they are meant, unless
+// the record is the curve's, rounded as the subject declares: a double may come out on either side
+// of what was meant, decimals where the curve's ends are not one point, for one is rounded to one.
+CurveAnswer Curve::as_turns(const CurveProgress& from, const Motion& subject, double turns) const {
+  CurveAnswer answer = end_of_piece(from, subject, turns);
+  const bool is_declared = terms_.resolution ? from.arc == 0 && !closes() : terms_.binary64;
+  if (is_declared && is_rounded_curve(from, subject)) return answer;
+  for (CurveWay& way : answer.ways) way.progress.doubt = kHangsOnRounding;
+  return answer;
+}
+
+// Whether the arc of the reference ends where it starts, as far as can be seen.
+bool Curve::closes() const {
+  const Motion& want = *round_->arc();
+  const PlaneAxes axes = reference::axes_of(want.record.plane);
+  return visible_sign(want.from[axes.p] - want.to()[axes.p]) == 0 &&
+         visible_sign(want.from[axes.q] - want.to()[axes.q]) == 0;
+}
+
+// Whether the record's numbers are those of what is left of the curve, rounded; where a piece
+// starts is the subject's choice.
+bool Curve::is_rounded_curve(const CurveProgress& from, const Motion& subject) const {
+  const Motion& want = *round_->arc();
+  const PlaneAxes axes = reference::axes_of(want.record.plane);
+  const Number rounding = rounding_of(subject, terms_);
+  bool agrees = true;
+  for (const auto& [axis, i] : {std::pair(axes.p, 0U), std::pair(axes.q, 1U)}) {
+    agrees = agrees && agree(subject.to()[axis], want.to()[axis], rounding) &&
+             agree(subject.record.centre[i], want.record.centre[i], rounding) &&
+             (from.arc != 0 || agree(subject.from[axis], want.from[axis], rounding));
+  }
+  return agrees;
+}
+
+// J-PATH-10, J-PATH-11: that the certifier grants, or of an arc that nothing tells from its own.
+bool Curve::takes_chords() const {
+  return terms_.chord.sign() > 0 ||
+         (reference_.record.kind == RecordKind::arc && !open_ &&
+          is_flat_arc(reference_, terms_.tolerance));
 }
 
 // Whether a chord agrees with the curve between its ends; 0: too close to say. Its middle is its
@@ -261,7 +226,7 @@ int Curve::chord_stays(const CurveProgress& from, const Motion& chord,
 }
 
 // J-PATH-10. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
-// the chord tolerance that the certifier granted.
+// what the certifier granted and the tolerance.
 CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject) const {
   const Number granted = terms_.tolerance + terms_.chord;
   if (!round_->on_circle(subject.to(), granted)) {
@@ -280,7 +245,7 @@ CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject
   const double whole = round_->whole();
   CurveProgress progress = advanced(from, turns);
   if (std::abs(progress.arc - whole) < kQuarterTurn && ends_at(subject.to())) {
-    return at_end(std::move(progress));
+    return CurveAnswer::goes(std::move(progress), true);
   }
   if (progress.arc >= whole && !agree(subject.to(), reference_.to(), granted)) {
     return CurveAnswer::departs(Departure::geometry, "The chord goes beyond the end of the arc.");
@@ -391,6 +356,14 @@ bool Curve::arc_goes_beyond(const CurveProgress& from, const Motion& subject) co
     turns = approximate_turns(subject);
   }
   return round_->on_circle(subject.to(), tau) && from.arc + turns >= round_->whole();
+}
+
+bool Curve::chord_goes_beyond(const CurveProgress& from, const Motion& subject) const {
+  if (!takes_chords() || !round_->on_circle(subject.to(), terms_.tolerance + terms_.chord)) {
+    return false;
+  }
+  const double turns = round_->part_of_turn(subject.from, subject.to());
+  return turns <= 0.5 && from.arc + turns >= round_->whole();
 }
 
 }  // namespace gonogo::oracle

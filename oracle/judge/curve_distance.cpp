@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/curve_distance.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include "oracle/judge/curve.hpp"
@@ -106,6 +107,51 @@ Number RoundCurve::distance(const Position& point, double turns) const {
     distance = max(distance, abs(point[axis] - at_part(motion_.from[axis], motion_.to()[axis])));
   }
   return distance;
+}
+
+// The value at the middle of the box, and by how much it differs elsewhere in it at most.
+struct RoundCurve::AtAngle {
+  Number value;
+  Number spread;
+};
+
+// Nothing where the box is seen at more than a right angle. Its half diagonal, at most 3/2 of the
+// tolerance, is seen at no more than pi/2 times its part of the distance, which is a quarter of that
+// part in turns.
+std::optional<RoundCurve::AtAngle> RoundCurve::at_angle(const Position& point, double turns,
+                                                        const Number& tolerance,
+                                                        const Number& first,
+                                                        const Number& last) const {
+  const Record& arc = arc_->record;
+  const PlaneVector a = from_centre(arc, arc_->from);
+  const PlaneVector b = from_centre(arc, arc_->to());
+  const PlaneVector v = from_centre(arc, point);
+  const Number seen = tolerance * 3 / 2;
+  if (is_nil(a) || is_nil(b) || v.p * v.p + v.q * v.q <= seen * seen) return std::nullopt;
+  const int sense = arc.rot < 0 ? -1 : 1;
+  const Number change = (last - first) / turns_between(a, b, sense, whole_);
+  return AtAngle{first + turns_between(a, v, sense, turns) * change,
+                 abs(change) * seen / (length(v) * 4)};
+}
+
+bool RoundCurve::is_surely_off_helix(Axis axis, const Position& point, double turns,
+                                     const Number& tolerance) const {
+  const auto height =
+      at_angle(point, turns, tolerance, motion_.from[axis], motion_.to()[axis]);
+  return height && abs(point[axis] - height->value) > tolerance + height->spread;
+}
+
+bool RoundCurve::is_surely_off_spiral(const Position& point, double turns,
+                                      const Number& tolerance) const {
+  const PlaneVector v = from_centre(arc_->record, point);
+  const auto radius =
+      at_angle(point, turns, tolerance, length(from_centre(arc_->record, arc_->from)),
+               length(from_centre(arc_->record, arc_->to())));
+  if (!radius) return false;
+  const PlaneVector near{max(abs(v.p) - tolerance, 0), max(abs(v.q) - tolerance, 0)};
+  const PlaneVector far{abs(v.p) + tolerance, abs(v.q) + tolerance};
+  return length(near) > radius->value + radius->spread ||
+         length(far) < radius->value - radius->spread;
 }
 
 // From the whole circle.

@@ -34,6 +34,10 @@ MatchResult CurveFollower::match(const Motion& subject) {
   for (const CurveProgress& from : reached_) {
     CurveAnswer answer = curve_.follow(from, subject);
     for (CurveWay& way : answer.ways) {
+      if (way.done && way.progress.doubt != nullptr) {
+        departure = CurveAnswer::departs(Departure::undecided, way.progress.doubt);
+        continue;
+      }
       if (!way.done) {
         add(std::move(way.progress), reached);
         continue;

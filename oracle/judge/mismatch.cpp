@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "oracle/judge/advice.hpp"
+#include "oracle/judge/labels.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/unit_error.hpp"
@@ -185,10 +186,7 @@ bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTer
   const Record* want = dwell_of(step);
   if (want == nullptr || dwell.kind != RecordKind::dwell) return false;
   if (terms.compare_blocks && want->block != dwell.block) return false;
-  const Number difference = abs(want->seconds - dwell.seconds);
-  return difference.sign() == 0 ||
-         (terms.binary64 && difference <= want->seconds * Number::binary(1, -51)) ||
-         (terms.resolution && difference * 2 <= *terms.resolution);
+  return times_agree(*want, dwell, terms);
 }
 
 namespace {

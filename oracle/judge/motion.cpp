@@ -126,7 +126,10 @@ bool agree(const Position& a, const Position& b, const Number& tolerance) {
 AxisSet moved_axes(const Motion& motion, const Number& tolerance) {
   AxisSet moved;
   for (Axis axis : kAllAxes) {
-    if (!agree(motion.from[axis], motion.to()[axis], tolerance)) moved.add(axis);
+    const bool moves = tolerance.sign() == 0
+                           ? visible_sign(motion.to()[axis] - motion.from[axis]) != 0
+                           : !agree(motion.from[axis], motion.to()[axis], tolerance);
+    if (moves) moved.add(axis);
   }
   return moved;
 }
@@ -136,20 +139,17 @@ PlaneVector from_centre(const Record& arc, const Position& point) {
   return {point[axes.p] - arc.centre[0], point[axes.q] - arc.centre[1]};
 }
 
-namespace {
-
-// Whether two numbers are different as far as can be seen; exactly, unless one is an enclosure.
-bool differ(const Number& a, const Number& b) {
+int visible_sign(const Number& value) {
+  if (value.form() != Number::Form::enclosure) return value.sign();
   constexpr int kBits = 100;
-  const Number difference = a - b;
-  if (difference.form() != Number::Form::enclosure) return difference.sign() != 0;
-  const auto [low, high] = difference.bounds(kBits);
-  return low.sign() > 0 || high.sign() < 0;
+  const auto [low, high] = value.bounds(kBits);
+  return low.sign() > 0 ? 1 : high.sign() < 0 ? -1 : 0;
 }
 
-// -1, 0 or 1; 0 also where an enclosure leaves it open.
-int visible_sign(const Number& a) {
-  return differ(a, 0) ? a.sign() : 0;
+namespace {
+
+bool differ(const Number& a, const Number& b) {
+  return visible_sign(a - b) != 0;
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ struct TurnedVector {
   Number across;  // positive on the side to which the arc turns
   bool second_half() const {
     const int side = visible_sign(across);
-    return side < 0 || (side == 0 && along.sign() < 0);
+    return side < 0 || (side == 0 && visible_sign(along) < 0);
   }
 };
 
@@ -194,7 +194,7 @@ int compare_angles(const PlaneVector& origin, const PlaneVector& a, const PlaneV
 }
 
 bool same_direction(const PlaneVector& a, const PlaneVector& b) {
-  return visible_sign(a.p * b.q - a.q * b.p) == 0 && (a.p * b.p + a.q * b.q).sign() > 0;
+  return visible_sign(a.p * b.q - a.q * b.p) == 0 && visible_sign(a.p * b.p + a.q * b.q) > 0;
 }
 
 bool makes_full_turn(const Motion& motion) {
@@ -241,15 +241,15 @@ std::optional<double> estimated_part(const PlaneVector& a, const PlaneVector& b,
   return part_of_turn(across, along);
 }
 
-// Near a whole turn the equality of enclosures is looked at first, which shows for one and the same
-// expression.
+// Near a whole turn no estimate says whether the end lies before the start or behind it.
 double decided_part(const PlaneVector& a, const PlaneVector& b, int sense) {
   const TurnedVector t = turned(a, b, sense);
   const double along = estimate(t.along);
   const double across = estimate(t.across);
   const bool near_whole = along >= 0 && std::abs(across) <= kNearWhole * along;
-  const bool whole = near_whole && ((a.p == b.p && a.q == b.q) || t.across.sign() == 0);
-  return whole ? 1.0 : part_of_turn(across, along);
+  if (!near_whole) return part_of_turn(across, along);
+  const double beside = part_of_turn(std::abs(across), along);
+  return visible_sign(t.across) > 0 ? beside : 1.0 - beside;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/step_text.hpp"
 
 namespace gonogo::oracle {
@@ -149,6 +150,7 @@ region::CircularLevel PocketLevelStep::circle(const Position& plunge) const {
   circle.plunge = plane_point(plunge, axes_);
   circle.tolerance = terms_.level_tolerance();
   circle.chord = terms_.chord;
+  circle.open_turns = open_turns(level_.centre, level_.pocket_radius, terms_);
   return circle;
 }
 

@@ -4,6 +4,7 @@
 // where the centre is, and what stays inside.
 #include <algorithm>
 
+#include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/step_text.hpp"
@@ -105,6 +106,7 @@ region::RectangularLevel PocketMillingJudge::level_at(const Number& depth) const
   level.tolerance = terms_.level_tolerance();
   level.slack = slack_;
   level.chord = terms_.chord;
+  level.open_turns = open_turns(item_.centre, item_.length + item_.width, terms_);
   return level;
 }
 

@@ -32,8 +32,8 @@ struct ProgramJudge::Ending {
 
   // The less the better: a pass by its grade, a gap, an advice, a departure (J-ALM-08).
   int rank() const {
-    if (!verdict && !from.advice) return from.exact ? 0 : from.rounded ? 1 : 2;
-    switch (verdict ? decision(verdict->kind) : Decision::neither) {
+    if (!verdict && !from.instead) return from.exact ? 0 : from.rounded ? 1 : 2;
+    switch (decision((verdict ? *verdict : *from.instead).kind)) {
       case Decision::undecided:
         return 3;
       case Decision::neither:
@@ -131,7 +131,7 @@ Verdict ProgramJudge::finish(const RunEnd& end) {
     decide_undecided(undecided);
   }
   if (verdict_) return *verdict_;
-  if (passed.advice) return *passed.advice;
+  if (passed.instead) return *passed.instead;
   Verdict verdict;
   // J-CMP-09.
   verdict.property_motions = passed.property_motions;

@@ -149,7 +149,9 @@ int RoundCurve::on_spiral(const Position& point, double turns, const Number& tol
   const double q = std::abs(estimate(v.q));
   const double nearest = std::hypot(std::max(p - within, 0.0), std::max(q - within, 0.0));
   const double farthest = std::hypot(p + within, q + within);
-  if (nearest > want + slack || farthest < want - slack) return -1;
+  if (nearest > want + slack || farthest < want - slack) {
+    return is_surely_off_spiral(point, turns, tolerance) ? -1 : 0;
+  }
   return nearest <= want - slack && farthest >= want + slack ? 1 : 0;
 }
 
@@ -166,7 +168,8 @@ bool RoundCurve::on_space_circle(const Position& point, const Number& tolerance)
 }
 
 // J-PATH-07. The sweep is estimated, so a band round the tolerance is left undecided: the
-// estimate's own error, and the height that the helix gains over a tolerance's length of arc.
+// estimate's own error, and the height that the helix gains over a tolerance's length of arc. What
+// lies beyond the band is off only where that is certain.
 int RoundCurve::on_helix(const Position& point, double turns, const Number& tolerance,
                          bool linear_only) const {
   constexpr double kEstimate = 1e-7;  // mm; J-CONST-08
@@ -188,7 +191,10 @@ int RoundCurve::on_helix(const Position& point, double turns, const Number& tole
     const double slope = std::abs(height) / (2 * std::numbers::pi * radius_ * whole_);
     const double want = estimate(motion_.from[axis]) + turns / whole_ * height;
     const double difference = std::abs(want - estimate(point[axis]));
-    if (difference > within + 2 * slope * within + kEstimate) return -1;
+    if (difference > within + 2 * slope * within + kEstimate) {
+      if (arc_ == nullptr || is_surely_off_helix(axis, point, turns, tolerance)) return -1;
+      answer = 0;
+    }
     if (difference > within - kEstimate) answer = 0;
   }
   return answer;

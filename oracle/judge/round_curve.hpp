@@ -87,6 +87,14 @@ class RoundCurve {
   bool same_sense(const SpacePoint& normal) const;
 
  private:
+  // Without estimates: false says nothing. In curve_distance.cpp.
+  bool is_surely_off_helix(Axis axis, const Position& point, double turns,
+                           const Number& tolerance) const;
+  bool is_surely_off_spiral(const Position& point, double turns, const Number& tolerance) const;
+  // What goes linearly with the angle from `first` to `last`, where the box round a point is seen.
+  struct AtAngle;
+  std::optional<AtAngle> at_angle(const Position& point, double turns, const Number& tolerance,
+                                  const Number& first, const Number& last) const;
   Number distance_in_space(const Position& point) const;
   bool on_space_circle(const Position& point, const Number& tolerance) const;
 

@@ -17,6 +17,7 @@ JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& prof
                       const Grants& grants) {
   const Number increment = profile.resolution();
   JudgeTerms terms;
+  terms.increment = increment;
   // A subject that rounds more coarsely than the machine is not excused by saying so; a granted
   // tolerance is one of axes, not of leads, angles and dwells.
   terms.resolution = at_most(subject.resolution, increment);
@@ -26,6 +27,7 @@ JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& prof
   terms.feed_resolution = at_most(subject.feed_resolution, increment);
   if (grants.feed_resolution) terms.feed_resolution = grants.feed_resolution;
   terms.binary64 = subject.numeric_kind == "binary64";
+  terms.exact = subject.says_numeric && subject.numeric_kind == "exact";
   terms.compare_blocks = subject.features.contains("blocks");
   terms.compare_m = subject.features.contains("m");
   terms.strict = grants.strict;

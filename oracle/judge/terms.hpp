@@ -16,7 +16,9 @@ struct JudgeTerms {
   Number chord;                                 // mm; chords of arcs allowed when above 0
   std::optional<Number> resolution;             // declared; for correctly rounded values
   std::optional<Number> feed_resolution;
+  Number increment = Number::millionths(1000);  // the profile's least, mm
   bool binary64 = false;       // numbers come as doubles
+  bool exact = false;          // it says that none is rounded
   bool compare_blocks = true;  // feature `blocks`
   bool compare_m = false;      // feature `m`
   bool strict = false;         // a departure from what no text states is NO-GO, no advice

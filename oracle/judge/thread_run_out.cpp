@@ -208,19 +208,25 @@ Number ThreadRunOutJudge::distance_from_end(const Position& here) const {
   return least.value_or(0);
 }
 
-bool ThreadRunOutJudge::all_cut_deeper() const {
-  return std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
-    if (!named_.has(each)) return false;
+bool ThreadRunOutJudge::follows(ThreadRunOut run_out, const Motion& flat) const {
+  const MatchResult result = CurveFollower(line_to(run_out), geometry_.loose_terms()).match(flat);
+  return result.departure == Departure::none || result.departure == Departure::feed;
+}
+
+bool ThreadRunOutJudge::must_cut_deeper(const Motion& flat) const {
+  return std::ranges::any_of(kRunOuts, [&](ThreadRunOut each) {
+    if (!left_.has(each)) return false;
     if (each == ThreadRunOut::polar) {
-      return geometry_.item().external || geometry_.item().runout_length <= radius_ * 2;
+      return !geometry_.item().external && geometry_.item().runout_length > radius_ * 2;
     }
-    return geometry_.clearance(line_to(each), radius_).kind == Clearance::Kind::clear;
+    return follows(each, flat) &&
+           geometry_.clearance(line_to(each), radius_).kind != Clearance::Kind::clear;
   });
 }
 
-bool ThreadRunOutJudge::all_end_in_material() const {
-  return std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
-    return named_.has(each) && geometry_.is_free(end_of(each), geometry_.item().start_radius);
+bool ThreadRunOutJudge::must_end_in_material() const {
+  return !left_.empty() && std::ranges::none_of(kRunOuts, [&](ThreadRunOut each) {
+    return left_.has(each) && geometry_.is_free(end_of(each), geometry_.item().start_radius);
   });
 }
 

@@ -93,7 +93,7 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
   }
   const Clearance clear = geometry_.clearance(flat, radius());
   if (clear.kind != Clearance::Kind::clear) {
-    if (clear.kind == Clearance::Kind::touches && run_out_->all_cut_deeper()) {
+    if (clear.kind == Clearance::Kind::touches && run_out_->must_cut_deeper(flat)) {
       return OpenStepAnswer::gap(GapReason::reading_unfit,
                                  "The run-out of the reading cuts deeper than its pass itself.");
     }

@@ -37,6 +37,7 @@ LevelVerdict judge_level_by(Method method, const CircularLevel& level,
   terms.plunge = level.plunge;
   terms.tolerance = level.tolerance;
   terms.chord = level.chord;
+  terms.open_turns = level.open_turns.value_or(OpenTurns{level.tolerance});
   return judge_by_rules(terms, motions, method);
 }
 
@@ -57,6 +58,7 @@ LevelVerdict judge_level_by(Method method, const RectangularLevel& level,
   terms.tolerance = level.tolerance;
   terms.slack = level.slack;
   terms.chord = level.chord;
+  terms.open_turns = level.open_turns.value_or(OpenTurns{level.tolerance});
   return judge_by_rules(terms, motions, method);
 }
 

@@ -47,6 +47,14 @@ struct RoundedRectangle {
 RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half_width,
                                    const Number& corner_radius);
 
+// J-PATH-06. Of an arc whose ends are no farther apart than `within`, rounding may have made a whole
+// turn of none or the reverse. What the record says is tried first; where only the other turn is
+// right, that is GO, or, where the record `is_ambiguous`, a gap.
+struct OpenTurns {
+  Number within;
+  bool is_ambiguous = false;
+};
+
 // What a level of a circular pocket (GSK G110/G111) must satisfy.
 //   gouge: no motion more than `tolerance` outside E, the disc of radius pocket_radius -
 //   tool_radius cover: every point of the disc of radius pocket_radius lies within tool_radius +
@@ -67,6 +75,7 @@ struct CircularLevel {
   PlanePoint plunge;   // where the tool came down
   Number tolerance;    // > 0
   Number chord = {};   // >= 0; 0: none are granted
+  std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
 };
 
 // What a level of a pocket with rounded corners (SINUMERIK LCYC75) must satisfy. The motions are in
@@ -92,6 +101,7 @@ struct RectangularLevel {
   // Chords of arcs that are granted, >= 0: added to the tolerance of cover, of lines also to those
   // of gouge and of running along the border.
   Number chord = {};
+  std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
 };
 
 enum class Rule { gouge, cover, step, sense, order };

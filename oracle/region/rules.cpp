@@ -43,9 +43,9 @@ bool ends_agree(const LevelMotion& motion, const Number& tolerance) {
 
 // Such ends, but not the same point: rounding may have made this of no motion at all or of a whole
 // turn.
-bool is_ambiguous(const LevelMotion& motion, const Number& tolerance) {
-  if (motion.rot == 0 || whole_turns(motion.rot) > 0 || motion.from == motion.to) return false;
-  return ends_agree(motion, tolerance);
+bool is_open(const LevelMotion& motion, const Number& within) {
+  if (!motion.is_arc || motion.rot == 0 || whole_turns(motion.rot) > 0) return false;
+  return !(motion.from == motion.to) && ends_agree(motion, within);
 }
 
 class LevelJudge {
@@ -158,8 +158,8 @@ Against LevelJudge::against(const LevelMotion& motion) const {
 }
 
 // What leads nowhere has none.
-bool has_sense(const LevelMotion& motion, const Number& tolerance) {
-  return !motion.is_arc || (moves(motion) && !is_ambiguous(motion, tolerance));
+bool has_sense(const LevelMotion& motion, const Number& within) {
+  return !motion.is_arc || (moves(motion) && !is_open(motion, within));
 }
 
 std::optional<LevelVerdict> LevelJudge::sense() {
@@ -177,7 +177,7 @@ std::optional<LevelVerdict> LevelJudge::sense() {
 
 // GSK-G110-09: by arcs turning the commanded way.
 bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
-  if (!motion.is_arc || !has_sense(motion, terms_.tolerance)) return false;
+  if (!motion.is_arc || !has_sense(motion, terms_.open_turns.within)) return false;
   if (motion.rot == 0) return !(motion.from == motion.to);
   return (motion.rot > 0) != (terms_.sense > 0);
 }
@@ -185,7 +185,7 @@ bool LevelJudge::turns_wrongly(const LevelMotion& motion) const {
 // J-PKT-06, SIE-LC75-12: of all motions, those along the border.
 std::optional<LevelVerdict> LevelJudge::sense_along_border() {
   for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.tolerance)) continue;
+    if (!has_sense(motion, terms_.open_turns.within)) continue;
     const Against answer = against(motion);
     if (answer == Against::undecided)
       doubt(GapReason::comparison, "Whether a motion follows the border is undecided.");
@@ -199,7 +199,7 @@ std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
   const Number blur = Number(8) * terms_.tolerance;
   Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0), blur);
   for (const LevelMotion& motion : motions_) {
-    if (!has_sense(motion, terms_.tolerance)) continue;
+    if (!has_sense(motion, terms_.open_turns.within)) continue;
     const Against answer = winding.add(motion);
     if (answer == Against::undecided)
       doubt(GapReason::comparison, "Which way the path goes round is undecided.");
@@ -298,7 +298,7 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_line(const LevelMotion& motion,
 
 std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) {
   const bool counterclockwise = motion.rot > 0;
-  const bool ambiguous = is_ambiguous(motion, terms_.tolerance);
+  const bool open = is_open(motion, terms_.open_turns.within);
   if (motion.from == motion.centre || motion.to == motion.centre) {
     // One that is as small as the tolerance came to it by rounding.
     if (!ends_agree(motion, terms_.tolerance)) {
@@ -310,16 +310,16 @@ std::optional<LevelVerdict> LevelJudge::gouge_of_arc(const LevelMotion& motion) 
     return std::nullopt;
   }
   Arc arc = make_arc(motion, terms_.middle);
-  if (ambiguous && !arc.sweep.wide) {
+  if (open && !arc.sweep.wide) {
     arc.turns = 1;  // the end is just past the start
     arc.full = arc.round;
   }
-  if (ambiguous && is_against(arc, counterclockwise)) {
+  if (open && is_against(arc, counterclockwise)) {
     clear_with_ends(motion);  // it can only be meant as no motion
     return std::nullopt;
   }
   const Reach reach = reach_of(arc, terms_.tolerance);
-  if (ambiguous && reach.kind != Reach::Kind::inside) {
+  if (open && reach.kind != Reach::Kind::inside) {
     for (const PlanePoint& end : {arc.end_a(), arc.end_b()}) {
       if (auto verdict = within(motion, reach_of(end, terms_.tolerance))) return verdict;
     }
@@ -437,6 +437,22 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
   return verdict;
 }
 
+// J-PATH-06: as the records say; else as rounding may have meant them.
+LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motions, Method method) {
+  Terms as_stated = terms;
+  as_stated.open_turns.within = 0;
+  LevelVerdict stated = LevelJudge(as_stated, motions, method).judge();
+  const bool any_open = std::ranges::any_of(motions, [&](const LevelMotion& motion) {
+    return is_open(motion, terms.open_turns.within);
+  });
+  if (stated.kind == LevelVerdict::Kind::go || !any_open) return stated;
+  LevelVerdict meant = LevelJudge(terms, motions, method).judge();
+  if (meant.kind == LevelVerdict::Kind::no_go) return stated;
+  if (!terms.open_turns.is_ambiguous) return meant;
+  return gap(GapReason::two_readings,
+             "Rounding decides whether an arc makes a turn more or less than its record says.");
+}
+
 }  // namespace
 
 LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
@@ -444,7 +460,7 @@ LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> mot
   if (motions.size() > kMaximumLevelMotions)
     return gap(GapReason::cap_level, "The level has more than 50,000 motions.");
   try {
-    return LevelJudge(terms, motions, method).judge();
+    return judge_turns(terms, motions, method);
   } catch (const exact::Undecided& error) {
     return gap(GapReason::comparison, error.what());
   }

@@ -20,6 +20,7 @@ struct Terms {
   Number tolerance;
   Number slack;
   Number chord;  // 0: none are granted
+  OpenTurns open_turns;
 
   // Where the tool's centre may be.
   RoundedRectangle border() const { return with_radius(area, area.radius - tool_radius); }

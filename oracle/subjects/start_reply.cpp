@@ -132,7 +132,10 @@ void read_numeric(const object& reply, SubjectInfo& info) {
     throw Refusal{"The key \"numeric\" must be an object."};
   }
   check_keys(numeric, "\"numeric\"", {"kind", "resolution", "feed_resolution", "chord"});
-  if (auto kind = find(numeric, "kind")) info.numeric_kind = text_of("kind", *kind);
+  if (auto kind = find(numeric, "kind")) {
+    info.numeric_kind = text_of("kind", *kind);
+    info.says_numeric = true;
+  }
   if (info.numeric_kind != "fixed" && info.numeric_kind != "binary64" &&
       info.numeric_kind != "exact") {
     throw Refusal{"\"kind\" must be \"fixed\", \"binary64\" or \"exact\"."};

@@ -210,9 +210,14 @@ std::array<Number, 3> Number::root_parts() const {
   return {number_of(root.a), number_of(root.b), number_of(root.c)};
 }
 
+// What cannot be told from zero is as large as its width at most.
 Number abs(const Number& value) {
-  return value.sign() < 0 ? -value : value;
+  if (value.form() != Form::enclosure) return value.sign() < 0 ? -value : value;
+  const std::optional<int> sign = try_sign_of_enclosure(value);
+  if (!sign) return sqrt(value * value);
+  return *sign < 0 ? -value : value;
 }
+
 namespace {
 
 bool is_surely_below(const Number& a, const Number& b) {

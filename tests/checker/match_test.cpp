@@ -17,12 +17,14 @@ std::vector<Record> records_of(const std::vector<std::string>& texts) {
 }
 
 Finding found(const std::vector<std::string>& want, const std::vector<std::string>& got,
-              const char* dialect = "rs274", const char* program = "\n\n") {
+              const char* dialect = "rs274", const char* program = "\n\n",
+              bool is_exact = false) {
   const Vector vector{"x.y.000001", dialect, {}, parse_json("{}"), program, {}};
   Expectation expectation;
   expectation.records = records_of(want);
   Terms terms;
   terms.tolerance = Rational(1, 1000);
+  terms.is_exact = is_exact;
   return match(vector, expectation, {records_of(got), std::nullopt, TraceEnd::end, {}}, terms);
 }
 
@@ -91,12 +93,21 @@ TEST(CheckerMatch, PiecesThatMakeATurnTooManyAreADeparture) {
             Answer::departs);
 }
 
-TEST(CheckerMatch, RoundingDecidesNotBetweenNilAndWholeTurn) {
+// J-PATH-06.
+TEST(CheckerMatch, AnArcTurnsAsItsRecordSaysUnlessRoundingMayDecide) {
   const std::string whole = arc(R"("x":"10","y":"0")");
-  const std::string a_bit_more = arc(R"("x":"10","y":"-0.001")");
+  const std::string a_bit = arc(R"("x":"10","y":"-0.001")");
   const std::string a_bit_less = arc(R"("x":"10","y":"0.001")");
-  EXPECT_EQ(found({kStart, whole}, {kStart, a_bit_more}).answer, Answer::fits);
-  EXPECT_EQ(found({kStart, whole}, {kStart, a_bit_less}).answer, Answer::fits);
+  const auto told = [&](const std::vector<std::string>& got, bool is_exact) {
+    return found({kStart, whole}, got, "rs274", "\n\n", is_exact).answer;
+  };
+  for (const bool is_exact : {false, true}) {
+    EXPECT_EQ(told({kStart, whole}, is_exact), Answer::fits);
+    EXPECT_EQ(told({kStart, a_bit_less}, is_exact), Answer::fits);
+  }
+  EXPECT_EQ(told({kStart, a_bit}, false), Answer::undecided);
+  EXPECT_EQ(told({kStart, a_bit}, true), Answer::departs);
+  EXPECT_EQ(told({kStart, a_bit, whole}, true), Answer::fits);
   EXPECT_EQ(found({kStart, whole}, {kStart, arc(R"("x":"10","y":"0")", "-3")}).answer,
             Answer::departs);
 }
@@ -108,6 +119,18 @@ TEST(CheckerMatch, ADwellIsNoLength) {
   EXPECT_EQ(found({dwell("0.0001")}, {dwell("0.0001")}).answer, Answer::fits);
   EXPECT_EQ(found({dwell("0.0001")}, {dwell("0.0000001")}).answer, Answer::undecided);
   EXPECT_EQ(found({dwell("0.1")}, {dwell("0.0001")}).answer, Answer::departs);
+}
+
+// J-PATH-03, J-PATH-04.
+TEST(CheckerMatch, APieceOfAThreadHasTheAngleOfTheFirst) {
+  const auto thread = [](const char* z, const char* start, const char* lead = "2") {
+    return std::string(R"({"k":"thread","b":1,"to":{"z":")") + z + R"("},"lead":")" + lead +
+           R"(","start":")" + start + "\"}";
+  };
+  const std::vector<std::string> want = {kStart, thread("-20", "0")};
+  EXPECT_EQ(found(want, {kStart, thread("-7", "0"), thread("-20", "360")}).answer, Answer::fits);
+  EXPECT_EQ(found(want, {kStart, thread("-7", "0"), thread("-20", "77")}).answer, Answer::departs);
+  EXPECT_EQ(found(want, {kStart, thread("-20", "0", "2.0001")}).answer, Answer::departs);
 }
 
 // What ends exactly where it starts makes whole turns, and what nearly makes one after others makes

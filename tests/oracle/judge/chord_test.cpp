@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Arcs as chords that the certifier grants, and how many records they may be; centres that differ.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,6 +56,51 @@ TEST(Chords, ThatGoBackAreADeparture) {
   TraceText trace = chords(3000);
   trace.feed({{'x', 20000}, {'y', 447.1}});
   EXPECT_EQ(decision(judge_trace(kHalfTurnProgram, trace.text(), rs274()).kind), Decision::no_go);
+}
+
+// J-PATH-11. A quarter of a millimetre of a circle of radius 100 about (100, 0): the arc rises over
+// its chord by 0.25^2 / 800 = 0.000078, and the tolerance is 0.0001.
+constexpr std::string_view kFlatArc = "G0 X0 Y0\nG2 X0.0003125 Y0.25 I100 J0 F100\n";
+
+// (0.0003125, 0.25) lies on it to 5e-8: 0.25^2 / 200 = 0.0003125.
+TEST(FlatArcs, OneThatNothingTellsFromItsChordMayComeAsThat) {
+  const auto told = [](std::string_view program, std::initializer_list<const char*> ends) {
+    std::string trace;
+    for (const char* end : ends) {
+      trace += std::string(R"({"k":"feed","b":2,"to":{)") + end + R"(},"f":"100"})" + "\n";
+    }
+    return judge_trace(program, trace, rs274("")).kind;
+  };
+  const char* end = R"("x":"0.0003125","y":"0.25")";
+  EXPECT_EQ(decision(told(kFlatArc, {end})), Decision::go);
+  EXPECT_EQ(decision(told(kFlatArc, {R"("x":"0.00015625","y":"0.125")", end})), Decision::go);
+  EXPECT_EQ(told(kFlatArc, {R"("x":"0.0003125","y":"0.24")"}), VerdictKind::fail_geometry);
+  EXPECT_EQ(told(kFlatArc, {R"("x":"0.0006","y":"0.25")"}), VerdictKind::fail_geometry);
+  EXPECT_EQ(told(kFlatArc, {R"("x":"0.0003125","y":"0.25")", R"("y":"0.2")"}),
+            VerdictKind::fail_overrun);
+  // Twice as long it rises by 0.00031.
+  EXPECT_EQ(told("G0 X0 Y0\nG2 X0.00125 Y0.5 I100 J0 F100\n", {R"("x":"0.00125","y":"0.5")"}),
+            VerdictKind::fail_geometry);
+  // A chord of the long way round is none.
+  EXPECT_EQ(told("G0 X0 Y0\nG3 X0.0003125 Y0.25 I100 J0 F100\n", {end}),
+            VerdictKind::fail_geometry);
+}
+
+TEST(FlatArcs, ALineMayComeAsAnArcThatNothingTellsFromIt) {
+  const auto told = [](const char* x, const char* y, int rot, const char* end = R"("x":"0","y":"0.25")") {
+    const std::string trace = fmt::format(
+        R"({{"k":"arc","b":1,"plane":"G17","c":{{"x":"{}","y":"{}"}},"rot":{},"to":{{{}}},"f":"100"}})"
+        "\n",
+        x, y, rot, end);
+    return judge_trace("G1 X0 Y0.25 F100\n", trace, rs274("")).kind;
+  };
+  EXPECT_EQ(decision(told("100", "0.125", -1)), Decision::go);
+  EXPECT_EQ(decision(told("-100", "0.125", 1)), Decision::go);
+  EXPECT_EQ(decision(told("10", "0.125", -1)), Decision::no_go);
+  EXPECT_EQ(decision(told("100", "0.125", 1)), Decision::no_go);
+  EXPECT_EQ(decision(told("100", "0.125", -2)), Decision::no_go);
+  // Its ends are off by the tolerance, and its middle by more.
+  EXPECT_EQ(decision(told("-100", "0.125", 1, R"("x":"0.0001","y":"0.25")")), Decision::no_go);
 }
 
 // A quarter about (0, 0); the tolerance is 0.0001.

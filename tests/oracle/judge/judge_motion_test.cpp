@@ -91,15 +91,16 @@ TEST(MotionJudge, ChordsTheWrongWayRoundAreNoGo) {
 // J-PATH-05, J-PATH-06.
 TEST(MotionJudge, TheTurnsOfAHelixAreCountedWhereItsEndIsNearItsStart) {
   constexpr std::string_view kPocket = "G17 G00 X0 Y0 Z10\nG113 X0 Y0 Z4 I14 L3 D4 F100\n";
-  for (double off : {-1e-9, 0.0, 1e-9}) {
+  for (double off : {-1e-15, 0.0, 1e-15}) {
     TraceText trace(1);
-    trace.rapid({{'z', 10}}).block(2, 100);
+    trace.decimals(15).rapid({{'z', 10}}).block(2, 100);
     trace.arc("G17", {{'x', 5}, {'y', 0}}, 1, {{'x', 10}, {'y', 0}});
     trace.arc("G17", {{'x', 0}, {'y', 0}}, 3, {{'x', 10}, {'y', off}, {'z', 4}});
     trace.arc("G17", {{'x', 5}, {'y', 0}}, 1, {{'x', 0}, {'y', 0}});
     trace.rapid({{'z', 10}});
     for (const char* side : {"gsk.helix.entry-side=any", "gsk.helix.entry-side=+p"}) {
-      EXPECT_EQ(decided(kPocket, trace, {.reading = side}), Decision::go) << off << side;
+      const Judging doubles{.reading = side, .binary64 = true};
+      EXPECT_EQ(decided(kPocket, trace, doubles), Decision::go) << off << side;
     }
   }
 }

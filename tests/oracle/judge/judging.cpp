@@ -35,6 +35,7 @@ Verdict judge_trace(std::string_view program, std::string_view trace, const Judg
   if (judging.blocks) subject.features.insert("blocks");
   if (judging.m) subject.features.insert("m");
   if (judging.binary64) subject.numeric_kind = "binary64";
+  subject.says_numeric = judging.exact;
   if (!judging.resolution.empty()) subject.resolution = Number::parse(judging.resolution);
   std::optional<Number> chord;
   if (!judging.chord.empty()) chord = Number::parse(judging.chord);

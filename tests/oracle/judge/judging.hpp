@@ -22,6 +22,7 @@ struct Judging {
   std::string tool = {};       // radius of tool 1, mm
   std::string tolerance = {};  // granted, mm
   bool strict = false;
+  bool exact = false;  // it says that none of its numbers is rounded
 };
 
 // A trace in JSON lines, judged under the default profile with one reading changed ("k=v") or none.

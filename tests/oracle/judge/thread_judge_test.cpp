@@ -47,12 +47,17 @@ TEST(ThreadJudge, ATangentRunOutThatClearsTheThreadIsGo) {
   expect_go(thread, {.reading = "gsk.thread.runout=tangent"});
 }
 
-TEST(ThreadJudge, TheTangentRunOutOfTheManualsInternalThreadGouges) {
+// J-THR-11.
+TEST(ThreadJudge, TheTangentRunOutOfTheManualsInternalThreadGougesByItself) {
   // Pass 1 ends at (4, 1.73) from the axis: radius 4.36 < 4.5 is free. Pass 2 ends at (4.5, 1.73):
   // radius 4.82 > 4.5, so that the traverse up touches the thread.
   Thread thread = internal();
   thread.run_out = Thread::RunOut::tangent;
-  expect_no_go(thread, "GSK-G114-10", "goes through the part");
+  for (const char* reading : {"any", "tangent"}) {
+    const Verdict verdict =
+        judge(thread, {.reading = std::string("gsk.thread.runout=") + reading});
+    EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << reading << verdict.message;
+  }
 }
 
 // 18 + 2 from the axis, and 6 of a tool's diameter beside it; on the side where the run-out ends.

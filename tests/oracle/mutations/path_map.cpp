@@ -95,17 +95,6 @@ bool traverse_fits(const Stroke& got, const Stroke& want, double margin) {
   return true;
 }
 
-// Whether start and end that nearly meet are a turn is left open.
-bool sweeps_agree(const Stroke& got, double want, double slack) {
-  if (std::abs(got.sweep - want) <= slack) return true;
-  const bool nearly_meets = std::abs(std::remainder(got.sweep, 2 * pi)) <= slack;
-  if (got.meets_itself || !nearly_meets) return false;
-  const double sense = got.sweep < 0 ? -1 : 1;
-  const double last = std::abs(got.sweep) - 2 * pi * std::floor(std::abs(got.sweep) / (2 * pi));
-  const double other = got.sweep + sense * (last < pi ? 2 * pi : -2 * pi);
-  return std::abs(other - want) <= slack;
-}
-
 bool arc_fits(const Stroke& got, const Stroke& want, double from, double to, const Margin& margin) {
   const double radius = std::max(want.from_radius, want.to_radius);
   if (radius <= 8 * margin.arc) return !margin.strict;  // too small to be told
@@ -122,7 +111,7 @@ bool arc_fits(const Stroke& got, const Stroke& want, double from, double to, con
   }
   const double least = std::max(std::min(want.from_radius, want.to_radius), margin.arc);
   const double wide = std::min(1.0, 4 * margin.arc / least) + 1e-7;
-  return sweeps_agree(got, want.sweep * (to - from), wide);
+  return std::abs(got.sweep - want.sweep * (to - from)) <= wide;
 }
 
 // Place by place, in proportion: for curves of two kinds.

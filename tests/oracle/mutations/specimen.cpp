@@ -195,6 +195,8 @@ std::unique_ptr<Specimen> make_specimen(const RawCase& raw, const RawCase::Assig
   }
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
+  subject.numeric_kind = "exact";
+  subject.says_numeric = true;
   specimen->terms = make_terms(subject, specimen->profile, std::nullopt, std::nullopt);
   specimen->start = place_of(specimen->profile.initial.at);
   if (!take_shown(*specimen, most)) return nullptr;

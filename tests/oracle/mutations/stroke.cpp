@@ -162,8 +162,7 @@ bool Stroke::is_nil(double tolerance) const {
   if (apart(from, to) > tolerance) return false;
   if (!is_round) return via_apart <= tolerance;
   if (std::max(from_radius, to_radius) <= tolerance / 2) return true;
-  const bool one_turn = std::abs(sweep) <= 2 * pi && !meets_itself && kind() == RecordKind::arc;
-  return std::abs(sweep) < pi || one_turn;
+  return std::abs(sweep) < pi;
 }
 
 bool Stroke::is_surely_nil(double tolerance) const {

@@ -52,8 +52,8 @@ struct Stroke {
   Place unnamed(const Place& place) const;
   // 0 at the start, 1 at the end.
   Place at(double part) const;
-  // Whether it may be meant as none: its ends agree within the tolerance, and it makes no turn, or
-  // one that the tolerance leaves open.
+  // Whether it may be meant as none: its ends agree within the tolerance, and it makes no turn
+  // (J-PATH-06).
   bool is_nil(double tolerance) const;
   // The same, but that a turn of it is none is certain.
   bool is_surely_nil(double tolerance) const;

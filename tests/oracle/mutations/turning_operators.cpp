@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "operator.hpp"
+#include "oracle/judge/motion.hpp"
 
 namespace gonogo::mutations {
 namespace {
@@ -48,6 +49,42 @@ bool turn_less(Edit& edit) {
   std::int32_t& rot = edit.trace.records[*number].rot;
   rot += rot < 0 ? 1 : -1;
   return true;
+}
+
+// Moves the end of a circle that closes by half a tolerance along it, in its sense or against it.
+bool move_end_along(Edit& edit, bool ahead, std::int32_t more_turns) {
+  const auto number = edit.any([&](std::size_t i) {
+    const Record& record = edit.right(i);
+    if (record.kind != RecordKind::arc || edit.size_of(i) < 0.1) return false;
+    const reference::PlaneAxes axes = axes_of(record.plane);
+    const Position& from = edit.specimen.before[i];
+    const Position& to = edit.specimen.after[i];
+    return oracle::visible_sign(from[axes.p] - to[axes.p]) == 0 &&
+           oracle::visible_sign(from[axes.q] - to[axes.q]) == 0;
+  });
+  if (!number) return false;
+  Record& arc = edit.trace.records[*number];
+  const reference::PlaneAxes axes = axes_of(arc.plane);
+  const double p = value_of(arc.to[axes.p] - arc.centre[0]);
+  const double q = value_of(arc.to[axes.q] - arc.centre[1]);
+  const double sense = (arc.rot < 0 ? -1 : 1) * (ahead ? 1 : -1);
+  const double part = sense * value_of(edit.times_tolerance(0.5)) / std::hypot(p, q);
+  const auto millionths = [](double value) {
+    return Number::millionths(std::llround(value * 1e6));
+  };
+  arc.to[axes.p] += millionths(-q * part);
+  arc.to[axes.q] += millionths(p * part);
+  arc.rot += (arc.rot < 0 ? -1 : 1) * more_turns;
+  return true;
+}
+
+// The classic slip: a circle whose end is not the start to the last bit is no circle.
+bool ends_just_ahead(Edit& edit) {
+  return move_end_along(edit, true, 0);
+}
+
+bool turn_more_ends_just_short(Edit& edit) {
+  return move_end_along(edit, false, 1);
 }
 
 // Turns with those of an arc, or against them, before or after it.
@@ -129,6 +166,9 @@ std::vector<Operator> turning_operators() {
       {"turn-more", "an arc has a turn more", turn_more},
       {"turns-without-end", "an arc has a thousand million turns more", turns_without_end},
       {"turn-less", "an arc has a turn less", turn_less},
+      {"ends-just-ahead", "a circle ends half a tolerance past its start", ends_just_ahead},
+      {"turn-more-just-short", "a circle has a turn more, but for half a tolerance",
+       turn_more_ends_just_short},
       {"ring-with", "a full ring more, in the sense of the arc", ring_with},
       {"ring-against", "a full ring more, against the arc", ring_against},
       {"twenty-against", "twenty turns against the arc", twenty_against},

@@ -84,6 +84,21 @@ bool other_start_angle(Edit& edit) {
   return true;
 }
 
+// In two pieces, the second of which engages at another angle.
+bool second_piece_elsewhere(Edit& edit) {
+  const auto number = edit.any_of_kind(RecordKind::thread);
+  if (!number || edit.size_of(*number) < 0.1) return false;
+  Record first = edit.right(*number);
+  for (const reference::Axis axis : reference::kAllAxes) {
+    first.to[axis] =
+        (edit.specimen.before[*number][axis] + edit.specimen.after[*number][axis]) / 2;
+  }
+  first.axes = reference::kEveryAxis;
+  edit.trace.records[*number].start += edit.chance.once_in(2) ? Number(77) : Number(1);
+  edit.insert(*number, first);
+  return true;
+}
+
 bool thread_as_cut(Edit& edit) {
   const auto number = edit.any_of_kind(RecordKind::thread);
   if (!number) return false;
@@ -145,6 +160,8 @@ std::vector<Operator> word_operators() {
       {"other-feed-mode", "a feed a minute is one a revolution", other_feed_mode},
       {"other-lead", "a thread has another lead", other_lead},
       {"other-start-angle", "a thread begins at another spindle angle", other_start_angle},
+      {"second-piece-elsewhere", "a thread goes on at another spindle angle",
+       second_piece_elsewhere},
       {"thread-as-cut", "a thread is cut without the spindle", thread_as_cut},
       {"other-block", "a motion claims another block", other_block},
       {"all-blocks-later", "all claim the next block", all_blocks_later},

@@ -63,6 +63,24 @@ bool as_doubles(Attempt& attempt) {
   return true;
 }
 
+// All that a subject that computes with intervals can say: a number somewhere in 4e-16 about it.
+Number as_enclosure(const Number& value) {
+  const auto [low, high] = value.bounds(60);
+  const Number reach = Number(2) * Number::decimal(false, 1, 16);
+  return Number::between(low - reach, high + reach);
+}
+
+bool as_enclosures(Attempt& attempt) {
+  for (Record& record : attempt.trace.records) {
+    each_length(record, as_enclosure);
+    record.feed = as_enclosure(record.feed);
+    record.lead = as_enclosure(record.lead);
+    record.start = as_enclosure(record.start);
+    record.seconds = as_enclosure(record.seconds);
+  }
+  return true;
+}
+
 bool rounded_feeds(Attempt& attempt) {
   const Number step = Number::millionths(1'000);
   attempt.terms.feed_resolution = step;
@@ -249,6 +267,7 @@ std::vector<Alternative> wording_alternatives() {
       {"rounded-ten-times-finer", "the nearest step of a finer resolution",
        rounded_ten_times_finer},
       {"as-doubles", "the nearest double", as_doubles},
+      {"as-enclosures", "a number between two that are close", as_enclosures},
       {"rounded-feeds", "the nearest step of the feed resolution", rounded_feeds},
       {"all-axes-named", "axes that do not move", all_axes_named},
       {"only-moved-axes-named", "axes that move alone", only_moved_axes_named},

@@ -63,6 +63,14 @@ TEST(Enclosure, EqualityOfDifferentExpressionsIsUndecided) {
   EXPECT_THROW((nested - two_roots()).sign(), Undecided);
 }
 
+TEST(Enclosure, TheMagnitudeOfWhatMayBeZeroIsNoLargerThanItsWidth) {
+  const Number around = Number::between(Number::millionths(-2), Number::millionths(3));
+  EXPECT_LT(abs(around), Number::millionths(4));
+  EXPECT_GT(abs(around), Number::millionths(-1));
+  const Number below = Number::between(Number::millionths(-3), Number::millionths(-2));
+  EXPECT_GT(abs(below), Number::millionths(1));
+}
+
 TEST(Enclosure, EqualExpressionsAreEqual) {
   EXPECT_EQ(two_roots(), two_roots());
   EXPECT_EQ(two_roots() - two_roots(), Number(0));
