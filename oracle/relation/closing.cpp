@@ -273,6 +273,9 @@ Answer Correspondence::departure() {
   const auto departs = [&](VerdictKind kind, Rule rule, std::string message) {
     return at_place(farthest_, kind, rule, std::move(message));
   };
+  if (lacks_m_) {
+    return departs(VerdictKind::fail_order, Rule::event, "An M function was due before.");
+  }
   const bool ends_by_alarm =
       outcome_.alarm != nullptr && got.part == Part::close && got.item == nullptr;
   const bool alarms = want.part == Part::close && std::holds_alternative<AlarmReport>(*want.item);
@@ -284,7 +287,11 @@ Answer Correspondence::departure() {
     return departs(VerdictKind::fail_geometry, Rule::free_step,
                    "The step is not what its clause describes.");
   }
-  if (!is_farthest_corner_ && (want.is_motion() || got.is_motion())) {
+  const Likeness likeness = want.is_motion() && got.is_motion()
+                                ? compare(*want.label, *got.label, terms_)
+                                : Likeness::other;
+  if (!is_farthest_corner_ && likeness != Likeness::number &&
+      (want.is_motion() || got.is_motion())) {
     const bool is_traverse = want.part == Part::traverse && got.part == Part::traverse;
     return departs(VerdictKind::fail_geometry, is_traverse ? Rule::traverse : Rule::place,
                    "A motion ends elsewhere.");
@@ -298,7 +305,7 @@ Answer Correspondence::departure() {
   if (!want.is_motion() || !got.is_motion()) {
     return departs(VerdictKind::fail_order, Rule::event, "An event is due here, or elsewhere.");
   }
-  switch (compare(*want.label, *got.label, terms_)) {
+  switch (likeness) {
     case Likeness::number:
       return departs(VerdictKind::fail_feed, Rule::label, "A number differs.");
     case Likeness::other:

@@ -38,21 +38,21 @@ struct Part01 {
 // R2: the part of a piece that is near a place; nothing where none is. REQUIRES: all rational.
 std::optional<Part01> near_part(const Event& piece, const Position& place,
                                 const Number& tolerance) {
-  if (tolerance.sign() < 0) return std::nullopt;
   Part01 part;
   for (const Axis axis : kAllAxes) {
-    const Number travel = piece.to[axis] - piece.from[axis];
-    const Number offset = place[axis] - piece.from[axis];
-    if (travel.sign() == 0) {
-      if (abs(offset) > tolerance) return std::nullopt;
-      continue;
-    }
-    const Number middle = offset / travel;
-    const Number half = tolerance / abs(travel);
-    part.low = max(part.low, middle - half);
-    part.high = min(part.high, middle + half);
-    if (part.low > part.high) return std::nullopt;
+    const Number& from = piece.from[axis];
+    const Number& to = piece.to[axis];
+    const Number low = place[axis] - tolerance;
+    const Number high = place[axis] + tolerance;
+    if (max(from, to) < low || min(from, to) > high || low > high) return std::nullopt;
+    const bool rises = from <= to;
+    // Where it comes near on this axis, and where it leaves.
+    const Number& entry = rises ? low : high;
+    const Number& exit = rises ? high : low;
+    if (rises ? from < entry : from > entry) part.low = max(part.low, (entry - from) / (to - from));
+    if (rises ? to > exit : to < exit) part.high = min(part.high, (exit - from) / (to - from));
   }
+  if (part.low > part.high) return std::nullopt;
   return part;
 }
 
@@ -116,7 +116,10 @@ std::vector<reference::ReadingKey> Correspondence::touched() const {
 Number Correspondence::tolerance(const Number& tau, const Number& width) {
   if (width.sign() == 0) return tau;
   has_width_ = true;
-  return manner_.bias == Bias::outer ? tau + width : tau - width;
+  // In whole millionths, so that most comparisons are of small numbers.
+  constexpr int kMillion = 1'000'000;
+  return manner_.bias == Bias::outer ? ((tau + width) * kMillion).ceil() / kMillion
+                                     : ((tau - width) * kMillion).floor() / kMillion;
 }
 
 // R2: of two arcs 17/8 tau, which is what rounding centre, start and end makes of the points
@@ -163,14 +166,17 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
   ReferenceSide& sides = reference(place);
   const Event& want = sides.at(place.i);
   const Event& got = subject(place).at(place.j);
-  if (place.m < sides.m_functions(place.i) && sides.is_overdue(place.m, place.i)) return;
+  const bool lacks_m =
+      place.m < sides.m_functions(place.i) && sides.is_overdue(place.m, place.i);
   const std::size_t record = got.record;
   const bool is_corner = begins(reached.at_start_of_want) || begins(reached.at_start_of_got);
   if (record > farthest_record_ || (record == farthest_record_ && place >= farthest_)) {
     farthest_ = place;
     farthest_record_ = record;
     is_farthest_corner_ = is_corner && want.begins && got.begins;
+    lacks_m_ = lacks_m;
   }
+  if (lacks_m) return;
   Place next = place;
   ++next.j;
   if (got.is_motion() && ends(reached.at_start_of_want)) reach_corner(next);

@@ -104,6 +104,7 @@ class Correspondence {
   Place farthest_;
   std::size_t farthest_record_ = 0;
   bool is_farthest_corner_ = true;  // no motion is on its way there
+  bool lacks_m_ = false;            // an M function should have come before
   bool has_width_ = false;
   bool finds_centres_ = false;
 };

@@ -129,7 +129,7 @@ Number width_of(const Turning& turning, std::int64_t steps_of_turn) {
 std::int64_t steps_of_turn(const Turning& turning, const Number& tau) {
   constexpr std::int64_t kMost = std::int64_t{1} << 40;
   std::int64_t steps = 64;
-  while (steps < kMost && width_of(turning, steps) * 8 > tau) steps *= 2;
+  while (steps < kMost && width_of(turning, steps) * 8 > tau) steps += steps / 4;
   return steps;
 }
 

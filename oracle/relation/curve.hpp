@@ -70,7 +70,7 @@ class Cutter {
   std::optional<Position> via_;     // of three points in line
   std::optional<Turning> turning_;  // none: a line
   bool is_flat_ = false;
-  std::int64_t steps_of_turn_ = 0;  // a power of two
+  std::int64_t steps_of_turn_ = 0;
   std::int64_t step_ = 0;           // that come next
   Number steps_;                    // of the whole curve, not a whole number
   Rastered here_;

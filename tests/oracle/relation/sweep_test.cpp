@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <map>
 
 #include "deciding.hpp"
@@ -165,7 +166,10 @@ class Comparison {
  public:
   void compare(const Specimen& specimen, std::string_view op, const oracle::JudgeTerms& terms,
                const Trace& trace) {
+    const std::clock_t begin = std::clock();
     const Answer answer = decided(specimen, terms, trace);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    if (seconds > 1) fmt::print("{} took {:.1f} s\n", specimen.id, seconds);
     const oracle::Verdict verdict =
         judge_outcome(specimen.profile, specimen.program, terms, trace.records, trace.end).verdict;
     ++traces_;
