@@ -141,6 +141,13 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
     }
   }
   answer.message = std::move(message);
+  const bool is_passed = decision(kind) == Decision::go || kind == VerdictKind::advice;
+  if (is_passed && (pairs_[place.pair].is_open || rule == Rule::free_step)) {
+    answer.kind = VerdictKind::oracle_gap;
+    answer.rule = Rule::free_step;
+    answer.gap = GapReason::free_step;
+    answer.message = "The definition does not state all conditions of a free step.";
+  }
   return answer;
 }
 
@@ -273,6 +280,9 @@ Answer Correspondence::departure() {
   const auto departs = [&](VerdictKind kind, Rule rule, std::string message) {
     return at_place(farthest_, kind, rule, std::move(message));
   };
+  if (!broken_.empty() && broken_record_ >= farthest_record_) {
+    return at_place(broken_at_, VerdictKind::fail_region, Rule::free_step, std::string(broken_));
+  }
   if (lacks_m_) {
     return departs(VerdictKind::fail_order, Rule::event, "An M function was due before.");
   }

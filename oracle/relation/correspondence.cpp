@@ -407,24 +407,48 @@ void Correspondence::rename(const Place& place) {
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
 
-// R8.
+// R8. What settles a step makes another side of the reference, equal up to it.
+void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next,
+                            bool is_open) {
+  Settled settled = reference(place).settled();
+  settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
+  Pair pair = pairs_[place.pair];
+  pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled));
+  pair.is_open = pair.is_open || is_open;
+  pairs_.push_back(std::move(pair));
+  reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
+}
+
 void Correspondence::take_free_step(const Place& place) {
-  const reference::Item& step = *reference(place).at(place.i).item;
-  const auto* pocket = std::get_if<reference::HelixPocket>(&step);
-  if (pocket == nullptr) {
-    Answer gap = at_place(place, VerdictKind::oracle_gap, Rule::free_step,
-                          "The definition does not state all conditions of this step.");
-    gap.gap = GapReason::free_step;
-    return offer(std::move(gap));
+  const auto step = reference(place).at(place.i).item;
+  SubjectSide& side = subject(place);
+  if (const auto* pocket = std::get_if<reference::HelixPocket>(&*step)) {
+    for (auto& path : paths_of(*pocket, side, place.j, terms_.tolerance)) {
+      settle(place, std::move(path), place, false);
+    }
+    return;
   }
-  for (auto& path : paths_of(*pocket, subject(place), place.j, terms_.tolerance)) {
-    Settled settled = reference(place).settled();
-    settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
-    Pair pair = pairs_[place.pair];
-    pair.reference =
-        std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled));
-    pairs_.push_back(std::move(pair));
-    reach_corner({pairs_.size() - 1, place.i, place.j, place.m});
+  StepAnswer answer;
+  if (const auto* level = std::get_if<reference::PocketLevel>(&*step)) {
+    answer = follow(*level, side, place.j, terms_);
+  } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&*step)) {
+    answer = follow(*pocket, side, place.j, terms_);
+  } else {
+    return offer(at_place(place, VerdictKind::pass_properties, Rule::free_step, ""));
+  }
+  // One motion to where the subject left it stands for the step.
+  for (const std::size_t end : answer.ends) {
+    Record way;
+    way.kind = RecordKind::feed;
+    way.block = reference(place).at(place.i).block;
+    way.axes = reference::kEveryAxis;
+    way.to = side.place(end);
+    settle(place, {way}, {place.pair, place.i + 1, end, place.m}, true);
+  }
+  if (!answer.broken.empty() && side.at(answer.broken_by).record >= broken_record_) {
+    broken_record_ = side.at(answer.broken_by).record;
+    broken_ = answer.broken;
+    broken_at_ = {place.pair, place.i, answer.broken_by, place.m};
   }
 }
 

@@ -51,6 +51,7 @@ class Correspondence {
     std::shared_ptr<SubjectSide> subject;
     std::size_t first_record = 0;  // with which the subject's side begins
     Position start;
+    bool is_open = false;  // it has passed a step whose conditions are not all stated here
   };
   struct Place {
     std::size_t pair = 0;
@@ -74,6 +75,8 @@ class Correspondence {
   void match_stop(const Place& place);
   void rename(const Place& place);
   void take_free_step(const Place& place);
+  void settle(const Place& place, std::vector<reference::Record> path, const Place& next,
+              bool is_open);
   void close(const Place& place);
   void close_at_end(const Place& place, const reference::Record& end);
   void close_at_alarm(const Place& place, const reference::AlarmReport& report);
@@ -105,6 +108,9 @@ class Correspondence {
   std::size_t farthest_record_ = 0;
   bool is_farthest_corner_ = true;  // no motion is on its way there
   bool lacks_m_ = false;            // an M function should have come before
+  std::string_view broken_;         // what breaks a condition of a free step last
+  std::size_t broken_record_ = 0;
+  Place broken_at_;
   bool has_width_ = false;
   bool finds_centres_ = false;
 };

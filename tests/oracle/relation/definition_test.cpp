@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // docs/relation.md, sentence by sentence. tau is 0.0001 mm in rs274, 0.001 mm elsewhere.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "deciding.hpp"
 
@@ -479,13 +484,135 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
 constexpr std::string_view kPocket =
     "G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-2 R-3 I10 L4 Q2 P0.5 D3 F200\n";
 
-TEST(R8FreeStep, IsUndecidedWhereItsConditionsAreNotStatedHere) {
-  EXPECT_EQ(decided(kPocket, R"({"k":"rapid","b":1,"to":{"x":"15","y":"14","z":"9"}}
+// The level at Z4 between the plunge and the retract: X10 Y10 is the middle, 7 the tool's reach.
+std::string pocket(std::string_view level) {
+  return R"({"k":"rapid","b":1,"to":{"x":"15","y":"14","z":"9"}}
 {"k":"rapid","b":2,"to":{"x":"10","y":"10"}}
 {"k":"rapid","b":2,"to":{"z":"6"}}
-{"k":"feed","b":2,"to":{"z":"4"},"f":"200"})",
-                    {.dialect = "gsk988ta"}),
+{"k":"feed","b":2,"to":{"z":"4"},"f":"200"}
+)" + std::string(level) +
+         R"({"k":"rapid","b":2,"to":{"z":"6"}}
+{"k":"rapid","b":2,"to":{"x":"10","y":"10"}}
+{"k":"rapid","b":2,"to":{"z":"9"}}
+{"k":"end","to":{"x":"10","y":"10","z":"9"}})";
+}
+std::string to_ring(double radius) {
+  return fmt::format(R"({{"k":"feed","b":2,"to":{{"x":"{}"}},"f":"200"}}
+)",
+                     10 + radius);
+}
+std::string ring(double radius, int rot, double height = 4) {
+  return to_ring(radius) +
+         fmt::format(R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":{},"to":{{"x":"{}","y":"10","z":"{}"}},"f":"200"}}
+)",
+                     rot, 10 + radius, height);
+}
+const Declared kGsk{.dialect = "gsk988ta"};
+
+TEST(R8FreeStep, IsUndecidedWhereItsConditionsAreNotAllStatedHere) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(4, -1) + ring(6, -1) + ring(7, -1)), kGsk),
             "oracle-gap R8 free-step");
+}
+
+TEST(R8FreeStep, TheEnvelopeHoldsForEveryPoint) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(7.5, -1) + ring(7, -1)), kGsk),
+            "fail.region R8");
+  EXPECT_EQ(decided(kPocket, pocket(to_ring(5000) + ring(7, -1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, ALevelIsCutAtItsDepth) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1, 4.1)), kGsk), "fail.geometry R2");
+}
+
+TEST(R8FreeStep, TurnsAreCountedNotRecords) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1000000000) + ring(7, -1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, TheSenseIsTheWayRoundTheMiddle) {
+  // Radius 6 counterclockwise, in 260 arcs of radius 500 that each turn clockwise.
+  std::string level = ring(2, -1) + ring(4, -1) + to_ring(6);
+  constexpr int kArcs = 260;
+  const auto place = [](int arc) {
+    const double angle = 2 * std::numbers::pi * arc / kArcs;
+    return std::array{10 + 6 * std::cos(angle), 10 + 6 * std::sin(angle)};
+  };
+  for (int arc = 1; arc <= kArcs; ++arc) {
+    const auto [ax, ay] = place(arc - 1);
+    const auto [bx, by] = place(arc);
+    const double chord = std::hypot(bx - ax, by - ay);
+    const double height = std::sqrt(500.0 * 500.0 - chord * chord / 4) / chord;
+    level += fmt::format(
+        R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"{:.9f}","y":"{:.9f}"}},"rot":-1,"to":{{"x":"{:.9f}","y":"{:.9f}"}},"f":"200"}}
+)",
+        (ax + bx) / 2 + (by - ay) * height, (ay + by) / 2 - (bx - ax) * height, bx, by);
+  }
+  EXPECT_EQ(decided(kPocket, pocket(level), kGsk), "fail.region R8");
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(6, 1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, WhatFollowsAStepIsComparedAsEver) {
+  std::string trace = pocket(ring(2, -1) + ring(4, -1) + ring(6, -1) + ring(7, -1));
+  trace.replace(trace.rfind(R"({"z":"9"}})"), 9, R"({"z":"8"})");
+  EXPECT_EQ(decided(kPocket, trace, kGsk), "fail.geometry R4");
+}
+
+// The helix may be entered anywhere on its circle: at X17 or at Y3.
+TEST(R8FreeStep, AHelicalPocketIsDecidedForEachSide) {
+  const std::string program = "G17 G00 X30 Y14 Z9\nG112 X20 Y10 W-2 R-3 I10 L1 D3 F200\n";
+  const auto trace = [](std::string_view c, std::string_view side, int rot) {
+    return fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"15","y":"14","z":"9"}}}}
+{{"k":"rapid","b":2,"to":{{"x":"10","y":"10"}}}}
+{{"k":"rapid","b":2,"to":{{"z":"6"}}}}
+{{"k":"arc","b":2,"plane":"G17","c":{{{0}}},"rot":{2},"to":{{{1}}},"f":"200"}}
+{{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":{2},"to":{{{1},"z":"4"}},"f":"200"}}
+{{"k":"arc","b":2,"plane":"G17","c":{{{0}}},"rot":{2},"to":{{"x":"10","y":"10"}},"f":"200"}}
+{{"k":"rapid","b":2,"to":{{"z":"9"}}}})",
+                       c, side, rot);
+  };
+  const Declared declared{.dialect = "gsk988ta", .reading = "gsk.helix.flat=off"};
+  const std::string at_x = trace(R"("x":"13.5","y":"10")", R"("x":"17","y":"10")", -1);
+  EXPECT_EQ(decided(program, at_x, declared), kGo);
+  EXPECT_EQ(decided(program, trace(R"("x":"10","y":"6.5")", R"("x":"10","y":"3")", -1), declared),
+            kGo);
+  EXPECT_NE(decided(program, trace(R"("x":"13.5","y":"10")", R"("x":"17","y":"10")", 1), declared),
+            kGo);
+  EXPECT_NE(decided(program, trace(R"("x":"13","y":"10")", R"("x":"16","y":"10")", -1), declared),
+            kGo);
+}
+
+// Finishing of the border alone: the roughed floor lies at Z-6.
+constexpr std::string_view kFinish = R"(G0 X8 Y5 Z14 S400 M3 T1 D1
+R101=10 R102=2 R103=0 R104=-6 R116=0 R117=0
+R118=40 R119=40 R120=20 R121=3 R122=100 R123=300
+R124=0.5 R125=0 R126=2 R127=2
+LCYC75
+)";
+std::string finish(std::string_view before, int rot = -1) {
+  return fmt::format(R"({{"k":"m","b":1,"m":3}}
+{{"k":"rapid","b":1,"to":{{"x":"8","y":"5","z":"14"}}}}
+{{"k":"rapid","b":5,"to":{{"x":"0","y":"0","z":"10"}}}}
+{{"k":"rapid","b":5,"to":{{"z":"2"}}}}
+{}
+{{"k":"rapid","b":5,"to":{{"z":"-3"}}}}
+{{"k":"feed","b":5,"to":{{"x":"15","y":"0"}},"f":"300"}}
+{{"k":"arc","b":5,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":{},"to":{{"x":"15","y":"0"}},"f":"300"}}
+{{"k":"feed","b":5,"to":{{"x":"0","y":"0"}},"f":"300"}}
+{{"k":"rapid","b":5,"to":{{"z":"10"}}}})",
+                     before, rot);
+}
+
+TEST(R8FreeStep, NoTraverseGoesIntoWhatIsNotCleared) {
+  const Declared with{.dialect = "sinumerik802s", .tool = "5"};
+  EXPECT_EQ(decided(kFinish, finish(""), with), "oracle-gap R8 free-step");
+  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"z":"-6"}}
+{"k":"rapid","b":5,"to":{"z":"2"}})"),
+                    with),
+            "fail.region R8");
+  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"x":"25"}}
+{"k":"rapid","b":5,"to":{"x":"0"}})"),
+                    with),
+            "fail.region R8");
+  EXPECT_EQ(decided(kFinish, finish("", 1), with), "fail.region R8");
 }
 
 TEST(R9Undecided, NamesItsReason) {
