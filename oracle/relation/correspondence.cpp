@@ -327,6 +327,11 @@ void Correspondence::traverse(const Place& place, const Interval& entry) {
   Place next = place;
   ++next.i;
   const Event& first = side.at(place.j);
+  // No traverse at all is one that leads no farther than tau.
+  const Number still = tolerance(terms_.tolerance, want.width + first.width);
+  for (Interval& part : common(Intervals{entry}, near_part(first, want.to, still))) {
+    reach(next, true, std::move(part));
+  }
   if (is_partner(first) && !first.one_axis && entry.high.sign() > 0) return;
   Position here = first.is_motion() ? point_at(first, entry.high) : first.from;
   Axes axes(want, here);
@@ -434,7 +439,7 @@ void Correspondence::take_free_step(const Place& place) {
   } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&*step)) {
     answer = follow(*pocket, side, place.j, terms_);
   } else {
-    return offer(at_place(place, VerdictKind::pass_properties, Rule::free_step, ""));
+    answer = follow(std::get<reference::ThreadMilling>(*step), side, place.j, terms_);
   }
   // One motion to where the subject left it stands for the step.
   for (const std::size_t end : answer.ends) {

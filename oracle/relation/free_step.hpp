@@ -29,6 +29,8 @@ StepAnswer follow(const reference::PocketLevel& level, SubjectSide& subject, std
                   const Terms& terms);
 StepAnswer follow(const reference::PocketMilling& pocket, SubjectSide& subject, std::size_t begin,
                   const Terms& terms);
+StepAnswer follow(const reference::ThreadMilling& thread, SubjectSide& subject, std::size_t begin,
+                  const Terms& terms);
 
 // The way round a middle, in quarters of a turn, and how far it has gone back.
 class Winding {
@@ -44,7 +46,7 @@ class Winding {
   // Another stretch begins: the way to it does not count.
   void leave() { last_.reset(); }
   bool goes_back() const { return most_ - quarters_ > 2; }  // by more than half a turn
-  std::int64_t turns() const { return quarters_ / 4; }
+  std::int64_t quarters() const { return quarters_; }
 
  private:
   static int quarter_of(const Offset& offset);

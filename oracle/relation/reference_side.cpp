@@ -76,6 +76,10 @@ void ReferenceSide::take(const Item& item) {
     event.block = renaming->block;
   } else if (const auto settled = settled_.find(item_); settled != settled_.end()) {
     due_.assign(settled->second.begin(), settled->second.end());
+    // Blocks that follow a thread start from where its path ended.
+    if (std::holds_alternative<reference::ThreadMilling>(item)) {
+      expander_.stand_at(due_.back().to);
+    }
     return;
   } else if (!std::holds_alternative<reference::AlarmReport>(item) &&
              !std::holds_alternative<reference::NotCovered>(item)) {
