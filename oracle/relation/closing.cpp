@@ -7,54 +7,19 @@
 #include <algorithm>
 
 #include "oracle/relation/correspondence.hpp"
+#include "oracle/relation/silence.hpp"
+#include "oracle/relation/unreadable_block.hpp"
 
 namespace gonogo::relation {
 
 using oracle::Decision;
 using oracle::VerdictKind;
-using reference::AlarmClass;
 using reference::AlarmReport;
 using reference::NotCovered;
 using reference::Record;
 using reference::RecordKind;
 
 namespace {
-
-bool is_silent(reference::ClauseId clause) {
-  return clause != reference::kNoClause &&
-         reference::clause(clause).basis() == reference::Basis::silent;
-}
-
-// R7: the alarms that would be the other answer where a block runs on by a rule that no text
-// states.
-struct OtherAnswer {
-  reference::ClauseId clause;
-  AlarmClass alarm;
-};
-std::span<const OtherAnswer> other_answers() {
-  using reference::operator""_clause;
-  static constexpr std::array kAnswers = {
-      OtherAnswer{"SIE-G1-04"_clause, AlarmClass::spindle_stopped},
-      OtherAnswer{"SIE-COM-04"_clause, AlarmClass::duplicate_word},
-      OtherAnswer{"GSK-COM-10"_clause, AlarmClass::unused_word},
-      OtherAnswer{"HNC-COM-07"_clause, AlarmClass::unused_word},
-      OtherAnswer{"GSK-COM-12"_clause, AlarmClass::value_sign},
-      OtherAnswer{"GSK-COM-12"_clause, AlarmClass::value_out_of_range},
-      OtherAnswer{"HNC-COM-04"_clause, AlarmClass::value_sign},
-      OtherAnswer{"HNC-COM-04"_clause, AlarmClass::value_out_of_range},
-      OtherAnswer{"GSK-COM-13"_clause, AlarmClass::syntax},
-      OtherAnswer{"GSK-COM-13"_clause, AlarmClass::duplicate_word},
-      OtherAnswer{"HNC-COM-06"_clause, AlarmClass::syntax},
-      OtherAnswer{"HNC-COM-06"_clause, AlarmClass::duplicate_word},
-      OtherAnswer{"NGC-OWD-09"_clause, AlarmClass::syntax}};
-  return kAnswers;
-}
-
-bool is_other_answer(reference::ClauseId clause, std::string_view alarm_class) {
-  return std::ranges::any_of(other_answers(), [&](const OtherAnswer& other) {
-    return other.clause == clause && reference::name(other.alarm) == alarm_class;
-  });
-}
 
 std::string text_of(const Event& event) {
   if (event.item == nullptr) return "the end of the trace";
@@ -221,7 +186,10 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   const bool is_class = std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
     return reference::name(alarm.alarm) == outcome_.alarm->alarm_class;
   });
-  if (!is_block || !is_class) return;
+  const auto alarms_before = [&] {
+    return alarms_before_fault(profile_, program_, report, outcome_.alarm->alarm_class);
+  };
+  if (!is_block || !(is_class || alarms_before())) return;
   Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
   answer.clause = reference::kNoClause;
   offer(std::move(answer));

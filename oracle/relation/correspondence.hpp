@@ -72,6 +72,8 @@ class Correspondence {
   void pass_over_subject(const Place& place, Intervals of_want);
   void pass_over_reference(const Place& place, Intervals of_got);
   void traverse(const Place& place, const Interval& entry);
+  bool is_partner(const Event& want, const Event& got) const;
+  bool takes_m(const Place& place, bool is_within);
   void match_stop(const Place& place);
   void rename(const Place& place);
   void take_free_step(const Place& place);

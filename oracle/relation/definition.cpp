@@ -17,6 +17,12 @@ bool is_go(const Answer& answer) {
   return decision(answer.kind) == Decision::go;
 }
 
+int rank(const Answer& answer) {
+  if (is_go(answer)) return 0;
+  if (decision(answer.kind) == Decision::undecided) return 1;
+  return answer.kind == VerdictKind::advice ? 2 : 3;
+}
+
 // One assignment of the readings, one reading of the trace.
 struct Judgement {
   Answer answer;
@@ -35,19 +41,24 @@ Answer undecided(GapReason reason, std::string message) {
 // What the curves themselves do lies between what inner and outer reach.
 Judgement judge(const reference::Profile& profile, std::string_view program, const Terms& terms,
                 const Outcome& outcome, Manner manner) {
-  manner.bias = Bias::outer;
-  Correspondence outer(profile, program, terms, outcome, manner);
-  Judgement judgement{outer.best(), outer.finds_centres(), outer.touched()};
-  if (!is_go(judgement.answer) && judgement.answer.kind != VerdictKind::advice) return judgement;
-  if (!outer.has_width()) return judgement;
   manner.bias = Bias::inner;
   Correspondence inner(profile, program, terms, outcome, manner);
-  Answer answer = inner.best();
-  if (answer.kind == judgement.answer.kind) return judgement;
-  judgement.answer = undecided(GapReason::cutting, "The sides are as far apart as the tolerance.");
-  judgement.answer.record = answer.record;
-  judgement.answer.want = answer.want;
-  judgement.answer.got = answer.got;
+  Judgement judgement{inner.best(), inner.finds_centres(), inner.touched()};
+  if (is_go(judgement.answer) || !inner.has_width()) return judgement;
+  manner.bias = Bias::outer;
+  Correspondence outer(profile, program, terms, outcome, manner);
+  const Answer answer = outer.best();
+  judgement.finds_centres = outer.finds_centres();
+  judgement.touched = outer.touched();
+  if (rank(answer) == rank(judgement.answer)) {
+    judgement.answer = answer;
+    return judgement;
+  }
+  Answer between = undecided(GapReason::cutting, "The sides are as far apart as the tolerance.");
+  between.record = judgement.answer.record;
+  between.want = judgement.answer.want;
+  between.got = judgement.answer.got;
+  judgement.answer = std::move(between);
   return judgement;
 }
 
@@ -82,12 +93,6 @@ Judgement judge_readings_of_trace(const reference::Profile& profile, std::string
                                  "An arc whose ends agree may be a nil or a full turn.");
   }
   return judgement;
-}
-
-int rank(const Answer& answer) {
-  if (is_go(answer)) return 0;
-  if (decision(answer.kind) == Decision::undecided) return 1;
-  return answer.kind == VerdictKind::advice ? 2 : 3;
 }
 
 // The first reading that was asked for and is open.

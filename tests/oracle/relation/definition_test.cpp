@@ -440,6 +440,16 @@ TEST(R6Alarm, AtLoadItComesBeforeEverything) {
   EXPECT_EQ(decided(kFaulty, kSign, {.at_load = true}), kGo);
 }
 
+TEST(R6Alarm, ABlockThatCannotBeReadAdmitsWhatStandsBeforeThatPlace) {
+  const std::string program = "G21 G90 F100\nG1 G0 X10 Y=\nM2\n";
+  const auto alarm = [](std::string_view alarm_class) {
+    return R"({"k":"alarm","b":2,"class":")" + std::string(alarm_class) + "\"}";
+  };
+  EXPECT_EQ(decided(program, alarm("syntax")), kGo);
+  EXPECT_EQ(decided(program, alarm("conflicting-words")), kGo);
+  EXPECT_EQ(decided(program, alarm("missing-word")), "fail.alarm-class R6");
+}
+
 TEST(R6Alarm, OfAProgramWithoutAFaultIsSpurious) {
   EXPECT_EQ(decided(kCorner, faulty(R"({"k":"alarm","b":3,"class":"syntax"})")),
             "fail.alarm-spurious R6");

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <ctime>
 #include <map>
 
 #include "deciding.hpp"
@@ -29,7 +28,7 @@ struct Specimen {
   Trace right;
 };
 
-constexpr std::size_t kMostRecords = 120;
+constexpr std::size_t kMostRecords = 40;
 
 std::vector<Specimen> specimens() {
   std::vector<Specimen> all;
@@ -161,21 +160,33 @@ Answer decided(const Specimen& specimen, const oracle::JudgeTerms& terms, const 
                 trace.outcome());
 }
 
+// The differences that are known, each with the side that is right by docs/relation.md.
+bool is_known(const Answer& answer, const oracle::Verdict& verdict,
+              const oracle::JudgeTerms& terms) {
+  const bool passes = decision(answer.kind) == Decision::go;
+  // The definition: where two motions with one label meet is no event. The judge holds the ends of
+  // each motion, also where the path is within tau of both.
+  if (passes) return !terms.compare_blocks && verdict.kind == VerdictKind::fail_geometry;
+  // The definition: an M function is at its place among the events of its block.
+  return answer.rule == Rule::event && terms.compare_m;
+}
+
 // What the two say of many traces.
 class Comparison {
  public:
   void compare(const Specimen& specimen, std::string_view op, const oracle::JudgeTerms& terms,
                const Trace& trace) {
-    const std::clock_t begin = std::clock();
     const Answer answer = decided(specimen, terms, trace);
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    if (seconds > 1) fmt::print("{} took {:.1f} s\n", specimen.id, seconds);
     const oracle::Verdict verdict =
         judge_outcome(specimen.profile, specimen.program, terms, trace.records, trace.end).verdict;
     ++traces_;
     const bool is_same = decision(answer.kind) == decision(verdict.kind);
     ++said_[fmt::format("{} / {}", text_of(answer), word(verdict.kind))];
     if (is_same || answer.gap != GapReason::none) return;
+    if (is_known(answer, verdict, terms)) {
+      ++known_;
+      return;
+    }
     const std::string kind = fmt::format("{}: definition {} {}, judge {}", op, name(answer.kind),
                                          name(answer.rule), name(verdict.kind));
     if (++differences_[kind] <= kPrinted) {
@@ -187,7 +198,7 @@ class Comparison {
   }
   void print() const {
     for (const auto& [said, count] : said_) fmt::print("{:7} {}\n", count, said);
-    fmt::print("{} traces, {} differences\n", traces_, differences());
+    fmt::print("{} traces, {} known differences, {} others\n", traces_, known_, differences());
     for (const auto& [kind, count] : differences_) fmt::print("{:7} {}\n", count, kind);
   }
   long differences() const {
@@ -216,6 +227,7 @@ class Comparison {
   }
 
   long traces_ = 0;
+  long known_ = 0;
   std::map<std::string, long> said_;
   std::map<std::string, long> differences_;
 };
