@@ -75,6 +75,25 @@ std::string verdict_text(const Verdict& verdict) {
                      evidence(verdict, "  "));
 }
 
+std::string answer_text(const relation::Answer& answer) {
+  std::string text = fmt::format("{}: {}\n", word(answer.kind), name(answer.kind));
+  auto put = [&](std::string_view what, std::string_view value) {
+    if (!value.empty()) text += fmt::format("  {:<11}{}\n", what, value);
+  };
+  put("", answer.message);
+  put("rule", name(answer.rule));
+  put("reason", name(answer.gap));
+  if (answer.clause != reference::kNoClause) {
+    put("clause", reference::clause(answer.clause).id);
+  }
+  if (decision(answer.kind) == Decision::go) return text;
+  if (answer.record) put("record", std::to_string(*answer.record));
+  put("want", answer.want);
+  put("got", answer.got);
+  if (!answer.distance.empty()) put("distance", answer.distance + " mm");
+  return text;
+}
+
 ExitCode exit_code_of(const oracle::Verdict& verdict) {
   if (verdict.kind == oracle::VerdictKind::advice) return kGo;  // J-RUN-04
   switch (decision(verdict.kind)) {

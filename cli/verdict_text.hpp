@@ -8,11 +8,14 @@
 #include "oracle/campaign/results.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/verdict.hpp"
+#include "oracle/relation/definition.hpp"
 
 namespace gonogo::cli {
 
 // A verdict for people, some lines.
 std::string verdict_text(const oracle::Verdict& verdict);
+// The same of what the definition says.
+std::string answer_text(const relation::Answer& answer);
 // What the program ends with where it judged one program.
 ExitCode exit_code_of(const oracle::Verdict& verdict);
 

@@ -3,6 +3,8 @@
 // gonogo judge: one program and one recorded outcome.
 #include <fmt/format.h>
 
+#include <array>
+
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
@@ -11,6 +13,7 @@
 #include "cli/times_text.hpp"
 #include "cli/verdict_text.hpp"
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/relation/definition.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -22,6 +25,7 @@ struct JudgeOptions {
   std::string resolution;
   bool time = false;
   bool rounding = false;
+  bool by_definition = false;
   ProfileOptions profile;
   LimitOptions limits;
 };
@@ -70,6 +74,55 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
   }
 }
 
+std::string text_of(const oracle::ProgramText& program) {
+  std::string text;
+  std::array<char, 1 << 16> chunk;
+  const auto bytes = program.open();
+  while (const std::size_t count = bytes->read(chunk.data(), chunk.size())) {
+    text.append(chunk.data(), count);
+  }
+  return text;
+}
+
+// The same terms, for the definition of the relation (docs/relation.md).
+relation::Terms terms_of_definition(const oracle::JudgeTerms& terms, const JudgeOptions& options,
+                                    const reference::Profile& profile) {
+  relation::Terms same;
+  same.tolerance = terms.tolerance;
+  same.increment = profile.resolution();
+  same.chord = terms.chord;
+  same.resolution = terms.resolution;
+  same.feed_resolution = terms.feed_resolution;
+  same.binary64 = terms.binary64;
+  same.exact = options.numeric == "exact";
+  same.compare_blocks = terms.compare_blocks;
+  same.compare_m = terms.compare_m;
+  same.strict = terms.strict;
+  return same;
+}
+
+int judge_by_definition(const JudgeOptions& options, const reference::Profile& profile,
+                        const oracle::ProgramText& program, RecordedTrace& trace) {
+  std::vector<reference::Record> records;
+  const TraceSummary seen =
+      trace.read([](std::string_view) { return false; },
+                 [&](const reference::Record& record) { records.push_back(record); });
+  if (seen.end.kind != oracle::RunEnd::Kind::ok && seen.end.kind != oracle::RunEnd::Kind::alarm) {
+    throw UsageError(seen.end.message);
+  }
+  const relation::Terms terms =
+      terms_of_definition(terms_for(seen.features, options, profile), options, profile);
+  const bool alarms = seen.end.kind == oracle::RunEnd::Kind::alarm;
+  const relation::Answer answer = relation::decide(
+      profile, text_of(program), terms, {records, alarms ? &seen.end.alarm : nullptr});
+  Output output;
+  output.text() = answer_text(answer);
+  output.flush();
+  oracle::Verdict verdict;
+  verdict.kind = answer.kind;
+  return exit_code_of(verdict);
+}
+
 int judge(const JudgeOptions& options) {
   check_numeric(options.numeric);
   const reference::Profile profile = load_profile(options.profile);
@@ -78,6 +131,10 @@ int judge(const JudgeOptions& options) {
   }
   const StoredFile program(options.program);
   RecordedTrace trace(options.trace);
+  if (options.by_definition) {
+    return judge_by_definition(options, profile,
+                               oracle::ProgramText::of_file(program.descriptor()), trace);
+  }
   const oracle::SessionVerdict session =
       judge_trace(options, profile, oracle::ProgramText::of_file(program.descriptor()), trace);
   Output output;
@@ -108,6 +165,8 @@ void add_judge(Command& program) {
   command.flag("--time", options->time,
                "also tell times of cuts and dwells, and how far traverses go");
   command.flag("--rounding", options->rounding, "also tell how coordinates are rounded");
+  command.flag("--by-definition", options->by_definition,
+               "judge by the definition itself, slowly, and tell which of its rules is broken");
   add_profile_options(command, options->profile);
   add_tolerance_options(command, options->limits);
   add_strict_option(command, options->limits);

@@ -102,6 +102,30 @@ TEST(House, RoomsOfTheOracleIncludeOnlyWhatStandsBeforeThem) {
   }
 }
 
+// docs/relation.md: written apart, else the definition has the holes of the judge.
+TEST(House, TheDefinitionAndTheJudgeShareNothing) {
+  static const std::regex kInclude(R"re(#include "oracle/([a-z]+)/)re");
+  const std::size_t files =
+      for_each_source("oracle/relation", [&](const fs::path& path, const std::string& text) {
+        for (std::sregex_iterator it(text.begin(), text.end(), kInclude), end; it != end; ++it) {
+          EXPECT_TRUE((*it)[1] == "relation" || (*it)[1] == "records")
+              << path << " includes " << (*it)[1];
+        }
+      });
+  EXPECT_GT(files, 0U);
+}
+
+// No campaign waits for it: only `gonogo judge --by-definition` and tests ask it.
+TEST(House, OnlyTheProgramAsksTheDefinition) {
+  for (const char* folder : {"oracle", "program", "generate", "relations", "hunt", "identify",
+                             "fuzz"}) {
+    for_each_source(folder, [&](const fs::path& path, const std::string& text) {
+      if (path.string().starts_with("oracle/relation/")) return;
+      EXPECT_EQ(text.find("#include \"oracle/relation/"), std::string::npos) << path;
+    });
+  }
+}
+
 TEST(House, AFolderIsBuiltOfItsOwnFiles) {
   std::size_t lists = 0;
   for (const char* const folder : {"grammar", "reference", "oracle", "expanders", "program",

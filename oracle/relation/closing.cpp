@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a correspondence ends: at the end of both sides, at an alarm (R6), by what no text states
+// (R7), at what the reference does not cover (R9), or by a departure.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oracle/relation/correspondence.hpp"
+#include "oracle/relation/silence.hpp"
+#include "oracle/relation/unreadable_block.hpp"
+
+namespace gonogo::relation {
+
+using oracle::Decision;
+using oracle::VerdictKind;
+using reference::AlarmReport;
+using reference::NotCovered;
+using reference::Record;
+using reference::RecordKind;
+
+namespace {
+
+std::string text_of(const Event& event) {
+  if (event.item == nullptr) return "the end of the trace";
+  std::string text;
+  if (const auto* record = std::get_if<Record>(&*event.item)) {
+    append_json(*record, text);
+  } else if (const auto* report = std::get_if<AlarmReport>(&*event.item)) {
+    for (const reference::Alarm& alarm : report->alarms) {
+      text += fmt::format("{}{}", text.empty() ? "alarm " : " or ", name(alarm.alarm));
+    }
+  } else if (event.part == Part::free_step) {
+    text = "a path that the manual leaves open";
+  } else if (event.part == Part::renaming) {
+    text = "another name of the position";
+  } else {
+    text = "what is not covered";
+  }
+  return text;
+}
+
+std::string text_of(const oracle::SubjectAlarm& alarm) {
+  return fmt::format("alarm {}{}", alarm.alarm_class.empty() ? alarm.native : alarm.alarm_class,
+                     alarm.block == 0 ? "" : fmt::format(" in line {}", alarm.block));
+}
+
+// On the axis where the ends are farthest apart.
+std::string distance_of(const Event& want, const Event& got) {
+  Number farthest;
+  for (const reference::Axis axis : reference::kAllAxes) {
+    farthest = max(farthest, abs(want.to[axis] - got.to[axis]));
+  }
+  return farthest.decimal_text(6);
+}
+
+// How good an answer is: R7 and R9 excuse, but a path that agrees needs no excuse.
+int rank(VerdictKind kind) {
+  if (kind == VerdictKind::advice) return 2;
+  switch (decision(kind)) {
+    case Decision::go:
+      return 0;
+    case Decision::undecided:
+      return 1;
+    default:
+      return 3;
+  }
+}
+
+// R6: whether the line of an alarm names the M function, as far as its text tells.
+bool names_m(std::string_view line, std::int32_t number) {
+  const std::string digits = std::to_string(number);
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] != 'M' && line[at] != 'm') continue;
+    std::size_t begin = line.find_first_not_of(" \t+0", at + 1);
+    if (begin == std::string_view::npos) begin = line.size();
+    const std::size_t end = std::min(line.find_first_not_of("0123456789", begin), line.size());
+    const std::string_view found = line.substr(begin, end - begin);
+    if (found == digits || (found.empty() && number == 0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void Correspondence::offer(Answer answer) {
+  if (!best_ || rank(answer.kind) < rank(best_->kind)) best_ = std::move(answer);
+}
+
+Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
+                                std::string message) {
+  const Event& want = reference(place).at(place.i);
+  const Event& got = subject(place).at(place.j);
+  Answer answer;
+  answer.kind = kind;
+  answer.rule = rule;
+  answer.record = got.record;
+  answer.want = text_of(want);
+  const bool alarms = got.item == nullptr && outcome_.alarm != nullptr;
+  answer.got = alarms ? text_of(*outcome_.alarm) : text_of(got);
+  if (want.is_motion() && got.is_motion()) answer.distance = distance_of(want, got);
+  if (want.item != nullptr) {
+    if (const auto* record = std::get_if<Record>(&*want.item)) answer.clause = record->clause;
+    if (const auto* report = std::get_if<AlarmReport>(&*want.item)) {
+      answer.clause = firmest(*report).clause;
+    }
+  }
+  answer.message = std::move(message);
+  const bool is_passed = decision(kind) == Decision::go || kind == VerdictKind::advice;
+  if (is_passed && (pairs_[place.pair].is_open || rule == Rule::free_step)) {
+    answer.kind = VerdictKind::oracle_gap;
+    answer.rule = Rule::free_step;
+    answer.gap = GapReason::free_step;
+    answer.message = "The definition does not state all conditions of a free step.";
+  }
+  return answer;
+}
+
+void Correspondence::close(const Place& place) {
+  const Event& want = reference(place).at(place.i);
+  const Event& got = subject(place).at(place.j);
+  if (want.part == Part::close) {
+    if (const auto* outside = std::get_if<NotCovered>(&*want.item)) {
+      Answer gap = at_place(place, VerdictKind::oracle_gap, Rule::none, outside->message);
+      gap.gap = outside->code == reference::kLackingProfile ? GapReason::profile_lacks
+                                                            : GapReason::not_covered;
+      return offer(std::move(gap));
+    }
+    if (place.m == reference(place).m_functions(place.i)) {
+      if (const auto* report = std::get_if<AlarmReport>(&*want.item)) {
+        return close_at_alarm(place, *report);
+      }
+      if (got.part != Part::close || got.item != nullptr || outcome_.alarm == nullptr) {
+        return close_at_end(place, want.source());
+      }
+    }
+  }
+  if (got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr) {
+    close_by_alarm(place);
+  }
+}
+
+void Correspondence::close_at_end(const Place& place, const Record& end) {
+  const Event& got = subject(place).at(place.j);
+  if (got.part != Part::close) {
+    // R7: behind an end that no text states.
+    if (is_silent(end.clause) && !terms_.strict) {
+      offer(at_place(place, VerdictKind::advice, Rule::event, "No text says that the program ends."));
+    }
+    return;
+  }
+  if (got.item != nullptr) {
+    const Record& closed = got.source();
+    // Nothing comes behind the end, and it names places that agree.
+    if (got.record + 1 != outcome_.records.size() || outcome_.alarm != nullptr) return;
+    for (const reference::Axis axis : reference::kAllAxes) {
+      if (!closed.axes.has(axis)) continue;
+      if (abs(rational_near(closed.to[axis] - end.to[axis])) > terms_.tolerance) return;
+    }
+  }
+  Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
+  answer.clause = reference::kNoClause;
+  offer(std::move(answer));
+}
+
+void Correspondence::close_at_alarm(const Place& place, const AlarmReport& report) {
+  const Event& got = subject(place).at(place.j);
+  if (got.part == Part::stop && got.source().kind == RecordKind::m) {
+    // Whether an M function of the block that alarms comes, no text says.
+    const bool is_its_own = !terms_.compare_blocks || got.block == report.block;
+    if (is_its_own && names_m(reference(place).failed_line(), got.source().m)) {
+      Place next = place;
+      ++next.j;
+      return reach_corner(next);
+    }
+  }
+  const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
+  if (!alarms) {
+    // R7: the other answer to an alarm that no text states is to run on.
+    if (is_silent(firmest(report).clause) && !terms_.strict) {
+      offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
+    }
+    return;
+  }
+  const bool is_block = !terms_.compare_blocks || outcome_.alarm->block == report.block;
+  const bool is_class = std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
+    return reference::name(alarm.alarm) == outcome_.alarm->alarm_class;
+  });
+  const auto alarms_before = [&] {
+    return alarms_before_fault(profile_, program_, report, outcome_.alarm->alarm_class);
+  };
+  if (!is_block || !(is_class || alarms_before())) return;
+  Answer answer = at_place(place, VerdictKind::pass_tolerance, Rule::none, "");
+  answer.clause = reference::kNoClause;
+  offer(std::move(answer));
+}
+
+// R7: a block runs on by a rule that no text states, and the alarm is what the other answer would
+// be; all that is due before the block has come, and nothing of it.
+void Correspondence::close_by_alarm(const Place& place) {
+  if (terms_.strict) return;
+  ReferenceSide& sides = reference(place);
+  const oracle::SubjectAlarm& alarm = *outcome_.alarm;
+  const std::size_t known = sides.m_functions(place.i);
+  for (const Acceptance& accepted : sides.acceptances()) {
+    if (accepted.event != place.i || !is_other_answer(accepted.clause, alarm.alarm_class)) continue;
+    if (terms_.compare_blocks && alarm.block != accepted.block) continue;
+    const bool is_due = place.m < known && sides.m_block(place.m) != accepted.block &&
+                        !sides.may_stand(place.m, place.i + 1);
+    if (is_due) continue;
+    Answer advice = at_place(place, VerdictKind::advice, Rule::alarm,
+                             "No text says whether the block runs on.");
+    advice.clause = accepted.clause;
+    offer(std::move(advice));
+  }
+}
+
+// R6: a control that checks at load alarms with no event before.
+bool Correspondence::is_alarm_at_load() {
+  if (profile_.alarm_timing != reference::AlarmTiming::program || outcome_.alarm == nullptr ||
+      !outcome_.records.empty()) {
+    return false;
+  }
+  ReferenceSide& sides = *pairs_.front().reference;
+  std::size_t last = 0;
+  while (sides.at(last).part != Part::close) ++last;
+  if (!std::holds_alternative<AlarmReport>(*sides.at(last).item)) return false;
+  close_at_alarm({0, last, 0, sides.m_functions(last)},
+                 std::get<AlarmReport>(*sides.at(last).item));
+  return best_.has_value();
+}
+
+namespace {
+
+VerdictKind kind_of(const Event& want, const Event& got, bool ends_by_alarm) {
+  const bool alarms = want.part == Part::close && std::holds_alternative<AlarmReport>(*want.item);
+  if (!alarms) return VerdictKind::fail_alarm_spurious;
+  if (ends_by_alarm) return VerdictKind::fail_alarm_class;
+  return got.part == Part::close ? VerdictKind::fail_alarm_missing : VerdictKind::fail_alarm_late;
+}
+
+}  // namespace
+
+// The rule that is broken at the farthest place.
+Answer Correspondence::departure() {
+  const Event& want = reference(farthest_).at(farthest_.i);
+  const Event& got = subject(farthest_).at(farthest_.j);
+  const auto departs = [&](VerdictKind kind, Rule rule, std::string message) {
+    return at_place(farthest_, kind, rule, std::move(message));
+  };
+  if (!broken_.empty() && broken_record_ >= farthest_record_) {
+    return at_place(broken_at_, VerdictKind::fail_region, Rule::free_step, std::string(broken_));
+  }
+  if (lacks_m_) {
+    return departs(VerdictKind::fail_order, Rule::event, "An M function was due before.");
+  }
+  const bool ends_by_alarm =
+      outcome_.alarm != nullptr && got.part == Part::close && got.item == nullptr;
+  const bool alarms = want.part == Part::close && std::holds_alternative<AlarmReport>(*want.item);
+  if (alarms || ends_by_alarm) {
+    return departs(kind_of(want, got, ends_by_alarm), Rule::alarm,
+                   "The alarm is not the one that is due.");
+  }
+  if (want.part == Part::free_step) {
+    return departs(VerdictKind::fail_geometry, Rule::free_step,
+                   "The step is not what its clause describes.");
+  }
+  const Likeness likeness = want.is_motion() && got.is_motion()
+                                ? compare(*want.label, *got.label, terms_)
+                                : Likeness::other;
+  if (!is_farthest_corner_ && likeness != Likeness::number &&
+      (want.is_motion() || got.is_motion())) {
+    const bool is_traverse = want.part == Part::traverse && got.part == Part::traverse;
+    return departs(VerdictKind::fail_geometry, is_traverse ? Rule::traverse : Rule::place,
+                   "A motion ends elsewhere.");
+  }
+  if (want.part == Part::close && got.is_motion()) {
+    return departs(VerdictKind::fail_overrun, Rule::event, "The program is at its end.");
+  }
+  if (want.part == Part::close && got.part == Part::close) {
+    return departs(VerdictKind::fail_geometry, Rule::place, "The end is not that of the program.");
+  }
+  if (!want.is_motion() || !got.is_motion()) {
+    return departs(VerdictKind::fail_order, Rule::event, "An event is due here, or elsewhere.");
+  }
+  switch (likeness) {
+    case Likeness::number:
+      return departs(VerdictKind::fail_feed, Rule::label, "A number differs.");
+    case Likeness::other:
+      return departs(VerdictKind::fail_geometry, Rule::label,
+                     "The motion is of another kind or line.");
+    case Likeness::same:
+      break;
+  }
+  return departs(VerdictKind::fail_geometry,
+                 want.part == Part::traverse ? Rule::traverse : Rule::place,
+                 "The motion leads elsewhere.");
+}
+
+}  // namespace gonogo::relation

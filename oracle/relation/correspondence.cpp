@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/correspondence.hpp"
+#include "oracle/relation/near.hpp"
+
+#include <algorithm>
+
+namespace gonogo::relation {
+
+using oracle::VerdictKind;
+using reference::Axis;
+using reference::kAllAxes;
+using reference::Record;
+using reference::RecordKind;
+
+namespace {
+
+template <typename Intervals>
+bool begins(const Intervals& parts) {
+  return std::ranges::any_of(parts, [](const auto& part) { return part.low.sign() == 0; });
+}
+
+template <typename Intervals>
+bool ends(const Intervals& parts) {
+  return std::ranges::any_of(parts, [](const auto& part) { return part.high == Number(1); });
+}
+
+// The lowest of what is reached and near.
+template <typename Intervals>
+std::optional<Number> lowest(const Intervals& reached, const std::optional<Part01>& near) {
+  std::optional<Number> low;
+  if (!near) return low;
+  for (const auto& part : reached) {
+    const Number begin = max(part.low, near->low);
+    if (begin > min(part.high, near->high)) continue;
+    if (!low || begin < *low) low = begin;
+  }
+  return low;
+}
+
+// What is left of the parts.
+template <typename Intervals>
+Intervals common(const Intervals& parts, const std::optional<Part01>& near) {
+  Intervals left;
+  if (!near) return left;
+  for (const auto& part : parts) {
+    const Number low = max(part.low, near->low);
+    const Number high = min(part.high, near->high);
+    if (low <= high) left.push_back({low, high});
+  }
+  return left;
+}
+
+}  // namespace
+
+Correspondence::Correspondence(const reference::Profile& profile, std::string_view program,
+                               const Terms& terms, const Outcome& outcome, const Manner& manner)
+    : profile_(profile), program_(program), terms_(terms), outcome_(outcome), manner_(manner) {
+  pairs_.push_back({std::make_shared<ReferenceSide>(profile, program, terms, Settled()),
+                    std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, terms,
+                                                  manner.turn),
+                    0, profile.initial.at});
+}
+
+std::vector<reference::ReadingKey> Correspondence::touched() const {
+  std::vector<reference::ReadingKey> keys;
+  for (const Pair& pair : pairs_) {
+    for (const reference::ReadingKey key : pair.reference->readings().touched()) {
+      if (std::ranges::count(keys, key) == 0) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+Number Correspondence::tolerance(const Number& tau, const Number& width) {
+  if (width.sign() == 0) return tau;
+  has_width_ = true;
+  // In whole millionths, so that most comparisons are of small numbers.
+  constexpr int kMillion = 1'000'000;
+  return manner_.bias == Bias::outer ? ((tau + width) * kMillion).ceil() / kMillion
+                                     : ((tau - width) * kMillion).floor() / kMillion;
+}
+
+// R2: of two arcs 17/8 tau, which is what rounding centre, start and end makes of the points
+// between; of a granted chord what is granted.
+Number Correspondence::cell_tolerance(const Event& want, const Event& got) {
+  const Number width = want.width + got.width;
+  const Label& arc = *want.label;
+  if (is_granted_chord(arc, *got.label, terms_) && !arc.is_flat) {
+    return tolerance(terms_.tolerance + terms_.chord, width);
+  }
+  if (arc.kind != RecordKind::arc || got.label->kind != RecordKind::arc) {
+    return tolerance(terms_.tolerance, width);
+  }
+  if (arc.finds_centre) finds_centres_ = true;
+  const Number rounded = terms_.tolerance * 17 / 8;
+  return tolerance(arc.finds_centre && manner_.excuses_centres ? rounded * 2 : rounded, width);
+}
+
+void Correspondence::reach(const Place& place, bool of_subject, Interval part) {
+  Reached& reached = open_[place];
+  Intervals& parts = of_subject ? reached.at_start_of_want : reached.at_start_of_got;
+  for (Interval& other : parts) {
+    if (part.low > other.high || other.low > part.high) continue;
+    other.low = min(other.low, part.low);
+    other.high = max(other.high, part.high);
+    return;
+  }
+  parts.push_back(std::move(part));
+}
+
+Answer Correspondence::best() {
+  if (is_alarm_at_load()) return *best_;
+  reach_corner({});
+  while (!open_.empty()) {
+    const auto [place, reached] = std::move(*open_.begin());
+    open_.erase(open_.begin());
+    expand(place, reached);
+    if (best_ && decision(best_->kind) == oracle::Decision::go) break;
+  }
+  return best_ ? *best_ : departure();
+}
+
+void Correspondence::expand(const Place& place, const Reached& reached) {
+  ReferenceSide& sides = reference(place);
+  const Event& want = sides.at(place.i);
+  const Event& got = subject(place).at(place.j);
+  const bool lacks_m =
+      place.m < sides.m_functions(place.i) && sides.is_overdue(place.m, place.i);
+  const std::size_t record = got.record;
+  const bool is_corner = begins(reached.at_start_of_want) || begins(reached.at_start_of_got);
+  if (record > farthest_record_ || (record == farthest_record_ && place >= farthest_)) {
+    farthest_ = place;
+    farthest_record_ = record;
+    is_farthest_corner_ = is_corner && want.begins && got.begins;
+    lacks_m_ = lacks_m;
+  }
+  if (lacks_m) return;
+  Place next = place;
+  ++next.j;
+  if (got.is_motion() && ends(reached.at_start_of_want)) reach_corner(next);
+  next = place;
+  ++next.i;
+  if (want.is_motion() && ends(reached.at_start_of_got)) reach_corner(next);
+
+  if (want.part == Part::cut && got.part == Part::cut) match_cuts(place, reached);
+  Intervals of_want = want.part == Part::cut ? reached.at_start_of_got : Intervals();
+  Intervals of_got = got.is_motion() ? reached.at_start_of_want : Intervals();
+  if (is_corner) of_want.push_back({0, 0});
+  if (is_corner && !begins(of_got)) of_got.push_back({0, 0});
+  pass_over_subject(place, std::move(of_want));
+  if (want.part == Part::traverse) {
+    for (const Interval& entry : of_got) traverse(place, entry);
+  }
+  pass_over_reference(place, std::move(of_got));
+  if (!is_corner) return;
+  if (got.part == Part::stop) match_stop(place);
+  if (want.part == Part::renaming) rename(place);
+  if (want.part == Part::free_step) take_free_step(place);
+  if (want.part == Part::close || got.part == Part::close) close(place);
+}
+
+// Two pieces with one label: from the lowest place that is reached, everything beyond it.
+void Correspondence::match_cuts(const Place& place, const Reached& reached) {
+  const Event& want = reference(place).at(place.i);
+  const Event& got = subject(place).at(place.j);
+  if (compare(*want.label, *got.label, terms_) != Likeness::same) return;
+  const Number tau = cell_tolerance(want, got);
+  const auto left = lowest(reached.at_start_of_want, near_part(got, want.from, tau));
+  auto below = lowest(reached.at_start_of_got, near_part(want, got.from, tau));
+  if (begins(reached.at_start_of_want) && left && left->sign() == 0) below = Number(0);
+  if (!left && !below) return;
+  Place next = place;
+  ++next.i;
+  if (const auto right = near_part(got, want.to, tau)) {
+    const Number low = below ? right->low : max(right->low, *left);
+    if (low <= right->high) reach(next, true, {low, right->high});
+  }
+  next = place;
+  ++next.j;
+  if (const auto above = near_part(want, got.to, tau)) {
+    const bool from_left = left.has_value();
+    const Number low = from_left ? above->low : max(above->low, *below);
+    if (low <= above->high) reach(next, false, {low, above->high});
+  }
+}
+
+// R3: a stretch of one label that stays near one place has none: the other side stands there.
+void Correspondence::pass_over_subject(const Place& place, Intervals of_want) {
+  SubjectSide& side = subject(place);
+  const Event& want = reference(place).at(place.i);
+  if (!side.at(place.j).is_motion()) return;
+  if (place.j > 0 && goes_on(side.at(place.j - 1), side.at(place.j))) return;
+  Place next = place;
+  for (std::size_t j = place.j;; ++j) {
+    const Event& got = side.at(j);
+    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    for (const Position* point : {&got.from, &got.to}) {
+      if (want.part == Part::cut) {
+        of_want = common(of_want, near_part(want, *point, tau));
+      } else if (!is_near(want.from, *point, tau)) {
+        return;
+      }
+    }
+    if (of_want.empty()) return;
+    if (goes_on(got, side.at(j + 1))) continue;
+    next.j = j + 1;
+    break;
+  }
+  for (Interval& part : of_want) reach(next, false, std::move(part));
+}
+
+void Correspondence::pass_over_reference(const Place& place, Intervals of_got) {
+  ReferenceSide& side = reference(place);
+  const Event& got = subject(place).at(place.j);
+  if (!side.at(place.i).is_motion()) return;
+  if (place.i > 0 && goes_on(side.at(place.i - 1), side.at(place.i))) return;
+  Place next = place;
+  for (std::size_t i = place.i;; ++i) {
+    const Event& want = side.at(i);
+    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    for (const Position* point : {&want.from, &want.to}) {
+      if (got.is_motion()) {
+        of_got = common(of_got, near_part(got, *point, tau));
+      } else if (!is_near(got.from, *point, tau)) {
+        return;
+      }
+    }
+    if (of_got.empty()) return;
+    if (goes_on(want, side.at(i + 1))) continue;
+    next.i = i + 1;
+    break;
+  }
+  for (Interval& part : of_got) reach(next, true, std::move(part));
+}
+
+std::size_t Correspondence::pair_for(const Pair& pair) {
+  for (std::size_t number = 0; number < pairs_.size(); ++number) {
+    const Pair& other = pairs_[number];
+    if (other.reference == pair.reference && other.first_record == pair.first_record &&
+        other.start == pair.start) {
+      return number;
+    }
+  }
+  pairs_.push_back(pair);
+  pairs_.back().subject = std::make_shared<SubjectSide>(outcome_.records, pair.first_record,
+                                                        pair.start, terms_, manner_.turn);
+  return pairs_.size() - 1;
+}
+
+}  // namespace gonogo::relation

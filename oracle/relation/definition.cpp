@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/definition.hpp"
+
+#include <array>
+
+#include "oracle/relation/correspondence.hpp"
+
+namespace gonogo::relation {
+
+using oracle::Decision;
+using oracle::VerdictKind;
+using reference::ReadingKey;
+
+namespace {
+
+bool is_go(const Answer& answer) {
+  return decision(answer.kind) == Decision::go;
+}
+
+int rank(const Answer& answer) {
+  if (is_go(answer)) return 0;
+  if (decision(answer.kind) == Decision::undecided) return 1;
+  return answer.kind == VerdictKind::advice ? 2 : 3;
+}
+
+// One assignment of the readings, one reading of the trace.
+struct Judgement {
+  Answer answer;
+  bool finds_centres = false;
+  std::vector<ReadingKey> touched;
+};
+
+Answer undecided(GapReason reason, std::string message) {
+  Answer answer;
+  answer.kind = VerdictKind::oracle_gap;
+  answer.gap = reason;
+  answer.message = std::move(message);
+  return answer;
+}
+
+// What the curves themselves do lies between what inner and outer reach.
+Judgement judge(const reference::Profile& profile, std::string_view program, const Terms& terms,
+                const Outcome& outcome, Manner manner) {
+  manner.bias = Bias::inner;
+  Correspondence inner(profile, program, terms, outcome, manner);
+  Judgement judgement{inner.best(), inner.finds_centres(), inner.touched()};
+  if (is_go(judgement.answer) || !inner.has_width()) return judgement;
+  manner.bias = Bias::outer;
+  Correspondence outer(profile, program, terms, outcome, manner);
+  const Answer answer = outer.best();
+  judgement.finds_centres = outer.finds_centres();
+  judgement.touched = outer.touched();
+  if (rank(answer) == rank(judgement.answer)) {
+    judgement.answer = answer;
+    return judgement;
+  }
+  Answer between = undecided(GapReason::cutting, "The sides are as far apart as the tolerance.");
+  between.record = judgement.answer.record;
+  between.want = judgement.answer.want;
+  between.got = judgement.answer.got;
+  judgement.answer = std::move(between);
+  return judgement;
+}
+
+bool is_departure(const Answer& answer) {
+  return decision(answer.kind) == Decision::no_go;
+}
+
+// Under one assignment: R7 of centres, and R9 of arcs whose ends agree.
+Judgement judge_readings_of_trace(const reference::Profile& profile, std::string_view program,
+                                  const Terms& terms, const Outcome& outcome) {
+  Judgement judgement = judge(profile, program, terms, outcome, {});
+  if (is_departure(judgement.answer) && judgement.finds_centres && !terms.strict) {
+    const Judgement excused =
+        judge(profile, program, terms, outcome, {Bias::outer, Turn::as_written, true});
+    if (is_go(excused.answer)) {
+      judgement.answer.kind = VerdictKind::advice;
+      judgement.answer.message = "No text says how finely the centre is computed.";
+    }
+  }
+  if (!is_departure(judgement.answer) || terms.exact) return judgement;
+  reference::Position here = profile.initial.at;
+  bool has_two = false;
+  for (const reference::Record& record : outcome.records) {
+    has_two = has_two || has_two_readings(record, here, terms.tolerance);
+    if (is_motion(record.kind)) here = end_of(record, here);
+  }
+  if (!has_two) return judgement;
+  const Judgement other =
+      judge(profile, program, terms, outcome, {Bias::outer, Turn::the_other, false});
+  if (is_go(other.answer)) {
+    judgement.answer = undecided(GapReason::two_readings,
+                                 "An arc whose ends agree may be a nil or a full turn.");
+  }
+  return judgement;
+}
+
+// The first reading that was asked for and is open.
+const reference::Reading* open_reading(const reference::ReadingChoice& choice,
+                                       const std::vector<ReadingKey>& touched) {
+  for (const ReadingKey key : touched) {
+    const reference::Reading& reading = reference::reading(key);
+    if (!reading.by_properties && choice.is(key, "any")) return &reading;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view name(Rule rule) {
+  constexpr std::array<std::string_view, 7> kNames = {"", "R2", "R3", "R4", "R5", "R6", "R8"};
+  return kNames[static_cast<std::size_t>(rule)];
+}
+
+std::string_view name(GapReason reason) {
+  constexpr std::array<std::string_view, 8> kNames = {
+      "",           "not-covered",  "profile",          "cutting",
+      "comparison", "two-readings", "many-assignments", "free-step"};
+  return kNames[static_cast<std::size_t>(reason)];
+}
+
+// The best of all assignments of the open readings that the program asks for; of departures the one
+// that comes last.
+Answer decide(const reference::Profile& profile, std::string_view program, const Terms& terms,
+              const Outcome& outcome) {
+  constexpr std::size_t kMostAssignments = 64;
+  std::vector<reference::ReadingChoice> choices = {profile.readings};
+  std::optional<Answer> best;
+  std::size_t assignments = 0;
+  while (!choices.empty()) {
+    reference::Profile assigned = profile;
+    assigned.readings = choices.back();
+    choices.pop_back();
+    Judgement judgement;
+    try {
+      judgement = judge_readings_of_trace(assigned, program, terms, outcome);
+    } catch (const exact::Undecided& comparison) {
+      judgement.answer = undecided(GapReason::comparison, comparison.what());
+    }
+    if (is_go(judgement.answer)) return judgement.answer;
+    if (const reference::Reading* open = open_reading(assigned.readings, judgement.touched)) {
+      for (const std::string_view alternative : open->alternatives) {
+        choices.push_back(assigned.readings);
+        choices.back().set(open->key, alternative);
+      }
+      continue;
+    }
+    if (++assignments > kMostAssignments) {
+      return undecided(GapReason::many_assignments, "More than 64 assignments of open readings.");
+    }
+    const bool is_better = !best || rank(judgement.answer) < rank(*best) ||
+                           (rank(judgement.answer) == rank(*best) &&
+                            judgement.answer.record > best->record);
+    if (is_better) best = std::move(judgement.answer);
+  }
+  return *best;
+}
+
+}  // namespace gonogo::relation

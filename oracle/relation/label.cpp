@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/label.hpp"
+
+namespace gonogo::relation {
+
+using reference::Record;
+using reference::RecordKind;
+
+Label label_of(const Record& motion, bool is_flat, const Terms& terms) {
+  Label label;
+  label.kind = motion.kind == RecordKind::arc3 ? RecordKind::arc : motion.kind;
+  label.is_flat = is_flat;
+  if (terms.compare_blocks) label.block = motion.block;
+  if (motion.kind == RecordKind::thread) {
+    label.lead = motion.lead;
+    label.start = motion.start;
+  } else if (motion.kind != RecordKind::rapid) {
+    label.feed = motion.feed;
+    label.feed_mode = motion.feed_mode;
+  }
+  label.finds_centre = motion.centre_clause != reference::kNoClause;
+  return label;
+}
+
+namespace {
+
+constexpr int kBitsOfLabel = 64;
+
+// Whether two numbers are surely farther apart than that.
+bool are_apart(const Number& a, const Number& b, const Number& most) {
+  const auto [low_a, high_a] = a.bounds(kBitsOfLabel);
+  const auto [low_b, high_b] = b.bounds(kBitsOfLabel);
+  return low_a - high_b > most || low_b - high_a > most;
+}
+
+bool is_same(const Number& a, const Number& b) {
+  return !are_apart(a, b, 0);
+}
+
+}  // namespace
+
+bool is_same(const Label& a, const Label& b) {
+  return a.kind == b.kind && a.block == b.block && a.feed_mode == b.feed_mode &&
+         is_same(a.feed, b.feed) && is_same(a.lead, b.lead) && is_same(a.start, b.start);
+}
+
+bool agree(const Number& want, const Number& got, const std::optional<Number>& resolution,
+           const Terms& terms) {
+  // Two units in the last place of a double lie below 2^-51 of its value.
+  const Number last_places =
+      terms.binary64 ? abs(want.bounds(kBitsOfLabel)[0]) * Number::binary(1, -51) : Number(0);
+  const Number half = resolution ? *resolution / 2 : Number(0);
+  return !are_apart(want, got, max(half, last_places));
+}
+
+bool is_granted_chord(const Label& want, const Label& got, const Terms& terms) {
+  return terms.chord.sign() > 0 && want.kind == RecordKind::arc && got.kind == RecordKind::feed;
+}
+
+namespace {
+
+bool is_same_kind(const Label& want, const Label& got, const Terms& terms) {
+  if (want.kind == got.kind) return true;
+  const bool line_for_arc = want.kind == RecordKind::arc && got.kind == RecordKind::feed;
+  const bool arc_for_line = want.kind == RecordKind::feed && got.kind == RecordKind::arc;
+  return (line_for_arc && want.is_flat) || (arc_for_line && got.is_flat) ||
+         is_granted_chord(want, got, terms);
+}
+
+// A lead is a length and agrees as lengths do; so does the angle of a start, within a turn.
+bool is_same_thread(const Label& want, const Label& got, const Terms& terms) {
+  const std::optional<Number> resolution = terms.resolution.value_or(terms.increment);
+  for (const int turn : {-360, 0, 360}) {
+    if (!agree(want.start + turn, got.start, resolution, terms)) continue;
+    return agree(want.lead, got.lead, resolution, terms);
+  }
+  return false;
+}
+
+}  // namespace
+
+Likeness compare(const Label& want, const Label& got, const Terms& terms) {
+  if (!is_same_kind(want, got, terms) || want.block != got.block) return Likeness::other;
+  const bool is_same_feed = want.feed_mode == got.feed_mode &&
+                            agree(want.feed, got.feed, terms.feed_resolution, terms);
+  return is_same_feed && is_same_thread(want, got, terms) ? Likeness::same : Likeness::number;
+}
+
+}  // namespace gonogo::relation

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/reference_side.hpp"
+
+#include <algorithm>
+
+namespace gonogo::relation {
+
+using reference::Item;
+using reference::Record;
+using reference::RecordKind;
+
+ReferenceSide::ReferenceSide(const reference::Profile& profile, std::string_view program,
+                             const Terms& terms, Settled settled)
+    : terms_(terms),
+      bytes_(program),
+      lines_(bytes_),
+      expander_(profile, lines_, reference::OpenPaths::judged),
+      settled_(std::move(settled)),
+      here_(profile.initial.at) {
+  expander_.on_acceptance([this](std::uint64_t block, reference::ClauseId clause) {
+    acceptances_.push_back({events_.size(), block, clause});
+  });
+}
+
+const Event& ReferenceSide::at(std::size_t index) {
+  while (index >= events_.size()) extend();
+  return events_[index];
+}
+
+void ReferenceSide::push(Event event) {
+  events_.push_back(std::move(event));
+  items_.push_back(item_);
+}
+
+void ReferenceSide::extend() {
+  if (motion_) {
+    if (std::optional<Event> piece = motion_->next()) return push(*std::move(piece));
+    motion_.reset();
+  }
+  if (!due_.empty()) {
+    const Record record = due_.front();
+    due_.pop_front();
+    return take(record);
+  }
+  ++item_;
+  take(*expander_.next());
+}
+
+void ReferenceSide::take(const Record& record) {
+  Event event;
+  event.item = std::make_shared<Item>(record);
+  event.from = event.to = rastered(here_, terms_.tolerance).at;
+  event.block = record.block;
+  if (is_motion(record.kind)) {
+    motion_.emplace(std::move(event), record, here_, terms_, Turn::as_written);
+    here_ = end_of(record, here_);
+    return;
+  }
+  if (record.kind == RecordKind::dwell && record.seconds.sign() == 0) return;
+  if (record.kind == RecordKind::m) {
+    if (!terms_.compare_m) return;
+    if (!record.among_motions) return m_.push_back({record, events_.size(), {}});
+  }
+  event.part = record.kind == RecordKind::end ? Part::close : Part::stop;
+  push(std::move(event));
+}
+
+void ReferenceSide::take(const Item& item) {
+  if (const auto* record = std::get_if<Record>(&item)) return take(*record);
+  Event event;
+  event.item = std::make_shared<Item>(item);
+  event.from = event.to = rastered(here_, terms_.tolerance).at;
+  if (const auto* renaming = std::get_if<reference::Renaming>(&item)) {
+    for (const reference::Axis axis : reference::kAllAxes) here_[axis] += renaming->shift[axis];
+    event.part = Part::renaming;
+    event.block = renaming->block;
+  } else if (const auto settled = settled_.find(item_); settled != settled_.end()) {
+    due_.assign(settled->second.begin(), settled->second.end());
+    // Blocks that follow a thread start from where its path ended.
+    if (std::holds_alternative<reference::ThreadMilling>(item)) {
+      expander_.stand_at(due_.back().to);
+    }
+    return;
+  } else if (!std::holds_alternative<reference::AlarmReport>(item) &&
+             !std::holds_alternative<reference::NotCovered>(item)) {
+    event.part = Part::free_step;
+    event.block = std::visit(
+        [](const auto& one) -> std::uint64_t {
+          if constexpr (requires { one.block; }) return one.block;
+          return 0;
+        },
+        item);
+  }
+  push(std::move(event));
+}
+
+// To the end of the block: those that stop something are put out behind its motions.
+std::size_t ReferenceSide::m_functions(std::size_t index) {
+  const auto is_of_block = [&](std::size_t event) {
+    return at(event).block == at(index).block && at(event).part != Part::close &&
+           at(event).part != Part::free_step;
+  };
+  if (index < scanned_) return m_.size();
+  for (scanned_ = index; is_of_block(scanned_);) ++scanned_;
+  ++scanned_;
+  return m_.size();
+}
+
+ReferenceSide::Block ReferenceSide::block_of(const MFunction& m) {
+  if (m.events) return *m.events;
+  Block block{m.event, m.event};
+  const std::uint64_t number = m.record.block;
+  while (block.begin > 0 && events_[block.begin - 1].block == number) --block.begin;
+  while (at(block.end).block == number && at(block.end).part != Part::close) ++block.end;
+  m.events = block;
+  return block;
+}
+
+namespace {
+
+// By what they do, as the dialects have it in common: M3 M4 M6 M7 M8 start something, M0 M1 M2 M5
+// M9 M17 M30 M60 stop or end something.
+constexpr std::array kStarting = {3, 4, 6, 7, 8};
+constexpr std::array kEnding = {0, 1, 2, 5, 9, 17, 30, 60};
+
+// Whose place the text fixes: the functions of a line run in its order (NGC-MOD-01).
+bool is_fixed(const Record& m) {
+  using reference::operator""_clause;
+  return m.clause == "NGC-COM-01"_clause;
+}
+
+}  // namespace
+
+bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
+  const MFunction& m = m_[number];
+  if (is_fixed(m.record)) return index == m.event;
+  const Block block = block_of(m);
+  if (index < block.begin || index > block.end) return false;
+  const auto cuts = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (at(i).part == Part::cut || at(i).part == Part::free_step) return true;
+    }
+    return false;
+  };
+  const bool starts = m.record.before_cut || std::ranges::count(kStarting, m.record.m) > 0;
+  const bool ends = std::ranges::count(kEnding, m.record.m) > 0;
+  if (starts && cuts(block.begin, index)) return false;
+  if (ends && cuts(index, block.end)) return false;
+  // Of a cycle before all motions or behind them.
+  const auto moves = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (at(i).is_motion() || at(i).part == Part::free_step) return true;
+    }
+    return false;
+  };
+  return !moves(block.begin, index) || !moves(index, block.end);
+}
+
+bool ReferenceSide::is_overdue(std::size_t number, std::size_t index) {
+  const MFunction& m = m_[number];
+  return index > (is_fixed(m.record) ? m.event : block_of(m).end);
+}
+
+}  // namespace gonogo::relation

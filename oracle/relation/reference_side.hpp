@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "oracle/relation/event.hpp"
+#include "reference/expander.hpp"
+
+namespace gonogo::relation {
+
+// What a free step turned out to be, by the number of its item: records that lead through it.
+using Settled = std::map<std::size_t, std::vector<reference::Record>>;
+
+// A rule that no text states, by which a block runs on, and the event with which the block begins.
+struct Acceptance {
+  std::size_t event = 0;
+  std::uint64_t block = 0;
+  reference::ClauseId clause = reference::kNoClause;
+};
+
+// The reference's events, each asked of it when it is looked at.
+class ReferenceSide {
+ public:
+  // What it is given must outlive it.
+  ReferenceSide(const reference::Profile& profile, std::string_view program, const Terms& terms,
+                Settled settled);
+  // The last one is the close; REQUIRES: none before it is.
+  const Event& at(std::size_t index);
+
+  // M functions that hold no place among the motions, in order: how many are known when event
+  // `index` is; each of them; whether it may stand before event `index`, and whether it has to have
+  // come by then (R5).
+  std::size_t m_functions(std::size_t index);
+  const reference::Record& m_function(std::size_t number) const { return m_[number].record; }
+  bool may_stand(std::size_t number, std::size_t index);
+  bool is_overdue(std::size_t number, std::size_t index);
+  std::uint64_t m_block(std::size_t number) const { return m_[number].record.block; }
+
+  const std::vector<Acceptance>& acceptances() const { return acceptances_; }
+  std::size_t item_of(std::size_t index) const { return items_.at(index); }
+  const Settled& settled() const { return settled_; }
+  std::string_view failed_line() const { return expander_.failed_line(); }
+  const reference::ReadingsInUse& readings() const { return expander_.readings(); }
+
+ private:
+  // From one event to before another.
+  struct Block {
+    std::size_t begin;
+    std::size_t end;
+  };
+  struct MFunction {
+    reference::Record record;
+    std::size_t event;  // that it stands before
+    mutable std::optional<Block> events;  // of its block, once they are known
+  };
+  void extend();
+  void take(const reference::Item& item);
+  void take(const reference::Record& record);
+  void push(Event event);
+  Block block_of(const MFunction& m);
+
+  const Terms& terms_;
+  grammar::MemorySource bytes_;
+  grammar::LineSource lines_;
+  reference::Expander expander_;
+  Settled settled_;
+  Position here_;
+  std::deque<Event> events_;
+  std::deque<std::size_t> items_;  // the number of the item of each event
+  std::optional<MotionEvents> motion_;
+  std::deque<reference::Record> due_;  // of a free step that is settled
+  std::size_t item_ = 0;
+  std::size_t scanned_ = 0;  // before which all M functions are known
+  std::deque<MFunction> m_;
+  std::vector<Acceptance> acceptances_;
+};
+
+}  // namespace gonogo::relation

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Traverses (R4), events without length (R5), renamings and free steps (R8).
+#include <algorithm>
+
+#include "oracle/relation/correspondence.hpp"
+#include "oracle/relation/free_step.hpp"
+#include "oracle/relation/near.hpp"
+
+namespace gonogo::relation {
+
+using oracle::VerdictKind;
+using reference::Axis;
+using reference::kAllAxes;
+using reference::Record;
+using reference::RecordKind;
+
+// The end of a stretch that stays near a place; nothing where it does not, or has begun before.
+std::optional<std::size_t> Correspondence::end_of_small_run(SubjectSide& side, std::size_t begin,
+                                                            const Position& place,
+                                                            const Number& width) {
+  if (begin > 0 && goes_on(side.at(begin - 1), side.at(begin))) return std::nullopt;
+  for (std::size_t j = begin;; ++j) {
+    const Event& got = side.at(j);
+    const Number tau = tolerance(terms_.tolerance, width + got.width);
+    if (!got.is_motion() || !is_near(got.from, place, tau) || !is_near(got.to, place, tau)) {
+      return std::nullopt;
+    }
+    if (!goes_on(got, side.at(j + 1))) return j + 1;
+  }
+}
+
+namespace {
+
+// R4: how far the axes have come on their way, none of which turns back.
+class Axes {
+ public:
+  Axes(const Event& want, const Position& at) : want_(want), best_(at) {}
+  bool take(const Position& point, const Number& tau) {
+    for (const Axis axis : kAllAxes) {
+      const Number& from = want_.from[axis];
+      const Number& to = want_.to[axis];
+      if (point[axis] < min(from, to) - tau || point[axis] > max(from, to) + tau) return false;
+      const bool rises = to >= from;
+      const Number back = rises ? best_[axis] - point[axis] : point[axis] - best_[axis];
+      if (back > tau * 2) return false;
+      if (back.sign() < 0) best_[axis] = point[axis];
+    }
+    return true;
+  }
+
+ private:
+  const Event& want_;
+  Position best_;
+};
+
+}  // namespace
+
+void Correspondence::traverse(const Place& place, const Interval& entry) {
+  SubjectSide& side = subject(place);
+  const Event& want = reference(place).at(place.i);
+  const Event& first = side.at(place.j);
+  Place next = place;
+  ++next.i;
+  // No traverse at all is one that leads no farther than tau.
+  const Number still = tolerance(terms_.tolerance, want.width + first.width);
+  if (const auto near = near_part(first, want.to, still)) {
+    const Number low = max(entry.low, near->low);
+    const Number high = min(entry.high, near->high);
+    if (low <= high) reach(next, true, {low, high});
+  }
+  if (is_partner(want, first) && !first.one_axis && entry.high.sign() > 0) return;
+  Position here = first.is_motion() ? point_at(first, entry.high) : first.from;
+  Axes axes(want, here);
+  // With next.j behind what has been taken.
+  while (true) {
+    const Event& got = side.at(next.j);
+    const Number tau = tolerance(terms_.tolerance, want.width + got.width);
+    if (is_partner(want, got)) {
+      const Number begin = next.j == place.j ? entry.low : Number(0);
+      if (const auto near = near_part(got, want.to, tau); near && got.one_axis) {
+        const Number low = max(begin, near->low);
+        if (low <= near->high) reach(next, true, {low, near->high});
+      }
+      if (!axes.take(got.to, tau)) return;
+      here = got.to;
+      ++next.j;
+    } else if (takes_m({next.pair, place.i, next.j, next.m}, true)) {
+      ++next.m;
+      ++next.j;
+    } else {
+      const auto end = end_of_small_run(side, next.j, here, want.width);
+      if (!end || !axes.take(side.at(*end).from, tau)) return;
+      here = side.at(*end).from;
+      next.j = *end;
+    }
+    if (is_near(here, want.to, tau)) reach_corner(next);
+  }
+}
+
+bool Correspondence::is_partner(const Event& want, const Event& got) const {
+  return got.part == Part::traverse && compare(*want.label, *got.label, terms_) == Likeness::same;
+}
+
+// R5: whether the subject's event is the next M function that holds no place among the motions, and
+// may stand before the reference's event, or within it: among the parts of the only motion of a
+// block.
+bool Correspondence::takes_m(const Place& place, bool is_within) {
+  ReferenceSide& sides = reference(place);
+  const Event& got = subject(place).at(place.j);
+  if (got.part != Part::stop || got.source().kind != RecordKind::m) return false;
+  if (place.m >= sides.m_functions(place.i)) return false;
+  const Record& due = sides.m_function(place.m);
+  if (due.m != got.source().m || (terms_.compare_blocks && due.block != got.block)) return false;
+  return sides.may_stand(place.m, place.i) &&
+         (!is_within || sides.may_stand(place.m, place.i + 1));
+}
+
+// R5.
+void Correspondence::match_stop(const Place& place) {
+  const Event& want = reference(place).at(place.i);
+  const Event& stop = subject(place).at(place.j);
+  const Record& got = stop.source();
+  Place next = place;
+  ++next.j;
+  const bool is_same_block = !terms_.compare_blocks || want.block == got.block;
+  if (want.part == Part::stop && is_same_block && want.source().kind == got.kind) {
+    const Record& due = want.source();
+    const bool is_m = got.kind == RecordKind::m;
+    if (is_m ? due.m == got.m : agree(due.seconds, got.seconds, terms_.resolution, terms_)) {
+      reach_corner({next.pair, next.i + 1, next.j, next.m});
+    }
+  }
+  if (!takes_m(place, false)) return;
+  ++next.m;
+  reach_corner(next);
+}
+
+// The position gets another name where the subject stands.
+void Correspondence::rename(const Place& place) {
+  const auto& item = *reference(place).at(place.i).item;
+  const auto& renaming = std::get<reference::Renaming>(item);
+  const Event& got = subject(place).at(place.j);
+  if (!got.begins) return;
+  Pair pair = pairs_[place.pair];
+  pair.start = subject(place).place(place.j);
+  pair.first_record = got.record;
+  for (const Axis axis : kAllAxes) pair.start[axis] += renaming.shift[axis];
+  reach_corner({pair_for(pair), place.i + 1, 0, place.m});
+}
+
+// R8. What settles a step makes another side of the reference, equal up to it.
+void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next,
+                            bool is_open) {
+  Settled settled = reference(place).settled();
+  settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
+  Pair pair = pairs_[place.pair];
+  pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled));
+  pair.is_open = pair.is_open || is_open;
+  pairs_.push_back(std::move(pair));
+  reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
+}
+
+void Correspondence::take_free_step(const Place& place) {
+  const auto step = reference(place).at(place.i).item;
+  SubjectSide& side = subject(place);
+  if (const auto* pocket = std::get_if<reference::HelixPocket>(&*step)) {
+    for (auto& path : paths_of(*pocket, side, place.j, terms_.tolerance)) {
+      settle(place, std::move(path), place, false);
+    }
+    return;
+  }
+  StepAnswer answer;
+  if (const auto* level = std::get_if<reference::PocketLevel>(&*step)) {
+    answer = follow(*level, side, place.j, terms_);
+  } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&*step)) {
+    answer = follow(*pocket, side, place.j, terms_);
+  } else {
+    answer = follow(std::get<reference::ThreadMilling>(*step), side, place.j, terms_);
+  }
+  // One motion to where the subject left it stands for the step.
+  for (const std::size_t end : answer.ends) {
+    Record way;
+    way.kind = RecordKind::feed;
+    way.block = reference(place).at(place.i).block;
+    way.axes = reference::kEveryAxis;
+    way.to = side.place(end);
+    settle(place, {way}, {place.pair, place.i + 1, end, place.m}, true);
+  }
+  if (!answer.broken.empty() && side.at(answer.broken_by).record >= broken_record_) {
+    broken_record_ = side.at(answer.broken_by).record;
+    broken_ = answer.broken;
+    broken_at_ = {place.pair, place.i, answer.broken_by, place.m};
+  }
+}
+
+}  // namespace gonogo::relation

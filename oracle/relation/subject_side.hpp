@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <span>
+
+#include "oracle/relation/event.hpp"
+
+namespace gonogo::relation {
+
+// The subject's events from one of its records on, from a place where it stands. Behind a renaming
+// the same records start from a place of another name: another side.
+class SubjectSide {
+ public:
+  // What it is given must outlive it.
+  SubjectSide(std::span<const reference::Record> records, std::size_t first, const Position& from,
+              const Terms& terms, Turn turn);
+  // The last one is the close; REQUIRES: none before it is.
+  const Event& at(std::size_t index);
+  // Where the subject stands before an event that is no piece within a motion, exactly.
+  const Position& place(std::size_t index);
+
+ private:
+  void extend();
+
+  std::span<const reference::Record> records_;
+  std::size_t next_;
+  Position here_;
+  const Terms& terms_;
+  Turn turn_;
+  std::deque<Event> events_;
+  std::deque<Position> places_;
+  std::optional<MotionEvents> motion_;
+};
+
+}  // namespace gonogo::relation

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/unreadable_block.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "reference/expander.hpp"
+
+namespace gonogo::relation {
+
+using reference::AlarmClass;
+using reference::AlarmReport;
+
+namespace {
+
+// What is missing may stand behind the fault; these stay, whatever stands there.
+constexpr std::array kLasting = {AlarmClass::undefined_code,     AlarmClass::duplicate_word,
+                                 AlarmClass::conflicting_words,  AlarmClass::value_sign,
+                                 AlarmClass::value_out_of_range, AlarmClass::not_an_integer};
+
+// The program as far as a place of one of its lines.
+std::string cut_at(std::string_view program, std::uint64_t block, std::size_t length) {
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  grammar::Line line;
+  std::string text;
+  while (lines.next(line) && line.number <= block) {
+    text += line.number == block ? line.text.substr(0, length) : line.text;
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
+                         const AlarmReport& report, std::string_view alarm_class) {
+  const auto wanted = reference::alarm_class(alarm_class);
+  if (!report.syntax || !wanted || std::ranges::count(kLasting, *wanted) == 0) return false;
+  // Back to where the line can be read.
+  for (std::size_t length = report.syntax->where.begin + 1; length-- > 0;) {
+    const std::string text = cut_at(program, report.block, length);
+    grammar::MemorySource bytes(text);
+    grammar::LineSource lines(bytes);
+    reference::Expander expander(profile, lines, reference::OpenPaths::judged);
+    const AlarmReport* found = nullptr;
+    while (const reference::Item* item = expander.next()) found = std::get_if<AlarmReport>(item);
+    if (found == nullptr || found->block != report.block) return false;
+    if (found->syntax) continue;
+    return std::ranges::any_of(found->alarms,
+                               [&](const auto& alarm) { return alarm.alarm == *wanted; });
+  }
+  return false;
+}
+
+}  // namespace gonogo::relation

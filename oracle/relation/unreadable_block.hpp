@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "reference/outcome.hpp"
+#include "reference/profile.hpp"
+
+namespace gonogo::relation {
+
+// R6: whether the words of a block that cannot be read, as far as they can be, have an alarm of
+// that class which nothing behind them could take away.
+bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
+                         const reference::AlarmReport& report, std::string_view alarm_class);
+
+}  // namespace gonogo::relation

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/relation/free_step.hpp"
+
+namespace gonogo::relation {
+
+int Winding::quarter_of(const Offset& offset) {
+  if (offset.q.sign() >= 0) return offset.p.sign() > 0 ? 0 : 1;
+  return offset.p.sign() < 0 ? 2 : 3;
+}
+
+void Winding::take(const Offset& to) {
+  if (max(abs(to.p), abs(to.q)) <= blind_) return;
+  if (last_) {
+    int steps = (quarter_of(to) - quarter_of(*last_) + 4) % 4;
+    if (steps == 3) steps = -1;
+    // Across the middle, on the side that the line passes it.
+    if (steps == 2) steps = 2 * (last_->p * to.q - last_->q * to.p).sign();
+    quarters_ += sense_ * steps;
+    most_ = std::max(most_, quarters_);
+  }
+  last_ = to;
+}
+
+std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
+                                                const Number& tau) {
+  const Position place = subject.at(begin).from;
+  if (begin > 0 && goes_on(subject.at(begin - 1), subject.at(begin))) return std::nullopt;
+  for (std::size_t i = begin;; ++i) {
+    const Event& piece = subject.at(i);
+    if (!piece.is_motion()) return std::nullopt;
+    for (const reference::Axis axis : reference::kAllAxes) {
+      if (abs(piece.to[axis] - place[axis]) > tau) return std::nullopt;
+    }
+    if (!goes_on(piece, subject.at(i + 1))) return i + 1;
+  }
+}
+
+}  // namespace gonogo::relation

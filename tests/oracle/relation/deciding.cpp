@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deciding.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "oracle/records/trace_reader.hpp"
+
+namespace gonogo::relation {
+
+Trace trace_of(std::string_view text) {
+  oracle::TraceReader reader;
+  Trace trace;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(' ') == std::string::npos) continue;
+    oracle::TraceLine read = reader.read(line);
+    if (auto* alarm = std::get_if<oracle::SubjectAlarm>(&read)) {
+      trace.end.kind = oracle::RunEnd::Kind::alarm;
+      trace.end.alarm = *alarm;
+    } else if (auto* fault = std::get_if<oracle::TraceFault>(&read)) {
+      throw std::runtime_error(fault->message + " " + line);
+    } else {
+      trace.records.push_back(std::get<reference::Record>(read));
+    }
+  }
+  return trace;
+}
+
+std::string text_of(const Trace& trace) {
+  std::string text;
+  for (const reference::Record& record : trace.records) {
+    append_json(record, text);
+    text += "\n";
+  }
+  if (trace.end.kind == oracle::RunEnd::Kind::alarm) {
+    text += "alarm " + trace.end.alarm.alarm_class + " in line " +
+            std::to_string(trace.end.alarm.block) + "\n";
+  }
+  return text;
+}
+
+Terms terms_of(const oracle::JudgeTerms& terms, const reference::Profile& profile) {
+  Terms same;
+  same.tolerance = terms.tolerance;
+  same.increment = profile.resolution();
+  same.chord = terms.chord;
+  same.resolution = terms.resolution;
+  same.feed_resolution = terms.feed_resolution;
+  same.binary64 = terms.binary64;
+  same.compare_blocks = terms.compare_blocks;
+  same.compare_m = terms.compare_m;
+  same.strict = terms.strict;
+  return same;
+}
+
+namespace {
+
+std::optional<Number> number_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return Number::parse(text);
+}
+
+}  // namespace
+
+Answer decide(std::string_view program, std::string_view trace, const Declared& declared) {
+  reference::Profile profile =
+      std::get<reference::Profile>(reference::default_profile(declared.dialect));
+  if (!declared.reading.empty()) {
+    const std::size_t equals = declared.reading.find('=');
+    if (set_reading(profile, declared.reading.substr(0, equals),
+                    declared.reading.substr(equals + 1))) {
+      throw std::runtime_error("no such reading");
+    }
+  }
+  if (!declared.tool.empty()) profile.tools["1"].radius = *number_of(declared.tool);
+  if (declared.at_load) profile.alarm_timing = reference::AlarmTiming::program;
+  oracle::SubjectInfo subject;
+  if (declared.blocks) subject.features.insert("blocks");
+  if (declared.m) subject.features.insert("m");
+  subject.resolution = number_of(declared.resolution);
+  subject.feed_resolution = number_of(declared.feed_resolution);
+  oracle::Grants grants;
+  grants.chord = number_of(declared.chord);
+  grants.strict = declared.strict;
+  Terms terms = terms_of(make_terms(subject, profile, grants), profile);
+  terms.exact = declared.exact;
+  const Trace read = trace_of(trace);
+  return decide(profile, program, terms, read.outcome());
+}
+
+}  // namespace gonogo::relation

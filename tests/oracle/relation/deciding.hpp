@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracle/judge/judge_session.hpp"
+#include "oracle/relation/definition.hpp"
+
+namespace gonogo::relation {
+
+// A trace in memory.
+struct Trace {
+  std::vector<reference::Record> records;
+  oracle::RunEnd end;
+  Outcome outcome() const {
+    return {records, end.kind == oracle::RunEnd::Kind::alarm ? &end.alarm : nullptr};
+  }
+};
+// Of JSON lines; an alarm record closes it.
+Trace trace_of(std::string_view lines);
+std::string text_of(const Trace& trace);
+
+// The judge's terms as those of the definition.
+Terms terms_of(const oracle::JudgeTerms& terms, const reference::Profile& profile);
+
+// What the subject declares and the certifier grants.
+struct Declared {
+  std::string_view dialect = "rs274";
+  std::string reading = {};  // "k=v"
+  std::string tool = {};     // radius of tool 1, mm
+  bool blocks = true;
+  bool m = true;
+  bool exact = false;
+  bool strict = false;
+  std::string resolution = {};
+  std::string feed_resolution = {};
+  std::string chord = {};
+  bool at_load = false;  // alarm_timing = program
+};
+Answer decide(std::string_view program, std::string_view trace, const Declared& declared = {});
+
+}  // namespace gonogo::relation

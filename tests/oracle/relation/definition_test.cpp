@@ -1,0 +1,642 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// docs/relation.md, sentence by sentence. tau is 0.0001 mm in rs274, 0.001 mm elsewhere.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "deciding.hpp"
+
+namespace gonogo::relation {
+namespace {
+
+using oracle::VerdictKind;
+
+std::string said(const Answer& answer) {
+  std::string text(name(answer.kind));
+  for (const std::string_view part : {name(answer.rule), name(answer.gap)}) {
+    if (!part.empty()) text += " " + std::string(part);
+  }
+  return text;
+}
+
+std::string decided(std::string_view program, std::string_view trace,
+                    const Declared& declared = {}) {
+  return said(decide(program, trace, declared));
+}
+
+constexpr std::string_view kGo = "pass-tolerance";
+
+// A corner in three records; all that is missing of a trace is behind or before them.
+constexpr std::string_view kCorner = "G21 G90 F100 M3 S100\nG1 X10\nG1 Y10\nM2\n";
+std::string corner(std::string_view first, std::string_view second) {
+  return R"({"k":"m","b":1,"m":3})"
+         "\n" +
+         std::string(first) + "\n" + std::string(second) + "\n" + R"({"k":"m","b":4,"m":2})";
+}
+constexpr std::string_view kToX = R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100"})";
+constexpr std::string_view kToY = R"({"k":"feed","b":3,"to":{"y":"10"},"f":"100"})";
+
+// R1 ------------------------------------------------------------------------------------------
+
+TEST(R1Correspondence, KeepsTheOrder) {
+  EXPECT_EQ(decided(kCorner, corner(kToX, kToY)), kGo);
+  EXPECT_EQ(decided(kCorner, corner(kToY, kToX), {.blocks = false}), "fail.geometry R2");
+}
+
+TEST(R1Correspondence, PiecesAreTheWhole) {
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"3"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"10"},"f":"100"})",
+                                    kToY)),
+            kGo);
+  EXPECT_EQ(decided("G21 G90 F100\nG1 X4\nG1 X10\nM2\n",
+                    R"({"k":"feed","to":{"x":"10"},"f":"100"}
+{"k":"m","m":2})",
+                    {.blocks = false}),
+            kGo);
+}
+
+TEST(R1Correspondence, NeitherSideGoesBack) {
+  // 3 tau forth and back within one motion.
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"6"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"5.9997"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"10"},"f":"100"})",
+                                    kToY)),
+            "fail.geometry R2");
+}
+
+// R2 ------------------------------------------------------------------------------------------
+
+TEST(R2Place, PartnersAreWithinTauOnEachAxis) {
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10.0001"},"f":"100"})", kToY)),
+            kGo);
+  EXPECT_EQ(
+      decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10.00010001"},"f":"100"})", kToY)),
+      "oracle-gap cutting");
+  EXPECT_EQ(
+      decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10.000102"},"f":"100"})", kToY)),
+      "fail.geometry R2");
+}
+
+constexpr std::string_view kCircle = "G21 G17 G90 F100\nG1 X10\nG2 X10 I5\nM2\n";
+std::string circle(std::string_view arc) {
+  return R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100"})"
+         "\n" +
+         std::string(arc) + "\n" + R"({"k":"m","b":4,"m":2})";
+}
+std::string full_turn(std::string_view centre, int rot, std::string_view end) {
+  return circle(R"({"k":"arc","b":3,"plane":"G17","c":{)" + std::string(centre) + R"(},"rot":)" +
+                std::to_string(rot) + R"(,"to":{)" + std::string(end) + R"(},"f":"100"})");
+}
+constexpr std::string_view kCentre = R"("x":"15","y":"0")";
+constexpr std::string_view kStart = R"("x":"10","y":"0")";
+
+TEST(R2Place, AnArcMakesTheTurnsThatItsRecordNames) {
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1, kStart)), kGo);
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, -2, kStart)), "fail.geometry R2");
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1000000000, kStart)), "fail.geometry R2");
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, 1, kStart)), "fail.geometry R2");
+  // 0.0001 ahead of the start: a nil turn, and then M2 comes before the circle.
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1, R"("x":"10","y":"0.0001")"), {.exact = true}),
+            "fail.order R5");
+}
+
+TEST(R2Place, AMissingCircleIsMissing) {
+  EXPECT_EQ(decided(kCircle, circle("")), "fail.order R5");
+}
+
+// Centre and start off by half a step each way: the far side of the circle is off by 1.5 steps.
+TEST(R2Place, OnArcsTheLimitIsThatOfRoundedCentres) {
+  EXPECT_EQ(decided(kCircle, full_turn(R"("x":"15.00009","y":"0")", -1, kStart)), kGo);
+  EXPECT_EQ(decided(kCircle, full_turn(R"("x":"15.0002","y":"0")", -1, kStart)),
+            "fail.geometry R2");
+}
+
+TEST(R2Place, HelicesHaveTheirHeightEverywhere) {
+  const std::string program = "G21 G17 G90 F100\nG1 X10\nG2 X10 I5 Z-1\nM2\n";
+  const auto helix = [](std::string_view middle, std::string_view height) {
+    return circle(std::string(R"({"k":"arc","b":3,"plane":"G17","c":{"x":"15","y":"0"},"rot":-1,"to":{)") +
+                  std::string(middle) + R"(,"z":")" + std::string(height) + R"("},"f":"100"}
+{"k":"arc","b":3,"plane":"G17","c":{"x":"15","y":"0"},"rot":-1,"to":{"x":"10","y":"0","z":"-1"},"f":"100"})");
+  };
+  EXPECT_EQ(decided(program, helix(R"("x":"20","y":"0")", "-0.5")), kGo);
+  EXPECT_EQ(decided(program, helix(R"("x":"20","y":"0")", "-0.501")), "fail.geometry R2");
+}
+
+// R3 ------------------------------------------------------------------------------------------
+
+TEST(R3Label, KindFeedModeAndLineAreThoseOfThePartner) {
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"rapid","b":2,"to":{"x":"10"}})", kToY)),
+            "fail.geometry R3");
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10"},"f":"101"})", kToY)),
+            "fail.feed R3");
+  EXPECT_EQ(
+      decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100","fm":"rev"})", kToY)),
+      "fail.feed R3");
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":3,"to":{"x":"10"},"f":"100"})", kToY)),
+            "fail.geometry R3");
+}
+
+TEST(R3Label, LinesCountWhereTheyAreDeclared) {
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":3,"to":{"x":"10"},"f":"100"})", kToY),
+                    {.blocks = false}),
+            kGo);
+}
+
+constexpr std::string_view kThread = "G21 G18 G90 M3\nG0 X10 Z5\nG33 Z-20 X12 K1.25\nM2\n";
+std::string thread(std::string_view piece) {
+  return R"({"k":"m","b":1,"m":3}
+{"k":"rapid","b":2,"to":{"x":"10","z":"5"}}
+)" + std::string(piece) +
+         R"(
+{"k":"m","b":4,"m":2})";
+}
+
+// The lead along the longer axis is 1.25 * 25 / sqrt(629) = 1.246019098...
+TEST(R3Label, ALeadAgreesAsALengthDoes) {
+  const auto lead = [](std::string_view number) {
+    return thread(R"({"k":"thread","b":3,"to":{"x":"12","z":"-20"},"lead":")" + std::string(number) +
+                  R"(","start":"0"})");
+  };
+  EXPECT_EQ(decided(kThread, lead("1.24601909817")), kGo);
+  EXPECT_EQ(decided(kThread, lead("1.2461")), "fail.feed R3");
+}
+
+TEST(R3Label, APieceOfAThreadStartsAtItsAngle) {
+  const auto pieces = [](std::string_view start) {
+    return R"({"k":"rapid","b":1,"to":{"x":"25","z":"4"}}
+{"k":"rapid","b":2,"to":{"x":"20"}}
+{"k":"thread","b":2,"to":{"x":"20","z":"-10"},"lead":"2","start":"0"}
+{"k":"thread","b":2,"to":{"x":"20","z":"-30"},"lead":"2","start":")" +
+           std::string(start) + R"("}
+{"k":"rapid","b":2,"to":{"x":"25"}}
+{"k":"rapid","b":2,"to":{"z":"4"}}
+{"k":"m","b":3,"m":30})";
+  };
+  const std::string program = "G00 X50 Z4\nG82 X40 Z-30 F2\nM30\n";
+  const Declared hnc{.dialect = "hnc21t"};
+  EXPECT_EQ(decided(program, pieces("0"), hnc), kGo);
+  EXPECT_EQ(decided(program, pieces("360"), hnc), kGo);
+  EXPECT_EQ(decided(program, pieces("77"), hnc), "fail.feed R3");
+}
+
+TEST(R3Label, ANumberAgreesAsFarAsRoundingGoes) {
+  const auto feed = [](std::string_view number) {
+    return corner(R"({"k":"feed","b":2,"to":{"x":"10"},"f":")" + std::string(number) + R"("})", kToY);
+  };
+  const Declared rounds{.feed_resolution = "0.0001"};
+  EXPECT_EQ(decided(kCorner, feed("100.00005"), rounds), kGo);
+  EXPECT_EQ(decided(kCorner, feed("100.00006"), rounds), "fail.feed R3");
+}
+
+TEST(R3Label, EnclosuresThatOverlapAgree) {
+  EXPECT_EQ(decided(kCorner, corner(R"({"k":"feed","b":2,"to":{"x":"10"},"f":{"enclosure":["99.9999999999999996","100.0000000000000004"]}})",
+                                    kToY)),
+            kGo);
+}
+
+// tau is 0.0001.
+TEST(R3Label, AStretchNearOnePlaceHasNone) {
+  EXPECT_EQ(decided(kCorner, corner(kToX, R"({"k":"rapid","b":7,"to":{"x":"10.0001"}}
+{"k":"feed","b":3,"to":{"x":"10","y":"10"},"f":"100"})")),
+            kGo);
+  EXPECT_EQ(decided(kCorner, corner(kToX, R"({"k":"rapid","b":7,"to":{"x":"10.0002"}}
+{"k":"feed","b":3,"to":{"x":"10","y":"10"},"f":"100"})")),
+            "fail.geometry R3");
+}
+
+TEST(R3Label, SmallStretchesDoNotAddUp) {
+  std::string creeping;
+  for (int i = 1; i <= 4; ++i) {
+    creeping += R"({"k":"feed","b":3,"to":{"x":"10","y":"0.000)" + std::to_string(i) +
+                R"("},"f":")" + (i % 2 == 0 ? "50" : "60") + "\"}\n";
+  }
+  EXPECT_EQ(decided(kCorner, corner(kToX, creeping + std::string(kToY))), "fail.feed R3");
+}
+
+// Radius 500, chord 0.4: the arc is off its chord by 0.4^2 / 8 / 500 = 0.00004.
+TEST(R3Label, AFlatArcMayComeAsALineAndTheReverse) {
+  const std::string arc = "G21 G17 G90 F100\nG2 X0.4 Y0 R500\nM2\n";
+  EXPECT_EQ(decided(arc, R"({"k":"feed","b":2,"to":{"x":"0.4","y":"0"},"f":"100"}
+{"k":"m","b":3,"m":2})"),
+            kGo);
+  const std::string line = "G21 G17 G90 F100\nG1 X0.4\nM2\n";
+  EXPECT_EQ(decided(line, R"({"k":"arc","b":2,"plane":"G17","c":{"x":"0.2","y":"500"},"rot":1,"to":{"x":"0.4","y":"0"},"f":"100"}
+{"k":"m","b":3,"m":2})"),
+            kGo);
+  const std::string round = "G21 G17 G90 F100\nG2 X0.4 Y0 R1\nM2\n";
+  EXPECT_EQ(decided(round, R"({"k":"feed","b":2,"to":{"x":"0.4","y":"0"},"f":"100"}
+{"k":"m","b":3,"m":2})"),
+            "fail.geometry R3");
+}
+
+// A chord of the quarter circle of radius 1 between two ends 30 degrees apart is off by 0.034.
+TEST(R3Label, AChordThatIsGrantedIsItsArc) {
+  const std::string program = "G21 G17 G90 F100\nG3 X1 Y1 I0 J1\nM2\n";
+  const std::string chords = R"({"k":"feed","b":2,"to":{"x":"0.5","y":"0.133974596"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"0.866025404","y":"0.5"},"f":"100"}
+{"k":"feed","b":2,"to":{"x":"1","y":"1"},"f":"100"}
+{"k":"m","b":3,"m":2})";
+  EXPECT_EQ(decided(program, chords), "fail.geometry R3");
+  EXPECT_EQ(decided(program, chords, {.chord = "0.05"}), kGo);
+  EXPECT_EQ(decided(program, chords, {.chord = "0.02"}), "fail.geometry R2");
+}
+
+// R4 ------------------------------------------------------------------------------------------
+
+constexpr std::string_view kTraverse = "G21 G90\nG0 X10 Y10\nG0 Z5\nM2\n";
+std::string traverse(std::string_view way) {
+  return std::string(way) + R"(
+{"k":"rapid","b":3,"to":{"z":"5"}}
+{"k":"m","b":4,"m":2})";
+}
+
+TEST(R4Traverse, TheWayIsFree) {
+  EXPECT_EQ(decided(kTraverse, traverse(R"({"k":"rapid","b":2,"to":{"x":"10","y":"10"}})")), kGo);
+  EXPECT_EQ(decided(kTraverse, traverse(R"({"k":"rapid","b":2,"to":{"y":"10"}}
+{"k":"rapid","b":2,"to":{"x":"10"}})")),
+            kGo);
+}
+
+TEST(R4Traverse, NoAxisTurnsBack) {
+  EXPECT_EQ(decided(kTraverse, traverse(R"({"k":"rapid","b":2,"to":{"x":"11"}}
+{"k":"rapid","b":2,"to":{"x":"10","y":"10"}})")),
+            "fail.geometry R4");
+  EXPECT_EQ(decided(kTraverse, traverse(R"({"k":"rapid","b":2,"to":{"x":"6"}}
+{"k":"rapid","b":2,"to":{"x":"5"}}
+{"k":"rapid","b":2,"to":{"x":"10","y":"10"}})")),
+            "fail.geometry R4");
+}
+
+TEST(R4Traverse, AnAxisThatIsNotToMoveStays) {
+  EXPECT_EQ(decided(kTraverse, traverse(R"({"k":"rapid","b":2,"to":{"x":"10","z":"1"}}
+{"k":"rapid","b":2,"to":{"y":"10","z":"0"}})")),
+            "fail.geometry R4");
+}
+
+TEST(R4Traverse, OneOfOneAxisMayBeCutAnywhere) {
+  EXPECT_EQ(decided("G21 G90\nG0 X4\nG0 X10\nM2\n", R"({"k":"rapid","to":{"x":"10"}}
+{"k":"m","m":2})",
+                    {.blocks = false}),
+            kGo);
+  EXPECT_EQ(decided("G21 G90\nG0 X4\nG0 X10 Y10\nM2\n", R"({"k":"rapid","to":{"x":"10","y":"10"}}
+{"k":"m","m":2})",
+                    {.blocks = false}),
+            "fail.geometry R4");
+}
+
+// R5 ------------------------------------------------------------------------------------------
+
+TEST(R5Events, ComeOneToOneInOrderAtTheirPlaces) {
+  const std::string program = "G21 G90 F100\nG1 X10\nG4 P1\nG1 X20\nM2\n";
+  const auto trace = [](std::string_view dwells, std::string_view seconds = "1") {
+    std::string text = R"({"k":"feed","b":2,"to":{"x":"10"},"f":"100"})";
+    for (const char c : dwells) {
+      text += c == 'd' ? std::string(R"(
+{"k":"dwell","b":3,"s":")") + std::string(seconds) + "\"}"
+                       : R"(
+{"k":"feed","b":4,"to":{"x":"20"},"f":"100"})";
+    }
+    return text + R"(
+{"k":"m","b":5,"m":2})";
+  };
+  EXPECT_EQ(decided(program, trace("dx")), kGo);
+  EXPECT_EQ(decided(program, trace("x")), "fail.order R5");
+  EXPECT_EQ(decided(program, trace("ddx")), "fail.order R5");
+  EXPECT_EQ(decided(program, trace("xd")), "fail.order R5");
+  EXPECT_EQ(decided(program, trace("dx", "2")), "fail.order R5");
+  EXPECT_EQ(decided("G21 G90\nG4 P0\nM2\n", R"({"k":"m","b":3,"m":2})"), kGo);
+}
+
+constexpr std::string_view kLathe = "G00 X50 Z5\nM3\nG01 X40 F100 M8\nM5\nG00 X60\nM30\n";
+// With M functions by their places: before the cut, behind it.
+std::string lathe(std::string_view before, std::string_view behind, bool with_blocks = true) {
+  std::string text = R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+)" + std::string(before) +
+                     R"({"k":"feed","b":3,"to":{"x":"20"},"f":"100"}
+)" + std::string(behind) +
+                     R"({"k":"rapid","b":5,"to":{"x":"30"}}
+{"k":"m","b":6,"m":30})";
+  if (with_blocks) return text;
+  for (std::size_t at; (at = text.find(R"("b":)")) != std::string::npos;) text.erase(at, 6);
+  return text;
+}
+constexpr std::string_view kM3 = "{\"k\":\"m\",\"b\":2,\"m\":3}\n";
+constexpr std::string_view kM8 = "{\"k\":\"m\",\"b\":3,\"m\":8}\n";
+constexpr std::string_view kM5 = "{\"k\":\"m\",\"b\":4,\"m\":5}\n";
+std::string both(std::string_view a, std::string_view b) {
+  return std::string(a) + std::string(b);
+}
+
+TEST(R5Events, AnMFunctionStandsInItsOwnBlock) {
+  for (const bool blocks : {true, false}) {
+    const Declared gsk{.dialect = "gsk988ta", .blocks = blocks};
+    EXPECT_EQ(decided(kLathe, lathe(both(kM3, kM8), kM5, blocks), gsk), kGo) << blocks;
+    EXPECT_EQ(decided(kLathe, lathe("", both(both(kM3, kM8), kM5), blocks), gsk),
+              "fail.order R5");
+    EXPECT_EQ(decided(kLathe, lathe(both(both(kM3, kM8), kM5), "", blocks), gsk),
+              "fail.order R5");
+  }
+}
+
+TEST(R5Events, WhatStartsComesBeforeTheCutsOfItsBlock) {
+  const Declared gsk{.dialect = "gsk988ta"};
+  EXPECT_EQ(decided(kLathe, lathe(kM3, both(kM8, kM5)), gsk), "fail.order R5");
+}
+
+TEST(R5Events, WhatEndsComesBehindTheCutsOfItsBlock) {
+  const std::string program = "G00 X50 Z5\nM3\nG01 X40 F100 M9\nG00 X60\nM30\n";
+  const Declared gsk{.dialect = "gsk988ta"};
+  const auto trace = [](std::string_view before, std::string_view behind) {
+    return R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+{"k":"m","b":2,"m":3}
+)" + std::string(before) +
+           R"({"k":"feed","b":3,"to":{"x":"20"},"f":"100"}
+)" + std::string(behind) +
+           R"({"k":"rapid","b":4,"to":{"x":"30"}}
+{"k":"m","b":5,"m":30})";
+  };
+  constexpr std::string_view kM9 = "{\"k\":\"m\",\"b\":3,\"m\":9}\n";
+  EXPECT_EQ(decided(program, trace("", kM9), gsk), kGo);
+  EXPECT_EQ(decided(program, trace(kM9, ""), gsk), "fail.order R5");
+}
+
+TEST(R5Events, NoMFunctionStandsAmongTheMotionsOfACycle) {
+  const std::string program = "G00 X50 Z5\nG94 X40 Z-3 F100 M8\nM30\n";
+  const Declared gsk{.dialect = "gsk988ta"};
+  const std::vector<std::string> motions = {R"({"k":"rapid","b":2,"to":{"z":"-3"}})",
+                                            R"({"k":"feed","b":2,"to":{"x":"20"},"f":"100"})",
+                                            R"({"k":"feed","b":2,"to":{"z":"5"},"f":"100"})",
+                                            R"({"k":"rapid","b":2,"to":{"x":"25"}})"};
+  for (std::size_t place = 0; place <= motions.size(); ++place) {
+    std::string trace = R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}})"
+                        "\n";
+    for (std::size_t i = 0; i <= motions.size(); ++i) {
+      if (i == place) trace += "{\"k\":\"m\",\"b\":2,\"m\":8}\n";
+      if (i < motions.size()) trace += motions[i] + "\n";
+    }
+    trace += R"({"k":"m","b":3,"m":30})";
+    EXPECT_EQ(decided(program, trace, gsk), place == 0 ? kGo : "fail.order R5") << place;
+  }
+}
+
+TEST(R5Events, InRs274TheTextFixesThePlace) {
+  const std::string program = "G21 G90 F100\nM3\nG1 X10\nG0 Z50 M2\n";
+  EXPECT_EQ(decided(program, R"({"k":"m","b":2,"m":3}
+{"k":"feed","b":3,"to":{"x":"10"},"f":"100"}
+{"k":"rapid","b":4,"to":{"z":"50"}}
+{"k":"m","b":4,"m":2})"),
+            kGo);
+  EXPECT_EQ(decided(program, R"({"k":"m","b":2,"m":3}
+{"k":"feed","b":3,"to":{"x":"10"},"f":"100"}
+{"k":"m","b":4,"m":2}
+{"k":"rapid","b":4,"to":{"z":"50"}})"),
+            "fail.order R5");
+}
+
+TEST(R5Events, MFunctionsThatAreNotDeclaredAreNotCompared) {
+  EXPECT_EQ(decided(kLathe, lathe("", ""), {.dialect = "gsk988ta", .m = false}), kGo);
+}
+
+TEST(R5Events, NothingFollowsTheEnd) {
+  EXPECT_EQ(decided(kCorner, corner(kToX, kToY) + R"(
+{"k":"feed","b":2,"to":{"x":"20"},"f":"100"})"),
+            "fail.overrun R5");
+  EXPECT_EQ(decided(kCorner, corner(kToX, kToY) + R"(
+{"k":"end","to":{"x":"10","y":"10"}})"),
+            kGo);
+  EXPECT_EQ(decided(kCorner, corner(kToX, kToY) + R"(
+{"k":"end","to":{"x":"10","y":"11"}})"),
+            "fail.geometry R2");
+}
+
+// R6 ------------------------------------------------------------------------------------------
+
+constexpr std::string_view kFaulty = "G21 G90 F100 M3 S100\nG1 X10\nG1 Y10 F-1\nM2\n";
+std::string faulty(std::string_view alarm, std::string_view more = "") {
+  return R"({"k":"m","b":1,"m":3}
+{"k":"feed","b":2,"to":{"x":"10"},"f":"100"}
+)" + std::string(more) +
+         std::string(alarm);
+}
+constexpr std::string_view kSign = R"({"k":"alarm","b":3,"class":"value-sign"})";
+
+TEST(R6Alarm, ComesInItsBlockByItsClassWhenAllBeforeHasCome) {
+  EXPECT_EQ(decided(kFaulty, faulty(kSign)), kGo);
+  EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"alarm","b":3,"class":"syntax"})")),
+            "fail.alarm-class R6");
+  EXPECT_EQ(decided(kFaulty, faulty(R"({"k":"alarm","b":2,"class":"value-sign"})")),
+            "fail.alarm-class R6");
+  EXPECT_EQ(decided(kFaulty, faulty("")), "fail.alarm-missing R6");
+  EXPECT_EQ(decided(kFaulty, faulty(kSign, "{\"k\":\"feed\",\"b\":3,\"to\":{\"y\":\"10\"},\"f\":\"100\"}\n")),
+            "fail.alarm-late R6");
+  EXPECT_EQ(decided(kFaulty, kSign), "fail.alarm-spurious R6");
+}
+
+TEST(R6Alarm, AtLoadItComesBeforeEverything) {
+  EXPECT_EQ(decided(kFaulty, kSign, {.at_load = true}), kGo);
+}
+
+TEST(R6Alarm, ABlockThatCannotBeReadAdmitsWhatStandsBeforeThatPlace) {
+  const std::string program = "G21 G90 F100\nG1 G0 X10 Y=\nM2\n";
+  const auto alarm = [](std::string_view alarm_class) {
+    return R"({"k":"alarm","b":2,"class":")" + std::string(alarm_class) + "\"}";
+  };
+  EXPECT_EQ(decided(program, alarm("syntax")), kGo);
+  EXPECT_EQ(decided(program, alarm("conflicting-words")), kGo);
+  EXPECT_EQ(decided(program, alarm("missing-word")), "fail.alarm-class R6");
+}
+
+TEST(R6Alarm, OfAProgramWithoutAFaultIsSpurious) {
+  EXPECT_EQ(decided(kCorner, faulty(R"({"k":"alarm","b":3,"class":"syntax"})")),
+            "fail.alarm-spurious R6");
+}
+
+// R7 ------------------------------------------------------------------------------------------
+
+constexpr std::string_view kWithoutSpindle = "G0 X0 Y0\nG1 X10 F100\nM30\n";
+std::string without_spindle(std::string_view alarm_class, int block) {
+  return R"({"k":"rapid","b":1,"to":{"x":"0","y":"0"}}
+{"k":"alarm","class":")" +
+         std::string(alarm_class) + R"(","b":)" + std::to_string(block) + "}";
+}
+
+TEST(R7Silence, ExcusesTheOtherAnswerToItsQuestion) {
+  const Declared sie{.dialect = "sinumerik840d"};
+  EXPECT_EQ(decided(kWithoutSpindle, without_spindle("spindle-stopped", 2), sie), "advice R6");
+}
+
+TEST(R7Silence, ExcusesNothingElse) {
+  const Declared sie{.dialect = "sinumerik840d"};
+  EXPECT_EQ(decided(kWithoutSpindle, without_spindle("syntax", 2), sie),
+            "fail.alarm-spurious R6");
+  EXPECT_EQ(decided(kWithoutSpindle, without_spindle("spindle-stopped", 1), sie),
+            "fail.alarm-spurious R6");
+  EXPECT_EQ(decided(kWithoutSpindle, without_spindle("spindle-stopped", 2),
+                    {.dialect = "sinumerik840d", .strict = true}),
+            "fail.alarm-spurious R6");
+}
+
+TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
+  const std::string program = "G00 X50 Z5\nG04 X-1\nM30\n";
+  const Declared gsk{.dialect = "gsk988ta"};
+  const std::string runs_on = R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+{"k":"m","b":3,"m":30})";
+  EXPECT_EQ(decided(program, runs_on, gsk), "advice R6");
+  EXPECT_EQ(decided(program, R"({"k":"m","b":3,"m":30})", gsk), "fail.order R5");
+}
+
+// R8, R9 --------------------------------------------------------------------------------------
+
+constexpr std::string_view kPocket =
+    "G17 G00 X30 Y14 Z9\nG110 X20 Y10 W-2 R-3 I10 L4 Q2 P0.5 D3 F200\n";
+
+// The level at Z4 between the plunge and the retract: X10 Y10 is the middle, 7 the tool's reach.
+std::string pocket(std::string_view level) {
+  return R"({"k":"rapid","b":1,"to":{"x":"15","y":"14","z":"9"}}
+{"k":"rapid","b":2,"to":{"x":"10","y":"10"}}
+{"k":"rapid","b":2,"to":{"z":"6"}}
+{"k":"feed","b":2,"to":{"z":"4"},"f":"200"}
+)" + std::string(level) +
+         R"({"k":"rapid","b":2,"to":{"z":"6"}}
+{"k":"rapid","b":2,"to":{"x":"10","y":"10"}}
+{"k":"rapid","b":2,"to":{"z":"9"}}
+{"k":"end","to":{"x":"10","y":"10","z":"9"}})";
+}
+std::string to_ring(double radius) {
+  return fmt::format(R"({{"k":"feed","b":2,"to":{{"x":"{}"}},"f":"200"}}
+)",
+                     10 + radius);
+}
+std::string ring(double radius, int rot, double height = 4) {
+  return to_ring(radius) +
+         fmt::format(R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":{},"to":{{"x":"{}","y":"10","z":"{}"}},"f":"200"}}
+)",
+                     rot, 10 + radius, height);
+}
+const Declared kGsk{.dialect = "gsk988ta"};
+
+TEST(R8FreeStep, IsUndecidedWhereItsConditionsAreNotAllStatedHere) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(4, -1) + ring(6, -1) + ring(7, -1)), kGsk),
+            "oracle-gap R8 free-step");
+}
+
+TEST(R8FreeStep, TheEnvelopeHoldsForEveryPoint) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(7.5, -1) + ring(7, -1)), kGsk),
+            "fail.region R8");
+  EXPECT_EQ(decided(kPocket, pocket(to_ring(5000) + ring(7, -1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, ALevelIsCutAtItsDepth) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1, 4.1)), kGsk), "fail.geometry R2");
+}
+
+TEST(R8FreeStep, TurnsAreCountedNotRecords) {
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1000000000) + ring(7, -1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, TheSenseIsTheWayRoundTheMiddle) {
+  // Radius 6 counterclockwise, in 260 arcs of radius 500 that each turn clockwise.
+  std::string level = ring(2, -1) + ring(4, -1) + to_ring(6);
+  constexpr int kArcs = 260;
+  const auto place = [](int arc) {
+    const double angle = 2 * std::numbers::pi * arc / kArcs;
+    return std::array{10 + 6 * std::cos(angle), 10 + 6 * std::sin(angle)};
+  };
+  for (int arc = 1; arc <= kArcs; ++arc) {
+    const auto [ax, ay] = place(arc - 1);
+    const auto [bx, by] = place(arc);
+    const double chord = std::hypot(bx - ax, by - ay);
+    const double height = std::sqrt(500.0 * 500.0 - chord * chord / 4) / chord;
+    level += fmt::format(
+        R"({{"k":"arc","b":2,"plane":"G17","c":{{"x":"{:.9f}","y":"{:.9f}"}},"rot":-1,"to":{{"x":"{:.9f}","y":"{:.9f}"}},"f":"200"}}
+)",
+        (ax + bx) / 2 + (by - ay) * height, (ay + by) / 2 - (bx - ax) * height, bx, by);
+  }
+  EXPECT_EQ(decided(kPocket, pocket(level), kGsk), "fail.region R8");
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(6, 1)), kGsk), "fail.region R8");
+}
+
+TEST(R8FreeStep, WhatFollowsAStepIsComparedAsEver) {
+  std::string trace = pocket(ring(2, -1) + ring(4, -1) + ring(6, -1) + ring(7, -1));
+  trace.replace(trace.rfind(R"({"z":"9"}})"), 9, R"({"z":"8"})");
+  EXPECT_EQ(decided(kPocket, trace, kGsk), "fail.geometry R4");
+}
+
+// The helix may be entered anywhere on its circle: at X17 or at Y3.
+TEST(R8FreeStep, AHelicalPocketIsDecidedForEachSide) {
+  const std::string program = "G17 G00 X30 Y14 Z9\nG112 X20 Y10 W-2 R-3 I10 L1 D3 F200\n";
+  const auto trace = [](std::string_view c, std::string_view side, int rot) {
+    return fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"15","y":"14","z":"9"}}}}
+{{"k":"rapid","b":2,"to":{{"x":"10","y":"10"}}}}
+{{"k":"rapid","b":2,"to":{{"z":"6"}}}}
+{{"k":"arc","b":2,"plane":"G17","c":{{{0}}},"rot":{2},"to":{{{1}}},"f":"200"}}
+{{"k":"arc","b":2,"plane":"G17","c":{{"x":"10","y":"10"}},"rot":{2},"to":{{{1},"z":"4"}},"f":"200"}}
+{{"k":"arc","b":2,"plane":"G17","c":{{{0}}},"rot":{2},"to":{{"x":"10","y":"10"}},"f":"200"}}
+{{"k":"rapid","b":2,"to":{{"z":"9"}}}})",
+                       c, side, rot);
+  };
+  const Declared declared{.dialect = "gsk988ta", .reading = "gsk.helix.flat=off"};
+  const std::string at_x = trace(R"("x":"13.5","y":"10")", R"("x":"17","y":"10")", -1);
+  EXPECT_EQ(decided(program, at_x, declared), kGo);
+  EXPECT_EQ(decided(program, trace(R"("x":"10","y":"6.5")", R"("x":"10","y":"3")", -1), declared),
+            kGo);
+  EXPECT_NE(decided(program, trace(R"("x":"13.5","y":"10")", R"("x":"17","y":"10")", 1), declared),
+            kGo);
+  EXPECT_NE(decided(program, trace(R"("x":"13","y":"10")", R"("x":"16","y":"10")", -1), declared),
+            kGo);
+}
+
+// Finishing of the border alone: the roughed floor lies at Z-6.
+constexpr std::string_view kFinish = R"(G0 X8 Y5 Z14 S400 M3 T1 D1
+R101=10 R102=2 R103=0 R104=-6 R116=0 R117=0
+R118=40 R119=40 R120=20 R121=3 R122=100 R123=300
+R124=0.5 R125=0 R126=2 R127=2
+LCYC75
+)";
+std::string finish(std::string_view before, int rot = -1) {
+  return fmt::format(R"({{"k":"m","b":1,"m":3}}
+{{"k":"rapid","b":1,"to":{{"x":"8","y":"5","z":"14"}}}}
+{{"k":"rapid","b":5,"to":{{"x":"0","y":"0","z":"10"}}}}
+{{"k":"rapid","b":5,"to":{{"z":"2"}}}}
+{}
+{{"k":"rapid","b":5,"to":{{"z":"-3"}}}}
+{{"k":"feed","b":5,"to":{{"x":"15","y":"0"}},"f":"300"}}
+{{"k":"arc","b":5,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":{},"to":{{"x":"15","y":"0"}},"f":"300"}}
+{{"k":"feed","b":5,"to":{{"x":"0","y":"0"}},"f":"300"}}
+{{"k":"rapid","b":5,"to":{{"z":"10"}}}})",
+                     before, rot);
+}
+
+TEST(R8FreeStep, NoTraverseGoesIntoWhatIsNotCleared) {
+  const Declared with{.dialect = "sinumerik802s", .tool = "5"};
+  EXPECT_EQ(decided(kFinish, finish(""), with), "oracle-gap R8 free-step");
+  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"z":"-6"}}
+{"k":"rapid","b":5,"to":{"z":"2"}})"),
+                    with),
+            "fail.region R8");
+  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"x":"25"}}
+{"k":"rapid","b":5,"to":{"x":"0"}})"),
+                    with),
+            "fail.region R8");
+  EXPECT_EQ(decided(kFinish, finish("", 1), with), "fail.region R8");
+}
+
+TEST(R9Undecided, NamesItsReason) {
+  EXPECT_EQ(decided("G0 X50\nG71 U1\n", R"({"k":"rapid","b":1,"to":{"x":"25"}})",
+                    {.dialect = "hnc21t"}),
+            "oracle-gap not-covered");
+}
+
+TEST(R9Undecided, AnArcWhoseEndsAgreeMayHaveTwoReadings) {
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, -1, R"("x":"10","y":"0.0001")")),
+            "oracle-gap two-readings");
+  EXPECT_EQ(decided(kCircle, full_turn(kCentre, 1, R"("x":"10","y":"0.0001")")),
+            "fail.geometry R2");
+}
+
+}  // namespace
+}  // namespace gonogo::relation
