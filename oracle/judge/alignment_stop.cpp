@@ -106,6 +106,7 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
     return false;
   }
   Verdict verdict = wrong_dwell(record, number, from, steps_, terms_);
+  if (go_on_behind_end(from, verdict)) return meet_dwell(from, record, number);
   refute(Refutation{from, std::nullopt, {}, std::move(verdict)});
   return false;
 }

@@ -12,6 +12,12 @@ bool is_end(const ReferenceStep& step) {
          std::holds_alternative<reference::NotCovered>(step);
 }
 
+bool is_silent_end(const ReferenceStep& step) {
+  const Record* record = std::get_if<Record>(&step);
+  return record != nullptr && record->kind == RecordKind::end &&
+         reference::is_silent(record->clause);
+}
+
 const Record* placed_m_function(const ReferenceStep& step) {
   const Record* record = std::get_if<Record>(&step);
   const bool is_placed =
@@ -27,8 +33,12 @@ ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramT
       place_(profile.initial.at) {}
 
 const reference::Item* ReferenceSteps::next_item() {
+  if (is_at_silent_end_) expander_.pass_over_end();
   const reference::Item* item = expander_.next();
-  if (item != nullptr) ++items_;
+  if (item == nullptr) return nullptr;
+  ++items_;
+  const Record* record = std::get_if<Record>(item);
+  is_at_silent_end_ = record != nullptr && is_silent_end(*record);
   return item;
 }
 

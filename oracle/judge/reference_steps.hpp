@@ -17,13 +17,17 @@
 namespace gonogo::oracle {
 
 // What the subject has to do next: a motion, a dwell, an M function of a cycle, something whose
-// path is open, or the end (an `end` record, an alarm, not covered), which is the last step.
+// path is open, or the end (an `end` record, an alarm, not covered), which is the last step but
+// where it is silent.
 using ReferenceStep =
     std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
                  reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
                  reference::AlarmReport, reference::NotCovered>;
 
 bool is_end(const ReferenceStep& step);
+// The end of the program by a rule that no text states (J-ALM-10): steps behind it are those of a
+// control that goes on there.
+bool is_silent_end(const ReferenceStep& step);
 // The M function that a cycle has among its motions (J-CMP-05); null: another step.
 const Record* placed_m_function(const ReferenceStep& step);
 
@@ -86,6 +90,7 @@ class ReferenceSteps {
   std::size_t passes_ = 0;
   std::map<std::size_t, Position> settled_;  // where open paths ended, of the steps that are kept
   bool was_moved_ = false;
+  bool is_at_silent_end_ = false;
 };
 
 }  // namespace gonogo::oracle
