@@ -13,26 +13,26 @@ namespace {
 
 using reference::AlarmClass;
 
-constexpr std::array kClasses = {
+constexpr std::array kAlarmClasses = {
 #define GONOGO_ALARM(name, text, sentence) AlarmClass::name,
 #include "reference/alarm_classes.def"
 };
 
-std::string record(const char* kind, int block, const char* to, const char* more = "") {
+std::string moved_record(const char* kind, int block, const char* to, const char* more = "") {
   return R"({"k":")" + std::string(kind) + R"(","b":)" + std::to_string(block) + R"(,"to":{)" + to +
          "}" + more + "}\n";
 }
-std::string rapid(int block, const char* to) {
-  return record("rapid", block, to);
+std::string traverse(int block, const char* to) {
+  return moved_record("rapid", block, to);
 }
-std::string feed(int block, const char* to) {
-  return record("feed", block, to, R"(,"f":"100")");
+std::string straight_feed(int block, const char* to) {
+  return moved_record("feed", block, to, R"(,"f":"100")");
 }
-std::string alarm(int block, std::string_view alarm_class) {
+std::string alarm_said(int block, std::string_view alarm_class) {
   return R"({"k":"alarm","b":)" + std::to_string(block) + R"(,"class":")" +
          std::string(alarm_class) + "\"}\n";
 }
-std::string without_lines(std::string trace) {
+std::string without_line_numbers(std::string trace) {
   for (std::size_t at = 0; (at = trace.find("\"b\":", at)) != std::string::npos;) {
     trace.erase(at, trace.find(',', at) + 1 - at);
   }
@@ -53,7 +53,7 @@ struct Silent {
   std::string_view clause;
 };
 
-bool is_answer(const Silent& one, AlarmClass alarm_class) {
+bool is_other_answer(const Silent& one, AlarmClass alarm_class) {
   return std::ranges::count(one.answers, alarm_class) != 0;
 }
 
@@ -65,99 +65,99 @@ std::vector<Silent> running_on() {
        "sinumerik840d",
        kCut.data(),
        2,
-       rapid(1, R"("x":"10")"),
-       feed(2, R"("x":"15")"),
-       feed(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       traverse(1, R"("x":"10")"),
+       straight_feed(2, R"("x":"15")"),
+       straight_feed(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::spindle_stopped},
        "SIE-G1-04"},
       {"a cut with a standing spindle, 802S",
        "sinumerik802s",
        kCut.data(),
        2,
-       rapid(1, R"("x":"10")"),
-       feed(2, R"("x":"15")"),
-       feed(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       traverse(1, R"("x":"10")"),
+       straight_feed(2, R"("x":"15")"),
+       straight_feed(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::spindle_stopped},
        "SIE-G1-04"},
       {"a second H",
        "sinumerik840d",
        "G0 X10\nG0 X20 H1 H2\nG0 X30\n",
        2,
-       rapid(1, R"("x":"10")"),
-       rapid(2, R"("x":"15")"),
-       rapid(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       traverse(1, R"("x":"10")"),
+       traverse(2, R"("x":"15")"),
+       traverse(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::duplicate_word},
        "SIE-COM-04"},
       {"a word without effect, GSK",
        "gsk988ta",
        "G00 X10 Z2\nG94 X8 Z0 F100 L7\nG00 X30\n",
        2,
-       rapid(1, R"("x":"5","z":"2")"),
-       rapid(2, R"("z":"0")"),
-       rapid(2, R"("z":"0")") + feed(2, R"("x":"4")") + feed(2, R"("z":"2")") +
-           rapid(2, R"("x":"5")"),
-       rapid(3, R"("x":"15")"),
+       traverse(1, R"("x":"5","z":"2")"),
+       traverse(2, R"("z":"0")"),
+       traverse(2, R"("z":"0")") + straight_feed(2, R"("x":"4")") + straight_feed(2, R"("z":"2")") +
+           traverse(2, R"("x":"5")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::unused_word, AlarmClass::conflicting_words},
        "GSK-COM-10"},
       {"a word without effect, HNC",
        "hnc21t",
        "G00 X10\nG80 X8 Z-5 F100 P7\nG00 X30\n",
        2,
-       rapid(1, R"("x":"5")"),
-       rapid(2, R"("x":"4")"),
-       rapid(2, R"("x":"4")") + feed(2, R"("z":"-5")") + feed(2, R"("x":"5")") +
-           rapid(2, R"("z":"0")"),
-       rapid(3, R"("x":"15")"),
+       traverse(1, R"("x":"5")"),
+       traverse(2, R"("x":"4")"),
+       traverse(2, R"("x":"4")") + straight_feed(2, R"("z":"-5")") +
+           straight_feed(2, R"("x":"5")") + traverse(2, R"("z":"0")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::unused_word, AlarmClass::conflicting_words},
        "HNC-COM-07"},
       {"a speed below zero, GSK",
        "gsk988ta",
        "G00 X10\nG00 X20 S-100\nG00 X30\n",
        2,
-       rapid(1, R"("x":"5")"),
-       rapid(2, R"("x":"7")"),
-       rapid(2, R"("x":"10")"),
-       rapid(3, R"("x":"15")"),
+       traverse(1, R"("x":"5")"),
+       traverse(2, R"("x":"7")"),
+       traverse(2, R"("x":"10")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::value_sign, AlarmClass::value_out_of_range},
        "GSK-COM-12"},
       {"a speed below zero, HNC",
        "hnc21t",
        "G00 X10\nG00 X20 S-100\nG00 X30\n",
        2,
-       rapid(1, R"("x":"5")"),
-       rapid(2, R"("x":"7")"),
-       rapid(2, R"("x":"10")"),
-       rapid(3, R"("x":"15")"),
+       traverse(1, R"("x":"5")"),
+       traverse(2, R"("x":"7")"),
+       traverse(2, R"("x":"10")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::value_sign},
        "HNC-COM-04"},
       {"a comment behind an O word",
        "rs274",
        "G21 G90 F100\nG1 X10\no1 if [1] (note)\nG1 X20\no1 endif\nM2\n",
        3,
-       feed(2, R"("x":"10")"),
+       straight_feed(2, R"("x":"10")"),
        "",
        "",
-       feed(4, R"("x":"20")"),
+       straight_feed(4, R"("x":"20")"),
        {AlarmClass::syntax},
        "NGC-OWD-09"},
   };
 }
 
 std::vector<Silent> alarming() {
-  const std::string mill = rapid(1, R"("x":"10")");
-  const std::string lathe = rapid(1, R"("x":"5")");
+  const std::string mill = traverse(1, R"("x":"10")");
+  const std::string lathe = traverse(1, R"("x":"5")");
   return {
       {"a centre beside G1",
        "sinumerik840d",
        "G0 X10 S500 M3\nG1 X20 I3 F100\nG0 X30\n",
        2,
        mill,
-       feed(2, R"("x":"15")"),
-       feed(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       straight_feed(2, R"("x":"15")"),
+       straight_feed(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::conflicting_words},
        "SIE-COM-02"},
       {"a speed below zero, 802S",
@@ -165,9 +165,9 @@ std::vector<Silent> alarming() {
        "G0 X10\nG0 X20 S-100\nG0 X30\n",
        2,
        mill,
-       rapid(2, R"("x":"15")"),
-       rapid(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       traverse(2, R"("x":"15")"),
+       traverse(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::value_sign},
        "SIE-COM-03"},
       {"X beside U, GSK",
@@ -175,9 +175,9 @@ std::vector<Silent> alarming() {
        "G00 X10\nG00 X20 U2\nG00 X30\n",
        2,
        lathe,
-       rapid(2, R"("x":"7")"),
-       rapid(2, R"("x":"10")"),
-       rapid(3, R"("x":"15")"),
+       traverse(2, R"("x":"7")"),
+       traverse(2, R"("x":"10")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::conflicting_words},
        "GSK-COM-09"},
       {"X beside U, HNC",
@@ -185,9 +185,9 @@ std::vector<Silent> alarming() {
        "G00 X10\nG00 X20 U2\nG00 X30\n",
        2,
        lathe,
-       rapid(2, R"("x":"7")"),
-       rapid(2, R"("x":"10")"),
-       rapid(3, R"("x":"15")"),
+       traverse(2, R"("x":"7")"),
+       traverse(2, R"("x":"10")"),
+       traverse(3, R"("x":"15")"),
        {AlarmClass::conflicting_words},
        "HNC-COM-03"},
       {"G53 under G91",
@@ -195,22 +195,22 @@ std::vector<Silent> alarming() {
        "G21 G0 X10\nG91 G53 G0 X20\nG90 G0 X30\nM2\n",
        2,
        mill,
-       rapid(2, R"("x":"15")"),
-       rapid(2, R"("x":"20")"),
-       rapid(3, R"("x":"30")"),
+       traverse(2, R"("x":"15")"),
+       traverse(2, R"("x":"20")"),
+       traverse(3, R"("x":"30")"),
        {AlarmClass::conflicting_words},
        "NGC-OFS-14"},
   };
 }
 
-Verdict judged(const Silent& one, const std::string& trace, bool blocks = true,
-               bool strict = false) {
-  return judge_trace(one.program, blocks ? trace : without_lines(trace),
+Verdict judged_silent(const Silent& one, const std::string& trace, bool blocks = true,
+                      bool strict = false) {
+  return judge_trace(one.program, blocks ? trace : without_line_numbers(trace),
                      {.blocks = blocks, .dialect = one.dialect, .strict = strict});
 }
 
-VerdictKind kind_of(const Silent& one, const std::string& trace, bool blocks = true) {
-  return judged(one, trace, blocks).kind;
+VerdictKind kind_said(const Silent& one, const std::string& trace, bool blocks = true) {
+  return judged_silent(one, trace, blocks).kind;
 }
 
 class RunsOnBySilence : public testing::TestWithParam<Silent> {};
@@ -218,14 +218,14 @@ class AlarmsBySilence : public testing::TestWithParam<Silent> {};
 
 TEST_P(RunsOnBySilence, WhichExcusesTheAlarmOfThatRuleAlone) {
   const Silent& one = GetParam();
-  EXPECT_EQ(decision(kind_of(one, one.before + one.whole + one.behind)), Decision::go);
+  EXPECT_EQ(decision(kind_said(one, one.before + one.whole + one.behind)), Decision::go);
   for (const bool blocks : {true, false}) {
-    for (const AlarmClass each : kClasses) {
-      const std::string trace = one.before + alarm(one.block, reference::name(each));
-      const Verdict verdict = judged(one, trace, blocks);
-      EXPECT_EQ(name(verdict.kind), is_answer(one, each) ? "advice" : "fail.alarm-spurious")
+    for (const AlarmClass each : kAlarmClasses) {
+      const std::string trace = one.before + alarm_said(one.block, reference::name(each));
+      const Verdict verdict = judged_silent(one, trace, blocks);
+      EXPECT_EQ(name(verdict.kind), is_other_answer(one, each) ? "advice" : "fail.alarm-spurious")
           << reference::name(each) << ": " << verdict.message;
-      if (!is_answer(one, each)) continue;
+      if (!is_other_answer(one, each)) continue;
       EXPECT_EQ(reference::clause_name(verdict.clause), one.clause);
     }
   }
@@ -235,27 +235,29 @@ TEST_P(RunsOnBySilence, WhichExcusesNoAlarmThatHasNoClass) {
   const Silent& one = GetParam();
   const std::string native =
       R"({"k":"alarm","b":)" + std::to_string(one.block) + R"(,"native":"PS0010"})" + "\n";
-  EXPECT_EQ(decision(kind_of(one, one.before + native)), Decision::no_go);
+  EXPECT_EQ(decision(kind_said(one, one.before + native)), Decision::no_go);
 }
 
 TEST_P(RunsOnBySilence, WhichExcusesNoAlarmInAnotherBlock) {
   const Silent& one = GetParam();
   const std::string_view right = reference::name(one.answers.front());
-  EXPECT_EQ(decision(kind_of(one, one.before + alarm(one.block + 1, right))), Decision::no_go);
-  EXPECT_EQ(decision(kind_of(one, one.before + alarm(one.block - 1, right))), Decision::no_go);
-  EXPECT_EQ(decision(kind_of(one, one.before + one.whole + alarm(one.block + 1, right))),
+  EXPECT_EQ(decision(kind_said(one, one.before + alarm_said(one.block + 1, right))),
             Decision::no_go);
-  EXPECT_EQ(decision(kind_of(one, alarm(one.block, right))), Decision::no_go);  // too early
+  EXPECT_EQ(decision(kind_said(one, one.before + alarm_said(one.block - 1, right))),
+            Decision::no_go);
+  EXPECT_EQ(decision(kind_said(one, one.before + one.whole + alarm_said(one.block + 1, right))),
+            Decision::no_go);
+  EXPECT_EQ(decision(kind_said(one, alarm_said(one.block, right))), Decision::no_go);  // too early
 }
 
 // However far it came, and whatever line it names.
 TEST_P(RunsOnBySilence, WhichExcusesNoAlarmThatComesAfterItsMotion) {
   const Silent& one = GetParam();
-  const std::string right = alarm(one.block, reference::name(one.answers.front()));
+  const std::string right = alarm_said(one.block, reference::name(one.answers.front()));
   for (const std::string& moved : {one.half, one.whole, one.whole + one.behind}) {
     if (moved.empty()) continue;
-    EXPECT_EQ(name(kind_of(one, one.before + moved + right)), "fail.alarm-late");
-    EXPECT_EQ(decision(kind_of(one, one.before + moved + right, false)), Decision::no_go);
+    EXPECT_EQ(name(kind_said(one, one.before + moved + right)), "fail.alarm-late");
+    EXPECT_EQ(decision(kind_said(one, one.before + moved + right, false)), Decision::no_go);
   }
 }
 
@@ -263,50 +265,52 @@ TEST_P(AlarmsBySilence, WhichExcusesASubjectThatRunsOn) {
   const Silent& one = GetParam();
   for (const bool blocks : {true, false}) {
     for (const std::string& moved : {std::string(), one.half, one.whole, one.whole + one.behind}) {
-      const Verdict verdict = judged(one, one.before + moved, blocks);
+      const Verdict verdict = judged_silent(one, one.before + moved, blocks);
       EXPECT_EQ(name(verdict.kind), "advice") << moved;
       EXPECT_EQ(verdict.departure, VerdictKind::fail_alarm_missing);
       EXPECT_EQ(reference::clause_name(verdict.clause), one.clause);
     }
-    EXPECT_EQ(decision(kind_of(one, one.behind, blocks)), Decision::no_go);  // before it
+    EXPECT_EQ(decision(kind_said(one, one.behind, blocks)), Decision::no_go);  // before it
   }
 }
 
 TEST_P(AlarmsBySilence, WhichExcusesNoAlarmOfAnotherClassOrBlock) {
   const Silent& one = GetParam();
-  for (const AlarmClass each : kClasses) {
-    const std::string trace = one.before + alarm(one.block, reference::name(each));
-    EXPECT_EQ(name(kind_of(one, trace)), is_answer(one, each) ? "pass-exact" : "fail.alarm-class")
+  for (const AlarmClass each : kAlarmClasses) {
+    const std::string trace = one.before + alarm_said(one.block, reference::name(each));
+    EXPECT_EQ(name(kind_said(one, trace)),
+              is_other_answer(one, each) ? "pass-exact" : "fail.alarm-class")
         << reference::name(each);
     for (const std::string& moved : {std::string(), one.half, one.whole, one.whole + one.behind}) {
-      const std::string later = one.before + moved + alarm(one.block + 1, reference::name(each));
-      EXPECT_EQ(name(kind_of(one, later)), "fail.alarm-late") << reference::name(each);
+      const std::string later =
+          one.before + moved + alarm_said(one.block + 1, reference::name(each));
+      EXPECT_EQ(name(kind_said(one, later)), "fail.alarm-late") << reference::name(each);
     }
   }
 }
 
-std::string test_name(const testing::TestParamInfo<Silent>& one) {
+std::string silent_name(const testing::TestParamInfo<Silent>& one) {
   std::string text;
   for (const char c : std::string(one.param.name)) {
     text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }
   return text;
 }
-INSTANTIATE_TEST_SUITE_P(Programs, RunsOnBySilence, testing::ValuesIn(running_on()), test_name);
-INSTANTIATE_TEST_SUITE_P(Programs, AlarmsBySilence, testing::ValuesIn(alarming()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, RunsOnBySilence, testing::ValuesIn(running_on()), silent_name);
+INSTANTIATE_TEST_SUITE_P(Programs, AlarmsBySilence, testing::ValuesIn(alarming()), silent_name);
 
 // J-ALM-05: X40 beside U2 alarms, and K1 has no effect: a control that says so of K1 answers
 // another question the other way.
 TEST(Silence, ExcusesTheAlarmOfARuleBesideAnotherFault) {
   const Judging judging{.dialect = "hnc21t"};
   const char* program = "G00 X50 Z5\nG80 X40 U2 Z-20 K1 F100\n";
-  const std::string before = rapid(1, R"("x":"25","z":"5")");
-  EXPECT_EQ(judge_trace(program, before + alarm(2, "conflicting-words"), judging).kind,
+  const std::string before = traverse(1, R"("x":"25","z":"5")");
+  EXPECT_EQ(judge_trace(program, before + alarm_said(2, "conflicting-words"), judging).kind,
             VerdictKind::pass_exact);
-  const Verdict verdict = judge_trace(program, before + alarm(2, "unused-word"), judging);
+  const Verdict verdict = judge_trace(program, before + alarm_said(2, "unused-word"), judging);
   EXPECT_EQ(verdict.kind, VerdictKind::advice);
   EXPECT_EQ(reference::clause_name(verdict.clause), "HNC-COM-07");
-  EXPECT_EQ(judge_trace(program, before + alarm(2, "value-sign"), judging).kind,
+  EXPECT_EQ(judge_trace(program, before + alarm_said(2, "value-sign"), judging).kind,
             VerdictKind::fail_alarm_class);
 }
 
@@ -314,7 +318,8 @@ TEST(Silence, ExcusesTheAlarmOfARuleBesideAnotherFault) {
 TEST(Silence, ExcusesTheAlarmOfARuleBesideAFaultOfAText) {
   const Judging judging{.dialect = "sinumerik840d"};
   const auto kind = [&](std::string_view alarm_class) {
-    return judge_trace("G0 X10\nG1 X20\n", rapid(1, R"("x":"10")") + alarm(2, alarm_class), judging)
+    return judge_trace("G0 X10\nG1 X20\n", traverse(1, R"("x":"10")") + alarm_said(2, alarm_class),
+                       judging)
         .kind;
   };
   EXPECT_EQ(kind("feed-missing"), VerdictKind::pass_exact);
@@ -328,29 +333,29 @@ TEST(Silence, OfTheEndExcusesWhatTheRestOfTheProgramDoes) {
     const Judging judging{.dialect = dialect};
     const char* program = "%\nG00 X10\n%\nG00 X20\nG01 X30 F100\n";
     const auto kind = [&](const std::string& behind) {
-      return judge_trace(program, rapid(2, R"("x":"5")") + behind, judging).kind;
+      return judge_trace(program, traverse(2, R"("x":"5")") + behind, judging).kind;
     };
-    const std::string next = rapid(4, R"("x":"10")");
+    const std::string next = traverse(4, R"("x":"10")");
     EXPECT_EQ(kind(""), VerdictKind::pass_exact);
-    EXPECT_EQ(kind(next + feed(5, R"("x":"15")")), VerdictKind::advice);
-    EXPECT_EQ(kind(rapid(4, R"("x":"11")")), VerdictKind::fail_geometry);
+    EXPECT_EQ(kind(next + straight_feed(5, R"("x":"15")")), VerdictKind::advice);
+    EXPECT_EQ(kind(traverse(4, R"("x":"11")")), VerdictKind::fail_geometry);
     EXPECT_EQ(kind(next), VerdictKind::fail_geometry);
-    EXPECT_EQ(kind(next + feed(5, R"("x":"16")")), VerdictKind::fail_geometry);
-    EXPECT_EQ(kind(next + feed(5, R"("x":"15")") + rapid(6, R"("x":"9")")),
+    EXPECT_EQ(kind(next + straight_feed(5, R"("x":"16")")), VerdictKind::fail_geometry);
+    EXPECT_EQ(kind(next + straight_feed(5, R"("x":"15")") + traverse(6, R"("x":"9")")),
               VerdictKind::fail_overrun);
-    EXPECT_EQ(kind(alarm(3, "syntax")), VerdictKind::advice);
-    EXPECT_EQ(kind(alarm(3, "value-sign")), VerdictKind::fail_alarm_spurious);
-    EXPECT_EQ(kind(alarm(4, "syntax")), VerdictKind::fail_alarm_spurious);
-    EXPECT_EQ(kind(next + alarm(3, "syntax")), VerdictKind::fail_alarm_late);
+    EXPECT_EQ(kind(alarm_said(3, "syntax")), VerdictKind::advice);
+    EXPECT_EQ(kind(alarm_said(3, "value-sign")), VerdictKind::fail_alarm_spurious);
+    EXPECT_EQ(kind(alarm_said(4, "syntax")), VerdictKind::fail_alarm_spurious);
+    EXPECT_EQ(kind(next + alarm_said(3, "syntax")), VerdictKind::fail_alarm_late);
   }
 }
 
 // J-ALM-04. Line 2 alarms by a rule of ours, line 4 by one of a text.
 TEST(Silence, ExcusesTheNextAlarmOfASubjectThatRunsOn) {
   const auto kind = [](int block, std::string_view alarm_class) {
-    const std::string moved = rapid(1, R"("x":"5")") + rapid(2, R"("x":"10")");
+    const std::string moved = traverse(1, R"("x":"5")") + traverse(2, R"("x":"10")");
     return judge_trace("G00 X10\nG00 X20 U2\nG00 X30\nG01 X40\n",
-                       moved + rapid(3, R"("x":"15")") + alarm(block, alarm_class),
+                       moved + traverse(3, R"("x":"15")") + alarm_said(block, alarm_class),
                        {.dialect = "gsk988ta"})
         .kind;
   };
