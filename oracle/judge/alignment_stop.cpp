@@ -91,7 +91,10 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
       doubt(from.step, not_covered_verdict(*outside));
       return false;
     }
-    if (std::holds_alternative<AlarmReport>(what)) {
+    const auto* report = std::get_if<AlarmReport>(&what);
+    const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
+                            record.block < report->block;
+    if (report != nullptr && !is_earlier) {
       from.after_alarm = motion_from(from.at, record, number);
       return true;
     }

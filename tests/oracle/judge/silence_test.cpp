@@ -299,6 +299,19 @@ std::string silent_name(const testing::TestParamInfo<Silent>& one) {
 INSTANTIATE_TEST_SUITE_P(Programs, RunsOnBySilence, testing::ValuesIn(running_on()), silent_name);
 INSTANTIATE_TEST_SUITE_P(Programs, AlarmsBySilence, testing::ValuesIn(alarming()), silent_name);
 
+// J-ALM-04: what departs before a silent alarm goes first.
+TEST_P(AlarmsBySilence, WhichExcusesNothingBeforeIt) {
+  const Silent& one = GetParam();
+  const std::string dwell =
+      R"({"k":"dwell","b":)" + std::to_string(one.block - 1) + R"(,"s":"1"})" + "\n";
+  for (const std::string& behind : {std::string(), one.whole, one.whole + one.behind}) {
+    EXPECT_EQ(decision(kind_said(one, one.before + dwell + behind)), Decision::no_go);
+    EXPECT_EQ(
+        decision(kind_said(one, one.before + traverse(one.block - 1, R"("z":"99")") + behind)),
+        Decision::no_go);
+  }
+}
+
 // J-ALM-05: X40 beside U2 alarms, and K1 has no effect: a control that says so of K1 answers
 // another question the other way.
 TEST(Silence, ExcusesTheAlarmOfARuleBesideAnotherFault) {
