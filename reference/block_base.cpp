@@ -90,6 +90,7 @@ bool leaves_program(const grammar::Block& block, std::uint64_t line, bool has_be
   if (block.tape_mark) {
     out.program_end = true;
     out.end_clause = clause;
+    out.accept(clause);
     return true;
   }
   if (!block.program_number) return false;

@@ -15,6 +15,21 @@ std::string_view clause_name(ClauseId id) {
   return id == kNoClause ? std::string_view{} : clauses()[id].id;
 }
 
+bool is_silent(ClauseId id) {
+  return id != kNoClause && clause(id).basis() == Basis::silent;
+}
+
+std::string other_answer(const Clause& clause) {
+  std::string names;
+  for (const std::string_view some : {clause.refusals, clause.other_names}) {
+    if (!some.empty()) names += (names.empty() ? "the alarm " : ", ") + std::string(some);
+  }
+  for (std::size_t blank = 10; (blank = names.find(' ', blank)) != std::string::npos; blank += 4) {
+    names.replace(blank, 1, " or ");
+  }
+  return names.empty() ? names : names + ".";
+}
+
 std::string_view name(ClauseLevel level) {
   switch (level) {
     case ClauseLevel::must:

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "reference/catalog/bases.hpp"
@@ -60,6 +61,11 @@ inline constexpr ClauseId kNoClause = 0xFFFF;
 std::span<const Clause> clauses();
 const Clause& clause(ClauseId id);
 std::string_view clause_name(ClauseId id);  // "" for kNoClause
+// Whether no text states what the clause says; false for kNoClause.
+bool is_silent(ClauseId id);
+// What a subject may do there that answers its question the other way, beside running on where it
+// is an alarm (docs/judging.md, J-ALM-04, J-ALM-05); empty: the catalog names nothing.
+std::string other_answer(const Clause& clause);
 std::string_view name(ClauseLevel level);
 std::string_view name(Basis basis);
 std::optional<Basis> basis(std::string_view name);

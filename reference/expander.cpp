@@ -136,7 +136,6 @@ const Item* Expander::next() {
       for (const Warning& warning : out_.warnings) warn_(warning, line_);
     }
     if (!out_.alarms.empty() || out_.not_covered) {
-      out_.accepted.clear();
       // None of the motion of the alarming block, but what a reading says.
       out_.items.clear();
       if (!out_.alarms.empty()) out_.items.swap(out_.before_alarm);

@@ -34,7 +34,8 @@ struct BlockOutput {
   // Of a program that a rule ends which no text states: that rule.
   ClauseId end_clause = kNoClause;
 
-  // The rules that no text states by which the block runs on; only while somebody asks for them.
+  // The rules that no text states by which the block runs on, or would but for its alarms; only
+  // while somebody asks for them.
   bool notes_acceptances = false;
   std::vector<ClauseId> accepted;
   void accept(ClauseId clause) {
@@ -92,6 +93,12 @@ class Expander {
   void stand_at(const Position& position) { interpreter_->stand_at(position); }
 
   const ReadingsInUse& readings() const { return readings_; }
+  // Behind an end that no text states (its clause says so): `next` goes on with the line behind it,
+  // as on a control that passes the mark over. REQUIRES: the last item was such an end.
+  void pass_over_end() {
+    ended_ = out_.program_end = false;
+    out_.end_clause = kNoClause;
+  }
   // Whether lines have come in their order, and go on so.
   bool is_in_order() const { return !interpreter_->may_repeat_lines(); }
   // Is told of every warning, with its line. A judge does without.

@@ -76,6 +76,8 @@ void append_clauses(const reference::Dialect& dialect, std::string& out) {
     if (!clause.derivation.empty()) {
       out += fmt::format("{:34}derived: {}\n", "", clause.derivation);
     }
+    const std::string answer = reference::other_answer(clause);
+    if (!answer.empty()) out += fmt::format("{:34}advice: {}\n", "", answer);
     out += fmt::format("{:34}carried by {}\n", "", clause.carrier);
   }
 }

@@ -54,23 +54,31 @@ reference::Profile profile_of(const Json& group, const std::string& dialect) {
   return std::get<reference::Profile>(std::move(result));
 }
 
-std::string program_of(const Json& entry) {
-  if (!entry.contains("base64")) return entry.at("program").get<std::string>();
-  auto bytes = oracle::decode_base64(entry.at("base64").get<std::string>());
-  if (!bytes) throw CorpusError("The program is not base64.");
-  return *std::move(bytes);
+// With the words that the first line of each program has behind its own.
+std::string program_of(const Json& entry, std::string_view opening) {
+  std::string program;
+  if (entry.contains("base64")) {
+    auto bytes = oracle::decode_base64(entry.at("base64").get<std::string>());
+    if (!bytes) throw CorpusError("The program is not base64.");
+    program = *std::move(bytes);
+  } else {
+    program = entry.at("program").get<std::string>();
+  }
+  if (opening.empty()) return program;
+  return program.insert(std::min(program.find_first_of("\r\n"), program.size()),
+                        " " + std::string(opening));
 }
 
-RecipeCase case_of(const Json& entry, const Case& common) {
+RecipeCase case_of(const Json& entry, const Case& common, const std::string& opening) {
   RecipeCase recipe;
   recipe.test = common;
   Case& test = recipe.test;
   test.id = entry.at("id").get<std::string>();
   need_keys(entry, test.id,
             {"id", "comment", "program", "base64", "tway", "sign", "provenance", "readings",
-             "alarm", "outside"});
+             "alarm", "outside", "opening"});
   test.comment = entry.at("comment").get<std::string>();
-  test.program = program_of(entry);
+  test.program = program_of(entry, entry.value("opening", opening));
   test.tags_tway = texts(entry, "tway");
   test.tags_sign = texts(entry, "sign");
   test.provenance = entry.value("provenance", "hand");
@@ -163,7 +171,8 @@ void check_effects(const RecipeCase& recipe, const std::vector<Expectation>& exp
 std::vector<RecipeCase> read_recipe(const std::string& path) {
   try {
     const Json document = document_of(path);
-    need_keys(document, "The file", {"dialect", "cycle", "group"});
+    need_keys(document, "The file", {"dialect", "cycle", "opening", "group"});
+    const std::string opening = document.value("opening", "");
     std::vector<RecipeCase> cases;
     for (const Json& group : document.at("group")) {
       need_keys(group, "A group", {"gid", "features", "clauses", "profile", "case"});
@@ -174,7 +183,7 @@ std::vector<RecipeCase> read_recipe(const std::string& path) {
       common.features = texts(group, "features");
       common.clauses = texts(group, "clauses");
       common.profile = profile_of(group, common.dialect);
-      for (const Json& entry : group.at("case")) cases.push_back(case_of(entry, common));
+      for (const Json& entry : group.at("case")) cases.push_back(case_of(entry, common, opening));
     }
     return cases;
   } catch (const Json::exception& error) {

@@ -221,6 +221,17 @@ TupleCount count_cases(const Parameters& parameters, Strength strength,
   return count_tuples(parameters, strength, rows);
 }
 
+namespace {
+
+bool is_unsaid(const Parameters& parameters, const Row& row) {
+  for (std::size_t p = 0; p < row.size(); ++p) {
+    if (parameters.list[p].classes[row[p]].is_unsaid) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 CoverCases cover_cases(const Making& making) {
   const Parameters parameters = parse_parameters(making.model->parameters);
   const CoveringArray array = covering_array(parameters, making.strength, making.seed);
@@ -230,7 +241,7 @@ CoverCases cover_cases(const Making& making) {
   for (std::size_t i = 0; i < array.rows.size(); ++i) {
     std::string why;
     const std::string id = fmt::format("{}.{:06}", making.stem(), i + 1);
-    if (making.left_out.contains(id)) continue;
+    if (making.left_out.contains(id) || is_unsaid(parameters, array.rows[i])) continue;
     std::optional<DrawnCase> drawn = case_of(making, parameters, array.rows[i], why);
     if (!drawn) {
       made.disagreements.push_back(fmt::format("{}: {}", id, why));

@@ -34,6 +34,18 @@ std::string_view last_line(std::string_view dialect) {
   return dialect == "rs274" ? "M2\n" : "";
 }
 
+std::string_view opening(std::string_view dialect) {
+  return dialect.starts_with("sinumerik") ? " S400 M3" : "";
+}
+
+std::string own_text(std::string program, std::string_view dialect) {
+  const std::string_view last = last_line(dialect);
+  if (program.ends_with(last)) program.resize(program.size() - last.size());
+  const std::size_t place = program.find(opening(dialect));
+  if (place < program.find('\n')) program.erase(place, opening(dialect).size());
+  return program;
+}
+
 std::string Drawing::program() const {
   const std::string_view last = last_line(dialect_);
   return text.ends_with(last) ? text : text + std::string(last);
@@ -90,6 +102,8 @@ void Drawing::stand(Length p, Length q, Length d, std::string_view more) {
   }
   words.emplace_back(more);
   put(words);
+  const bool turns = pick_.has("spindle") || more.find("M3") != std::string_view::npos;
+  if (!turns) text.insert(text.size() - 1, opening(dialect_));
   if (pick_.is("distance", "modal") || pick_.is("distance", "AC")) {
     put({std::string(table_.find(reference::Setting::incremental)->name)});
   }

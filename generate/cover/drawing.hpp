@@ -43,7 +43,8 @@ class Drawing {
   Drawing(const Pick& pick, std::string_view dialect);
 
   // Where the tool stands when the block under test begins: a traverse with plane and units before
-  // it, G91 after it. True lengths.
+  // it, G91 after it, and the spindle turning but where the model has it in its own hands: as a
+  // parameter `spindle`, or by an M3 in `more`. True lengths.
   void stand(Length p, Length q, Length d, std::string_view more = {});
   // A block of the words that are not empty.
   void put(const std::vector<std::string>& words);
@@ -92,8 +93,13 @@ class Drawing {
   std::array<Length, 3> at_;  // by role
 };
 
+// What turns the spindle, behind the first block of a program, where cutting wants it (SIE-G1-04);
+// empty: nothing does. It belongs to no model, as the last line.
+std::string_view opening(std::string_view dialect);
 // The line without which a text of the dialect is no whole program (NGC-COM-08); empty: none. It
 // belongs to no model: ids do not hang on it.
 std::string_view last_line(std::string_view dialect);
+// A program without either.
+std::string own_text(std::string program, std::string_view dialect);
 
 }  // namespace gonogo::cover

@@ -70,7 +70,7 @@ distance: absolute letters
 along: minus=-10 plus=20.5 zero=0 least=e
 across: minus=-30 plus=12.345 zero=0
 R: none zero=0 same=5 opposite=-5 below at !above@taper-limit most=999999999e !over=1000000000e@value-out-of-range
-fault: none !stray@axis-not-in-plane !both@conflicting-words !twice@duplicate-word !unknown@undefined-code
+fault: none !stray@axis-not-in-plane !?both@conflicting-words !twice@duplicate-word !unknown@undefined-code
 then: nothing again code feed dwell rapid
 reading: default rewrite=gsk.g94.rewrite=clear empty=gsk.g94.empty-block=repeat
 no: along=least R=opposite

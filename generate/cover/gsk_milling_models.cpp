@@ -89,7 +89,7 @@ D: typical=5 !zero=0@value-out-of-range+step-too-large !none@missing-word
 P: none zero=0 typical=1 minus=-1 more=50
 F: here before !none@feed-missing
 extra: none C=C45 H=H-30 M=M8
-fault: none !both@conflicting-words+duplicate-word !unknown@undefined-code
+fault: none !?both@conflicting-words+duplicate-word !unknown@undefined-code
 then: nothing again off line
 reading: default end=gsk.pocket.end=r-plane path=gsk.pocket.path=concentric missing=gsk.missing-axis=position
 no: R=against depth=zero
@@ -114,11 +114,11 @@ depth: down=-9 up=9 zero=0 least=-e
 R: none zero=0 agreeing=3 !against=-3@direction-conflict
 site: whole no-p no-d
 I: typical=20 just=5+e !equal=5@tool-too-large !below=5-e@tool-too-large !zero=0@value-out-of-range+tool-too-large !none@missing-word
-D: typical=5 !zero=0@value-out-of-range !none@missing-word
+D: typical=5 !?zero=0@value-out-of-range !none@missing-word
 L: none one=1 many=7 most=99999 !zero=0@value-out-of-range !part=1.5@not-an-integer !over=100000@value-out-of-range
 F: here before !none@feed-missing
 extra: none C=C45 H=H-30 M=M35
-fault: none !both@conflicting-words+duplicate-word !unknown@undefined-code
+fault: none !?both@conflicting-words+duplicate-word !unknown@undefined-code
 then: nothing again off line
 reading: default flat=gsk.helix.flat=on side=gsk.helix.entry-side=+p turns=gsk.helix.L=modal end=gsk.missing-axis=position
 no: R=against depth=zero
@@ -139,15 +139,15 @@ depth: down=-9 up=9 zero=0
 R: none zero=0 agreeing=3 !against=-3@direction-conflict
 site: whole no-d
 I: typical=2 whole=3 large=20 !none@missing-word !zero=0@value-out-of-range
-P: typical=1 at=5 !above=5+e@depth-exceeds-tool !none@missing-word !zero=0@value-out-of-range
+P: typical=1 at=5 !above=5+e@depth-exceeds-tool !none@missing-word !?zero=0@value-out-of-range
 Q: none zero=0 typical=0.4 more=6
 D: typical=5 fit=15-e !equal=15@tool-too-large !none@missing-word
-E: typical=30 !none@missing-word !zero=0@value-out-of-range
+E: typical=30 !none@missing-word !?zero=0@value-out-of-range
 J: none zero=0 typical=2
 K: none zero=0 typical=45 at=360 !above=360.001@value-out-of-range !minus=-1@value-out-of-range
 F: here before !none@feed-missing
 extra: none C=C45 H=H-30
-fault: none !both@conflicting-words+duplicate-word !unknown@undefined-code
+fault: none !?both@conflicting-words+duplicate-word !unknown@undefined-code
 then: nothing off line
 reading: default path=gsk.thread.path=arc polar=gsk.thread.runout=polar radial=gsk.thread.runout=radial from=gsk.thread.v-from=initial
 no: R=against depth=zero

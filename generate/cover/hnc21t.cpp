@@ -61,7 +61,7 @@ constexpr std::string_view kHncFeed = R"(
 F: here before !none@feed-missing !minus@value-sign+feed-missing
 )";
 constexpr std::string_view kHncFaults = R"(
-fault: none !both@conflicting-words !twice=S100&S200@duplicate-word !Y=Y5@undefined-code !plane=G17@plane-not-allowed
+fault: none !?both@conflicting-words !?twice=S100&S200@duplicate-word !?Y=Y5@undefined-code !?plane=G17@plane-not-allowed
 then: nothing again code dwell rapid
 )";
 
@@ -101,7 +101,7 @@ run-out: none both=2 below=10-e at=10 !above=10+e@retract-ratio !R-alone@retract
 Q: none zero=0 typical=20 !minus=-1@value-sign
 C: none zero=0 one=1 two=2 five=5 !minus=-1@value-sign !part=1.5@not-an-integer
 P: none zero=0 typical=72 over=400
-lead: F1.5 J8 fine=F0.001 !none@lead-missing !both=F1.5&J8@conflicting-words !zero=F0@value-sign !minus=J-8@value-sign
+lead: F1.5 J8 fine=F0.001 !none@lead-missing !both=F1.5&J8@conflicting-words !?zero=F0@value-sign !?minus=J-8@value-sign
 reading: default feed=hnc.g82.exit=feed one=hnc.g82.starts=one scale=hnc.g82.e-scale=diameter
 # Several starts need their angle.
 no: C=two,five P=none
@@ -121,7 +121,6 @@ void draw_pecks(const Pick& pick, Drawing& drawing, const std::string& code) {
     if (!pick.is("I", "none")) words.push_back("I" + pick["I"]);
   } else {
     words.push_back(way_of(pick, drawing, Role::p, "depth"));
-    if (!pick.is("X", "none")) words.push_back(drawing.travel(Role::q, pick.length("X")));
   }
   if (pick.is("F", "here")) words.emplace_back("F200");
   if (pick.is("F", "minus")) words.emplace_back("F-5");
@@ -149,18 +148,16 @@ no: reading=withdrawn e=over Q=typical,whole
 )";
 
 constexpr std::string_view kDrill = R"(
-depth: minus=-9 plus=7.25 zero=0 least=-e !missing@missing-word
-X: none some=3
-fault: none !twice=S100&S200@duplicate-word !Y=Y5@undefined-code !plane=G19@plane-not-allowed
+depth: minus=-9 plus=7.25 zero=0 least=-e
+fault: none !?twice=S100&S200@duplicate-word !?Y=Y5@undefined-code !?plane=G19@plane-not-allowed
 reading: default withdrawn=hnc.peck.from=withdrawn feed=hnc.peck.withdraw=feed clamp=hnc.peck.clamp=start
-no: depth=missing X=none
 )";
 
 constexpr std::string_view kGroove = R"(
 depth: minus=-9 plus=7.25 zero=0 !missing@missing-word
 width: none minus=-8 plus=5 zero=0
 I: none one=1 three=3 !zero=0@not-an-integer !part=1.5@not-an-integer !minus=-2@not-an-integer
-fault: none !twice=S100&S200@duplicate-word !Y=Y5@undefined-code !plane=G19@plane-not-allowed
+fault: none !?twice=S100&S200@duplicate-word !?Y=Y5@undefined-code !?plane=G19@plane-not-allowed
 reading: default withdrawn=hnc.peck.from=withdrawn steps=hnc.g75.steps=i end=hnc.g75.end=last scale=hnc.g75.depth-scale=diameter
 no: depth=missing width=none
 # A width and a number of steps need each other.
@@ -179,8 +176,8 @@ void draw_g32(const Pick& pick, Drawing& drawing) {
 constexpr std::string_view kLineThread = R"(
 X: missing minus=-2 plus=1.25 long=-60
 Z: minus=-30 plus=12.5 short=-0.5
-lead: F1.5 J8 fine=F0.001 !none@lead-missing !both=F1.5&J8@conflicting-words !zero=F0@value-sign !minus=F-2@value-sign
-fault: none !both@conflicting-words !twice=S100&S200@duplicate-word !plane=G17@plane-not-allowed
+lead: F1.5 J8 fine=F0.001 !none@lead-missing !both=F1.5&J8@conflicting-words !?zero=F0@value-sign !?minus=F-2@value-sign
+fault: none !?both@conflicting-words !?twice=S100&S200@duplicate-word !?plane=G17@plane-not-allowed
 then: nothing again rapid
 )";
 
@@ -205,9 +202,9 @@ centre: along-p along-q both
 end: opposite left right full
 full: omitted written
 zeros: omitted written
-radii: same least=e below=0.01-e at=0.01 !above=0.01+e@arc-end-point
+radii: same least=e below=0.01-e at=0.01 !?above=0.01+e@arc-end-point
 F: here before !none@feed-missing
-fault: none !twice=S100&S200@duplicate-word !plane=G17@plane-not-allowed
+fault: none !?twice=S100&S200@duplicate-word !?plane=G17@plane-not-allowed
 then: nothing line
 no: end=full form=R,large,short,none
 no: form=short end=left,right
@@ -225,7 +222,7 @@ no: radii=least,below,at,above units=inch
 std::span<const Model> hnc_models() {
   static const std::array kModels = {
       Model{"hnc.g74",
-            1,
+            2,
             "hnc21t",
             "g74",
             {3, 3},

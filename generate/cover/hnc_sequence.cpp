@@ -8,8 +8,15 @@
 namespace gonogo::cover {
 namespace {
 
-// Each step in increments, so that it can follow any other. `arc`: an arc is the motion in force.
-void draw_hnc_step(const std::string& step, bool arc, Drawing& drawing) {
+// A block without a code, as the motion in force takes it: an arc has its radius, and G74 no X.
+void put_bare(const std::string& in_force, std::int64_t x, std::int64_t z, const char* radius,
+              Drawing& drawing) {
+  drawing.put({in_force == "G74" ? "" : drawing.letters(Role::q, mm(x)),
+               drawing.letters(Role::p, mm(z)), in_force == "arc" ? radius : ""});
+}
+
+// Each step in increments, so that it can follow any other.
+void draw_hnc_step(const std::string& step, const std::string& in_force, Drawing& drawing) {
   const auto x = [&](std::int64_t length) { return drawing.letters(Role::q, mm(length)); };
   const auto z = [&](std::int64_t length) { return drawing.letters(Role::p, mm(length)); };
   if (step == "rapid") drawing.put({"G00", x(4), z(-3)});
@@ -18,9 +25,9 @@ void draw_hnc_step(const std::string& step, bool arc, Drawing& drawing) {
   if (step == "dwell") drawing.put({"G04 P120"});
   if (step == "rename") drawing.put({"G92 X80 Z10"});
   if (step == "offset") drawing.put({"G55"});
-  if (step == "bare") drawing.put({x(3), z(-6), arc ? "R13" : ""});
+  if (step == "bare") put_bare(in_force, 3, -6, "R13", drawing);
   if (step == "G32") drawing.put({"G32", z(-20), "F1.5"});
-  if (step == "G74") drawing.put({"G74 R0.5 Q4", x(1), z(-10), "F120"});
+  if (step == "G74") drawing.put({"G74 R0.5 Q4", z(-10), "F120"});
   if (step == "G75") drawing.put({"G75 R0.5 Q2", x(-5), z(-6), "I2 F130"});
   if (step == "G80") drawing.put({"G80", x(-4), z(-20), "I-1 F140"});
   if (step == "G81") drawing.put({"G81", x(-20), z(-4), "K2 F150"});
@@ -35,15 +42,14 @@ void draw_hnc_sequence(const Pick& pick, Drawing& drawing) {
   drawing.profile.offsets["G55"][reference::Axis::x] = reference::Number(7);
   drawing.profile.offsets["G55"][reference::Axis::z] = reference::Number(-15);
   drawing.stand(mm(4), mm(50), {}, "F90");
-  bool arc = false;
+  std::string in_force;
   for (const char* place : {"first", "second", "third"}) {
     const std::string& step = pick[place];
-    draw_hnc_step(step, arc, drawing);
+    draw_hnc_step(step, in_force, drawing);
     constexpr std::string_view kWithoutMotion = "dwell rename offset bare radius inch turn modal";
-    if (kWithoutMotion.find(step) == std::string_view::npos) arc = step == "arc";
+    if (kWithoutMotion.find(step) == std::string_view::npos) in_force = step;
   }
-  drawing.put(
-      {drawing.letters(Role::q, mm(-2)), drawing.letters(Role::p, mm(-3)), arc ? "R5" : ""});
+  put_bare(in_force, -2, -3, "R5", drawing);
   drawing.put({"M30"});
 }
 
@@ -54,7 +60,7 @@ constexpr std::string_view kHncSteps =
 
 Model hnc_sequence_model() {
   return {"hnc.sequence",
-          1,
+          2,
           "hnc21t",
           "modes",
           {2, 2},

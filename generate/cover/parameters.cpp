@@ -29,6 +29,8 @@ Class class_of(std::string_view text) {
   Class made;
   const bool fault = text.starts_with('!');
   if (fault) text.remove_prefix(1);
+  made.is_unsaid = fault && text.starts_with('?');
+  if (made.is_unsaid) text.remove_prefix(1);
   const std::size_t alarm_place = text.rfind('@');
   if (fault != (alarm_place != std::string_view::npos)) {
     throw ModelError(fmt::format("A class is marked ! exactly where it names an alarm: {}", text));

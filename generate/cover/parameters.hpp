@@ -18,6 +18,7 @@ struct Class {
   std::string name;
   std::string value;
   std::vector<std::string> alarms;  // empty: a valid class
+  bool is_unsaid = false;           // the alarm stands on no text
   bool is_fault() const { return !alarms.empty(); }
 };
 
@@ -53,6 +54,9 @@ class ModelError : public std::runtime_error {
 // Reads parameters from lines:
 //   NAME: CLASS[=VALUE] ...             a valid class; its value is its name where none is given
 //   NAME: !CLASS[=VALUE]@ALARM[+ALARM]  a class that must alarm, the one fault of its row
+//   NAME: !?CLASS[=VALUE]@ALARM         the same by a rule that no text states: its rows are not
+//   made,
+//                                       for cases of such a rule are few and written by hand
 //   no: NAME=CLASS[,CLASS] ...          a rule
 // A value has & for a blank. Empty lines and those that begin with # are passed over. Throws
 // ModelError.

@@ -43,10 +43,10 @@ std::vector<std::string> planes(const Pick& pick) {
 constexpr std::string_view k802sHead = R"(
 plane: G17 G18 G19
 frame: none moved turned both
-R102: typical=2 zero=0 least=e !minus=-0.5@value-sign
+R102: typical=2 zero=0 least=e !?minus=-0.5@value-sign
 R103: zero=0 minus=-3.5 plus=10
 R104: typical just !at@reference-plane !above@reference-plane
-R101: above at !below@reference-plane
+R101: above at !?below@reference-plane
 start: above=30 below=-30
 )";
 
@@ -64,9 +64,9 @@ void draw_lcyc82(const Pick& pick, Drawing& drawing) {
 }
 
 constexpr std::string_view kLcyc82 = R"(
-R105: none zero=0 typical=2 least=0.001 !minus=-1@value-sign
+R105: none zero=0 typical=2 least=0.001 !?minus=-1@value-sign
 F: before !none@feed-missing
-fault: none !X=LCYC82&X5@conflicting-words !M=LCYC82&M8@conflicting-words !unknown=LCYC99@undefined-code
+fault: none !?X=LCYC82&X5@conflicting-words !?M=LCYC82&M8@conflicting-words !unknown=LCYC99@undefined-code
 then: nothing again line
 )";
 
@@ -107,11 +107,11 @@ shape: rounded sharp slot circle
 width: typical fit !narrow@tool-too-large
 tool: T1 T2 !none@no-tool
 spindle: turns !stands@spindle-stopped
-R121: typical=2 more=50 part=1.5 !zero=0@value-sign !minus=-1@value-sign
+R121: typical=2 more=50 part=1.5 !?zero=0@value-sign !?minus=-1@value-sign
 R122: typical=100 !zero=0@feed-missing
 R123: typical=300 !zero=0@feed-missing
 R124: none=0 some=0.5
-R125: none=0 some=0.25 !minus=-1@value-sign
+R125: none=0 some=0.25 !?minus=-1@value-sign
 R126: 2 3 !other=4@direction-parameter
 R127: rough=1 finish=2 !other=3@machining-type
 # Where nothing is left to rough, and a depth of one increment, are limits of their own.

@@ -192,7 +192,7 @@ void draw_cip(const Pick& pick, Drawing& drawing) {
 constexpr std::string_view kIntermediate = R"(
 via: half near large line !beyond@arc-intermediate-point !start@arc-intermediate-point !end@arc-intermediate-point !none@missing-word
 up: flat=0 up=7 down=-0.5 least=e
-fault: none !CR=CR=10@conflicting-words !twice=S100&S200@duplicate-word !turn=TURN=2@conflicting-words
+fault: none !?CR=CR=10@conflicting-words !twice=S100&S200@duplicate-word !turn=TURN=2@conflicting-words
 no: via=line,beyond up=up,down,least
 )";
 
@@ -230,7 +230,7 @@ before: line rapid arc !upright@arc-tangent
 along: ahead=10 none=0 back=-6 least=e
 aside: left=8 right=-8 least=e
 helix: none up=6 least=e
-fault: none !CR=CR=10@conflicting-words !twice=S100&S200@duplicate-word !centre=I1@conflicting-words
+fault: none !?CR=CR=10@conflicting-words !twice=S100&S200@duplicate-word !?centre=I1@conflicting-words
 no: F=none before=line,arc
 # Behind an arc that ends along q.
 no: before=arc along=none aside=right

@@ -32,6 +32,12 @@ class Counter {
     return count;
   }
 
+  bool is_unsaid(const Tuple& tuple) const {
+    return std::ranges::any_of(tuple, [&](const auto& one) {
+      return parameters_.list[one.first].classes[one.second].is_unsaid;
+    });
+  }
+
   // Whether some whole row holds the tuple, breaks no rule, and has as many faults as the tuple.
   bool possible(const Tuple& tuple) const {
     std::vector<std::size_t> row(parameters_.list.size(), kNone);
@@ -96,14 +102,14 @@ class Counter {
   const Parameters& parameters_;
 };
 
-// Every tuple that counts: valid classes alone, and one fault with valid classes.
+// Every tuple that counts: valid classes alone, and one fault of a text with valid classes.
 void for_each_counted(const Counter& counter, Strength strength,
                       const std::function<void(const Tuple&)>& visit) {
   counter.for_each(strength.valid, [&](const Tuple& tuple) {
     if (counter.faults(tuple) == 0) visit(tuple);
   });
   counter.for_each(strength.faulty, [&](const Tuple& tuple) {
-    if (counter.faults(tuple) == 1) visit(tuple);
+    if (counter.faults(tuple) == 1 && !counter.is_unsaid(tuple)) visit(tuple);
   });
 }
 

@@ -8,10 +8,9 @@
 
 namespace gonogo::oracle {
 
-// J-ALM-01, J-ALM-03: whether a departure is an advice on these terms: from a clause that no text
-// states, in what the program means and not in how the subject runs.
-bool is_advice(const Verdict& departure, const JudgeTerms& terms);
-// The departure, as an advice where it is one.
+// J-ALM-03: the departure as an advice, where no text states its clause and the certifier is not
+// strict; else as it is. REQUIRES: it is what the other answer to the clause's question would be.
+// Nothing else is an advice, wherever it stands.
 Verdict advised(Verdict departure, const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

@@ -6,24 +6,38 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include "oracle/judge/program_input.hpp"
+#include "oracle/subject.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
 
-// Where a subject alarms: in a block, or, where it has no line numbers, behind one item of the
-// reference and before another (from 1).
+// Where a subject alarms: in a block, or, where it has no line numbers, between the items of the
+// reference (from 1) that it stands at and that it leaves undone.
 struct AlarmPlace {
   std::uint64_t block = 0;  // 0: not known
-  std::size_t behind = 0;
-  std::size_t before = std::numeric_limits<std::size_t>::max();
+  std::size_t at = 1;       // the item of the first step that is not done
+  bool is_begun = false;    // some of it is
+  std::size_t undone = std::numeric_limits<std::size_t>::max();  // the first that had to be
 };
 
-// The clause under which the program is right there: a rule that no text states, where the block
-// runs on by one, or where such a rule ends the program before it; else the clause of the first
-// record of the block; else that a block can be read. Runs the reference anew, as far as there.
-reference::ClauseId clause_of_right(const reference::Profile& profile, const ProgramText& program,
-                                    const AlarmPlace& place);
+struct AlarmGround {
+  // The clause under which the program is right there: the rule that no text states, whose other
+  // answer the alarm is; else that of the first record of the block; else that a block can be read.
+  reference::ClauseId clause = reference::kNoClause;
+  // J-ALM-05: what the alarm is to such a rule.
+  enum class Answer { none, other, late } answer = Answer::none;
+};
+
+// Runs the reference anew, as far as there.
+AlarmGround ground_of_alarm(const reference::Profile& profile, const ProgramText& program,
+                            const AlarmPlace& place, std::string_view alarm_class);
+
+// J-ALM-04: whether the program alarms so in a later block, once the text of `block` is taken out
+// of it: a control that runs on over that block comes to this alarm.
+bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
+                          std::uint64_t block, const SubjectAlarm& alarm);
 
 }  // namespace gonogo::oracle

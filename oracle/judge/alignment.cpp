@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/judge/advice.hpp"
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
@@ -155,7 +156,7 @@ bool Alignment::meet(Hypothesis& from, Motion& motion, Stage& stage) {
   if (auto* outside = std::get_if<NotCovered>(&what)) {
     meet_outside(std::move(from), motion, *outside, stage);
   } else if (std::holds_alternative<Record>(what) || std::holds_alternative<AlarmReport>(what)) {
-    meet_last(std::move(from), motion, stage);
+    return meet_last(from, motion, stage);
   } else {
     meet_open_step(std::move(from), std::move(motion), stage);
   }
@@ -215,18 +216,34 @@ bool Alignment::meet_renaming(Hypothesis& from, Motion& motion, Stage& stage) {
   return true;
 }
 
-// Where no motion is due: at a dwell, an alarm or the end.
-void Alignment::meet_last(Hypothesis from, const Motion& motion, Stage& stage) {
+bool Alignment::go_on_behind_end(Hypothesis& hypothesis, Verdict departure) {
+  if (!is_silent_end(step_of(hypothesis).what)) return false;
+  departure = advised(std::move(departure), terms_);
+  if (departure.kind != VerdictKind::advice) return false;
+  if (!hypothesis.instead) hypothesis.instead = std::move(departure);
+  ++hypothesis.step;
+  return true;
+}
+
+// Where no motion is due: at a dwell, an alarm or the end. True: behind the end.
+bool Alignment::meet_last(Hypothesis& from, const Motion& motion, Stage& stage) {
   const ReferenceSteps::Step& step = step_of(from);
-  if (leads_nowhere(from, motion, step.place)) return stay(std::move(from), motion, stage);
+  if (leads_nowhere(from, motion, step.place)) {
+    stay(from, motion, stage);
+    return false;
+  }
   auto* report = std::get_if<AlarmReport>(&step.what);
   const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
                           motion.record.block < report->block;
   if (report != nullptr && !is_earlier) {
     from.after_alarm = motion;
-    return stay(std::move(from), motion, stage);
+    stay(from, motion, stage);
+    return false;
   }
-  refute(Refutation{from, motion, {}, motion_too_many(motion, step.what), late_dwell(step.what)});
+  Verdict verdict = motion_too_many(motion, step.what);
+  if (go_on_behind_end(from, verdict)) return true;
+  refute(Refutation{from, motion, {}, std::move(verdict), late_dwell(step.what)});
+  return false;
 }
 
 }  // namespace gonogo::oracle

@@ -110,6 +110,9 @@ class Alignment {
   Passing pass(Hypothesis& hypothesis);
   // Goes past a step as it is.
   void skip(Hypothesis& hypothesis);
+  // J-ALM-10. Goes on behind an end that no text states, which is an advice: what departs there
+  // from the end. False where the step is none, or the certifier is strict.
+  bool go_on_behind_end(Hypothesis& hypothesis, Verdict departure);
   // The judge of the step, which is open: null, if it is not.
   OpenStep* open_step_of(Hypothesis& hypothesis);
 
@@ -174,7 +177,7 @@ class Alignment {
   bool meet_renaming(Hypothesis& from, Motion& motion, Stage& stage);
   void meet_outside(Hypothesis from, const Motion& motion, const reference::NotCovered& outside,
                     Stage& stage);
-  void meet_last(Hypothesis from, const Motion& motion, Stage& stage);
+  bool meet_last(Hypothesis& from, const Motion& motion, Stage& stage);
   // What shows that the dwell of this step only comes later; nothing of another step.
   OtherOrder late_dwell(const ReferenceStep& due) const;
   bool meet_dwell(Hypothesis& from, const Record& record, std::size_t number);

@@ -41,7 +41,10 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
       doubt(from.step, not_covered_verdict(*outside));
       return false;
     }
-    if (std::holds_alternative<AlarmReport>(what)) {
+    const auto* report = std::get_if<AlarmReport>(&what);
+    const bool is_earlier = report != nullptr && terms_.compare_blocks && steps_.is_in_order() &&
+                            record.block < report->block;
+    if (report != nullptr && !is_earlier) {
       from.after_alarm = motion_from(from.at, record, number);
       return true;
     }
@@ -55,7 +58,9 @@ bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t n
     refute(from, *std::move(passing.why_not));
     return false;
   }
-  refute(from, wrong_dwell(record, number, from, steps_, terms_));
+  Verdict verdict = wrong_dwell(record, number, from, steps_, terms_);
+  if (go_on_behind_end(from, verdict)) return meet_dwell(from, record, number);
+  refute(from, std::move(verdict));
   return false;
 }
 

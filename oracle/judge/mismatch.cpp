@@ -45,8 +45,9 @@ std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Mot
   verdict.got = record_text(motion.record);
   verdict.message = "The corrected centre of the arc differs by more than the tolerance.";
   set_deviation(verdict, answer.centre->distance);
-  if (!is_advice(verdict, terms)) return std::nullopt;
-  return advised(std::move(verdict), terms);
+  verdict = advised(std::move(verdict), terms);
+  if (verdict.kind != VerdictKind::advice) return std::nullopt;
+  return verdict;
 }
 
 namespace {

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "oracle/judge/advice.hpp"
-#include "oracle/judge/alarm_ground.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/program_judge.hpp"
@@ -44,10 +43,18 @@ struct ProgramJudge::Ending {
   }
 };
 
-// A step that the subject's alarm leaves undone, and how the hypothesis stood there.
-struct ProgramJudge::Unfinished {
-  Hypothesis from;
-  ReferenceSteps::Step step;
+// A subject's alarm, how the hypothesis stood when it came, and the first step that it leaves
+// undone, with how the hypothesis stood there.
+struct ProgramJudge::Alarming {
+  const SubjectAlarm& alarm;
+  bool at_load = false;
+  std::size_t at = 1;  // the item of the first step that is not done
+  bool is_begun = false;
+  struct Unfinished {
+    Hypothesis from;
+    ReferenceSteps::Step step;
+  };
+  std::optional<Unfinished> unfinished = {};
 };
 
 namespace {
@@ -91,6 +98,15 @@ Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string m
   verdict.got = alarm_text(alarm);
   verdict.message = std::move(message);
   return verdict;
+}
+
+// J-ALM-04: to run on is the other answer to each rule that is an alarm. The reference ends there.
+Verdict ran_on(Verdict missing, const JudgeTerms& terms) {
+  missing = advised(std::move(missing), terms);
+  if (missing.kind == VerdictKind::advice) {
+    missing.message += " What the subject does after it is not judged.";
+  }
+  return missing;
 }
 
 bool is_record_end(const ReferenceStep& step) {
@@ -233,11 +249,10 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
         verdict.record = from.after_alarm->number;
         verdict.got = record_text(from.after_alarm->record);
       }
-      if (!is_advice(verdict, terms_)) return {from, std::move(verdict)};
-      // J-ALM-04: the reference ends here, and what the subject goes on to do has no measure.
-      verdict.message += " What the subject does after it is not judged.";
-      return {from, advised(std::move(verdict), terms_), Ending::MFunctions::of_earlier,
-              m_functions, report->block};
+      verdict = ran_on(std::move(verdict), terms_);
+      if (verdict.kind != VerdictKind::advice) return {from, std::move(verdict)};
+      return {from, std::move(verdict), Ending::MFunctions::of_earlier, m_functions,
+              report->block};
     }
     Alignment::Passing passing = alignment_.pass(from);
     if (passing.why_not) return open_end(from, *std::move(passing.why_not));
@@ -245,36 +260,66 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
   }
 }
 
-// The clause under which the program is right where the subject alarms: a rule that no text states,
-// if the block runs on by one (J-ALM-05), else that of its first record (J-ALM-06).
-Verdict ProgramJudge::spurious_alarm(const Hypothesis& from, const SubjectAlarm& alarm,
-                                     const std::optional<Unfinished>& unfinished,
-                                     std::string message) const {
-  Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_spurious, alarm, std::move(message));
+AlarmGround ProgramJudge::ground_of(const Alarming& alarming) const {
   AlarmPlace place;
-  if (terms_.compare_blocks) place.block = alarm.block;
-  place.behind = unfinished ? unfinished->from.passed : from.passed;
-  if (unfinished) {
-    // Of motions that are joined it may have made the first.
-    auto* motion = std::get_if<Motion>(&unfinished->step.what);
-    const bool is_begun =
-        motion == nullptr || !same_place(unfinished->from.at, motion->from, terms_);
-    place.before = unfinished->step.item + (is_begun ? 1 : 0);
+  if (terms_.compare_blocks) place.block = alarming.alarm.block;
+  place.at = alarming.at;
+  place.is_begun = alarming.is_begun;
+  if (alarming.unfinished) place.undone = alarming.unfinished->step.item;
+  return ground_of_alarm(profile_, program_, place, alarming.alarm.alarm_class);
+}
+
+// J-ALM-06, and J-ALM-05 where the alarm is the other answer to a rule that no text states.
+Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string message) const {
+  Verdict verdict =
+      alarm_verdict(VerdictKind::fail_alarm_spurious, alarming.alarm, std::move(message));
+  const AlarmGround ground = ground_of(alarming);
+  verdict.clause = ground.clause;
+  if (ground.answer == AlarmGround::Answer::other) return advised(std::move(verdict), terms_);
+  if (ground.answer == AlarmGround::Answer::late) {
+    verdict.kind = VerdictKind::fail_alarm_late;
+    verdict.message = "Motion of the block that alarms, or of a later one, was put out before.";
   }
-  verdict.clause = clause_of_right(profile_, program_, place);
   return verdict;
 }
 
+// An alarm of a class that the block does not admit. Another answer: to a rule by which the block
+// runs on but for its faults (J-ALM-05), or to which alarm a silent one is (J-ALM-04).
+Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& report) const {
+  Verdict verdict = alarm_verdict(
+      VerdictKind::fail_alarm_class, report,
+      fmt::format("The alarm is of another class. {}", report.alarms.front().message));
+  verdict.got = alarm_text(alarming.alarm);
+  const auto named = std::ranges::find_if(report.alarms, [&](const reference::Alarm& alarm) {
+    return reference::is_silent(alarm.clause) &&
+           reference::has_name(reference::clause(alarm.clause).other_names,
+                               alarming.alarm.alarm_class);
+  });
+  const AlarmGround ground = ground_of(alarming);
+  if (named != report.alarms.end()) {
+    verdict.clause = named->clause;
+  } else if (ground.answer == AlarmGround::Answer::other) {
+    verdict.clause = ground.clause;
+  } else {
+    return verdict;
+  }
+  return advised(std::move(verdict), terms_);
+}
+
 // J-CMP-08. Nothing where the subject's alarm is one that the reference's admits.
-std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
-                                                   const SubjectAlarm& alarm,
-                                                   const AlarmReport& report,
-                                                   const std::optional<Unfinished>& unfinished) {
+std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const Alarming& alarming,
+                                                   const AlarmReport& report) const {
+  const SubjectAlarm& alarm = alarming.alarm;
   auto verdict = [&](VerdictKind kind, std::string message) {
     Verdict result = alarm_verdict(kind, report, std::move(message));
     result.got = alarm_text(alarm);
     return result;
   };
+  if (terms_.compare_blocks && alarm.block > report.block && !terms_.strict &&
+      reference::is_silent(firmest(report).clause) &&
+      alarms_without_block(profile_, program_, report.block, alarm)) {
+    return ran_on(verdict(VerdictKind::fail_alarm_missing, "The alarm is missing."), terms_);
+  }
   if (from.after_alarm) {
     Verdict late = alarm_verdict(VerdictKind::fail_alarm_late, report,
                                  "Motion was put out in or after the block that alarms.");
@@ -284,8 +329,7 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
   }
   if (terms_.compare_blocks && alarm.block != report.block) {
     if (alarm.block < report.block) {
-      Verdict early = spurious_alarm(from, alarm, unfinished,
-                                     "The alarm comes in a block before the right one.");
+      Verdict early = spurious_alarm(alarming, "The alarm comes in a block before the right one.");
       early.want = alarms_text(report);
       return early;
     }
@@ -303,8 +347,7 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from,
   if (admissible || has_alarm_before_fault(profile_, program_, report, alarm.alarm_class)) {
     return std::nullopt;
   }
-  return verdict(VerdictKind::fail_alarm_class,
-                 fmt::format("The alarm is of another class. {}", report.alarms.front().message));
+  return other_class(alarming, report);
 }
 
 // An alarm outside the program.
@@ -320,35 +363,34 @@ std::optional<Verdict> ProgramJudge::alarm_outside(const SubjectAlarm& alarm) co
 
 // At the reference's alarm or its end. J-ALM-04: what departs in motion, or in M functions, before
 // an alarm that no text states goes first.
-ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const SubjectAlarm& alarm,
-                                            bool at_load,
-                                            const std::optional<Unfinished>& unfinished) {
+ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& alarming) {
   using MFunctions = Ending::MFunctions;
+  const auto& unfinished = alarming.unfinished;
   const ReferenceSteps::Step& here = reference_.at(from.step);
   const auto* report = std::get_if<AlarmReport>(&here.what);
   std::optional<Verdict> departure =
-      report != nullptr ? compare_alarm(from, alarm, *report, unfinished)
-                        : spurious_alarm(from, alarm, unfinished,
-                                         "The subject alarms, and the program has no fault.");
-  const bool is_early =
-      report == nullptr || (departure && departure->kind == VerdictKind::fail_alarm_spurious);
+      report != nullptr
+          ? compare_alarm(from, alarming, *report)
+          : spurious_alarm(alarming, "The subject alarms, and the program has no fault.");
+  const bool is_early = report == nullptr || (terms_.compare_blocks && departure &&
+                                              alarming.alarm.block < report->block);
   // Without line numbers the block that the subject names says nothing.
-  const std::uint64_t alarmed = terms_.compare_blocks ? alarm.block : 0;
+  const std::uint64_t alarmed = terms_.compare_blocks ? alarming.alarm.block : 0;
   const std::uint64_t block = is_early ? alarmed : report->block;
   const std::size_t item = unfinished ? unfinished->step.item : 0;
-  if (departure && !is_advice(*departure, terms_)) {
+  if (departure && departure->kind != VerdictKind::advice) {
     return {from, std::move(departure), MFunctions::none, 0, 0, false, item};
   }
   if (unfinished && (!departure || block_of(unfinished->step.what) < block)) {
     Verdict verdict =
-        ends_early(unfinished->from, unfinished->step.what, records_, alarm_text(alarm));
+        ends_early(unfinished->from, unfinished->step.what, records_, alarm_text(alarming.alarm));
     return {unfinished->from, std::move(verdict), MFunctions::none, 0, 0, false, item};
   }
   // Past what is undone no M function has been come to.
   const std::size_t due = unfinished ? unfinished->step.m_functions : here.m_functions;
-  if (!departure) return {from, {}, MFunctions::before_alarm, due, block, at_load};
-  departure = advised(*std::move(departure), terms_);
-  return {from, std::move(departure), at_load ? MFunctions::none : MFunctions::of_earlier, due,
+  if (!departure) return {from, {}, MFunctions::before_alarm, due, block, alarming.at_load};
+  return {from, std::move(departure),
+          alarming.at_load ? MFunctions::none : MFunctions::of_earlier, due,
           block};
 }
 
@@ -358,10 +400,20 @@ bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
   return !open->is_judged_when_left() || open->is_judged_at_alarm(from.at);
 }
 
+// J-ALM-10: an alarm behind an end that no text states, which is no answer to where it stands.
+bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarming) {
+  if (!is_silent_end(reference_.at(from.step).what) || alarming.unfinished) return false;
+  Verdict verdict = spurious_alarm(alarming, "The subject goes on behind the end of the program.");
+  if (verdict.kind == VerdictKind::advice) return false;
+  verdict.clause = clause_of(reference_.at(from.step).what);
+  return alignment_.go_on_behind_end(from, std::move(verdict));
+}
+
 ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlarm& alarm) {
   // A controller that checks at load may alarm with no motion at all.
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
-  std::optional<Unfinished> unfinished;
+  Alarming alarming{alarm, at_load, reference_.at(from.step).item, !from.is_fresh()};
+  auto& unfinished = alarming.unfinished;
   for (std::size_t passed = 0; passed < kMostPassed; ++passed) {
     forget_behind(from, at_load || unfinished);
     const ReferenceSteps::Step& here = reference_.at(from.step);
@@ -370,7 +422,8 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
       return {from, not_covered_verdict(*outside)};
     }
     if (std::holds_alternative<AlarmReport>(step) || is_record_end(step)) {
-      return at_alarm(from, alarm, at_load, unfinished);
+      if (is_alarm_behind_end(from, alarming)) continue;
+      return at_alarm(from, alarming);
     }
     auto* motion = std::get_if<Motion>(&step);
     const bool may_pass = motion != nullptr ? !unfinished
@@ -390,7 +443,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
       if (is_of_block && hangs_on_rounding(*motion, terms_.tolerance)) {
         return {from, gap_verdict(GapReason::rounding, kPointsNearlyInLine)};
       }
-      unfinished.emplace(Unfinished{from, here});
+      unfinished.emplace(Alarming::Unfinished{from, here});
     }
     alignment_.skip(from);
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "oracle/judge/advice.hpp"
 #include "oracle/judge/mismatch.hpp"
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
@@ -22,7 +21,7 @@ ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText&
       budget_(profile_, program) {}
 
 void ProgramJudge::decide(Verdict verdict) {
-  if (!verdict_) verdict_ = advised(std::move(verdict), terms_);
+  if (!verdict_) verdict_ = std::move(verdict);
 }
 
 void ProgramJudge::decide(std::optional<Verdict> verdict) {

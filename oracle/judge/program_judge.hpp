@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "oracle/judge/alarm_ground.hpp"
 #include "oracle/judge/alignment.hpp"
 #include "oracle/judge/open_step_memory.hpp"
 #include "oracle/judge/plain_motion.hpp"
@@ -78,14 +79,14 @@ class ProgramJudge {
   Ending ok_end(Hypothesis& from);
   Ending alarm_end(Hypothesis& from, const SubjectAlarm& alarm);
   Ending open_end(const Hypothesis& from, Verdict why_not) const;
-  struct Unfinished;
-  Ending at_alarm(Hypothesis& from, const SubjectAlarm& alarm, bool at_load,
-                  const std::optional<Unfinished>& unfinished);
-  std::optional<Verdict> compare_alarm(const Hypothesis& from, const SubjectAlarm& alarm,
-                                       const reference::AlarmReport& report,
-                                       const std::optional<Unfinished>& unfinished);
-  Verdict spurious_alarm(const Hypothesis& from, const SubjectAlarm& alarm,
-                         const std::optional<Unfinished>& unfinished, std::string message) const;
+  struct Alarming;
+  Ending at_alarm(Hypothesis& from, const Alarming& alarming);
+  std::optional<Verdict> compare_alarm(const Hypothesis& from, const Alarming& alarming,
+                                       const reference::AlarmReport& report) const;
+  Verdict other_class(const Alarming& alarming, const reference::AlarmReport& report) const;
+  Verdict spurious_alarm(const Alarming& alarming, std::string message) const;
+  AlarmGround ground_of(const Alarming& alarming) const;
+  bool is_alarm_behind_end(Hypothesis& from, const Alarming& alarming);
   std::optional<Verdict> alarm_outside(const SubjectAlarm& alarm) const;
   // Whether an open path is looked at where the subject alarms.
   bool is_left_at_alarm(Hypothesis& from);

@@ -12,6 +12,12 @@ bool is_end(const ReferenceStep& step) {
          std::holds_alternative<reference::NotCovered>(step);
 }
 
+bool is_silent_end(const ReferenceStep& step) {
+  const Record* record = std::get_if<Record>(&step);
+  return record != nullptr && record->kind == RecordKind::end &&
+         reference::is_silent(record->clause);
+}
+
 namespace {
 
 // Whether the tool cuts, of an item or a step. The kinds that are not named are open paths.
@@ -50,9 +56,12 @@ ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramT
       leaves_out_m_functions_(!terms.compare_m) {}
 
 const reference::Item* ReferenceSteps::next_item() {
+  if (is_at_silent_end_) expander_.pass_over_end();
   const reference::Item* item = expander_.next();
   if (item == nullptr) return item;
   ++items_;
+  const Record* record = std::get_if<Record>(item);
+  is_at_silent_end_ = record != nullptr && is_silent_end(*record);
   cut_block_ = next_cut_block_;
   if (std::visit(Cuts{}, *item)) next_cut_block_ = line_of(*item);
   return item;

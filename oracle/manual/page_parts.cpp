@@ -181,6 +181,8 @@ void append_clauses(PageDraft& page, std::span<const reference::Clause* const> c
   for (const reference::Clause* clause : clauses) {
     std::string text = escaped(clause->text);
     if (!clause->derivation.empty()) text += "<br>Derived: " + escaped(clause->derivation);
+    const std::string answer = reference::other_answer(*clause);
+    if (!answer.empty()) text += "<br>Advice: " + answer;
     page.text +=
         fmt::format("| <a id=\"{}\"></a>{} | {} | {} | {} | [{}](../../{}) |\n", anchor(clause->id),
                     clause->id, reference::name(clause->level), reference::name(clause->basis()),

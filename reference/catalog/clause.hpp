@@ -24,6 +24,12 @@ struct Clause {
   // What a departure from it departs from, where that is not what the level says.
   std::optional<Basis> stated_basis = std::nullopt;
   std::string_view derivation = {};  // of what is derived: from what, in one line
+  // Of a silent clause what a control says that answers its question the other way, as names of
+  // alarm classes with blanks between them: where the rule lets a block run on, the alarms of a
+  // control that does not; where the rule is an alarm, those that it may be instead. (That such a
+  // control runs on goes without saying.)
+  std::string_view refusals = {};
+  std::string_view other_names = {};
 
   constexpr Basis basis() const {
     if (stated_basis) return *stated_basis;
@@ -38,5 +44,28 @@ struct Clause {
     return Basis::silent;
   }
 };
+
+// The clause with what a control says that does not run on.
+constexpr Clause refused_by_some(Clause clause, std::string_view refusals) {
+  clause.refusals = refusals;
+  return clause;
+}
+
+// The clause with the alarms that its own may be instead.
+constexpr Clause named_otherwise(Clause clause, std::string_view other_names) {
+  clause.other_names = other_names;
+  return clause;
+}
+
+// Whether names with blanks between them have this one.
+constexpr bool has_name(std::string_view names, std::string_view name) {
+  while (!names.empty()) {
+    const std::size_t end = names.find(' ');
+    if (names.substr(0, end) == name) return true;
+    if (end == std::string_view::npos) return false;
+    names.remove_prefix(end + 1);
+  }
+  return false;
+}
 
 }  // namespace gonogo::reference

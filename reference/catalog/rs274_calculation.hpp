@@ -100,9 +100,11 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "An O word whose label belongs to no open condition, loop or subroutine of its kind, a label "
      "that has another one already, and other words in the line are alarms.",
      "reference/rs274/o_words.cpp"},
-    {"NGC-OWD-09", open, kOCodes,
-     "A comment behind an O word is passed over. No text says what it does; our judgement.",
-     "reference/rs274/o_words.cpp", Basis::silent},
+    refused_by_some(
+        {"NGC-OWD-09", open, kOCodes,
+         "A comment behind an O word is passed over. No text says what it does; our judgement.",
+         "reference/rs274/o_words.cpp", Basis::silent},
+        "syntax"),
     {"NGC-OWD-10", open, kOCodes,
      "Calls of what no line before them has (a file may), labels that are calculated but for "
      "calls, "

@@ -23,22 +23,28 @@ inline constexpr auto kGsk988ta = std::to_array<Clause>({
      "An axis given both absolute and as an increment in a block is an alarm. No text says so; our "
      "judgement (on the 980TDi the absolute word holds).",
      "reference/gsk988ta/words.cpp"},
-    {"GSK-COM-10", open, kBasic,
-     "A word that the code in force does not use has no effect; in a block of a cycle its range "
-     "is checked. No text says either; our judgement.",
-     "reference/gsk988ta/unused_words.cpp"},
+    refused_by_some({"GSK-COM-10", open, kBasic,
+                     "A word that the code in force does not use has no effect; in a block of a "
+                     "cycle its range "
+                     "is checked. No text says either; our judgement.",
+                     "reference/gsk988ta/unused_words.cpp"},
+                    "unused-word conflicting-words"),
     {"GSK-COM-11", open, kBasic,
      "Two M functions in a block are an alarm, and so is one that is no whole number that a record "
      "holds. No text says so for every machine (3404#7); our judgement.",
      "reference/gsk988ta/words.cpp"},
-    {"GSK-COM-12", open, kBasic,
-     "G04 without a time, or with one below zero, is an alarm; S and T below zero have no effect. "
-     "No text says so; our judgement.",
-     "reference/gsk988ta/basic_motion.cpp"},
-    {"GSK-COM-13", open, kBasic,
-     "A second % ends the program, and what stands behind it is not run; a program number before "
-     "the first block may stand again. No text says so; our judgement.",
-     "reference/gsk988ta/interpreter.cpp"},
+    refused_by_some({"GSK-COM-12", open, kBasic,
+                     "G04 without a time, or with one below zero, is an alarm; S and T below zero "
+                     "have no effect. "
+                     "No text says so; our judgement.",
+                     "reference/gsk988ta/basic_motion.cpp"},
+                    "value-sign value-out-of-range"),
+    refused_by_some({"GSK-COM-13", open, kBasic,
+                     "A second % ends the program, and what stands behind it is not run; a program "
+                     "number before "
+                     "the first block may stand again. No text says so; our judgement.",
+                     "reference/gsk988ta/interpreter.cpp"},
+                    "syntax program-end"),
     {"GSK-G110-19", open, kG110,
      "A tool radius D of zero is an alarm. No text says so, the table of ranges begins at 0; our "
      "judgement.",
@@ -57,22 +63,29 @@ inline constexpr auto kHnc21t = std::to_array<Clause>({
     {"HNC-COM-03", open, hnc21t::kBasic,
      "X with U, and Z with W, in a block are an alarm. No text says so; our judgement.",
      "reference/hnc21t/interpreter.cpp"},
-    {"HNC-COM-04", open, hnc21t::kBasic,
-     "A feed below zero, a dwell without P or below zero, and an M function that is no whole "
-     "number that a record holds are alarms; S and T below zero have no effect. No text says so; "
-     "our judgement.",
-     "reference/hnc21t/interpreter.cpp"},
+    refused_by_some(
+        {"HNC-COM-04", open, hnc21t::kBasic,
+         "A feed below zero, a dwell without P or below zero, and an M function that is no whole "
+         "number that a record holds are alarms; S and T below zero have no effect. No text says "
+         "so; "
+         "our judgement.",
+         "reference/hnc21t/interpreter.cpp"},
+        "value-sign"),
     {"HNC-COM-05", open, hnc21t::kBasic,
      "The radii of an arc at its start and its end may differ by 0.01 mm, or as the profile says. "
      "No text says by how much; our judgement.",
      "reference/hnc21t/arc.cpp"},
-    {"HNC-COM-06", open, hnc21t::kBasic,
-     "A second % alone ends the program, and what stands behind it is not run; a program number "
-     "before the first block may stand again. No text says so; our judgement.",
-     "reference/hnc21t/interpreter.cpp"},
-    {"HNC-COM-07", open, hnc21t::kBasic,
-     "A word that the code in force does not use has no effect. No text says so; our judgement.",
-     "reference/hnc21t/unused_words.cpp"},
+    refused_by_some({"HNC-COM-06", open, hnc21t::kBasic,
+                     "A second % alone ends the program, and what stands behind it is not run; a "
+                     "program number "
+                     "before the first block may stand again. No text says so; our judgement.",
+                     "reference/hnc21t/interpreter.cpp"},
+                    "syntax program-end"),
+    refused_by_some({"HNC-COM-07", open, hnc21t::kBasic,
+                     "A word that the code in force does not use has no effect. No text says so; "
+                     "our judgement.",
+                     "reference/hnc21t/unused_words.cpp"},
+                    "unused-word conflicting-words"),
     {"HNC-G82-11", open, hnc21t::kG82,
      "A thread with several starts needs their angle P. No text says what a control does without "
      "it; our judgement.",
@@ -84,18 +97,22 @@ inline constexpr auto kHnc21t = std::to_array<Clause>({
 });
 
 inline constexpr auto kSinumerikPath = std::to_array<Clause>({
-    {"SIE-LEX-02", open, sinumerik::kProgram,
-     "A code that stands by itself takes no value: CIP=0 is a syntax alarm; so are two signs in a "
-     "row, and G=1. No text says which alarm comes of it; our judgement.",
-     "reference/sinumerik/codes.cpp"},
+    named_otherwise({"SIE-LEX-02", open, sinumerik::kProgram,
+                     "A code that stands by itself takes no value: CIP=0 is a syntax alarm; so are "
+                     "two signs in a "
+                     "row, and G=1. No text says which alarm comes of it; our judgement.",
+                     "reference/sinumerik/codes.cpp"},
+                    "undefined-code"),
     {"SIE-PAR-02", open, sinumerik::kProgram,
      "The 840D has the R parameters R0 to R999. No text says how many: a machine data does; our "
      "judgement.",
      "reference/sinumerik/interpreter.cpp"},
-    {"SIE-G1-04", open, sinumerik::kLines,
-     "Under the reading sie.spindle = off a block that cuts without a turning spindle runs on. No "
-     "text says that the control alarms; our judgement.",
-     "reference/sinumerik/basic_motion.cpp"},
+    refused_by_some({"SIE-G1-04", open, sinumerik::kLines,
+                     "Under the reading sie.spindle = off a block that cuts without a turning "
+                     "spindle runs on. No "
+                     "text says that the control alarms; our judgement.",
+                     "reference/sinumerik/basic_motion.cpp"},
+                    "spindle-stopped"),
     {"SIE-ARC-14", open, sinumerik::kArcs,
      "A centre word along the axis that stands upright on the arc is an alarm. No text says so; "
      "our judgement.",
@@ -119,10 +136,12 @@ inline constexpr auto kSinumerikPath = std::to_array<Clause>({
     {"SIE-COM-03", open, sinumerik::kModes,
      "A spindle speed below zero is an alarm. No text says so; our judgement.",
      "reference/sinumerik/interpreter.cpp"},
-    {"SIE-COM-04", open, sinumerik::kModes,
-     "H and M may stand more than once in a block; a second M function that ends the program has "
-     "no effect. No text says so; our judgement.",
-     "reference/sinumerik/interpreter.cpp"},
+    refused_by_some({"SIE-COM-04", open, sinumerik::kModes,
+                     "H and M may stand more than once in a block; a second M function that ends "
+                     "the program has "
+                     "no effect. No text says so; our judgement.",
+                     "reference/sinumerik/interpreter.cpp"},
+                    "duplicate-word"),
 });
 
 inline constexpr auto kSinumerikCycles = std::to_array<Clause>({

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 
 #include "corpus_testing.hpp"
@@ -64,6 +66,24 @@ TEST(Coverage, EveryExpectationSaysOnWhatItStands) {
     }
   }
   EXPECT_EQ(bases.size(), 3U);
+}
+
+// J-ALM-03: a silent clause excuses a departure, so that a corpus of such cases would say nothing.
+// Two in a hundred are made for the rules themselves.
+TEST(Coverage, FewCasesRestOnARuleOfOurs) {
+  std::map<std::string, std::array<std::size_t, 2>> counts;  // all, and those that do
+  for (const auto& [id, test] : checked_in_cases()) {
+    const bool is_silent = std::ranges::any_of(test.expect, [](const Expectation& expectation) {
+      return expectation.basis == reference::Basis::silent;
+    });
+    ++counts[test.dialect][0];
+    if (is_silent) ++counts[test.dialect][1];
+  }
+  EXPECT_EQ(counts.size(), 5U);
+  for (const auto& [dialect, count] : counts) {
+    EXPECT_LT(50 * count[1], count[0]) << dialect << ": " << count[1] << " of " << count[0];
+    EXPECT_GT(count[1], 0U) << dialect;
+  }
 }
 
 // The clause that a record or an alarm of the reference names is hit whatever a group claims.

@@ -33,6 +33,34 @@ TEST(Recipe, AGoodOne) {
   EXPECT_EQ(recipe_error("program = \"G00 X1\\n\"\n"), "");
 }
 
+// `opening` stands behind the first line of each program, but where the case has another one.
+TEST(Recipe, AnOpeningTurnsTheSpindle) {
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("a.toml", R"(dialect = "sinumerik840d"
+cycle = "basic"
+opening = "S400 M3"
+[[group]]
+gid = "t.a"
+features = ["basic"]
+clauses = ["SIE-G1-01"]
+[[group.case]]
+id = "t.a.000001"
+comment = "one"
+program = "G0 X1\r\nG1 X2 F100\r\n"
+[[group.case]]
+id = "t.a.000002"
+comment = "two"
+opening = ""
+program = "G0 X1\nG1 X2 F100\n"
+)");
+  const std::vector<recipes::RecipeCase> cases = recipes::read_recipe(file);
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(cases[0].test.program, "G0 X1 S400 M3\r\nG1 X2 F100\r\n");
+  EXPECT_EQ(recipes::prepare(cases[0]).expect.front().basis, reference::Basis::derived);
+  EXPECT_EQ(cases[1].test.program, "G0 X1\nG1 X2 F100\n");
+  EXPECT_EQ(recipes::prepare(cases[1]).expect.front().basis, reference::Basis::silent);
+}
+
 TEST(Recipe, AnAlarmThatTheRecipeDoesNotExpect) {
   EXPECT_EQ(recipe_error("program = \"G94 X1\\n\"\n"),
             "t.a.000001: the recipe wants the alarms none, the reference gives feed-missing@1.");

@@ -106,6 +106,30 @@ TEST(Catalog, AClauseThatNoTextStatesSaysSo) {
   EXPECT_GE(silent, 30U);
 }
 
+// J-ALM-05: what the other answer to a silent rule is stands in the catalog, by the names of
+// alarms.
+TEST(Catalog, OnlyASilentClauseHasAnotherAnswer) {
+  for (const Clause& clause : clauses()) {
+    for (const std::string_view names : {clause.refusals, clause.other_names}) {
+      if (names.empty()) continue;
+      EXPECT_EQ(clause.basis(), Basis::silent) << clause.id;
+      std::istringstream words{std::string(names)};
+      for (std::string word; words >> word;) {
+        EXPECT_TRUE(alarm_class(word).has_value()) << clause.id << " " << word;
+        EXPECT_TRUE(has_name(names, word)) << clause.id << " " << word;
+      }
+    }
+  }
+}
+
+TEST(Catalog, SaysWhatTheOtherAnswerIs) {
+  EXPECT_EQ(other_answer(clause("SIE-G1-04"_clause)), "the alarm spindle-stopped.");
+  EXPECT_EQ(other_answer(clause("GSK-COM-10"_clause)),
+            "the alarm unused-word or conflicting-words.");
+  EXPECT_EQ(other_answer(clause("SIE-G1-02"_clause)), "");
+  EXPECT_FALSE(has_name("unused-word conflicting-words", "word"));
+}
+
 // One note of the manual has one level, wherever it is printed.
 TEST(Catalog, OneNoteHasOneLevel) {
   EXPECT_EQ(clause("GSK-G110-04"_clause).level, clause("GSK-G112-10"_clause).level);

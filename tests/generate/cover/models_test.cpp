@@ -42,6 +42,15 @@ TEST_P(EveryModel, IsCoveredByItsCases) {
   EXPECT_EQ(made.count.invalid, std::vector<std::string>{});
 }
 
+// Cases of rules that no text states are written by hand.
+TEST_P(EveryModel, RestsOnTexts) {
+  for (const oracle::Case& test : cases().cases) {
+    for (const oracle::Expectation& expectation : test.expect) {
+      EXPECT_NE(expectation.basis, reference::Basis::silent) << test.id << "\n" << test.program;
+    }
+  }
+}
+
 TEST_P(EveryModel, NamesClausesFeaturesAndAlarmsThatThereAre) {
   std::set<std::string_view> clauses;
   for (const reference::Clause& clause : reference::clauses()) clauses.insert(clause.id);

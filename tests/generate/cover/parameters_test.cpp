@@ -21,6 +21,14 @@ TEST(Parameters, AFaultNamesItsAlarms) {
             (std::vector<std::string>{"value-sign", "feed-missing"}));
 }
 
+TEST(Parameters, AFaultMayStandOnNoText) {
+  const Parameters parameters = parse_parameters("R: none !a@value-sign !?b=0@value-sign\n");
+  EXPECT_FALSE(parameters.list[0].classes[1].is_unsaid);
+  EXPECT_TRUE(parameters.list[0].classes[2].is_unsaid);
+  EXPECT_EQ(parameters.list[0].classes[2].name, "b");
+  EXPECT_TRUE(parameters.list[0].classes[2].is_fault());
+}
+
 TEST(Parameters, ARuleNamesClassesOfParameters) {
   const Parameters parameters = parse_parameters("a: x y\n# a remark\nb: u v w\nno: a=y b=u,w\n");
   ASSERT_EQ(parameters.rules.size(), 1U);

@@ -52,6 +52,14 @@ TEST(TupleCount, ARowWithAFaultShowsOnlyItsFault) {
   EXPECT_EQ(count.missing, (std::vector<std::string>{"a=0 b=0", "a=0 b=1"}));
 }
 
+// Its rows are not made: pairs with it are neither covered nor missing.
+TEST(TupleCount, AFaultThatNoTextStatesIsNotCounted) {
+  const Parameters parameters = parse_parameters("a: 0 1\nb: 0 !1@syntax !?2@value-sign\n");
+  const TupleCount count = count_tuples(parameters, {2, 2}, {{0, 0}, {1, 0}, {0, 1}, {1, 1}});
+  EXPECT_EQ(count.allowed, 4U);
+  EXPECT_TRUE(count.complete());
+}
+
 TEST(TupleCount, TwoFaultsAreNoRow) {
   const Parameters faulty = parse_parameters("a: 0 !bad@syntax\nb: 0 !bad@syntax\n");
   EXPECT_EQ(count_tuples(faulty, {2, 2}, {{1, 1}}).invalid.size(), 1U);

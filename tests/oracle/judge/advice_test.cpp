@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, EveryDisputed, testing::ValuesIn(disputed()),
 TEST(Advice, NeedsNoLineNumbers) {
   const std::string trace = R"({"k":"rapid","to":{"x":"5"}})"
                             "\n"
-                            R"({"k":"alarm","class":"conflicting-words"})"
+                            R"({"k":"alarm","class":"value-sign"})"
                             "\n";
   EXPECT_EQ(judge_trace("G00 X10\nS-100\nG00 X20\n", trace, {.blocks = false}).kind,
             VerdictKind::advice);
@@ -186,13 +186,13 @@ TEST(Advice, ComesBehindADepartureInMotion) {
       judge_trace(program, rapid_x(1, "10") + rapid_x(2, "16") + feed_x(3, "20"), {.dialect = kSie})
           .kind,
       VerdictKind::fail_geometry);
-  // The motion of line 2 is missing; the class is another one, too.
-  EXPECT_EQ(
-      judge_trace(program, rapid_x(1, "10") + subject_alarm(3, "value-sign"), {.dialect = kSie})
-          .kind,
-      VerdictKind::fail_geometry);
+  // The motion of line 2 is missing.
+  EXPECT_EQ(judge_trace(program, rapid_x(1, "10") + subject_alarm(3, "conflicting-words"),
+                        {.dialect = kSie})
+                .kind,
+            VerdictKind::fail_geometry);
   EXPECT_EQ(judge_trace("G0 X10\nX15\nG0 X20 H1 H2\n",
-                        rapid_x(1, "10") + subject_alarm(3, "syntax"), {.dialect = kSie})
+                        rapid_x(1, "10") + subject_alarm(3, "duplicate-word"), {.dialect = kSie})
                 .kind,
             VerdictKind::fail_geometry);
 }
