@@ -19,7 +19,17 @@ export async function openBrowser(work, height = 900) {
   });
 }
 
-// Opens the page, runs `body` and asserts that the page never complained, nor asked for anything but `own`
+// Milliseconds of the processor that the page's thread has had so far, whatever else the machine does.
+async function threadTime(context, page) {
+  const session = await context.newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return 1000 * metrics.find(({ name }) => name === 'TaskDuration').value;
+  };
+}
+
+// Opens the page, runs `body`, which is also given the clock of its thread, and asserts that the page never complained, nor asked for anything but `own`
 // addresses.
 export async function withPage(context, url, body, own = /^(file|data):/) {
   const page = await context.newPage();
@@ -34,8 +44,9 @@ export async function withPage(context, url, body, own = /^(file|data):/) {
     if (!own.test(request.url())) requests.push(request.url());
   });
   try {
+    const busy = await threadTime(context, page);
     await page.goto(url);
-    await body(page);
+    await body(page, busy);
     assert.deepEqual(complaints, []);
     assert.deepEqual(requests, []);
   } finally {

