@@ -52,7 +52,7 @@ class ThreadJudge : public OpenStep {
   OpenStepAnswer take_after_last(const Motion& motion);
   void begin_pass(const Position& from);
 
-  // Of a path that is named.
+  // Steps of a path that is named.
   enum class Step { entry, infeed, helix, away, over };
   OpenStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing

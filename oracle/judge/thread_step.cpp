@@ -38,7 +38,7 @@ OpenStepAnswer ThreadStep::take(const Motion& motion) {
   return taken ? *std::move(taken) : OpenStepAnswer::decide(*departed_);
 }
 
-// Of two the later one; but that one of them could not be told must not be passed over.
+// The later one counts; but that the other could not be told must not be passed over.
 void ThreadStep::depart(Way& way, Verdict verdict) {
   way.is_left = false;
   if (!departed_ || decision(departed_->kind) != Decision::undecided) {

@@ -261,7 +261,7 @@ TEST(ThreadEnvelope, ARunOutRisesNoMoreThanItsGrooveWhileItIsInTheMaterial) {
   }
 }
 
-// Of a bolt straight and radially, from 17 by 2 at 30 degrees from the normal: 18 from the axis at
+// A bolt's, straight and radially, from 17 by 2 at 30 degrees from the normal: 18 from the axis at
 // 0.57210 of the way, where it may have risen by 0.417667: by 0.73006 in all.
 TEST(ThreadEnvelope, AStraightRunOutRisesNoMoreEither) {
   for (const double rise : {0.72, 0.74, 20.0}) {

@@ -287,7 +287,7 @@ class OpenThread : public OpenPart {
       return "the way back ends below the R plane (GSK-G114-10)";
     }
 
-    // J-THR-07, of a bolt: farther than a tool's diameter beside the safe position; or through the
+    // J-THR-07, for a bolt: farther than a tool's diameter beside the safe position; or through the
     // part, but to the place that `expand` shows.
     std::string excursion_of_away(const Stroke& motion) const {
       if (of.free_ < 0) return "";
