@@ -22,6 +22,7 @@ OpenStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
 ThreadStep::ThreadStep(const reference::ThreadMilling& item, const Position& start,
                        const JudgeTerms& terms, RunOutSet& run_outs)
     : ways_{Way{{item, Path::named, start, terms, run_outs}},
+            Way{{item, Path::mirrored, start, terms, run_outs}, !item.arc_path},
             Way{{item, Path::open, start, terms, run_outs}, !item.arc_path}} {}
 
 OpenStepAnswer ThreadStep::take(const Motion& motion) {
