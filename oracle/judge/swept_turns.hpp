@@ -17,7 +17,7 @@ class SweptTurns {
   }
   // For the evidence.
   double estimate() const { return turns_; }
-  // Whether they make more than one turn: more than `beyond` behind it on a circle of `radius`, mm.
+  // Whether they make more than one turn, by more than `beyond` mm on a circle of `radius` mm.
   // Throws exact::Undecided where the doubles do not tell.
   bool exceed_a_turn(double beyond, double radius) const {
     const double over = turns_ - 1 - beyond / (2 * std::numbers::pi * radius);

@@ -41,11 +41,11 @@ bool ThreadGeometry::is_free(const Position& at, const Number& radius) const {
   return clearance_of_line({v.p, v.q}, {v.p, v.q}, keep).kind == Clearance::Kind::clear;
 }
 
-bool ThreadGeometry::is_safe(const Position& at, bool named) const {
+bool ThreadGeometry::is_safe(const Position& at, int side) const {
   const Number safe = reference::gsk988ta::safe_radius(item_);
   const Number& tau = terms_.tolerance;
   const PlaneVector v = from_axis(at);
-  if (named) return agree(v.p, safe, tau);
+  if (side != 0) return agree(v.p, safe * side, tau);
   if (item_.external) return is_free(at, safe);
   return abs(v.p) <= abs(safe) + tau;
 }

@@ -33,8 +33,8 @@ class ThreadGeometry {
   // Whether it lies no deeper in the material than a circle, as far as the tolerance tells.
   bool is_free(const Position& at, const Number& radius) const;
   // J-THR-07: external, as far from the axis as rho_0 + J; internal, as near to it along p as
-  // rho_0 - J. `named`: just there, on the positive side of p.
-  bool is_safe(const Position& at, bool named) const;
+  // rho_0 - J. `side`, where it is not 0: just there, on that side along p.
+  bool is_safe(const Position& at, int side) const;
   // J-THR-07: whether it lies farther along p than an external thread's tool goes. A bore's is kept
   // by its wall.
   bool is_beyond_reach(const Position& at) const;

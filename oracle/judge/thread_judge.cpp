@@ -10,7 +10,7 @@ using reference::operator""_clause;
 ThreadJudge::ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
                          const JudgeTerms& terms, RunOutSet& run_outs)
     : item_(item),
-      is_named_(path == Path::named),
+      side_(static_cast<int>(path)),
       terms_(terms),
       run_outs_(run_outs),
       geometry_(item, terms),
@@ -30,7 +30,7 @@ void ThreadJudge::begin_pass(const Position& from) {
   entry_fault_.reset();
   open_.emplace();
   away_direction_ = 0;
-  if (is_named_) step_ = Step::entry;
+  if (is_named()) step_ = Step::entry;
 }
 
 // A thread so shallow that the way back to the R plane is too small to see.
@@ -122,7 +122,7 @@ OpenStepAnswer ThreadJudge::take_in_phase(const Motion& motion) {
 
 // J-THR-02, J-THR-03. Where the helix begins shows only when it leaves the R plane.
 OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
-  if (is_named_ && step_ != Step::helix) return take_named(motion);
+  if (is_named() && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);
   if (phase_ == Phase::run_out) return {};
   if (is_below(motion.from) || is_below(motion.to())) {
@@ -137,7 +137,7 @@ OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
                  missing ? "A pass of the thread is missing."
                          : "The tool leaves the R plane before the helix of its pass.");
   }
-  if (is_named_) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
+  if (is_named()) return open_->empty() ? no_helix(motion, result) : OpenStepAnswer{};
   switch (entry_.add(motion)) {
     case ThreadEntry::Taken::progress:
       return {};
@@ -172,9 +172,9 @@ MatchResult ThreadJudge::match_helix(const Motion& motion) {
   if (phase_ == Phase::entry) {
     const HelixShape helix = shape();
     if (std::optional<OpenStart> starts = starts_of_helix(helix, motion, terms_)) {
-      const bool named = !is_named_ || starts->narrow({}, {helix.radius, 0});
+      const bool named = !is_named() || starts->narrow({}, {helix.radius * side_, 0});
       std::optional<std::string> why;
-      if (!is_named_) why = entry_.fault_before_helix(motion.from);
+      if (!is_named()) why = entry_.fault_before_helix(motion.from);
       if (why) {
         if (!entry_fault_) entry_fault_ = std::move(why);
       } else if (named && !open_->add(helix, *std::move(starts), motion.from, terms_)) {

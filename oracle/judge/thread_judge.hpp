@@ -17,8 +17,9 @@ namespace gonogo::oracle {
 
 class ThreadJudge : public OpenStep {
  public:
-  // The path of the reading gsk.thread.path = arc, or any that the steps leave open.
-  enum class Path { named, open };
+  // The path of the reading gsk.thread.path = arc, the same on the other side along p, or any that
+  // the steps leave open.
+  enum class Path { named = 1, mirrored = -1, open = 0 };
   // `item`, `terms` and `run_outs`, those that the program has left so far, must outlive the judge.
   // `start`: where the tool stands, at the R plane.
   ThreadJudge(const reference::ThreadMilling& item, Path path, const Position& start,
@@ -52,7 +53,7 @@ class ThreadJudge : public OpenStep {
   OpenStepAnswer take_after_last(const Motion& motion);
   void begin_pass(const Position& from);
 
-  // Of a path that is named.
+  // Steps of a path that is named.
   enum class Step { entry, infeed, helix, away, over };
   OpenStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing
@@ -67,6 +68,7 @@ class ThreadJudge : public OpenStep {
   Clearance clearance_where_risen(const Motion& motion, const Motion& flat) const;
   bool is_back_unseen() const;
   bool is_end_untold() const;
+  bool passes_safety(const Motion& motion, bool is_clear) const;
   std::optional<Verdict> finish_run_out(const Motion& motion);
   bool promises_clearance() const { return item_.runout_length >= item_.depth_of_pass(pass_); }
 
@@ -86,7 +88,8 @@ class ThreadJudge : public OpenStep {
   Number radius() const { return item_.radius_of_pass(pass_); }
   Number height(const Position& at) const { return geometry_.height(at); }
   bool is_below(const Position& at) const { return geometry_.is_below(at); }
-  bool is_safe(const Position& at) const { return geometry_.is_safe(at, is_named_); }
+  bool is_named() const { return side_ != 0; }
+  bool is_safe(const Position& at) const { return geometry_.is_safe(at, side_); }
   // What the way back and the way to the safe position are free of.
   bool is_falling(const Motion& motion) const {
     return height(motion.to()) < highest_ - terms_.tolerance;
@@ -94,7 +97,7 @@ class ThreadJudge : public OpenStep {
   Number radius_kept() const { return promises_clearance() ? item_.start_radius : radius(); }
 
   const reference::ThreadMilling& item_;
-  const bool is_named_;
+  const int side_;  // along p, of a path that is named; 0: open
   const JudgeTerms& terms_;
   RunOutSet& run_outs_;
   ThreadGeometry geometry_;

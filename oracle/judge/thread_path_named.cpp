@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ThreadJudge's part for the reading gsk.thread.path = arc: a semicircle on the chord to +rho_0 on
-// p, straight infeed along p, the helix from there; after it along p to the safe position. The
-// run-out is judged as elsewhere.
+// ThreadJudge's part for the reading gsk.thread.path = arc, or its mirror image: a semicircle on
+// the chord to +rho_0 on p, straight infeed along p, the helix from there; after it along p to the
+// safe position. The run-out is judged as elsewhere.
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/thread_judge.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
@@ -32,19 +32,19 @@ bool ThreadJudge::prepare_named(const Position& from) {
       record.plane = item_.plane;
       record.rot = item_.sense;
       record.axes = {axes_.p, axes_.q};
-      p = item_.centre[0] + item_.start_radius;
+      p = item_.centre[0] + item_.start_radius * side_;
       record.to[axes_.q] = item_.centre[1];
       record.centre = {(want.from[axes_.p] + p) / 2, (want.from[axes_.q] + record.to[axes_.q]) / 2};
       break;
     case Step::infeed:
       record.kind = RecordKind::feed;
-      want.from[axes_.p] = item_.centre[0] + item_.start_radius;
+      want.from[axes_.p] = item_.centre[0] + item_.start_radius * side_;
       want.from[axes_.q] = record.to[axes_.q] = item_.centre[1];
-      p = item_.centre[0] + radius();
+      p = item_.centre[0] + radius() * side_;
       break;
     default:
       record.kind = RecordKind::rapid;
-      p = item_.centre[0] + reference::gsk988ta::safe_radius(item_);
+      p = item_.centre[0] + reference::gsk988ta::safe_radius(item_) * side_;
       break;
   }
   if (agree(from, want.to(), terms_.tolerance)) return false;

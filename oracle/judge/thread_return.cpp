@@ -40,7 +40,7 @@ OpenStepAnswer ThreadJudge::take_way_back(const Motion& motion) {
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way back to the R plane goes through the part.");
   }
-  if (is_named_ && motion.record.kind != RecordKind::rapid) return wrong_way_back(motion);
+  if (is_named() && motion.record.kind != RecordKind::rapid) return wrong_way_back(motion);
   highest_ = max(highest_, height(motion.to()));
   if (is_below(motion.to())) return {};
   if (geometry_.is_above(motion.to())) return rise_beyond(motion);
@@ -61,9 +61,18 @@ OpenStepAnswer ThreadJudge::rise_beyond(const Motion& motion) {
   return not_away(motion);
 }
 
+// Whether the way along p comes by a safe position: outwards from a bolt, across the axis of a
+// bore.
+bool ThreadJudge::passes_safety(const Motion& motion, bool is_clear) const {
+  if (item_.external) return is_clear;
+  const Number from = geometry_.from_axis(motion.from).p;
+  const Number to = geometry_.from_axis(motion.to()).p;
+  return is_safe(motion.to()) || from.sign() * to.sign() < 0;
+}
+
 // J-THR-07: along p alone, clear of the part, until the tool is at a safe position.
 OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
-  if (is_named_) return take_named(motion);
+  if (is_named()) return take_named(motion);
   const Number& tau = terms_.tolerance;
   const bool safe = is_safe(position_);  // infeed may follow that is too small to see
   const bool last = pass_ == passes_;
@@ -82,7 +91,7 @@ OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
     const bool is_clear = clear.kind == Clearance::Kind::clear;
     const bool is_far = geometry_.is_beyond_reach(motion.to());
     if (is_clear && !is_far) return {};
-    if (last && (safe || is_clear) && is_end_untold()) return untold_end();
+    if (last && (safe || passes_safety(motion, is_clear)) && is_end_untold()) return untold_end();
     if (is_clear) return not_away(motion);
     return touching(clear, "GSK-G114-10"_clause, motion,
                     "The way to the safe position goes through the part.");

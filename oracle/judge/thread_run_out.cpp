@@ -144,7 +144,7 @@ bool ThreadRunOutJudge::take_arc(const Motion& arc) {
   return !arc_departed_;
 }
 
-// Of a bore its wall, which the pass is held to, leaves no room.
+// The wall of a bore leaves no room: `take` gets what is free of the pass.
 bool ThreadRunOutJudge::leaves_region(const Motion& flat) const {
   if (!geometry_.item().external) return false;
   const Number farthest = farthest_of_polar(geometry_.item(), radius_);

@@ -22,6 +22,7 @@ OpenStepAnswer answer_of(ThreadJudge& judge, const Motion& motion) {
 ThreadStep::ThreadStep(const reference::ThreadMilling& item, const Position& start,
                        const JudgeTerms& terms, RunOutSet& run_outs)
     : ways_{Way{{item, Path::named, start, terms, run_outs}},
+            Way{{item, Path::mirrored, start, terms, run_outs}, !item.arc_path},
             Way{{item, Path::open, start, terms, run_outs}, !item.arc_path}} {}
 
 OpenStepAnswer ThreadStep::take(const Motion& motion) {
@@ -38,7 +39,7 @@ OpenStepAnswer ThreadStep::take(const Motion& motion) {
   return taken ? *std::move(taken) : OpenStepAnswer::decide(*departed_);
 }
 
-// Of two the later one; but that one of them could not be told must not be passed over.
+// The later one counts; but that the other could not be told must not be passed over.
 void ThreadStep::depart(Way& way, Verdict verdict) {
   way.is_left = false;
   if (!departed_ || decision(departed_->kind) != Decision::undecided) {

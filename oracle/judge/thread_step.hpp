@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A thread milling block whose path is open: the path that the reading gsk.thread.path = arc names
-// is right as it is, and so is any other that the steps leave open (J-THR-01). Both are followed
-// until they depart.
+// is right as it is, on either side along p, and so is any other that the steps leave open
+// (J-THR-01). All are followed until they depart.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class ThreadStep : public OpenStep {
   };
   void depart(Way& way, Verdict verdict);
 
-  std::array<Way, 2> ways_;  // what stands behind says more of a path that is neither
+  std::array<Way, 3> ways_;  // what stands behind says more of a path that is neither
   std::optional<Verdict> departed_;
 };
 

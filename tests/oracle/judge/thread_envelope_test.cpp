@@ -261,7 +261,7 @@ TEST(ThreadEnvelope, ARunOutRisesNoMoreThanItsGrooveWhileItIsInTheMaterial) {
   }
 }
 
-// Of a bolt straight and radially, from 17 by 2 at 30 degrees from the normal: 18 from the axis at
+// A bolt's, straight and radially, from 17 by 2 at 30 degrees from the normal: 18 from the axis at
 // 0.57210 of the way, where it may have risen by 0.417667: by 0.73006 in all.
 TEST(ThreadEnvelope, AStraightRunOutRisesNoMoreEither) {
   for (const double rise : {0.72, 0.74, 20.0}) {
@@ -364,28 +364,33 @@ TEST(ThreadEnvelope, TheSafePositionOfABoreIsInIt) {
   }
 }
 
-// J-THR-01. With 3.5 turns the path that `expand` shows crosses the part to +p from -p. It is right
-// as it is named, and no other that crosses is.
+// J-THR-01. With 3.5 turns the path that `expand` shows crosses the part from -p to +p, where the
+// helix began. It is right as it is named, or on the other side, and no other that crosses is.
 TEST(ThreadEnvelope, ThePathOfTheReadingIsRightAsItIsNamed) {
   const std::string program =
       "G0 X70 Z70 Y20\nG18\nG114 X0 Z0 V-17.5 R-5 I5 J2 K0 E30 P1 D3 F900\nG0 X70\n";
-  const auto judged = [&](double infeed_from, double safe, std::string reading) {
+  const auto judged = [&](int side, double infeed_from, double safe, std::string reading) {
     TraceText t(1, 900);
     t.rapid({{'x', 35}, {'z', 70}, {'y', 20}}).block(3, 900);
     t.rapid({{'x', 0}, {'z', 0}}).rapid({{'y', 15}});
-    t.arc("G18", {{'z', infeed_from / 2}, {'x', 0}}, -1, {{'z', infeed_from}, {'x', 0}});
-    t.feed({{'z', 17}}).arc("G18", {{'z', 0}, {'x', 0}}, -4, {{'z', -17}, {'x', 0}, {'y', -2.5}});
-    t.feed({{'z', -19}}).rapid({{'y', 15}}).rapid({{'z', safe}}).rapid({{'y', 20}});
+    t.arc("G18", {{'z', side * infeed_from / 2}, {'x', 0}}, -1,
+          {{'z', side * infeed_from}, {'x', 0}});
+    t.feed({{'z', side * 17.0}});
+    t.arc("G18", {{'z', 0}, {'x', 0}}, -4, {{'z', side * -17.0}, {'x', 0}, {'y', -2.5}});
+    t.feed({{'z', side * -19.0}}).rapid({{'y', 15}}).rapid({{'z', side * safe}}).rapid({{'y', 20}});
     t.block(4, 900).rapid({{'x', 35}});
     return decision(judge_trace(program, t.text(), Judging{.reading = std::move(reading)}).kind);
   };
-  for (const char* reading : {"gsk.thread.path=any", "gsk.thread.path=arc"}) {
-    EXPECT_EQ(judged(18, 20, reading), Decision::go);
-    EXPECT_EQ(judged(18, 21, reading), Decision::no_go);
-    EXPECT_EQ(judged(19, 20, reading), Decision::no_go);
+  constexpr const char* kAny = "gsk.thread.path=any";
+  constexpr const char* kNamed = "gsk.thread.path=arc";
+  for (const int side : {1, -1}) {
+    EXPECT_EQ(judged(side, 18, 20, kAny), Decision::go);
+    EXPECT_EQ(judged(side, 18, 21, kAny), Decision::no_go);
+    EXPECT_EQ(judged(side, 19, 20, kAny), Decision::no_go);
+    EXPECT_EQ(judged(side, 19, -20, kAny), Decision::go);
+    EXPECT_EQ(judged(side, 18, 20, kNamed), side > 0 ? Decision::go : Decision::no_go);
+    EXPECT_EQ(judged(side, 18, -20, kNamed), Decision::no_go);
   }
-  EXPECT_EQ(judged(19, -20, "gsk.thread.path=any"), Decision::go);
-  EXPECT_EQ(judged(18, -20, "gsk.thread.path=arc"), Decision::no_go);
 }
 
 }  // namespace

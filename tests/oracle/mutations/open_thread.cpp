@@ -55,6 +55,7 @@ class OpenThread : public OpenPart {
     const Margin& margin;
     std::size_t next = 0;
     std::int64_t pass = 1;
+    double begun_at = 0;  // the helix of the pass, along p
 
     std::string run() {
       for (; pass <= of.passes_; ++pass) {
@@ -144,6 +145,7 @@ class OpenThread : public OpenPart {
       const double slack = 4 * margin.arc * slope + 4 * margin.arc / std::max(r, margin.arc) + 1e-6;
       if (std::abs(at(stroke().from) - r) > margin.arc) return "the helix begins at another radius";
       if (!at_top(stroke().from)) return "the helix begins at another height";
+      begun_at = stroke().from[index(of.axes_.p)] - of.centre_[0];
       for (; more() && whole - turned > slack; ++next) {
         const Stroke& motion = stroke();
         if (motion.is_nil(margin.nil)) continue;
@@ -287,8 +289,8 @@ class OpenThread : public OpenPart {
       return "the way back ends below the R plane (GSK-G114-10)";
     }
 
-    // J-THR-07, of a bolt: farther than a tool's diameter beside the safe position; or through the
-    // part, but to the place that `expand` shows.
+    // J-THR-07, for a bolt: farther than a tool's diameter beside the safe position; or through the
+    // part, but to the side where the helix began.
     std::string excursion_of_away(const Stroke& motion) const {
       if (of.free_ < 0) return "";
       const double from = motion.from[index(of.axes_.p)] - of.centre_[0];
@@ -298,7 +300,7 @@ class OpenThread : public OpenPart {
       if (std::abs(to) > safe + of.beside_ + margin.arc) {
         return "the safe position is far out (GSK-CYC-01)";
       }
-      if (std::abs(to - safe) <= 2 * margin.arc) return "";
+      if (std::abs(to - std::copysign(safe, begun_at)) <= 2 * margin.arc) return "";
       const double nearest = from * to < 0
                                  ? std::abs(aside)
                                  : std::hypot(std::min(std::abs(from), std::abs(to)), aside);
