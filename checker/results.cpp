@@ -31,26 +31,6 @@ constexpr std::array<std::string_view, 18> kNoGo = {"fail.geometry",
                                                     "xpass"};
 constexpr std::array<std::string_view, 2> kUndecided = {"oracle-gap", "oracle-error"};
 
-// The features of a case that are not those of every subject; a case without any is of its dialect.
-std::vector<std::string> own_features(const Json& line) {
-  const Json* list = line.find("features");
-  std::vector<std::string> names = list == nullptr ? std::vector<std::string>() : list->texts();
-  std::erase_if(names, [](const std::string& name) {
-    return name == "blocks" || name == "m" || name == "bytes";
-  });
-  if (names.empty()) names.emplace_back();
-  return names;
-}
-
-// Skipped for a feature that the case needs and the subject does not declare.
-bool is_undeclared(const Json& line) {
-  const Json* feature = line.find("feature");
-  const Json* list = line.find("features");
-  if (feature == nullptr || line.text_of("verdict") != "skip") return false;
-  const std::vector<std::string> names = list == nullptr ? std::vector<std::string>() : list->texts();
-  return names.empty() || std::ranges::find(names, feature->text) != names.end();
-}
-
 }  // namespace
 
 bool is_judged(std::string_view verdict) {
@@ -118,7 +98,8 @@ void ResultsFile::note_case(const Json& line) {
   const auto decision = decision_of(verdict);
   if (!decision) fault("The verdict " + verdict + " is unknown.");
   ++totals_[verdict];
-  note_features(line);
+  bool& judged = judged_[line.text_of("dialect")];
+  judged = judged || is_judged(verdict);
   if (decision == Decision::undecided) {
     unexpected_gap_ =
         unexpected_gap_ || verdict == "oracle-error" || line.find("expected") == nullptr;
@@ -132,19 +113,6 @@ void ResultsFile::note_case(const Json& line) {
     hashed += '"' + key + "\":" + text_.substr(value.begin, value.end - value.begin);
   }
   hash_.update(hashed + "}\n");
-}
-
-// A feature is GO when the greater part of its cases was judged, and none is NO-GO.
-void ResultsFile::note_features(const Json& line) {
-  auto& features = features_[line.text_of("dialect")];
-  const std::string& verdict = line.text_of("verdict");
-  const bool says_nothing = verdict == "skip" || verdict == "oracle-gap";
-  if ((says_nothing && line.find("expected") != nullptr) || is_undeclared(line)) return;
-  for (const std::string& name : own_features(line)) {
-    Feature& feature = features[name];
-    ++(is_judged(verdict) ? feature.judged : feature.others);
-    feature.no_go = feature.no_go || decision_of(verdict) == Decision::no_go;
-  }
 }
 
 void ResultsFile::check_footer() {
@@ -179,12 +147,8 @@ void ResultsFile::check_decision() {
   const Json* stale = footer_->find("stale");
   const bool is_stale = stale != nullptr && !stale->items.empty();
   const bool unjudged =
-      features_.empty() || std::ranges::any_of(features_, [](const auto& dialect) {
-        return std::ranges::none_of(dialect.second, [](const auto& feature) {
-          return feature.second.judged > 0 && feature.second.judged >= feature.second.others &&
-                 !feature.second.no_go;
-        });
-      });
+      judged_.empty() ||
+      std::ranges::any_of(judged_, [](const auto& dialect) { return !dialect.second; });
   const std::string_view decision = no_go || is_stale             ? "NO-GO"
                                     : unjudged || unexpected_gap_ ? "UNDECIDED"
                                                                   : "GO";

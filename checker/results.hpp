@@ -41,13 +41,7 @@ class ResultsFile {
 
  private:
   bool read_line();
-  struct Feature {
-    std::size_t judged = 0;
-    std::size_t others = 0;
-    bool no_go = false;
-  };
   void note_case(const Json& line);
-  void note_features(const Json& line);
   void check_footer();
   void check_decision();
   void fault(const std::string& sentence);
@@ -63,7 +57,7 @@ class ResultsFile {
   std::string last_id_;
   std::size_t cases_ = 0;
   std::map<std::string, std::size_t> totals_;
-  std::map<std::string, std::map<std::string, Feature>> features_;  // by dialect
+  std::map<std::string, bool> judged_;  // by dialect: a case of it was
   bool unexpected_gap_ = false;
 };
 

@@ -234,6 +234,8 @@ void Roll::check_words(const Json& line, const Vector& vector) const {
   const bool needs_program = decision == Decision::no_go || decision == Decision::undecided ||
                              verdict == "advice";
   if (program == nullptr && needs_program) throw Fault("The line has no program.");
+  const std::string want = text_at(line, "want");
+  if (!want.empty() && want == text_at(line, "got")) throw Fault("It departs, and got what it wanted.");
   const bool expects_gap = std::ranges::any_of(vector.expect, [](const Expectation& one) {
     return one.ending == Expectation::Ending::not_covered;
   });

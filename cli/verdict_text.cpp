@@ -248,6 +248,8 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
   }
   if (!summary.complete) text += "  The run is incomplete.\n";
   if (summary.answer.judged_nothing) {
+    text += "  There is a dialect in which no case was judged.\n";
+  } else if (summary.answer.no_go == 0 && !summary.answer.scope.claims_every_dialect()) {
     text += "  There is a dialect of which no feature was judged for the most part.\n";
   }
   text += in_tone(summary.answer.head, tone_of(summary.answer.decision), colour) + "\n";

@@ -125,13 +125,13 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale,
   RunAnswer answer = answer_;
   answer.assignments = readings_.texts();
   answer.judged_nothing =
-      judged_by_dialect_.empty() || !answer.scope.claims_every_dialect() ||
+      judged_by_dialect_.empty() ||
       std::ranges::any_of(judged_by_dialect_, [](const auto& entry) { return entry.second == 0; });
   if (answer.no_go > 0 || !stale.empty()) {
     answer.exit_code = 1;
     answer.decision = "NO-GO";
   } else if (answer.judged_nothing || answer.oracle_errors > 0 || answer.unexpected_gaps > 0) {
-    // J-RUN-07, J-RUN-14.
+    // J-RUN-07.
     answer.exit_code = 3;
     answer.decision = "UNDECIDED";
   } else {

@@ -44,7 +44,7 @@ struct RunAnswer {
   std::size_t no_go = 0;
   std::size_t unexpected_gaps = 0;
   std::size_t oracle_errors = 0;
-  bool judged_nothing = false;           // no feature is GO, in all or in one of the dialects
+  bool judged_nothing = false;           // in all, or in one of the dialects
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
   // Of all that is GO: how coordinates are rounded, by dialect.

@@ -125,13 +125,13 @@ TEST(Campaign, ASkipInsideADeclaredFeatureIsAFailureOfTheDeclaration) {
 
 // J-RUN-05, J-RUN-14: a subject that declares nothing claims what it does not skip, and one case of
 // ten is not the feature.
-TEST(Campaign, ASubjectThatSkipsAllButOneIsNotGo) {
+TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
   const Scratch scratch;
   write_corpus(scratch, 10);
   const std::string footer =
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
   EXPECT_NE(
-      footer.find("\"head\":\"UNDECIDED: 1 judged; not claimed: 9 cases; not judged for the most "
+      footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
                   "part: basic (1 of 10 cases)\""),
       std::string::npos)
       << footer;
