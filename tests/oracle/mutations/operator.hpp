@@ -51,8 +51,6 @@ struct Operator {
   std::string_view says;  // what it makes wrong, or another way of doing the same
   // False where it cannot be applied.
   std::function<bool(Edit&)> apply;
-  // Wrong by its nature, where the path is open: then no other proof is needed.
-  bool wrong_by_nature = false;
 };
 
 std::vector<Operator> shifting_operators();  // ends, centres, radii
@@ -61,6 +59,7 @@ std::vector<Operator> word_operators();      // kinds, feeds, blocks, leads, pla
 std::vector<Operator> turning_operators();   // senses, turns, rings
 std::vector<Operator> event_operators();     // M functions, dwells, alarms, the end
 std::vector<Operator> cycle_operators();     // steps of cycles
+std::vector<Operator> pocket_operators();    // senses, turns and heights of pockets
 std::vector<Operator> wrong_operators();     // all of these
 
 }  // namespace gonogo::mutations
