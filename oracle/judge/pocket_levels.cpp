@@ -275,19 +275,31 @@ region::LevelMotion PocketMillingJudge::own(const Motion& motion) const {
 
 std::optional<bool> PocketMillingJudge::stays_in(const Motion& motion,
                                                  const region::RoundedRectangle& area) const {
-  const region::LevelMotion part = own(motion);
+  region::LevelMotion part = own(motion);
   const bool turns = part.is_arc && !(part.from == part.to && part.from == part.centre);
-  // A spiral from its own centre, which may lead anywhere round it.
-  if (turns && (part.from == part.centre || part.to == part.centre)) return std::nullopt;
-  const auto reach = [&](const Number& margin) {
-    const region::RoundedRectangle limit = region::with_radius(area, area.radius + margin);
-    if (turns) return region::reach_of_arc(region::make_arc(part, {}), limit).kind;
-    const auto start = region::reach_of_point(part.from, limit).kind;
-    const auto end = region::reach_of_point(part.to, limit).kind;
-    return start == region::Reach::Kind::inside ? end : start;
+  const bool is_from_centre = part.from == part.centre;
+  const bool is_spiral = turns && (is_from_centre || part.to == part.centre);
+  const auto ends_outside = [&](const region::RoundedRectangle& limit) {
+    return region::reach_of_point(part.from, limit).kind == region::Reach::Kind::outside ||
+           region::reach_of_point(part.to, limit).kind == region::Reach::Kind::outside;
   };
-  if (reach(terms_.tolerance - slack_) == region::Reach::Kind::inside) return true;
-  if (reach(terms_.tolerance + slack_) == region::Reach::Kind::outside) return false;
+  const auto limit = [&](const Number& margin) {
+    return region::with_radius(area, area.radius + margin);
+  };
+  const auto reach = [&](const Number& margin) {
+    if (turns) return region::reach_of_arc(region::make_arc(part, {}), limit(margin)).kind;
+    return ends_outside(limit(margin)) ? region::Reach::Kind::outside : region::Reach::Kind::inside;
+  };
+  const Number narrow = terms_.tolerance - slack_;
+  const Number wide = terms_.tolerance + slack_;
+  if (is_spiral) {
+    if (ends_outside(limit(wide))) return false;
+    // It goes no farther than the circle that it comes from or grows to.
+    (is_from_centre ? part.from : part.to) = is_from_centre ? part.to : part.from;
+    return reach(narrow) == region::Reach::Kind::inside ? std::optional(true) : std::nullopt;
+  }
+  if (reach(narrow) == region::Reach::Kind::inside) return true;
+  if (reach(wide) == region::Reach::Kind::outside) return false;
   return std::nullopt;
 }
 

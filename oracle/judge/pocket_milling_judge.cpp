@@ -92,6 +92,12 @@ bool PocketMillingJudge::may_begin_within(const Motion& rest) const {
 }
 
 OpenStepAnswer PocketMillingJudge::take(const Motion& motion) {
+  OpenStepAnswer answer = take_motion(motion);
+  if (is_limited() && is_cut(motion.record.kind)) answer.cost = OpenStepAnswer::Cost::free;
+  return answer;
+}
+
+OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (over_) return OpenStepAnswer::end(motion.from);
   if (terms_.compare_blocks && motion.record.block != item_.block) {
     if (milling_) {
@@ -352,6 +358,7 @@ bool PocketMillingJudge::passes_retract_plane(const Motion& motion) const {
 }
 
 OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
+  if (is_cut(motion.record.kind)) ++idle_cuts_;
   if (passes_retract_plane(motion)) {
     if (OpenStepAnswer floor = check_contour_only(motion); floor.is_decided()) return floor;
     over_ = true;

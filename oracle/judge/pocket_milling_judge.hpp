@@ -31,6 +31,10 @@ class PocketMillingJudge : public OpenStep {
   bool may_begin_within(const Motion& rest) const override;
 
  private:
+  OpenStepAnswer take_motion(const Motion& motion);
+  // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
+  // through what is cleared, of which a pocket may have as many as a level.
+  bool is_limited() const { return milling_ || idle_cuts_ <= region::kMaximumLevelMotions; }
   Verdict incomplete(const Position& position) const;
   // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
   struct Cleared {
@@ -114,6 +118,7 @@ class PocketMillingJudge : public OpenStep {
   std::optional<Verdict> floor_fault_;  // why not
   std::vector<region::LevelMotion> motions_;
   std::vector<Record> records_;
+  std::size_t idle_cuts_ = 0;
   MilledAgain again_;
   std::optional<region::MilledFloor> floor_cuts_;  // where only the contour is to be milled
   region::PlanePoint plunge_;

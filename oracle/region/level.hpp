@@ -61,7 +61,7 @@ struct OpenTurns {
 //   tolerance of
 //          the arcs or the plunge point
 //   step:  every point of E lies within step/2 + tolerance of the arcs or the plunge point
-//   sense: every arc turns as `sense` says
+//   sense: every arc turns as `sense` says, and the path goes round the centre that way
 //   order: every place is cut from what was cut before it, within step + 3 tolerances (order.hpp)
 // Where chords are granted, straight motions that are chords of arcs count as arcs (chords.hpp),
 // and `chord` is added to the tolerance of gouge (for them), cover and step, twice to that of

@@ -39,17 +39,14 @@ double Winding::angle_of(const LevelMotion& motion) const {
   const Place a = place(motion.from - middle_);
   const Place b = place(motion.to - middle_);
   if (std::hypot(a.x, a.y) <= blur_ || std::hypot(b.x, b.y) <= blur_) return 0;
-  const double across = a.x * b.y - a.y * b.x;
-  const double angle = sense_ * std::atan2(across, a.x * b.x + a.y * b.y);
+  const double angle = sense_ * std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
   if (motion.is_arc && motion.rot != 0) {
     const Place c = place(motion.centre - middle_);
     const bool goes_round = std::hypot(c.x, c.y) < std::max(distance(a, c), distance(b, c)) + blur_;
     return goes_round && (angle <= 0 || whole_turns(motion.rot) > 0) ? angle + kTurn : angle;
   }
-  const double length = distance(a, b);
-  const bool passes_middle = std::fabs(across) <= blur_ * length && std::fabs(angle) > kTurn / 4;
-  if (passes_middle || length > longest_) return std::max(0.0, angle);
-  return angle;
+  const bool travels = distance(a, b) > longest_ || std::fabs(angle) > kTurn / 8;
+  return travels ? std::max(0.0, angle) : angle;
 }
 
 Against Winding::add(const LevelMotion& motion) {

@@ -11,9 +11,9 @@ namespace gonogo::oracle::region {
 // The angle swept about the middle by the motions of a level, in the order of time.
 class Winding {
  public:
-  // `sense`: + counterclockwise. A straight motion longer than `longest` travels and counts only
-  // where it leads the commanded way. What comes nearer to the middle than `blur` may pass it on
-  // either side.
+  // `sense`: + counterclockwise. A straight motion longer than `longest`, or across more than an
+  // eighth of a turn, travels, and counts only where it leads the commanded way. What begins or
+  // ends no farther from the middle than `blur` has no direction about it.
   Winding(const PlanePoint& middle, int sense, const Number& longest, const Number& blur);
 
   // Whether the path has gone back by more than three quarters of a turn, with this motion.

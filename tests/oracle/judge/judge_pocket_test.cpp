@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "judging.hpp"
 
 namespace gonogo::oracle {
@@ -85,6 +88,37 @@ TEST(PocketJudge, AnOffCentrePlungeIsNoGoWithAWitness) {
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(reference::clause_name(verdict.clause), "GSK-G110-06");
   EXPECT_FALSE(verdict.witness.empty());
+}
+
+// J-PROP-10 leaves such pockets out, but none of these is undecided: two levels a tolerance deep, a
+// circle of twice the tolerance, in whole rings or in pieces, from any side, rounded or not.
+TEST(PocketJudge, ConcentricCirclesOfTheLeastStepAreGo) {
+  constexpr std::string_view kLeast =
+      "G17 G00 X40 Y30 Z10\nG110 X1 Y1 W-0.002 I4.002 L0.001 Q0.001 D4 F100\n";
+  for (const int pieces : {1, 2, 3, 8}) {
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+      for (const int decimals : {3, 9}) {
+        TraceText trace(1, 100);
+        trace.rapid({{'x', 20}, {'y', 30}, {'z', 10}}).block(2, 100).decimals(decimals);
+        trace.rapid({{'x', 0.5}, {'y', 1}}).feed({{'z', 9.999}});
+        for (const double depth : {9.999, 9.998}) {
+          if (depth < 9.999) trace.rapid({{'z', 9.999}}).feed({{'z', depth}});
+          for (const double radius : {0.001, 0.002}) {
+            for (int k = 0; k <= pieces; ++k) {
+              const double angle = std::numbers::pi * (degrees / 180.0 - 2.0 * k / pieces);
+              const double x = 0.5 + radius * std::cos(angle);
+              const double y = 1 + radius * std::sin(angle);
+              if (k == 0) trace.feed({{'x', x}, {'y', y}});
+              if (k > 0) trace.arc("G17", {{'x', 0.5}, {'y', 1}}, -1, {{'x', x}, {'y', y}});
+            }
+          }
+          trace.rapid({{'z', 10}}).rapid({{'x', 0.5}, {'y', 1}});
+        }
+        const Verdict verdict = judge_trace(kLeast, trace.text());
+        EXPECT_EQ(decision(verdict.kind), Decision::go) << degrees << ": " << verdict.message;
+      }
+    }
+  }
 }
 
 TEST(PocketJudge, ReadingsThatNameAPathJudgeThePath) {

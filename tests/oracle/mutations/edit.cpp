@@ -93,7 +93,8 @@ Number Edit::off() {
 std::vector<Operator> wrong_operators() {
   std::vector<Operator> all;
   for (auto family : {shifting_operators, sequence_operators, word_operators, turning_operators,
-                      event_operators, m_operators, cycle_operators, thread_operators}) {
+                      event_operators, m_operators, cycle_operators, pocket_operators,
+                      thread_operators}) {
     std::ranges::move(family(), std::back_inserter(all));
   }
   return all;

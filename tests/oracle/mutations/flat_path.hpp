@@ -74,4 +74,21 @@ inline double distance_to(const Point& at, const FlatMotion& motion) {
   return std::min(ends, std::abs(distance(at, motion.centre) - motion.radius));
 }
 
+// Whether more than twelve turns are made on one ring (J-CYC-02 grants ten).
+inline bool turns_over_and_over(const std::vector<FlatMotion>& all, double margin) {
+  constexpr double kMostTurns = 12;
+  for (const FlatMotion& ring : all) {
+    if (!ring.is_round) continue;
+    double sweep = 0;
+    for (const FlatMotion& other : all) {
+      const bool same = other.is_round && distance(ring.centre, other.centre) <= margin &&
+                        std::abs(ring.radius - other.radius) <= margin &&
+                        std::abs(ring.end_radius - other.end_radius) <= margin;
+      if (same) sweep += std::abs(other.sweep);
+    }
+    if (sweep > kMostTurns * 2 * std::numbers::pi) return true;
+  }
+  return false;
+}
+
 }  // namespace gonogo::mutations

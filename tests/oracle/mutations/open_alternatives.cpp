@@ -163,6 +163,69 @@ bool level_with_a_smaller_step(Attempt& attempt) {
   return true;
 }
 
+// A motion of a level to a place on the line through its centre along p; an arc is about it.
+Record level_motion(const reference::PocketLevel& level, RecordKind kind, const Number& to) {
+  const PlaneAxes axes = axes_of(level.plane);
+  Record record;
+  record.kind = kind;
+  record.block = level.block;
+  record.plane = level.plane;
+  record.axes = {axes.p, axes.q};
+  record.to[axes.p] = level.centre[0] + to;
+  record.to[axes.q] = level.centre[1];
+  record.feed = level.feed;
+  record.feed_mode = level.feed_mode;
+  if (kind == RecordKind::arc) {
+    record.centre = level.centre;
+    record.rot = level.sense;
+  }
+  return record;
+}
+
+// How many rings a step apart reach the border; nothing where that is too small or takes too many.
+std::optional<Number> rings_of(const Attempt& attempt, const reference::PocketLevel& level) {
+  const Number reach = level.pocket_radius - level.tool_radius;
+  const Number rings = (reach / level.step).ceil();
+  if (reach <= attempt.terms.tolerance * 64 || rings > Number(100)) return std::nullopt;
+  return rings;
+}
+
+// Half rings on one side, each after a straight way back across the middle; then on the other.
+bool level_one_way(Attempt& attempt) {
+  const auto part = any_part(attempt, PartKind::level);
+  if (!part) return false;
+  const auto& level = std::get<reference::PocketLevel>(*part->item);
+  const auto rings = rings_of(attempt, level);
+  if (!rings) return false;
+  std::vector<Record> records;
+  for (const Number& side : {Number(1), Number(-1)}) {
+    for (Number k = 1; k <= *rings; k += 1) {
+      const Number at = side * min(k * level.step, level.pocket_radius - level.tool_radius);
+      records.push_back(level_motion(level, RecordKind::feed, at));
+      records.push_back(level_motion(level, RecordKind::arc, -at));
+    }
+  }
+  put_in_place(attempt, *part, records);
+  return true;
+}
+
+// From beside the centre outwards in one arc whose radius grows by no more than the step a turn.
+bool level_as_spiral(Attempt& attempt) {
+  const auto part = any_part(attempt, PartKind::level);
+  if (!part) return false;
+  const auto& level = std::get<reference::PocketLevel>(*part->item);
+  const auto rings = rings_of(attempt, level);
+  if (!rings) return false;
+  const Number reach = level.pocket_radius - level.tool_radius;
+  std::vector<Record> records;
+  records.push_back(level_motion(level, RecordKind::feed, min(level.step, reach) / 4));
+  records.push_back(level_motion(level, RecordKind::arc, reach));
+  records.back().rot *= static_cast<std::int32_t>(rings->to_int64().value_or(1));
+  records.push_back(level_motion(level, RecordKind::arc, reach));
+  put_in_place(attempt, *part, records);
+  return true;
+}
+
 bool helix_from_another_side(Attempt& attempt) {
   const auto part = any_part(attempt, PartKind::helix_pocket);
   if (!part) return false;
@@ -311,6 +374,8 @@ std::vector<Alternative> open_alternatives() {
        level_from_another_side},
       {"level-with-a-smaller-step", "GSK-G110-09: a smaller step than L",
        level_with_a_smaller_step},
+      {"level-one-way", "GSK-G110-09: half rings, all one way", level_one_way},
+      {"level-as-spiral", "GSK-G110-09: a spiral", level_as_spiral},
       {"helix-from-another-side", "GSK-G112-04: the side of the entry", helix_from_another_side},
       {"polar-run-out", "GSK-G114-11: the polar run-out", polar_run_out},
       {"radial-run-out", "GSK-G114-11: the radial run-out", radial_run_out},

@@ -39,6 +39,8 @@ class OpenLevel : public OpenPart {
       all.push_back(flat(motion));
     }
     if (reach <= 16 * margin.arc) return "";
+    if (turns_over_and_over(all, margin.place)) return "turns over and over (J-CYC-02)";
+    if (goes_back(all, margin)) return "a ring the other way round (J-PKT-06)";
     std::string broken = order(all, margin);
     if (!broken.empty()) return broken;
     return coverage(all, reach, margin);
@@ -80,6 +82,30 @@ class OpenLevel : public OpenPart {
     for (int i = 0; i <= kPlaces; ++i) {
       const Point at = in_plane(motion.at(static_cast<double>(i) / kPlaces));
       if (std::hypot(at[0], at[1]) > radius) return true;
+    }
+    return false;
+  }
+
+  // Whether the path has gone back round the middle by four fifths of a turn, seen from place to
+  // place. A link counts where it leads on.
+  bool goes_back(const std::vector<FlatMotion>& all, const Margin& margin) const {
+    constexpr int kPlaces = 64;
+    constexpr double kMostBack = 1.6 * pi;
+    double back = 0;
+    for (const FlatMotion& motion : all) {
+      double on = 0;
+      bool meets_middle = std::abs(motion.sweep) > 2 * pi + 1;
+      for (int i = 0; i < kPlaces; ++i) {
+        const Point a = motion.at(static_cast<double>(i) / kPlaces);
+        const Point b = motion.at(static_cast<double>(i + 1) / kPlaces);
+        meets_middle = meets_middle || std::hypot(a[0], a[1]) < 16 * margin.arc;
+        on += level_.sense * std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+      }
+      if (meets_middle) continue;
+      const bool travels = !motion.is_round &&
+                           (std::abs(on) > 0.7 || distance(motion.from, motion.to) > 0.9 * step_);
+      back = std::max(0.0, back - (travels ? std::max(on, 0.0) : on));
+      if (back > kMostBack) return true;
     }
     return false;
   }

@@ -48,6 +48,9 @@ class OpenPocketMilling : public OpenPart {
       std::string broken = anywhere(motion, margin);
       if (!broken.empty()) return broken;
       const double to = motion.to[d_];
+      if (traverses_to_floor(motion, lowest, margin)) {
+        return "a traverse onto the floor (SIE-LC75-11)";
+      }
       if (i + 1 < strokes.size() && dips(motion, strokes[i + 1], margin)) continue;
       if (to < lowest - margin.place) {
         broken = down(motion, lowest, margin);
@@ -68,10 +71,12 @@ class OpenPocketMilling : public OpenPart {
       }
     }
     if (lowest > floor_ + margin.place) return "the floor is not reached";
-    if (pocket_.contour_only && inner > 3 * (half_length_ + half_width_) + 4 * tool_) {
+    if (pocket_.contour_only && inner > 3 * (half_length_ + half_width_) + 4 * tool_ &&
+        clears_rest(levels[level])) {
       return "the floor is cleared where only the contour is due (SIE-LC75-07)";
     }
     for (const auto& [number, motions] : levels) {
+      if (turns_over_and_over(motions, margin.place)) return "turns over and over (J-CYC-02)";
       const bool whole = !pocket_.finishing || (number == level && !pocket_.contour_only);
       const bool strip = pocket_.finishing && pocket_.allowance.sign() != 0;
       if (!whole && !strip) continue;
@@ -150,6 +155,32 @@ class OpenPocketMilling : public OpenPart {
       }
     }
     return false;
+  }
+
+  // Of finishing, down to what roughing left or to the lowest level so far.
+  bool traverses_to_floor(const Stroke& motion, double lowest, const Margin& margin) const {
+    const double floor = std::min(value_of(pocket_.rough_floor), lowest);
+    return pocket_.finishing && motion.kind() == RecordKind::rapid &&
+           motion.from[d_] > motion.to[d_] + margin.place && motion.to[d_] <= floor &&
+           floor < top_ - 16 * margin.place;
+  }
+
+  // Whether most of the floor that neither the contour nor the infeed reaches lies under the tool.
+  bool clears_rest(const std::vector<FlatMotion>& cuts) const {
+    constexpr int kPlaces = 12;
+    constexpr double kMost = 0.7;
+    constexpr int kFewest = 20;  // fewer are on the edge of what the contour mills
+    int all = 0;
+    int cleared = 0;
+    for (int i = -kPlaces; i <= kPlaces; ++i) {
+      for (int j = -kPlaces; j <= kPlaces; ++j) {
+        const Point at = {half_length_ * i / kPlaces, half_width_ * j / kPlaces};
+        if (outside(at) > -tool_ || distance(at, {0, 0}) < tool_) continue;
+        ++all;
+        if (nearest(at, cuts) <= tool_) ++cleared;
+      }
+    }
+    return all >= kFewest && cleared > kMost * all;
   }
 
   // Down and up again where roughing has left nothing: the tool travels there (J-PKT-09).

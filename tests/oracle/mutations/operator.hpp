@@ -51,8 +51,6 @@ struct Operator {
   std::string_view says;  // what it makes wrong, or another way of doing the same
   // False where it cannot be applied.
   std::function<bool(Edit&)> apply;
-  // Wrong by its nature, where the path is open: then no other proof is needed.
-  bool wrong_by_nature = false;
   // Of M functions and dwells among the motions: line numbers say nothing of it.
   bool orders_events = false;
 };
@@ -63,7 +61,8 @@ std::vector<Operator> word_operators();      // kinds, feeds, blocks, leads, pla
 std::vector<Operator> turning_operators();   // senses, turns, rings
 std::vector<Operator> event_operators();     // M functions, dwells, alarms, the end
 std::vector<Operator> m_operators();         // M functions and dwells out of their place
-std::vector<Operator> cycle_operators();     // steps of pockets
+std::vector<Operator> cycle_operators();     // steps of cycles
+std::vector<Operator> pocket_operators();    // senses, turns and heights of pockets
 std::vector<Operator> thread_operators();    // steps of threads
 std::vector<Operator> wrong_operators();     // all of these
 
