@@ -53,7 +53,7 @@ struct Operator {
   std::function<bool(Edit&)> apply;
   // Wrong by its nature, where the path is open: then no other proof is needed.
   bool wrong_by_nature = false;
-  // Of M functions and dwells among the motions: line numbers say nothing of it.
+  // It moves M functions or dwells among the motions; line numbers say nothing of their places.
   bool orders_events = false;
 };
 
