@@ -23,8 +23,8 @@ struct Motion {
 
 struct Path {
   std::vector<Motion> motions;
-  std::vector<Record> functions;    // kind m
-  std::vector<std::size_t> behind;  // of each function: how many of the motions come before it
+  std::vector<Record> functions;     // kind m
+  std::vector<std::size_t> behind;   // of each function: how many of the motions come before it
   bool joins_over_function = false;  // one stood between motions that have become one
   Position end;
   // Something could not be decided about dropping and joining: a departure may be no departure.

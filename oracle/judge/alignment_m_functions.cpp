@@ -27,8 +27,7 @@ bool may_come_behind(const DueMFunction& due, const ReferenceSteps::Step& step) 
 }  // namespace
 
 bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
-  return due.record.m == record.m &&
-         (!terms_.compare_blocks || due.record.block == record.block);
+  return due.record.m == record.m && (!terms_.compare_blocks || due.record.block == record.block);
 }
 
 // J-CMP-05. Those of both sides are partners in their order, so that the subject's next one is the

@@ -51,8 +51,8 @@ bool ProgramJudge::plain_ahead() {
   if (step.ahead == nullptr) {
     step.ahead = reference_.next_item();
     const auto* record = step.ahead == nullptr ? nullptr : std::get_if<Record>(step.ahead);
-    step.is_plain = record != nullptr && step.next.take(*record, step.at) &&
-                    step.next.is_visible(terms_);
+    step.is_plain =
+        record != nullptr && step.next.take(*record, step.at) && step.next.is_visible(terms_);
   }
   return step.is_plain;
 }

@@ -32,7 +32,7 @@ bool is_one_of(std::int32_t number, std::initializer_list<std::int32_t> numbers)
   return std::ranges::find(numbers, number) != numbers.end();
 }
 
-// Of what the reference has there, or nothing.
+// `due`: what the reference has there; null: nothing. `got` likewise.
 Verdict m_verdict(VerdictKind kind, const Record* due, const Record* got, std::size_t number,
                   std::string message) {
   Verdict verdict;

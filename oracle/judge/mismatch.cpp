@@ -201,8 +201,7 @@ VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceStep
     if (is_dwell_due(step, dwell, terms)) return VerdictKind::fail_order;
   }
   const Record* want = dwell_of(steps.at(number).what);
-  const bool is_of_block =
-      want != nullptr && (!terms.compare_blocks || want->block == dwell.block);
+  const bool is_of_block = want != nullptr && (!terms.compare_blocks || want->block == dwell.block);
   return is_of_block ? VerdictKind::fail_feed : VerdictKind::fail_geometry;
 }
 

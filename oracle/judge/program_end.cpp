@@ -191,8 +191,10 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   }
   if (ending.at_load) return std::nullopt;
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {
-    if (due.record.block >= ending.block) break;
-    return m_function_missing(due.record, {}, records_);
+    const bool is_earlier = ending.judges == MFunctions::before_alarm
+                                ? due.record.block != ending.block
+                                : due.record.block < ending.block;
+    if (is_earlier) return m_function_missing(due.record, {}, records_);
   }
   return std::nullopt;
 }

@@ -116,12 +116,12 @@ class ProgramJudge {
   std::optional<InStep> in_step_;
 
   std::optional<Verdict> verdict_;
-  OtherOrder other_order_;                  // of the verdict, while it is looked for
-  std::size_t looked_at_ = 0;               // records since then
-  std::optional<std::size_t> departed_at_;  // in items
+  OtherOrder other_order_;                              // of the verdict, while it is looked for
+  std::size_t looked_at_ = 0;                           // records since then
+  std::optional<std::size_t> departed_at_;              // in items
   std::vector<SubjectMFunction> m_functions_of_alarm_;  // which may be of the block that alarms
   std::optional<Record> end_record_;                    // the subject's `end`
-  bool moved_ = false;                      // the subject has put out a motion
+  bool moved_ = false;                                  // the subject has put out a motion
 };
 
 }  // namespace gonogo::oracle

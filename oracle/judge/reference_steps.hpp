@@ -43,7 +43,7 @@ class ReferenceSteps {
 
   struct Step {
     ReferenceStep what;
-    Position place;                   // where the reference stands before it
+    Position place;               // where the reference stands before it
     std::size_t item = 0;         // its number among the items of the reference, from 1
     std::uint64_t block = 0;      // its line, declared or not; 0: it has none
     std::uint64_t cut_block = 0;  // the line of the last cut before it
@@ -63,7 +63,9 @@ class ReferenceSteps {
     const std::size_t due = m_functions - std::min(m_functions, taken_m_functions_);
     return waiting().first(std::min(due, m_functions_.size()));
   }
-  std::span<const DueMFunction> waiting() const { return {m_functions_.begin(), m_functions_.end()}; }
+  std::span<const DueMFunction> waiting() const {
+    return {m_functions_.begin(), m_functions_.end()};
+  }
   // The first of them has come.
   void take_m_function();
   // Nobody asks for those that follow.
@@ -102,7 +104,7 @@ class ReferenceSteps {
   ProgramInput input_;
   reference::Expander expander_;
   std::deque<Step> steps_;
-  std::size_t first_ = 0;            // number of the first step that is kept
+  std::size_t first_ = 0;  // number of the first step that is kept
   Position place_;         // where the steps so far end
   Queue<DueMFunction> m_functions_;
   std::size_t taken_m_functions_ = 0;

@@ -45,7 +45,7 @@ void expect_order(const OrderCase& one) {
 }
 
 // X of the lathes is a diameter.
-TEST(EventOrder, OfABlockOfItsOwnStandsBetweenTheBlocksRoundIt) {
+TEST(EventOrder, AnMFunctionOfABlockOfItsOwnStandsBetweenTheBlocksRoundIt) {
   const std::string program = "G00 X50 Z5\nM3\nG01 X40 F100\nM5\nG00 X60\n";
   const WordTrace right = {"R1,25,5", "M2,3", "F3,20,5", "M4,5", "R5,30,5"};
   for (const std::string_view dialect : {"gsk988ta", "hnc21t"}) {
@@ -110,19 +110,16 @@ TEST(EventOrder, TheEndOfTheProgramComesLast) {
                     {{2, 1}, {2, 0}}});
     }
   }
-  expect_order({"rs274",
-                "G1 Z5 F100\nG0 Z9 M2\n",
-                {"F1,0,5", "R2,0,9", "M2,2"},
-                {{2, 1}, {2, 0}}});
+  expect_order({"rs274", "G1 Z5 F100\nG0 Z9 M2\n", {"F1,0,5", "R2,0,9", "M2,2"}, {{2, 1}, {2, 0}}});
 }
 
 // NGC-MOD-01: M3 to M9, then the dwell, then the motion, then the stops.
 TEST(EventOrder, TheTextOfRs274OrdersABlock) {
-  expect_order({"rs274",
-                "F100\nG1 X1 Z5 G4 P1 M3 M8\nG0 Z9 M5\nG1 X3 M0\nG0 X4 M8\n",
-                {"M2,3", "M2,8", "D2,1", "F2,1,5", "M3,5", "R3,1,9", "F4,3,9", "M4,0", "M5,8",
-                 "R5,4,9"},
-                {{0, 1}, {1, 2}, {1, 3}, {2, 3}, {2, 1}, {2, 0}, {4, 5}, {7, 6}, {8, 9}}});
+  expect_order(
+      {"rs274",
+       "F100\nG1 X1 Z5 G4 P1 M3 M8\nG0 Z9 M5\nG1 X3 M0\nG0 X4 M8\n",
+       {"M2,3", "M2,8", "D2,1", "F2,1,5", "M3,5", "R3,1,9", "F4,3,9", "M4,0", "M5,8", "R5,4,9"},
+       {{0, 1}, {1, 2}, {1, 3}, {2, 3}, {2, 1}, {2, 0}, {4, 5}, {7, 6}, {8, 9}}});
 }
 
 TEST(EventOrder, ADwellWaitsForWhatItsBlockStarts) {
@@ -148,12 +145,12 @@ TEST(EventOrder, NoneStandsBetweenTheMotionsOfACycle) {
   expect_order({"gsk988ta", start + " M5\n", with(5, "M2,5"), {{5, 4}, {5, 3}, {5, 2}, {5, 1}}});
   expect_order({"gsk988ta", start + " M8\n", with(1, "M2,8"), {{1, 2}, {1, 3}, {1, 4}, {1, 5}}});
   // One of the machine's maker: before the cycle or behind it.
-  expect_order({"gsk988ta", start + " M77\n", with(1, "M2,77"), {{1, 2}, {1, 3}, {1, 4}, {1, 0}},
-                {{1, 5}}});
+  expect_order(
+      {"gsk988ta", start + " M77\n", with(1, "M2,77"), {{1, 2}, {1, 3}, {1, 4}, {1, 0}}, {{1, 5}}});
   // Nor within the pieces of its traverse.
   const std::string program = start + " M77\n";
-  const WordTrace pieces = {"R1,30,2", "R2,30,-4", "M2,77", "R2,30,-10", "F2,20,-10", "F2,20,2",
-                            "R2,30,2"};
+  const WordTrace pieces = {"R1,30,2",   "R2,30,-4", "M2,77",  "R2,30,-10",
+                            "F2,20,-10", "F2,20,2",  "R2,30,2"};
   for (const bool blocks : {true, false}) {
     EXPECT_EQ(judged_trace(program, pieces, {.blocks = blocks, .m = true}).kind,
               VerdictKind::fail_order);
@@ -167,8 +164,8 @@ TEST(EventOrder, PiecesOfAMotionPartNothing) {
     return judged_trace(program, trace, {.blocks = blocks, .m = true}).kind;
   };
   for (const bool blocks : {true, false}) {
-    const WordTrace right = {"R1,0,0", "F2,0,4", "M2,77",  "F2,0,10", "F3,0,15",
-                             "F3,0,20", "M3,5",  "R4,0,25", "M4,8",    "R4,0,30"};
+    const WordTrace right = {"R1,0,0",  "F2,0,4", "M2,77",   "F2,0,10", "F3,0,15",
+                             "F3,0,20", "M3,5",   "R4,0,25", "M4,8",    "R4,0,30"};
     EXPECT_EQ(kind(right, blocks), VerdictKind::pass_exact);
     EXPECT_EQ(kind(with_word_moved(right, 6, 5), blocks), VerdictKind::fail_order) << "M5 within";
   }
@@ -206,11 +203,13 @@ TEST(EventOrder, HoldsInLoops) {
   WordTrace right = {"R2,0,5"};
   for (int i = 1; i <= 3; ++i) {
     const std::string x = std::to_string(i);
-    right.insert(right.end(), {"R4," + x + ",5", "M5,8", "F6," + x + ",4", "M7,9",
-                               "R8," + x + ",5"});
+    right.insert(right.end(),
+                 {"R4," + x + ",5", "M5,8", "F6," + x + ",4", "M7,9", "R8," + x + ",5"});
   }
   right.emplace_back("M10,2");
-  expect_order({"rs274", program, right,
+  expect_order({"rs274",
+                program,
+                right,
                 {{2, 3}, {2, 1}, {4, 3}, {4, 5}, {7, 8}, {9, 8}, {12, 15}, {14, 15}, {16, 15}}});
   // Behind all cuts of a round, and of the program.
   WordTrace late = right;

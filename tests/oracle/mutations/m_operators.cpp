@@ -125,8 +125,7 @@ bool m_behind_all(Edit& edit) {
   const auto last = next_before(edit, edit.specimen.right.records.size(), is_path);
   if (!last || !edit.any_of_kind(RecordKind::m)) return false;
   std::vector<Record>& records = edit.trace.records;
-  std::stable_partition(records.begin(),
-                        records.begin() + static_cast<std::ptrdiff_t>(*last + 1),
+  std::stable_partition(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(*last + 1),
                         [](const Record& record) { return record.kind != RecordKind::m; });
   return true;
 }
@@ -149,8 +148,7 @@ std::vector<Operator> m_operators() {
       {"start-behind-a-dwell", "the spindle or coolant behind a dwell", start_behind_a_dwell},
       {"stop-before-a-cut", "a stop before the cut", stop_before_a_cut},
       {"stop-within-a-cut", "a stop between the halves of a cut", stop_within_a_cut},
-      {"end-before-a-motion", "the end of the program before its last motion",
-       end_before_a_motion},
+      {"end-before-a-motion", "the end of the program before its last motion", end_before_a_motion},
       {"m-within-a-cycle", "an M function between the motions of a cycle", m_within_a_cycle},
       {"m-behind-all", "all M functions behind all motions", m_behind_all},
       {"dwell-over-a-motion", "a dwell a motion early or late", dwell_over_a_motion},

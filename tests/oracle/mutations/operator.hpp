@@ -51,7 +51,7 @@ struct Operator {
   std::string_view says;  // what it makes wrong, or another way of doing the same
   // False where it cannot be applied.
   std::function<bool(Edit&)> apply;
-  // Of M functions and dwells among the motions: line numbers say nothing of it.
+  // It moves M functions or dwells among the motions; line numbers say nothing of their places.
   bool orders_events = false;
 };
 

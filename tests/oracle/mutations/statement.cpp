@@ -52,7 +52,7 @@ std::vector<PassedOn> functions_of(const Trace& trace) {
   return all;
 }
 
-// What of its own block stands on one side of an M function.
+// The strokes of its own block on one side of an M function.
 struct Side {
   int strokes = 0;
   int cuts = 0;
@@ -74,7 +74,7 @@ struct Standing {
   bool among_others = false;  // a later block stands before it, or an earlier one behind it
 };
 
-// Of what is surely seen. No memory of blocks: each stands once, but for loops.
+// Where the M functions of a trace stand among what is surely seen.
 std::vector<Standing> standings_in(const Specimen& specimen, const Trace& trace) {
   std::vector<Standing> all;
   std::vector<Stroke> seen = specimen.strokes(trace);
@@ -115,8 +115,8 @@ bool breaks_its_block(const Standing& got, const Standing& right) {
   if (is_same_side) return false;
   if (starts && got.before.cuts + got.before.dwells > 0) return true;
   if (stops && got.behind.cuts > 0) return true;
-  const bool is_cycle = right.before.cuts + right.behind.cuts > 0 &&
-                        right.before.strokes + right.behind.strokes > 1;
+  const bool is_cycle =
+      right.before.cuts + right.behind.cuts > 0 && right.before.strokes + right.behind.strokes > 1;
   return is_cycle && !function.before_cut && got.before.strokes > 0 && got.behind.strokes > 0;
 }
 

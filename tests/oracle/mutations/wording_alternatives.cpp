@@ -192,7 +192,8 @@ std::vector<std::size_t> other_places(const std::vector<Record>& records, std::s
   const auto functions = count([](const Record& one) { return one.kind == RecordKind::m; });
   const auto dwells = count([](const Record& one) { return one.kind == RecordKind::dwell; });
   const auto motions = count([](const Record& one) { return is_motion(one.kind); });
-  const auto cuts = motions - count([](const Record& one) { return one.kind == RecordKind::rapid; });
+  const auto cuts =
+      motions - count([](const Record& one) { return one.kind == RecordKind::rapid; });
   if (functions > 1 || is_one_of({2, 17, 30})) return {};
   const bool starts = is_one_of({3, 4, 6, 7, 8});
   const bool stops = is_one_of({0, 1, 5, 9});

@@ -224,14 +224,10 @@ TEST(NgcCycleModes, MFunctionsHaveTheirPlacesAmongTheMotions) {
       functions.emplace_back(record->m, record->among_motions);
     }
   }
-  EXPECT_EQ(functions, (std::vector<std::pair<int, bool>>{{3, true},
-                                                          {5, true},
-                                                          {3, true},
-                                                          {3, true},
-                                                          {8, true},
-                                                          {4, true},
-                                                          {3, true},
-                                                          {2, true}}));
+  EXPECT_EQ(
+      functions,
+      (std::vector<std::pair<int, bool>>{
+          {3, true}, {5, true}, {3, true}, {3, true}, {8, true}, {4, true}, {3, true}, {2, true}}));
 }
 
 }  // namespace
