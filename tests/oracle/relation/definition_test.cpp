@@ -446,7 +446,7 @@ TEST(R6Alarm, ABlockThatCannotBeReadAdmitsWhatStandsBeforeThatPlace) {
     return R"({"k":"alarm","b":2,"class":")" + std::string(alarm_class) + "\"}";
   };
   EXPECT_EQ(decided(program, alarm("syntax")), kGo);
-  EXPECT_EQ(decided(program, alarm("conflicting-words")), kGo);
+  EXPECT_EQ(decided(program, alarm("duplicate-word")), kGo);
   EXPECT_EQ(decided(program, alarm("missing-word")), "fail.alarm-class R6");
 }
 
