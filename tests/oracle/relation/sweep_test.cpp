@@ -260,7 +260,7 @@ oracle::JudgeTerms terms_for(const Specimen& specimen, bool blocks, bool m) {
 TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(1'000);
+  Trials trials(400);
   const std::size_t step =
       std::max<std::size_t>(1, all.size() / static_cast<std::size_t>(trials.count));
   for (std::size_t i = 0; i < all.size(); i += step) {
@@ -273,7 +273,7 @@ TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
 TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(2'000);
+  Trials trials(400);
   for (long done = 0; done < trials.count;) {
     const Specimen& specimen = trials.one_of(all);
     const Operator& op = trials.one_of(kOperators);
