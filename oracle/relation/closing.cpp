@@ -145,7 +145,8 @@ void Correspondence::close_at_end(const Place& place, const Record& end) {
   if (got.part != Part::close) {
     // R7: behind an end that no text states.
     if (is_silent(end.clause) && !terms_.strict) {
-      offer(at_place(place, VerdictKind::advice, Rule::event, "No text says that the program ends."));
+      offer(
+          at_place(place, VerdictKind::advice, Rule::event, "No text says that the program ends."));
     }
     return;
   }

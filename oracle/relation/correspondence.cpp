@@ -55,10 +55,10 @@ Intervals common(const Intervals& parts, const std::optional<Part01>& near) {
 Correspondence::Correspondence(const reference::Profile& profile, std::string_view program,
                                const Terms& terms, const Outcome& outcome, const Manner& manner)
     : profile_(profile), program_(program), terms_(terms), outcome_(outcome), manner_(manner) {
-  pairs_.push_back({std::make_shared<ReferenceSide>(profile, program, terms, Settled()),
-                    std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, terms,
-                                                  manner.turn),
-                    0, profile.initial.at});
+  pairs_.push_back(
+      {std::make_shared<ReferenceSide>(profile, program, terms, Settled()),
+       std::make_shared<SubjectSide>(outcome.records, 0, profile.initial.at, terms, manner.turn), 0,
+       profile.initial.at});
 }
 
 std::vector<reference::ReadingKey> Correspondence::touched() const {
@@ -124,8 +124,7 @@ void Correspondence::expand(const Place& place, const Reached& reached) {
   ReferenceSide& sides = reference(place);
   const Event& want = sides.at(place.i);
   const Event& got = subject(place).at(place.j);
-  const bool lacks_m =
-      place.m < sides.m_functions(place.i) && sides.is_overdue(place.m, place.i);
+  const bool lacks_m = place.m < sides.m_functions(place.i) && sides.is_overdue(place.m, place.i);
   const std::size_t record = got.record;
   const bool is_corner = begins(reached.at_start_of_want) || begins(reached.at_start_of_got);
   if (record > farthest_record_ || (record == farthest_record_ && place >= farthest_)) {

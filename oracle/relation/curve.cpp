@@ -217,8 +217,7 @@ Cutter::Cutter(const Record& record, const Position& from, const Number& tau, Tu
   const Position end = rational_near(to_);
   if (record.kind == RecordKind::arc) {
     const bool other = turn == Turn::the_other && has_two_readings(record, from, tau);
-    turning_ =
-        turning_of_arc(record, start, end, other ? Turn::the_other : Turn::as_written);
+    turning_ = turning_of_arc(record, start, end, other ? Turn::the_other : Turn::as_written);
     is_flat_ = !turning_;
   } else if (record.kind == RecordKind::arc3) {
     Position via = start;

@@ -71,8 +71,8 @@ class Cutter {
   std::optional<Turning> turning_;  // none: a line
   bool is_flat_ = false;
   std::int64_t steps_of_turn_ = 0;
-  std::int64_t step_ = 0;           // that come next
-  Number steps_;                    // of the whole curve, not a whole number
+  std::int64_t step_ = 0;  // that come next
+  Number steps_;           // of the whole curve, not a whole number
   Rastered here_;
   bool is_done_ = false;
 };

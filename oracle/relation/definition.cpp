@@ -89,8 +89,8 @@ Judgement judge_readings_of_trace(const reference::Profile& profile, std::string
   const Judgement other =
       judge(profile, program, terms, outcome, {Bias::outer, Turn::the_other, false});
   if (is_go(other.answer)) {
-    judgement.answer = undecided(GapReason::two_readings,
-                                 "An arc whose ends agree may be a nil or a full turn.");
+    judgement.answer =
+        undecided(GapReason::two_readings, "An arc whose ends agree may be a nil or a full turn.");
   }
   return judgement;
 }
@@ -148,9 +148,9 @@ Answer decide(const reference::Profile& profile, std::string_view program, const
     if (++assignments > kMostAssignments) {
       return undecided(GapReason::many_assignments, "More than 64 assignments of open readings.");
     }
-    const bool is_better = !best || rank(judgement.answer) < rank(*best) ||
-                           (rank(judgement.answer) == rank(*best) &&
-                            judgement.answer.record > best->record);
+    const bool is_better =
+        !best || rank(judgement.answer) < rank(*best) ||
+        (rank(judgement.answer) == rank(*best) && judgement.answer.record > best->record);
     if (is_better) best = std::move(judgement.answer);
   }
   return *best;

@@ -12,12 +12,12 @@
 namespace gonogo::relation {
 
 enum class Part : std::uint8_t {
-  cut,       // a piece of a feed, an arc or a thread
-  traverse,  // a rapid
-  stop,      // a dwell or an M function
-  renaming,  // of the reference: the position gets another name
-  free_step, // of the reference: a path that the manual leaves open
-  close,     // the end, an alarm, what is not covered
+  cut,        // a piece of a feed, an arc or a thread
+  traverse,   // a rapid
+  stop,       // a dwell or an M function
+  renaming,   // of the reference: the position gets another name
+  free_step,  // of the reference: a path that the manual leaves open
+  close,      // the end, an alarm, what is not covered
 };
 
 struct Event {

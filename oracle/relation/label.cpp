@@ -81,8 +81,8 @@ bool is_same_thread(const Label& want, const Label& got, const Terms& terms) {
 
 Likeness compare(const Label& want, const Label& got, const Terms& terms) {
   if (!is_same_kind(want, got, terms) || want.block != got.block) return Likeness::other;
-  const bool is_same_feed = want.feed_mode == got.feed_mode &&
-                            agree(want.feed, got.feed, terms.feed_resolution, terms);
+  const bool is_same_feed =
+      want.feed_mode == got.feed_mode && agree(want.feed, got.feed, terms.feed_resolution, terms);
   return is_same_feed && is_same_thread(want, got, terms) ? Likeness::same : Likeness::number;
 }
 

@@ -14,8 +14,8 @@ struct Label {
   Number feed;
   Number lead;
   Number start;
-  std::uint64_t block = 0;  // 0 where lines are not compared
-  bool is_flat = false;     // an arc that may come as its chord, or a chord as the arc
+  std::uint64_t block = 0;    // 0 where lines are not compared
+  bool is_flat = false;       // an arc that may come as its chord, or a chord as the arc
   bool finds_centre = false;  // an arc whose centre the control works out
 };
 

@@ -17,7 +17,6 @@ struct Part01 {
   Number high = 1;
 };
 // The part of a piece that is near a place; nothing where none is.
-std::optional<Part01> near_part(const Event& piece, const Position& place,
-                                const Number& tolerance);
+std::optional<Part01> near_part(const Event& piece, const Position& place, const Number& tolerance);
 
 }  // namespace gonogo::relation

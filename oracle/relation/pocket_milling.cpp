@@ -36,7 +36,8 @@ class MillingConditions {
     if (!is_inside(piece.to, limit_ + piece.width)) return "The tool leaves the pocket.";
     if (depth < rational_near(pocket_.floor) - slack) return "The tool goes below the floor.";
     if (depth > rational_near(pocket_.retract) + slack) return "The tool goes above R101.";
-    if (terms_.compare_blocks && piece.block != pocket_.block) return "The motion is of another line.";
+    if (terms_.compare_blocks && piece.block != pocket_.block)
+      return "The motion is of another line.";
     if (piece.part == Part::traverse) return take_traverse(depth, slack);
     return take_cut(piece, depth, slack);
   }
@@ -70,15 +71,12 @@ class MillingConditions {
     return beyond_p * beyond_p + beyond_q * beyond_q <= radius * radius;
   }
 
-  bool is_along_border(const Position& place) const {
-    return !is_inside(place, -limit_ * 2);
-  }
+  bool is_along_border(const Position& place) const { return !is_inside(place, -limit_ * 2); }
 
   std::string_view take_traverse(const Number& depth, const Number& slack) {
     winding_.leave();
     if (depth >= deepest_ - slack) return {};
-    const bool is_cleared =
-        pocket_.finishing && depth > rational_near(pocket_.rough_floor) + slack;
+    const bool is_cleared = pocket_.finishing && depth > rational_near(pocket_.rough_floor) + slack;
     return is_cleared ? std::string_view() : "A traverse goes into the material.";
   }
 
@@ -87,10 +85,9 @@ class MillingConditions {
     if (label.kind != RecordKind::feed && label.kind != RecordKind::arc) {
       return "The motion is of another kind.";
     }
-    const bool has_feed =
-        label.feed_mode == pocket_.feed_mode &&
-        (agree(pocket_.plane_feed, label.feed, terms_.feed_resolution, terms_) ||
-         agree(pocket_.depth_feed, label.feed, terms_.feed_resolution, terms_));
+    const bool has_feed = label.feed_mode == pocket_.feed_mode &&
+                          (agree(pocket_.plane_feed, label.feed, terms_.feed_resolution, terms_) ||
+                           agree(pocket_.depth_feed, label.feed, terms_.feed_resolution, terms_));
     const bool is_in_material = depth <= rational_near(pocket_.reference_plane) - slack;
     if (is_in_material && !has_feed) return "The cut has another feed.";
     deepest_ = min(deepest_, depth);

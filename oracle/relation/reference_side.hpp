@@ -53,7 +53,7 @@ class ReferenceSide {
   };
   struct MFunction {
     reference::Record record;
-    std::size_t event;  // that it stands before
+    std::size_t event;                    // that it stands before
     mutable std::optional<Block> events;  // of its block, once they are known
   };
   void extend();

@@ -112,8 +112,7 @@ bool Correspondence::takes_m(const Place& place, bool is_within) {
   if (place.m >= sides.m_functions(place.i)) return false;
   const Record& due = sides.m_function(place.m);
   if (due.m != got.source().m || (terms_.compare_blocks && due.block != got.block)) return false;
-  return sides.may_stand(place.m, place.i) &&
-         (!is_within || sides.may_stand(place.m, place.i + 1));
+  return sides.may_stand(place.m, place.i) && (!is_within || sides.may_stand(place.m, place.i + 1));
 }
 
 // R5.

@@ -43,7 +43,8 @@ class ThreadConditions {
     const Winding::Offset to = offset_of(piece.to);
     const Number outer = farthest_ + terms_.tolerance * 17 / 8 + piece.width;
     if (to.p * to.p + to.q * to.q > outer * outer) return "The tool goes away from the work.";
-    if (terms_.compare_blocks && piece.block != thread_.block) return "The motion is of another line.";
+    if (terms_.compare_blocks && piece.block != thread_.block)
+      return "The motion is of another line.";
     if (piece.part == Part::traverse) {
       winding_.leave();
       base_ = height;
@@ -119,8 +120,9 @@ class ThreadConditions {
     if (cuts_crest(piece, terms_.tolerance + piece.width)) return "The cut rises in the material.";
     winding_.take(to);
     if (winding_.goes_back()) return "The cut goes round the axis the other way.";
-    return Number(winding_.quarters()) > most_quarters_ ? "The cut makes more turns than the passes need."
-                                                        : std::string_view();
+    return Number(winding_.quarters()) > most_quarters_
+               ? "The cut makes more turns than the passes need."
+               : std::string_view();
   }
 
   const ThreadMilling& thread_;

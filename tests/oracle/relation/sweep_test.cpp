@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "deciding.hpp"
@@ -29,36 +30,54 @@ struct Specimen {
 };
 
 constexpr std::size_t kMostRecords = 40;
+// A curve takes the definition a hundred times as long as a line: one case in so many.
+constexpr std::size_t kRoundCases = 24;
+
+bool is_round(const Record& record) {
+  return record.kind == RecordKind::arc || record.kind == RecordKind::arc3;
+}
 
 std::vector<Specimen> specimens() {
   std::vector<Specimen> all;
-  oracle::Corpus(std::string(GONOGO_SOURCE_DIR) + "/corpus").for_each([&](const oracle::Case& test) {
-    for (const oracle::Expectation& expected : test.expect) {
-      if (expected.not_covered || expected.records.size() > kMostRecords) continue;
-      Specimen specimen{test.id, test.program, test.profile, {expected.records, {}}};
-      for (const auto& [name, value] : expected.when) {
-        set_reading(specimen.profile, name, value);
-        specimen.id += " " + name + "=" + value;
-      }
-      if (!expected.alarms.empty()) {
-        specimen.right.end.kind = oracle::RunEnd::Kind::alarm;
-        specimen.right.end.alarm.block = expected.alarms.front().block;
-        specimen.right.end.alarm.alarm_class = name(expected.alarms.front().alarm);
-      }
-      all.push_back(std::move(specimen));
-    }
-    return true;
-  });
+  std::size_t round = 0;
+  oracle::Corpus(std::string(GONOGO_SOURCE_DIR) + "/corpus")
+      .for_each([&](const oracle::Case& test) {
+        for (const oracle::Expectation& expected : test.expect) {
+          if (expected.not_covered || expected.records.size() > kMostRecords) continue;
+          if (std::ranges::any_of(expected.records, is_round) && round++ % kRoundCases != 0)
+            continue;
+          Specimen specimen{test.id, test.program, test.profile, {expected.records, {}}};
+          for (const auto& [name, value] : expected.when) {
+            set_reading(specimen.profile, name, value);
+            specimen.id += " " + name + "=" + value;
+          }
+          if (!expected.alarms.empty()) {
+            specimen.right.end.kind = oracle::RunEnd::Kind::alarm;
+            specimen.right.end.alarm.block = expected.alarms.front().block;
+            specimen.right.end.alarm.alarm_class = name(expected.alarms.front().alarm);
+          }
+          all.push_back(std::move(specimen));
+        }
+        return true;
+      });
   return all;
 }
 
 using Records = std::vector<Record>;
 using Wanted = bool (*)(const Record&);
 
-bool is_any(const Record& record) { return record.kind != RecordKind::end; }
-bool moves(const Record& record) { return is_motion(record.kind) && !record.axes.empty(); }
-bool is_arc(const Record& record) { return record.kind == RecordKind::arc; }
-bool is_m(const Record& record) { return record.kind == RecordKind::m; }
+bool is_any(const Record& record) {
+  return record.kind != RecordKind::end;
+}
+bool moves(const Record& record) {
+  return is_motion(record.kind) && !record.axes.empty();
+}
+bool is_arc(const Record& record) {
+  return record.kind == RecordKind::arc;
+}
+bool is_m(const Record& record) {
+  return record.kind == RecordKind::m;
+}
 
 // The place of any record that is wanted; nothing where there is none.
 std::optional<std::size_t> any(const Records& records, Wanted wanted, Trials& chance) {
@@ -116,8 +135,7 @@ bool relabel(Records& records, const Number&, Trials& chance) {
       return true;
     default:
       if (record.kind == RecordKind::rapid) return false;
-      (record.kind == RecordKind::thread ? record.lead : record.feed) +=
-          Number::millionths(20'000);
+      (record.kind == RecordKind::thread ? record.lead : record.feed) += Number::millionths(20'000);
       return true;
   }
 }
@@ -150,10 +168,10 @@ struct Operator {
   std::string_view name;
   bool (*apply)(Records& records, const Number& tau, Trials& chance);
 };
-constexpr std::array kOperators = {
-    Operator{"drop", drop},       Operator{"swap", swap},           Operator{"shift", shift},
-    Operator{"relabel", relabel}, Operator{"reverse", reverse},     Operator{"turn", turn_more},
-    Operator{"move M", move_m}};
+constexpr std::array kOperators = {Operator{"drop", drop},       Operator{"swap", swap},
+                                   Operator{"shift", shift},     Operator{"relabel", relabel},
+                                   Operator{"reverse", reverse}, Operator{"turn", turn_more},
+                                   Operator{"move M", move_m}};
 
 Answer decided(const Specimen& specimen, const oracle::JudgeTerms& terms, const Trace& trace) {
   return decide(specimen.profile, specimen.program, terms_of(terms, specimen.profile),
@@ -242,7 +260,7 @@ oracle::JudgeTerms terms_for(const Specimen& specimen, bool blocks, bool m) {
 TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(1'000);
+  Trials trials(400);
   const std::size_t step =
       std::max<std::size_t>(1, all.size() / static_cast<std::size_t>(trials.count));
   for (std::size_t i = 0; i < all.size(); i += step) {
@@ -255,12 +273,11 @@ TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
 TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(3'000);
+  Trials trials(400);
   for (long done = 0; done < trials.count;) {
     const Specimen& specimen = trials.one_of(all);
     const Operator& op = trials.one_of(kOperators);
-    const oracle::JudgeTerms terms =
-        terms_for(specimen, !trials.once_in(4), !trials.once_in(8));
+    const oracle::JudgeTerms terms = terms_for(specimen, !trials.once_in(4), !trials.once_in(8));
     Trace trace = specimen.right;
     if (!op.apply(trace.records, terms.tolerance, trials)) continue;
     comparison.compare(specimen, op.name, terms, trace);
