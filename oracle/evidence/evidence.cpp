@@ -17,6 +17,7 @@
 #include "oracle/evidence/sarif.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/report/html.hpp"
+#include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
 namespace {

@@ -14,12 +14,12 @@ Judging of_dialect(std::string_view dialect) {
   return judging;
 }
 
-constexpr std::string_view kTurning = "G00 X130 Z5\nG01 Z-28 F100\n";
+constexpr std::string_view kTurningPrograms = "G00 X130 Z5\nG01 Z-28 F100\n";
 
-// The trace of kTurning with one thing wrong.
+// The trace of kTurningPrograms with one thing wrong.
 TEST(VerdictRule, IsThatOfPlaceLabelOrTraverse) {
   const auto rule = [](const TraceText& trace) {
-    return rule_of(judge_trace(kTurning, trace.text()));
+    return rule_of(judge_trace(kTurningPrograms, trace.text()));
   };
   TraceText right(1);
   right.rapid({{'x', 65}, {'z', 5}}).block(2, 100).feed({{'z', -28}});
