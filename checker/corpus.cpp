@@ -14,6 +14,7 @@ namespace {
 
 Expectation read_expectation(const Json& value) {
   Expectation expectation;
+  expectation.is_silent = value.text_of("basis") == "silent";
   if (const Json* when = value.find("when")) {
     for (const auto& [key, choice] : when->members) expectation.when[key] = choice.text;
   }

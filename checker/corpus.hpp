@@ -23,6 +23,7 @@ struct ExpectedAlarm {
 struct Expectation {
   enum class Ending { end, alarm, not_covered };
   Readings when;
+  bool is_silent = false;       // no text states it
   std::vector<Record> records;  // the motions, without the record `end`
   Ending ending = Ending::end;
   Position end;                       // Ending::end

@@ -25,6 +25,8 @@ class Roll {
   // The profile of the vector with what the certifier's sets; nothing: they contradict each other,
   // and the run leaves the case out.
   std::optional<Json> profile_of(const std::string& dialect, const Json& profile) const;
+  // Whether two profiles say the same; a reading that is the default may stand there or not.
+  bool is_same_machine(Json one, Json other) const;
   // Throws Fault for a line that says another thing of its case than the vector does.
   void check_words(const Json& line, const Vector& vector) const;
   // A feature that the case needs and the subject does not declare; empty: there is none.

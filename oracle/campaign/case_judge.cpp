@@ -315,7 +315,8 @@ CaseResult CaseJudge::judge(const Case& test) {
   Attempt attempt = run_kept(*subject_, test, terms);
   if (result.expected_gap && attempt.session.verdict.kind == VerdictKind::timeout) {
     // How long a program takes that nobody covers says nothing (J-RUN-09).
-    attempt.session.verdict.kind = VerdictKind::oracle_gap;
+    attempt.session.verdict =
+        gap_verdict(GapReason::not_covered, std::move(attempt.session.verdict.message));
   }
   const bool is_settled = settle_flaky(test, terms, attempt, result);
   if (!is_settled && attempt.session.verdict.kind == VerdictKind::timeout) {

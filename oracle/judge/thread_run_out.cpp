@@ -219,7 +219,9 @@ bool ThreadRunOutJudge::must_cut_deeper(const Motion& flat) const {
     if (each == ThreadRunOut::polar) {
       return !geometry_.item().external && geometry_.item().runout_length > radius_ * 2;
     }
-    return follows(each, flat) &&
+    // Of what hardly moves nobody can tell where it leads.
+    const Number least = geometry_.loose_terms().tolerance * 2;
+    return !agree(flat.from, flat.to(), least) && follows(each, flat) &&
            geometry_.clearance(line_to(each), radius_).kind != Clearance::Kind::clear;
   });
 }

@@ -177,8 +177,9 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   }
   const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
   if (!alarms) {
-    // R7: the other answer to an alarm that no text states is to run on.
-    if (is_silent(firmest(report).clause) && !terms_.strict) {
+    // R7: the other answer to an alarm that no text states is to run on from its block.
+    const bool is_before = terms_.compare_blocks && got.part != Part::close && got.block < report.block;
+    if (!is_before && is_silent(firmest(report).clause) && !terms_.strict) {
       offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
     }
     return;

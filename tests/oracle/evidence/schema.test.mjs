@@ -159,7 +159,7 @@ test('the schema of results refuses what is no line', () => {
   const failure = lines.find((line) => line.verdict?.startsWith('fail.'));
   const footer = lines.at(-1);
   for (const wrong of [{ ...failure, verdict: 'fail' }, { ...failure, b: 0 }, { ...failure, extra: 1 },
-    { ...footer, decision: 'MAYBE' }, { ...footer, cases: -1 }, { ...footer, sha256: '0' }, { ...lines[0], format: 2 }]) {
+    { ...footer, decision: 'MAYBE' }, { ...footer, cases: -1 }, { ...footer, sha256: '0' }, { ...lines[0], format: 3 }]) {
     assert.equal(results(wrong), false, JSON.stringify(wrong).slice(0, 200));
   }
 });

@@ -101,6 +101,15 @@ bool all_axes_named(Attempt& attempt) {
   });
 }
 
+// Whether two enclosures are of one number nothing tells.
+bool surely_equal(const Number& a, const Number& b) {
+  try {
+    return a == b;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
 bool only_moved_axes_named(Attempt& attempt) {
   return attempt.replace([&](const Record& record, const reference::Position& from) {
     std::vector<Record> made;
@@ -110,7 +119,7 @@ bool only_moved_axes_named(Attempt& attempt) {
     for (const Axis axis : reference::kAllAxes) {
       const bool in_plane =
           record.kind == RecordKind::arc && axis != axes_of(record.plane).d && is_linear(axis);
-      if (in_plane || (record.axes.has(axis) && record.to[axis] != from[axis])) named.add(axis);
+      if (in_plane || (record.axes.has(axis) && !surely_equal(record.to[axis], from[axis]))) named.add(axis);
     }
     if (named.empty()) named.add(Axis::x);
     for (const Axis axis : reference::kAllAxes) {
