@@ -14,7 +14,8 @@ namespace {
 
 Expectation read_expectation(const Json& value) {
   Expectation expectation;
-  expectation.is_silent = value.text_of("basis") == "silent";
+  const Json* basis = value.find("basis");
+  expectation.is_silent = basis != nullptr && basis->text == "silent";
   if (const Json* when = value.find("when")) {
     for (const auto& [key, choice] : when->members) expectation.when[key] = choice.text;
   }

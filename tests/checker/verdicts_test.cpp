@@ -61,15 +61,30 @@ TEST(CheckerVerdicts, ANoGoThatIsOneAgrees) {
 }
 
 // J-RUN-04: an advice departs, and changes no decision.
+// No text states the line.
+void make_silent(Workshop& shop) {
+  const std::string line = R"("program":"G0 X1\nG1 Y2 F100\nM3\n","expect":[{"basis":)";
+  shop.change_vectors(line + R"("text")", line + R"("silent")");
+}
+
 TEST(CheckerVerdicts, AnAdviceDepartsAndIsNoNoGo) {
   Workshop shop;
+  make_silent(shop);
   shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
   shop.set_verdict(kLineCase, "advice");
   expect_said(shop, 0, "3 verdicts derived again (2 GO, 1 NO-GO, 0 not covered)");
 }
 
+TEST(CheckerVerdicts, AnAdviceWhereATextStatesTheExpectationIsNoticed) {
+  Workshop shop;
+  shop.change_trace(kLineCase, R"("to":{"y":"2"},"f")", R"("to":{"y":"3"},"f")");
+  shop.set_verdict(kLineCase, "advice");
+  expect_said(shop, 1, "differs  " + kLineCase + ": The file says advice; a text states");
+}
+
 TEST(CheckerVerdicts, AnAdviceThatDoesNotDepartIsNoticed) {
   Workshop shop;
+  make_silent(shop);
   shop.set_verdict(kLineCase, "advice");
   expect_said(shop, 1, "differs  " + kLineCase + ": The file says advice; derived: GO.");
 }

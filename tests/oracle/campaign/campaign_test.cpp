@@ -239,7 +239,7 @@ TEST(Campaign, AProgramThatTheCorpusDoesNotCoverNeverFailsByItsTime) {
   outside.provenance = "hand";
   outside.group = "t";
   outside.features = {"basic"};
-  outside.clauses = {"GSK-BASE-01"};
+  outside.clauses = {"GSK-COM-05"};
   outside.dialect = "gsk988ta";
   outside.cycle = "basic";
   outside.profile = std::get<reference::Profile>(reference::default_profile("gsk988ta"));

@@ -179,12 +179,16 @@ Answer decided(const Specimen& specimen, const oracle::JudgeTerms& terms, const 
 }
 
 // The differences that are known, each with the side that is right by docs/relation.md.
-bool is_known(const Answer& answer, const oracle::Verdict& verdict,
+bool is_known(std::string_view op, const Answer& answer, const oracle::Verdict& verdict,
               const oracle::JudgeTerms& terms) {
   const bool passes = decision(answer.kind) == Decision::go;
-  // The definition: where two motions with one label meet is no event. The judge holds the ends of
-  // each motion, also where the path is within tau of both.
-  if (passes) return !terms.compare_blocks && verdict.kind == VerdictKind::fail_geometry;
+  // The definition: where two motions meet, a stretch of tau has no label, and where they have one label
+  // is no event. The judge holds the ends of each motion, also where the path is within tau of both; a
+  // shift is one of 2 tau.
+  if (passes) {
+    return op == "shift" && (verdict.kind == VerdictKind::fail_geometry ||
+                             verdict.kind == VerdictKind::fail_order);
+  }
   // The definition: an M function is at its place among the events of its block.
   return answer.rule == Rule::event && terms.compare_m;
 }
@@ -201,7 +205,7 @@ class Comparison {
     const bool is_same = decision(answer.kind) == decision(verdict.kind);
     ++said_[fmt::format("{} / {}", text_of(answer), word(verdict.kind))];
     if (is_same || answer.gap != GapReason::none) return;
-    if (is_known(answer, verdict, terms)) {
+    if (is_known(op, answer, verdict, terms)) {
       ++known_;
       return;
     }
