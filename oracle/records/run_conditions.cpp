@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNames = 3;
+constexpr std::size_t kMostListed = 3;
 
 std::string text_in(const Json& object, const char* key) {
   const Json value = object.value(key, Json());
@@ -24,7 +24,7 @@ void add_names(std::vector<std::string>& into, const std::string& what, const Js
   std::vector<std::string> texts;
   for (const Json& name : names) texts.push_back(name.is_string() ? name.get<std::string>() : "");
   const std::string many = names.size() == 1 ? what : what + "s";
-  into.push_back(texts.size() > kMostNames ? fmt::format("{} {}", texts.size(), many)
+  into.push_back(texts.size() > kMostListed ? fmt::format("{} {}", texts.size(), many)
                                            : fmt::format("{} {}", many, fmt::join(texts, ", ")));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // J-CMP-05, J-CMP-06: M functions and dwells out of their place among the motions.
+#include <span>
+#include <iterator>
 #include <algorithm>
 #include <initializer_list>
 
@@ -124,9 +126,12 @@ bool stop_within_a_cut(Edit& edit) {
 bool m_behind_all(Edit& edit) {
   const auto last = next_before(edit, edit.specimen.right.records.size(), is_path);
   if (!last || !edit.any_of_kind(RecordKind::m)) return false;
-  std::vector<Record>& records = edit.trace.records;
-  std::stable_partition(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(*last + 1),
-                        [](const Record& record) { return record.kind != RecordKind::m; });
+  const auto records = std::span(edit.trace.records).first(*last + 1);
+  const auto is_m = [](const Record& record) { return record.kind == RecordKind::m; };
+  std::vector<Record> reordered;
+  std::ranges::remove_copy_if(records, std::back_inserter(reordered), is_m);
+  std::ranges::copy_if(records, std::back_inserter(reordered), is_m);
+  std::ranges::copy(reordered, records.begin());
   return true;
 }
 
