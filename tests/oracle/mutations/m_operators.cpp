@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // J-CMP-05, J-CMP-06: M functions and dwells out of their place among the motions.
-#include <span>
-#include <iterator>
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
+#include <span>
 
 #include "operator.hpp"
 
