@@ -49,6 +49,31 @@ void take_program(const element& value, CaseHead& head) {
   head.program_bytes = text.size();
 }
 
+// What is no text of its own.
+void take_other(std::string_view key, const simdjson::dom::element& value, CaseHead& head) {
+  if (key == "clauses") {
+    take_texts(value, head.clauses);
+  } else if (key == "features") {
+    take_texts(value, head.features);
+  } else if (key == "program") {
+    take_program(value, head);
+  } else if (key == "us") {
+    if (value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
+  } else if (key == "attempts") {
+    if (value.get(head.attempts) != simdjson::SUCCESS) head.attempts = 1;
+  } else if (key == "b") {
+    if (value.get(head.block) != simdjson::SUCCESS) head.block = 0;
+  } else if (key == "deviation") {
+    std::string_view exact;
+    if (value["exact"].get(exact) == simdjson::SUCCESS) head.deviation = exact;
+  } else if (key == "readings") {
+    std::string_view against;
+    if (value["against"].get(against) == simdjson::SUCCESS) head.against = against;
+  } else if (key == "expected") {
+    if (value.get(head.expected) != simdjson::SUCCESS) head.expected = false;
+  }
+}
+
 }  // namespace
 
 bool read_case_head(std::string_view line, CaseHead& head) {
@@ -83,27 +108,7 @@ bool read_case_head(std::string_view line, CaseHead& head) {
   head.program_bytes = 0;
   head.expected = false;
   for (auto field : *object) {
-    if (field.key == "clauses") {
-      take_texts(field.value, head.clauses);
-    } else if (field.key == "features") {
-      take_texts(field.value, head.features);
-    } else if (field.key == "program") {
-      take_program(field.value, head);
-    } else if (field.key == "us") {
-      if (field.value.get(head.microseconds) != simdjson::SUCCESS) head.microseconds = 0;
-    } else if (field.key == "attempts") {
-      if (field.value.get(head.attempts) != simdjson::SUCCESS) head.attempts = 1;
-    } else if (field.key == "b") {
-      if (field.value.get(head.block) != simdjson::SUCCESS) head.block = 0;
-    } else if (field.key == "deviation") {
-      std::string_view exact;
-      if (field.value["exact"].get(exact) == simdjson::SUCCESS) head.deviation = exact;
-    } else if (field.key == "readings") {
-      std::string_view against;
-      if (field.value["against"].get(against) == simdjson::SUCCESS) head.against = against;
-    } else if (field.key == "expected") {
-      if (field.value.get(head.expected) != simdjson::SUCCESS) head.expected = false;
-    }
+    take_other(field.key, field.value, head);
     for (const auto& [key, text] : texts) {
       std::string_view value;
       if (field.key != key) continue;

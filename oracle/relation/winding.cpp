@@ -15,7 +15,7 @@ void Winding::take(const Offset& to) {
     if (steps == 3) steps = -1;
     // Across the middle, on the side that the line passes it.
     if (steps == 2) steps = 2 * (last_->p * to.q - last_->q * to.p).sign();
-    quarters_ += sense_ * steps;
+    quarters_ += std::int64_t{sense_} * steps;
     most_ = std::max(most_, quarters_);
   }
   last_ = to;

@@ -7,6 +7,7 @@
 // p 19 cos 30 = 16.454483 and q 9.5, or p 3.031089 and q 1.75, on the side to which the hand turns.
 // Its arc leaves tangentially about p -65.992404, or 3.645332 (GSK-G114-11).
 #include <functional>
+#include <numbers>
 
 #include "milled_thread.hpp"
 
@@ -279,7 +280,7 @@ TEST(ThreadEnvelope, OutOfTheMaterialARunOutMayRise) {
   for (const double part : {0.5, 0.6}) {
     Pass pass;
     pass.run_out = [=](Mill m) {
-      m.feed(17 + 1.732050808 * part, part, -5);
+      m.feed(17 + std::numbers::sqrt3 * part, part, -5);
       m.feed(18.732050808, 1, 15);
     };
     pass.way_back = [](Mill) {};
