@@ -47,6 +47,7 @@ generate::Choices choices_of(const std::uint8_t* data, std::size_t size) {
 
 }  // namespace gonogo::fuzz
 
+// NOLINTNEXTLINE(readability-non-const-parameter): the engine says what it is called with.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   gonogo::fuzz::run_stream_if_asked(*argc, *argv);
   return 0;

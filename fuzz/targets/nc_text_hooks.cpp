@@ -30,6 +30,7 @@ const program::Dictionary* dictionary() {
 }  // namespace
 
 // With GONOGO_FUZZ_DICTIONARY set the target only prints the dictionary of its dialect.
+// NOLINTNEXTLINE(readability-non-const-parameter): the engine says what it is called with.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   run_stream_if_asked(*argc, *argv);
   if (std::getenv("GONOGO_FUZZ_DICTIONARY") == nullptr) return 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -411,7 +412,8 @@ bool same_space_circle(const Motion& a, const Motion& b) {
 
 // The sign and number of turns of two arcs of one circle run through in one go. With the parts of a
 // turn f and g in (0, 1], f + g passes a whole turn when the sum's part is no larger than f.
-std::int32_t joined_rot(const Motion& a, const Motion& b) {
+// Nothing: more turns than a record can name.
+std::optional<std::int32_t> joined_rot(const Motion& a, const Motion& b) {
   const int sense = a.record.rot < 0 ? -1 : 1;
   const PlaneVector start = from_centre(a.record, a.from);
   const PlaneVector middle = from_centre(a.record, a.to());
@@ -420,8 +422,10 @@ std::int32_t joined_rot(const Motion& a, const Motion& b) {
   const bool end_whole = same_direction(start, end);
   const bool passes =
       middle_whole || (!end_whole && compare_angles(start, end, middle, sense) <= 0);
-  const std::int32_t turns = std::abs(a.record.rot) + std::abs(b.record.rot) - 1 + (passes ? 1 : 0);
-  return sense * turns;
+  const std::int64_t turns = std::abs(std::int64_t{a.record.rot}) +
+                             std::abs(std::int64_t{b.record.rot}) - 1 + (passes ? 1 : 0);
+  if (turns > std::numeric_limits<std::int32_t>::max()) return std::nullopt;
+  return sense * static_cast<std::int32_t>(turns);
 }
 
 }  // namespace
@@ -438,10 +442,13 @@ bool join(Motion& motion, const Motion& next) {
     case RecordKind::thread:
       if (!same_line(motion, next)) return false;
       break;
-    case RecordKind::arc:
+    case RecordKind::arc: {
       if (!same_circle(motion, next)) return false;
-      motion.record.rot = joined_rot(motion, next);
+      const std::optional<std::int32_t> turns = joined_rot(motion, next);
+      if (!turns) return false;
+      motion.record.rot = *turns;
       break;
+    }
     case RecordKind::arc3:
       if (!same_space_circle(motion, next)) return false;
       break;

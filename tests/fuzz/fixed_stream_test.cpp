@@ -7,6 +7,8 @@
 
 #include <set>
 
+#include "fuzz/targets/target.hpp"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t*, std::size_t) {
   return 0;
 }

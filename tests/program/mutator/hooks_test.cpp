@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/targets/fixed_stream.hpp"
+#include "fuzz/targets/target.hpp"
 #include "program/mutator/program_mutator.hpp"
 
 using Bytes = std::vector<std::uint8_t>;
