@@ -66,4 +66,28 @@ inline Number way_of(const Event& piece, reference::Axis axis) {
   return abs(piece.to[axis] - piece.from[axis]);
 }
 
+// Follows the subject from piece `begin` on under conditions that say where the step may be over
+// (`may_be_over`) and which sentence a piece breaks (`take`). Behind an end the next block's motions need not
+// be of the step.
+template <typename Conditions>
+StepAnswer follow_under(Conditions& conditions, SubjectSide& subject, std::size_t begin,
+                        const Number& tau) {
+  StepAnswer answer;
+  for (std::size_t i = begin;; ++i) {
+    const Event& piece = subject.at(i);
+    if (piece.begins && conditions.may_be_over(piece.from)) answer.ends.push_back(i);
+    if (!piece.is_motion()) break;
+    if (const auto end = end_of_small_stretch(subject, i, tau)) {
+      i = *end - 1;
+      continue;
+    }
+    const std::string_view broken = conditions.take(piece);
+    if (broken.empty()) continue;
+    answer.broken_by = i;
+    answer.broken = broken;
+    break;
+  }
+  return answer;
+}
+
 }  // namespace gonogo::relation

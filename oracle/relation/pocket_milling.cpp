@@ -122,23 +122,7 @@ class MillingConditions {
 StepAnswer follow(const PocketMilling& pocket, SubjectSide& subject, std::size_t begin,
                   const Terms& terms) {
   MillingConditions conditions(pocket, terms);
-  StepAnswer answer;
-  for (std::size_t i = begin;; ++i) {
-    const Event& piece = subject.at(i);
-    if (piece.begins && conditions.may_be_over(piece.from)) answer.ends.push_back(i);
-    if (!piece.is_motion()) break;
-    if (const auto end = end_of_small_stretch(subject, i, terms.tolerance)) {
-      i = *end - 1;
-      continue;
-    }
-    const std::string_view broken = conditions.take(piece);
-    if (broken.empty()) continue;
-    // Behind an end the next block's motions need not be of the pocket.
-    answer.broken_by = i;
-    answer.broken = broken;
-    break;
-  }
-  return answer;
+  return follow_under(conditions, subject, begin, terms.tolerance);
 }
 
 }  // namespace gonogo::relation

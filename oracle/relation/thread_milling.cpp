@@ -144,22 +144,7 @@ class ThreadConditions {
 StepAnswer follow(const ThreadMilling& thread, SubjectSide& subject, std::size_t begin,
                   const Terms& terms) {
   ThreadConditions conditions(thread, subject.at(begin).from, terms);
-  StepAnswer answer;
-  for (std::size_t i = begin;; ++i) {
-    const Event& piece = subject.at(i);
-    if (piece.begins && conditions.may_be_over(piece.from)) answer.ends.push_back(i);
-    if (!piece.is_motion()) break;
-    if (const auto end = end_of_small_stretch(subject, i, terms.tolerance)) {
-      i = *end - 1;
-      continue;
-    }
-    const std::string_view broken = conditions.take(piece);
-    if (broken.empty()) continue;
-    answer.broken_by = i;
-    answer.broken = broken;
-    break;
-  }
-  return answer;
+  return follow_under(conditions, subject, begin, terms.tolerance);
 }
 
 }  // namespace gonogo::relation
