@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Written from the description of the format (corpus/schema/vectors-1.schema.json).
+// Written from the description of the format (corpus/schema/vectors-2.schema.json).
 #include "checker/form.hpp"
 
 #include <algorithm>
@@ -133,8 +133,27 @@ void check_record(const Json& record) {
   }
 }
 
+// Open parts follow each other within the records.
+void check_open(const Json& expectation) {
+  const Json* open = expectation.find("open");
+  if (open == nullptr) return;
+  const auto records =
+      static_cast<long>(expectation.member("records", Json::Kind::list).items.size());
+  long before = 0;
+  for (const Json& part : open->items) {
+    need_keys(part, "An open part", {"from", "to", "clause", "path", "conditions"}, {});
+    const long from = part.integer_of("from");
+    const long to = part.integer_of("to");
+    if (from < before || to < from || to > records) {
+      throw Fault("The open parts do not follow each other within the records.");
+    }
+    before = to;
+  }
+}
+
 void check_expectation(const Json& expectation) {
-  need_keys(expectation, "An expectation", {"basis", "records"}, {"when", "alarm", "not_covered"});
+  need_keys(expectation, "An expectation", {"basis", "records"},
+            {"when", "open", "alarm", "not_covered"});
   if (!is_one_of(expectation.text_of("basis"), kBases)) {
     throw Fault("The basis " + expectation.text_of("basis") + " is unknown.");
   }
@@ -146,6 +165,7 @@ void check_expectation(const Json& expectation) {
       if (!default_reading(key)) throw Fault("The reading " + key + " is unknown.");
     }
   }
+  check_open(expectation);
   const Json* alarm = expectation.find("alarm");
   if (alarm == nullptr) return;
   need_keys(*alarm, "An alarm", {"any_of"}, {});
@@ -214,7 +234,8 @@ std::vector<std::string> form_faults(const Json& file, const std::string& corpus
   };
   attempt("file", [&] {
     need_keys(file, "The file", {"format", "corpus", "dialect", "cycle", "groups"}, {});
-    if (file.integer_of("format") != 1) throw Fault("The format is not 1.");
+    const long format = file.integer_of("format");
+    if (format != 1 && format != 2) throw Fault("The format is not 1 or 2.");
     if (file.text_of("corpus") != corpus_version) throw Fault("It is of another corpus.");
     if (!is_one_of(file.text_of("dialect"), kDialects)) throw Fault("The dialect is unknown.");
   });

@@ -26,10 +26,21 @@ struct ExpectedAlarm {
   friend bool operator==(const ExpectedAlarm&, const ExpectedAlarm&) = default;
 };
 
+// Records of a shown path that the manual leaves open: the path is one of those that meet the
+// conditions.
+struct OpenPart {
+  std::size_t from = 0;  // its first record, from 0
+  std::size_t to = 0;    // behind its last
+  reference::ClauseId clause = reference::kNoClause;
+  std::string path;        // "pocket-level", "helical-pocket", "thread", "pocket"
+  std::string conditions;  // what the words give, an object of JSON; docs/formats.md
+};
+
 // What is expected when the named readings have the named values (none: under the profile alone).
 struct Expectation {
   std::vector<std::pair<std::string, std::string>> when;  // reading -> value
   std::vector<reference::Record> records;                 // the shown path; `end` last, or none
+  std::vector<OpenPart> open;                             // in the order of their records
   std::vector<ExpectedAlarm> alarms;                      // any of them; empty: no alarm
   // What it stands on: of an alarm as the judge takes it (J-ALM-02), else the weakest of what its
   // records and the blocks that run on stand on. Nothing: the file does not say.

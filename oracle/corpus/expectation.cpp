@@ -5,6 +5,7 @@
 
 #include "grammar/line_source.hpp"
 #include "oracle/corpus/corpus.hpp"
+#include "oracle/corpus/open_parts.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -48,6 +49,7 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
     }
   }
   expectation.basis = weakest;
+  expectation.open = open_parts(profile, program, expectation.records);
   return expectation;
 }
 

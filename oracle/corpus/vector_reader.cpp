@@ -36,6 +36,7 @@ class FileReader {
   std::string program_of(const JsonPlace& place) const;
   Expectation expectation_of(const JsonPlace& place, const Case& test);
   Record record_of(const JsonPlace& place);
+  OpenPart open_part_of(const JsonPlace& place, const Expectation& expectation) const;
   ExpectedAlarm alarm_of(const JsonPlace& place) const;
 
   Detail detail_;
@@ -47,9 +48,9 @@ class FileReader {
 
 std::vector<Case> FileReader::read(const JsonPlace& file) {
   file.need_object({"format", "corpus", "dialect", "cycle", "groups"});
-  if (const std::int64_t format = file.member("format").integer(); format != 1) {
+  if (const std::int64_t format = file.member("format").integer(); format != 1 && format != 2) {
     file.member("format").fail(
-        fmt::format("This program reads vector files of format 1, not {}.", format));
+        fmt::format("This program reads vector files of format 1 and 2, not {}.", format));
   }
   file.member("corpus").text();
   Case head;
@@ -116,7 +117,7 @@ std::string FileReader::program_of(const JsonPlace& place) const {
 }
 
 Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test) {
-  place.need_object({"when", "basis", "records", "alarm", "not_covered"});
+  place.need_object({"when", "basis", "records", "open", "alarm", "not_covered"});
   Expectation expectation;
   if (detail_ == Detail::to_run) {
     if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
@@ -138,6 +139,11 @@ Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test)
   }
   for (const JsonPlace& record : place.member("records").items()) {
     expectation.records.push_back(record_of(record));
+  }
+  if (place.has("open")) {
+    for (const JsonPlace& item : place.member("open").items()) {
+      expectation.open.push_back(open_part_of(item, expectation));
+    }
   }
   if (place.has("alarm")) {
     const JsonPlace alarm = place.member("alarm");
@@ -168,6 +174,20 @@ Record FileReader::record_of(const JsonPlace& place) {
   }
   if (place.has("clause")) record->clause = clause_id(place.member("clause"));
   return std::move(*record);
+}
+
+OpenPart FileReader::open_part_of(const JsonPlace& place, const Expectation& expectation) const {
+  place.need_object({"from", "to", "clause", "path", "conditions"});
+  const std::int64_t from = place.member("from").integer();
+  const std::int64_t to = place.member("to").integer();
+  const std::size_t before = expectation.open.empty() ? 0 : expectation.open.back().to;
+  if (from < static_cast<std::int64_t>(before) || to < from ||
+      to > static_cast<std::int64_t>(expectation.records.size())) {
+    place.fail("Open parts follow each other and lie within the records.");
+  }
+  return {static_cast<std::size_t>(from), static_cast<std::size_t>(to),
+          clause_id(place.member("clause")), place.member("path").text(),
+          place.member("conditions").json()};
 }
 
 ExpectedAlarm FileReader::alarm_of(const JsonPlace& place) const {

@@ -114,6 +114,15 @@ std::string expectation_json(const Expectation& expectation) {
     reference::append_json(record, records.emplace_back());
   }
   out += "\"records\": " + block_list(records, 6);
+  if (!expectation.open.empty()) {
+    std::vector<std::string> parts;
+    for (const OpenPart& part : expectation.open) {
+      parts.push_back(fmt::format(
+          R"({{"from":{},"to":{},"clause":"{}","path":"{}","conditions":{}}})", part.from, part.to,
+          reference::clause(part.clause).id, part.path, part.conditions));
+    }
+    out += ", \"open\": " + block_list(parts, 6);
+  }
   if (!expectation.alarms.empty()) {
     std::vector<std::string> alarms;
     for (const ExpectedAlarm& alarm : expectation.alarms) alarms.push_back(alarm_json(alarm));
@@ -139,7 +148,7 @@ std::string vector_file_text(std::string_view corpus_version, const std::vector<
     texts.push_back(group_json(members));
   }
   return fmt::format(R"({{
- "format": 1,
+ "format": 2,
  "corpus": {},
  "dialect": {},
  "cycle": {},

@@ -23,7 +23,7 @@ for (const file of readdirSync(join(root, "corpus/schema"))) {
 }
 const documents = ["protocol.md", "formats.md"].map((name) => readFileSync(join(root, "docs", name), "utf8"));
 
-// "results-2 header" or "vectors-1 #": a definition, or the whole.
+// "results-2 header" or "vectors-2 #": a definition, or the whole.
 function part(name) {
   const [file, definition] = name.split(" ");
   const schema = schemas.get(file);
@@ -241,7 +241,7 @@ function keysThatItReads(text, ...words) {
 }
 
 test("a profile has the keys that the program reads", () => {
-  const profile = schemas.get("vectors-1").$defs.profile.properties;
+  const profile = schemas.get("vectors-2").$defs.profile.properties;
   const read = (text) => keysThatItReads(text, "expand", "/dev/null", "--profile", "FILE");
   assert.deepEqual(read('foo = "1"'), ["dialect", ...Object.keys(profile)].sort());
   assert.deepEqual(read('[initial]\nfoo = "1"'), Object.keys(profile.initial.properties).sort());

@@ -13,7 +13,7 @@ import Ajv2020 from "ajv/dist/2020.js";
 const corpus = new URL("../../corpus/", import.meta.url).pathname;
 const read = (file) => JSON.parse(readFileSync(file, "utf8"));
 const ajv = new Ajv2020({ strict: true, strictRequired: false, strictTypes: false });
-const vectors = ajv.compile(read(join(corpus, "schema/vectors-1.schema.json")));
+const vectors = ajv.compile(read(join(corpus, "schema/vectors-2.schema.json")));
 const results = ajv.compile(read(join(corpus, "schema/results-2.schema.json")));
 
 function vectorFiles() {
