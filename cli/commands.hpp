@@ -16,6 +16,8 @@ void add_report(Command& program);
 void add_selftest(Command& program);
 void add_faults(Command& program);
 void add_corpus(Command& program);
+// Adds new, build, merge and publish to it.
+void add_corpus_making(Command& corpus);
 // Hidden: the subjects of the self-test, good and bad.
 void add_misbehave(Command& program);
 void add_merge(Command& program);

@@ -11,6 +11,8 @@ install(FILES include/gonogo/subject.h DESTINATION include/gonogo COMPONENT gono
 install(FILES corpus/manifest.json corpus/README.md corpus/LICENSE
   DESTINATION share/gonogo/corpus COMPONENT gonogo)
 install(DIRECTORY corpus/vectors corpus/schema DESTINATION share/gonogo/corpus COMPONENT gonogo)
+install(PROGRAMS helpers/gonogo_replay.py helpers/gonogo_replay.mjs
+  DESTINATION share/gonogo/helpers COMPONENT gonogo)
 install(FILES helpers/README.md helpers/gonogo_pipe.py helpers/gonogo_pipe.mjs
   DESTINATION share/gonogo/helpers COMPONENT gonogo)
 install(DIRECTORY helpers/adapters DESTINATION share/gonogo/helpers COMPONENT gonogo

@@ -332,7 +332,7 @@ void add_choice(Command& command, Choice& choice) {
 void add_corpus(Command& program) {
   auto words = std::make_shared<CorpusWords>();
   const char* whose = "folder of the corpus (the checked-in one)";
-  Command command = program.add_command("corpus", "List, check, count, compare or copy a corpus");
+  Command command = program.add_command("corpus", "Make, list, check, count, compare, copy or publish a corpus");
   command.require_command();
 
   Command lists = command.add_command("list", "the cases and what they are about");
@@ -367,6 +367,8 @@ void add_corpus(Command& program) {
   copies.needed_option("--out", words->out, "new folder for the part");
   add_choice(copies, words->choice);
   copies.run([words] { return copy(*words); });
+
+  add_corpus_making(command);
 }
 
 }  // namespace gonogo::cli

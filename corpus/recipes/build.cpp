@@ -1,60 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// gonogo_corpus_build RECIPES CORPUS: writes the vector files and the manifest of a corpus from its
-// recipes. A file takes the place of its predecessor only after its cases, read again from what was
-// written, agree with the reference.
+#include "corpus/recipes/build.hpp"
+
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 
 #include "corpus/recipes/corpus_text.hpp"
-#include "oracle/corpus/corpus.hpp"
+#include "oracle/corpus/recheck.hpp"
 
-namespace fs = std::filesystem;
-using namespace gonogo;
-
+namespace gonogo::recipes {
 namespace {
 
-// Returns the number of cases; the manifest has none.
-std::size_t write(const fs::path& file, const std::string& text) {
+namespace fs = std::filesystem;
+using oracle::CorpusError;
+
+// The number of cases; the manifest has none.
+std::size_t replace(const fs::path& file, const std::string& text) {
   fs::create_directories(file.parent_path());
   const fs::path fresh = file.string() + ".new";
   std::ofstream out(fresh, std::ios::binary);
   out << text;
   out.close();
-  if (!out) throw oracle::CorpusError(fresh.string() + " cannot be written.");
-  const bool vectors = file.filename() != "manifest.json";
-  const std::size_t cases = vectors ? recipes::recheck(fresh.string()) : 0;
+  if (!out) throw CorpusError(fresh.string() + " cannot be written.");
+  const std::size_t cases = file.filename() == "manifest.json" ? 0 : recheck(fresh.string());
   fs::rename(fresh, file);
   return cases;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc != 3) {
-    fmt::print(stderr, "usage: {} RECIPES CORPUS\n", argv[0]);
-    return 2;
-  }
-  try {
-    const recipes::CorpusText corpus = recipes::corpus_from_recipes(argv[1]);
-    std::size_t cases = 0;
-    for (const auto& [name, text] : corpus.files) cases += write(fs::path(argv[2]) / name, text);
-    // What no recipe gives any more must not stay behind.
-    for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(fs::path(argv[2]) / "vectors")) {
-      if (!entry.is_regular_file()) continue;
-      const std::string name = fs::relative(entry.path(), argv[2]).generic_string();
-      if (!corpus.files.contains(name)) fs::remove(entry.path());
+std::size_t recheck(const std::string& path) {
+  const std::vector<oracle::Case> cases = oracle::read_vector_file(path);
+  for (const oracle::Case& test : cases) {
+    if (auto fault = oracle::recheck(test)) {
+      throw CorpusError(fmt::format("{}: {}: {}", path, test.id, *fault));
     }
-    fmt::print("{} cases in {} files, version {}\n", cases, corpus.files.size() - 1,
-               corpus.version);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
   }
+  return cases.size();
 }
+
+BuiltCorpus build_corpus(const std::string& recipes, const std::string& folder) {
+  const CorpusText corpus = corpus_from_recipes(recipes);
+  BuiltCorpus built{corpus.version, 0, corpus.files.size() - 1};
+  for (const auto& [name, text] : corpus.files)
+    built.cases += replace(fs::path(folder) / name, text);
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(folder) / "vectors")) {
+    const std::string name = fs::relative(entry.path(), folder).generic_string();
+    if (entry.is_regular_file() && !corpus.files.contains(name)) fs::remove(entry.path());
+  }
+  return built;
+}
+
+}  // namespace gonogo::recipes

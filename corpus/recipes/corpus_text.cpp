@@ -5,15 +5,13 @@
 
 #include <toml++/toml.h>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "corpus/recipes/cover_recipe.hpp"
 #include "corpus/recipes/recipe.hpp"
+#include "oracle/corpus/folder_writer.hpp"
 
 namespace gonogo::recipes {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -57,7 +55,8 @@ CorpusText corpus_from_recipes(const std::string& folder) {
   CorpusText corpus;
   read_settings(folder + "/corpus.toml", corpus);
   std::set<std::string> ids(corpus.retired.begin(), corpus.retired.end());
-  Json names = Json::array();
+  oracle::CorpusFolder folder_of{
+      corpus.version, {corpus.retired.begin(), corpus.retired.end()}, {}};
   for (const fs::path& recipe : recipe_files(folder)) {
     const std::string path = (fs::path(folder) / recipe).string();
     const std::vector<Case> cases = cases_of(path);
@@ -68,37 +67,10 @@ CorpusText corpus_from_recipes(const std::string& folder) {
     }
     const std::string name = "vectors/" + fs::path(recipe).replace_extension(".json").string();
     corpus.files[name] = oracle::vector_file_text(corpus.version, cases);
-    names.push_back(name);
+    folder_of.files[name];
   }
-  Json manifest;
-  manifest["format"] = 1;
-  manifest["version"] = corpus.version;
-  manifest["license"] = "CC0-1.0";
-  manifest["files"] = names;
-  manifest["retired"] = corpus.retired;
-  corpus.files["manifest.json"] = manifest.dump(1) + "\n";
+  corpus.files["manifest.json"] = oracle::manifest_text(folder_of);
   return corpus;
-}
-
-std::size_t recheck(const std::string& path) {
-  const std::vector<Case> cases = oracle::read_vector_file(path);
-  for (const Case& test : cases) {
-    for (const oracle::Expectation& expected : test.expect) {
-      reference::Profile profile = test.profile;
-      for (const auto& [reading, value] : expected.when) {
-        if (auto error = reference::set_reading(profile, reading, value)) {
-          throw CorpusError(fmt::format("{}: {}: {}", path, test.id, error->message));
-        }
-      }
-      oracle::Expectation computed = oracle::expectation_of(profile, test.program);
-      computed.when = expected.when;
-      if (expectation_json(computed) != expectation_json(expected)) {
-        throw CorpusError(fmt::format("{}: {}: the reference says otherwise: {}", path, test.id,
-                                      expectation_json(computed)));
-      }
-    }
-  }
-  return cases.size();
 }
 
 }  // namespace gonogo::recipes

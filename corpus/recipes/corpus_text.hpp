@@ -19,8 +19,4 @@ struct CorpusText {
 // vectors/<dialect>/<its name>.json. Throws oracle::CorpusError.
 CorpusText corpus_from_recipes(const std::string& folder);
 
-// Checks the cases of a written vector file against the reference, expectation by expectation.
-// Throws oracle::CorpusError for the first that differs. Returns the number of cases.
-std::size_t recheck(const std::string& path);
-
 }  // namespace gonogo::recipes

@@ -34,9 +34,9 @@ std::string manifest_text(const CorpusFolder& corpus) {
   std::vector<std::string> names;
   for (const auto& [name, cases] : corpus.files) names.push_back(name);
   return fmt::format(
-      "{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"CC0-1.0\",\n \"files\": {},\n "
+      "{{\n \"format\": 1,\n \"version\": \"{}\",\n \"license\": \"{}\",\n \"files\": {},\n "
       "\"retired\": {}\n}}\n",
-      corpus.version, list_of(names), list_of(corpus.retired));
+      corpus.version, corpus.license, list_of(names), list_of(corpus.retired));
 }
 
 void write_corpus(const std::string& folder, const CorpusFolder& corpus) {

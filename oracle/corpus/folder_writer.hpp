@@ -16,6 +16,7 @@ struct CorpusFolder {
   std::string version;
   std::set<std::string> retired;
   std::map<std::string, std::vector<Case>> files;  // "vectors/gsk988ta/g94.json" -> its cases
+  std::string license = "CC0-1.0";                 // an identifier of SPDX
 };
 
 std::string manifest_text(const CorpusFolder& corpus);

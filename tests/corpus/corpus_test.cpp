@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "corpus/recipes/build.hpp"
 #include "corpus/recipes/corpus_text.hpp"
 #include "corpus_testing.hpp"
 #include "oracle/corpus/sha256.hpp"
@@ -28,7 +29,7 @@ TEST(CheckedInCorpus, IsWhatTheRecipesGiveByteForByte) {
   const recipes::CorpusText made = recipes::corpus_from_recipes(kRecipes);
   for (const auto& [name, text] : made.files) {
     EXPECT_TRUE(bytes_of(corpus_folder() + "/" + name) == text)
-        << name << " is not what its recipe gives: run gonogo_corpus_build";
+        << name << " is not what its recipe gives: run gonogo corpus build";
   }
   EXPECT_EQ(oracle::Corpus(corpus_folder()).files().size(), made.files.size() - 1);
 }
@@ -49,7 +50,7 @@ TEST(CheckedInCorpus, ARecheckFindsAWrongNumber) {
   ASSERT_NE(place, std::string::npos);
   text.replace(place, 9, R"("z":"-41")");
   const std::string file = scratch.write("g94.json", text);
-  EXPECT_NE(corpus_error([&] { recipes::recheck(file); }).find("the reference says otherwise"),
+  EXPECT_NE(corpus_error([&] { recipes::recheck(file); }).find("The reference says otherwise"),
             std::string::npos);
 }
 

@@ -46,8 +46,8 @@ TEST(Loader, ReadsAGoodFile) {
 }
 
 TEST(Loader, AnotherFormat) {
-  EXPECT_EQ(vector_file_error(broken("\"format\":1", "\"format\":2")),
-            ": at /format: This program reads vector files of format 1, not 2.");
+  EXPECT_EQ(vector_file_error(broken("\"format\":1", "\"format\":3")),
+            ": at /format: This program reads vector files of format 1 and 2, not 3.");
 }
 
 TEST(Loader, NoJson) {

@@ -45,7 +45,7 @@ for (const file of vectorFiles()) {
 
 // One change each, on a file that is valid without it.
 const breaks = {
-  "another format": (f) => { f.format = 2; },
+  "another format": (f) => { f.format = 3; },
   "an unknown key": (f) => { f.extra = 1; },
   "a group without clauses": (f) => { f.groups[0].clauses = []; },
   "a clause in small letters": (f) => { f.groups[0].clauses = ["gsk-g94-01"]; },
