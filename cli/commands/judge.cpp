@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// gonogo judge: one program and one recorded outcome.
+// gonogo judge: one program and one outcome, recorded or run now.
 #include <fmt/format.h>
 
 #include <array>
@@ -10,7 +10,9 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
+#include "cli/subjects.hpp"
 #include "cli/times_text.hpp"
+#include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/relation/definition.hpp"
@@ -21,6 +23,7 @@ namespace {
 struct JudgeOptions {
   std::string program;
   std::string trace;
+  std::string subject;
   std::string numeric;
   std::string resolution;
   bool time = false;
@@ -113,8 +116,8 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   const relation::Terms terms =
       terms_of_definition(terms_for(seen.features, options, profile), options, profile);
   const bool alarms = seen.end.kind == oracle::RunEnd::Kind::alarm;
-  const relation::Answer answer = relation::decide(
-      profile, text_of(program), terms, {records, alarms ? &seen.end.alarm : nullptr});
+  const relation::Answer answer = relation::decide(profile, text_of(program), terms,
+                                                   {records, alarms ? &seen.end.alarm : nullptr});
   Output output;
   output.text() = answer_text(answer);
   output.flush();
@@ -123,17 +126,53 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   return exit_code_of(verdict);
 }
 
+// The subject runs the program now, and its own description says what is compared.
+int judge_subject(const JudgeOptions& options, const reference::Profile& profile) {
+  const std::string program = read_file(options.program);
+  const auto subject = subject_maker(options.subject, options.limits.limits())();
+  check_dialect(subject->info(), profile.dialect);
+  const oracle::JudgeTerms terms = make_terms(subject->info(), profile, options.limits.grants());
+  oracle::JudgeSession session(profile, program, terms);
+  std::vector<reference::Record> kept;
+  subject->configure(profile);
+  const oracle::RunEnd end = subject->run("program", program, [&](const reference::Record& record) {
+    kept.push_back(record);
+    return session.record(record);
+  });
+  if (end.kind == oracle::RunEnd::Kind::skip || end.kind == oracle::RunEnd::Kind::refused) {
+    throw UsageError(fmt::format("The subject does not run it: {}", end.message));
+  }
+  oracle::Verdict verdict = session.finish(end).verdict;
+  if (decision(verdict.kind) == oracle::Decision::no_go) {
+    verdict.reading = explaining_reading(profile, program, terms, kept, end);
+  }
+  Output output;
+  output.text() = verdict_text(verdict);
+  output.flush();
+  return exit_code_of(verdict);
+}
+
 int judge(const JudgeOptions& options) {
   check_numeric(options.numeric);
   const reference::Profile profile = load_profile(options.profile);
+  if (options.subject.empty() == options.trace.empty()) {
+    throw UsageError(
+        "Name what is judged: --trace FILE, a recorded outcome, or --subject S, which runs the "
+        "program "
+        "now.");
+  }
+  if (!options.subject.empty()) return judge_subject(options, profile);
+  if (options.limits.timeout != 0 || options.limits.memory != 0) {
+    throw UsageError("--timeout and --memory go with --subject: a recorded outcome runs nothing.");
+  }
   if (options.program == "-" && options.trace == "-") {
     throw UsageError("Only one of program and trace can come from standard input.");
   }
   const StoredFile program(options.program);
   RecordedTrace trace(options.trace);
   if (options.by_definition) {
-    return judge_by_definition(options, profile,
-                               oracle::ProgramText::of_file(program.descriptor()), trace);
+    return judge_by_definition(options, profile, oracle::ProgramText::of_file(program.descriptor()),
+                               trace);
   }
   const oracle::SessionVerdict session =
       judge_trace(options, profile, oracle::ProgramText::of_file(program.descriptor()), trace);
@@ -154,10 +193,10 @@ int judge(const JudgeOptions& options) {
 
 void add_judge(Command& program) {
   auto options = std::make_shared<JudgeOptions>();
-  Command command = program.add_command("judge", "Judge one recorded outcome of one program");
+  Command command = program.add_command("judge", "Judge one outcome of one program");
   command.argument("program", options->program, "NC program, or - for standard input");
-  command.needed_option("--trace", options->trace,
-                        "records as JSON lines, or - for standard input");
+  command.option("--trace", options->trace, "records as JSON lines, or - for standard input");
+  command.option("--subject", options->subject, "or who runs the program now: as for certify");
   command.option("--numeric", options->numeric,
                  "how the trace's numbers were computed: fixed, binary64 or exact");
   command.option("--resolution", options->resolution,
@@ -168,7 +207,7 @@ void add_judge(Command& program) {
   command.flag("--by-definition", options->by_definition,
                "judge by the definition itself, slowly, and tell which of its rules is broken");
   add_profile_options(command, options->profile);
-  add_tolerance_options(command, options->limits);
+  add_run_options(command, options->limits);
   add_strict_option(command, options->limits);
   command.run([options] { return judge(*options); });
 }
