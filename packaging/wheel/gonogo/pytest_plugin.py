@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The plugin of pytest: `pytest --gonogo-subject SPEC [--gonogo-dialect NAME ...]` adds a test for each
-cycle of the corpus, `gonogo::DIALECT::CYCLE`.
+cycle of the corpus, `gonogo::DIALECT::CYCLE`; with `--gonogo-cases` one for each case, `gonogo::DIALECT::CYCLE::ID`.
 
 A test passes when the answer is GO, is skipped when the subject claims none of its cases, and fails with what
 `gonogo certify` says of it and the program of the smallest case. A dialect of which nothing was judged makes
-the run fail. Readings are reconciled within a cycle: a whole `gonogo certify` does so across them."""
+the run fail. A case that is known to fail (--gonogo-known-failures) is an xfail; cycles are run while their cases are
+collected. Readings are reconciled within a cycle: a whole `gonogo certify` does so across them."""
 import json
 import re
 import shlex
@@ -18,7 +19,7 @@ from gonogo import program
 # Those of `gonogo certify`, handed on as they are; the true ones may be given several times.
 HANDED_ON = {"reading": True, "only": True, "tolerance": False, "chord": False, "profile": False,
              "known-failures": False, "alarm-map": False, "timeout": False}
-GO, UNDECIDED = 0, 3
+GO, NO_GO, UNDECIDED = 0, 1, 3
 
 
 def pytest_addoption(parser):
@@ -33,6 +34,7 @@ def pytest_addoption(parser):
     group.addoption("--gonogo-report", metavar="FOLDER", default="gonogo-report",
                     help="folder for the report of each cycle (gonogo-report)")
     group.addoption("--gonogo-program", metavar="FILE", help="another program than that of this package")
+    group.addoption("--gonogo-cases", action="store_true", help="a test for each case, not for each cycle")
     for name, repeated in HANDED_ON.items():
         group.addoption(f"--gonogo-{name}", metavar="VALUE", action="append", default=[],
                         help=f"as --{name} of `gonogo certify`" + (" (repeat for more)" if repeated else ""))
@@ -120,8 +122,9 @@ class Cycles(pytest.Collector):
         self.cycles = cycles
 
     def collect(self):
+        make = CaseTests if value_of(self.config, "cases") else CycleTest
         for dialect, cycle in self.cycles:
-            yield CycleTest.from_parent(self, name=f"{dialect}::{cycle}", dialect=dialect, cycle=cycle)
+            yield make.from_parent(self, name=f"{dialect}::{cycle}", dialect=dialect, cycle=cycle)
 
 
 class NotGo(Exception):
@@ -132,10 +135,18 @@ class NotGo(Exception):
         self.output, self.command, self.report = output, command, report
 
 
-class CycleTest(pytest.Item):
+class Campaign:
+    """A cycle, run by the program; for a test or a collector of tests."""
+
     def __init__(self, *, dialect, cycle, **rest):
         super().__init__(**rest)
         self.dialect, self.cycle = dialect, cycle
+
+    def certify(self):
+        """Runs the cycle: what the program did, how it was called, the folder of its report."""
+        report = self.config.invocation_params.dir / value_of(self.config, "report") / f"{self.dialect}.{self.cycle}"
+        command = self.command(report)
+        return gauge(self.config, *command), command, report
 
     def command(self, report):
         words = ["certify", "--subject", value_of(self.config, "subject"), "--dialect", self.dialect,
@@ -145,10 +156,10 @@ class CycleTest(pytest.Item):
                 words += [f"--{name}", value]
         return words
 
+
+class CycleTest(Campaign, pytest.Item):
     def runtest(self):
-        report = self.config.invocation_params.dir / value_of(self.config, "report") / f"{self.dialect}.{self.cycle}"
-        command = self.command(report)
-        done = gauge(self.config, *command)
+        done, command, report = self.certify()
         claimed = done.returncode != UNDECIDED or is_claimed(report / "results.jsonl")
         self.user_properties += [("gonogo_dialect", self.dialect), ("gonogo_judged", claimed)]
         if not claimed:
@@ -160,6 +171,52 @@ class CycleTest(pytest.Item):
         if isinstance(excinfo.value, NotGo):
             return failure_text(excinfo.value)
         return super().repr_failure(excinfo, style)
+
+    def reportinfo(self):
+        return self.path, None, self.name
+
+
+class CaseTests(Campaign, pytest.Collector):
+    """The cases of a cycle, each a test that tells what the run of the cycle said of it."""
+
+    def collect(self):
+        done, _, report = self.certify()
+        if done.returncode not in (GO, NO_GO, UNDECIDED):
+            raise self.CollectError(done.stdout)
+        with open(report / "results.jsonl", encoding="utf-8", errors="replace") as results:
+            for case in map(json.loads, results):
+                if "id" in case:
+                    yield CaseTest.from_parent(self, name=case["id"], case=case, dialect=self.dialect)
+
+
+class CaseFailed(Exception):
+    """A case that is NO-GO."""
+
+
+class CaseTest(pytest.Item):
+    def __init__(self, *, case, dialect, **rest):
+        super().__init__(**rest)
+        self.case, self.dialect = case, dialect
+
+    def runtest(self):
+        verdict, message = self.case["verdict"], self.case.get("message", "")
+        judged = verdict not in ("skip", "oracle-gap", "advice")
+        self.user_properties += [("gonogo_dialect", self.dialect), ("gonogo_judged", judged)]
+        if verdict == "xfail":
+            pytest.xfail(self.case.get("known", message))
+        if not judged:
+            pytest.skip(f"{verdict}: {message}")
+        if not verdict.startswith("pass"):
+            raise CaseFailed(verdict)
+
+    def repr_failure(self, excinfo, style=None):
+        if not isinstance(excinfo.value, CaseFailed):
+            return super().repr_failure(excinfo, style)
+        told = [f"{key:<10} {self.case[key]}" for key in ("clause", "b", "want", "got", "witness") if key in self.case]
+        program = self.case.get("program", "")
+        if isinstance(program, str):
+            told += [f"{number:>6}  {line}" for number, line in enumerate(program.splitlines(), 1)]
+        return "\n".join([f"{self.case['verdict']}: {self.case.get('message', '')}", *told])
 
     def reportinfo(self):
         return self.path, None, self.name
