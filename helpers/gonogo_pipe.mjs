@@ -44,6 +44,7 @@ const kRecordsAPart = 1000;
 const kLongestMessage = 1000;
 const kKinds = new Set(['rapid', 'feed', 'arc', 'arc3', 'dwell', 'thread', 'm', 'end']);
 const kIntegers = new Set(['b', 'rot', 'm']);
+const kPositions = new Set(['to', 'c', 'via']);
 const kWords = new Set(['plane', 'fm', 'clause']);
 
 /** The outcome of a program that the subject rejects. `native` is its own number or text. */
@@ -72,7 +73,7 @@ export function numberText(value) {
 }
 
 // {root: [a, b, c]} and {enclosure: [low, high]} are numbers too.
-function coordinate(value) {
+function exactNumber(value) {
   if (value === null || typeof value !== 'object') return numberText(value);
   return Object.fromEntries(Object.entries(value).map(([form, parts]) =>
     [form, parts.map(numberText)]));
@@ -85,10 +86,10 @@ export function record(kind, fields) {
   for (const [key, value] of Object.entries(fields)) {
     if (value === undefined || value === null) continue;
     if (kIntegers.has(key) || kWords.has(key) || key.startsWith('x-')) line[key] = value;
-    else if (typeof value === 'object') {
+    else if (kPositions.has(key)) {
       line[key] = Object.fromEntries(Object.entries(value).map(([axis, number]) =>
-        [axis, coordinate(number)]));
-    } else line[key] = numberText(value);
+        [axis, exactNumber(number)]));
+    } else line[key] = exactNumber(value);
   }
   return line;
 }

@@ -35,6 +35,7 @@ PROTOCOL = 1
 RECORDS_A_PART = 1000
 KINDS = frozenset(["rapid", "feed", "arc", "arc3", "dwell", "thread", "m", "end"])
 _INTEGERS = frozenset(["b", "rot", "m"])
+_POSITIONS = frozenset(["to", "c", "via"])
 _WORDS = frozenset(["k", "plane", "fm", "clause"])
 
 
@@ -119,14 +120,14 @@ def record(kind, fields):
             continue
         if key in _INTEGERS or key in _WORDS or key.startswith("x-"):
             line[key] = value
-        elif isinstance(value, dict):
-            line[key] = {axis: _coordinate(number) for axis, number in value.items()}
+        elif isinstance(value, dict) and key in _POSITIONS:
+            line[key] = {axis: _number(number) for axis, number in value.items()}
         else:
-            line[key] = number_text(value)
+            line[key] = _number(value)
     return line
 
 
-def _coordinate(value):
+def _number(value):
     # {"root": [a, b, c]} and {"enclosure": [low, high]} are numbers too.
     if isinstance(value, dict):
         return {form: [number_text(part) for part in parts] for form, parts in value.items()}

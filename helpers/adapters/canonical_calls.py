@@ -46,6 +46,7 @@ class Calls:
         self.plane = PLANES["CANON_PLANE_XY"]
         self.lead = None  # of the path, while the spindle leads
         self.turning, self.exact_path = 5, False
+        self.ended = False  # by M2 or M30
         self.taps, self.thread_holds, self.of_both, self.shuttled = False, False, False, False
 
     def take(self, lines):
@@ -206,6 +207,7 @@ class Calls:
         self._stop(1)
 
     def program_end(self):
+        self.ended = True
         self._stop(2)
 
     def _stop(self, m):

@@ -21,11 +21,12 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      r"[Nn]ested subroutine definition|not in a subroutine definition|no matching .*label|"
      r"after O-word|Left bracket missing|Too many subroutine parameters|Unclosed expression|"
      r"Slash missing after first atan", "syntax"),
-    (r"Unknown [gm] code used|G.code out of range|M code greater than 99", "undefined-code"),
+    (r"Unknown [gm] code used|Negative g code used|G.code out of range|M.code greater than \d+", "undefined-code"),
+    (r"Line number greater than", "syntax"),
     (r"Multiple \S+ words on one line|Two [gm] codes used from same modal group|"
      r"Too many m codes on line", "duplicate-word"),
     (r"Mixed radius ijk format", "conflicting-words"),
-    (r"Cannot use axis values without a g code|words? (all )?missing for arc|word missing in "
+    (r"Cannot use axis values with(out a g code| g80)|words? (all )?missing for arc|word missing in "
      r"absolute center arc|Dwell time missing with g4|All axes missing with motion code|"
      r"R clearance plane unspecified|value unspecified in .. plane canned cycle|"
      r"Q word missing with g|Dwell time p word missing with g8|I J or K words missing with G76|"
@@ -38,7 +39,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      r"divide by zero|Negative argument to sqrt|Argument to a(sin|cos) out of range|"
      r"Calculation resulted in", "value-out-of-range"),
     (r"Requested tool .* not found", "no-tool"),
-    (r"Negative (or zero q value|[hlp] word) used|In G76, J must be greater", "value-sign"),
+    (r"Negative (or zero q value|[a-z] word|spindle speed) used|Negative tool id|In G76, J must be greater", "value-sign"),
     (r"Cannot put an? [abc] in canned cycle|Cannot move rotary axes with G76",
      "axis-not-in-plane"),
     (r"[Ss]pindle (\(\d+\) )?not turning in", "spindle-stopped"),

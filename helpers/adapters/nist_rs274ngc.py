@@ -4,10 +4,12 @@
     gonogo certify --subject "pipe:python3 nist_rs274ngc.py /path/to/rs274abc" --dialect rs274
 
 PROGRAM asks on stderr what to do (1 starts), reads `rs274ngc.var` and `rs274ngc.tool_default` where
-it runs, and prints canonical calls; an error ends it with exit code 1, a message and the block. M
+it runs, and prints canonical calls; an error ends it with exit code 1, a message and the block, M2 and M30
+with 1 and no message. M
 functions are not claimed: how M2 resets the machine looks the same as M5 and M9.
 """
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -87,10 +89,17 @@ class NistRs274ngc(Subject):
         # Before this word stands what it asked.
         said = done.stderr.decode("utf-8", "replace").partition("executing\n")[2].splitlines()
         if done.returncode == 1 and said:
-            return alarm(said[0], messages.class_of(said[0]))
-        if done.returncode != 0:
+            return alarm(said[0], self._class_of(said[0], calls.turning))
+        if done.returncode != 0 and not (done.returncode == 1 and calls.ended):
             return error("%s ended with %d: %s" % (self.program, done.returncode, " | ".join(said)))
         return None
+
+    @staticmethod
+    def _class_of(message, turning):
+        # It says the same of a spindle that stands and of one that turns the other way.
+        if re.search("not turning (counter)?clockwise in", message):
+            return "spindle-stopped" if turning == 5 else "direction-conflict"
+        return messages.class_of(message)
 
     def _write(self, name, content):
         with open(os.path.join(self.folder.name, name), "wb") as file:

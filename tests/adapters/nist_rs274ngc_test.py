@@ -41,6 +41,8 @@ for line in open(sys.argv[1]):
         print("%%5d N0010  %%s" %% (count, text))
     elif mark == "answers":
         print("%%5d N..... DWELL(%%d.0000)" %% (count, len(answers)))
+    elif mark == "status":
+        sys.exit(int(text))
     elif mark == "error":
         print(text, file=sys.stderr)
         print("the block", file=sys.stderr)
@@ -126,10 +128,24 @@ class NistRs274ngc(AdapterCase):
                 "Two g codes used from same modal group": "duplicate-word",
                 "G code out of range": "undefined-code", "Bad number format": "syntax",
                 "Zero radius arc": "arc-radius",
+                "Negative f word used": "value-sign", "Negative g code used": "undefined-code",
+                "Line number greater than 99999": "syntax",
+                "Cannot use axis values with g80": "missing-word",
+                "Spindle not turning clockwise in g84": "spindle-stopped",
                 "File ended with no percent sign or program end": "program-end"}.items():
             with self.subTest(text=text):
                 self.assertAlarm("(call DWELL(1.0000))\n(error %s)\n" % text, cls, None, text,
                                  [{"k": "dwell"}])
+
+    def test_a_spindle_that_turns_the_other_way(self):
+        self.assertAlarm("(call START_SPINDLE_COUNTERCLOCKWISE())\n(error Spindle not turning clockwise in g84)\n",
+                         "direction-conflict", None, "Spindle not turning clockwise in g84", [])
+
+    def test_its_driver_ends_with_1_behind_the_end_of_a_program(self):
+        # An end without the call of M2 is a crash of it.
+        self.assertRecords("(call DWELL(1.0000))\n(call PROGRAM_END())\n(status 1)\n", [{"k": "dwell", "s": 1}])
+        self.assertEqual(self.run_program("(call DWELL(1.0000))\n(status 1)\n")["outcome"], "error")
+        self.assertEqual(self.run_program("(call PROGRAM_END())\n(status 2)\n")["outcome"], "error")
 
     def test_what_is_said_without_an_error_is_no_alarm(self):
         self.assertEqual(self.run_program("(call COMMENT(\"x\"))\n")["outcome"], "ok")

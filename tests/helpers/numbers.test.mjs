@@ -33,6 +33,12 @@ test('an enclosure is a number', () => {
     { k: 'rapid', to: { x: { enclosure: ['0.5', '0.75'] } } });
 });
 
+test('a root is a number wherever one stands', () => {
+  const root = { root: [0, 1, 2] };
+  assert.deepEqual(record('feed', { to: { x: root }, f: root }),
+    { k: 'feed', to: { x: { root: ['0', '1', '2'] } }, f: { root: ['0', '1', '2'] } });
+});
+
 test('a long text of the subject is cut where the protocol ends', () => {
   assert.equal(alarm('x'.repeat(5000)).alarm.native.length, 1000);
   assert.equal(error('x'.repeat(5000)).message.length, 1000);

@@ -40,6 +40,12 @@ class Values(unittest.TestCase):
         self.assertEqual(record("rapid", {"to": {"x": {"enclosure": [0, Fraction(1, 2)]}}}),
                          {"k": "rapid", "to": {"x": {"enclosure": ["0", "1/2"]}}})
 
+    def test_a_root_is_a_number_wherever_one_stands(self):
+        half_root = {"root": [0, Fraction(1, 2), 2]}
+        self.assertEqual(record("thread", {"to": {"z": half_root}, "lead": half_root, "start": 0}),
+                         {"k": "thread", "to": {"z": {"root": ["0", "1/2", "2"]}},
+                          "lead": {"root": ["0", "1/2", "2"]}, "start": "0"})
+
     def test_a_long_text_of_the_subject_is_cut_where_the_protocol_ends(self):
         self.assertEqual(len(alarm("x" * 5000)["alarm"]["native"]), 1000)
         self.assertEqual(len(error("x" * 5000)["message"]), 1000)
