@@ -282,12 +282,27 @@ void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& r
                   results_path));
 }
 
+// Nobody is judged by a vector that is wrong. The checked-in corpus is tested with the gauge
+// itself.
+void check_vectors(const CertifyOptions& options, const oracle::Corpus& corpus,
+                   const oracle::CampaignOptions& campaign) {
+  if (options.corpus.empty()) return;
+  const std::string own = corpus_here("");
+  if (!own.empty() && oracle::Corpus(own).sha256() == corpus.sha256()) return;
+  if (const auto fault = oracle::first_wrong_vector(corpus, campaign)) {
+    throw OutputError(
+        fmt::format("The corpus {} is at fault, not the subject: {}", corpus.folder(), *fault),
+        false);
+  }
+}
+
 int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
   // A pass is proven by its trace alone.
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
   const oracle::CampaignOptions campaign = campaign_options(options);
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
+  check_vectors(options, corpus, campaign);
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
@@ -401,8 +416,7 @@ CertifyOptions with_failed_cases(CertifyOptions options) {
   try {
     oracle::ResultsReader results(path);
     if (options.subjects.empty()) {
-      const auto subject =
-          results.header().value("subject", nlohmann::ordered_json::object());
+      const auto subject = results.header().value("subject", nlohmann::ordered_json::object());
       const std::string spec = oracle::report::text_of(subject, "spec");
       if (!spec.empty()) options.subjects.push_back(spec);
     }

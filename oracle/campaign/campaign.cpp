@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/campaign/campaign.hpp"
 
+#include <fmt/format.h>
+
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -9,6 +11,7 @@
 #include "oracle/campaign/case_judge.hpp"
 #include "oracle/campaign/case_queue.hpp"
 #include "oracle/campaign/selection.hpp"
+#include "oracle/corpus/recheck.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -131,6 +134,16 @@ std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options) {
     if (merged && !(options.is_done && options.is_done(merged->id))) ++count;
   }
   return count;
+}
+
+std::optional<std::string> first_wrong_vector(const Corpus& corpus,
+                                              const CampaignOptions& options) {
+  CaseReader reader(corpus);
+  while (const auto test = reader.next()) {
+    if (!is_selected(options, *test)) continue;
+    if (auto fault = recheck(*test)) return fmt::format("{}: {}", test->id, *fault);
+  }
+  return std::nullopt;
 }
 
 CampaignEnd run_campaign(const Corpus& corpus, const CampaignOptions& options,

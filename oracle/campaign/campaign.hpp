@@ -69,6 +69,9 @@ using ResultSink = std::function<void(const CaseResult&)>;
 
 // How many cases a campaign will take from the corpus. Throws CorpusError.
 std::size_t count_cases(const Corpus& corpus, const CampaignOptions& options);
+// The first case that the campaign would judge and whose expectation is not what the reference
+// says, with what differs: a fault of the corpus, not of a subject. Nothing: there is none.
+std::optional<std::string> first_wrong_vector(const Corpus& corpus, const CampaignOptions& options);
 
 // Throws what the corpus, the subject's making and the sink throw.
 CampaignEnd run_campaign(const Corpus& corpus, const CampaignOptions& options,
