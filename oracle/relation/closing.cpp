@@ -106,13 +106,6 @@ Answer Correspondence::at_place(const Place& place, VerdictKind kind, Rule rule,
     }
   }
   answer.message = std::move(message);
-  const bool is_passed = decision(kind) == Decision::go || kind == VerdictKind::advice;
-  if (is_passed && (pairs_[place.pair].is_open || rule == Rule::free_step)) {
-    answer.kind = VerdictKind::oracle_gap;
-    answer.rule = Rule::free_step;
-    answer.gap = GapReason::free_step;
-    answer.message = "The definition does not state all conditions of a free step.";
-  }
   return answer;
 }
 
@@ -178,7 +171,8 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
   if (!alarms) {
     // R7: the other answer to an alarm that no text states is to run on from its block.
-    const bool is_before = terms_.compare_blocks && got.part != Part::close && got.block < report.block;
+    const bool is_before =
+        terms_.compare_blocks && got.part != Part::close && got.block < report.block;
     if (!is_before && is_silent(firmest(report).clause) && !terms_.strict) {
       offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
     }

@@ -51,7 +51,6 @@ class Correspondence {
     std::shared_ptr<SubjectSide> subject;
     std::size_t first_record = 0;  // with which the subject's side begins
     Position start;
-    bool is_open = false;  // it has passed a step whose conditions are not all stated here
   };
   struct Place {
     std::size_t pair = 0;
@@ -77,8 +76,7 @@ class Correspondence {
   void match_stop(const Place& place);
   void rename(const Place& place);
   void take_free_step(const Place& place);
-  void settle(const Place& place, std::vector<reference::Record> path, const Place& next,
-              bool is_open);
+  void settle(const Place& place, std::vector<reference::Record> path, const Place& next);
   void close(const Place& place);
   void close_at_end(const Place& place, const reference::Record& end);
   void close_at_alarm(const Place& place, const reference::AlarmReport& report);

@@ -113,9 +113,8 @@ std::string_view name(Rule rule) {
 }
 
 std::string_view name(GapReason reason) {
-  constexpr std::array<std::string_view, 8> kNames = {
-      "",           "not-covered",  "profile",          "cutting",
-      "comparison", "two-readings", "many-assignments", "free-step"};
+  constexpr std::array<std::string_view, 7> kNames = {
+      "", "not-covered", "profile", "cutting", "comparison", "two-readings", "many-assignments"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -45,7 +45,6 @@ enum class GapReason : std::uint8_t {
   comparison,        // two numbers at 4,096 bits
   two_readings,      // of one trace, with different verdicts
   many_assignments,  // of open readings: more than 64
-  free_step,         // its conditions are not all stated here
 };
 std::string_view name(GapReason reason);
 

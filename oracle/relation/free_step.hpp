@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/relation/raster.hpp"
 #include "oracle/relation/subject_side.hpp"
 #include "reference/outcome.hpp"
 
@@ -18,44 +19,41 @@ std::vector<std::vector<reference::Record>> paths_of(const reference::HelixPocke
                                                      SubjectSide& subject, std::size_t begin,
                                                      const Number& tau);
 
-// What the subject's events from one on are of a step, by those of its conditions that are stated
-// here: where the step may be over, or which event breaks one.
+// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p.
+std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMilling& thread,
+                                                     const Position& from);
+
+// What a place may be off by; the width of a piece is taken off it or added (Bias).
+class Slack {
+ public:
+  Slack(const Terms& terms, bool is_generous) : tau_(terms.tolerance), is_generous_(is_generous) {}
+  bool is_generous() const { return is_generous_; }
+  bool allows(Said said) const { return said == Said::yes || (is_generous_ && said == Said::near); }
+  // On an axis; on curves (R2).
+  Number axis(const Number& width) const { return is_generous_ ? tau_ + width : tau_ - width; }
+  Number round(const Number& width) const { return axis(width) + tau_ * 9 / 8; }
+
+ private:
+  Number tau_;
+  bool is_generous_;
+};
+
+// What the subject's events from one on are of a step: where the step may be over, or which event
+// breaks a condition.
 struct StepAnswer {
   std::vector<std::size_t> ends;
   std::size_t broken_by = 0;
-  std::string_view broken;  // a sentence; empty: none that is stated
+  std::string_view broken;  // a sentence; empty: none
 };
-StepAnswer follow(const reference::PocketLevel& level, SubjectSide& subject, std::size_t begin,
-                  const Terms& terms);
-StepAnswer follow(const reference::PocketMilling& pocket, SubjectSide& subject, std::size_t begin,
-                  const Terms& terms);
-StepAnswer follow(const reference::ThreadMilling& thread, SubjectSide& subject, std::size_t begin,
-                  const Terms& terms);
-
-// The way round a middle, in quarters of a turn, and how far it has gone back.
-class Winding {
- public:
-  // `sense` as the sign of rot; nearer to the middle than `blind` nothing goes round it.
-  Winding(int sense, Number blind) : sense_(sense), blind_(std::move(blind)) {}
-  // From the middle.
-  struct Offset {
-    Number p;
-    Number q;
-  };
-  void take(const Offset& to);
-  // Another stretch begins: the way to it does not count.
-  void leave() { last_.reset(); }
-  bool goes_back() const { return most_ - quarters_ > 2; }  // by more than half a turn
-  std::int64_t quarters() const { return quarters_; }
-
- private:
-  static int quarter_of(const Offset& offset);
-  int sense_;
-  Number blind_;
-  std::optional<Offset> last_;
-  std::int64_t quarters_ = 0;
-  std::int64_t most_ = 0;
+struct Followed {
+  SubjectSide& subject;
+  std::size_t begin;
+  const Terms& terms;
+  Slack slack;
 };
+StepAnswer follow(const reference::PocketLevel& level, const Followed& way);
+StepAnswer follow(const reference::PocketMilling& pocket, const Followed& way);
+StepAnswer follow(const reference::ThreadMilling& thread, const Followed& way);
 
 // The end of a stretch of one label that stays near where it begins; nothing where it does not.
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
@@ -64,30 +62,6 @@ std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_
 // How far a piece may go in the plane.
 inline Number way_of(const Event& piece, reference::Axis axis) {
   return abs(piece.to[axis] - piece.from[axis]);
-}
-
-// Follows the subject from piece `begin` on under conditions that say where the step may be over
-// (`may_be_over`) and which sentence a piece breaks (`take`). Behind an end the next block's motions need not
-// be of the step.
-template <typename Conditions>
-StepAnswer follow_under(Conditions& conditions, SubjectSide& subject, std::size_t begin,
-                        const Number& tau) {
-  StepAnswer answer;
-  for (std::size_t i = begin;; ++i) {
-    const Event& piece = subject.at(i);
-    if (piece.begins && conditions.may_be_over(piece.from)) answer.ends.push_back(i);
-    if (!piece.is_motion()) break;
-    if (const auto end = end_of_small_stretch(subject, i, tau)) {
-      i = *end - 1;
-      continue;
-    }
-    const std::string_view broken = conditions.take(piece);
-    if (broken.empty()) continue;
-    answer.broken_by = i;
-    answer.broken = broken;
-    break;
-  }
-  return answer;
 }
 
 }  // namespace gonogo::relation

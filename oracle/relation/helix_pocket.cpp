@@ -11,9 +11,9 @@ using reference::RecordKind;
 
 namespace {
 
-using Point = std::array<Number, 2>;  // along p and q
+using Side = std::array<Number, 2>;  // along p and q
 
-Record arc_of(const HelixPocket& pocket, const Point& centre, const Point& to, std::int32_t turns) {
+Record arc_of(const HelixPocket& pocket, const Side& centre, const Side& to, std::int32_t turns) {
   const reference::PlaneAxes axes = reference::axes_of(pocket.plane);
   Record arc;
   arc.kind = RecordKind::arc;
@@ -30,13 +30,13 @@ Record arc_of(const HelixPocket& pocket, const Point& centre, const Point& to, s
   return arc;
 }
 
-Point middle_of(const Point& a, const Point& b) {
+Side middle_of(const Side& a, const Side& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
 }
 
 // A semicircle from the centre to the side, the helix, perhaps a flat turn, and a semicircle back.
-std::vector<Record> path_by(const HelixPocket& pocket, const Point& side) {
-  const Point middle = middle_of(pocket.centre, side);
+std::vector<Record> path_by(const HelixPocket& pocket, const Side& side) {
+  const Side middle = middle_of(pocket.centre, side);
   Record helix = arc_of(pocket, pocket.centre, side, pocket.turns);
   const reference::Axis depth = reference::axes_of(pocket.plane).d;
   helix.axes.add(depth);

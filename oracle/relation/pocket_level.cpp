@@ -8,48 +8,91 @@ using reference::RecordKind;
 
 namespace {
 
-// GSK-G110-09, as far as stated here: cuts at the depth of the level and with its feed, within
-// the circle that the tool's centre may reach, by arcs that turn as commanded and never go round
-// the middle the other way, no farther than ten times the way of concentric circles.
+// GSK-G110-09, GSK-CYC-02: cuts at the depth of the level and with its feed, within the circle that
+// the tool's centre may reach, by arcs that turn as commanded. Measured in multiples of what the
+// step needs: rings over and over are no level.
 class LevelConditions {
  public:
-  LevelConditions(const PocketLevel& level, const Terms& terms)
+  LevelConditions(const PocketLevel& level, const Followed& way)
       : level_(level),
-        terms_(terms),
+        terms_(way.terms),
+        slack_(way.slack),
         axes_(reference::axes_of(level.plane)),
         middle_{rational_near(level.centre[0]), rational_near(level.centre[1])},
-        reach_(rational_near(level.pocket_radius - level.tool_radius)),
-        winding_(level.sense, terms.tolerance * 4) {
-    const Number circles = (reach_ / rational_near(level.step)).ceil() + 1;
+        radius_(rational_near(level.pocket_radius)),
+        tool_(rational_near(level.tool_radius)),
+        step_(rational_near(level.step)),
+        reach_(radius_ - tool_),
+        raster_(radius_ * 4 + step_ * 4 + Number(1)),
+        winding_(level.sense, terms_.tolerance * 4) {
+    const Number circles = (reach_ / step_).ceil() + 1;
     // Along both axes a circle goes eight times its radius.
-    constexpr int kAsMuch = 10;
-    most_way_ = circles * reach_ * 8 * kAsMuch;
+    most_way_ = circles * reach_ * 8 * kMostTimes;
   }
 
   bool leaves_depth(const Event& piece) const {
-    return abs(piece.to[axes_.d] - rational_near(level_.depth)) > terms_.tolerance + piece.width;
+    const Number off = slack_.axis(piece.width);
+    return abs(piece.to[axes_.d] - rational_near(level_.depth)) > off ||
+           abs(piece.from[axes_.d] - rational_near(level_.depth)) > off;
   }
-  void begin_at(const Position& place) { winding_.take(offset_of(place)); }
+
+  void begin_at(const Position& place) {
+    last_ = offset_of(place);
+    winding_.take(last_);
+    plunge_ = raster_.point(last_);
+    if (last_.square() > reach_ * reach_) plunge_ = {};
+  }
 
   // What the piece breaks; empty: nothing.
   std::string_view take(const Event& piece) {
-    const Winding::Offset to = offset_of(piece.to);
-    const Number limit = reach_ + terms_.tolerance * 17 / 8 + piece.width;
-    if (to.p * to.p + to.q * to.q > limit * limit) return "The cut leaves the pocket.";
+    const Offset to = offset_of(piece.to);
+    const Number limit = reach_ + slack_.round(piece.width);
+    if (to.square() > limit * limit) return "The cut leaves the pocket.";
     if (!has_its_label(*piece.label)) return "The cut has another feed or line.";
     const reference::Record& motion = piece.source();
+    const bool is_arc = motion.kind != RecordKind::feed;
     const bool turns_back = motion.kind == RecordKind::arc && !piece.label->is_flat &&
                             (motion.rot < 0) != (level_.sense < 0);
     if (turns_back) return "The arc turns the other way.";
+    const std::int64_t quarters = winding_.quarters();
     winding_.take(to);
     if (winding_.goes_back()) return "The cut goes round the middle the other way.";
+    if (winding_.quarters() / 4 != quarters / 4 && turns_on_ring(to)) {
+      return "A ring is cut more than ten times.";
+    }
     way_ += way_of(piece, axes_.p) + way_of(piece, axes_.q);
     if (way_ > most_way_) return "The cut is more than ten times as long as concentric circles.";
+    path_.push_back({{raster_.point(last_), raster_.point(to)}, is_arc});
+    width_ = max(width_, piece.width);
+    last_ = to;
     return {};
   }
 
+  // Cover, step and order; each with the tolerance of arcs and the chord that is granted.
+  std::string_view broken_at_end() const {
+    // A chord that is granted counts as an arc; where it does not have to, it need not.
+    const bool counts_lines = terms_.chord.sign() > 0 && slack_.is_generous();
+    const std::vector<Stroke> arcs = arcs_of(counts_lines);
+    const Number off = terms_.tolerance * 17 / 8 + terms_.chord;
+    const auto covers = [&](const Number& reach, const Number& of) {
+      const std::int64_t radius = raster_.length(of);
+      return slack_.allows(Cover{arcs, raster_.length(reach + off), raster_.length(width_) + 2,
+                                 raster_.length(terms_.tolerance / 8) + 1}
+                               .of(Region{{radius, radius, radius}, {}}));
+    };
+    if (!covers(tool_, radius_)) return "The level is not clean.";
+    if (!covers(step_ / 2, reach_)) return "A step is wider than L.";
+    return is_in_order(counts_lines) ? std::string_view() : "The cut goes through solid.";
+  }
+
  private:
-  Winding::Offset offset_of(const Position& place) const {
+  static constexpr int kMostTimes = 10;
+  struct Part {
+    Stroke stroke;
+    bool is_arc;
+  };
+
+  Offset offset_of(const Position& place) const {
     return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
   }
   bool has_its_label(const Label& label) const {
@@ -59,26 +102,92 @@ class LevelConditions {
            agree(level_.feed, label.feed, terms_.feed_resolution, terms_);
   }
 
+  // A turn is done at a place: whether as many as allowed have been, no farther from the middle
+  // by a hundredth of L.
+  bool turns_on_ring(const Offset& at) {
+    const Number radius = rational_near(sqrt(at.square()));
+    turns_.push_back(radius);
+    const Number wide = step_ / 100 + terms_.tolerance;
+    int times = 0;
+    for (const Number& other : turns_) times += abs(other - radius) <= wide ? 1 : 0;
+    return times > kMostTimes;
+  }
+
+  // The text says arcs; straight feeds are links.
+  std::vector<Stroke> arcs_of(bool counts_lines) const {
+    std::vector<Stroke> arcs = {{plunge_, plunge_}};
+    for (const Part& part : path_) {
+      if (part.is_arc || counts_lines) arcs.push_back(part.stroke);
+    }
+    return arcs;
+  }
+
+  // GSK-CYC-02: every place is within R of the plunge, or of an arc from which the path has been
+  // away, so that the groove behind the tool supports nothing. On a link the arc is one before it.
+  bool is_in_order(bool counts_lines) const {
+    const Number most = step_ + terms_.tolerance * 3 + terms_.chord * 2;
+    const std::int64_t width = raster_.length(width_ * 2) + 2;
+    const std::int64_t reach = raster_.length(most) + (slack_.is_generous() ? width : -width);
+    const std::int64_t away = raster_.length(step_) + (slack_.is_generous() ? -width : width);
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      if (!is_supported(i, path_[i].stroke, reach, away, counts_lines)) return false;
+    }
+    return true;
+  }
+
+  bool is_supported(std::size_t number, const Stroke& stroke, std::int64_t reach, std::int64_t away,
+                    bool counts_lines) const {
+    const auto supports = [&](const Stroke& by) {
+      return is_within(stroke.from, by, reach) && is_within(stroke.to, by, reach);
+    };
+    if (supports({plunge_, plunge_})) return true;
+    bool has_been_away = !path_[number].is_arc && !counts_lines;
+    for (std::size_t i = number; i-- > 0;) {
+      const Part& before = path_[i];
+      // The end of the part is away from all of the stroke.
+      has_been_away = has_been_away || !is_within(before.stroke.to, stroke, away);
+      if (has_been_away && (before.is_arc || counts_lines) && supports(before.stroke)) return true;
+    }
+    const Point middle = {(stroke.from.p + stroke.to.p) / 2, (stroke.from.q + stroke.to.q) / 2};
+    const std::int64_t small = raster_.length(terms_.tolerance);
+    const auto is_small = [&](std::int64_t way) { return std::abs(way) <= small; };
+    if (is_small(stroke.to.p - stroke.from.p) && is_small(stroke.to.q - stroke.from.q)) {
+      return false;
+    }
+    return is_supported(number, {stroke.from, middle}, reach, away, counts_lines) &&
+           is_supported(number, {middle, stroke.to}, reach, away, counts_lines);
+  }
+
   const PocketLevel& level_;
   const Terms& terms_;
+  Slack slack_;
   reference::PlaneAxes axes_;
-  Winding::Offset middle_;
+  Offset middle_;
+  Number radius_;
+  Number tool_;
+  Number step_;
   Number reach_;
+  Raster raster_;
   Winding winding_;
+  Point plunge_;
+  Offset last_;
+  std::vector<Part> path_;
+  std::vector<Number> turns_;  // how far from the middle each was done
+  Number width_;
   Number way_;
   Number most_way_;
 };
 
 }  // namespace
 
-StepAnswer follow(const PocketLevel& level, SubjectSide& subject, std::size_t begin,
-                  const Terms& terms) {
-  LevelConditions conditions(level, terms);
-  conditions.begin_at(subject.at(begin).from);
-  std::size_t i = begin;
+StepAnswer follow(const PocketLevel& level, const Followed& way) {
+  LevelConditions conditions(level, way);
+  SubjectSide& subject = way.subject;
+  conditions.begin_at(subject.at(way.begin).from);
+  std::size_t i = way.begin;
   for (; subject.at(i).is_motion(); ++i) {
     const Event& piece = subject.at(i);
-    if (const auto end = end_of_small_stretch(subject, i, terms.tolerance)) {
+    if (const auto end = end_of_small_stretch(subject, i, way.terms.tolerance)) {
       i = *end - 1;
       continue;
     }
@@ -86,6 +195,8 @@ StepAnswer follow(const PocketLevel& level, SubjectSide& subject, std::size_t be
     const std::string_view broken = conditions.take(piece);
     if (!broken.empty()) return {{}, i, broken};
   }
+  const std::string_view broken = conditions.broken_at_end();
+  if (!broken.empty()) return {{}, i, broken};
   return {{i}, 0, {}};
 }
 

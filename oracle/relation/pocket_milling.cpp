@@ -1,96 +1,166 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+
 #include "oracle/relation/free_step.hpp"
 
 namespace gonogo::relation {
 
+using reference::Levels;
 using reference::PocketMilling;
 using reference::RecordKind;
 
 namespace {
 
-// SIE-LC75, as far as stated here: at every height within what the tool's centre may reach,
-// between the floor and R101; traverses only in what has been fed to or is cleared; along the
-// border as R126 says; no farther than ten times the way of lines that lie a tool's radius apart.
+// SIE-LC75: at every height within what the tool's centre may reach, between the floor and R101;
+// level by level; traverses only in what is cleared; along the border as R126 says.
 class MillingConditions {
  public:
-  MillingConditions(const PocketMilling& pocket, const Terms& terms)
+  MillingConditions(const PocketMilling& pocket, const Followed& way)
       : pocket_(pocket),
-        terms_(terms),
+        terms_(way.terms),
+        slack_(way.slack),
         axes_(reference::axes_of(pocket.plane)),
-        radius_(rational_near(pocket.tool_radius)),
-        half_length_(rational_near(pocket.length) / 2 - radius_),
-        half_width_(rational_near(pocket.width) / 2 - radius_),
-        corner_(rational_near(pocket.corner_radius) - radius_),
-        limit_(terms.tolerance * 17 / 8),
-        winding_(pocket.sense, terms.tolerance * 4) {
+        tool_(rational_near(pocket.tool_radius)),
+        half_length_(rational_near(pocket.length) / 2),
+        half_width_(rational_near(pocket.width) / 2),
+        corner_(rational_near(pocket.corner_radius)),
+        allowance_(rational_near(pocket.allowance)),
+        limit_(terms_.tolerance * 17 / 8),
+        raster_((half_length_ + half_width_) * 4 + Number(1)),
+        winding_(pocket.sense, terms_.tolerance * 4),
+        above_(rational_near(pocket.clearance)) {
     constexpr int kAsMuch = 10;
-    const Number lines = (max(half_length_, half_width_) / radius_).ceil() * 2 + 4;
-    const Number level = lines * (half_length_ + half_width_ + radius_) * 4;
-    most_way_ = level * (pocket.level_count() + 2) * kAsMuch;
-    deepest_ = rational_near(pocket.clearance);
+    const Number sides = half_length_ + half_width_ - tool_ * 2;
+    const Number lines = ((max(half_length_, half_width_) - tool_) / tool_).ceil() * 2 + 4;
+    most_way_ = lines * (sides + tool_) * 4 * (pocket.level_count() + 2) * kAsMuch;
+    // The tool is on a floor as near as tau without an infeed.
+    if (above_ - rational_near(pocket.floor) <= terms_.tolerance) levels_ = {{above_, {{}}}};
   }
 
   std::string_view take(const Event& piece) {
-    const Number depth = piece.to[axes_.d];
-    const Number slack = terms_.tolerance + piece.width;
-    if (!is_inside(piece.to, limit_ + piece.width)) return "The tool leaves the pocket.";
-    if (depth < rational_near(pocket_.floor) - slack) return "The tool goes below the floor.";
-    if (depth > rational_near(pocket_.retract) + slack) return "The tool goes above R101.";
-    if (terms_.compare_blocks && piece.block != pocket_.block)
+    const Number height = piece.to[axes_.d];
+    const Number off = slack_.axis(piece.width);
+    if (!is_inside(offset_of(piece.to), slack_.round(piece.width))) {
+      return "The tool leaves the pocket.";
+    }
+    if (height < rational_near(pocket_.floor) - off) return "The tool goes below the floor.";
+    if (height > rational_near(pocket_.retract) + off) return "The tool goes above R101.";
+    if (terms_.compare_blocks && piece.block != pocket_.block) {
       return "The motion is of another line.";
-    if (piece.part == Part::traverse) return take_traverse(depth, slack);
-    return take_cut(piece, depth, slack);
+    }
+    way_ += way_of(piece, axes_.p) + way_of(piece, axes_.q);
+    if (way_ > most_way_) return "The way is more than ten times as long as the levels need.";
+    width_ = max(width_, piece.width);
+    if (piece.part == Part::traverse) return take_traverse(piece, off);
+    const Label& label = *piece.label;
+    if (label.kind != RecordKind::feed && label.kind != RecordKind::arc) {
+      return "The motion is of another kind.";
+    }
+    return take_cut(piece, off);
   }
 
   bool may_be_over(const Position& place) const {
-    const Winding::Offset offset = offset_of(place);
     return abs(place[axes_.d] - rational_near(pocket_.retract)) <= terms_.tolerance &&
-           abs(offset.p) <= limit_ && abs(offset.q) <= limit_;
+           is_at_middle(place, 0);
+  }
+
+  // What the levels lack, so far; empty: nothing.
+  std::string_view lacks() const {
+    if (levels_.empty() ||
+        abs(levels_.back().depth - rational_near(pocket_.floor)) > slack_.axis(0)) {
+      return "The floor is not reached.";
+    }
+    if (!has_its_depths()) return "The levels are not as deep as R121 says.";
+    for (const Level& level : levels_) {
+      const bool is_last = &level == &levels_.back();
+      if (!is_clean(level, is_last)) return "The level is not clean.";
+    }
+    const bool mills_floor = pocket_.finishing && pocket_.contour_only && clears_floor();
+    return mills_floor ? "The floor is milled where the contour alone is due." : "";
   }
 
  private:
-  // In the pocket's own directions, from its middle; a place of the base beside it is near enough
-  // to a millionth.
-  Winding::Offset offset_of(const Position& place) const {
+  struct Level {
+    Number depth;
+    std::vector<Stroke> cuts;
+  };
+
+  // In the pocket's own directions, from its middle.
+  Offset offset_of(const Position& place) const {
     const Number p = place[axes_.p] - rational_near(pocket_.centre[0]);
     const Number q = place[axes_.q] - rational_near(pocket_.centre[1]);
     const Number cosine = rational_near(pocket_.direction[0]);
     const Number sine = rational_near(pocket_.direction[1]);
     return {p * cosine + q * sine, q * cosine - p * sine};
   }
+  Stroke stroke_of(const Event& piece) const {
+    return {raster_.point(offset_of(piece.from)), raster_.point(offset_of(piece.to))};
+  }
+  bool is_at_middle(const Position& place, const Number& width) const {
+    const Offset offset = offset_of(place);
+    const Number off = slack_.round(width);
+    return abs(offset.p) <= off && abs(offset.q) <= off;
+  }
 
-  bool is_inside(const Position& place, const Number& slack) const {
-    const Winding::Offset offset = offset_of(place);
-    const Number p = abs(offset.p);
-    const Number q = abs(offset.q);
-    if (p > half_length_ + slack || q > half_width_ + slack) return false;
-    const Number beyond_p = p - (half_length_ - corner_);
-    const Number beyond_q = q - (half_width_ - corner_);
+  // Within what the tool's centre may reach, or as far beside it.
+  bool is_inside(const Offset& offset, const Number& slack) const {
+    const Number p = abs(offset.p) - (half_length_ - tool_);
+    const Number q = abs(offset.q) - (half_width_ - tool_);
+    if (p > slack || q > slack) return false;
+    const Number beyond_p = p + corner_ - tool_;
+    const Number beyond_q = q + corner_ - tool_;
     if (beyond_p.sign() <= 0 || beyond_q.sign() <= 0) return true;
-    const Number radius = corner_ + slack * 3 / 2;  // of two axes: above sqrt(2)
-    return beyond_p * beyond_p + beyond_q * beyond_q <= radius * radius;
+    const Number radius = corner_ - tool_ + slack * 3 / 2;  // of two axes: above sqrt(2)
+    return radius.sign() >= 0 && beyond_p * beyond_p + beyond_q * beyond_q <= radius * radius;
+  }
+  // Where roughing has left nothing but the allowance.
+  bool is_roughed(const Offset& offset) const {
+    return pocket_.finishing && is_inside(offset, terms_.tolerance - allowance_);
+  }
+  bool is_along_border(const Position& place) const {
+    return !is_inside(offset_of(place), -limit_ * 2);
   }
 
-  bool is_along_border(const Position& place) const { return !is_inside(place, -limit_ * 2); }
+  // Whether the tool may be at a height whatever it does there: above what is cut, or in what
+  // roughing has cleared.
+  bool is_free(const Event& piece, const Number& off) const {
+    const Number height = min(piece.from[axes_.d], piece.to[axes_.d]);
+    if (height > rational_near(pocket_.reference_plane) - off) return true;
+    const bool is_above = !levels_.empty() && height > levels_.back().depth + off;
+    const bool is_roughed_there = height > rational_near(pocket_.rough_floor) + off &&
+                                  is_roughed(offset_of(piece.from)) &&
+                                  is_roughed(offset_of(piece.to));
+    return is_above || (pocket_.finishing && is_roughed_there);
+  }
 
-  std::string_view take_traverse(const Number& depth, const Number& slack) {
+  // SIE-LC75-13: within what the level has been cleared of, so far.
+  bool is_in_cleared(const Event& piece, const Number& off) const {
+    if (levels_.empty()) return false;
+    const Level& level = levels_.back();
+    if (min(piece.from[axes_.d], piece.to[axes_.d]) < level.depth - off) return false;
+    const Stadium tool{stroke_of(piece), raster_.length(tool_)};
+    return slack_.allows(cover_of(level).of(tool));
+  }
+
+  std::string_view take_traverse(const Event& piece, const Number& off) {
     winding_.leave();
-    if (depth >= deepest_ - slack) return {};
-    const bool is_cleared = pocket_.finishing && depth > rational_near(pocket_.rough_floor) + slack;
-    return is_cleared ? std::string_view() : "A traverse goes into the material.";
+    if (is_free(piece, off)) return {};
+    const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
+    const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
+    if (comes_down && piece.to[axes_.d] <= floor + off)
+      return "A traverse comes down onto a floor.";
+    return is_in_cleared(piece, off) ? std::string_view() : "A traverse goes into the material.";
   }
 
-  std::string_view take_cut(const Event& piece, const Number& depth, const Number& slack) {
-    const Label& label = *piece.label;
-    if (label.kind != RecordKind::feed && label.kind != RecordKind::arc) {
-      return "The motion is of another kind.";
-    }
-    const bool has_feed = label.feed_mode == pocket_.feed_mode &&
-                          (agree(pocket_.plane_feed, label.feed, terms_.feed_resolution, terms_) ||
-                           agree(pocket_.depth_feed, label.feed, terms_.feed_resolution, terms_));
-    const bool is_in_material = depth <= rational_near(pocket_.reference_plane) - slack;
-    if (is_in_material && !has_feed) return "The cut has another feed.";
-    deepest_ = min(deepest_, depth);
+  bool has_feed(const Event& piece, const Number& feed) const {
+    return piece.label->feed_mode == pocket_.feed_mode &&
+           agree(feed, piece.label->feed, terms_.feed_resolution, terms_);
+  }
+
+  std::string_view take_cut(const Event& piece, const Number& off) {
+    const bool is_in_material =
+        min(piece.from[axes_.d], piece.to[axes_.d]) <= rational_near(pocket_.reference_plane) - off;
     if (is_in_material && is_along_border(piece.from) && is_along_border(piece.to)) {
       winding_.take(offset_of(piece.from));
       winding_.take(offset_of(piece.to));
@@ -98,31 +168,158 @@ class MillingConditions {
     } else {
       winding_.leave();
     }
-    way_ += way_of(piece, axes_.p) + way_of(piece, axes_.q);
-    return way_ > most_way_ ? "The cut is more than ten times as long as the levels need."
-                            : std::string_view();
+    const bool is_level = abs(piece.to[axes_.d] - piece.from[axes_.d]) <= off;
+    const Number& lowest = levels_.empty() ? above_ : levels_.back().depth;
+    const bool is_new = piece.to[axes_.d] < lowest - off;
+    if (is_new && !is_level) return take_infeed(piece);
+    if (is_new && pocket_.finishing) levels_.push_back({piece.to[axes_.d], {}});
+    const bool is_at_level =
+        !levels_.empty() && is_level && abs(piece.to[axes_.d] - levels_.back().depth) <= off;
+    if (is_at_level && has_feed(piece, pocket_.plane_feed)) {
+      levels_.back().cuts.push_back(stroke_of(piece));
+      return {};
+    }
+    if (is_free(piece, off) || is_in_cleared(piece, off)) return {};
+    return levels_.empty() ? "The cut comes before the first infeed."
+                           : "The cut has another feed, or is beside its level.";
+  }
+
+  // SIE-LC75-04, SIE-LC75-11: at the centre with R122; in finishing the last alone.
+  std::string_view take_infeed(const Event& piece) {
+    const Number height = piece.to[axes_.d];
+    const bool is_its_own = is_at_middle(piece.from, piece.width) &&
+                            is_at_middle(piece.to, piece.width) &&
+                            has_feed(piece, pocket_.depth_feed);
+    if (!is_its_own) {
+      const bool is_early = pocket_.finishing && is_free(piece, slack_.axis(piece.width));
+      return is_early ? std::string_view()
+                      : "The infeed is beside the centre, or has another feed.";
+    }
+    if (pocket_.finishing && height > rational_near(pocket_.rough_floor) + slack_.axis(0))
+      return {};
+    const bool goes_on = !levels_.empty() && levels_.back().cuts.size() == 1;
+    if (goes_on) {
+      levels_.back().depth = height;
+    } else {
+      levels_.push_back({height, {{}}});
+    }
+    return {};
+  }
+
+  // SIE-LC75-05, SIE-LC75-06.
+  bool has_its_depths() const {
+    const Number off = slack_.axis(0);
+    // Where the tool's centre has nowhere to go, nothing shows where a level is.
+    const bool is_point = max(half_length_, half_width_) - tool_ <= terms_.tolerance;
+    if (is_point) return true;
+    if (pocket_.finishing && pocket_.one_level && levels_.size() == 1) return true;
+    if (pocket_.levels == Levels::open || pocket_.finishing) {
+      Number above = rational_near(pocket_.reference_plane);
+      for (const Level& level : levels_) {
+        if (above - level.depth > rational_near(pocket_.infeed) + off) return false;
+        above = level.depth;
+      }
+      return true;
+    }
+    if (Number(static_cast<std::int64_t>(levels_.size())) != pocket_.level_count()) return false;
+    Number number;
+    for (const Level& level : levels_) {
+      number += 1;
+      if (abs(level.depth - rational_near(pocket_.depth_of_level(number))) > off) return false;
+    }
+    return true;
+  }
+
+  Cover cover_of(const Level& level) const {
+    return {level.cuts, raster_.length(tool_ + limit_), raster_.length(width_) + 3,
+            raster_.length(terms_.tolerance / 8) + 1};
+  }
+  Box box_within(const Number& inset, const Number& corner) const {
+    return {raster_.length(half_length_ - inset), raster_.length(half_width_ - inset),
+            raster_.length(corner)};
+  }
+
+  // SIE-LC75-10: the whole; in finishing the strip that roughing left, on the floor all.
+  bool is_clean(const Level& level, bool is_last) const {
+    Region region{box_within(0, corner_), {}};
+    if (pocket_.finishing && (!is_last || pocket_.contour_only)) {
+      if (allowance_.sign() == 0) return true;
+      region.inner = box_within(allowance_, max(corner_ - allowance_, tool_));
+    }
+    return slack_.allows(cover_of(level).of(region));
+  }
+
+  // SIE-LC75-07: inside of the strip the cuts are longer than a way out and back, and mill more
+  // than half of a raster of 40 by 40 places.
+  bool clears_floor() const {
+    constexpr int kPlaces = 20;
+    const std::vector<Stroke>& cuts = levels_.back().cuts;
+    const Box inner = box_within(tool_ + allowance_, max(corner_ - tool_ - allowance_, 0));
+    const Box rest = box_within(tool_ * 2, max(corner_ - tool_ * 2, 0));
+    std::int64_t way = 0;
+    for (const Stroke& cut : cuts) {
+      if (!inner.has(cut.from, 0) || !inner.has(cut.to, 0)) continue;
+      way += std::max(std::abs(cut.to.p - cut.from.p), std::abs(cut.to.q - cut.from.q));
+    }
+    if (way <= 2 * raster_.length(half_length_ + half_width_ - tool_ * 2)) return false;
+    const std::int64_t reach = raster_.length(tool_);
+    int all = 0;
+    int milled = 0;
+    for (int i = -kPlaces; i <= kPlaces; ++i) {
+      for (int j = -kPlaces; j <= kPlaces; ++j) {
+        const Point at{rest.half_p * i / kPlaces, rest.half_q * j / kPlaces};
+        if (!rest.has(at, 0) || is_within({}, {at, at}, reach)) continue;
+        ++all;
+        milled +=
+            std::ranges::any_of(cuts, [&](const Stroke& cut) { return is_within(at, cut, reach); });
+      }
+    }
+    return 2 * milled > all;
   }
 
   const PocketMilling& pocket_;
   const Terms& terms_;
+  Slack slack_;
   reference::PlaneAxes axes_;
-  Number radius_;
-  Number half_length_;
+  Number tool_;
+  Number half_length_;  // of what the tool may touch
   Number half_width_;
   Number corner_;
+  Number allowance_;
   Number limit_;
+  Raster raster_;
   Winding winding_;
-  Number deepest_;  // that a cut has come to
+  Number above_;  // where it begins
+  std::vector<Level> levels_;
+  Number width_;
   Number way_;
   Number most_way_;
 };
 
 }  // namespace
 
-StepAnswer follow(const PocketMilling& pocket, SubjectSide& subject, std::size_t begin,
-                  const Terms& terms) {
-  MillingConditions conditions(pocket, terms);
-  return follow_under(conditions, subject, begin, terms.tolerance);
+StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
+  MillingConditions conditions(pocket, way);
+  StepAnswer answer;
+  for (std::size_t i = way.begin;; ++i) {
+    const Event& piece = way.subject.at(i);
+    if (piece.begins && conditions.may_be_over(piece.from)) {
+      const std::string_view lacks = conditions.lacks();
+      if (lacks.empty()) answer.ends.push_back(i);
+      answer.broken_by = i;
+      answer.broken = lacks;
+    }
+    if (!piece.is_motion()) return answer;
+    if (const auto end = end_of_small_stretch(way.subject, i, way.terms.tolerance)) {
+      i = *end - 1;
+      continue;
+    }
+    const std::string_view broken = conditions.take(piece);
+    if (broken.empty()) continue;
+    answer.broken_by = i;
+    answer.broken = broken;
+    return answer;
+  }
 }
 
 }  // namespace gonogo::relation

@@ -149,13 +149,11 @@ void Correspondence::rename(const Place& place) {
 }
 
 // R8. What settles a step makes another side of the reference, equal up to it.
-void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next,
-                            bool is_open) {
+void Correspondence::settle(const Place& place, std::vector<Record> path, const Place& next) {
   Settled settled = reference(place).settled();
   settled.insert_or_assign(reference(place).item_of(place.i), std::move(path));
   Pair pair = pairs_[place.pair];
   pair.reference = std::make_shared<ReferenceSide>(profile_, program_, terms_, std::move(settled));
-  pair.is_open = pair.is_open || is_open;
   pairs_.push_back(std::move(pair));
   reach_corner({pairs_.size() - 1, next.i, next.j, next.m});
 }
@@ -165,17 +163,23 @@ void Correspondence::take_free_step(const Place& place) {
   SubjectSide& side = subject(place);
   if (const auto* pocket = std::get_if<reference::HelixPocket>(&*step)) {
     for (auto& path : paths_of(*pocket, side, place.j, terms_.tolerance)) {
-      settle(place, std::move(path), place, false);
+      settle(place, std::move(path), place);
     }
     return;
   }
+  has_width_ = true;
+  const Followed followed{side, place.j, terms_, Slack(terms_, manner_.bias == Bias::outer)};
   StepAnswer answer;
   if (const auto* level = std::get_if<reference::PocketLevel>(&*step)) {
-    answer = follow(*level, side, place.j, terms_);
+    answer = follow(*level, followed);
   } else if (const auto* pocket = std::get_if<reference::PocketMilling>(&*step)) {
-    answer = follow(*pocket, side, place.j, terms_);
+    answer = follow(*pocket, followed);
   } else {
-    answer = follow(std::get<reference::ThreadMilling>(*step), side, place.j, terms_);
+    const auto& thread = std::get<reference::ThreadMilling>(*step);
+    if (!thread.arc_path) answer = follow(thread, followed);
+    for (auto& path : paths_of(thread, reference(place).at(place.i).from)) {
+      settle(place, std::move(path), place);
+    }
   }
   // One motion to where the subject left it stands for the step.
   for (const std::size_t end : answer.ends) {
@@ -184,7 +188,7 @@ void Correspondence::take_free_step(const Place& place) {
     way.block = reference(place).at(place.i).block;
     way.axes = reference::kEveryAxis;
     way.to = side.place(end);
-    settle(place, {way}, {place.pair, place.i + 1, end, place.m}, true);
+    settle(place, {way}, {place.pair, place.i + 1, end, place.m});
   }
   if (!answer.broken.empty() && side.at(answer.broken_by).record >= broken_record_) {
     broken_record_ = side.at(answer.broken_by).record;

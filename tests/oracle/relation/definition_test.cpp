@@ -528,19 +528,43 @@ std::string ring(double radius, int rot, double height = 4) {
 }
 const Declared kGsk{.dialect = "gsk988ta"};
 
-TEST(R8FreeStep, IsUndecidedWhereItsConditionsAreNotAllStatedHere) {
-  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(4, -1) + ring(6, -1) + ring(7, -1)), kGsk),
-            "oracle-gap R8 free-step");
+std::string level_of(std::initializer_list<std::string> rings) {
+  std::string all;
+  for (const std::string& each : rings) all += each;
+  return decided(kPocket, pocket(all), kGsk);
+}
+constexpr std::string_view kNoStep = "fail.region R8";
+
+// Half of L is 2: the plunge reaches to 2, a ring at 4 to 6, one at 7 beyond the tool's centre.
+TEST(R8FreeStep, ALevelIsCoveredWithTheStep) {
+  EXPECT_EQ(level_of({ring(2, -1), ring(4, -1), ring(6, -1), ring(7, -1)}), kGo);
+  EXPECT_EQ(level_of({ring(4, -1), ring(7, -1)}), kGo);
+  // 4.5 is 2.5 from both.
+  EXPECT_EQ(level_of({ring(2, -1), ring(7, -1)}), kNoStep);
+  // The wall is at 10, the tool's radius 3.
+  EXPECT_EQ(level_of({ring(4, -1), ring(6.99, -1)}), kNoStep);
+  EXPECT_EQ(level_of({}), kNoStep);
+}
+
+TEST(R8FreeStep, ALevelIsCutFromTheMiddleOutward) {
+  EXPECT_EQ(level_of({ring(7, -1), ring(4, -1)}), kNoStep);
+  // Farther than L from the plunge, though half of L covers all that lies between.
+  EXPECT_EQ(level_of({ring(4.01, -1), ring(2, -1), ring(6, -1), ring(7, -1)}), kNoStep);
+  EXPECT_EQ(level_of({ring(4, -1), ring(2, -1), ring(7, -1)}), kGo);
+}
+
+TEST(R8FreeStep, ARingIsCutTenTimesAtMost) {
+  EXPECT_EQ(level_of({ring(4, -3), ring(7, -1)}), kGo);
+  EXPECT_EQ(level_of({ring(4, -12), ring(7, -1)}), kNoStep);
 }
 
 TEST(R8FreeStep, TheEnvelopeHoldsForEveryPoint) {
-  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(7.5, -1) + ring(7, -1)), kGsk),
-            "fail.region R8");
+  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1) + ring(7.5, -1) + ring(7, -1)), kGsk), kNoStep);
   EXPECT_EQ(decided(kPocket, pocket(to_ring(5000) + ring(7, -1)), kGsk), "fail.region R8");
 }
 
 TEST(R8FreeStep, ALevelIsCutAtItsDepth) {
-  EXPECT_EQ(decided(kPocket, pocket(ring(2, -1, 4.1)), kGsk), "fail.geometry R2");
+  EXPECT_EQ(decided(kPocket, pocket(ring(4, -1, 4.1) + ring(7, -1)), kGsk), kNoStep);
 }
 
 TEST(R8FreeStep, TurnsAreCountedNotRecords) {
@@ -599,39 +623,182 @@ TEST(R8FreeStep, AHelicalPocketIsDecidedForEachSide) {
             kGo);
 }
 
-// Finishing of the border alone: the roughed floor lies at Z-6.
-constexpr std::string_view kFinish = R"(G0 X8 Y5 Z14 S400 M3 T1 D1
-R101=10 R102=2 R103=0 R104=-6 R116=0 R117=0
-R118=40 R119=40 R120=20 R121=3 R122=100 R123=300
-R124=0.5 R125=0 R126=2 R127=2
-LCYC75
-)";
-std::string finish(std::string_view before, int rot = -1) {
-  return fmt::format(R"({{"k":"m","b":1,"m":3}}
-{{"k":"rapid","b":1,"to":{{"x":"8","y":"5","z":"14"}}}}
-{{"k":"rapid","b":5,"to":{{"x":"0","y":"0","z":"10"}}}}
-{{"k":"rapid","b":5,"to":{{"z":"2"}}}}
-{}
-{{"k":"rapid","b":5,"to":{{"z":"-3"}}}}
-{{"k":"feed","b":5,"to":{{"x":"15","y":"0"}},"f":"300"}}
-{{"k":"arc","b":5,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":{},"to":{{"x":"15","y":"0"}},"f":"300"}}
-{{"k":"feed","b":5,"to":{{"x":"0","y":"0"}},"f":"300"}}
-{{"k":"rapid","b":5,"to":{{"z":"10"}}}})",
-                     before, rot);
+// Pockets of LCYC75 about X0 Y0, in levels of 3 from 0 to -6, by a tool of radius 5.
+std::string lcyc75(std::string_view sizes, std::string_view trace) {
+  const std::string program =
+      "G0 X8 Y5 Z14 S400 M3 T1 D1\nR101=10 R102=2 R103=0 R104=-6 R116=0 R117=0\nR121=3 R122=100 "
+      "R123=300 R126=2\n" +
+      std::string(sizes) + "\nLCYC75\n";
+  const std::string whole = R"({"k":"m","b":1,"m":3}
+{"k":"rapid","b":1,"to":{"x":"8","y":"5","z":"14"}}
+{"k":"rapid","b":5,"to":{"x":"0","y":"0","z":"10"}}
+{"k":"rapid","b":5,"to":{"z":"2"}}
+)" + std::string(trace) + R"({"k":"rapid","b":5,"to":{"z":"10"}})";
+  return decided(program, whole, {.dialect = "sinumerik802s", .tool = "5"});
+}
+std::string line5(std::string_view kind, std::string_view to, std::string_view feed = "") {
+  const std::string word = feed.empty() ? "" : fmt::format(R"(,"f":"{}")", feed);
+  return fmt::format(R"({{"k":"{}","b":5,"to":{{{}}}{}}})"
+                     "\n",
+                     kind, to, word);
+}
+std::string circle5(int radius, int rot = -1) {
+  return line5("feed", fmt::format(R"("x":"{}","y":"0")", radius), "300") +
+         fmt::format(
+             R"({{"k":"arc","b":5,"plane":"G17","c":{{"x":"0","y":"0"}},"rot":{},"to":{{"x":"{}","y":"0"}},"f":"300"}}
+)",
+             rot, radius) +
+         line5("feed", R"("x":"0","y":"0")", "300");
+}
+std::string infeed(std::string_view to, std::string_view feed = "100") {
+  return line5("feed", fmt::format(R"("z":"{}")", to), feed);
 }
 
-TEST(R8FreeStep, NoTraverseGoesIntoWhatIsNotCleared) {
-  const Declared with{.dialect = "sinumerik802s", .tool = "5"};
-  EXPECT_EQ(decided(kFinish, finish(""), with), "oracle-gap R8 free-step");
-  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"z":"-6"}}
-{"k":"rapid","b":5,"to":{"z":"2"}})"),
-                    with),
-            "fail.region R8");
-  EXPECT_EQ(decided(kFinish, finish(R"({"k":"rapid","b":5,"to":{"x":"25"}}
-{"k":"rapid","b":5,"to":{"x":"0"}})"),
-                    with),
-            "fail.region R8");
-  EXPECT_EQ(decided(kFinish, finish("", 1), with), "fail.region R8");
+// A round pocket of radius 10: the tool reaches all of it from the middle and the ring of 5.
+TEST(R8FreeStep, RoughingClearsEachLevel) {
+  const auto rough = [](std::string_view trace) {
+    return lcyc75("R118=20 R119=20 R120=10 R124=0 R125=0 R127=1", trace);
+  };
+  EXPECT_EQ(rough(infeed("-3") + circle5(5) + infeed("-6") + circle5(5)), kGo);
+  EXPECT_EQ(
+      rough(infeed("-2") + circle5(5) + infeed("-4") + circle5(5) + infeed("-6") + circle5(5)),
+      kGo);
+  // A level left out, one not clean, one deeper than R121, one above the floor.
+  EXPECT_EQ(rough(infeed("-3") + infeed("-6") + circle5(5)), kNoStep);
+  EXPECT_EQ(rough(infeed("-3") + circle5(4) + infeed("-6") + circle5(5)), kNoStep);
+  EXPECT_EQ(rough(infeed("-2") + circle5(5) + infeed("-6") + circle5(5)), kNoStep);
+  EXPECT_EQ(rough(infeed("-3") + circle5(5) + infeed("-5.9") + circle5(5)), kNoStep);
+}
+
+TEST(R8FreeStep, RoughingGoesDownAtTheMiddleWithItsFeed) {
+  const auto rough = [](std::string_view trace) {
+    return lcyc75("R118=20 R119=20 R120=10 R124=0 R125=0 R127=1", trace);
+  };
+  const std::string rest = infeed("-6") + circle5(5);
+  EXPECT_EQ(rough(infeed("-3", "300") + circle5(5) + rest), kNoStep);
+  EXPECT_EQ(rough(line5("rapid", R"("z":"-3")") + circle5(5) + rest), kNoStep);
+  EXPECT_EQ(rough(infeed("-3") + circle5(5) + line5("feed", R"("x":"2")", "300") + infeed("-6") +
+                  circle5(5)),
+            kNoStep);
+}
+
+TEST(R8FreeStep, TraversesKeepToWhatIsCleared) {
+  const auto rough = [](std::string_view trace) {
+    return lcyc75("R118=20 R119=20 R120=10 R124=0 R125=0 R127=1", trace);
+  };
+  const std::string there = line5("rapid", R"("x":"5")");
+  const std::string back = line5("rapid", R"("x":"0")");
+  const std::string rest = infeed("-6") + circle5(5);
+  EXPECT_EQ(rough(infeed("-3") + circle5(5) + there + back + rest), kGo);
+  EXPECT_EQ(rough(infeed("-3") + there + back + circle5(5) + rest), kNoStep);
+}
+
+// Of radius 20 with an allowance of 0.5: the ring of 15 mills the strip.
+TEST(R8FreeStep, FinishingMillsTheContourAtEachLevel) {
+  const auto finish = [](std::string_view trace) {
+    return lcyc75("R118=40 R119=40 R120=20 R124=0.5 R125=0 R127=2", trace);
+  };
+  const std::string upper = line5("rapid", R"("z":"-3")") + circle5(15);
+  const std::string lower = infeed("-6") + circle5(15);
+  EXPECT_EQ(finish(upper + lower), kGo);
+  EXPECT_EQ(finish(line5("rapid", R"("z":"-3")") + circle5(15, 1) + infeed("-6") + circle5(15, 1)),
+            kNoStep);
+  // SIE-LC75-11: one level at the floor may do.
+  EXPECT_EQ(finish(lower), kGo);
+  EXPECT_EQ(finish(upper), kNoStep);
+  EXPECT_EQ(finish(line5("rapid", R"("z":"-3")") + circle5(14) + lower), kNoStep);
+  EXPECT_EQ(finish(upper + line5("rapid", R"("z":"-6")") + circle5(15)), kNoStep);
+  EXPECT_EQ(finish(line5("rapid", R"("x":"25")") + line5("rapid", R"("x":"0")") + upper + lower),
+            kNoStep);
+}
+
+// The rest of the floor is a circle of radius 10; the rings of 5 and 10 mill all of it.
+TEST(R8FreeStep, WhereTheContourAloneIsDueTheFloorIsNotMilled) {
+  const auto finish = [](std::string_view trace) {
+    return lcyc75("R118=40 R119=40 R120=20 R124=0.5 R125=0 R127=2", trace);
+  };
+  const std::string upper = line5("rapid", R"("z":"-3")") + circle5(15);
+  EXPECT_EQ(finish(upper + infeed("-6") + circle5(5) + circle5(10) + circle5(15)), kNoStep);
+}
+
+// A bolt of diameter 20 by a tool of radius 3: the tool's centre runs at 13 on the uncut part, at
+// 12 in its one pass, two turns down from Z8 to Z4. The run-out leads to 13, a quarter of a turn
+// on: centre and radius of the arc that leaves the helix tangentially follow from
+// (12 - c)^2 = c^2 + 13^2, c = -25/24 on the radius of its start. The safe position is at 14.
+constexpr std::string_view kBolt =
+    "G17 G00 X40 Y0 Z10\nG114 X0 Y0 W-4 R-2 I2 J1 K90 E20 P1 D3 F200\n";
+constexpr std::string_view kEntry =
+    R"({"k":"arc","b":2,"plane":"G17","c":{"x":"0","y":"6.5"},"rot":-1,"to":{"x":"0","y":"13"},"f":"200"})";
+constexpr std::string_view kIn = R"({"k":"feed","b":2,"to":{"y":"12"},"f":"200"})";
+constexpr std::string_view kHelix =
+    R"({"k":"arc","b":2,"plane":"G17","c":{"x":"0","y":"0"},"rot":-2,"to":{"x":"0","y":"12","z":"4"},"f":"200"})";
+constexpr std::string_view kOut =
+    R"({"k":"arc","b":2,"plane":"G17","c":{"x":"0","y":"-25/24"},"rot":-1,"to":{"x":"13","y":"0"},"f":"200"})";
+constexpr std::string_view kUp = R"({"k":"rapid","b":2,"to":{"z":"8"}})";
+constexpr std::string_view kAway = R"({"k":"rapid","b":2,"to":{"x":"14"}})";
+
+std::string bolt(std::initializer_list<std::string_view> steps) {
+  std::string trace = R"({"k":"rapid","b":1,"to":{"x":"20","y":"0","z":"10"}}
+{"k":"rapid","b":2,"to":{"x":"0","y":"0"}}
+{"k":"rapid","b":2,"to":{"z":"8"}}
+)";
+  for (const std::string_view step : steps) trace += std::string(step) + "\n";
+  return decided(kBolt, trace + R"({"k":"rapid","b":2,"to":{"z":"10"}})", kGsk);
+}
+std::string with(std::string_view record, std::string_view from, std::string_view to) {
+  std::string text(record);
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(R8FreeStep, AThreadMayBeginAnywhereOnItsCircle) {
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kOut, kUp, kAway}), kGo);
+  EXPECT_EQ(
+      bolt({kEntry, kIn, kHelix, kOut, kUp, R"({"k":"feed","b":2,"to":{"x":"16"},"f":"200"})"}),
+      kGo);
+}
+
+TEST(R8FreeStep, TheStepsOfAThreadComeInTheirOrder) {
+  EXPECT_EQ(bolt({kIn, kHelix, kOut, kUp, kAway}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kHelix, kOut, kUp, kAway}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kOut, kUp, kAway}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kUp, kAway}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kOut, kAway, kUp}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kOut, kUp}), kNoStep);
+}
+
+TEST(R8FreeStep, AHelixMakesItsTurnsInItsSense) {
+  for (const std::string_view rot : {"-1", "-3", "2", "-1000000000"}) {
+    EXPECT_EQ(bolt({kEntry, kIn, with(kHelix, "-2", rot), kOut, kUp, kAway}), kNoStep) << rot;
+  }
+  EXPECT_EQ(bolt({kEntry, kIn, with(kHelix, R"("4")", R"("4.1")"), kOut, kUp, kAway}), kNoStep);
+}
+
+// K = 90 degrees of a lead of 2 are 0.5.
+TEST(R8FreeStep, ARunOutRisesNoHigherThanItsGroove) {
+  const auto rising = [](std::string_view height) {
+    return with(kOut, R"("y":"0")", fmt::format(R"("y":"0","z":"{}")", height));
+  };
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, rising("4.5"), kUp, kAway}), kGo);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, rising("5"), kUp, kAway}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, rising("3.9"), kUp, kAway}), kNoStep);
+}
+
+// The chord from 0, 12 to 13, 0 passes the axis at 12 * 13 / sqrt(313) = 8.8.
+TEST(R8FreeStep, ARunOutIsNoDeeperThanItsPass) {
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, R"({"k":"feed","b":2,"to":{"x":"13","y":"0"},"f":"200"})",
+                  kUp, kAway}),
+            kNoStep);
+}
+
+TEST(R8FreeStep, EntryAndWayToSafetyStayBesideTheWork) {
+  EXPECT_EQ(bolt({with(kEntry, R"("x":"0","y":"6.5")", R"("x":"-500","y":"6.5")"), kIn, kHelix,
+                  kOut, kUp, kAway}),
+            kNoStep);
+  EXPECT_EQ(bolt({with(kEntry, R"("rot":-1)", R"("rot":-3)"), kIn, kHelix, kOut, kUp, kAway}),
+            kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kOut, kUp, with(kAway, "14", "5000")}), kNoStep);
+  EXPECT_EQ(bolt({kEntry, kIn, kHelix, kOut, kUp, with(kAway, "14", "-14")}), kNoStep);
 }
 
 TEST(R9Undecided, NamesItsReason) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// R8, sense and measure: the way round a middle, whatever it is made of.
+#pragma once
+
+#include <optional>
+
+#include "oracle/relation/event.hpp"
+
+namespace gonogo::relation {
+
+// From a middle, along p and q.
+struct Offset {
+  Number p;
+  Number q;
+  Number square() const { return p * p + q * q; }
+};
+
+// In quarters of a turn, and how far it has gone back.
+class Winding {
+ public:
+  // `sense` as the sign of rot; nearer to the middle than `blind` nothing goes round it.
+  Winding(int sense, Number blind) : sense_(sense), blind_(std::move(blind)) {}
+  void take(const Offset& to);
+  // Another stretch begins: the way to it does not count.
+  void leave() { last_.reset(); }
+  bool goes_back() const { return most_ - quarters_ > 2; }  // by more than half a turn
+  std::int64_t quarters() const { return quarters_; }
+
+ private:
+  static int quarter_of(const Offset& offset);
+  int sense_;
+  Number blind_;
+  std::optional<Offset> last_;
+  std::int64_t quarters_ = 0;
+  std::int64_t most_ = 0;
+};
+
+}  // namespace gonogo::relation

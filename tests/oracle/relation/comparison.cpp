@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace gonogo::relation {
+
+using oracle::VerdictKind;
+
+namespace {
+
+constexpr long kPrinted = 3;
+constexpr std::size_t kMostPrinted = 40;
+
+std::string_view word(VerdictKind kind) {
+  switch (decision(kind)) {
+    case oracle::Decision::go:
+      return "GO";
+    case oracle::Decision::no_go:
+      return "NO-GO";
+    case oracle::Decision::undecided:
+      return "undecided";
+    default:
+      return "advice";
+  }
+}
+
+// The differences that are known, each with the side that is right by docs/relation.md.
+bool is_known(std::string_view change, const Answer& answer, const oracle::Verdict& verdict) {
+  // The definition: where two motions meet that have one label is no event. The judge holds the
+  // ends of each motion, also where the path is within tau of both; a shift is one of 2 tau.
+  return decision(answer.kind) == oracle::Decision::go && change == "shift" &&
+         (verdict.kind == VerdictKind::fail_geometry || verdict.kind == VerdictKind::fail_order);
+}
+
+}  // namespace
+
+void Comparison::compare(const Task& task, std::string_view change,
+                         std::span<const reference::Record> records, const oracle::RunEnd& end) {
+  const Trace trace{{records.begin(), records.end()}, end};
+  const auto begin = std::chrono::steady_clock::now();
+  const Answer answer =
+      decide(task.profile, task.program, terms_of(task.terms, task.profile), trace.outcome());
+  const auto decided = std::chrono::steady_clock::now();
+  const oracle::Verdict verdict =
+      judge_outcome(task.profile, task.program, task.terms, trace.records, trace.end).verdict;
+  ++traces_;
+  ++said_[fmt::format("{} {} / {}", word(answer.kind), name(answer.gap), word(verdict.kind))];
+  using namespace std::chrono_literals;
+  if (decided - begin > 20s) {
+    fmt::print("slow: {} {} {}s\n", task.id, change,
+               std::chrono::duration_cast<std::chrono::seconds>(decided - begin).count());
+  }
+  if (decision(answer.kind) == decision(verdict.kind) || answer.gap != GapReason::none) return;
+  if (is_known(change, answer, verdict)) {
+    ++known_;
+    return;
+  }
+  const std::string kind = fmt::format("{}: definition {} {}, judge {}", change, name(answer.kind),
+                                       name(answer.rule), name(verdict.kind));
+  if (++differences_[kind] <= kPrinted) print_difference(task, kind, answer, verdict, trace);
+}
+
+void Comparison::print_difference(const Task& task, std::string_view kind, const Answer& answer,
+                                  const oracle::Verdict& verdict, const Trace& trace) const {
+  fmt::print(
+      "{}\n  {} blocks {} m {}\n  {}\n  want {}\n  got {} (record {})\n  judge: {}\n{}\n{}\n{}\n",
+      kind, task.id, task.terms.compare_blocks, task.terms.compare_m, answer.message, answer.want,
+      answer.got, answer.record ? static_cast<long>(*answer.record) : -1L, verdict.message,
+      profile_json(task.profile), task.program,
+      trace.records.size() > kMostPrinted ? "" : relation::text_of(trace));
+  std::fflush(stdout);
+}
+
+void Comparison::print() const {
+  for (const auto& [said, count] : said_) fmt::print("{:7} {}\n", count, said);
+  fmt::print("{} traces, {} known differences, {} others\n", traces_, known_, differences());
+  for (const auto& [kind, count] : differences_) fmt::print("{:7} {}\n", count, kind);
+  std::fflush(stdout);
+}
+
+long Comparison::differences() const {
+  long sum = 0;
+  for (const auto& [kind, count] : differences_) sum += count;
+  return sum;
+}
+
+oracle::JudgeTerms terms_for(const reference::Profile& profile, bool blocks, bool m) {
+  oracle::SubjectInfo subject;
+  if (blocks) subject.features.insert("blocks");
+  if (m) subject.features.insert("m");
+  return make_terms(subject, profile, std::nullopt, std::nullopt);
+}
+
+}  // namespace gonogo::relation

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The judge held to the definition on all that there is: hours, so that no test of every run is
+// made of it. GONOGO_TRIALS says how many of each, GONOGO_SEED which, --gtest_filter what,
+// GONOGO_ONLY a part of the ids.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "changes.hpp"
+#include "comparison.hpp"
+#include "expanders/registry.hpp"
+#include "oracle/corpus/corpus.hpp"
+#include "tests/oracle/judge/generated_outcomes.hpp"
+#include "tests/oracle/mutations/operator.hpp"
+
+namespace gonogo::relation {
+namespace {
+
+using reference::Record;
+
+constexpr std::size_t kMostRecords = 300;
+
+// A curve takes the definition a hundred times as long as a line.
+bool is_short(std::span<const Record> records) {
+  constexpr long kMostTurns = 60;
+  long turns = 0;
+  for (const Record& record : records) {
+    const bool is_round =
+        record.kind == reference::RecordKind::arc || record.kind == reference::RecordKind::arc3;
+    if (is_round) turns += std::max(1L, std::abs(long{record.rot}));
+  }
+  return records.size() <= kMostRecords && turns <= kMostTurns;
+}
+
+bool is_wanted(std::string_view id) {
+  const char* const only = std::getenv("GONOGO_ONLY");
+  return only == nullptr || id.find(only) != std::string_view::npos;
+}
+
+void print_now_and_then(const Comparison& comparison) {
+  constexpr long kOften = 2'000;
+  if (comparison.traces() % kOften == 0) comparison.print();
+}
+
+const oracle::Corpus& corpus() {
+  static const oracle::Corpus all(std::string(GONOGO_SOURCE_DIR) + "/corpus");
+  return all;
+}
+
+// Calls `visit` with each case under each assignment of its readings, and what the corpus expects.
+template <typename Visit>
+void each_expectation(const Visit& visit) {
+  corpus().for_each([&](const oracle::Case& test) {
+    if (!is_wanted(test.id)) return true;
+    for (const oracle::Expectation& expected : test.expect) {
+      if (expected.not_covered || !is_short(expected.records)) continue;
+      reference::Profile profile = test.profile;
+      for (const auto& [name, value] : expected.when) set_reading(profile, name, value);
+      oracle::RunEnd end;
+      if (!expected.alarms.empty()) {
+        end.kind = oracle::RunEnd::Kind::alarm;
+        end.alarm.block = expected.alarms.front().block;
+        end.alarm.alarm_class = name(expected.alarms.front().alarm);
+      }
+      visit(test, profile, expected.records, end);
+    }
+    return true;
+  });
+}
+
+TEST(WholeSweep, WhatTheCorpusExpects) {
+  Comparison comparison;
+  each_expectation([&](const oracle::Case& test, const reference::Profile& profile,
+                       const std::vector<Record>& records, const oracle::RunEnd& end) {
+    const oracle::JudgeTerms terms = terms_for(profile, true, true);
+    comparison.compare({test.id, test.program, profile, terms}, "right", records, end);
+    print_now_and_then(comparison);
+  });
+  comparison.print();
+  EXPECT_EQ(comparison.differences(), 0);
+}
+
+// Each expectation changed in as many ways as come on each.
+TEST(WholeSweep, WhatTheCorpusExpectsChanged) {
+  Comparison comparison;
+  Trials trials(200'000);
+  while (comparison.traces() < trials.count) {
+    each_expectation([&](const oracle::Case& test, const reference::Profile& profile,
+                         const std::vector<Record>& records, const oracle::RunEnd& end) {
+      if (comparison.traces() >= trials.count || !trials.once_in(4)) return;
+      const Change& change = trials.one_of(changes());
+      const oracle::JudgeTerms terms = terms_for(profile, !trials.once_in(4), !trials.once_in(8));
+      std::vector<Record> changed = records;
+      if (!change.apply(changed, terms.tolerance, trials)) return;
+      comparison.compare({test.id, test.program, profile, terms}, change.name, changed, end);
+      print_now_and_then(comparison);
+    });
+  }
+  comparison.print();
+  EXPECT_EQ(comparison.differences(), 0);
+}
+
+// The mutants of the mutation bench.
+TEST(WholeSweep, Mutants) {
+  Comparison comparison;
+  Trials trials(66'000);
+  const mutations::RawCases cases = mutations::cases_of_corpus(GONOGO_SOURCE_DIR "/corpus");
+  const std::vector<mutations::Operator> operators = mutations::wrong_operators();
+  while (comparison.traces() < trials.count) {
+    for (const auto& [group, raw_cases] : cases) {
+      const mutations::RawCase& raw = trials.one_of(raw_cases);
+      if (!is_wanted(raw.id)) continue;
+      const auto specimen =
+          mutations::make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
+      if (specimen == nullptr || !is_short(specimen->right.records)) continue;
+      for (const mutations::Operator& change : operators) {
+        mutations::Edit edit(*specimen, trials);
+        if (!change.apply(edit)) continue;
+        comparison.compare({specimen->id, specimen->program, specimen->profile, specimen->terms},
+                           change.name, edit.trace.records, edit.trace.end);
+        print_now_and_then(comparison);
+      }
+    }
+  }
+  comparison.print();
+  EXPECT_EQ(comparison.differences(), 0);
+}
+
+bool is_answer(const oracle::RunEnd& end) {
+  return end.kind == oracle::RunEnd::Kind::ok || end.kind == oracle::RunEnd::Kind::alarm;
+}
+
+// What the expander with the fault does with a program; nothing where it is no answer.
+void try_fault(const gonogo_subject_v1& table, std::string_view fault, const oracle::Case& test,
+               Comparison& comparison) {
+  const auto subject = oracle::make_interface_subject(table);
+  subject->configure(test.profile);
+  std::vector<Record> records;
+  const oracle::RunEnd end = subject->run(test.id, test.program, [&](const Record& record) {
+    records.push_back(record);
+    return records.size() < kMostRecords;
+  });
+  if (!is_answer(end) || !is_short(records)) return;
+  const oracle::JudgeTerms terms =
+      make_terms(subject->info(), test.profile, std::nullopt, std::nullopt);
+  comparison.compare({test.id, test.program, test.profile, terms}, fault, records, end);
+  print_now_and_then(comparison);
+}
+
+std::string_view expander_of(std::string_view dialect) {
+  return generate::generator_of(dialect).expander;
+}
+
+TEST(WholeSweep, PlantedFaults) {
+  Comparison comparison;
+  Trials trials(100'000);
+  while (comparison.traces() < trials.count) {
+    corpus().for_each([&](const oracle::Case& test) {
+      if (comparison.traces() >= trials.count) return false;
+      if (!is_wanted(test.id)) return true;
+      const std::string_view name = expander_of(test.dialect);
+      const std::string_view fault = trials.one_of(expanders::faults(name)).name;
+      try_fault(*expanders::find(name, fault), fault, test, comparison);
+      return true;
+    });
+  }
+  comparison.print();
+  EXPECT_EQ(comparison.differences(), 0);
+}
+
+// Generated programs by expanders with faults and without, half of them with a record changed.
+TEST(WholeSweep, Generated) {
+  Comparison comparison;
+  Trials trials(500'000);
+  while (comparison.traces() < trials.count) {
+    for (const generate::Generator& generator : generate::generators()) {
+      if (!is_wanted(generator.dialect)) continue;
+      const auto made = oracle::generated_outcome(generator, {}, trials);
+      if (!is_answer(made.outcome.end) || !is_short(made.outcome.records)) continue;
+      comparison.compare({generator.dialect, made.program.text, made.program.profile, made.terms},
+                         "generated", made.outcome.records, made.outcome.end);
+      print_now_and_then(comparison);
+    }
+  }
+  comparison.print();
+  EXPECT_EQ(comparison.differences(), 0);
+}
+
+}  // namespace
+}  // namespace gonogo::relation
