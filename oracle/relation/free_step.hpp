@@ -59,6 +59,10 @@ StepAnswer follow(const reference::ThreadMilling& thread, const Followed& way);
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
                                                 const Number& tau);
 
+// Whether an axis moves that none of these is.
+bool moves_another_axis(const Event& piece, const Position& start, const reference::PlaneAxes& axes,
+                        const Number& off);
+
 // How far a piece may go in the plane.
 inline Number way_of(const Event& piece, reference::Axis axis) {
   return abs(piece.to[axis] - piece.from[axis]);

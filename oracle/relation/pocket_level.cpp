@@ -37,6 +37,7 @@ class LevelConditions {
   }
 
   void begin_at(const Position& place) {
+    start_ = place;
     last_ = offset_of(place);
     winding_.take(last_);
     plunge_ = raster_.point(last_);
@@ -48,6 +49,9 @@ class LevelConditions {
     const Offset to = offset_of(piece.to);
     const Number limit = reach_ + slack_.round(piece.width);
     if (to.square() > limit * limit) return "The cut leaves the pocket.";
+    if (moves_another_axis(piece, start_, axes_, slack_.axis(piece.width))) {
+      return "Another axis moves.";
+    }
     if (!has_its_label(*piece.label)) return "The cut has another feed or line.";
     const reference::Record& motion = piece.source();
     const bool is_arc = motion.kind != RecordKind::feed;
@@ -169,6 +173,7 @@ class LevelConditions {
   Number reach_;
   Raster raster_;
   Winding winding_;
+  Position start_;
   Point plunge_;
   Offset last_;
   std::vector<Part> path_;

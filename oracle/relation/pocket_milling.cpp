@@ -27,6 +27,7 @@ class MillingConditions {
         corner_(rational_near(pocket.corner_radius)),
         allowance_(rational_near(pocket.allowance)),
         limit_(terms_.tolerance * 17 / 8),
+        start_(way.subject.at(way.begin).from),
         raster_((half_length_ + half_width_) * 4 + Number(1)),
         winding_(pocket.sense, terms_.tolerance * 4),
         above_(rational_near(pocket.clearance)) {
@@ -44,6 +45,7 @@ class MillingConditions {
     if (!is_inside(offset_of(piece.to), slack_.round(piece.width))) {
       return "The tool leaves the pocket.";
     }
+    if (moves_another_axis(piece, start_, axes_, off)) return "Another axis moves.";
     if (height < rational_near(pocket_.floor) - off) return "The tool goes below the floor.";
     if (height > rational_near(pocket_.retract) + off) return "The tool goes above R101.";
     if (terms_.compare_blocks && piece.block != pocket_.block) {
@@ -146,10 +148,12 @@ class MillingConditions {
   std::string_view take_traverse(const Event& piece, const Number& off) {
     winding_.leave();
     if (is_free(piece, off)) return {};
-    const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
+    // SIE-LC75-11: in finishing it ends above the floor that roughing left.
     const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
-    if (comes_down && piece.to[axes_.d] <= floor + off)
-      return "A traverse comes down onto a floor.";
+    const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
+    if ((pocket_.finishing || comes_down) && piece.to[axes_.d] <= floor + off) {
+      return "A traverse ends on a floor.";
+    }
     return is_in_cleared(piece, off) ? std::string_view() : "A traverse goes into the material.";
   }
 
@@ -287,6 +291,7 @@ class MillingConditions {
   Number corner_;
   Number allowance_;
   Number limit_;
+  Position start_;
   Raster raster_;
   Winding winding_;
   Number above_;  // where it begins

@@ -77,6 +77,7 @@ Said said_of(const Cover& cover, const Area& area, const Point& at, std::int64_t
   if (!meets(area, at, half)) return Said::yes;
   const std::int64_t diagonal = half * 3 / 2 + 1;
   std::vector<Stroke> candidates;
+  candidates.reserve(path.size());
   bool is_reached = false;
   for (const Stroke& stroke : path) {
     if (!is_within(at, stroke, cover.reach + cover.slack + diagonal)) continue;

@@ -54,10 +54,8 @@ class ThreadPasses {
   }
   // Nothing moves on another axis, and the words are those of the block.
   Step words_of(const Event& piece, bool may_traverse) const {
-    for (const Axis axis : reference::kAllAxes) {
-      const bool is_its_own = axis == axes_.p || axis == axes_.q || axis == axes_.d;
-      if (!is_its_own && way_of(piece, axis) > slack_.axis(piece.width))
-        return "Another axis moves.";
+    if (moves_another_axis(piece, subject_.at(begin_).from, axes_, slack_.axis(piece.width))) {
+      return "Another axis moves.";
     }
     if (terms_.compare_blocks && piece.block != thread_.block)
       return "The motion is of another line.";

@@ -21,6 +21,15 @@ void Winding::take(const Offset& to) {
   last_ = to;
 }
 
+bool moves_another_axis(const Event& piece, const Position& start, const reference::PlaneAxes& axes,
+                        const Number& off) {
+  for (const reference::Axis axis : reference::kAllAxes) {
+    if (axis == axes.p || axis == axes.q || axis == axes.d) continue;
+    if (abs(piece.to[axis] - start[axis]) > off) return true;
+  }
+  return false;
+}
+
 std::optional<std::size_t> end_of_small_stretch(SubjectSide& subject, std::size_t begin,
                                                 const Number& tau) {
   const Position place = subject.at(begin).from;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "tests/oracle/relation/deciding.hpp"
+
 namespace gonogo::mutations {
 
 using oracle::Decision;
@@ -38,11 +40,20 @@ std::string verdict_text(const Verdict& verdict) {
   return fmt::format("{}: {}", name(verdict.kind), verdict.message);
 }
 
+std::string rule_of_definition(const Specimen& specimen, const Trace& mutant) {
+  const bool alarms = mutant.end.kind == oracle::RunEnd::Kind::alarm;
+  const relation::Answer answer = relation::decide(
+      specimen.profile, specimen.program, relation::terms_of(specimen.terms, specimen.profile),
+      {mutant.records, alarms ? &mutant.end.alarm : nullptr});
+  return fmt::format("{} {}", name(answer.rule), name(answer.kind));
+}
+
 // By reservoir: the smallest of a kind is the one to look at.
 void note(std::vector<Survivor>& all, const Specimen& specimen, const Operator& op,
           const Statement& statement, const Verdict& verdict, const Trace& mutant) {
   Survivor survivor{specimen.id,
                     std::string(op.name),
+                    rule_of_definition(specimen, mutant),
                     statement.why,
                     verdict_text(verdict),
                     fmt::format("{}{}\n{}", specimen.program,
@@ -56,7 +67,8 @@ void print_some(std::string_view title, std::vector<Survivor> all) {
   std::ranges::sort(all, {},
                     [](const Survivor& one) { return std::tie(one.size, one.id, one.op); });
   std::map<std::pair<std::string, std::string>, long> kinds;
-  for (const Survivor& one : all) ++kinds[{one.op, one.why + " | " + one.verdict}];
+  for (const Survivor& one : all)
+    ++kinds[{one.rule + ", " + one.op, one.why + " | " + one.verdict}];
   fmt::print("\n{}: {} of {} kinds\n", title, all.size(), kinds.size());
   std::size_t printed = 0;
   for (const auto& [kind, count] : kinds) {
@@ -140,6 +152,7 @@ void Bench::count(const Specimen& specimen, const Operator& op, const Statement&
   ++row.wrong;
   if (decided == Decision::no_go) {
     ++row.no_go;
+    ++no_go_by_rule_[oracle::rule_text(name(rule_of(verdict)))];
   } else if (verdict.kind == VerdictKind::advice) {
     ++row.advice;
   } else {
@@ -189,6 +202,8 @@ void Bench::print() const {
              all.no_go, all.advice, all.gap, "", all.uncounted, all.survivors);
   fmt::print("explained, by kind:\n");
   for (const auto& [kind, count] : all.explained) fmt::print("  {:7} {}\n", count, kind);
+  fmt::print("NO-GO, by rule:\n");
+  for (const auto& [rule, count] : no_go_by_rule_) fmt::print("  {:7} {}\n", count, rule);
   fmt::print("traces that are not GO as they are: {}\n", unusable_);
   for (const std::string& fault : faults_) fmt::print("{}\n", fault);
   print_some("right by the bench, not GO by the judge", harsh_);

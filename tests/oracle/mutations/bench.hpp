@@ -26,6 +26,7 @@ struct Row {
 struct Survivor {
   std::string id;
   std::string op;
+  std::string rule;  // that is broken, by the definition (docs/relation.md)
   std::string why;
   std::string verdict;
   std::string text;  // program and trace
@@ -55,6 +56,7 @@ class Bench {
   std::vector<Operator> operators_ = wrong_operators();
   std::map<std::string_view, Row> rows_;
   std::map<std::string, long> by_group_;
+  std::map<std::string, long> no_go_by_rule_;
   std::vector<Survivor> survivors_;
   // Right by the bench, NO-GO by the judge: printed, for the alternatives' test to pursue.
   std::vector<Survivor> harsh_;

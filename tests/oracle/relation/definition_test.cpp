@@ -567,6 +567,12 @@ TEST(R8FreeStep, ALevelIsCutAtItsDepth) {
   EXPECT_EQ(decided(kPocket, pocket(ring(4, -1, 4.1) + ring(7, -1)), kGsk), kNoStep);
 }
 
+TEST(R8FreeStep, NoOtherAxisMoves) {
+  const std::string aside = R"({"k":"feed","b":2,"to":{"x":"10","c":"1"},"f":"200"})"
+                            "\n";
+  EXPECT_EQ(level_of({ring(4, -1), ring(7, -1), aside}), kNoStep);
+}
+
 TEST(R8FreeStep, TurnsAreCountedNotRecords) {
   EXPECT_EQ(decided(kPocket, pocket(ring(2, -1000000000) + ring(7, -1)), kGsk), "fail.region R8");
 }

@@ -2,10 +2,11 @@
 //
 // The judge held to the definition on all that there is: hours, so that no test of every run is
 // made of it. GONOGO_TRIALS says how many of each, GONOGO_SEED which, --gtest_filter what,
-// GONOGO_ONLY a part of the ids.
+// GONOGO_ONLY a part of the ids, GONOGO_ROUND that one round trace in so many is taken.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "changes.hpp"
@@ -22,16 +23,31 @@ using reference::Record;
 
 constexpr std::size_t kMostRecords = 300;
 
-// A curve takes the definition a hundred times as long as a line.
-bool is_short(std::span<const Record> records) {
-  constexpr long kMostTurns = 60;
-  long turns = 0;
+// In how many lines the definition cuts the arcs of a trace, about; each takes it a hundred times
+// as long as a line of its own.
+double lines_of_arcs(std::span<const Record> records, const reference::Profile& profile) {
+  const double tau = mutations::value_of(profile.resolution());
+  double lines = 0;
   for (const Record& record : records) {
-    const bool is_round =
-        record.kind == reference::RecordKind::arc || record.kind == reference::RecordKind::arc3;
-    if (is_round) turns += std::max(1L, std::abs(long{record.rot}));
+    if (record.kind == reference::RecordKind::arc3) lines += 1'000;
+    if (record.kind != reference::RecordKind::arc) continue;
+    const reference::PlaneAxes axes = reference::axes_of(record.plane);
+    const double radius = std::hypot(mutations::value_of(record.to[axes.p] - record.centre[0]),
+                                     mutations::value_of(record.to[axes.q] - record.centre[1]));
+    lines += std::abs(static_cast<double>(record.rot)) * std::sqrt(40 * radius / tau);
   }
-  return records.size() <= kMostRecords && turns <= kMostTurns;
+  return lines;
+}
+
+// What takes no longer than a second or so; of what has arcs one in so many.
+bool is_short(std::span<const Record> records, const reference::Profile& profile) {
+  static const char* const text = std::getenv("GONOGO_ROUND");
+  static const long one_in = text == nullptr ? 1 : std::atol(text);
+  static long round = 0;
+  constexpr double kMostLines = 6'000;
+  const double lines = lines_of_arcs(records, profile);
+  if (records.size() > kMostRecords || lines > kMostLines) return false;
+  return lines == 0 || round++ % one_in == 0;
 }
 
 bool is_wanted(std::string_view id) {
@@ -55,7 +71,7 @@ void each_expectation(const Visit& visit) {
   corpus().for_each([&](const oracle::Case& test) {
     if (!is_wanted(test.id)) return true;
     for (const oracle::Expectation& expected : test.expect) {
-      if (expected.not_covered || !is_short(expected.records)) continue;
+      if (expected.not_covered || !is_short(expected.records, test.profile)) continue;
       reference::Profile profile = test.profile;
       for (const auto& [name, value] : expected.when) set_reading(profile, name, value);
       oracle::RunEnd end;
@@ -114,7 +130,7 @@ TEST(WholeSweep, Mutants) {
       if (!is_wanted(raw.id)) continue;
       const auto specimen =
           mutations::make_specimen(raw, trials.one_of(raw.assignments), kMostRecords);
-      if (specimen == nullptr || !is_short(specimen->right.records)) continue;
+      if (specimen == nullptr || !is_short(specimen->right.records, specimen->profile)) continue;
       for (const mutations::Operator& change : operators) {
         mutations::Edit edit(*specimen, trials);
         if (!change.apply(edit)) continue;
@@ -142,7 +158,7 @@ void try_fault(const gonogo_subject_v1& table, std::string_view fault, const ora
     records.push_back(record);
     return records.size() < kMostRecords;
   });
-  if (!is_answer(end) || !is_short(records)) return;
+  if (!is_answer(end) || !is_short(records, test.profile)) return;
   const oracle::JudgeTerms terms =
       make_terms(subject->info(), test.profile, std::nullopt, std::nullopt);
   comparison.compare({test.id, test.program, test.profile, terms}, fault, records, end);
@@ -178,7 +194,8 @@ TEST(WholeSweep, Generated) {
     for (const generate::Generator& generator : generate::generators()) {
       if (!is_wanted(generator.dialect)) continue;
       const auto made = oracle::generated_outcome(generator, {}, trials);
-      if (!is_answer(made.outcome.end) || !is_short(made.outcome.records)) continue;
+      if (!is_answer(made.outcome.end) || !is_short(made.outcome.records, made.program.profile))
+        continue;
       comparison.compare({generator.dialect, made.program.text, made.program.profile, made.terms},
                          "generated", made.outcome.records, made.outcome.end);
       print_now_and_then(comparison);
