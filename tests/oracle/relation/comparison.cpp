@@ -28,13 +28,13 @@ std::string_view word(VerdictKind kind) {
   }
 }
 
-// Whether the two differ at the limit alone: with an eighth of tau less or more the definition says
-// what the judge does. The judge holds the ends of motions and what turns back more narrowly.
+// Whether the two differ about the limit alone: where the judge is narrower, with the limit of arcs
+// as tau; where it is wider, with twice tau.
 bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
                  const oracle::Verdict& verdict) {
   Terms terms = terms_of(task.terms, task.profile);
   const bool passes = decision(answer.kind) == oracle::Decision::go;
-  terms.tolerance = terms.tolerance * (passes ? 7 : 9) / 8;
+  terms.tolerance = passes ? terms.tolerance * 8 / 17 : terms.tolerance * 2;
   const Answer other = decide(task.profile, task.program, terms, trace.outcome());
   return decision(other.kind) == decision(verdict.kind);
 }
@@ -74,7 +74,7 @@ void Comparison::compare(const Task& task, std::string_view change,
     return;
   }
   if (is_at_limit(task, trace, answer, verdict)) {
-    ++at_limit_;
+    ++(decision(answer.kind) == oracle::Decision::go ? narrower_ : wider_);
     return;
   }
   const std::string kind = fmt::format("{}: definition {} {}, judge {}", change, name(answer.kind),
@@ -98,8 +98,8 @@ void Comparison::print() const {
   for (const auto& [reason, count] : undecided_) {
     fmt::print("{:7} undecided by the judge, {}\n", count, reason);
   }
-  fmt::print("{} traces, {} at the limit, {} made up for, {} other differences\n", traces_,
-             at_limit_, made_up_, differences());
+  fmt::print("{} traces, judge narrower {}, wider {}, made up for {}, {} other differences\n",
+             traces_, narrower_, wider_, made_up_, differences());
   for (const auto& [kind, count] : differences_) fmt::print("{:7} {}\n", count, kind);
   std::fflush(stdout);
 }

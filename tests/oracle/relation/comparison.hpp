@@ -33,7 +33,8 @@ class Comparison {
                         const oracle::Verdict& verdict, const Trace& trace) const;
 
   long traces_ = 0;
-  long at_limit_ = 0;
+  long narrower_ = 0;  // the judge, about the limit
+  long wider_ = 0;
   long made_up_ = 0;
   std::map<std::string, long> undecided_;
   std::map<std::string, long> said_;

@@ -495,6 +495,12 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
 {"k":"m","b":3,"m":30})";
   EXPECT_EQ(decided(program, runs_on, gsk), "advice R6");
   EXPECT_EQ(decided(program, R"({"k":"m","b":3,"m":30})", gsk), "fail.order R5");
+  // Motion of the block and then the alarm is neither answer.
+  EXPECT_EQ(decided(program, R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+{"k":"dwell","b":2,"s":"1"}
+{"k":"alarm","b":2,"class":"value-sign"})",
+                    gsk),
+            "fail.alarm-late R6");
 }
 
 // R8, R9 --------------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ bool is_wanted(std::string_view id) {
 }
 
 void print_now_and_then(const Comparison& comparison) {
-  constexpr long kOften = 2'000;
+  constexpr long kOften = 500;
   if (comparison.traces() % kOften == 0) comparison.print();
 }
 
