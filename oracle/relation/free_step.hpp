@@ -19,9 +19,10 @@ std::vector<std::vector<reference::Record>> paths_of(const reference::HelixPocke
                                                      SubjectSide& subject, std::size_t begin,
                                                      const Number& tau);
 
-// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p.
+// The paths of a thread that the reading gsk.thread.path = arc names, on either side along p; none
+// of more passes than `most`.
 std::vector<std::vector<reference::Record>> paths_of(const reference::ThreadMilling& thread,
-                                                     const Position& from);
+                                                     const Position& from, std::size_t most);
 
 // What a place may be off by; the width of a piece is taken off it or added (Bias).
 class Slack {

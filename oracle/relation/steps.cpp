@@ -177,7 +177,8 @@ void Correspondence::take_free_step(const Place& place) {
   } else {
     const auto& thread = std::get<reference::ThreadMilling>(*step);
     if (!thread.arc_path) answer = follow(thread, followed);
-    for (auto& path : paths_of(thread, reference(place).at(place.i).from)) {
+    for (auto& path :
+         paths_of(thread, reference(place).at(place.i).from, outcome_.records.size())) {
       settle(place, std::move(path), place);
     }
   }

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <set>
 
-#include "oracle/relation/free_step.hpp"
-#include "oracle/relation/near.hpp"
-#include "reference/gsk988ta/milling.hpp"
-#include "reference/gsk988ta/thread_path.hpp"
+#include "oracle/relation/thread_site.hpp"
 
 namespace gonogo::relation {
 
 using reference::RecordKind;
 using reference::ThreadMilling;
-using reference::ThreadRunOut;
 
 namespace {
 
@@ -21,25 +17,14 @@ constexpr int kTurn = 360;
 // GSK-G114-06 to -11: each pass an entry, an infeed, a helix, a run-out, the way back and the way
 // to the safe position, in this order and nothing else. Where one step ends and the next begins is
 // looked for at every end of a motion.
-class ThreadPasses {
+class ThreadPasses : private ThreadSite {
  public:
   ThreadPasses(const ThreadMilling& thread, const Followed& way)
-      : thread_(thread),
-        terms_(way.terms),
-        slack_(way.slack),
+      : ThreadSite(thread, way),
         subject_(way.subject),
         begin_(way.begin),
-        axes_(reference::axes_of(thread.plane)),
-        middle_{rational_near(thread.centre[0]), rational_near(thread.centre[1])},
-        top_(rational_near(thread.r_plane)),
-        bottom_(rational_near(thread.bottom)),
-        up_((top_ - bottom_).sign()),
-        free_(thread.external ? 1 : -1),
-        start_(rational_near(thread.start_radius)),
-        run_out_(rational_near(thread.runout_length)),
-        lead_(rational_near(thread.lead)),
         whole_(rational_near(abs(thread.travel)) / lead_ * kTurn),
-        passes_(thread.passes().to_int64().value()) {}
+        passes_(thread.passes().to_int64().value_or(std::numeric_limits<std::int64_t>::max())) {}
 
   StepAnswer answer() {
     pass(1, begin_);
@@ -49,66 +34,10 @@ class ThreadPasses {
  private:
   using Step = std::string_view;
 
-  Offset offset_of(const Position& place) const {
-    return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
-  }
-  // Nothing moves on another axis, and the words are those of the block.
-  Step words_of(const Event& piece, bool may_traverse) const {
-    if (moves_another_axis(piece, subject_.at(begin_).from, axes_, slack_.axis(piece.width))) {
-      return "Another axis moves.";
-    }
-    if (terms_.compare_blocks && piece.block != thread_.block)
-      return "The motion is of another line.";
-    if (piece.part == Part::traverse) return may_traverse ? "" : "A traverse stands for a cut.";
-    const Label& label = *piece.label;
-    const bool cuts = label.kind == RecordKind::feed || label.kind == RecordKind::arc;
-    const bool has_feed = label.feed_mode == thread_.feed_mode &&
-                          agree(thread_.feed, label.feed, terms_.feed_resolution, terms_);
-    return cuts && has_feed ? "" : "The motion is of another kind or feed.";
-  }
   static bool is_straight(const Event& piece) { return piece.source().kind == RecordKind::feed; }
   // Where an arc may come as its chord, and where chords are granted.
   bool may_be_round(const Event& piece) const {
     return !is_straight(piece) || terms_.chord.sign() > 0;
-  }
-
-  Number height_of(const Position& place) const { return (place[axes_.d] - bottom_) * up_; }
-  bool is_at_top(const Position& place, const Number& width) const {
-    return abs(place[axes_.d] - top_) <= slack_.axis(width);
-  }
-  Number radius_of_pass(std::int64_t number) const {
-    return number == 0 ? start_ : rational_near(thread_.radius_of_pass(Number(number)));
-  }
-
-  // Farther from the axis than a radius, or nearer to it: of the line between the ends.
-  static bool leads_beyond(const Offset& from, const Offset& to, const Number& radius) {
-    return radius.sign() < 0 || max(from.square(), to.square()) > radius * radius;
-  }
-  static bool leads_within(const Offset& from, const Offset& to, const Number& radius) {
-    if (radius.sign() <= 0) return false;
-    const Offset way{to.p - from.p, to.q - from.q};
-    const Number along = -(way.p * from.p + way.q * from.q);
-    const Number length_2 = way.square();
-    if (along.sign() <= 0) return from.square() < radius * radius;
-    if (along >= length_2) return to.square() < radius * radius;
-    const Number across = way.p * from.q - way.q * from.p;
-    return across * across < radius * radius * length_2;
-  }
-  // Deeper in the material than a circle.
-  bool is_deeper(const Offset& from, const Offset& to, const Number& radius,
-                 const Number& off) const {
-    return free_ > 0 ? leads_within(from, to, radius - off) : leads_beyond(from, to, radius + off);
-  }
-  bool is_deeper(const Event& piece, const Number& radius) const {
-    return is_deeper(offset_of(piece.from), offset_of(piece.to), radius, slack_.round(piece.width));
-  }
-  bool is_beyond(const Event& piece, const Number& radius) const {
-    return leads_beyond(offset_of(piece.from), offset_of(piece.to),
-                        radius + slack_.round(piece.width));
-  }
-  bool is_on(const Offset& at, const Number& radius, const Number& off) const {
-    const Number low = max(radius - off, 0);
-    return at.square() >= low * low && at.square() <= (radius + off) * (radius + off);
   }
 
   void breaks(std::size_t piece, Step what) {
@@ -137,7 +66,7 @@ class ThreadPasses {
     enter(number, begin);
   }
 
-  // J-THR-02 says it at length: arcs of one sense at the R plane, and one straight cut to r_n.
+  // Arcs of one sense at the R plane, and one straight cut to r_n.
   void enter(std::int64_t number, std::size_t begin) {
     const Number radius = radius_of_pass(number);
     const Position start = subject_.at(begin).from;
@@ -206,16 +135,6 @@ class ThreadPasses {
     const Event& piece = subject_.at(i);
     return is_on(offset_of(piece.to), radius, slack_.round(piece.width));
   }
-  // Whether a line that began elsewhere goes on in another direction.
-  bool turns_aside(const Offset& begin, const Offset& from, const Offset& to) const {
-    const Offset first{from.p - begin.p, from.q - begin.q};
-    const Offset all{to.p - begin.p, to.q - begin.q};
-    const Number off = terms_.tolerance * 3;
-    const Number across = first.p * all.q - first.q * all.p;
-    const bool goes_back = first.p * (to.p - from.p) + first.q * (to.q - from.q) < -off * off;
-    return goes_back || across * across > off * off * all.square();
-  }
-
   // Arcs that all turn one way, no more than once: the way their directions go round, of which
   // quarters are seen.
   class Arcs {
@@ -235,9 +154,6 @@ class ThreadPasses {
     int sense_ = 0;
     Winding directions_{1, 0};
   };
-  Offset way_of_piece(const Event& piece) const {
-    return {piece.to[axes_.p] - piece.from[axes_.p], piece.to[axes_.q] - piece.from[axes_.q]};
-  }
   static Number degrees_of(const Number& along, const Number& across) {
     if (along.sign() == 0 && across.sign() == 0) return 0;
     const Number degrees = rational_near(angle_degrees(along, across));
@@ -258,7 +174,8 @@ class ThreadPasses {
       const Event& piece = subject_.at(i);
       if (is_end(i) && swept >= whole_ - aside * 2 && is_at_bottom(piece.from)) run_out(number, i);
       if (!piece.is_motion()) return breaks(i, "The helix ends early.");
-      if (swept > whole_ + aside * 2) return breaks(i, "The helix makes more turns than J-THR-04.");
+      if (swept > whole_ + aside * 2)
+        return breaks(i, "The helix makes more turns than it has leads.");
       if (end_of_small_stretch(subject_, i, terms_.tolerance)) {
         last = offset_of(piece.to);
         continue;
@@ -285,41 +202,6 @@ class ThreadPasses {
         return breaks(i, "The helix has another lead.");
     }
   }
-  bool is_at_bottom(const Position& place) const {
-    return abs(height_of(place)) <= terms_.tolerance * 17 / 8;
-  }
-
-  // Where J and K lead from the end of the helix; of a bore also through its axis.
-  std::vector<Offset> ends_of_run_out(const Offset& from) const {
-    const Number radius = rational_near(sqrt(from.square()));
-    const Number sense = thread_.sense;
-    const auto turned = [&](const Number& degrees, const Number& length) {
-      const auto [cosine, sine] = exact::cos_sin_degrees(degrees);
-      const Number c = rational_near(cosine);
-      const Number s = rational_near(sine) * sense;
-      return Offset{(from.p * c - from.q * s) * length / radius,
-                    (from.q * c + from.p * s) * length / radius};
-    };
-    const auto straight = [&](const Number& from_normal) {
-      const Number degrees = free_ > 0 ? from_normal : Number(kTurn / 2) - from_normal;
-      const Offset way =
-          turned((degrees + kTurn * 2) - ((degrees + kTurn * 2) / kTurn).floor() * kTurn, run_out_);
-      return Offset{from.p + way.p, from.q + way.q};
-    };
-    const Number& k = thread_.runout_angle;
-    std::vector<Offset> ends;
-    const auto is = [&](ThreadRunOut one) {
-      return thread_.runout == ThreadRunOut::open || thread_.runout == one;
-    };
-    if (is(ThreadRunOut::polar)) {
-      ends.push_back(turned(k, radius + run_out_ * free_));
-      if (free_ < 0 && run_out_ > radius) ends.push_back(turned(k, 0));
-    }
-    if (is(ThreadRunOut::radial)) ends.push_back(straight(k));
-    if (is(ThreadRunOut::tangent)) ends.push_back(straight(Number(kTurn / 4) - k));
-    return ends;
-  }
-
   // GSK-G114-11.
   void run_out(std::int64_t number, std::size_t begin) {
     if (run_out_.sign() == 0) return back(number, begin);
@@ -360,30 +242,6 @@ class ThreadPasses {
     }
   }
 
-  // From the bottom up, never down; in the material no higher than the groove rises over K.
-  Step broken_height(const Event& piece) const {
-    const Number off = slack_.axis(piece.width);
-    const Number low = height_of(piece.from);
-    const Number high = height_of(piece.to);
-    if (high < low - off || high < -off) return "The run-out goes down.";
-    if (height_of(piece.to) > abs(top_ - bottom_) + off)
-      return "The run-out leaves the heights of the thread.";
-    const Number angle = rational_near(thread_.runout_angle);
-    const Number allowed = lead_ * min(angle, Number(kTurn) - angle) / kTurn + off;
-    if (high <= allowed) return {};
-    // What lies above.
-    const Number part = low >= allowed ? Number(0) : (allowed - low) / (high - low);
-    const Offset from = offset_of(point_at(piece, part));
-    return is_deeper(from, offset_of(piece.to), start_, slack_.round(piece.width))
-               ? "The run-out rises in the material."
-               : Step();
-  }
-
-  Number kept_of(std::int64_t number) const {
-    const Number depth = rational_near(thread_.depth_of_pass(Number(number)));
-    return run_out_ < depth ? radius_of_pass(number) : start_;
-  }
-
   // Along d alone, to the R plane, beside where the run-out ended.
   void back(std::int64_t number, std::size_t begin) {
     const Position foot = subject_.at(begin).from;
@@ -403,15 +261,6 @@ class ThreadPasses {
         broken = "The way back goes beyond the R plane.";
       if (!broken.empty()) return breaks(i, broken);
     }
-  }
-
-  bool is_safe(const Position& place) const {
-    const Offset at = offset_of(place);
-    const Number off = slack_.round(0);
-    const Number safe = start_ + run_out_ * free_;
-    if (free_ < 0) return abs(at.p) <= abs(safe) + off;
-    const Number least = max(safe - off, 0);
-    return at.square() >= least * least;
   }
 
   // Along p alone, one way, at the R plane, until the tool is safe.
@@ -446,20 +295,8 @@ class ThreadPasses {
     }
   }
 
-  const ThreadMilling& thread_;
-  const Terms& terms_;
-  Slack slack_;
   SubjectSide& subject_;
   std::size_t begin_;
-  reference::PlaneAxes axes_;
-  Offset middle_;
-  Number top_;
-  Number bottom_;
-  int up_;
-  int free_;  // outward or inward
-  Number start_;
-  Number run_out_;
-  Number lead_;
   Number whole_;  // degrees of a helix
   std::int64_t passes_;
   std::set<std::pair<std::int64_t, std::size_t>> visited_;
@@ -468,58 +305,7 @@ class ThreadPasses {
   Step broken_;
 };
 
-// About the axis, by half a turn.
-void turn_over(reference::Record& record, const ThreadMilling& thread) {
-  const reference::PlaneAxes axes = reference::axes_of(thread.plane);
-  record.to[axes.p] = thread.centre[0] * 2 - record.to[axes.p];
-  record.to[axes.q] = thread.centre[1] * 2 - record.to[axes.q];
-  record.centre = {thread.centre[0] * 2 - record.centre[0],
-                   thread.centre[1] * 2 - record.centre[1]};
-}
-
-std::vector<reference::Record> named_path(const ThreadMilling& thread, const Position& from,
-                                          bool is_turned) {
-  reference::gsk988ta::MillingSite site;
-  site.block = thread.block;
-  site.plane = thread.plane;
-  site.axes = reference::axes_of(thread.plane);
-  site.centre = from;
-  site.centre[site.axes.p] = thread.centre[0];
-  site.centre[site.axes.q] = thread.centre[1];
-  site.r_plane = thread.r_plane;
-  site.bottom = thread.bottom;
-  site.travel = thread.travel;
-  site.feed = thread.feed;
-  site.feed_mode = thread.feed_mode;
-  std::vector<reference::Record> path;
-  auto passes = thread_passes(site, thread);
-  while (const reference::Record* record = passes.next()) {
-    path.push_back(*record);
-    if (is_turned) turn_over(path.back(), thread);
-  }
-  // The last one says where all axes are.
-  Position end = from;
-  for (const reference::Record& record : path) end = end_of(record, end);
-  path.back().axes = reference::kEveryAxis;
-  path.back().to = end;
-  return path;
-}
-
 }  // namespace
-
-std::vector<std::vector<reference::Record>> paths_of(const ThreadMilling& thread,
-                                                     const Position& from) {
-  std::vector<std::vector<reference::Record>> paths;
-  for (const ThreadRunOut one :
-       {ThreadRunOut::polar, ThreadRunOut::radial, ThreadRunOut::tangent}) {
-    if (thread.runout != ThreadRunOut::open && thread.runout != one) continue;
-    ThreadMilling named = thread;
-    named.runout = one;
-    for (const bool is_turned : {false, true}) paths.push_back(named_path(named, from, is_turned));
-    if (thread.runout_length.sign() == 0) break;
-  }
-  return paths;
-}
 
 StepAnswer follow(const ThreadMilling& thread, const Followed& way) {
   return ThreadPasses(thread, way).answer();

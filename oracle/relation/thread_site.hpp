@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// R8 of threads: what a place or a piece is, seen from the axis of the thread.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "oracle/relation/free_step.hpp"
+
+namespace gonogo::relation {
+
+struct ThreadSite {
+  ThreadSite(const reference::ThreadMilling& thread, const Followed& way);
+
+  // What a piece has that no step allows; empty: nothing. Axes and words.
+  std::string_view words_of(const Event& piece, bool may_traverse) const;
+
+  Offset offset_of(const Position& place) const {
+    return {place[axes_.p] - middle_.p, place[axes_.q] - middle_.q};
+  }
+  Offset way_of_piece(const Event& piece) const {
+    return {piece.to[axes_.p] - piece.from[axes_.p], piece.to[axes_.q] - piece.from[axes_.q]};
+  }
+  Number height_of(const Position& place) const { return (place[axes_.d] - bottom_) * up_; }
+  bool is_at_top(const Position& place, const Number& width) const {
+    return abs(place[axes_.d] - top_) <= slack_.axis(width);
+  }
+  bool is_at_bottom(const Position& place) const {
+    return abs(height_of(place)) <= terms_.tolerance * 17 / 8;
+  }
+  // On a circle; deeper in the material than it, farther from the axis than it, in any point.
+  static bool is_on(const Offset& at, const Number& radius, const Number& off);
+  bool is_deeper(const Offset& from, const Offset& to, const Number& radius,
+                 const Number& off) const;
+  bool is_deeper(const Event& piece, const Number& radius) const;
+  bool is_beyond(const Event& piece, const Number& radius) const;
+  // Of pass 0: of the uncut part. What the way to safety keeps to.
+  Number radius_of_pass(std::int64_t number) const;
+  Number kept_of(std::int64_t number) const;
+  bool is_safe(const Position& place) const;
+  // Whether a line that began elsewhere goes on in another direction.
+  bool turns_aside(const Offset& begin, const Offset& from, const Offset& to) const;
+  // Where J and K lead from the end of a helix; of a bore also through its axis.
+  std::vector<Offset> ends_of_run_out(const Offset& from) const;
+  // From the bottom up, never down; in the material no higher than the groove rises over K.
+  std::string_view broken_height(const Event& piece) const;
+
+  const reference::ThreadMilling& thread_;
+  const Terms& terms_;
+  Slack slack_;
+  Position begin_place_;
+  reference::PlaneAxes axes_;
+  Offset middle_;
+  Number top_;
+  Number bottom_;
+  int up_;
+  int free_;  // outward or inward
+  Number start_;
+  Number run_out_;
+  Number lead_;
+};
+
+}  // namespace gonogo::relation
