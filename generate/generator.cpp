@@ -33,7 +33,7 @@ GeneratedProgram write_sinumerik(Choices& choices, const GeneratorSettings& sett
   return generate_sinumerik(kDialect, choices, settings, kind, distribution);
 }
 
-// Of offsets, parameters, expressions and O words.
+// For offsets, parameters, expressions and O words.
 constexpr auto kUnaskedByNgc = std::to_array(
     {reference::ReadingKey::ngc_g92_other_axes, reference::ReadingKey::ngc_equal,
      reference::ReadingKey::ngc_sign_of_value, reference::ReadingKey::ngc_call_parameters});

@@ -38,7 +38,7 @@ struct KindWeights {
   std::uint32_t tiny = 0;
 };
 
-// Of the machine, what may differ from the dialect's defaults; a dialect passes over what it lacks.
+// What of the machine may differ from the dialect's defaults; a dialect passes over what it lacks.
 struct MachineSettings {
   bool state = true;       // units and state at power-on, increment, diameters, block skip
   bool readings = true;    // alternatives that are not the default
@@ -52,7 +52,7 @@ struct GeneratorSettings {
   // Blocks after the head, at most; a chain of arcs counts as one. Without it the dialect's own: 8
   // of gsk988ta and hnc21t, 10 of rs274, 12 of the SINUMERIKs. REQUIRES: at least 1.
   std::optional<int> most_blocks;
-  // Of near_invalid: one block in so many has one thing put wrong. REQUIRES: at least 1.
+  // For near_invalid: one block in so many has one thing put wrong. REQUIRES: at least 1.
   std::uint32_t fault_one_in = 12;
   // One program in so many leaves open what the dialect leaves open, and any alternative will do;
   // in the others one is chosen for each, which is one reference to follow in place of several.
@@ -74,11 +74,11 @@ struct GeneratorSettings {
   int starts = 4;  // of a thread
 };
 
-// Of the differential fuzz targets: every kind that the built-in expanders are right for. How long
+// For the differential fuzz targets: every kind that the built-in expanders are right for. How long
 // a program is the engine's -max_len says, since it ends with the decisions.
 GeneratorSettings in_process_settings();
 
-// Of numbers in read_settings.
+// The range of numbers in read_settings.
 inline constexpr std::uint32_t kMostOfASetting = 1'000;
 // "raw=1,near-invalid=0,blocks=4,readings=off" changes those settings: numbers are named valid,
 // near-invalid, boundary, raw, tiny, blocks, fault-one-in, open-one-in, turns, rings, layers,

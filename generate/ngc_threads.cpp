@@ -45,7 +45,7 @@ std::int64_t NgcWriter::pass_words(Words& words) {
   const char* const degression =
       choices_.one_in(3) ? "" : choices_.pick({"R1", "R2", "R2", "R1.5", "R3", "R2.5", "R1.25"});
   const bool equal = degression[0] == '\0' || std::string_view(degression) == "R1";
-  // Of passes by the root, as many as the square of this.
+  // Passes by the root: as many as the square of this.
   const std::int64_t most = equal ? settings_.pecks : 3;
   std::int64_t depth = infeed * choices_.between(2, most);
   if (choices_.one_in(3)) depth += choices_.between(-1, 1);

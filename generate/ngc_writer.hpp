@@ -14,7 +14,7 @@
 
 namespace gonogo::generate {
 
-// Of a code of the motion group.
+// For a code of the motion group.
 constexpr bool is_pecking(int motion) {
   return motion == 73 || motion == 83;
 }

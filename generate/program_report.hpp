@@ -10,7 +10,7 @@
 namespace gonogo::generate {
 
 // Adds what the program's machine has ("machine: offset G54"), and what the reference puts out for
-// it ("record arc", "arc plane G18", "alarm value-sign", "clause GSK-G94"). Of a program of more
+// it ("record arc", "arc plane G18", "alarm value-sign", "clause GSK-G94"). For a program of more
 // than 10,000 records, these.
 void count_program(const GeneratedProgram& program, Distribution& distribution);
 

@@ -147,7 +147,7 @@ void ProgramWriter::choose_readings() {
 }
 
 // One value to another of the block, its double or its half, or the least increment beside; the
-// sign stays. Of words that may have any value.
+// sign stays. For words that may have any value.
 void ProgramWriter::move_to_boundary(Words& words) {
   std::vector<std::size_t> values;
   for (std::size_t i = 0; i < words.size(); ++i) {

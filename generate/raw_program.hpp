@@ -8,7 +8,7 @@
 namespace gonogo::generate {
 
 // Entries of the dialect's dictionary (program/dictionaries), letters with numbers in any spelling,
-// and seldom a byte that no program has. Of the machine it varies the readings alone.
+// and seldom a byte that no program has. It varies only the readings of the machine.
 GeneratedProgram raw_program(std::string_view dialect, Choices& choices,
                              const GeneratorSettings& settings);
 

@@ -77,7 +77,7 @@ void SinumerikWriter::cip_block() {
   const bool in_line = area < 1e-3 * norm(via) * norm(end) + 1e-9 || norm(last) < 1e-3;
   // Points in line decide on an alarm: not where they are no decimals.
   if (in_line && !exact) return line_block();
-  // Of a circle as large the last digit of a point moves the far side by more than the tolerance.
+  // On a circle as large the last digit of a point moves the far side by more than the tolerance.
   constexpr double kLargestRadius = 1e5;  // mm
   if (!in_line && norm(via) * norm(end) * norm(last) > 2 * kLargestRadius * area) {
     return line_block();
@@ -98,7 +98,7 @@ void SinumerikWriter::cip_block() {
     count("CIP in line");
     arrive_straight();
   } else {
-    // Of the circle through via, the end and the start, in that order.
+    // For the circle through via, the end and the start, in that order.
     Direction tangent{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       tangent[axis] = last[axis] / dot(last, last) - end[axis] / dot(end, end);

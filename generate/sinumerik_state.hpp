@@ -43,7 +43,7 @@ constexpr PlaneOf plane_of(int code) {
   return {0, 1, 2};
 }
 
-// Of sinumerik802s: a place of the base system is the translation and the place turned.
+// sinumerik802s: a place of the base system is the translation and the place turned.
 struct SinumerikFrame {
   Place translation;
   int plane = 17;

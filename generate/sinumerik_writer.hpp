@@ -170,7 +170,7 @@ class SinumerikWriter final : ProgramWriter {
   bool by_angle_ = false;       // the block has an AR=
   bool faulted_ = false;
   bool slashed_ = false;
-  // Of the limit for ends beside their circle: 0.0001 mm, and millionths of the radius.
+  // The limit for ends beside their circle: 0.0001 mm, and millionths of the radius.
   std::int64_t error_const_ = 100;
   std::int64_t error_factor_ = 1'000;
 };

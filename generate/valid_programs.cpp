@@ -15,7 +15,7 @@
 namespace gonogo::generate {
 namespace {
 
-// Of a program; longer ones are of no use.
+// The length of a program; longer ones are of no use.
 constexpr std::size_t kMostItems = 5'000;
 
 // The program without its line of this number, from 1. REQUIRES: it has one.

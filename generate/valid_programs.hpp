@@ -15,10 +15,10 @@
 namespace gonogo::generate {
 
 struct ValidOptions {
-  // Of the programs; kinds near_invalid and raw are not asked for.
+  // For the programs; kinds near_invalid and raw are not asked for.
   GeneratorSettings settings;
   std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
-  // Of `gonogo spec --features`, the only ones that a program may need; empty: all.
+  // Words of `gonogo spec --features`, the only ones that a program may need; empty: all.
   std::set<std::string> features;
 };
 
@@ -28,7 +28,7 @@ struct ValidCount {
   std::size_t left_out = 0;  // of them, since a rule refused them or their feature is not declared
   std::size_t thrown_out =
       0;  // programs that were refused all the same, or are left without a block
-  // Of the blocks that a rule refused, by the clause and the class of the alarm.
+  // The blocks that a rule refused, by the clause and the class of the alarm.
   std::map<std::string, std::size_t> refused_by;
 };
 

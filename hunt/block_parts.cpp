@@ -26,7 +26,7 @@ bool has_only_digits(std::string_view text) {
   return !has(text, [](unsigned char c) { return std::isdigit(c) == 0; });
 }
 
-// Of and of an address alone; what is calculated or has an index is told otherwise.
+// The part of and of an address alone; what is calculated or has an index is told otherwise.
 bool is_plain_number(std::string_view text) {
   if (text.find_first_of("=(") != std::string_view::npos) return true;
   const std::size_t end_of_address = text.find_first_of("0123456789.+- \t");
@@ -92,7 +92,7 @@ void add_word(const TextBlock& block, const TextWord& word, Parts& parts) {
   if (!program::is_word(word)) return add_text(block, word, parts);
   const std::string& code = block.code_of(word);
   add_spelling(word, !code.empty(), parts);
-  // Of M 0 2 it is not known which code it is.
+  // Nobody knows which code M 0 2 is.
   const TextWord* const next = &word + 1;
   const bool is_last = next == block.words.data() + block.words.size();
   if (!code.empty() && !is_last && is_loose_number(*next)) {

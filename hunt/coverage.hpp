@@ -35,7 +35,7 @@ std::optional<Coverage> coverage_of(const generate::GeneratedProgram& program,
 
 // Clauses with the ways in which each decided something (kind, signs of the travel, sense, class).
 using Reached = std::map<reference::ClauseId, std::set<std::uint64_t>>;
-// Of one program; nothing where the reference puts out more than `most_cost`.
+// For one program; nothing where the reference puts out more than `most_cost`.
 std::optional<Reached> reached_by(const generate::GeneratedProgram& program,
                                   std::size_t most_cost);
 

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostDrawnCost = 1'000;
 // The program of a seed; nothing: there is none.
 using ProgramDraw = std::function<std::optional<generate::GeneratedProgram>(std::uint64_t seed)>;
 
-// Of so many programs, those that show something of the reference that none before shows. Program i
+// Those of so many programs that show something of the reference that none before shows. Program i
 // of a seed is program 0 of seed + i, as in gonogo_soak. `gonogo`: "gonogo 0.1.0", for their
 // provenance.
 DrawnVectors draw_vectors(const ProgramDraw& source, std::uint64_t seed, std::size_t programs,

@@ -84,7 +84,7 @@ class Hunt {
   // holds of the result too.
   void reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also = nullptr);
 
-  // Of an earlier hunt: a program that showed something new, and a signature that is no news.
+  // From an earlier hunt: a program that showed something new, and a signature that is no news.
   void offer(const generate::GeneratedProgram& program);
   void know(const Signature& signature) { known_.insert(signature); }
   // How many programs showed each signature, before they were run again alone.

@@ -57,7 +57,7 @@ struct HuntSummary {
   std::size_t standing() const;  // findings
 };
 
-// Of all shards that lie in the folder, whoever ran them; with each face a finding by itself.
+// For all shards that lie in the folder, whoever ran them; with each face a finding by itself.
 // Throws std::runtime_error where one cannot be read.
 HuntSummary summarize_campaign(const std::string& folder);
 

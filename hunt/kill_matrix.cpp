@@ -26,7 +26,7 @@ class Watch {
   }
   const SubjectMaker& make() const { return make_; }
   void start() { begin_ = processor_seconds(); }
-  // Of the method alone.
+  // The method's alone.
   double seconds() const {
     return processor_seconds() - begin_ - (witness_ ? witness_->seconds : 0);
   }

@@ -45,7 +45,7 @@ struct Kill {
   std::size_t blocks = 0;      // of the reduced finding; corpus: 0
   std::string how;             // signature, or id of the case
   // Programs or cases until the line of the fault first ran, and until an answer first differed
-  // from that of the expander without it; 0: never. Of an expander without a fault always 0.
+  // from that of the expander without it; 0: never. An expander without a fault always has 0.
   std::size_t reached = 0;
   std::size_t triggered = 0;
 };
@@ -74,7 +74,7 @@ MatrixRow matrix_row(const MatrixTarget& target, const MatrixOptions& options);
 std::vector<std::string> complaints(const std::vector<MatrixRow>& rows,
                                     const std::vector<Method>& methods);
 
-// Of a method over all faults that it finds.
+// A method's figures over all faults that it finds.
 struct MatrixSummary {
   std::size_t faults = 0;
   std::size_t reached = 0;

@@ -37,7 +37,7 @@ void try_findings(const std::string& folder, Trial& trial, CampaignState& state,
   }
 }
 
-// Of the inputs those that the state does not name.
+// The inputs that the state does not name.
 void remove_others(const std::string& folder, const std::vector<std::string>& kept) {
   const std::set<std::string> names(kept.begin(), kept.end());
   const fs::path inputs = fs::path(folder) / "inputs";

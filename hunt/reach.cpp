@@ -51,7 +51,7 @@ std::string head(const char* what, const char* more) {
                      "not GO", "skipped", more);
 }
 
-// Of all clauses or features how many any program reached, and a judged one.
+// How many of all clauses or features any program reached, and a judged one.
 struct Share {
   std::size_t all = 0;
   std::size_t reached = 0;

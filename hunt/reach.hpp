@@ -36,7 +36,7 @@ struct ClauseReach {
 
 class Reach {
  public:
-  // Of the dialect's whole catalog and vocabulary.
+  // The dialect's whole catalog and vocabulary.
   explicit Reach(const std::string& dialect);
 
   // `verdict`: nothing where the subject's answer was too long to be judged. `features`: that the

@@ -219,7 +219,7 @@ Repertoire::Trying Repertoire::next_try(const generate::GeneratedProgram& progra
   return trying;
 }
 
-// Of what the program has and is out, so that what was blamed for something else comes back soon.
+// What the program has and is out, so that what was blamed for something else comes back soon.
 std::optional<std::string> Repertoire::least_blamed(
     const generate::GeneratedProgram& program) const {
   std::optional<std::string> least;
@@ -326,7 +326,7 @@ void Repertoire::learn_ran(const generate::GeneratedProgram& program) {
 }
 
 void Repertoire::learn_skipped(const generate::GeneratedProgram& program) {
-  // Of known parts together with others: a part that hardly ever ran, and why it did is unclear
+  // Known parts together with others: a part that hardly ever ran, and why it did is unclear
   // (an alarm before it).
   constexpr std::size_t kSkippedOften = 4;
   constexpr std::size_t kToOneThatRan = 1;

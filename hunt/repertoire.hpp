@@ -71,7 +71,7 @@ class Repertoire {
   void note(const generate::GeneratedProgram& program, bool ran);
   void learn_ran(const generate::GeneratedProgram& program);
   void learn_skipped(const generate::GeneratedProgram& program);
-  // Of the first `blocks` blocks, and of the machine.
+  // For the first `blocks` blocks and for the machine.
   Parts parts_of(const generate::GeneratedProgram& program, std::size_t blocks) const;
   bool is_undeclared(const std::string& part) const;
   bool is_out(const std::string& part) const;

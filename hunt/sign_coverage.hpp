@@ -31,10 +31,10 @@ class SignCounter final : public reference::DecisionWatch {
   Counts counts_;
 };
 
-// Of the corpus's cases of the dialect, under every alternative of readings that they leave open.
+// The corpus's cases of the dialect, under every alternative of readings that they leave open.
 // Throws oracle::CorpusError.
 SignCounter::Counts signs_of_corpus(const oracle::Corpus& corpus, std::string_view dialect);
-// Of so many programs of a hunt with that subject, its finding nothing or something.
+// So many programs of a hunt with that subject, its finding nothing or something.
 SignCounter::Counts signs_of_hunt(const SubjectMaker& subject, const std::string& dialect,
                                   std::uint64_t seed, std::size_t programs);
 

@@ -22,7 +22,7 @@ struct ExplanationTerms {
   std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
   std::optional<reference::Number> chord;
   std::optional<reference::Number> feed_resolution;
-  // Of all trials together: with more nothing is said. A subject that never ends one cycle has
+  // For all trials together: with more nothing is said. A subject that never ends one cycle has
   // thousands of records, and is held against hundreds of mistakes.
   std::size_t most_records = std::numeric_limits<std::size_t>::max();
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The state of one identification. Of use to identify.cpp and the files beside it only.
+// The state of one identification. Only identify.cpp and the files beside it use it.
 #pragma once
 
 #include <map>

@@ -266,7 +266,7 @@ void Identifier::judge_runs_again() {
   }
 }
 
-// Of values that cannot be told apart one is as good as another.
+// One of the values that cannot be told apart is as good as another.
 void Identifier::count_coordinates() {
   for (const Item& item : items_) {
     if (!item.run || !found_.runs[*item.run].outcome.answered()) continue;

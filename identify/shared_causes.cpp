@@ -64,7 +64,7 @@ std::vector<Sharing::Candidate> Sharing::candidates(const Variants& variants) {
     }
     all.push_back(std::move(candidate));
   }
-  // Of equal ones the mistake that was tried first.
+  // Among equal ones the mistake that was tried first.
   std::ranges::sort(all, {}, [&](const Candidate& candidate) {
     return std::pair(open_.size() - candidate.explained.size(),
                      candidate.variant - variants.data());

@@ -10,7 +10,7 @@
 
 namespace gonogo::program {
 
-// Of the vocabulary of `gonogo spec --features`; "basic" always. Rather a feature too many than one
+// Words of `gonogo spec --features`; "basic" always. Rather a feature too many than one
 // too few.
 std::set<std::string> features_needed(const ProgramText& program);
 // The same of one of its blocks.

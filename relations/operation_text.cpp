@@ -50,7 +50,7 @@ const Words* words_of(std::string_view dialect) {
   return found == kWords.end() ? nullptr : found;
 }
 
-// Of a hole, where the dialect has one cycle for it.
+// The cycle of a hole, where the dialect has one cycle for it.
 std::string_view hole_code(const Words& words, HoleKind kind) {
   constexpr auto kCodes =
       std::to_array<std::string_view>({"G81", "G82", "G83", "G73", "G85", "G89"});

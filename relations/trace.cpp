@@ -190,7 +190,7 @@ std::optional<Difference> first_difference(const Trace& first, const Trace& othe
   if (related.is_beginning) {
     std::erase_if(got, [](const Record& record) { return record.kind == RecordKind::end; });
   }
-  // Of the line of a record: where it stands in the first program.
+  // For the line of a record: where it stands in the first program.
   auto first_line = [&](std::uint64_t line) -> std::uint64_t {
     const auto place = std::ranges::find(related.lines, line);
     return place == related.lines.end() || line == 0

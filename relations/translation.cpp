@@ -127,7 +127,7 @@ bool is_along_depth(Role role) {
   return role == Role::along_d;
 }
 
-// The absolute words are written anew. Of cycles with words along the depth axis that axis stays.
+// The absolute words are written anew. In cycles with words along the depth axis that axis stays.
 // Poles at the workpiece zero, as they are after a plane code, stay there: no polar words.
 std::optional<Related> translated_words(const generate::GeneratedProgram& program) {
   const Profile& profile = program.profile;

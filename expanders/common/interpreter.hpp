@@ -50,7 +50,7 @@ class Interpreter {
   const AlarmNumbers& numbers_;
 };
 
-/// Of programs of letters and numbers with one M function a block.
+/// For programs of letters and numbers with one M function a block.
 class LetterInterpreter : public Interpreter {
  protected:
   using Interpreter::Interpreter;

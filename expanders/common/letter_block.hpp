@@ -39,7 +39,7 @@ class LetterBlock {
 
   bool has(char address) const { return words_.has(address); }
   bool has_any(AddressSet addresses) const { return words_.any_of(addresses); }
-  /// Of a word that is there.
+  /// For a word that is there.
   const Decimal& number(char address) const { return numbers_[index_of(address)]; }
   Position position(char address) const {
     return has(address) ? positions_[index_of(address)] : kNowhere;

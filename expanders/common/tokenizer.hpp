@@ -23,7 +23,7 @@ class LineReader {
 
   /// False at the end of the program.
   bool next(std::string_view& line);
-  /// Of the line that was read last, from 1; 0 before the first.
+  /// The line that was read last, from 1; 0 before the first.
   std::uint64_t number() const { return number_; }
 
  private:

@@ -3,7 +3,7 @@
 // Defaults of the address sanitizer in the fuzz targets; ASAN_OPTIONS goes before them. The
 // grammars throw where a line cannot be read, and with fake stacks each throw costs a sweep over
 // all of them, three quarters of the time of fuzz_parse. The tests under the sanitizers keep that
-// check. Of an allocation one caller is kept, which saves a quarter of the differential targets'
+// check. One caller of an allocation is kept, which saves a quarter of the differential targets'
 // time; ASAN_OPTIONS=malloc_context_size=30 shows the others when an input is run again.
 // Freed memory waits until 1 MiB more is freed, that of some ten executions, which stays in the
 // processor's caches as the default of 256 would not; and of a new block the first 256 bytes are

@@ -13,7 +13,7 @@
 
 namespace gonogo::cover {
 
-// Of the corpora that the models as they are now give.
+// For the corpora that the models give as they are now.
 inline constexpr const char* kModelsVersion = "2026.1.0";
 
 // What determines the cases of a model, and stands in their ids.

@@ -157,7 +157,7 @@ std::vector<std::string> tuples_of(const Parameters& parameters, Strength streng
   const Counter counter(parameters);
   std::vector<std::string> tuples;
   const std::size_t faults = faults_of(counter, row);
-  // Of a row only its own classes are tried.
+  // A row is tried with its own classes only.
   const std::size_t size =
       std::min<std::size_t>(faults == 0 ? strength.valid : strength.faulty, row.size());
   std::vector<bool> chosen(row.size());

@@ -11,7 +11,7 @@
 // Blanks may stand between all of these and between an address and its number. A dialect says
 // what its head, its keywords and its constructs are, and whether letters are capitals.
 //
-// Of a maker's macro language the grammar only knows that it is there: from where it begins a line
+// The grammar only knows that a maker's macro language is there: from where it begins a line
 // need only be free of bytes that no program has and close its comments and brackets.
 //
 // Every alternative is told by its first bytes, so nothing backtracks into the block. The names of

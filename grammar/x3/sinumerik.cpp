@@ -17,7 +17,7 @@
 // A name has two letters at least and goes on as far as it can: CIPX10 is one, but X10Y20 are two
 // items. Blanks may stand behind a letter and round '=', operators and brackets.
 //
-// Of what the gauge does not read the grammar only knows that it is there. From where it begins a
+// The grammar only knows that what the gauge does not read is there. From where it begins a
 // line need only be free of bytes that no program has and close its strings. Its word is not kept.
 #include "grammar/x3/sinumerik.hpp"
 

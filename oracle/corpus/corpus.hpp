@@ -56,7 +56,7 @@ struct Case {
   std::vector<std::string> tags_tway;
   std::vector<std::string> tags_sign;
   std::string provenance;
-  // Of its file and group.
+  // From its file and group.
   std::string dialect;
   std::string cycle;
   std::string group;
@@ -90,7 +90,7 @@ class Corpus {
   // Throws CorpusError, also for an id that stands in two files or is retired.
   void for_each(const std::function<bool(const Case&)>& visit) const;
   const std::vector<std::string>& files() const { return files_; }
-  // Of each file, in the same order.
+  // The size of each file, in the same order.
   const std::vector<std::uint64_t>& file_bytes() const { return file_bytes_; }
   // Ids that were used once and never are again.
   const std::set<std::string>& retired() const { return retired_; }

@@ -12,7 +12,7 @@
 
 namespace gonogo::oracle {
 
-// Whether an id stands in two files of a corpus, told file by file. Of a file whose ids lie before
+// Whether an id stands in two files of a corpus, told file by file. For a file whose ids lie before
 // or behind those of every other one only the first and the last are kept: memory grows with the
 // files, not the cases. The ids of files that interleave are kept, 16 bytes each.
 class IdSpans {
@@ -24,7 +24,7 @@ class IdSpans {
   // The ids of the next file, in order. The first one that stood in a file before; nothing: none
   // did.
   std::optional<std::string> add(std::span<const std::string> ids);
-  // Of how many files all ids are kept.
+  // How many files have all their ids kept.
   std::size_t kept() const;
 
  private:

@@ -158,7 +158,7 @@ class DomainCheck {
     return flat(radius, chord);
   }
 
-  // Of the circle through start, intermediate point and end.
+  // For the circle through start, intermediate point and end.
   std::string_view take_space_arc(const Record& record) const {
     if (!at_) return {};
     if (is_trace_between(*at_, record.via, kLinearAxes) ||

@@ -15,7 +15,7 @@ namespace gonogo::oracle::evidence {
 inline constexpr const char* kCausesFile = "causes.json";
 using Causes = std::map<Finding::Key, std::string>;
 
-// Of the folder; a file that is missing or of another format says nothing.
+// Those of the folder; a file that is missing or of another format says nothing.
 Causes read_causes(const std::filesystem::path& folder);
 // Without causes the file is taken away: it was of the run before. Throws std::system_error.
 void write_causes(const std::filesystem::path& folder, const Causes& causes);

@@ -29,7 +29,7 @@ struct ChangedCase {
   Json after;
 };
 
-// Of a comparison, of two runs or of many, what is said besides the cases that changed.
+// What a comparison of two runs or of many says besides the cases that changed.
 struct ComparedCases {
   std::vector<std::string> notes;  // sentences: in what the runs differ besides their cases
   // Cases that only the run now has, and those that it lacks: how many, and the first of them.

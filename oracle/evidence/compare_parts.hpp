@@ -13,7 +13,7 @@
 
 namespace gonogo::oracle::evidence {
 
-// Of a case line what its verdict rests on; run time, notes and traces may differ.
+// What the verdict of a case line rests on; run time, notes and traces may differ.
 Json departure_part(const Json& line);
 
 // What makes runs hard to compare besides their cases: how a sentence names it, and where it stands

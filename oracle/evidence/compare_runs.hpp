@@ -12,7 +12,7 @@
 
 namespace gonogo::oracle::evidence {
 
-// A case that is not the same in all runs that have it. Of the run now it is a
+// A case that is not the same in all runs that have it. In the run now it is a
 //   regression  where it is NO-GO and was GO in one before,
 //   mended      where it is GO and was NO-GO in one before,
 //   departure   where it is NO-GO, was NO-GO in one before, and departed elsewhere there,

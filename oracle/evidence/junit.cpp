@@ -161,7 +161,7 @@ void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFil
   out.write("</testsuite>\n");
 }
 
-// Of the whole run, in each suite: a reader of one sees what the others were.
+// The whole run's, in each suite: a reader of one sees what the others were.
 std::string JunitWriter::properties(const RunState& state) const {
   const Json& headline = state.summary["headline"];
   std::string own = property("decision", state.decision) + property("head", state.head) +

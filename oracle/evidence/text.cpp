@@ -21,7 +21,7 @@ bool is_punctuation(char c) {
   return c > ' ' && c < '\x7f' && !is_letter_or_digit(c);
 }
 
-// Of the longest row of backticks.
+// The length of the longest row of backticks.
 std::size_t longest_ticks(std::string_view text) {
   std::size_t longest = 0;
   std::size_t here = 0;

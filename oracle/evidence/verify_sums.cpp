@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Result = Check::Result;
 
-// Of many faults of one kind, the first are named.
+// The first of many faults of one kind are named.
 constexpr std::size_t kNamedFaults = 10;
 
 constexpr std::string_view kTracesPrefix = "traces/";

@@ -18,7 +18,7 @@ namespace gonogo::oracle::site {
 
 // The cases in which runs depart in one way: dialect, verdict, clause, and what it is about.
 struct Departure {
-  // Of one run.
+  // For one run.
   struct Share {
     std::uint64_t cases = 0;
     std::uint64_t known = 0;  // of them

@@ -68,7 +68,7 @@ void Speed::add(const std::string& id, std::uint64_t microseconds) {
   total_ += microseconds;
   ++classes_[class_end(microseconds)];
   if (slowest_.size() == kSlowest && microseconds <= slowest_.back().microseconds) return;
-  // Of equally slow ones the first: lines come in the order of their ids.
+  // Among equally slow ones the first: lines come in the order of their ids.
   const auto place = std::ranges::find_if(
       slowest_, [&](const Slow& slow) { return slow.microseconds < microseconds; });
   slowest_.insert(place, {microseconds, id});

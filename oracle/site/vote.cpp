@@ -14,7 +14,7 @@ namespace gonogo::oracle::site {
 namespace {
 
 constexpr std::size_t kFirstOfAgreement = 5;
-// Of more the clause is not kept.
+// The clause of more is not kept.
 constexpr std::size_t kMostAgreements = 2'000;
 
 struct BallotNames {

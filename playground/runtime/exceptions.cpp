@@ -68,7 +68,7 @@ const void* virtual_table(const std::type_info& type) {
 // `value` of type `thrown` as a `wanted`, its own type or a public base; null where it is none.
 void* as(void* value, const std::type_info& thrown, const std::type_info& wanted) {
   if (thrown == wanted) return value;
-  // Of what kind a class is, its virtual table says; these are samples of the two kinds with bases.
+  // Its virtual table says of what kind a class is; these are samples of the two kinds with bases.
   struct Root {};
   struct Other {};
   struct Single : Root {};
