@@ -58,6 +58,7 @@ class ThreadJudge : public OpenStep {
   OpenStepAnswer take_named(const Motion& motion);
   bool prepare_named(const Position& from);  // false where the step moves nothing
   void next_named(const Position& at);
+  bool passes_end_of_thread(const Motion& motion) const;
 
   HelixShape shape() const;  // of the helix of the pass
   // Follows the motion along every helix that may have begun, or begins with it.

@@ -63,6 +63,15 @@ void ThreadJudge::next_named(const Position& at) {
   if (pass_ > passes_) step_ = Step::over;
 }
 
+// J-THR-09. Without block numbers the traverse of the next block may be joined to the last one of a
+// thread that ends at the initial plane.
+bool ThreadJudge::passes_end_of_thread(const Motion& motion) const {
+  if (step_ != Step::away || pass_ != passes_ || !is_end_untold()) return false;
+  const Number& end = line_want_.to()[axes_.p];
+  return motion.record.kind == RecordKind::rapid && geometry_.moves_first_axis_alone(motion) &&
+         (end - motion.from[axes_.p]).sign() * (motion.to()[axes_.p] - end).sign() > 0;
+}
+
 OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
   if (phase_ == Phase::away) step_ = Step::away;
   while (true) {
@@ -87,6 +96,7 @@ OpenStepAnswer ThreadJudge::take_named(const Motion& motion) {
       next_named(motion.from);
       continue;
     }
+    if (passes_end_of_thread(motion)) return OpenStepAnswer::end(line_want_.to());
     if (result.departure == Departure::undecided)
       return OpenStepAnswer::gap(result.gap, result.reason);
     const bool feed = result.departure == Departure::feed;

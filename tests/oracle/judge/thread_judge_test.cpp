@@ -47,15 +47,14 @@ TEST(ThreadJudge, ATangentRunOutThatClearsTheThreadIsGo) {
   expect_go(thread, {.reading = "gsk.thread.runout=tangent"});
 }
 
-// J-THR-11.
+// J-THR-05.
 TEST(ThreadJudge, TheTangentRunOutOfTheManualsInternalThreadGougesByItself) {
   // Pass 1 ends at (4, 1.73) from the axis: radius 4.36 < 4.5 is free. Pass 2 ends at (4.5, 1.73):
   // radius 4.82 > 4.5, so that the traverse up touches the thread.
   Thread thread = internal();
   thread.run_out = Thread::RunOut::tangent;
   for (const char* reading : {"any", "tangent"}) {
-    const Verdict verdict =
-        judge(thread, {.reading = std::string("gsk.thread.runout=") + reading});
+    const Verdict verdict = judge(thread, {.reading = std::string("gsk.thread.runout=") + reading});
     EXPECT_EQ(verdict.kind, VerdictKind::oracle_gap) << reading << verdict.message;
   }
 }
@@ -189,6 +188,27 @@ TEST(ThreadJudge, WithoutBlockNumbersAnInitialPlaneAtTheRPlaneIsAGap) {
             VerdictKind::pass_properties);
 }
 
+// J-THR-09. The path that is named ends at 18 + 2 = 20 along Z: the traverse of the next block,
+// Z30, may be told in one with the last of the thread, but no way to another place.
+TEST(ThreadJudge, WithoutBlockNumbersTheNextTraverseMayGoOnFromTheNamedEnd) {
+  const auto verdict = [](const std::string& next, double to) {
+    const std::string program =
+        "G0 X70 Z70 Y15\nG18\nG114 X0 Z0 V-20 I5 J2 K30 E30 P1 D3 F900\nG0 " + next + "\n";
+    TraceText trace(1, 900);
+    trace.rapid({{'x', 35}, {'z', 70}, {'y', 15}}).block(3, 900).rapid({{'x', 0}, {'z', 0}});
+    trace.arc("G18", {{'z', 9}, {'x', 0}}, -1, {{'z', 18}, {'x', 0}}).feed({{'z', 17}});
+    const Thread thread;
+    thread.helix(trace, 17);
+    thread.leave(trace, 17);
+    trace.rapid({{'y', 15}}).rapid({{'z', to}});
+    return judge_trace(program, trace.text(),
+                       Judging{.reading = "gsk.thread.path=arc", .blocks = false});
+  };
+  EXPECT_EQ(verdict("Z30", 30).kind, VerdictKind::pass_properties) << verdict("Z30", 30).message;
+  EXPECT_EQ(decision(verdict("Z30", 29).kind), Decision::no_go);
+  EXPECT_EQ(decision(verdict("X70", 30).kind), Decision::no_go);
+}
+
 TEST(ThreadJudge, TheDiameterTakenAsARadiusIsNoGo) {
   // 30 + 3 - 0.5 = 32.5.
   Thread thread;
@@ -204,6 +224,7 @@ TEST(ThreadJudge, ALastPassThatIsTooDeepIsNoGo) {
   EXPECT_EQ(judge(thread).deviation_mm, "0.1");
 }
 
+// J-THR-04.
 TEST(ThreadJudge, ALeadOnePercentOffIsNoGo) {
   for (int pieces : {1, 4, 16}) {
     Thread thread;
@@ -277,7 +298,7 @@ TEST(ThreadJudge, APassTooManyIsNoGo) {
   expect_no_go(thread, "GSK-G114-04", "again");
 }
 
-// J-THR-08. The arc from 17 to 19 over 30 degrees has a radius of 83. A third of it is a chord of
+// J-THR-01. The arc from 17 to 19 over 30 degrees has a radius of 83. A third of it is a chord of
 // 3.2, with a sagitta of 3.2^2 / (8 * 83) = 0.015, and slopes by 1.6 / 83 = 0.019 into the pass,
 // 17 * 0.019^2 / 2 = 0.003 deep.
 TEST(ThreadJudge, AChordOfTheRunOutMayCutDeeperByWhatIsGranted) {
