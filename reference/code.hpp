@@ -205,6 +205,7 @@ struct Code {
   int sense = 0;              // of rotation: -1 clockwise, +1 counterclockwise
   bool is_initial = false;    // the reference takes it for in force at power-on
   bool is_open_path = false;  // the manual leaves the path open
+  bool passes_m = false;      // it passes on M functions that no block names
   int last = 0;               // tenths of the last code of a family that the row stands for
 
   // 10 times the number of a G code or an M function: G7.1 is 71, M30 is 300; -1: a name.
@@ -261,6 +262,11 @@ struct Code {
     Code code = *this;
     code.words = own;
     code.letters = letters_of(own);
+    return code;
+  }
+  constexpr Code passing_m() const {
+    Code code = *this;
+    code.passes_m = true;
     return code;
   }
   constexpr Code putting(Setting mode) const {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "reference/descriptor.hpp"
+#include "reference/dialect.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -25,7 +28,7 @@ void add_names(std::vector<std::string>& into, const std::string& what, const Js
   for (const Json& name : names) texts.push_back(name.is_string() ? name.get<std::string>() : "");
   const std::string many = names.size() == 1 ? what : what + "s";
   into.push_back(texts.size() > kMostListed ? fmt::format("{} {}", texts.size(), many)
-                                           : fmt::format("{} {}", many, fmt::join(texts, ", ")));
+                                            : fmt::format("{} {}", many, fmt::join(texts, ", ")));
 }
 
 void add_grants(const Json& header, std::vector<std::string>& granted) {
@@ -54,15 +57,43 @@ void add_part(const Json& header, std::vector<std::string>& part) {
   if (!shard.empty() && shard != "1/1") part.push_back("shard " + shard);
   const Json selection = header.value("selection", Json::object());
   add_names(part, "glob", selection.value("only", Json()));
-  if (const std::string one = text_in(selection, "case"); !one.empty()) part.push_back("case " + one);
+  if (const std::string one = text_in(selection, "case"); !one.empty())
+    part.push_back("case " + one);
   add_names(part, "case", selection.value("cases", Json()));
   add_names(part, "cycle", selection.value("cycles", Json()));
   add_names(part, "clause", selection.value("clauses", Json()));
 }
 
+bool names(const Json& list, std::string_view name) {
+  return std::ranges::find(list, Json(name)) != list.end();
+}
+
+// " (g74, g84 of rs274 pass some on themselves)": cycles that the subject was asked for.
+std::string cycles_with_m_functions(const Json& header) {
+  const Json none = Json::object();  // of a header that says nothing of its subject
+  const Json declared = header.value("/subject/dialects"_json_pointer, none);
+  const Json asked = header.value("/selection/dialects"_json_pointer, Json::array());
+  std::string text;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    const std::string dialect_name(dialect.name);
+    if (!asked.empty() && !names(asked, dialect_name)) continue;
+    Json features;
+    if (declared.is_object() && !declared.contains(dialect_name)) continue;
+    if (declared.is_object()) features = declared[dialect_name];
+    std::string cycles;
+    for (const reference::Code& code : dialect.descriptor->codes) {
+      if (!code.passes_m || (!features.empty() && !names(features, code.feature))) continue;
+      cycles += fmt::format("{}{}", cycles.empty() ? "" : ", ", code.feature);
+    }
+    if (!cycles.empty())
+      text += fmt::format("{}{} of {}", text.empty() ? "" : "; ", cycles, dialect.name);
+  }
+  return text.empty() ? text : fmt::format(" ({} pass some on themselves)", text);
+}
+
 }  // namespace
 
-// J-RUN-15.
+// J-RUN-01.
 RunConditions conditions_of(const Json& header) {
   RunConditions conditions;
   if (!header.is_object()) return conditions;
@@ -73,7 +104,9 @@ RunConditions conditions_of(const Json& header) {
   const auto lacks = [&](const char* feature) {
     return features.is_array() && std::ranges::find(features, Json(feature)) == features.end();
   };
-  if (lacks("m")) conditions.not_compared.emplace_back("M functions");
+  if (lacks("m")) {
+    conditions.not_compared.push_back("M functions" + cycles_with_m_functions(header));
+  }
   if (lacks("blocks")) conditions.not_compared.emplace_back("source lines");
   return conditions;
 }
@@ -93,7 +126,9 @@ std::string RunConditions::text() const {
 std::string RunConditions::short_text() const {
   std::vector<std::string> all = granted;
   all.insert(all.end(), part.begin(), part.end());
-  for (const std::string& what : not_compared) all.push_back("without " + what);
+  for (const std::string& what : not_compared) {
+    all.push_back("without " + what.substr(0, what.find(" (")));
+  }
   if (strict) all.emplace_back("strict");
   return fmt::format("{}", fmt::join(all, ", "));
 }

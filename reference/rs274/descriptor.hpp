@@ -178,6 +178,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
         .named("G33", "spindle-synchronous motion"),
     does(Kind::cycle, Group::motion, "NGC-G331-01"_clause, "g33.1", {kThreadEnd})
         .passing(kReturn)
+        .passing_m()
         .named("G33.1", "rigid tapping"),
     outside("G38.2", Group::motion, "probing towards the part, with an error"),
     outside("G38.3", Group::motion, "probing towards the part"),
@@ -219,7 +220,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G72.1", Group::motion, "lathe roughing along X"),
     outside("G72.2", Group::motion, "lathe roughing along X"),
     drills("G73", "drilling with chip breaking", "NGC-G73-01"_clause, "g73", kPecking),
-    drills("G74", "left-hand tapping", "NGC-G84-02"_clause, "g74", kDwelling),
+    drills("G74", "left-hand tapping", "NGC-G84-02"_clause, "g74", kDwelling).passing_m(),
     does(Kind::cycle, Group::motion, "NGC-G76-01"_clause, "g76", {kThreading})
         .passing(kNoTaper)
         .named("G76", "compound threading"),
@@ -227,9 +228,10 @@ inline constexpr auto kCodes = std::to_array<Code>({
     drills("G81", "drilling", "NGC-G81-01"_clause, "g81", kPlain),
     drills("G82", "drilling with a dwell", "NGC-G82-01"_clause, "g81", kDwelling),
     drills("G83", "deep drilling", "NGC-G83-01"_clause, "g83", kPecking),
-    drills("G84", "right-hand tapping", "NGC-G84-02"_clause, "g84", kDwelling),
+    drills("G84", "right-hand tapping", "NGC-G84-02"_clause, "g84", kDwelling).passing_m(),
     drills("G85", "boring, feed out", "NGC-G85-01"_clause, "g85", kPlain),
-    drills("G86", "boring, spindle stop, traverse out", "NGC-G86-02"_clause, "g86", kDwelling),
+    drills("G86", "boring, spindle stop, traverse out", "NGC-G86-02"_clause, "g86", kDwelling)
+        .passing_m(),
     outside("G87", Group::motion, "back boring"),
     outside("G88", Group::motion, "boring, spindle stop, out by hand"),
     drills("G89", "boring with a dwell, feed out", "NGC-G89-01"_clause, "g85", kDwelling),

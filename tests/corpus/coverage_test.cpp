@@ -11,6 +11,8 @@
 #include "corpus_testing.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/records/features.hpp"
+#include "reference/descriptor.hpp"
+#include "reference/dialect.hpp"
 #include "reference/reading.hpp"
 
 namespace gonogo::testing {
@@ -55,6 +57,36 @@ TEST(Coverage, NoMotionRestsOnARuleOfOurs) {
     }
   }
   EXPECT_GT(records, 50'000U);
+}
+
+// J-RUN-01: an M function of a line without an M is the cycle's own.
+TEST(Coverage, EveryCycleThatPassesOnMFunctionsSaysSo) {
+  std::map<std::string, std::set<std::string>> flagged;
+  for (const reference::Dialect& dialect : reference::dialects()) {
+    for (const reference::Code& code : dialect.descriptor->codes) {
+      if (code.passes_m) flagged[std::string(dialect.name)].emplace(code.feature);
+    }
+  }
+  std::map<std::string, std::set<std::string>> seen;
+  for (const auto& [id, test] : checked_in_cases()) {
+    std::vector<std::string> lines{""};
+    for (const char c : test.program) {
+      if (c == '\n') lines.emplace_back();
+      lines.back() += c;
+    }
+    for (const Expectation& expectation : test.expect) {
+      for (const reference::Record& record : expectation.records) {
+        if (record.kind != reference::RecordKind::m) continue;
+        if (lines.at(record.block - 1).find_first_of("Mm") != std::string::npos) continue;
+        const std::set<std::string>& cycles = flagged[test.dialect];
+        const auto own = std::ranges::find_if(
+            test.features, [&](const auto& feature) { return cycles.contains(feature); });
+        ASSERT_NE(own, test.features.end()) << id;
+        seen[test.dialect].insert(*own);
+      }
+    }
+  }
+  EXPECT_EQ(seen, flagged);
 }
 
 TEST(Coverage, EveryExpectationSaysOnWhatItStands) {

@@ -107,9 +107,10 @@ TEST(Tally, AFeatureOfWhichTheGreaterPartWasNotJudgedIsNotGo) {
       answer({of_feature("a", VerdictKind::pass_exact, "basic"),
               of_feature("b", VerdictKind::pass_exact, "lcyc75"), refused, refused});
   EXPECT_EQ(some.exit_code, 0);
-  EXPECT_EQ(some.head,
-            "GO for basic of gsk988ta: 2 judged; not claimed: 2 cases; not judged for the most part: "
-            "lcyc75 (1 of 3 cases)");
+  EXPECT_EQ(
+      some.head,
+      "GO for basic of gsk988ta: 2 judged; not claimed: 2 cases; not judged for the most part: "
+      "lcyc75 (1 of 3 cases)");
 }
 
 TEST(Tally, KnownFailuresAreNotJudged) {
@@ -118,7 +119,7 @@ TEST(Tally, KnownFailuresAreNotJudged) {
   EXPECT_EQ(known.judged, 0U);
 }
 
-// J-RUN-15.
+// J-RUN-01.
 TEST(Tally, WhatWasGrantedStandsInTheHeadLine) {
   Tally tally;
   tally.add(of_feature("a", VerdictKind::pass_exact, "g94"));
@@ -130,6 +131,27 @@ TEST(Tally, WhatWasGrantedStandsInTheHeadLine) {
             "GO for g94 of gsk988ta: 1 judged; granted: tolerance 1000 mm, chord 0.1 mm, blend 0.2 "
             "mm, known failures, reading gsk.g94.in-mode=keep; a part: shard 1/300, glob g*, cycle "
             "g94; not compared: M functions, source lines; strict");
+}
+
+// J-RUN-01. G74, G84, G86 and G33.1 of RS274/NGC turn the spindle round or stop it in the hole
+// (NGC-G84-02, NGC-G86-02, NGC-G331-02); the other dialects have no such cycle.
+TEST(RunConditions, CyclesWhoseMFunctionsWereNotComparedAreNamed) {
+  const auto not_compared = [](const std::string& subject, const std::string& asked = "[]") {
+    return conditions_of(nlohmann::ordered_json::parse(R"({"subject":)" + subject +
+                                                       R"(,"selection":{"dialects":)" + asked +
+                                                       "}}"))
+        .text();
+  };
+  EXPECT_EQ(not_compared(R"({"features":["blocks"],"dialects":{"rs274":["g81","g84","g74"]}})"),
+            "; not compared: M functions (g74, g84 of rs274 pass some on themselves)");
+  EXPECT_EQ(not_compared(R"({"features":["blocks"],"dialects":{"rs274":[],"gsk988ta":[]}})"),
+            "; not compared: M functions (g33.1, g74, g84, g86 of rs274 pass some on themselves)");
+  const std::string all = R"({"features":["blocks"],"dialects":null})";
+  EXPECT_EQ(not_compared(all), not_compared(R"({"features":["blocks"],"dialects":{"rs274":[]}})"));
+  EXPECT_EQ(not_compared(all, R"(["gsk988ta"])"), "; not compared: M functions");
+  EXPECT_EQ(not_compared(R"({"features":["blocks"],"dialects":{"rs274":["g81"]}})"),
+            "; not compared: M functions");
+  EXPECT_EQ(not_compared(R"({"features":["blocks","m"],"dialects":{"rs274":["g84"]}})"), "");
 }
 
 // 5,243 skips and one pass read "5,244 GO" once.
@@ -253,8 +275,8 @@ TEST(Tally, AReconciledLineStillSaysWhatItWasBefore) {
   EXPECT_EQ(told["program"], result.program);
   EXPECT_EQ(told["trace"][0]["k"], "rapid");
   EXPECT_EQ(facts_of(failed).verdict, VerdictKind::pass_exact);
-  EXPECT_EQ(
-      reconciled_line(failed, VerdictKind::pass_exact, std::nullopt, PassEvidence::keep), line);
+  EXPECT_EQ(reconciled_line(failed, VerdictKind::pass_exact, std::nullopt, PassEvidence::keep),
+            line);
   result.program.clear();
   EXPECT_EQ(reconciled_line(line, VerdictKind::pass_exact, std::nullopt, PassEvidence::drop),
             case_line(result, true));
