@@ -229,6 +229,9 @@ Cutter::Cutter(const Record& record, const Position& from, const Number& tau, Tu
     is_flat_ = !turning_;
   }
   if (!turning_) return;
+  // Of a circle that is nowhere wider than tau it shows nowhere how often it is gone round.
+  const Number turns = (turning_->degrees / 360).floor();
+  if (turning_->radius * 2 <= tau && turns > Number(2)) turning_->degrees -= (turns - 2) * 360;
   is_flat_ = is_within_of_chord(*turning_, tau);
   steps_of_turn_ = steps_of_turn(*turning_, tau);
   steps_ = turning_->degrees * steps_of_turn_ / 360;

@@ -147,7 +147,9 @@ class MillingConditions {
 
   std::string_view take_traverse(const Event& piece, const Number& off) {
     winding_.leave();
-    if (is_free(piece, off)) return {};
+    const bool is_straight_up = piece.to[axes_.d] > piece.from[axes_.d] &&
+                                way_of(piece, axes_.p) + way_of(piece, axes_.q) <= off;
+    if (is_straight_up || is_free(piece, off)) return {};
     // SIE-LC75-11: in finishing it ends above the floor that roughing left.
     const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
     const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
@@ -306,9 +308,10 @@ class MillingConditions {
 StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
   MillingConditions conditions(pocket, way);
   StepAnswer answer;
+  bool is_behind_traverse = true;  // with which it ends (SIE-LC75-04)
   for (std::size_t i = way.begin;; ++i) {
     const Event& piece = way.subject.at(i);
-    if (piece.begins && conditions.may_be_over(piece.from)) {
+    if (piece.begins && is_behind_traverse && conditions.may_be_over(piece.from)) {
       const std::string_view lacks = conditions.lacks();
       if (lacks.empty()) answer.ends.push_back(i);
       answer.broken_by = i;
@@ -319,6 +322,7 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       i = *end - 1;
       continue;
     }
+    is_behind_traverse = piece.part == Part::traverse;
     const std::string_view broken = conditions.take(piece);
     if (broken.empty()) continue;
     answer.broken_by = i;

@@ -122,6 +122,7 @@ namespace {
 // M9 M17 M30 M60 stop or end something.
 constexpr std::array kStarting = {3, 4, 6, 7, 8};
 constexpr std::array kEnding = {0, 1, 2, 5, 9, 17, 30, 60};
+constexpr std::array kProgramEnd = {2, 17, 30};
 
 // Whose place the text fixes: the functions of a line run in its order (NGC-MOD-01).
 bool is_fixed(const Record& m) {
@@ -153,7 +154,9 @@ bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
     }
     return false;
   };
-  return !moves(block.begin, index) || !moves(index, block.end);
+  const bool moves_behind = moves(index, block.end);
+  if (moves_behind && std::ranges::count(kProgramEnd, m.record.m) > 0) return false;
+  return !moves(block.begin, index) || !moves_behind;
 }
 
 bool ReferenceSide::is_overdue(std::size_t number, std::size_t index) {

@@ -81,7 +81,7 @@ class ThreadPasses : private ThreadSite {
       const Event& piece = subject_.at(i);
       const bool may_go_down = has_turned && is_end(i) &&
                                is_on(offset_of(piece.from), radius, slack_.round(piece.width));
-      if (may_go_down && (goes_in || !goes_through_wall(number, begin, i))) helix(number, i);
+      if (may_go_down) helix(number, i);
       if (!piece.is_motion()) return breaks(i, "A pass is missing.");
       Step broken = words_of(piece, false);
       if (broken.empty() && !is_at_top(piece.to, piece.width)) {
@@ -93,6 +93,10 @@ class ThreadPasses : private ThreadSite {
       if (!broken.empty()) return breaks(i, broken);
       if (!goes_in && may_be_round(piece) &&
           !(is_straight(piece) && has_turned && is_infeed(i, radius))) {
+        // A bolt is entered from above its middle.
+        if (free_ < 0 && is_deeper(piece, radius_of_pass(number - 1))) {
+          return breaks(i, "The entry goes through the wall of the bore.");
+        }
         if (broken = arcs.take(piece, way_of_piece(piece)); !broken.empty())
           return breaks(i, broken);
         has_turned = true;
@@ -100,9 +104,6 @@ class ThreadPasses : private ThreadSite {
       }
       if (!has_turned) return breaks(i, "The entry has no arc.");
       if (!goes_in) from = offset_of(piece.from);
-      if (!goes_in && goes_through_wall(number, begin, i)) {
-        return breaks(i, "The entry goes through the wall of the bore.");
-      }
       goes_in = true;
       if (is_deeper(from, from, radius_of_pass(number - 1), slack_.round(piece.width))) {
         return breaks(i, "The entry ends in the material.");
@@ -112,23 +113,6 @@ class ThreadPasses : private ThreadSite {
         return breaks(i, "The infeed is not one straight cut.");
       }
     }
-  }
-  // A bore is entered within the pass before, or in the circle whose diameter leads from where the
-  // tool stands to where the entry ends.
-  bool goes_through_wall(std::int64_t number, std::size_t begin, std::size_t end) {
-    if (free_ > 0) return false;
-    const Offset from = offset_of(subject_.at(begin).from);
-    const Offset to = offset_of(subject_.at(end).from);
-    for (std::size_t i = begin; i < end; ++i) {
-      const Event& piece = subject_.at(i);
-      const Offset at = offset_of(piece.to);
-      const Offset a{at.p - from.p, at.q - from.q};
-      const Offset b{at.p - to.p, at.q - to.q};
-      const Number off = slack_.round(piece.width) * (abs(a.p) + abs(a.q) + abs(b.p) + abs(b.q));
-      const bool is_in_circle = a.p * b.p + a.q * b.q <= off;
-      if (!is_in_circle && is_deeper(piece, radius_of_pass(number - 1))) return true;
-    }
-    return false;
   }
   // Of chords: whether one leads to the circle of the pass.
   bool is_infeed(std::size_t i, const Number& radius) {

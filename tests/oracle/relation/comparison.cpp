@@ -39,11 +39,11 @@ bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
   return decision(other.kind) == decision(verdict.kind);
 }
 
-// The definition: a traverse of one axis may be cut anywhere, so that without line numbers it makes
-// up for the 2 tau by which the one before it was shifted. The judge holds each end.
-bool is_made_up(const Task& task, std::string_view change, const Answer& answer) {
-  return decision(answer.kind) == oracle::Decision::go && change == "shift" &&
-         !task.terms.compare_blocks;
+// The definition: a shift along the path is none, and a centre is where the points of its arc are.
+// The judge holds the end of each motion and the centre of each arc within tau, also then.
+bool is_of_ends(std::string_view change, const Answer& answer) {
+  return decision(answer.kind) == oracle::Decision::go &&
+         (change == "shift" || change.starts_with("shift-end") || change == "shift-centre");
 }
 
 }  // namespace
@@ -69,8 +69,8 @@ void Comparison::compare(const Task& task, std::string_view change,
     ++undecided_[fmt::format("{}: definition {}", name(verdict.gap), word(answer.kind))];
     return;
   }
-  if (is_made_up(task, change, answer)) {
-    ++made_up_;
+  if (is_of_ends(change, answer)) {
+    ++of_ends_;
     return;
   }
   if (is_at_limit(task, trace, answer, verdict)) {
@@ -98,8 +98,8 @@ void Comparison::print() const {
   for (const auto& [reason, count] : undecided_) {
     fmt::print("{:7} undecided by the judge, {}\n", count, reason);
   }
-  fmt::print("{} traces, judge narrower {}, wider {}, made up for {}, {} other differences\n",
-             traces_, narrower_, wider_, made_up_, differences());
+  fmt::print("{} traces, judge narrower {}, wider {}, ends and centres {}, {} other differences\n",
+             traces_, narrower_, wider_, of_ends_, differences());
   for (const auto& [kind, count] : differences_) fmt::print("{:7} {}\n", count, kind);
   std::fflush(stdout);
 }

@@ -372,6 +372,15 @@ TEST(R5Events, WhatEndsComesBehindTheCutsOfItsBlock) {
   EXPECT_EQ(decided(program, trace(kM9, ""), gsk), "fail.order R5");
 }
 
+TEST(R5Events, WhatEndsTheProgramComesBehindTheMotionsOfItsBlock) {
+  const Declared gsk{.dialect = "gsk988ta"};
+  const std::string motion = R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}})"
+                             "\n";
+  const std::string m30 = "{\"k\":\"m\",\"b\":1,\"m\":30}\n";
+  EXPECT_EQ(decided("G00 X50 Z5 M30\n", motion + m30, gsk), kGo);
+  EXPECT_EQ(decided("G00 X50 Z5 M30\n", m30 + motion, gsk), "fail.order R5");
+}
+
 TEST(R5Events, NoMFunctionStandsAmongTheMotionsOfACycle) {
   const std::string program = "G00 X50 Z5\nG94 X40 Z-3 F100 M8\nM30\n";
   const Declared gsk{.dialect = "gsk988ta"};
@@ -675,6 +684,11 @@ TEST(R8FreeStep, RoughingClearsEachLevel) {
   EXPECT_EQ(
       rough(infeed("-2") + circle5(5) + infeed("-4") + circle5(5) + infeed("-6") + circle5(5)),
       kGo);
+  // By a feed at R101 it does not end.
+  EXPECT_EQ(rough(infeed("-3") + circle5(5) + infeed("-6") + circle5(5) +
+                  line5("feed", R"("x":"1")", "300") + line5("rapid", R"("z":"10")") +
+                  line5("feed", R"("x":"0")", "300")),
+            "fail.geometry R8");
   // A level left out, one not clean, one deeper than R121, one above the floor.
   EXPECT_EQ(rough(infeed("-3") + infeed("-6") + circle5(5)), kNoStep);
   EXPECT_EQ(rough(infeed("-3") + circle5(4) + infeed("-6") + circle5(5)), kNoStep);
