@@ -78,7 +78,7 @@ bool is_tiny(const Motion& arc, const Real& tolerance) {
 
 namespace {
 
-// J-PATH-04: equal, or no farther off than rounding to the resolution makes it; where none is
+// R3: equal, or no farther off than rounding to the resolution makes it; where none is
 // declared, than rounding to the number's own last place and no more coarsely than the machine.
 Truth rounds_to(const Real& want, const Real& got, const std::optional<Rational>& resolution,
                 const Terms& terms) {

@@ -49,7 +49,7 @@ class MotionMatch {
   std::optional<Motion> piece_;  // of an arc: what the subject has done of it
 };
 
-// J-PATH-04. Feeds, and leads, which are lengths: equal, or no farther off than rounding as
+// R3. Feeds, and leads, which are lengths: equal, or no farther off than rounding as
 // declared makes them.
 Truth feed_agrees(const Real& want, const Real& got, const Terms& terms);
 Truth lead_agrees(const Real& want, const Real& got, const Terms& terms);

@@ -64,7 +64,7 @@ std::string_view clause_name(ClauseId id);  // "" for kNoClause
 // Whether no text states what the clause says; false for kNoClause.
 bool is_silent(ClauseId id);
 // What a subject may do there that answers its question the other way, beside running on where it
-// is an alarm (docs/judging.md, J-ALM-04, J-ALM-05); empty: the catalog names nothing.
+// is an alarm (docs/judging.md, R7); empty: the catalog names nothing.
 std::string other_answer(const Clause& clause);
 std::string_view name(ClauseLevel level);
 std::string_view name(Basis basis);

@@ -105,7 +105,7 @@ class Expander {
   using WarningSink = std::function<void(const Warning&, const grammar::Line&)>;
   void on_warning(WarningSink sink) { warn_ = std::move(sink); }
   // Is told of every block that runs on by a rule that no text states, with that clause: a control
-  // that alarms there breaks no text (docs/judging.md, J-ALM-05).
+  // that alarms there breaks no text (docs/judging.md, R7).
   using AcceptanceSink = std::function<void(std::uint64_t block, ClauseId clause)>;
   void on_acceptance(AcceptanceSink sink) {
     accept_ = std::move(sink);

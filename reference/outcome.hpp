@@ -40,7 +40,7 @@ struct AlarmReport {
 };
 
 // Of the alarms of a block the first of those that rest on a text; else the first that is derived;
-// else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-02).
+// else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-01).
 // REQUIRES: there is one.
 const Alarm& firmest(const AlarmReport& report);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Traverses along one axis and straight feeds, each in two halves: the same path in pieces
-// (J-CMP-04).
+// (R1).
 #include <algorithm>
 
 #include "relations/written_places.hpp"
@@ -81,7 +81,7 @@ bool names_anew(const reference::Code& code) {
 
 }  // namespace
 
-// J-PROP-14
+// J-PROP-11
 std::optional<Related> in_halves(const generate::GeneratedProgram& program) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text) || has_open_path(text) || any_code(text, names_anew)) {

@@ -60,7 +60,7 @@ std::size_t ways_of_increments(const generate::GeneratedProgram& program) {
   return std::size_t{has_way_words(text)} + std::size_t{has_mode};
 }
 
-// J-PROP-13
+// J-PROP-11
 std::optional<Related> by_increments(const generate::GeneratedProgram& program, std::size_t way) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text) || has_open_path(text)) return std::nullopt;

@@ -72,7 +72,7 @@ reference::Plane turned(reference::Plane plane, std::size_t turns) {
   return static_cast<reference::Plane>((static_cast<std::size_t>(plane) + 2 * turns) % 3);
 }
 
-// J-PROP-12
+// J-PROP-11
 std::optional<Related> in_other_plane(const generate::GeneratedProgram& program,
                                       std::size_t turns) {
   const Profile& profile = program.profile;

@@ -146,7 +146,7 @@ std::optional<Related> converted(const generate::GeneratedProgram& program, std:
   return variant == 0 ? in_other_unit(program) : same_numbers(program);
 }
 
-// J-PROP-12
+// J-PROP-11
 std::size_t other_planes(const generate::GeneratedProgram&) {
   return 2;
 }
@@ -154,12 +154,12 @@ std::optional<Related> in_plane(const generate::GeneratedProgram& program, std::
   return in_other_plane(program, variant + 1);
 }
 
-// J-PROP-14
+// J-PROP-11
 std::optional<Related> halved(const generate::GeneratedProgram& program, std::size_t) {
   return in_halves(program);
 }
 
-// J-PROP-15
+// J-PROP-11
 std::optional<Related> repeated(const generate::GeneratedProgram& program, std::size_t) {
   return unrolled(program);
 }

@@ -74,7 +74,7 @@ class ReturnMode {
 
 }  // namespace
 
-// J-PROP-15
+// J-PROP-11
 std::optional<Related> unrolled(const generate::GeneratedProgram& program) {
   const ProgramText text(program.profile, program.text);
   if (has_unclear_order(text)) return std::nullopt;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kKeptRecords = 20'000;
 constexpr int kTries = 3;
 // An answer later than the limit is one of a slow machine; none in so many times the limit is a
-// hang (J-RUN-09).
+// hang (J-RUN-08).
 constexpr int kTimeoutFactor = 4;
 
 }  // namespace
@@ -94,7 +94,7 @@ bool CaseJudge::is_claimed(const Case& test, const RunEnd& end) const {
 }
 
 // A skip is no claim (J-RUN-05); but what was declared, or a profile of defaults, is a failure of
-// the declaration to skip (J-RUN-06).
+// the declaration to skip (J-RUN-05).
 void CaseJudge::interpret_skip(const Case& test, Attempt& attempt) const {
   Verdict& verdict = attempt.session.verdict;
   const bool refuses_defaults = attempt.end.kind == RunEnd::Kind::refused && profile_text_ == "{}";
@@ -161,7 +161,7 @@ Subject& CaseJudge::fresh_subject(const reference::Profile& profile) {
 }
 
 // What took more memory than it may in either run is told as that, whatever the other one came to
-// (J-RUN-10): how soon it is noticed is a matter of time.
+// (J-RUN-08): how soon it is noticed is a matter of time.
 bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
   const bool first = attempt.session.verdict.kind == VerdictKind::out_of_memory;
   const bool second = again.session.verdict.kind == VerdictKind::out_of_memory;
@@ -233,7 +233,7 @@ void CaseJudge::confirm(const Case& test, const JudgeTerms& terms, Attempt& atte
 // No answer within four times the limit. Up to three tries in fresh processes, each with four times
 // the limit: one that answers later than the limit says that the machine is slow, and its answer
 // counts; three that all answer within the limit say that what ran before made the subject hang,
-// which is a state leak (J-RUN-09).
+// which is a state leak (J-RUN-08).
 void CaseJudge::confirm_timeout(const Case& test, const JudgeTerms& terms, Attempt& attempt,
                                 CaseResult& result) {
   const auto limit = std::chrono::microseconds(options_.limits.run).count();
@@ -314,7 +314,7 @@ CaseResult CaseJudge::judge(const Case& test) {
   const JudgeTerms terms = make_terms(subject_->info(), test.profile, options_.grants);
   Attempt attempt = run_kept(*subject_, test, terms);
   if (result.expected_gap && attempt.session.verdict.kind == VerdictKind::timeout) {
-    // How long a program takes that nobody covers says nothing (J-RUN-09).
+    // How long a program takes that nobody covers says nothing (J-RUN-08).
     attempt.session.verdict =
         gap_verdict(GapReason::not_covered, std::move(attempt.session.verdict.message));
   }

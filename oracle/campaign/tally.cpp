@@ -131,7 +131,7 @@ RunAnswer Tally::finish(const std::vector<std::string>& stale,
     answer.exit_code = 1;
     answer.decision = "NO-GO";
   } else if (answer.judged_nothing || answer.oracle_errors > 0 || answer.unexpected_gaps > 0) {
-    // J-RUN-07.
+    // J-RUN-14.
     answer.exit_code = 3;
     answer.decision = "UNDECIDED";
   } else {

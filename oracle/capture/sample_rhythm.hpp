@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The rhythm of samples: how much time passes between two of them as a rule. What is longer is a
-// hole (J-RUN-18), in which the machine may have been anywhere.
+// hole (J-RUN-11), in which the machine may have been anywhere.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::size_t kLookAhead = 500;
+constexpr std::size_t kSamplesAhead = 500;
 
 bool is_cut(const PathPiece& piece) {
   return piece.kind() == PieceKind::line || piece.kind() == PieceKind::round;
@@ -91,7 +91,7 @@ Verdict SampledRun::departure_of(const Sample& sample, const SamplePoint& point)
     return verdict_at(VerdictKind::fail_geometry, piece,
                       "The machine does not stand still for as long as the dwell lasts.");
   }
-  if (const auto later = fits(point, first, kLookAhead)) return departure_towards(*later, sample);
+  if (const auto later = fits(point, first, kSamplesAhead)) return departure_towards(*later, sample);
   const std::size_t kept = path_.first_kept();
   if (fits(point, kept, first - kept)) {
     return verdict_at(VerdictKind::fail_order, piece,

@@ -9,7 +9,7 @@
 // Order. There are points of the path, one within the tube of each sample, that never go back. (A
 //   machine that stands still with noise within the tolerance does not go back.) A traverse is
 //   monotone like that on each axis.
-// Blending (J-RUN-12). Where the certifier grants an allowance (--blend), a machine may cut
+// Blending (J-RUN-11). Where the certifier grants an allowance (--blend), a machine may cut
 // corners: samples
 //   that are farther from the path than the tolerance, but not by more than the allowance as well,
 //   are GO within twenty times the allowance, along the path, of the corner of two motions. A
@@ -26,7 +26,7 @@
 //   last sample before and the first one after. How long it stood before the first sample is not
 //   known: where that decides, oracle-gap.
 // Feed. Bounds only, see feed_bounds.hpp. Feeds per revolution and threads are not compared.
-// Holes (J-RUN-18). Where more time passes between two samples than their rhythm has it, the
+// Holes (J-RUN-11). Where more time passes between two samples than their rhythm has it, the
 // machine
 //   may have been anywhere: what would be GO is oracle-gap. What the rhythm itself does not show is
 //   told.

@@ -42,7 +42,7 @@ struct Expectation {
   std::vector<reference::Record> records;                 // the shown path; `end` last, or none
   std::vector<OpenPart> open;                             // in the order of their records
   std::vector<ExpectedAlarm> alarms;                      // any of them; empty: no alarm
-  // What it stands on: of an alarm as the judge takes it (J-ALM-02), else the weakest of what its
+  // What it stands on: of an alarm as the judge takes it (J-ALM-01), else the weakest of what its
   // records and the blocks that run on stand on. Nothing: the file does not say.
   std::optional<reference::Basis> basis;
   bool not_covered = false;

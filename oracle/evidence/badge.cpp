@@ -6,7 +6,7 @@
 
 namespace gonogo::oracle::evidence {
 
-// Green is a whole corpus under the subject's own numbers alone (J-RUN-15).
+// Green is a whole corpus under the subject's own numbers alone (J-RUN-01).
 std::string badge_json(const RunState& state) {
   const Json& headline = state.summary["headline"];
   std::string colour = "yellow";

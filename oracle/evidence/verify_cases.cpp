@@ -142,7 +142,7 @@ VerdictsAgain::Answer VerdictsAgain::answer_of(const Json& line, const CaseRow& 
   return {{}, fmt::format("{} without a trace that would tell it", row.verdict())};
 }
 
-// Whether the subject may have skipped it (J-RUN-05, J-RUN-06).
+// Whether the subject may have skipped it (J-RUN-05).
 VerdictsAgain::Answer VerdictsAgain::of_skip(const Json& line, const CaseRow& row,
                                              const Case& test) {
   const SubjectInfo& subject = terms_.subject;

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "oracle/region/constants.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::oracle {
@@ -17,9 +18,6 @@ using reference::Record;
 using reference::RecordKind;
 
 namespace {
-
-// A cycle may go back and forth for ever.
-constexpr std::size_t kMostItems = 10'000'000;
 
 // The clause of an item and its block; none of those that say neither.
 struct Ground {
@@ -79,7 +77,7 @@ class AlarmSearch {
   AlarmSearch(const AlarmPlace& place, std::string_view alarm_class)
       : place_(place), class_(alarm_class) {}
 
-  // J-ALM-05: the catalog says which alarms are the other answer.
+  // R7: the catalog says which alarms are the other answer.
   void accept(std::uint64_t block, ClauseId clause) {
     const bool is_there = place_.block == 0 || block == place_.block;
     if (is_there && has_name(reference::clause(clause).refusals, class_)) accepted_ = clause;

@@ -27,7 +27,7 @@ struct AlarmGround {
   // The clause under which the program is right there: the rule that no text states, whose other
   // answer the alarm is; else that of the first record of the block; else that a block can be read.
   reference::ClauseId clause = reference::kNoClause;
-  // J-ALM-05: what the alarm is to such a rule.
+  // R7: what the alarm is to such a rule.
   enum class Answer { none, other, late } answer = Answer::none;
 };
 
@@ -35,7 +35,7 @@ struct AlarmGround {
 AlarmGround ground_of_alarm(const reference::Profile& profile, const ProgramText& program,
                             const AlarmPlace& place, std::string_view alarm_class);
 
-// J-ALM-04: whether the program alarms so in a later block, once the text of `block` is taken out
+// R7: whether the program alarms so in a later block, once the text of `block` is taken out
 // of it: a control that runs on over that block comes to this alarm.
 bool alarms_without_block(const reference::Profile& profile, const ProgramText& program,
                           std::uint64_t block, const SubjectAlarm& alarm);

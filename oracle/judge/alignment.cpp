@@ -34,7 +34,7 @@ bool Alignment::take_motion(const Record& record, std::size_t number) {
   for (Hypothesis& from : std::exchange(hypotheses_, {})) {
     Motion motion = motion_from(from.at, record, number);
     if (record.kind == RecordKind::arc3) motion = straightened(std::move(motion));
-    if (!terms_.compare_blocks) motion.record.block = 0;  // J-CMP-10
+    if (!terms_.compare_blocks) motion.record.block = 0;  // R3
     walk(std::move(from), std::move(motion), stage);
   }
   return finish(std::move(stage.reached));
@@ -78,9 +78,9 @@ void Alignment::doubt(std::size_t step, Verdict gap) {
   gap_step_ = step;
 }
 
-// J-CONST-06.
+// R9.
 bool Alignment::passes_too_many(const Hypothesis& from, std::size_t passed) {
-  if (passed <= kMostPassed) return false;
+  if (passed <= kMostSmall) return false;
   doubt(from.step, gap_verdict(GapReason::cap_small, kTooManySmall));
   return true;
 }
@@ -122,7 +122,7 @@ void Alignment::keep(Hypothesis hypothesis, std::vector<Hypothesis>& reached) {
   reached.push_back(std::move(hypothesis));
 }
 
-// J-CMP-03: the motion leads nowhere.
+// R3: the motion leads nowhere.
 void Alignment::stay(Hypothesis from, const Motion& motion, Stage& stage) {
   from.at = motion.to();
   keep(std::move(from), stage.reached);
@@ -132,7 +132,7 @@ void Alignment::walk(Hypothesis from, Motion motion, Stage& stage) {
   const bool is_small = stays_at(from.at, motion, terms_);
   for (std::size_t passed = 0;; ++passed) {
     if (stage.branches && from.is_fresh() && !stage.seen.insert(from.step).second) return;
-    if (is_small && passed > kMostPassedForSmall) return;
+    if (is_small && passed > kMostHypotheses) return;
     if (passes_too_many(from, passed)) return;
     // A way that cannot be told is given up; what was found before it stands.
     const std::size_t here = from.step;
@@ -169,7 +169,7 @@ void Alignment::meet_outside(Hypothesis from, const Motion& motion, const NotCov
   doubt(from.step, not_covered_verdict(outside));
 }
 
-// J-CMP-03: it keeps to where the reference stands, and to where the subject's last motion that led
+// R3: it keeps to where the reference stands, and to where the subject's last motion that led
 // anywhere ended.
 bool Alignment::leads_nowhere(const Hypothesis& from, const Motion& motion,
                               const Position& place) const {

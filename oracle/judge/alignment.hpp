@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which motions of the subject are which steps of the reference (docs/judging.md, J-CMP-03,
-// J-CMP-04, J-CMP-13, J-PATH-01). A hypothesis says how far the subject has come: at which step,
+// Which motions of the subject are which steps of the reference (docs/judging.md, R3,
+// R1). A hypothesis says how far the subject has come: at which step,
 // how far along it. A motion may be a piece of the step, be the end of it, go on from it into the
 // next where the two are one line or circle, lead nowhere, or stand behind steps too small to see,
 // which the subject passes over. What no hypothesis explains is a NO-GO, told from the one that
@@ -18,6 +18,7 @@
 #include "oracle/judge/open_step.hpp"
 #include "oracle/judge/reference_steps.hpp"
 #include "oracle/records/rounding_census.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -45,7 +46,8 @@ struct Hypothesis {
   bool rounded = true;  // ... or correctly rounded
   RoundingCensus coordinates;
   std::size_t property_motions = 0;
-  std::optional<Verdict> instead;  // of a pass: an advice or a gap, the first that it went on behind
+  std::optional<Verdict>
+      instead;  // of a pass: an advice or a gap, the first that it went on behind
 
   // Whether nothing of its step has been seen.
   bool is_fresh() const { return !curve && !open; }
@@ -86,7 +88,7 @@ class Alignment {
   // The subject's next M function. `of_alarm`: it may belong to a block that alarms.
   enum class MFunction { taken, of_alarm, departs };
   MFunction take_m_function(const Record& record, std::size_t number);
-  // J-CMP-05: the M function that has to come before the step begins, and has not; null: none.
+  // R5: the M function that has to come before the step begins, and has not; null: none.
   const DueMFunction* overdue(const Hypothesis& from);
 
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
@@ -110,19 +112,16 @@ class Alignment {
   Passing pass(Hypothesis& hypothesis);
   // Goes past a step as it is.
   void skip(Hypothesis& hypothesis);
-  // J-ALM-10. Goes on behind an end that no text states, which is an advice: what departs there
+  // R7. Goes on behind an end that no text states, which is an advice: what departs there
   // from the end. False where the step is none, or the certifier is strict.
   bool go_on_behind_end(Hypothesis& hypothesis, Verdict departure);
   // The judge of the step, which is open: null, if it is not.
   OpenStep* open_step_of(Hypothesis& hypothesis);
 
  private:
-  // J-CONST-06.
-  static constexpr std::size_t kMostHypotheses = 128;
-  static constexpr std::size_t kMostPassed = 100'000;
+  // R9.
   static constexpr const char* kTooManySmall =
       "More than 100,000 motions in a row are too small to see.";
-  static constexpr std::size_t kMostPassedForSmall = 128;
 
   // What comes of one record.
   struct Stage {
@@ -157,7 +156,7 @@ class Alignment {
   bool take_ways(const Hypothesis& from, const Motion& motion, const CurveAnswer& answer,
                  Stage& stage);
   void take_longer_end(const Hypothesis& from, const Motion& motion, Stage& stage);
-  // J-CMP-04: joins the step behind, which may move nothing. False where it does not go on.
+  // R1: joins the step behind, which may move nothing. False where it does not go on.
   bool join_step(Hypothesis& from);
   bool join_motion(Hypothesis& from);
   bool extend(Hypothesis& from, const Motion& motion, CurveAnswer& answer);

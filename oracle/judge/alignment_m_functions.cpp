@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Alignment's part for M functions, which are events of one order with motions and dwells
-// (J-CMP-05). The block of one is that of the steps round it, so that this holds without line
+// (R5). The block of one is that of the steps round it, so that this holds without line
 // numbers, too.
 #include <algorithm>
 #include <utility>
@@ -30,7 +30,7 @@ bool Alignment::is_told(const DueMFunction& due, const Record& record) const {
   return due.record.m == record.m && (!terms_.compare_blocks || due.record.block == record.block);
 }
 
-// J-CMP-05. Those of both sides are partners in their order, so that the subject's next one is the
+// R5. Those of both sides are partners in their order, so that the subject's next one is the
 // reference's next whichever way its motions are read; what hangs on that is whether it may come
 // where the subject stands.
 Alignment::MFunction Alignment::take_m_function(const Record& record, std::size_t number) {
@@ -97,7 +97,7 @@ void Alignment::refute_m_function(Hypothesis from, const Record& record, std::si
   }
 }
 
-// J-PATH-13: where it is due behind the cut that the subject has left unfinished, the cut is short,
+// J-CMP-12: where it is due behind the cut that the subject has left unfinished, the cut is short,
 // or goes on behind it.
 void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t number) {
   const auto behind = steps_.waiting(step_behind(from).m_functions);
@@ -140,7 +140,7 @@ const DueMFunction* Alignment::overdue_at(std::size_t number) {
   return nullptr;
 }
 
-// A new name of the position shows in no record, and an alarm has rules of its own (J-CMP-08).
+// A new name of the position shows in no record, and an alarm has rules of its own (R6).
 const DueMFunction* Alignment::overdue(const Hypothesis& from) {
   const ReferenceStep& what = step_of(from).what;
   const bool is_passed_over = !from.is_fresh() || from.after_alarm ||
@@ -192,7 +192,7 @@ bool Alignment::may_come_early(const Hypothesis& from, const Record& record) {
   }
 }
 
-// J-CMP-08: of a block that alarms, with what a reading has moved of it.
+// R6: of a block that alarms, with what a reading has moved of it.
 bool Alignment::may_be_of_alarm(const Hypothesis& from, const Record& record) {
   const std::uint64_t block = step_of(from).block;
   if (terms_.compare_blocks && record.block != block) return false;

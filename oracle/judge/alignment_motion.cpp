@@ -36,7 +36,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
   if (!from.curve) from.curve = steps_.curve_of(step);
   CurveAnswer answer = from.curve->follow(from.progress, motion);
   if (answer.departs()) extend(from, motion, answer);
-  // J-CMP-03. What may lead nowhere is no piece of a line.
+  // R3. What may lead nowhere is no piece of a line.
   const bool is_arc = is_round(from.curve->motion().record.kind);
   const bool departs = answer.departs();
   const bool is_between_pieces =
@@ -197,7 +197,7 @@ bool Alignment::leads_into_open_step(const Hypothesis& from, const Motion& motio
   return true;
 }
 
-// J-ALM-07. The centre that a control works out itself, within twice the tolerance of the right
+// R7. The centre that a control works out itself, within twice the tolerance of the right
 // one: what follows is judged, for the arc ends where it should.
 bool Alignment::takes_coarse_centre(const Hypothesis& from, const Motion& motion,
                                     const CurveAnswer& answer, Stage& stage) {

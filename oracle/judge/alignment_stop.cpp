@@ -26,7 +26,7 @@ OtherOrder Alignment::late_dwell(const ReferenceStep& due) const {
           "A dwell comes later than it is due."};
 }
 
-// J-CMP-06.
+// R5.
 bool Alignment::meet_dwell(Hypothesis& from, const Record& record, std::size_t number) {
   if (from.after_alarm) return true;
   Passing passing{true};

@@ -6,16 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 namespace {
-
-Number along(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.p + a.q * b.q;
-}
-
-Number across(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.q - a.q * b.p;
-}
 
 // The ends as they are seen from the centre.
 struct SeenEnds {
@@ -42,11 +36,11 @@ struct Directions {
     }
   }
   void add(const PlaneVector& corner) {
-    if (!first || visible_sign(across(*first, corner)) < 0) first = corner;
-    if (!last || visible_sign(across(*last, corner)) > 0) last = corner;
+    if (!first || visible_sign(cross(*first, corner)) < 0) first = corner;
+    if (!last || visible_sign(cross(*last, corner)) > 0) last = corner;
   }
   bool hold(const PlaneVector& v) const {
-    return visible_sign(across(*first, v)) >= 0 && visible_sign(across(v, *last)) >= 0;
+    return visible_sign(cross(*first, v)) >= 0 && visible_sign(cross(v, *last)) >= 0;
   }
   std::optional<PlaneVector> first;
   std::optional<PlaneVector> last;
@@ -55,24 +49,9 @@ struct Directions {
 // A filter: whether the ends are seen at more than 36 degrees from each other and boxes about them
 // at less than 9.
 bool are_surely_apart(const Motion& arc, const SeenEnds& seen, const Number& within) {
-  constexpr double kTenth = 0.1;
-  constexpr double kTimes = 20;
   const double part = approximate_turns(arc) - std::abs(arc.record.rot) + 1;
-  return part > kTenth && part < 1 - kTenth &&
-         std::min(length_of(seen.from), length_of(seen.to)) > kTimes * estimate(within);
-}
-
-}  // namespace
-
-namespace {
-
-// J-CONST-03. A double is off by two units in the last place of the largest number that it was
-// computed from.
-Number rounding_of_double(double largest) {
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  constexpr int kBits = 52;
-  return Number::binary(1, exponent - kBits);
+  return part > kTenthOfTurn && part < 1 - kTenthOfTurn &&
+         std::min(length_of(seen.from), length_of(seen.to)) > kFarOff * estimate(within);
 }
 
 }  // namespace
@@ -86,7 +65,7 @@ Number rounding_of(const Motion& arc, const JudgeTerms& terms) {
                              &arc.to()[axes.q], &arc.record.centre[0], &arc.record.centre[1]}) {
     largest = std::max(largest, std::abs(estimate(*each)));
   }
-  return rounding_of_double(largest);
+  return two_units_of_double(largest);
 }
 
 region::OpenTurns open_turns(const std::array<Number, 2>& centre, const Number& reach,
@@ -95,7 +74,7 @@ region::OpenTurns open_turns(const std::array<Number, 2>& centre, const Number& 
   if (!terms.binary64) return {terms.exact ? Number(0) : terms.increment, true};
   const double largest =
       std::max(std::abs(estimate(centre[0])), std::abs(estimate(centre[1]))) + estimate(reach);
-  return {rounding_of_double(largest) * 2, false};
+  return {two_units_of_double(largest) * 2, false};
 }
 
 // The centre is rounded as the ends are. Exact, for a NO-GO hangs on it.
@@ -120,15 +99,15 @@ bool may_end_on_its_centre(const Motion& arc, const Number& rounding) {
 // centre: r <= d + tolerance.
 bool is_flat_arc(const Motion& arc, const Number& tolerance) {
   const SeenEnds seen(arc);
-  const Number side = across(seen.from, seen.to) * (arc.record.rot < 0 ? -1 : 1);
+  const Number side = cross(seen.from, seen.to) * (arc.record.rot < 0 ? -1 : 1);
   const bool is_half_at_most =
       std::abs(arc.record.rot) == 1 &&
       (visible_sign(side) > 0 ||
-       (visible_sign(side) == 0 && visible_sign(along(seen.from, seen.to)) < 0));
+       (visible_sign(side) == 0 && visible_sign(dot(seen.from, seen.to)) < 0));
   if (!is_half_at_most) return false;
   const PlaneVector chord{seen.to.p - seen.from.p, seen.to.q - seen.from.q};
-  const Number radius_2 = max(along(seen.from, seen.from), along(seen.to, seen.to));
-  const Number chord_2 = along(chord, chord);
+  const Number radius_2 = max(dot(seen.from, seen.from), dot(seen.to, seen.to));
+  const Number chord_2 = dot(chord, chord);
   const Number tau_2 = tolerance * tolerance;
   // r^2 <= d^2 + 2 d tau + tau^2 with d^2 = side^2 / chord^2, times the chord's square.
   const Number rest = (radius_2 - tau_2) * chord_2 - side * side;
@@ -143,7 +122,7 @@ Position middle_of_arc(const Motion& arc) {
   if (towards.p.sign() == 0 && towards.q.sign() == 0) {
     towards = {-seen.from.q * sense, seen.from.p * sense};
   }
-  const Number scale = exact::sqrt(along(seen.from, seen.from) / along(towards, towards));
+  const Number scale = exact::sqrt(dot(seen.from, seen.from) / dot(towards, towards));
   Position middle;
   for (Axis axis : reference::kAllAxes) middle[axis] = (arc.from[axis] + arc.to()[axis]) / 2;
   middle[axes.p] = arc.record.centre[0] + towards.p * scale;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What rounding leaves open of the turns that an arc record states (J-PATH-06), and arcs that are no
-// more than their chords (J-PATH-11).
+// What rounding leaves open of the turns that an arc record states (J-PATH-06), and arcs that are
+// no more than their chords (R3).
 #pragma once
 
 #include <array>

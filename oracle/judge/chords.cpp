@@ -11,18 +11,6 @@
 namespace gonogo::oracle {
 namespace {
 
-PlaneVector operator-(const PlaneVector& a, const PlaneVector& b) {
-  return {a.p - b.p, a.q - b.q};
-}
-
-Number scalar_product(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.p + a.q * b.q;
-}
-
-Number vector_product(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.q - a.q * b.p;
-}
-
 struct Circle {
   PlaneVector centre;
   Number radius;
@@ -38,23 +26,23 @@ std::optional<Circle> circle_of(std::span<const PlaneVector> points) {
   for (const auto& [i, k] : {std::pair(last / 2, last), std::pair(last / 3, last - last / 3)}) {
     const PlaneVector b = points[i] - a;
     const PlaneVector c = points[k] - a;
-    const Number product = vector_product(b, c);
+    const Number product = cross(b, c);
     if (abs(product) <= abs(area)) continue;
     area = product;
     widest = {b, c};
   }
   if (area.sign() == 0) return std::nullopt;
   const auto& [b, c] = widest;
-  const Number b_2 = scalar_product(b, b);
-  const Number c_2 = scalar_product(c, c);
+  const Number b_2 = dot(b, b);
+  const Number c_2 = dot(c, c);
   const PlaneVector middle{(c.q * b_2 - b.q * c_2) / (area * 2),
                            (b.p * c_2 - c.p * b_2) / (area * 2)};
-  return Circle{{a.p + middle.p, a.q + middle.q}, exact::sqrt(scalar_product(middle, middle))};
+  return Circle{a + middle, exact::sqrt(dot(middle, middle))};
 }
 
 bool agrees_with(const Circle& circle, const PlaneVector& point, const Number& tolerance) {
   const PlaneVector v = point - circle.centre;
-  const Number distance_2 = scalar_product(v, v);
+  const Number distance_2 = dot(v, v);
   const Number outer = circle.radius + tolerance;
   const Number inner = circle.radius - tolerance;
   return distance_2 <= outer * outer && (inner.sign() <= 0 || distance_2 >= inner * inner);
@@ -64,14 +52,14 @@ bool agrees_with(const Circle& circle, const PlaneVector& point, const Number& t
 
 bool lie_along_a_line(std::span<const PlaneVector> points, const Number& tolerance) {
   const PlaneVector along = points.back() - points.front();
-  const Number length_2 = scalar_product(along, along);
+  const Number length_2 = dot(along, along);
   const Number limit = tolerance * tolerance * length_2;
   Number reached = 0;  // along the line, times its length
   for (const PlaneVector& point : points) {
     const PlaneVector v = point - points.front();
-    const Number aside = vector_product(along, v);
+    const Number aside = cross(along, v);
     if (aside * aside > limit) return false;
-    const Number here = scalar_product(along, v);
+    const Number here = dot(along, v);
     const Number back = reached - here;
     if (back.sign() > 0 && back * back > limit) return false;
     reached = max(reached, here);
@@ -90,15 +78,14 @@ bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tol
     if (!agrees_with(*circle, points[i], tolerance)) return false;
     const PlaneVector from = points[i - 1] - circle->centre;
     const PlaneVector to = points[i] - circle->centre;
-    const Number turn = vector_product(from, to);
+    const Number turn = cross(from, to);
     if (turn.sign() == 0 || (sense != 0 && turn.sign() != sense)) return false;
     sense = turn.sign();
-    swept.add(std::abs(std::atan2(estimate(turn), estimate(scalar_product(from, to)))) /
+    swept.add(std::abs(std::atan2(estimate(turn), estimate(dot(from, to)))) /
               (2 * std::numbers::pi));
     // A sagitta of g has a half chord of sqrt(2 r g - g^2).
     const PlaneVector chord = points[i] - points[i - 1];
-    const bool is_flat =
-        circle->radius * granted * 2 >= granted * granted + scalar_product(chord, chord) / 4;
+    const bool is_flat = circle->radius * granted * 2 >= granted * granted + dot(chord, chord) / 4;
     if (circle->radius > granted && !is_flat) return false;
   }
   return !swept.exceed_a_turn(estimate(tolerance), estimate(circle->radius));

@@ -7,6 +7,7 @@
 
 #include "oracle/judge/approximate.hpp"
 #include "oracle/region/arc.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -15,8 +16,6 @@ using region::Interval;
 using region::PlanePoint;
 
 namespace {
-
-constexpr int kMaximumStretches = 20'000;
 
 // Clear where the point lies on the free side of the limit, or beyond it by no more than the slack;
 // else the evidence.
@@ -72,7 +71,7 @@ Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& cou
       region::enclose(keep.outside ? keep.radius - keep.slack : keep.radius + keep.slack);
   std::vector<OpenStretch> open{{whole(arc), {}}};
   bool undecided = false;
-  for (int budget = kMaximumStretches; !open.empty() && budget > 0; --budget) {
+  for (int budget = kMostStretches; !open.empty() && budget > 0; --budget) {
     const auto [stretch, part] = open.back();
     open.pop_back();
     if (part.high <= counts.low || part.low >= counts.high) continue;
@@ -87,7 +86,7 @@ Clearance halve(const region::Arc& arc, const Keep& keep, const PartOfSweep& cou
       return {Clearance::Kind::touches, witness,
               abs(exact::sqrt(norm_squared(witness)) - keep.radius)};
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < 1e-10 && !stretch.wide &&
+    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < kBeside && !stretch.wide &&
         stretch.turns == 0) {
       undecided = true;
       continue;

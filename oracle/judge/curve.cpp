@@ -106,7 +106,7 @@ CurveAnswer Curve::follow_any(const CurveProgress& from, const Motion& subject) 
   return follow_line(from, subject);
 }
 
-// J-PATH-03. A line whose lead counts instead of a feed. A piece that goes on has the spindle angle
+// R2. A line whose lead counts instead of a feed. A piece that goes on has the spindle angle
 // of the first: at another one it would cut beside the groove.
 CurveAnswer Curve::follow_thread(const CurveProgress& from, const Motion& subject) const {
   CurveAnswer answer = follow_line(from, subject);
@@ -121,7 +121,7 @@ CurveAnswer Curve::follow_thread(const CurveProgress& from, const Motion& subjec
   return answer;
 }
 
-// J-PATH-02: rapids that end where it ends, monotone on each axis, no other axis.
+// R4: rapids that end where it ends, monotone on each axis, no other axis.
 CurveAnswer Curve::follow_traverse(const CurveProgress& from, const Motion& subject) const {
   const Position& reached = from.traverse ? *from.traverse : subject.from;
   for (Axis axis : kAllAxes) {
@@ -173,7 +173,7 @@ CurveAnswer Curve::follow_line(const CurveProgress& from, const Motion& subject)
   return CurveAnswer::goes(std::move(progress), agree(subject.to(), reference_.to(), tau));
 }
 
-// J-PATH-11: whether the reference is an arc in space that nothing tells from its chord: rounded,
+// R3: whether the reference is an arc in space that nothing tells from its chord: rounded,
 // its three points may lie in line, and then it can be put out only as that.
 bool Curve::is_flat_arc3() const {
   if (reference_.record.kind != RecordKind::arc3) return false;
@@ -181,7 +181,7 @@ bool Curve::is_flat_arc3() const {
   return points.circle ? points.is_flat(terms_.tolerance) : !points.is_over_half();
 }
 
-// J-PATH-11. An arc that nothing tells from its chord.
+// R3. An arc that nothing tells from its chord.
 CurveAnswer Curve::follow_flat(const CurveProgress& from, const Motion& subject) const {
   const Number& tau = terms_.tolerance;
   const bool is_arc = subject.record.kind == RecordKind::arc;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PATH-01. A motion of the reference as a curve, and what a motion of the subject may be on it:
+// R1. A motion of the reference as a curve, and what a motion of the subject may be on it:
 // a piece in its own sense, none of it back; of a traverse, one that leads to where it ends.
 #pragma once
 
@@ -42,7 +42,7 @@ struct CurveWay {
 struct CurveAnswer {
   std::vector<CurveWay> ways;
   Departure departure = Departure::none;
-  std::string reason;  // a sentence when it departs
+  std::string reason;               // a sentence when it departs
   GapReason gap = GapReason::none;  // of an undecided one
   // The centre of the subject's arc, where that is what differs.
   std::optional<Apart> centre = {};

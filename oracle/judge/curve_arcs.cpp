@@ -11,6 +11,7 @@
 
 #include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/curve.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -18,11 +19,7 @@ namespace {
 using reference::kAllAxes;
 using reference::PlaneAxes;
 
-// Differences of less than this are no difference of whole turns.
-// J-CONST-08.
-constexpr double kQuarterTurn = 0.25;
-
-// J-PATH-14.
+// R9.
 constexpr const char* kHelixTooClose = "The height of the helix is too close.";
 constexpr const char* kSpiralTooClose = "The radius of the spiral is too close.";
 
@@ -128,7 +125,7 @@ CurveAnswer Curve::other_centre(const Motion& subject) const {
   return answer;
 }
 
-// J-PATH-05.
+// R2.
 CurveAnswer Curve::follow_arc(const CurveProgress& from, const Motion& subject) const {
   const Record& got = subject.record;
   if (round_->arc() == nullptr || round_->arc()->record.plane != got.plane) {
@@ -198,24 +195,22 @@ bool Curve::is_rounded_curve(const CurveProgress& from, const Motion& subject) c
   return agrees;
 }
 
-// J-PATH-10, J-PATH-11: that the certifier grants, or of an arc that nothing tells from its own.
+// R3: that the certifier grants, or of an arc that nothing tells from its own.
 bool Curve::takes_chords() const {
-  return terms_.chord.sign() > 0 ||
-         (reference_.record.kind == RecordKind::arc && !open_ &&
-          is_flat_arc(reference_, terms_.tolerance));
+  return terms_.chord.sign() > 0 || (reference_.record.kind == RecordKind::arc && !open_ &&
+                                     is_flat_arc(reference_, terms_.tolerance));
 }
 
 // Whether a chord agrees with the curve between its ends; 0: too close to say. Its middle is its
 // farthest point from a circle; from a spiral it may be another one.
 int Curve::chord_stays(const CurveProgress& from, const Motion& chord,
                        const Number& granted) const {
-  constexpr int kEighths = 8;
   int answer = 1;
   for (const int eighth : {4, 1, 2, 3, 5, 6, 7}) {
     Position point;
     for (Axis axis : kAllAxes) {
       const Number way = chord.to()[axis] - chord.from[axis];
-      point[axis] = chord.from[axis] + way * eighth / kEighths;
+      point[axis] = chord.from[axis] + way * eighth / 8;
     }
     if (!round_->on_circle(point, granted)) return -1;
     if (!round_->is_spiral()) return 1;
@@ -225,7 +220,7 @@ int Curve::chord_stays(const CurveProgress& from, const Motion& chord,
   return answer;
 }
 
-// J-PATH-10. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
+// R3. A straight cut as a chord of the arc: its ends on the curve, and the sagitta within
 // what the certifier granted and the tolerance.
 CurveAnswer Curve::follow_chord(const CurveProgress& from, const Motion& subject) const {
   const Number granted = terms_.tolerance + terms_.chord;
@@ -292,7 +287,6 @@ CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subjec
   const double to_via = flat ? 0 : part_of_turn(*points.circle, points.from.at, points.via.at);
   // Half a turn, of which nothing tells whether it goes back, goes forward: `part` may be an
   // estimate of it that is a little more.
-  constexpr double kEstimate = 1e-9;
   const auto sweep_to = [&](const Position& point, double own) {
     const double part = round_->part_of_turn(subject.from, point);
     return part + std::floor(own - part + 0.5 + kEstimate);
@@ -314,7 +308,7 @@ CurveAnswer Curve::sweep_of_arc3(const CurveProgress& from, const Motion& subjec
   if (const Departure at = departure_at(via, to_via, tau); at != Departure::none) return off(at);
   if (names_points_of_program(subject)) return {};
   // Rationals in place of other numbers move a middle by far less than this.
-  const Number slack = points.exact() ? Number(0) : Number::binary(1, -20);
+  const Number slack = points.exact() ? Number(0) : Number::binary(1, -kMiddleBits);
   for (const bool first : {true, false}) {
     const SpacePoint middle = first ? middle_seen_from(points.to.at, points.from.at, points.via.at)
                                     : middle_seen_from(points.from.at, points.via.at, points.to.at);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oracle/judge/curve.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -64,8 +65,8 @@ namespace {
 
 // The angle from one vector to another in turns, in [0, 1), in the sense of the turning.
 Number part_between(const PlaneVector& a, const PlaneVector& b, int sense) {
-  const Number across = (a.p * b.q - a.q * b.p) * sense;
-  return exact::angle_degrees(a.p * b.p + a.q * b.q, across) / 360;
+  const Number across = cross(a, b) * sense;
+  return exact::angle_degrees(dot(a, b), across) / 360;
 }
 
 // The same with the whole turns that an estimate says.
@@ -79,7 +80,7 @@ bool is_nil(const PlaneVector& v) {
 }
 
 Number length(const PlaneVector& v) {
-  return sqrt(v.p * v.p + v.q * v.q);
+  return sqrt(norm_squared(v));
 }
 
 }  // namespace
@@ -116,8 +117,8 @@ struct RoundCurve::AtAngle {
 };
 
 // Nothing where the box is seen at more than a right angle. Its half diagonal, at most 3/2 of the
-// tolerance, is seen at no more than pi/2 times its part of the distance, which is a quarter of that
-// part in turns.
+// tolerance, is seen at no more than pi/2 times its part of the distance, which is a quarter of
+// that part in turns.
 std::optional<RoundCurve::AtAngle> RoundCurve::at_angle(const Position& point, double turns,
                                                         const Number& tolerance,
                                                         const Number& first,
@@ -127,7 +128,7 @@ std::optional<RoundCurve::AtAngle> RoundCurve::at_angle(const Position& point, d
   const PlaneVector b = from_centre(arc, arc_->to());
   const PlaneVector v = from_centre(arc, point);
   const Number seen = tolerance * 3 / 2;
-  if (is_nil(a) || is_nil(b) || v.p * v.p + v.q * v.q <= seen * seen) return std::nullopt;
+  if (is_nil(a) || is_nil(b) || norm_squared(v) <= seen * seen) return std::nullopt;
   const int sense = arc.rot < 0 ? -1 : 1;
   const Number change = (last - first) / turns_between(a, b, sense, whole_);
   return AtAngle{first + turns_between(a, v, sense, turns) * change,
@@ -136,8 +137,7 @@ std::optional<RoundCurve::AtAngle> RoundCurve::at_angle(const Position& point, d
 
 bool RoundCurve::is_surely_off_helix(Axis axis, const Position& point, double turns,
                                      const Number& tolerance) const {
-  const auto height =
-      at_angle(point, turns, tolerance, motion_.from[axis], motion_.to()[axis]);
+  const auto height = at_angle(point, turns, tolerance, motion_.from[axis], motion_.to()[axis]);
   return height && abs(point[axis] - height->value) > tolerance + height->spread;
 }
 
@@ -182,7 +182,6 @@ Number Curve::distance(const CurveProgress& from, const Position& point, double 
     }
     return distance_from_line(reached, reference_.to(), point);
   }
-  constexpr double kEstimate = 1e-9;  // turns
   Number least = largest_difference(point, reference_.to());
   // A sweep that is nearly whole may be nil.
   for (const double each : {turns, turns - 1}) {
@@ -192,7 +191,7 @@ Number Curve::distance(const CurveProgress& from, const Position& point, double 
   return least;
 }
 
-// J-PATH-12: its end, or a point before that if the end lies where it may.
+// J-CMP-12: its end, or a point before that if the end lies where it may.
 Apart Curve::apart(const CurveProgress& from, const Motion& subject) const {
   const auto turns_to = [&](const Position& point) {
     return from.arc + (round_ ? round_->part_of_turn(subject.from, point) : 0);

@@ -5,18 +5,16 @@
 #include <cmath>
 
 #include "oracle/judge/places.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
 bool goes_on_alike(const CurveProgress& one, const CurveProgress& other) {
-  constexpr double kEstimate = 1e-6;  // turns
   return (one.doubt == nullptr) == (other.doubt == nullptr) &&
          std::abs(one.arc - other.arc) < kEstimate;
 }
 
 namespace {
-
-constexpr std::size_t kMostWays = 64;  // J-CONST-06
 
 void add(CurveProgress progress, std::vector<CurveProgress>& reached) {
   const bool known = std::ranges::any_of(

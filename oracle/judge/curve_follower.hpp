@@ -9,8 +9,8 @@ namespace gonogo::oracle {
 
 struct MatchResult {
   Departure departure = Departure::none;
-  bool done = false;   // the curve is complete
-  std::string reason;  // a sentence when it departs
+  bool done = false;                // the curve is complete
+  std::string reason;               // a sentence when it departs
   GapReason gap = GapReason::none;  // of an undecided one
 
   static MatchResult undecided(GapReason gap, std::string reason) {
@@ -35,7 +35,7 @@ class CurveFollower {
   std::vector<CurveProgress> reached_{1};
 };
 
-// Whether two ways along a curve that have come as far as these go on alike: J-CONST-08.
+// Whether two ways along a curve that have come as far as these go on alike: R2.
 bool goes_on_alike(const CurveProgress& one, const CurveProgress& other);
 
 }  // namespace gonogo::oracle

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "oracle/region/constants.hpp"
 #include "reference/exact/radians.hpp"
 
 namespace gonogo::oracle {
@@ -66,8 +67,7 @@ Number travel(const Motion& motion) {
 }  // namespace
 
 void EnclosedSum::add(const Number& term) {
-  constexpr int kBits = 64;
-  const auto [low, high] = term.bounds(kBits);
+  const auto [low, high] = term.bounds(kEstimateBits);
   low_ += low;
   high_ += high;
 }
@@ -89,9 +89,8 @@ void CycleTime::take_motion(const Motion& motion) {
     rapid_.add(*length);
   } else if (feed.sign() > 0) {
     const bool per_turn = is_thread || record.feed_mode == reference::FeedMode::per_revolution;
-    constexpr int kSecondsOfMinute = 60;
     EnclosedSum& sum = per_turn ? turns_ : feed_;
-    sum.add(*length * (per_turn ? 1 : kSecondsOfMinute) / feed);
+    sum.add(*length * (per_turn ? 1 : 60) / feed);
   }
 }
 

@@ -6,15 +6,13 @@
 #include <set>
 
 #include "oracle/judge/judge_session.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
 using reference::Reading;
 using reference::ReadingKey;
-
-// What the expansion of a program costs, in records.
-constexpr std::size_t kExpansion = 1'000;
 
 reference::Profile with(const reference::Profile& profile, ReadingKey key, std::string_view value) {
   reference::Profile other = profile;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "oracle/judge/step_text.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -83,28 +84,15 @@ bool HelixPocketJudge::stays_at_centre(const Motion& motion) const {
                                          !near(record.centre[0], record.centre[1], tau * 2))) {
     return false;
   }
-  return is_cut(record.kind) && feeds_agree(shape_feed(), record, terms_) &&
+  return is_cut(record.kind) && feeds_agree(item_.feed, item_.feed_mode, record, terms_) &&
          agree(motion.from[axes_.d], motion.to()[axes_.d], tau) &&
          near(motion.from[axes_.p], motion.from[axes_.q], tau) &&
          near(motion.to()[axes_.p], motion.to()[axes_.q], tau);
 }
 
-Record HelixPocketJudge::shape_feed() const {
-  Record record;
-  record.feed = item_.feed;
-  record.feed_mode = item_.feed_mode;
-  return record;
-}
-
 Verdict HelixPocketJudge::incomplete(const Position& position) const {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
-  verdict.clause = clause();
-  verdict.block = item_.block;
-  verdict.want = helix_text(item_);
-  verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
-  verdict.message = "The pocket is not milled to its end.";
-  return verdict;
+  return fault_of_step(VerdictKind::fail_geometry, clause(), item_.block, helix_text(item_),
+                       position, "The pocket is not milled to its end.");
 }
 
 OpenStepAnswer HelixPocketJudge::departs(const MatchResult& result, const Motion& motion) const {
@@ -206,8 +194,7 @@ OpenStepAnswer HelixPocketJudge::take_entry(const Motion& motion) {
     return open_.empty() ? departs(result, motion) : OpenStepAnswer{};
   }
   if (!is_cut(motion.record.kind)) return wrong_entry(motion);
-  constexpr std::size_t kMaximumEntry = 50'000;
-  if (entry_.size() >= kMaximumEntry) {
+  if (entry_.size() >= kMostMotions) {
     return OpenStepAnswer::gap(GapReason::cap_level,
                                "An entry of more than 50,000 motions is not judged.");
   }
@@ -276,7 +263,7 @@ void HelixPocketJudge::prepare_bottom(Phase phase) {
 }
 
 // What is left of a helix or circle that ended within the tolerance of its end: to a place that may
-// be that end, too (J-CMP-02, J-CYC-01).
+// be that end, too (R2, R8).
 bool HelixPocketJudge::is_remainder(const Motion& motion) const {
   return is_cut(motion.record.kind) && !nearly_full_turn(motion) &&
          agree(motion.from, want_.from, terms_.tolerance * 2) &&

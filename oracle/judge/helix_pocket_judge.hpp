@@ -33,7 +33,6 @@ class HelixPocketJudge : public OpenStep {
 
   bool semicircle_is_unseen() const;
   bool stays_at_centre(const Motion& motion) const;
-  Record shape_feed() const;
   OpenStepAnswer take_entry(const Motion& motion);
   OpenStepAnswer wrong_entry(const Motion& motion) const;
   OpenStepAnswer take_helix(const Motion& motion);

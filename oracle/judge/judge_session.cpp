@@ -18,13 +18,6 @@ using reference::ReadingKey;
 
 namespace {
 
-// Of what a judge has taken before any reading was asked for, a few megabytes at most.
-constexpr std::size_t kMostParts = 4'096;
-
-// Of a block, where the readings that a program asks for are looked for: a cycle may go back and
-// forth for ever, which the judge says of it.
-constexpr std::size_t kMostItemsOfBlock = 10'000'000;
-
 bool is_open(const ReadingChoice& choice, const Reading& reading) {
   return !reading.by_properties && choice.is(reading.key, "any");
 }
@@ -68,7 +61,7 @@ std::vector<ReadingKey> touched_by(const reference::Profile& profile, const Prog
     while (const reference::Item* item = expander.next()) {
       const auto* record = std::get_if<Record>(item);
       if (record != nullptr && std::exchange(block, record->block) != record->block) items = 0;
-      if (++items > kMostItemsOfBlock) break;
+      if (++items > kMostItems) break;
     }
   } catch (const exact::Undecided&) {
     // The judge comes to the same place and says so.
@@ -202,7 +195,7 @@ SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& 
   return end.sampled->judge(assigned, program_, terms_, end);
 }
 
-// J-ALM-08.
+// R9.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   const auto rank = [](const SampledVerdict& said) {
     switch (decision(said.verdict.kind)) {

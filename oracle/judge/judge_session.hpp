@@ -11,14 +11,11 @@
 #include <vector>
 
 #include "oracle/judge/program_judge.hpp"
-#include "oracle/judge/sampled_outcome.hpp"
 #include "oracle/judge/record_log.hpp"
+#include "oracle/judge/sampled_outcome.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
-
-inline constexpr std::size_t kMaximumAssignments = 64;  // J-CONST-02
-// What explaining_reading judges again, in records.
-inline constexpr std::size_t kMostRecordsAgain = 4'000'000;
 
 // The records of an outcome, as often as they are asked for: in memory, or read from a file anew.
 class RecordSeries {

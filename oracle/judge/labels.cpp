@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/region/constants.hpp"
 #include "reference/exact/rational.hpp"
 
 namespace gonogo::oracle {
@@ -23,10 +24,9 @@ std::optional<Number> last_place(const Number& value) {
   return Number::decimal(false, 1, static_cast<std::uint32_t>(std::max(twos, fives)));
 }
 
-// J-CONST-03. Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
+// R3. Two units in the last place of a double lie between 2^-52 and 2^-51 of the value.
 bool is_near_double(const Number& got, const Number& exact) {
-  constexpr int kBits = 51;
-  return agree(got, exact, abs(exact) * Number::binary(1, -kBits));
+  return agree(got, exact, abs(exact) * Number::binary(1, 1 - kUlpBits));
 }
 
 }  // namespace
@@ -45,8 +45,12 @@ bool stands_for(const Number& got, const Number& exact, const std::optional<Numb
 }
 
 bool feeds_agree(const Record& want, const Record& got, const JudgeTerms& terms) {
-  return want.feed_mode == got.feed_mode &&
-         stands_for(got.feed, want.feed, terms.feed_resolution, terms);
+  return feeds_agree(want.feed, want.feed_mode, got, terms);
+}
+
+bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
+                 const JudgeTerms& terms) {
+  return mode == got.feed_mode && stands_for(got.feed, want, terms.feed_resolution, terms);
 }
 
 bool leads_agree(const Record& want, const Record& got, const JudgeTerms& terms) {
@@ -54,10 +58,9 @@ bool leads_agree(const Record& want, const Record& got, const JudgeTerms& terms)
 }
 
 bool start_angles_agree(const Record& want, const Record& got, const JudgeTerms& terms) {
-  constexpr int kTurn = 360;
   const auto turns =
-      static_cast<std::int64_t>(std::llround(estimate(got.start - want.start) / kTurn));
-  return stands_for(got.start, want.start + Number(turns) * kTurn, terms.resolution, terms);
+      static_cast<std::int64_t>(std::llround(estimate(got.start - want.start) / 360));
+  return stands_for(got.start, want.start + Number(turns) * 360, terms.resolution, terms);
 }
 
 bool times_agree(const Record& want, const Record& got, const JudgeTerms& terms) {

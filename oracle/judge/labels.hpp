@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PATH-04. The numbers of a record beside its places: feed, lead, start angle, dwell. What an
+// R3. The numbers of a record beside its places: feed, lead, start angle, dwell. What an
 // enclosure leaves open is undecided only where its width decides: then they throw
 // exact::Undecided.
 #pragma once
@@ -19,6 +19,8 @@ bool stands_for(const Number& got, const Number& exact, const std::optional<Numb
 
 // Of two cutting motions.
 bool feeds_agree(const Record& want, const Record& got, const JudgeTerms& terms);
+bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
+                 const JudgeTerms& terms);
 // Of two threads; angles a whole turn apart are the same.
 bool leads_agree(const Record& want, const Record& got, const JudgeTerms& terms);
 bool start_angles_agree(const Record& want, const Record& got, const JudgeTerms& terms);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limits>
 
 #include "oracle/judge/step_text.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 // decimals it may count as the whole number above, too (ngc.whole).
 bool may_be_number(std::string_view text, std::int32_t number) {
   constexpr std::string_view kCalculated = "[#=R(";
-  constexpr std::int64_t kMost = 1'000'000;
+  constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
   std::int64_t value = -1;
   for (const char c : text) {
     if (c == ' ' || c == '\t' || (c == '+' && value < 0)) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CMP-05. Where an M function may stand among the motions and dwells, and what is said of one
+// R5. Where an M function may stand among the motions and dwells, and what is said of one
 // that stands elsewhere.
 #pragma once
 

@@ -23,7 +23,7 @@ Verdict not_covered_verdict(const reference::NotCovered& outside) {
   return verdict;
 }
 
-// J-CONST-01.
+// R9.
 Verdict undecided_verdict(const exact::Undecided& undecided) {
   return gap_verdict(GapReason::comparison,
                      fmt::format("A comparison could not be decided: {}.", undecided.what()));
@@ -167,7 +167,7 @@ namespace {
 Number rounding(const Number& number, const std::optional<Number>& resolution,
                 const JudgeTerms& terms) {
   if (resolution) return *resolution / 2;
-  return terms.binary64 ? abs(number) * Number::binary(1, -50) : Number(0);
+  return terms.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
 
 // Of a feed or a lead that differs.
@@ -207,7 +207,7 @@ VerdictKind kind_of_dwell(const Record& dwell, std::size_t number, ReferenceStep
 
 }  // namespace
 
-// J-PATH-13: a dwell is due behind the motion that the subject has left unfinished.
+// J-CMP-12: a dwell is due behind the motion that the subject has left unfinished.
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
                     ReferenceSteps& steps, const JudgeTerms& terms) {
   const ReferenceStep& step = steps.at(from.step).what;
@@ -235,7 +235,7 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
 
 namespace {
 
-// J-PATH-13: whether the motion that departs follows one that ended too early. It did where this
+// J-CMP-12: whether the motion that departs follows one that ended too early. It did where this
 // one leads on as the reference does next, or where less was missing than this one is off.
 bool ended_short(const Refutation& refutation, const Apart& apart, ReferenceSteps& steps,
                  const JudgeTerms& terms) {
@@ -325,7 +325,7 @@ bool is_exactly_on(const Motion& round, const Position& point) {
     const PlaneVector a = from_centre(round.record, round.from);
     const PlaneVector b = from_centre(round.record, point);
     if (!a.p.is_rational() || !a.q.is_rational() || round.to()[d] != round.from[d]) return false;
-    return point[d] == round.from[d] && a.p * a.p + a.q * a.q == b.p * b.p + b.q * b.q;
+    return point[d] == round.from[d] && norm_squared(a) == norm_squared(b);
   }
   const SpacePoint via = space_point(round.record.via);
   const SpacePoint to = space_point(round.to());
@@ -340,7 +340,7 @@ bool is_exactly_on(const Motion& round, const Position& point) {
 
 bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTerms& terms) {
   // Half a unit in the last place of a double is at most 2^-53 of its value.
-  if (terms.binary64) return agree(got, exact, abs(got) * Number::binary(1, -53));
+  if (terms.binary64) return agree(got, exact, abs(got) * Number::binary(1, -kUlpBits - 1));
   return terms.resolution && agree(got, exact, *terms.resolution / 2);
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "oracle/judge/alignment.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -13,14 +14,11 @@ namespace gonogo::oracle {
 Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const JudgeTerms& terms,
                 std::size_t& departed_at);
 
-// J-PATH-13. `piece` is the last of `want` that the subject has put out.
+// J-CMP-12. `piece` is the last of `want` that the subject has put out.
 Verdict short_of(const Motion& want, const Motion& piece);
 // The trace ends, or alarms (`got`), where a step is due.
 Verdict ends_early(const Hypothesis& from, const ReferenceStep& step, std::size_t records,
                    const std::string& got);
-
-// J-CONST-09: so far an event that departs is looked for elsewhere, in steps or records.
-inline constexpr std::size_t kLookAhead = 200;
 
 // A motion where none is due: before a renaming of the position; before a dwell, in an earlier
 // block than an alarm, or behind the end.
@@ -28,7 +26,7 @@ Verdict before_renaming(const Motion& motion, const ReferenceStep& step);
 Verdict motion_too_many(const Motion& motion, const ReferenceStep& step);
 Verdict m_function_for_dwell(const ReferenceStep& due, const Record& got, std::size_t number);
 
-// J-CMP-06. Whether the dwell is the one that is due; and what is said of one that is not.
+// R5. Whether the dwell is the one that is due; and what is said of one that is not.
 bool is_dwell_due(const ReferenceStep& step, const Record& dwell, const JudgeTerms& terms);
 Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& from,
                     ReferenceSteps& steps, const JudgeTerms& terms);
@@ -38,7 +36,7 @@ GapReason reason_of(const reference::NotCovered& outside);
 Verdict not_covered_verdict(const reference::NotCovered& outside);
 Verdict undecided_verdict(const exact::Undecided& undecided);
 
-// J-ALM-07: an arc with a centre that a control works out itself, off by no more than twice the
+// R7: an arc with a centre that a control works out itself, off by no more than twice the
 // tolerance, and its end where it should be.
 std::optional<Verdict> coarse_centre_advice(const CurveAnswer& answer, const Motion& motion,
                                             const Motion& want, const JudgeTerms& terms);
@@ -52,7 +50,7 @@ struct Grade {
 // `motion` alone moves; null: none does.
 Grade grade_of(const Motion& motion, const Motion& want, const JudgeTerms& terms,
                RoundingCensus* census = nullptr);
-// J-PATH-04: whether a coordinate that is not exact is the correctly rounded one.
+// R3: whether a coordinate that is not exact is the correctly rounded one.
 bool is_correctly_rounded(const Number& got, const Number& exact, const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

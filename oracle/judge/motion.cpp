@@ -10,6 +10,7 @@
 
 #include "oracle/judge/approximate.hpp"
 #include "oracle/judge/space_circle.hpp"
+#include "oracle/region/constants.hpp"
 #include "reference/exact/enclosure.hpp"
 #include "reference/exact/interval.hpp"
 
@@ -108,8 +109,7 @@ bool agree(const Number& a, const Number& b, const Number& tolerance) {
   }
   const Number difference = a - b;
   if (difference.form() == Number::Form::enclosure) {
-    constexpr int kBits = 40;
-    const auto [low, high] = difference.bounds(kBits);
+    const auto [low, high] = difference.bounds(kEstimateBits);
     if (low > tolerance || high < -tolerance) return false;
     if (high <= tolerance && low >= -tolerance) return true;
   }
@@ -142,8 +142,7 @@ PlaneVector from_centre(const Record& arc, const Position& point) {
 
 int visible_sign(const Number& value) {
   if (value.form() != Number::Form::enclosure) return value.sign();
-  constexpr int kBits = 100;
-  const auto [low, high] = value.bounds(kBits);
+  const auto [low, high] = value.bounds(kSignBits);
   return low.sign() > 0 ? 1 : high.sign() < 0 ? -1 : 0;
 }
 
@@ -180,8 +179,8 @@ struct TurnedVector {
 };
 
 TurnedVector turned(const PlaneVector& origin, const PlaneVector& v, int sense) {
-  Number across = origin.p * v.q - origin.q * v.p;
-  return {origin.p * v.p + origin.q * v.q, sense < 0 ? -across : across};
+  Number across = cross(origin, v);
+  return {dot(origin, v), sense < 0 ? -across : across};
 }
 
 }  // namespace
@@ -195,7 +194,7 @@ int compare_angles(const PlaneVector& origin, const PlaneVector& a, const PlaneV
 }
 
 bool same_direction(const PlaneVector& a, const PlaneVector& b) {
-  return visible_sign(a.p * b.q - a.q * b.p) == 0 && visible_sign(a.p * b.p + a.q * b.q) > 0;
+  return visible_sign(cross(a, b)) == 0 && visible_sign(dot(a, b)) > 0;
 }
 
 bool makes_full_turn(const Motion& motion) {
@@ -207,25 +206,27 @@ bool makes_full_turn(const Motion& motion) {
 
 // Without the text that `approximate` rounds.
 double estimate(const Number& value) {
-  constexpr int kBits = 60;
-  constexpr mpfr_prec_t kRootBits = 120;
   switch (value.form()) {
     case Number::Form::rational:
       if (exact::NumberAccess::node(value) == nullptr) return approximate(value);
       return exact::rational_of(value).get_d();
     case Number::Form::root:
-      return mpfr_get_d(exact::interval_of(exact::root_of(value), kRootBits).low(), MPFR_RNDN);
+      return mpfr_get_d(exact::interval_of(exact::root_of(value), 2 * kEstimateBits).low(),
+                        MPFR_RNDN);
     case Number::Form::enclosure:
       break;
   }
   // By the bounds that it has already: any more digits would evaluate it anew.
-  return exact::rational_of(value.bounds(kBits)[0]).get_d();
+  return exact::rational_of(value.bounds(kEstimateBits)[0]).get_d();
+}
+
+Number two_units_of_double(double size) {
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return Number::binary(1, exponent - kUlpBits);
 }
 
 namespace {
-
-// Below this part of the radius squared, the sign of a cross product of doubles is not looked at.
-constexpr double kNearWhole = 1e-6;
 
 double part_of_turn(double across, double along) {
   const double part = std::atan2(across, along) / (2 * std::numbers::pi);
@@ -238,7 +239,7 @@ std::optional<double> estimated_part(const PlaneVector& a, const PlaneVector& b,
   const std::array<double, 2> to = {estimate(b.p), estimate(b.q)};
   const double along = from[0] * to[0] + from[1] * to[1];
   const double across = sense * (from[0] * to[1] - from[1] * to[0]);
-  if (!(along < 0 || std::abs(across) > 2 * kNearWhole * along)) return std::nullopt;
+  if (!(along < 0 || std::abs(across) > 2 * kShort * along)) return std::nullopt;
   return part_of_turn(across, along);
 }
 
@@ -247,7 +248,7 @@ double decided_part(const PlaneVector& a, const PlaneVector& b, int sense) {
   const TurnedVector t = turned(a, b, sense);
   const double along = estimate(t.along);
   const double across = estimate(t.across);
-  const bool near_whole = along >= 0 && std::abs(across) <= kNearWhole * along;
+  const bool near_whole = along >= 0 && std::abs(across) <= kShort * along;
   if (!near_whole) return part_of_turn(across, along);
   const double beside = part_of_turn(std::abs(across), along);
   return visible_sign(t.across) > 0 ? beside : 1.0 - beside;
@@ -313,11 +314,11 @@ std::optional<Motion> as_arc(const Motion& arc3) {
     };
     const PlaneVector u = from_start(arc3.record.via);
     const PlaneVector v = from_start(arc3.to());
-    const Number across = u.p * v.q - u.q * v.p;
+    const Number across = cross(u, v);
     const int sense = across.sign();
     if (sense == 0) return std::nullopt;
-    const Number u_2 = u.p * u.p + u.q * u.q;
-    const Number v_2 = v.p * v.p + v.q * v.q;
+    const Number u_2 = norm_squared(u);
+    const Number v_2 = norm_squared(v);
     Motion arc = arc3;
     arc.record.kind = RecordKind::arc;
     arc.record.plane = plane;
@@ -378,9 +379,9 @@ bool same_circle(const Motion& a, const Motion& b) {
   const PlaneVector start = from_centre(a.record, a.from);
   const PlaneVector middle = from_centre(a.record, a.to());
   const PlaneVector end = from_centre(a.record, b.to());
-  const Number radius_2 = start.p * start.p + start.q * start.q;
-  return !differ(radius_2, middle.p * middle.p + middle.q * middle.q) &&
-         !differ(radius_2, end.p * end.p + end.q * end.q) && visible_sign(radius_2) > 0;
+  const Number radius_2 = norm_squared(start);
+  return !differ(radius_2, norm_squared(middle)) && !differ(radius_2, norm_squared(end)) &&
+         visible_sign(radius_2) > 0;
 }
 
 // The same circle in space in the same sense, less than a full turn together. Where an enclosure

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "oracle/region/level.hpp"
 #include "reference/record.hpp"
 
 namespace gonogo::oracle {
@@ -49,7 +50,7 @@ bool is_same_point(const Position& a, const Position& b);
 // The same point under the names that a renaming of the position gives: new less old coordinate.
 void shift(Position& position, const Position& by);
 
-// J-CMP-02: whether no axis differs by more than `tolerance`.
+// R2: whether no axis differs by more than `tolerance`.
 bool agree(const Position& a, const Position& b, const Number& tolerance);
 bool agree(const Number& a, const Number& b, const Number& tolerance);
 // -1, 0 or 1: the sign as far as can be seen; exact, but 0 where an enclosure leaves it open.
@@ -61,10 +62,7 @@ AxisSet moved_axes(const Motion& motion, const Number& tolerance);
 
 // Directions about the centre of an arc, in the sense of its turning. Exact.
 // The vector from the arc's centre to a point, in the arc's plane.
-struct PlaneVector {
-  Number p;
-  Number q;
-};
+using PlaneVector = region::PlanePoint;
 PlaneVector from_centre(const Record& arc, const Position& point);
 // Compares the angles from `origin` to a and to b, in the sense of `sense`, both in [0, 360).
 int compare_angles(const PlaneVector& origin, const PlaneVector& a, const PlaneVector& b,
@@ -81,6 +79,9 @@ bool nearly_full_turn(const Motion& motion);
 bool goes_round(const Motion& motion, const Number& tolerance);
 // As a double, for estimates: to 2^-60, or the width of an interval of which no more is known.
 double estimate(const Number& value);
+// Two units in the last place of a double of that size, which an operation of a control in doubles
+// and the conversion of its operand may be off by.
+Number two_units_of_double(double size);
 // Sweep of an arc in turns, for choosing between whole numbers of turns only.
 double approximate_turns(const Motion& arc);
 
@@ -91,7 +92,7 @@ Motion straightened(Motion motion);
 // its points lie in line.
 std::optional<Motion> as_arc(const Motion& arc3);
 
-// J-CMP-04: joins `next` to `motion` when they are of equal kind, feed and block and continue the
+// R1: joins `next` to `motion` when they are of equal kind, feed and block and continue the
 // same line in the same direction, or the same circle in the same sense; rapids, along one axis
 // alone. Circles in space, as long as they are less than a full turn together. What an enclosure
 // leaves open counts as the same line or circle: it is so for all that can be seen.

@@ -73,13 +73,13 @@ MatchResult OpenHelices::match(const Motion& motion) {
 
 bool OpenHelices::add(const HelixShape& shape, OpenStart starts, const Position& at,
                       const JudgeTerms& terms) {
-  if (open_.size() >= kMaximum) return false;
+  if (open_.size() >= kMostStarts) return false;
   open_.emplace_back(shape, std::move(starts), at, terms);
   return true;
 }
 
 std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
-                                           const JudgeTerms& terms) {
+                                         const JudgeTerms& terms) {
   const Record& record = motion.record;
   const Number& tau = terms.tolerance;
   const bool chord = record.kind == RecordKind::feed && terms.chord.sign() > 0;

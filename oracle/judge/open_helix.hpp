@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "oracle/judge/curve_follower.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -34,8 +35,7 @@ struct HelixShape {
 class OpenHelix {
  public:
   // `starts`: those that agree with where the subject stands, `at`. `terms` must outlive it.
-  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at,
-            const JudgeTerms& terms);
+  OpenHelix(const HelixShape& shape, OpenStart starts, const Position& at, const JudgeTerms& terms);
   OpenHelix(const OpenHelix&) = delete;
   MatchResult match(const Motion& motion);
   const OpenStart& starts() const { return starts_; }
@@ -64,7 +64,6 @@ class OpenHelices {
   std::list<OpenHelix> take_done() { return std::move(done_); }
 
  private:
-  static constexpr std::size_t kMaximum = 1'000;  // J-CONST-10
   std::list<OpenHelix> open_;
   std::list<OpenHelix> done_;
   std::optional<MatchResult> undecided_;  // of one that was dropped
@@ -73,6 +72,6 @@ class OpenHelices {
 // Whether a motion may be the first piece of the helix, by kind, plane, centre and sense, where it
 // starts at the top; then the starts that agree with that.
 std::optional<OpenStart> starts_of_helix(const HelixShape& shape, const Motion& motion,
-                                           const JudgeTerms& terms);
+                                         const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

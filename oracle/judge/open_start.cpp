@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/open_start.hpp"
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 namespace {
-
-Number dot(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.p + a.q * b.q;
-}
-
-Number cross(const PlaneVector& a, const PlaneVector& b) {
-  return a.p * b.q - a.q * b.p;
-}
 
 // The part of the polygon where normal . v <= limit.
 std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const PlaneVector& normal,
@@ -34,7 +28,7 @@ std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const Plan
 
 // The squared distance of the segment from the origin.
 Number squared_distance(const PlaneVector& a, const PlaneVector& b) {
-  const PlaneVector along{b.p - a.p, b.q - a.q};
+  const PlaneVector along = b - a;
   const Number length_2 = dot(along, along);
   const Number at = -dot(a, along);
   if (length_2.sign() == 0 || at.sign() <= 0) return dot(a, a);
@@ -46,8 +40,7 @@ Number squared_distance(const PlaneVector& a, const PlaneVector& b) {
 // A rational near a value, and how far from it the value may lie: nothing for a rational.
 struct Near {
   explicit Near(const Number& exact) {
-    constexpr int kBits = 80;
-    const auto [low, high] = exact.bounds(kBits);
+    const auto [low, high] = exact.bounds(kRationalBits);
     value = low;
     error = high - low;
   }

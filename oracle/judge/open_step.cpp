@@ -37,6 +37,27 @@ Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motio
   return verdict;
 }
 
+Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                      std::string want, const Position& at, std::string message) {
+  Verdict verdict;
+  verdict.kind = kind;
+  verdict.clause = clause;
+  verdict.block = block;
+  verdict.want = std::move(want);
+  verdict.witness = point_text(at, {Axis::x, Axis::y, Axis::z});
+  verdict.message = std::move(message);
+  return verdict;
+}
+
+void add_finding(Verdict& verdict, const region::Finding& finding,
+                 std::span<const region::LevelMotion> cuts, std::span<const Record> records) {
+  verdict.record = finding.record;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (finding.record == cuts[i].record) verdict.got = record_text(records[i]);
+  }
+  set_deviation(verdict, finding.deviation);
+}
+
 void set_deviation(Verdict& verdict, const Number& deviation) {
   if (deviation.sign() == 0) return;
   verdict.deviation_exact = exact_text(deviation);

@@ -7,11 +7,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/reference_steps.hpp"
 #include "oracle/judge/terms.hpp"
 #include "oracle/records/verdict.hpp"
+#include "oracle/region/level.hpp"
 
 namespace gonogo::oracle {
 
@@ -23,7 +25,7 @@ struct OpenStepAnswer {
   } kind = Kind::taken;
   Position here;
   Verdict verdict;
-  // How a motion that is taken counts for the budget of records (J-CONST-05).
+  // How a motion that is taken counts for the budget of records (J-CYC-02).
   enum class Cost { counts, free, level_cut } cost = Cost::counts;
 
   static OpenStepAnswer take(Cost cost = Cost::counts) { return {Kind::taken, {}, {}, cost}; }
@@ -87,6 +89,13 @@ bool turns_rotary_axis(const Position& from, const Position& to, const Number& t
 // A NO-GO with what both sides say; the witness is where the motion ends.
 Verdict departure_from(VerdictKind kind, reference::ClauseId clause, const Motion& motion,
                        std::string want, std::string message);
+
+// One of what was put out so far: it shows at a place.
+Verdict fault_of_step(VerdictKind kind, reference::ClauseId clause, std::uint64_t block,
+                      std::string want, const Position& at, std::string message);
+// Which cut of a level breaks a rule, and by how much; `records` are those of the cuts.
+void add_finding(Verdict& verdict, const region::Finding& finding,
+                 std::span<const region::LevelMotion> cuts, std::span<const Record> records);
 
 // How far apart two numbers are, as the evidence of a verdict.
 void set_deviation(Verdict& verdict, const Number& deviation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CMP-02, J-CMP-03. Whether two places are one, and whether a motion leads nowhere.
+// R2, R3. Whether two places are one, and whether a motion leads nowhere.
 #pragma once
 
 #include "oracle/judge/motion.hpp"

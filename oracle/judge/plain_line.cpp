@@ -2,6 +2,7 @@
 #include "oracle/judge/plain_line.hpp"
 
 #include <cstring>
+#include <limits>
 
 namespace gonogo::oracle {
 namespace {
@@ -57,7 +58,7 @@ class Rest {
   // Digits behind those that `magnitude` has; how many. So few altogether that they fit with six
   // zeros.
   std::size_t take_digits(std::int64_t& magnitude) {
-    constexpr std::int64_t kMost = 100'000'000'000;
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 100 / 1'000'000;
     std::size_t count = 0;
     while (count < rest_.size() && rest_[count] >= '0' && rest_[count] <= '9') {
       if (magnitude > kMost) return 0;

@@ -7,6 +7,7 @@
 
 #include "oracle/judge/arc_turns.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -35,14 +36,6 @@ std::string_view sentence(region::Rule rule) {
       return "The tool cuts through solid material for more than the step.";
   }
   return "";
-}
-
-bool same_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
-  auto same = [](const region::PlanePoint& x, const region::PlanePoint& y) {
-    return x.p == y.p && x.q == y.q;
-  };
-  return a.is_arc == b.is_arc && a.rot == b.rot && same(a.from, b.from) && same(a.to, b.to) &&
-         (!a.is_arc || same(a.centre, b.centre));
 }
 
 // Apart from depth and block.
@@ -114,10 +107,7 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   if (record.kind == RecordKind::arc && record.plane != level_.plane) {
     return departs(VerdictKind::fail_region, motion, "The arc lies in another plane.");
   }
-  Record feed;
-  feed.feed = level_.feed;
-  feed.feed_mode = level_.feed_mode;
-  if (!feeds_agree(feed, record, terms_)) {
+  if (!feeds_agree(level_.feed, level_.feed_mode, record, terms_)) {
     return departs(VerdictKind::fail_feed, motion, "The feed of the level differs.");
   }
   if (!again_.allows(motion)) {
@@ -132,10 +122,10 @@ OpenStepAnswer PocketLevelStep::collect(const Motion& motion) {
   part.record = motion.number;
   motions_.push_back(std::move(part));
   records_.push_back(record);
-  if (motions_.size() > region::kMaximumLevelMotions) {
-    return OpenStepAnswer::gap(GapReason::cap_level,
-                               fmt::format("A level of more than {} motions is not judged.",
-                                           region::kMaximumLevelMotions));
+  if (motions_.size() > kMostMotions) {
+    return OpenStepAnswer::gap(
+        GapReason::cap_level,
+        fmt::format("A level of more than {} motions is not judged.", kMostMotions));
   }
   return OpenStepAnswer::take(OpenStepAnswer::Cost::level_cut);
 }
@@ -159,25 +149,18 @@ Verdict PocketLevelStep::fault(const region::Finding& finding, const Position& h
   witness[axes_.p] = finding.witness.p;
   witness[axes_.q] = finding.witness.q;
   witness[axes_.d] = level_.depth;
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_region;
-  verdict.clause = finding.rule == region::Rule::order ? "GSK-CYC-02"_clause : level_.clause;
-  verdict.block = level_.block;
-  verdict.record = finding.record;
-  verdict.want = level_text(level_);
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
-  }
-  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
-  set_deviation(verdict, finding.deviation);
-  verdict.message = sentence(finding.rule);
+  const bool is_order = finding.rule == region::Rule::order;
+  Verdict verdict =
+      fault_of_step(VerdictKind::fail_region, is_order ? "GSK-CYC-02"_clause : level_.clause,
+                    level_.block, level_text(level_), witness, std::string(sentence(finding.rule)));
+  add_finding(verdict, finding, motions_, records_);
   return verdict;
 }
 
 bool PocketLevelStep::is_known() const {
   return last_ && same_level(last_->level, level_) && plunge_[axes_.p] == last_->plunge[axes_.p] &&
          plunge_[axes_.q] == last_->plunge[axes_.q] &&
-         std::ranges::equal(motions_, last_->motions, same_motion);
+         std::ranges::equal(motions_, last_->motions, region::same_cut);
 }
 
 // So small that it is cleared where the subject stands.

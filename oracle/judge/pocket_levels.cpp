@@ -8,6 +8,7 @@
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/pocket_milling_judge.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle {
@@ -17,21 +18,14 @@ using reference::operator""_clause;
 
 namespace {
 
-constexpr int kBlurBits = 45;
-
-// A rational number no more than 2^-kBlurBits from one that is only enclosed. One that cannot be
+// A rational number no more than 2^-kShortBits from one that is only enclosed. One that cannot be
 // enclosed so closely stays as it is.
 Number sharp(const Number& value) {
   if (value.form() != Number::Form::enclosure) return value;
-  const std::array<Number, 2> bounds = value.bounds(kBlurBits + 4);
-  if (bounds[1] - bounds[0] > Number::binary(1, -kBlurBits)) return value;
-  const Number scale = Number::binary(1, kBlurBits + 4);
+  const std::array<Number, 2> bounds = value.bounds(kShortBits + 4);
+  if (bounds[1] - bounds[0] > Number::binary(1, -kShortBits)) return value;
+  const Number scale = Number::binary(1, kShortBits + 4);
   return (bounds[0] * scale).floor() / scale;
-}
-
-bool same_rounded_motion(const region::LevelMotion& a, const region::LevelMotion& b) {
-  return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
-         (!a.is_arc || a.centre == b.centre);
 }
 
 std::pair<reference::ClauseId, std::string_view> meaning_of(region::Rule rule) {
@@ -115,7 +109,7 @@ OpenStepAnswer PocketMillingJudge::judge_level(const Motion& next) {
   const bool whole = !level.cleared;
   if (const OpenStepAnswer floor = check_contour_only(next); floor.is_decided()) return floor;
   const bool known = judged_ && judged_->whole == whole && judged_->plunge == plunge_ &&
-                     std::ranges::equal(judged_->motions, motions_, same_rounded_motion);
+                     std::ranges::equal(judged_->motions, motions_, region::same_cut);
   if (known) return OpenStepAnswer::take();
   const region::LevelVerdict answer = region::judge_level(level, motions_);
   if (answer.kind == region::LevelVerdict::Kind::gap)
@@ -151,18 +145,9 @@ OpenStepAnswer PocketMillingJudge::level_fault(const region::Finding& finding,
   witness[axes_.p] = place.p;
   witness[axes_.q] = place.q;
   witness[axes_.d] = depth_;
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_region;
-  verdict.clause = clause;
-  verdict.block = item_.block;
-  verdict.record = finding.record;
-  verdict.want = pocket_text(item_);
-  for (std::size_t i = 0; i < motions_.size(); ++i) {
-    if (finding.record == motions_[i].record) verdict.got = record_text(records_[i]);
-  }
-  verdict.witness = point_text(witness, {Axis::x, Axis::y, Axis::z});
-  set_deviation(verdict, finding.deviation);
-  verdict.message = message;
+  Verdict verdict = fault_of_step(VerdictKind::fail_region, clause, item_.block, pocket_text(item_),
+                                  witness, std::string(message));
+  add_finding(verdict, finding, motions_, records_);
   return OpenStepAnswer::decide(std::move(verdict));
 }
 
@@ -239,10 +224,7 @@ bool PocketMillingJudge::above_centre(const Position& at) const {
 }
 
 bool PocketMillingJudge::has_feed(const Motion& motion, const Number& feed) const {
-  Record terms;
-  terms.feed = feed;
-  terms.feed_mode = item_.feed_mode;
-  return feeds_agree(terms, motion.record, terms_);
+  return feeds_agree(feed, item_.feed_mode, motion.record, terms_);
 }
 
 void PocketMillingJudge::take_slack_of(const Motion& motion) {
@@ -255,7 +237,7 @@ void PocketMillingJudge::take_slack_of(const Motion& motion) {
                      is_enclosed(record.centre[0]) || is_enclosed(record.centre[1]);
   if (!blurs || is_blurred_) return;
   is_blurred_ = true;
-  slack_ += Number::binary(1, -kBlurBits + 2);  // of two coordinates, either as far off as that
+  slack_ += Number::binary(1, -kShortBits + 2);  // of two coordinates, either as far off as that
 }
 
 region::PlanePoint PocketMillingJudge::own(const Position& at) const {

@@ -3,6 +3,7 @@
 
 #include "oracle/judge/curve_follower.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -45,15 +46,11 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
 
 Verdict PocketMillingJudge::incomplete(const Position& position) const {
   if (floor_fault_ && !floor_done_) return *floor_fault_;
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
-  verdict.clause = floor_done_ ? "SIE-LC75-13"_clause : item_.clause;
-  verdict.block = item_.block;
-  verdict.want = pocket_text(item_);
-  verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
-  verdict.message = floor_done_ ? "The cycle does not end above the centre at the retract plane."
-                                : "The pocket is not milled to its floor.";
-  return verdict;
+  return fault_of_step(VerdictKind::fail_geometry,
+                       floor_done_ ? "SIE-LC75-13"_clause : item_.clause, item_.block,
+                       pocket_text(item_), position,
+                       floor_done_ ? "The cycle does not end above the centre at the retract plane."
+                                   : "The pocket is not milled to its floor.");
 }
 
 OpenStepAnswer PocketMillingJudge::departs(VerdictKind kind, reference::ClauseId clause,
@@ -83,7 +80,7 @@ bool PocketMillingJudge::sees(const Motion& small) const {
   const Number& tau = terms_.tolerance;
   const bool is_shallow = item_.retract - item_.floor <= tau;
   if (small.record.kind == RecordKind::rapid && !is_shallow) return false;
-  return !agree(small.from, small.to(), tau / 1000);
+  return !agree(small.from, small.to(), tau / kRoundingOfTolerance);
 }
 
 // SIE-LC75-11: infeeds of finishing may be fast. Whether this one may is judged as any other.
@@ -150,7 +147,7 @@ void PocketMillingJudge::note_floor_cut(const Motion& motion) {
 bool PocketMillingJudge::goes_along_depth(const Motion& motion) const {
   const Number way = exact::abs(motion.to()[axes_.d] - motion.from[axes_.d]);
   if (way > terms_.tolerance) return true;
-  const Number rounding = terms_.tolerance / 1000;
+  const Number rounding = terms_.tolerance / kRoundingOfTolerance;
   return way > rounding && motion.record.kind != RecordKind::arc &&
          agree(motion.from[axes_.p], motion.to()[axes_.p], rounding) &&
          agree(motion.from[axes_.q], motion.to()[axes_.q], rounding);
@@ -193,7 +190,7 @@ bool PocketMillingJudge::is_near_cleared(const Number& depth) const {
   return in_air || depth >= cleared_.everywhere - terms_.tolerance;
 }
 
-// J-PKT-12: travel; but where the floor is as near as the tolerance, it may be the level at the
+// J-PKT-09: travel; but where the floor is as near as the tolerance, it may be the level at the
 // floor.
 OpenStepAnswer PocketMillingJudge::take_near_cleared(const Motion& motion) {
   const Number& depth = motion.to()[axes_.d];
@@ -239,7 +236,7 @@ OpenStepAnswer PocketMillingJudge::take_cut(const Motion& motion) {
 OpenStepAnswer PocketMillingJudge::collect(const Motion& motion) {
   motions_.push_back(own(motion));
   records_.push_back(motion.record);
-  if (motions_.size() > region::kMaximumLevelMotions) {
+  if (motions_.size() > kMostMotions) {
     return OpenStepAnswer::gap(GapReason::cap_level,
                                "A level of more than 50,000 motions is not judged.");
   }
@@ -303,7 +300,7 @@ OpenStepAnswer PocketMillingJudge::check_level_depth(const Motion& motion) {
 // Whether the motion may go where it goes: what is cleared, by this path or by roughing.
 OpenStepAnswer PocketMillingJudge::check_travel(const Motion& motion) const {
   const Number& tau = terms_.tolerance;
-  // J-CYC-01: no clause leads above R101.
+  // R8: no clause leads above R101.
   if (motion.to()[axes_.d] > item_.retract + tau && motion.to()[axes_.d] > motion.from[axes_.d]) {
     return departs(VerdictKind::fail_region, "SIE-LC75-13"_clause, motion,
                    "The tool leaves the cycle's planes: it moves above R101.");
@@ -379,7 +376,7 @@ OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
 }
 
-// J-CYC-01: of roughing the first infeed follows the approach, at the centre. Of finishing
+// R8: of roughing the first infeed follows the approach, at the centre. Of finishing
 // (SIE-LC75-11) the tool may travel in what roughing left.
 OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;

@@ -9,6 +9,7 @@
 
 #include "oracle/judge/open_step.hpp"
 #include "oracle/judge/progress.hpp"
+#include "oracle/region/constants.hpp"
 #include "oracle/region/frame.hpp"
 #include "oracle/region/milled_floor.hpp"
 #include "oracle/region/rectangle.hpp"
@@ -34,7 +35,7 @@ class PocketMillingJudge : public OpenStep {
   OpenStepAnswer take_motion(const Motion& motion);
   // Whether the last motion is one of those that have a limit of their own: of a level, or a cut
   // through what is cleared, of which a pocket may have as many as a level.
-  bool is_limited() const { return milling_ || idle_cuts_ <= region::kMaximumLevelMotions; }
+  bool is_limited() const { return milling_ || idle_cuts_ <= kMostMotions; }
   Verdict incomplete(const Position& position) const;
   // How far the tool may go down without cutting: everywhere it may be, and in what roughing left.
   struct Cleared {
@@ -111,7 +112,7 @@ class PocketMillingJudge : public OpenStep {
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
   Number depth_;                   // of it
-  // J-PKT-12: two ways to take the level, between which its end decides.
+  // J-PKT-09: two ways to take the level, between which its end decides.
   bool may_be_travel_ = false;  // what its cuts are unless they clear the floor
   bool taken_above_floor_ =
       false;  // the level above the floor, since it is not milled as the floor

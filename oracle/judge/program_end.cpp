@@ -12,6 +12,7 @@
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/unreadable_block.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -22,14 +23,14 @@ struct ProgramJudge::Ending {
   Hypothesis from;
   std::optional<Verdict> verdict = {};  // nothing: GO
   // What of the M functions goes before it, of so many that are due by then: all but those of the
-  // block that alarms; but those behind it, too, which are not judged (J-ALM-04).
+  // block that alarms; but those behind it, too, which are not judged (R7).
   enum class MFunctions { none, before_alarm, of_earlier } judges = MFunctions::none;
   std::size_t m_functions = 0;
   std::uint64_t block = 0;  // that alarms
   bool at_load = false;
   std::size_t item = 0;  // of the reference, where it departs; 0: that of the hypothesis
 
-  // The less the better: a pass by its grade, a gap, an advice, a departure (J-ALM-08).
+  // The less the better: a pass by its grade, a gap, an advice, a departure (R9).
   int rank() const {
     if (!verdict && !from.instead) return from.exact ? 0 : from.rounded ? 1 : 2;
     switch (decision((verdict ? *verdict : *from.instead).kind)) {
@@ -59,8 +60,6 @@ struct ProgramJudge::Alarming {
 
 namespace {
 
-constexpr std::size_t kMostPassed = 10'000'000;
-
 VerdictKind kind_of(RunEnd::Kind kind) {
   switch (kind) {
     case RunEnd::Kind::skip:
@@ -82,7 +81,7 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   Verdict verdict;
   verdict.kind = kind;
   verdict.block = report.block;
-  verdict.clause = firmest(report).clause;  // J-ALM-02
+  verdict.clause = firmest(report).clause;  // J-ALM-01
   verdict.word = report.alarms.front().word;
   verdict.want = alarms_text(report);
   verdict.message = std::move(message);
@@ -100,7 +99,7 @@ Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string m
   return verdict;
 }
 
-// J-ALM-04: to run on is the other answer to each rule that is an alarm. The reference ends there.
+// R7: to run on is the other answer to each rule that is an alarm. The reference ends there.
 Verdict ran_on(Verdict missing, const JudgeTerms& terms) {
   missing = advised(std::move(missing), terms);
   if (missing.kind == VerdictKind::advice) {
@@ -176,7 +175,7 @@ void ProgramJudge::settle(Ending ending) {
   decide(std::move(ending.verdict));
 }
 
-// J-CMP-08. Those of earlier blocks must have come as motion must; of its own block no text says
+// R6. Those of earlier blocks must have come as motion must; of its own block no text says
 // whether any do that alarms. A control that checks at load need not pass any.
 std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
   using MFunctions = Ending::MFunctions;
@@ -199,7 +198,7 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
   return std::nullopt;
 }
 
-// J-CMP-07.
+// R5.
 std::optional<Verdict> ProgramJudge::compare_end(const Record& end) const {
   if (!end_record_) return std::nullopt;
   for (Axis axis : reference::kAllAxes) {
@@ -253,8 +252,7 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
       }
       verdict = ran_on(std::move(verdict), terms_);
       if (verdict.kind != VerdictKind::advice) return {from, std::move(verdict)};
-      return {from, std::move(verdict), Ending::MFunctions::of_earlier, m_functions,
-              report->block};
+      return {from, std::move(verdict), Ending::MFunctions::of_earlier, m_functions, report->block};
     }
     Alignment::Passing passing = alignment_.pass(from);
     if (passing.why_not) return open_end(from, *std::move(passing.why_not));
@@ -271,7 +269,7 @@ AlarmGround ProgramJudge::ground_of(const Alarming& alarming) const {
   return ground_of_alarm(profile_, program_, place, alarming.alarm.alarm_class);
 }
 
-// J-ALM-06, and J-ALM-05 where the alarm is the other answer to a rule that no text states.
+// R6, and R7 where the alarm is the other answer to a rule that no text states.
 Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string message) const {
   Verdict verdict =
       alarm_verdict(VerdictKind::fail_alarm_spurious, alarming.alarm, std::move(message));
@@ -286,7 +284,7 @@ Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string messa
 }
 
 // An alarm of a class that the block does not admit. Another answer: to a rule by which the block
-// runs on but for its faults (J-ALM-05), or to which alarm a silent one is (J-ALM-04).
+// runs on but for its faults (R7), or to which alarm a silent one is (R7).
 Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& report) const {
   Verdict verdict = alarm_verdict(
       VerdictKind::fail_alarm_class, report,
@@ -308,7 +306,7 @@ Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& r
   return advised(std::move(verdict), terms_);
 }
 
-// J-CMP-08. Nothing where the subject's alarm is one that the reference's admits.
+// R6. Nothing where the subject's alarm is one that the reference's admits.
 std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const Alarming& alarming,
                                                    const AlarmReport& report) const {
   const SubjectAlarm& alarm = alarming.alarm;
@@ -363,7 +361,7 @@ std::optional<Verdict> ProgramJudge::alarm_outside(const SubjectAlarm& alarm) co
                        "The alarm comes before the program, in a line that leads to its start.");
 }
 
-// At the reference's alarm or its end. J-ALM-04: what departs in motion, or in M functions, before
+// At the reference's alarm or its end. R7: what departs in motion, or in M functions, before
 // an alarm that no text states goes first.
 ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& alarming) {
   using MFunctions = Ending::MFunctions;
@@ -391,9 +389,8 @@ ProgramJudge::Ending ProgramJudge::at_alarm(Hypothesis& from, const Alarming& al
   // Past what is undone no M function has been come to.
   const std::size_t due = unfinished ? unfinished->step.m_functions : here.m_functions;
   if (!departure) return {from, {}, MFunctions::before_alarm, due, block, alarming.at_load};
-  return {from, std::move(departure),
-          alarming.at_load ? MFunctions::none : MFunctions::of_earlier, due,
-          block};
+  return {from, std::move(departure), alarming.at_load ? MFunctions::none : MFunctions::of_earlier,
+          due, block};
 }
 
 bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
@@ -402,7 +399,7 @@ bool ProgramJudge::is_left_at_alarm(Hypothesis& from) {
   return !open->is_judged_when_left() || open->is_judged_at_alarm(from.at);
 }
 
-// J-ALM-10: an alarm behind an end that no text states, which is no answer to where it stands.
+// R7: an alarm behind an end that no text states, which is no answer to where it stands.
 bool ProgramJudge::is_alarm_behind_end(Hypothesis& from, const Alarming& alarming) {
   if (!is_silent_end(reference_.at(from.step).what) || alarming.unfinished) return false;
   Verdict verdict = spurious_alarm(alarming, "The subject goes on behind the end of the program.");
@@ -416,7 +413,7 @@ ProgramJudge::Ending ProgramJudge::alarm_end(Hypothesis& from, const SubjectAlar
   const bool at_load = profile_.alarm_timing == reference::AlarmTiming::program && !moved_;
   Alarming alarming{alarm, at_load, reference_.at(from.step).item, !from.is_fresh()};
   auto& unfinished = alarming.unfinished;
-  for (std::size_t passed = 0; passed < kMostPassed; ++passed) {
+  for (std::size_t passed = 0; passed < kMostItems; ++passed) {
     forget_behind(from, at_load || unfinished);
     const ReferenceSteps::Step& here = reference_.at(from.step);
     const ReferenceStep& step = here.what;

@@ -85,7 +85,7 @@ void ProgramJudge::decide_too_many(const Record& record) {
   decide(std::move(verdict));
 }
 
-// J-CMP-01, J-CMP-07.
+// R1, R5.
 void ProgramJudge::take_record(const Record& record) {
   if (end_record_) {
     Verdict verdict;
@@ -112,7 +112,7 @@ void ProgramJudge::take_record(const Record& record) {
 }
 
 void ProgramJudge::take_motion(const Record& record) {
-  // J-CMP-10.
+  // R3.
   if (terms_.compare_blocks && record.block == 0) {
     Verdict verdict;
     verdict.kind = VerdictKind::protocol;
@@ -140,7 +140,7 @@ void ProgramJudge::forget_passed() {
   reference_.forget_before(alignment_.first_step());
 }
 
-// J-CMP-05.
+// R5.
 void ProgramJudge::take_m_function(const Record& record) {
   switch (alignment_.take_m_function(record, records_ - 1)) {
     case Alignment::MFunction::taken:

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 
 using reference::Axis;
@@ -18,9 +20,9 @@ class PlaceHash {
   explicit PlaceHash(double width) : width_(width) {}
 
   PlaceHash& add(double coordinate) {
-    constexpr std::uint64_t kPrime = 0x100000001B3;  // of the hash FNV-1a
+    const std::uint64_t prime = 0x100000001B3;  // of the hash FNV-1a
     const auto cell = static_cast<std::int64_t>(std::floor(coordinate / width_));
-    key_ = (key_ ^ static_cast<std::uint64_t>(cell)) * kPrime;
+    key_ = (key_ ^ static_cast<std::uint64_t>(cell)) * prime;
     key_ ^= key_ >> 29U;
     return *this;
   }
@@ -79,12 +81,12 @@ bool VisitedPlaces::is_new(std::size_t step, const Position& at, const Number& t
     step_ = step;
     places_.clear();
   }
-  if (places_.size() >= kMaximumPlaces) return false;
-  return places_.insert(PlaceHash(4 * estimate(tolerance)).add(at).key()).second;
+  if (places_.size() >= kMostPlaces) return false;
+  return places_.insert(PlaceHash(kNoDirection * estimate(tolerance)).add(at).key()).second;
 }
 
 Number ring_width(const Number& step, const Number& tolerance) {
-  return max(tolerance, step / 100);
+  return max(tolerance, step / kRingsOfStep);
 }
 
 MilledAgain::MilledAgain(const Number& width) : width_(estimate(width)) {}
@@ -99,11 +101,11 @@ bool MilledAgain::allows(const Motion& cut) {
     const double turns = ring.turns * width_ / std::max(ring.growth, width_);
     double& all = times_[PlaceHash(width_).add(p).add(q).add(ring.radius).key()];
     all += turns;
-    if (all > kMostTimes) return false;
+    if (all > static_cast<double>(kMostTimes)) return false;
     motion.add(p).add(q);
     is_seen = is_seen || ring.turns > 0.5;
   }
-  return !is_seen || ++times_[motion.key()] <= kMostTimes;
+  return !is_seen || ++times_[motion.key()] <= static_cast<double>(kMostTimes);
 }
 
 }  // namespace gonogo::oracle

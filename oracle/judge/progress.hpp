@@ -25,17 +25,15 @@ bool ends_in_pocket(const Motion& motion, const reference::PocketLevel& level);
 class VisitedPlaces {
  public:
   // Whether the path has not been here since it came to step number `step`. No more than
-  // kMaximumPlaces of a step are new.
+  // kMostPlaces of a step are new.
   bool is_new(std::size_t step, const Position& at, const Number& tolerance);
-
-  static constexpr std::size_t kMaximumPlaces = 200'000;
 
  private:
   std::size_t step_ = 0;
   std::unordered_set<std::uint64_t> places_;
 };
 
-// J-CONST-05: how far apart rings count as two where the step, or the tool's radius, is the given
+// J-CYC-02: how far apart rings count as two where the step, or the tool's radius, is the given
 // one.
 Number ring_width(const Number& step, const Number& tolerance);
 
@@ -54,9 +52,6 @@ class MilledAgain {
   void clear() { times_.clear(); }
 
  private:
-  // J-CONST-05
-  static constexpr double kMostTimes = 10;
-
   double width_;
   std::unordered_map<std::uint64_t, double> times_;  // by places, as they hash
 };

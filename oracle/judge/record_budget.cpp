@@ -7,11 +7,11 @@
 namespace gonogo::oracle {
 
 bool RecordBudget::runs_low(std::size_t records, std::size_t live) const {
-  return counting(records) > kFactor * live + kSlack / 2;
+  return counting(records) > kMostTimes * live + kMostIdle / 2;
 }
 
 bool RecordBudget::allows(std::size_t records, std::size_t live) {
-  while (counting(records) > kFactor * std::max(counted_, live) + kSlack) {
+  while (counting(records) > kMostTimes * std::max(counted_, live) + kMostIdle) {
     if (complete_) return false;
     if (!shown_) shown_.emplace(profile_, program_);
     const reference::Item* const item = shown_->expander.next();

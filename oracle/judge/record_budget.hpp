@@ -7,11 +7,12 @@
 #include <optional>
 
 #include "oracle/judge/program_input.hpp"
+#include "oracle/region/constants.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
 
-// J-CONST-05: 10 times those of the reference and 1,000, of records that make no progress. The
+// J-CYC-02: 10 times those of the reference and 1,000, of records that make no progress. The
 // reference's are counted only as far as needed.
 class RecordBudget {
  public:
@@ -32,9 +33,6 @@ class RecordBudget {
   void count_level_cuts(std::size_t cuts) { level_cuts_ += cuts; }
 
  private:
-  static constexpr std::size_t kFactor = 10;
-  static constexpr std::size_t kSlack = 1'000;
-
   // Those that count. One may have been forgiven twice.
   std::size_t counting(std::size_t records) const {
     return records > forgiven() ? records - forgiven() : 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 
 bool is_end(const ReferenceStep& step) {
@@ -120,10 +122,9 @@ void ReferenceSteps::take_m_function() {
 
 // A pass is an entry, a helix, a run-out and a way back.
 void ReferenceSteps::count_passes(const reference::ThreadMilling& thread) {
-  constexpr std::int64_t kRecordsOfPass = 4;
-  constexpr std::int64_t kMost = 1'000'000'000;
+  constexpr auto kMost = static_cast<std::int64_t>(kMostItems);
   const std::int64_t passes = thread.passes().to_int64().value_or(kMost);
-  passes_ += static_cast<std::size_t>(std::min(passes, kMost) * kRecordsOfPass);
+  passes_ += static_cast<std::size_t>(std::min(passes, kMost)) * kRecordsOfPass;
 }
 
 bool ReferenceSteps::go_on_from(std::size_t number, const Position& place, bool moves_machine) {

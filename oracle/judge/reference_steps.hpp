@@ -21,8 +21,8 @@
 namespace gonogo::oracle {
 
 // What the subject has to do next: a motion, a dwell, something whose path is open, or the end (an
-// `end` record, an alarm, not covered), which is the last step but where it is silent. M functions stand
-// between them.
+// `end` record, an alarm, not covered), which is the last step but where it is silent. M functions
+// stand between them.
 using ReferenceStep =
     std::variant<Motion, Record, reference::PocketLevel, reference::HelixPocket,
                  reference::ThreadMilling, reference::PocketMilling, reference::Renaming,
@@ -32,7 +32,7 @@ bool is_end(const ReferenceStep& step);
 // Whether the tool cuts.
 bool cuts(const ReferenceStep& step);
 const Record* dwell_of(const ReferenceStep& step);  // null: another step
-// The end of the program by a rule that no text states (J-ALM-10): steps behind it are those of a
+// The end of the program by a rule that no text states (R7): steps behind it are those of a
 // control that goes on there.
 bool is_silent_end(const ReferenceStep& step);
 

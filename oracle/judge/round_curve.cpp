@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "oracle/judge/approximate.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -25,10 +26,9 @@ std::pair<Number, Number> distances_of_box(const PlaneVector& point, const Numbe
 }  // namespace
 
 RationalPoint::RationalPoint(const Position& point) : at(space_point(point)) {
-  constexpr int kBits = 512;
   for (Number& each : at) {
     if (each.is_rational()) continue;
-    const auto [low, high] = each.bounds(kBits);
+    const auto [low, high] = each.bounds(kSpaceBits);
     each = low;
     error = max(error, high - low);
   }
@@ -43,8 +43,8 @@ ThreePoints::ThreePoints(const Motion& arc3)
 double ThreePoints::turns() const {
   const double part = part_of_turn(*circle, from.at, to.at);
   // Near the start the estimate may lie on either side of it.
-  if (is_over_half()) return part < 0.25 ? part + 1 : part;
-  return part > 0.75 ? part - 1 : part;
+  if (is_over_half()) return part < kQuarterTurn ? part + 1 : part;
+  return part > 1 - kQuarterTurn ? part - 1 : part;
 }
 
 // The height s of an arc of radius r over a chord 2 h: h^2 = 2 r s - s^2.
@@ -65,8 +65,8 @@ bool ThreePoints::nearly_lie_in_line(const Number& tolerance) const {
   const Number longest_2 =
       max(square(to.at - from.at), max(square(via.at - from.at), square(to.at - via.at)));
   const Number tau_2 = tolerance * tolerance;
-  constexpr int kSmall = 4;  // tolerances: so short a side shows no direction, nor does the arc
-  if (longest_2 <= tau_2 * (kSmall * kSmall)) return false;
+  // So short a side shows no direction, nor does the arc.
+  if (longest_2 <= tau_2 * (kNoDirection * kNoDirection)) return false;
   return square(circle->normal) <= tau_2 * longest_2 && !is_flat(tolerance);
 }
 
@@ -108,8 +108,8 @@ bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
   const PlaneVector v = from_centre(arc_->record, point);
   const PlaneVector a = from_centre(arc_->record, arc_->from);
   const PlaneVector b = from_centre(arc_->record, arc_->to());
-  Number start_2 = a.p * a.p + a.q * a.q;
-  Number end_2 = b.p * b.p + b.q * b.q;
+  Number start_2 = norm_squared(a);
+  Number end_2 = norm_squared(b);
   if (open_) {
     start_2 = end_2 = open_->radius * open_->radius;
     tolerance += open_->slack;
@@ -121,25 +121,23 @@ bool RoundCurve::on_circle(const Position& point, Number tolerance) const {
 bool RoundCurve::is_spiral() const {
   if (arc_ == nullptr || open_) return false;
   const PlaneVector end = from_centre(arc_->record, arc_->to());
-  constexpr double kEstimate = 1e-9;  // mm
   return std::abs(std::hypot(estimate(end.p), estimate(end.q)) - radius_) > kEstimate;
 }
 
-// J-PATH-08. Where the box meets the circles of both radii it meets every one between them,
+// J-PATH-09. Where the box meets the circles of both radii it meets every one between them,
 // exactly. Else the radius is estimated, and a band round the tolerance is left undecided: the
 // estimate's own error, and what the radius changes by over a tolerance's length of arc.
 int RoundCurve::on_spiral(const Position& point, double turns, const Number& tolerance) const {
   if (arc_ == nullptr || open_) return 1;
   const PlaneVector a = from_centre(arc_->record, arc_->from);
   const PlaneVector b = from_centre(arc_->record, arc_->to());
-  const Number start_2 = a.p * a.p + a.q * a.q;
-  const Number end_2 = b.p * b.p + b.q * b.q;
+  const Number start_2 = norm_squared(a);
+  const Number end_2 = norm_squared(b);
   const PlaneVector v = from_centre(arc_->record, point);
   const auto [near_2, far_2] = distances_of_box(v, tolerance);
   const bool meets_both =
       near_2 <= start_2 && near_2 <= end_2 && far_2 >= start_2 && far_2 >= end_2;
   if (meets_both) return 1;
-  constexpr double kEstimate = 1e-7;  // mm
   const double within = approximate(tolerance);
   const double change = std::hypot(estimate(b.p), estimate(b.q)) - radius_;
   const double want = radius_ + turns / whole_ * change;
@@ -161,18 +159,17 @@ bool RoundCurve::on_space_circle(const Position& point, const Number& tolerance)
   if (!points_->circle) return false;
   const RationalPoint at(point);
   Number slack = at.error;
-  if (!points_->exact()) slack += Number::binary(1, -80);
+  if (!points_->exact()) slack += Number::binary(1, -kRationalBits);
   if (passes_box(*points_->circle, at.at, tolerance - slack)) return true;
   if (slack.sign() == 0 || !passes_box(*points_->circle, at.at, tolerance + slack)) return false;
   throw exact::Undecided("whether a point agrees with the circle hangs on an enclosure's width");
 }
 
-// J-PATH-07. The sweep is estimated, so a band round the tolerance is left undecided: the
+// R2. The sweep is estimated, so a band round the tolerance is left undecided: the
 // estimate's own error, and the height that the helix gains over a tolerance's length of arc. What
 // lies beyond the band is off only where that is certain.
 int RoundCurve::on_helix(const Position& point, double turns, const Number& tolerance,
                          bool linear_only) const {
-  constexpr double kEstimate = 1e-7;  // mm; J-CONST-08
   const double within = approximate(tolerance);
   int answer = 1;
   for (Axis axis : reference::kAllAxes) {

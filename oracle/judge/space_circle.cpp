@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracle/judge/approximate.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -152,9 +153,8 @@ SpacePoint middle_seen_from(const SpacePoint& a, const SpacePoint& b, const Spac
   int exponent = 0;
   const double share = length_b + length_c > 0 ? length_c / (length_b + length_c) : 0.5;
   const double part = std::frexp(share, &exponent);
-  constexpr int kBits = 30;
-  const Number t =
-      Number::binary(static_cast<std::int64_t>(std::ldexp(part, kBits)), exponent - kBits);
+  const Number t = Number::binary(static_cast<std::int64_t>(std::ldexp(part, kMiddleBits)),
+                                  exponent - kMiddleBits);
   const SpacePoint w = ((Number(1) - t) / b_2) * to_b + (t / c_2) * to_c;
   return a + (Number(1) / dot(w, w)) * w;
 }

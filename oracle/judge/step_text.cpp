@@ -187,8 +187,7 @@ std::string exact_text(const Number& value) {
 }
 
 std::string millimetres_text(const Number& value) {
-  constexpr int kDecimals = 9;
-  std::string text = value.decimal_text(kDecimals);
+  std::string text = value.decimal_text(9);
   while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.')) {
     const bool point = text.back() == '.';
     text.pop_back();

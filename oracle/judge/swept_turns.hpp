@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "oracle/region/constants.hpp"
 #include "reference/exact/number.hpp"
 
 namespace gonogo::oracle {
@@ -29,7 +30,6 @@ class SweptTurns {
   }
 
  private:
-  static constexpr double kLost = 1e-12;  // a thousand times what the sweep of an arc is off
   double turns_ = 0;
   double lost_ = 0;
 };

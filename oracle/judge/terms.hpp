@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::oracle {
@@ -17,20 +18,19 @@ struct JudgeTerms {
   std::optional<Number> resolution;             // declared; for correctly rounded values
   std::optional<Number> feed_resolution;
   Number increment = Number::millionths(1000);  // the profile's least, mm
-  bool binary64 = false;       // numbers come as doubles
-  bool exact = false;          // it says that none is rounded
-  bool compare_blocks = true;  // feature `blocks`
-  bool compare_m = false;      // feature `m`
-  bool strict = false;         // a departure from what no text states is NO-GO, no advice
-  bool measure = true;         // of samples: figures beside the verdict, which take longer
+  bool binary64 = false;                        // numbers come as doubles
+  bool exact = false;                           // it says that none is rounded
+  bool compare_blocks = true;                   // feature `blocks`
+  bool compare_m = false;                       // feature `m`
+  bool strict = false;  // a departure from what no text states is NO-GO, no advice
+  bool measure = true;  // of samples: figures beside the verdict, which take longer
   bool skip_equal =
       true;  // false: even equal records are dropped, joined and matched, to the same end
 
-  // J-CONST-07: of a level of a pocket, mm. Centre and start of an arc are each rounded by half of
+  // R2: of a level of a pocket, mm. Centre and start of an arc are each rounded by half of
   // the resolution along an axis: 3/sqrt(2) = 2.12 times it is what its points may be off.
   Number level_tolerance() const {
-    constexpr int kEighths = 17;
-    return resolution ? max(tolerance, *resolution * kEighths / 8) : tolerance;
+    return resolution ? max(tolerance, *resolution * kRoundingEighths / 8) : tolerance;
   }
 };
 
@@ -44,7 +44,7 @@ struct Grants {
 };
 
 // What a subject declares counts up to the profile's `resolution`, unless the certifier grants
-// more (J-RUN-02, J-RUN-03).
+// more (J-RUN-02).
 JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,
                       const Grants& grants);
 inline JudgeTerms make_terms(const SubjectInfo& subject, const reference::Profile& profile,

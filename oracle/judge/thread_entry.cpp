@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "oracle/judge/chords.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::size_t kMostPoints = 50'000;
 constexpr const char* kManyPieces = "The entry has more than 50,000 pieces.";
 
 }  // namespace
@@ -20,7 +20,7 @@ void ThreadEntry::begin(const Position& from, const Number& pass) {
   reached_ = pass > 1 ? item.radius_of_pass(pass - 1) : item.start_radius;
   stands_ = from;
   from_ = near_rational(geometry_.from_axis(from));
-  const Number away = exact::sqrt(from_.p * from_.p + from_.q * from_.q);
+  const Number away = exact::sqrt(norm_squared(from_));
   reach_ = item.external ? max(geometry_.reach(), away + item.tool_radius * 2) : reached_;
   sense_ = 0;
   swept_ = {};
@@ -67,8 +67,7 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
   const int sense = record.rot < 0 ? -1 : 1;
   const PlaneVector begin = from_centre(record, motion.from);
   const PlaneVector end = from_centre(record, motion.to());
-  const bool is_on =
-      sense_ == 0 || (sense == sense_ && (end_arm_.p * begin.p + end_arm_.q * begin.q).sign() >= 0);
+  const bool is_on = sense_ == 0 || (sense == sense_ && dot(end_arm_, begin).sign() >= 0);
   if (!is_on) return "The entry turns back.";
   sense_ = sense;
   end_arm_ = end;
@@ -79,7 +78,7 @@ std::optional<std::string> ThreadEntry::add_arc(const Motion& motion) {
   }
   if (!is_inside(motion)) {
     if (!geometry_.item().external) return "The entry goes through the wall of the bore.";
-    if (far_.size() >= kMostPoints) return kManyPieces;
+    if (far_.size() >= kMostMotions) return kManyPieces;
     far_.push_back(motion);
   }
   points_ = {near_rational(geometry_.from_axis(motion.to()))};
@@ -117,7 +116,7 @@ Motion ThreadEntry::staying(const PlaneVector& v) const {
 }
 
 std::optional<std::string> ThreadEntry::add_line(const Motion& motion) {
-  if (points_.size() >= kMostPoints) return kManyPieces;
+  if (points_.size() >= kMostMotions) return kManyPieces;
   points_.push_back(near_rational(geometry_.from_axis(motion.to())));
   return std::nullopt;
 }
@@ -155,7 +154,7 @@ std::optional<std::string> ThreadEntry::fault_of(std::size_t infeed,
   const Number twice = terms.tolerance * 2;
   const std::span<const PlaneVector> points(points_);
   if (infeed > 0) {
-    // J-THR-08: chords where they are granted.
+    // J-THR-01: chords where they are granted.
     const bool chords =
         chords_granted() && sense_ == 0 &&
         are_chords_of_an_arc(points.first(infeed + 1), twice, terms.tolerance + terms.chord);

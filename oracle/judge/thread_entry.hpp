@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a pass of a thread does at the R plane before its helix: an arc to the start of the thread
-// and the straight infeed to the radius of the pass (J-THR-02, J-THR-03; GSK-G114-10).
+// and the straight infeed to the radius of the pass (J-THR-02; GSK-G114-10).
 #pragma once
 
 #include <optional>

@@ -25,12 +25,8 @@ std::string ThreadJudge::want_text() const {
 }
 
 Verdict ThreadJudge::incomplete(const Position& position) const {
-  Verdict verdict;
-  verdict.kind = VerdictKind::fail_geometry;
-  verdict.clause = "GSK-G114-06"_clause;
-  verdict.block = item_.block;
-  verdict.want = want_text();
-  verdict.witness = point_text(position, {Axis::x, Axis::y, Axis::z});
+  Verdict verdict = fault_of_step(VerdictKind::fail_geometry, "GSK-G114-06"_clause, item_.block,
+                                  want_text(), position, {});
   switch (phase_) {
     case Phase::helix:
       verdict.message = "The helix ends before the bottom of the thread.";
@@ -137,7 +133,7 @@ OpenStepAnswer ThreadJudge::no_helix(const Motion& motion, const MatchResult& re
 OpenStepAnswer ThreadJudge::wrong_radius(const Motion& motion) const {
   const Position& at = geometry_.on_circle(motion.from, radius()) ? motion.to() : motion.from;
   const PlaneVector v = geometry_.from_axis(at);
-  const Number got = exact::sqrt(v.p * v.p + v.q * v.q);
+  const Number got = exact::sqrt(norm_squared(v));
   const Number beyond = item_.external ? radius() - got : got - radius();
   reference::ClauseId clause = "GSK-G114-04"_clause;
   std::string message = "The helix has another radius than its pass.";
@@ -195,7 +191,7 @@ OpenStepAnswer ThreadJudge::wrong_way_back(const Motion& motion) const {
   return fault(VerdictKind::fail_geometry, "GSK-G114-10"_clause, motion, std::move(message));
 }
 
-// J-THR-07
+// J-THR-06
 OpenStepAnswer ThreadJudge::not_away(const Motion& motion) const {
   std::string message =
       "The tool does not move along the first axis of the plane to the safe position before it "

@@ -2,14 +2,14 @@
 #include "oracle/judge/thread_geometry.hpp"
 
 #include "oracle/judge/open_start.hpp"
+#include "oracle/region/constants.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
 Number near_rational(const Number& value) {
-  constexpr int kBits = 80;
-  return value.is_rational() ? value : value.bounds(kBits)[0];
+  return value.is_rational() ? value : value.bounds(kRationalBits)[0];
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ ThreadGeometry::ThreadGeometry(const reference::ThreadMilling& item, const Judge
       loose_(terms),
       axes_(reference::axes_of(item.plane)),
       up_(item.r_plane < item.bottom ? -1 : 1) {
-  loose_.tolerance = terms.tolerance * 3;
+  loose_.tolerance = terms.tolerance * kTwoPlaces;
 }
 
 PlaneVector ThreadGeometry::from_axis(const Position& at) const {
@@ -38,7 +38,7 @@ bool ThreadGeometry::on_circle(const Position& at, const Number& radius) const {
 bool ThreadGeometry::is_free(const Position& at, const Number& radius) const {
   const PlaneVector v = near_rational(from_axis(at));
   const Keep keep{item_.external, radius, slack()};
-  return clearance_of_line({v.p, v.q}, {v.p, v.q}, keep).kind == Clearance::Kind::clear;
+  return clearance_of_line(v, v, keep).kind == Clearance::Kind::clear;
 }
 
 bool ThreadGeometry::is_safe(const Position& at, int side) const {
@@ -85,19 +85,17 @@ Clearance ThreadGeometry::within(const Motion& motion, const Number& radius) con
 Clearance ThreadGeometry::within_chord(const Motion& motion, const PlaneVector& a,
                                        const PlaneVector& b) const {
   const PlaneVector half{(b.p - a.p) / 2, (b.q - a.q) / 2};
-  const Number radius = exact::sqrt(half.p * half.p + half.q * half.q);
-  return clearance_in({{false, radius, slack() + terms_.chord}, {a.p + half.p, a.q + half.q}},
-                      motion, 0);
+  const Number radius = exact::sqrt(norm_squared(half));
+  return clearance_in({{false, radius, slack() + terms_.chord}, a + half}, motion, 0);
 }
 
 Clearance ThreadGeometry::clearance_in(const Limit& limit, const Motion& motion,
                                        const Number& part) const {
   const auto place = [&](const PlaneVector& from_axis) {
-    const PlaneVector v = near_rational(from_axis);
-    return region::PlanePoint{v.p - limit.middle.p, v.q - limit.middle.q};
+    return near_rational(from_axis) - limit.middle;
   };
-  const region::PlanePoint from = place(from_axis(motion.from));
-  const region::PlanePoint to = place(from_axis(motion.to()));
+  const PlaneVector from = place(from_axis(motion.from));
+  const PlaneVector to = place(from_axis(motion.to()));
   const Record& record = motion.record;
   if (record.kind == RecordKind::rapid) return clearance_of_box(from, to, limit.keep);
   if (record.kind == RecordKind::feed) {

@@ -6,6 +6,7 @@
 #include "oracle/judge/clearance.hpp"
 #include "oracle/judge/motion.hpp"
 #include "oracle/judge/terms.hpp"
+#include "oracle/region/constants.hpp"
 #include "reference/outcome.hpp"
 
 namespace gonogo::oracle {
@@ -32,10 +33,10 @@ class ThreadGeometry {
   bool on_circle(const Position& at, const Number& radius) const;
   // Whether it lies no deeper in the material than a circle, as far as the tolerance tells.
   bool is_free(const Position& at, const Number& radius) const;
-  // J-THR-07: external, as far from the axis as rho_0 + J; internal, as near to it along p as
+  // J-THR-06: external, as far from the axis as rho_0 + J; internal, as near to it along p as
   // rho_0 - J. `side`, where it is not 0: just there, on that side along p.
   bool is_safe(const Position& at, int side) const;
-  // J-THR-07: whether it lies farther along p than an external thread's tool goes. A bore's is kept
+  // J-THR-06: whether it lies farther along p than an external thread's tool goes. A bore's is kept
   // by its wall.
   bool is_beyond_reach(const Position& at) const;
   bool moves_depth_alone(const Motion& motion) const;
@@ -52,7 +53,7 @@ class ThreadGeometry {
   // both.
   Clearance within(const Motion& motion, const Number& radius) const;
   Clearance within_chord(const Motion& motion, const PlaneVector& a, const PlaneVector& b) const;
-  // J-THR-02, J-THR-07. How far from the axis the words lead: to the safe position of an external
+  // J-THR-02, J-THR-06. How far from the axis the words lead: to the safe position of an external
   // thread, and a tool's diameter beside it.
   Number reach() const { return item_.start_radius + item_.runout_length + item_.tool_radius * 2; }
 
@@ -62,8 +63,8 @@ class ThreadGeometry {
     PlaneVector middle;  // of its circle, from the axis
   };
   Clearance clearance_in(const Limit& limit, const Motion& motion, const Number& part) const;
-  // A point that agrees on each axis lies up to sqrt(2) tau beyond a circle; 1.41422 is more.
-  Number slack() const { return Number::millionths(1'414'220) * terms_.tolerance; }
+  // A point that agrees on each axis lies up to sqrt(2) tau beyond a circle.
+  Number slack() const { return Number::millionths(kDiagonal) * terms_.tolerance; }
 
   const reference::ThreadMilling& item_;
   const JudgeTerms& terms_;

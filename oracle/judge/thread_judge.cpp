@@ -91,15 +91,13 @@ OpenStepAnswer ThreadJudge::take(const Motion& motion) {
   }
   OpenStepAnswer answer = take_in_phase(motion);
   if (answer.kind != OpenStepAnswer::Kind::taken) return answer;
-  Record feed;
-  feed.feed = item_.feed;
-  feed.feed_mode = item_.feed_mode;
-  if (is_cut(motion.record.kind) && !feeds_agree(feed, motion.record, terms_)) {
+  if (is_cut(motion.record.kind) &&
+      !feeds_agree(item_.feed, item_.feed_mode, motion.record, terms_)) {
     return fault(VerdictKind::fail_feed, "GSK-G114-08"_clause, motion,
                  "The feed of the thread differs.");
   }
   position_ = motion.to();
-  // J-THR-10: steps are bounded by the thread's geometry, not by the number of pieces.
+  // J-THR-01: steps are bounded by the thread's geometry, not by the number of pieces.
   if (!waits_) answer.cost = OpenStepAnswer::Cost::free;
   return answer;
 }
@@ -120,7 +118,7 @@ OpenStepAnswer ThreadJudge::take_in_phase(const Motion& motion) {
   return {};
 }
 
-// J-THR-02, J-THR-03. Where the helix begins shows only when it leaves the R plane.
+// J-THR-02. Where the helix begins shows only when it leaves the R plane.
 OpenStepAnswer ThreadJudge::take_entry(const Motion& motion) {
   if (is_named() && step_ != Step::helix) return take_named(motion);
   const MatchResult result = match_helix(motion);

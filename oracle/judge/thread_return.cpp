@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // ThreadJudge's part for the way from the run-out to the R plane, to the safe position, and home
-// (J-THR-06, J-THR-07, J-THR-09).
+// (J-THR-06, J-THR-09).
 #include "oracle/judge/thread_judge.hpp"
 
 namespace gonogo::oracle {
@@ -70,7 +70,7 @@ bool ThreadJudge::passes_safety(const Motion& motion, bool is_clear) const {
   return is_safe(motion.to()) || from.sign() * to.sign() < 0;
 }
 
-// J-THR-07: along p alone, clear of the part, until the tool is at a safe position.
+// J-THR-06: along p alone, clear of the part, until the tool is at a safe position.
 OpenStepAnswer ThreadJudge::take_away(const Motion& motion) {
   if (is_named()) return take_named(motion);
   const Number& tau = terms_.tolerance;

@@ -6,11 +6,10 @@
 #include <cstdlib>
 
 #include "oracle/judge/chords.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
-
-constexpr std::size_t kMostChords = 50'000;
 
 Similarity after(const Similarity& second, const Similarity& first) {
   return {second.a * first.a - second.b * first.b, second.a * first.b + second.b * first.a};
@@ -41,8 +40,7 @@ Similarity run_out_map(const reference::ThreadMilling& item, const Number& radiu
 // end, or beyond half a turn to the point across from where it begins.
 Number farthest_of_polar(const reference::ThreadMilling& item, const Number& radius) {
   const Number end = radius + item.runout_length;
-  constexpr int kHalfTurn = 180;
-  if (item.runout_angle <= kHalfTurn) return end;
+  if (item.runout_angle <= 180) return end;
   const Number cosine = turn_by(item.runout_angle).a;
   const Number a = end * cosine - radius;
   if (a.sign() == 0) return end;
@@ -122,7 +120,7 @@ bool ThreadRunOutJudge::take_line(ThreadRunOut run_out, const Motion& flat) {
 // One arc in pieces, chords of one, or a straight line.
 bool ThreadRunOutJudge::take_polar(const Motion& flat) {
   if (flat.record.kind == RecordKind::arc) return take_arc(flat);
-  const bool chord = geometry_.terms().chord.sign() > 0 && !arc_ && chords_.size() < kMostChords;
+  const bool chord = geometry_.terms().chord.sign() > 0 && !arc_ && chords_.size() < kMostMotions;
   if (chord) chords_.push_back(near_rational(geometry_.from_axis(flat.to())));
   arc_departed_ = arc_departed_ || !chord;
   return take_line(ThreadRunOut::polar, flat) || chord;

@@ -52,7 +52,7 @@ class ThreadRunOutJudge {
 
   // A cut in the plane, without its height. False: it belongs to none of the run-outs.
   bool take(const Motion& flat);
-  // A straight cut that is admissible as a chord of the polar arc alone (J-THR-08).
+  // A straight cut that is admissible as a chord of the polar arc alone (J-THR-01).
   bool take_chord(const Motion& flat);
   // Those that end here. Throws exact::Undecided where that is not known of the only ones.
   RunOutSet ending_at(const Position& here) const;
@@ -65,7 +65,7 @@ class ThreadRunOutJudge {
   double swept() const { return swept_.estimate(); }
   // How far along an axis a point is from the nearest of their ends.
   Number distance_from_end(const Position& here) const;
-  // J-THR-11: whether the run-out that the cut follows cuts deeper than the pass by itself; whether
+  // J-THR-05: whether the run-out that the cut follows cuts deeper than the pass by itself; whether
   // all that may have been made end in the material by themselves.
   bool must_cut_deeper(const Motion& flat) const;
   bool must_end_in_material() const;

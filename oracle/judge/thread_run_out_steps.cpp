@@ -3,6 +3,7 @@
 // ThreadJudge's part for the run-out at the bottom of a pass (J-THR-05).
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/thread_judge.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -32,7 +33,7 @@ bool ThreadJudge::is_remainder(const Motion& motion) const {
          helix_.front().starts().admits(to_end_, geometry_.from_axis(motion.to()));
 }
 
-// J-THR-08: a chord cuts deeper than its arc, by no more than the certifier grants.
+// J-THR-01: a chord cuts deeper than its arc, by no more than the certifier grants.
 bool ThreadJudge::is_chord_clear(const Motion& flat) const {
   return flat.record.kind == RecordKind::feed && terms_.chord.sign() > 0 &&
          geometry_.clearance_of_chord(flat, radius()).kind == Clearance::Kind::clear;
@@ -97,7 +98,7 @@ OpenStepAnswer ThreadJudge::take_run_out_cut(const Motion& motion) {
       return OpenStepAnswer::gap(GapReason::reading_unfit,
                                  "The run-out of the reading cuts deeper than its pass itself.");
     }
-    // J-THR-08
+    // J-THR-01
     if (is_chord_clear(flat) && run_out_->take_chord(flat)) return {};
     return touching(clear, "GSK-G114-10"_clause, motion, "The run-out cuts deeper than its pass.");
   }
@@ -130,7 +131,6 @@ std::optional<Verdict> ThreadJudge::finish_run_out(const Motion& motion) {
 // A cut at the bottom that none of the run-outs makes.
 OpenStepAnswer ThreadJudge::no_run_out(const Motion& motion) const {
   const bool round = motion.record.kind == RecordKind::arc;
-  constexpr double kAlmostATurn = 0.999;
   std::string message = "The run-out leads to another point than the readings name.";
   if (item_.runout_length.sign() == 0) {
     message = round ? "The tool turns on at the bottom of the thread, where the way back is due: "
@@ -138,7 +138,7 @@ OpenStepAnswer ThreadJudge::no_run_out(const Motion& motion) const {
                     : "There is a run-out although J = 0.";
   } else if (run_out_->is_end(motion.from)) {
     message = "The tool cuts on after its run-out, where the way back to the R plane is due.";
-  } else if (run_out_->swept() >= kAlmostATurn) {
+  } else if (run_out_->swept() >= kAlmost) {
     message = "The tool turns round at the bottom of the thread, where the run-out is due.";
   } else if (run_out_->is_end_of_another(motion.to())) {
     message = kAnotherRunOut;

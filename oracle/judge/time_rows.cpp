@@ -6,16 +6,17 @@
 #include <optional>
 
 #include "oracle/judge/unit_error.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-constexpr std::array<std::optional<Quantity>, kTimeParts> kQuantities = {
-    Quantity::time, Quantity::dwell, std::nullopt, std::nullopt};
+constexpr std::array<std::optional<Quantity>, 4> kQuantities = {Quantity::time, Quantity::dwell,
+                                                                std::nullopt, std::nullopt};
 
 }  // namespace
 
-std::array<TimePart, kTimeParts> parts_of(const CycleTime& time) {
+std::array<TimePart, 4> parts_of(const CycleTime& time) {
   return {{{"cuts", "s", time.feed_seconds()},
            {"dwells", "s", time.dwell_seconds()},
            {"turns", "rev", time.revolutions()},
@@ -23,11 +24,9 @@ std::array<TimePart, kTimeParts> parts_of(const CycleTime& time) {
 }
 
 std::string amount_text(const TimePart& part) {
-  constexpr int kDecimals = 3;
-  constexpr std::size_t kShort = 16;
-  const std::string rounded = part.amount.decimal_text(kDecimals);
+  const std::string rounded = part.amount.decimal_text(3);
   const std::string exact = part.amount.is_rational() ? part.amount.text() : "";
-  if (exact.empty() || exact.size() > kShort) {
+  if (exact.empty() || exact.size() > 16) {
     return fmt::format("{} {} (rounded)", rounded, part.unit);
   }
   const bool is_decimal = exact.find('/') == std::string::npos;
@@ -38,8 +37,7 @@ std::string amount_text(const TimePart& part) {
 std::string time_hint(std::size_t part, const Number& want, const Number& got) {
   if (!kQuantities.at(part)) return {};
   // Of numbers that are rounded one by one.
-  constexpr int kClose = 100'000;
-  return unit_error(*kQuantities.at(part), want, got, want / kClose);
+  return unit_error(*kQuantities.at(part), want, got, want / (kFewestParts * kFewestParts));
 }
 
 }  // namespace gonogo::oracle

@@ -16,9 +16,8 @@ struct TimePart {
   std::string_view unit;  // "s"
   Number amount;
 };
-inline constexpr std::size_t kTimeParts = 4;
 // Cuts and dwells, turns of the spindle, the length of traverses.
-std::array<TimePart, kTimeParts> parts_of(const CycleTime& time);
+std::array<TimePart, 4> parts_of(const CycleTime& time);
 
 // "30 s", "3.667 s (exactly 11/3)", "15.708 s (rounded)": exact where it is a short number, else
 // rounded to three decimals, and told so.

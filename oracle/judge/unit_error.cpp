@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle {
 namespace {
 
@@ -48,8 +50,8 @@ constexpr auto kFactors = std::to_array<Factor>({
 bool is_off_by(const Factor& factor, const Number& want, const Number& got,
                const Number& tolerance) {
   const Number expected = want * factor.times / factor.by;
-  constexpr int kPart = 100;  // a coarser number is near several factors
-  return tolerance * kPart <= expected && abs(got - expected) <= tolerance;
+  // A coarser number is near several factors.
+  return tolerance * kFewestParts <= expected && abs(got - expected) <= tolerance;
 }
 
 }  // namespace

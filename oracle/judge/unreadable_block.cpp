@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "oracle/region/constants.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -55,11 +56,11 @@ class CutProgram : public grammar::ByteSource {
 std::optional<AlarmReport> alarms_of_cut(const reference::Profile& profile,
                                          const ProgramText& program, std::uint64_t block,
                                          std::size_t length) {
-  constexpr std::size_t kMostItems = 1'000'000;
   CutProgram bytes(program, block, length);
   grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::judged);
-  for (std::size_t items = 0; items < kMostItems; ++items) {
+  // Fewer than elsewhere, for each cut is run.
+  for (std::size_t items = 0; items < kMostItems / kMostTimes; ++items) {
     const reference::Item* item = expander.next();
     if (item == nullptr) return std::nullopt;
     const auto* report = std::get_if<AlarmReport>(item);
@@ -72,8 +73,6 @@ std::optional<AlarmReport> alarms_of_cut(const reference::Profile& profile,
 
 bool has_alarm_before_fault(const reference::Profile& profile, const ProgramText& program,
                             const AlarmReport& report, std::string_view alarm_class) {
-  // As far back as the longest word.
-  constexpr std::size_t kMostCuts = 32;
   const auto wanted = reference::alarm_class(alarm_class);
   if (!report.syntax || !wanted || !std::ranges::count(kStandingAlarms, *wanted)) return false;
   std::size_t length = report.syntax->where.begin;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-ALM-09. A block that cannot be read to its end may have another fault before that place.
+// R6. A block that cannot be read to its end may have another fault before that place.
 #pragma once
 
 #include <string_view>

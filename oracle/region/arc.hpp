@@ -12,25 +12,6 @@
 
 namespace gonogo::oracle::region {
 
-inline PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) {
-  return {a.p + b.p, a.q + b.q};
-}
-inline PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
-  return {a.p - b.p, a.q - b.q};
-}
-inline bool operator==(const PlanePoint& a, const PlanePoint& b) {
-  return a.p == b.p && a.q == b.q;
-}
-inline Number dot(const PlanePoint& a, const PlanePoint& b) {
-  return a.p * b.p + a.q * b.q;
-}
-inline Number cross(const PlanePoint& a, const PlanePoint& b) {
-  return a.p * b.q - a.q * b.p;
-}
-inline Number norm_squared(const PlanePoint& a) {
-  return dot(a, a);
-}
-
 // The counterclockwise turn from the direction a to the direction b, in (0, 360] degrees.
 struct Sweep {
   PlanePoint a;

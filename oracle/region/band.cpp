@@ -4,14 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
 const Number kZero;
-// The band of a shorter line is left to the discs about its ends: its direction is too uncertain,
-// and what they lack is less than its length squared. In mm.
-constexpr double kShortestLine = 1e-6;
-
 struct Fit {
   IntervalVector o;  // centre, a point
   Interval radius;
@@ -230,7 +228,7 @@ std::vector<PlanePoint> points_of(const Path& path) {
     if (!arc.capped_b) add(arc.end_b());
   }
   for (const Line& line : path.lines) {
-    if (line.length.lo > kShortestLine) continue;
+    if (line.length.lo > kShort) continue;
     add(line.from);
     add(line.to);
   }
@@ -245,7 +243,7 @@ std::optional<Bands> make_bands(const Path& path, const Number& reach, double wi
   BandMaker maker(result->bands, enclose(reach), width);
   for (const PlanePoint& point : result->points) maker.add_point(point);
   for (const Line& line : path.lines) {
-    if (line.length.lo > kShortestLine) maker.add_line(line);
+    if (line.length.lo > kShort) maker.add_line(line);
   }
   for (const Arc& arc : path.arcs) {
     if (arc.round) {
@@ -273,7 +271,7 @@ bool append_stretch(const Arc& arc, const Stretch& stretch, Interval reach, doub
 void append_line(const IntervalVector& from, const IntervalVector& to, Interval reach,
                  std::vector<Band>& out) {
   BandMaker maker(out, reach, 0);
-  if (norm(to - from).lo > kShortestLine) {
+  if (norm(to - from).lo > kShort) {
     maker.add_capsule(from, to);
   } else {
     maker.add_joint(from);

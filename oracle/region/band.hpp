@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/region/distance.hpp"
 #include "oracle/region/rectangle.hpp"
 
@@ -51,8 +52,6 @@ struct Bands {
   std::vector<PlanePoint> points;
   std::vector<Band> bands;
 };
-
-inline constexpr std::size_t kMaximumBands = 400'000;
 
 // The bands of the path. A spiral is cut until the radius changes by no more than `width` in a
 // part. Nothing when that takes more than kMaximumBands.

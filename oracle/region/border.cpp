@@ -5,16 +5,10 @@
 #include <cmath>
 
 #include "oracle/region/border_pieces.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
-
-// How far beside the border a hole is looked for, mm.
-constexpr double kBeside = 1e-9;
-// What lies no farther outside a band than this may be on its border, mm: doubles.
-constexpr double kUnsure = 1e-11;
-// Borders closer than this may be one, mm.
-constexpr double kOne = 1e-9;
 
 bool meets_area(const Band& band, const EnclosedRectangle& area) {
   const auto near = [&area](const IntervalVector& point, Interval size) {
@@ -41,7 +35,7 @@ BorderFilter::BorderFilter(std::span<const Band> bands, const Grid& grid, const 
       grid_(grid),
       target_(target),
       area_(enclose(target.area)),
-      budget_(kPiecesPerBand * bands.size() + kPiecesOnTop) {
+      budget_(kPiecesPerUnit * bands.size() + kPiecesOnTop) {
   for (const Band& band : bands) meets_ = meets_ || meets_area(band, area_);
 }
 
@@ -51,7 +45,7 @@ bool BorderFilter::find_hole() {
     if (pieces_.empty()) continue;
     const BorderPiece piece = pieces_.back();
     pieces_.pop_back();
-    if (budget_-- == 0 || open_.size() > kMaximumOpenSpots) {
+    if (budget_-- == 0 || open_.size() > kMostSpots) {
       complete_ = false;
       return false;
     }
@@ -107,7 +101,7 @@ bool BorderFilter::is_between(const BorderPiece& piece, std::uint32_t other) con
       const Interval along = dot(next.ua, offset);
       if (!(along.lo > 0 && along.hi < next.length.lo)) return false;
       const double aside = std::fabs(cross(next.ua, offset).middle());
-      if (!(std::fabs(aside - next.outer.middle()) < kOne)) return false;
+      if (!(std::fabs(aside - next.outer.middle()) < kBeside)) return false;
     }
     return abut_exactly(band, piece.side, next, target_.reach);
   }
@@ -116,8 +110,8 @@ bool BorderFilter::is_between(const BorderPiece& piece, std::uint32_t other) con
   if (outer ? !next.has_hole() : !band.has_hole()) return false;
   const auto& arc = std::get<CirclePiece>(piece.curve);
   const double radius = outer ? next.inner.middle() : next.outer.middle();
-  if (!(std::fabs(radius - arc.r.middle()) < kOne)) return false;
-  if (!(norm(band.c - next.c).lo < kOne)) return false;
+  if (!(std::fabs(radius - arc.r.middle()) < kBeside)) return false;
+  if (!(norm(band.c - next.c).lo < kBeside)) return false;
   if (!lies_within_sweep(arc, next)) return false;
   return outer ? abut_exactly(band, next, target_.reach) : abut_exactly(next, band, target_.reach);
 }
@@ -142,7 +136,7 @@ BorderFilter::Cover BorderFilter::try_band(const BorderPiece& piece, std::uint32
   const double outside = rough_distance(bands_[other], at.x, at.y);
   if (!(outside < 0)) return Cover::unknown;
   if (is_inside(piece, bands_[other])) return Cover::yes;
-  return -outside > kShortestPiece && at.size > -outside ? Cover::worth_halving : Cover::unknown;
+  return -outside > kShort && at.size > -outside ? Cover::worth_halving : Cover::unknown;
 }
 
 BorderFilter::Cover BorderFilter::try_recent(const BorderPiece& piece, const Middle& at) {
@@ -173,7 +167,7 @@ BorderFilter::Cover BorderFilter::try_recent(const BorderPiece& piece, const Mid
 
 bool BorderFilter::try_near(const BorderPiece& piece, const Middle& at) {
   for (const std::uint32_t other : grid_.near(at.x, at.y)) {
-    if (other == band_ || !(rough_distance(bands_[other], at.x, at.y) < kOne)) continue;
+    if (other == band_ || !(rough_distance(bands_[other], at.x, at.y) < kBeside)) continue;
     if (is_inside(piece, bands_[other]) || is_between(piece, other)) {
       remember(other, recent_.size() - 1);
       remember_band(other, bands_lately_.size() - 1);
@@ -205,7 +199,7 @@ bool BorderFilter::examine(const BorderPiece& piece) {
     open_.push_back(hole_);  // until the caller has proved it
     return true;
   }
-  if (!(at.size > kShortestPiece)) {
+  if (!(at.size > kShort)) {
     open_.push_back({at.x, at.y, at.size});
     return false;
   }

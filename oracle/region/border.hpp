@@ -47,13 +47,6 @@ struct BorderPiece {
   std::variant<CirclePiece, LinePiece> curve;
 };
 
-// Pieces of border looked at, for each band and on top.
-inline constexpr std::size_t kPiecesPerBand = 400;
-inline constexpr std::size_t kPiecesOnTop = 100'000;
-// A shorter piece that is still open is left to exact arithmetic, mm.
-inline constexpr double kShortestPiece = 1e-6;
-inline constexpr std::size_t kMaximumOpenSpots = 400;
-
 class BorderFilter {
  public:
   // All arguments must outlive the filter.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/border_pieces.hpp"
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
 using Side = BorderPiece::Side;
 
 // Borders farther inside the area than this need no exact look, mm.
-constexpr double kNearly = 1e-6;
 
 class BorderMaker {
  public:
@@ -44,7 +45,7 @@ class BorderMaker {
 // Exactly. `gap`: about how much larger its radius is than the distance to its centre.
 bool BorderMaker::surrounds_area(const PlanePoint& centre, const Number& radius2,
                                  const Number& beyond, double gap) const {
-  if (!(gap >= area_.radius.middle() - kNearly)) return false;
+  if (!(gap >= area_.radius.middle() - kShort)) return false;
   // For each corner o of the core: r >= |c - o| + k, r the root of radius2.
   const Number k = target_.area.radius - beyond;
   const Number k2 = k * k;
@@ -64,7 +65,7 @@ bool BorderMaker::follows_corner(const Number& reach) const {
   if (!band_.sweep || band_.sweep->wide) return false;
   const PlanePoint& a = band_.sweep->a;
   const PlanePoint& b = band_.sweep->b;
-  if (!((band_.outer - area_.radius).hi >= -kNearly)) return false;
+  if (!((band_.outer - area_.radius).hi >= -kShort)) return false;
   for (const Corner& corner : corners_of(target_.area)) {
     if (!(*band_.centre == corner.at)) continue;
     const auto away = [&](const PlanePoint& direction) {
@@ -113,7 +114,7 @@ bool BorderMaker::edge_is_outside(Side side, const IntervalVector& normal) const
   const Interval along = dot(normal, band_.c) + band_.outer;
   const Interval support = area_.core_p * absolute(normal.x) + area_.core_q * absolute(normal.y);
   const Interval room = along - support - area_.radius;
-  if (!(room.hi >= -kNearly)) return false;
+  if (!(room.hi >= -kShort)) return false;
   if (room.lo >= 0) return true;
   const Line& line = *band_.line;
   const PlanePoint d = line.to - line.from;

@@ -3,18 +3,10 @@
 
 #include <cmath>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
 
 namespace gonogo::oracle::region {
-namespace {
-
-// Halvings of one motion before it is called undecided.
-constexpr int kMaximumPieces = 20'000;
-// A piece no longer than this that is still open leaves the motion undecided, mm.
-constexpr double kShortestBorderPiece = 1e-9;
-
-}  // namespace
-
 // What the direction is told from, in doubles: the sine between a motion of four times the width
 // and the border that it runs along is at most 1/2, so the sign of its progress is never close.
 struct BorderSense::Track {
@@ -29,7 +21,7 @@ BorderSense::BorderSense(const RoundedRectangle& border, int sense, const Number
     : sense_(sense),
       border_(enclose(border)),
       outer_(with_radius(border, border.radius + width)),
-      shortest_(4 * enclose(width).hi) {
+      shortest_(kNoDirection * enclose(width).hi) {
   if (inner_radius(border) > width) inner_ = eroded(border, width);
   if (inner_) enclosed_inner_ = enclose(*inner_);
 }
@@ -68,13 +60,13 @@ bool BorderSense::is_beside(const Line& line) const {
 Against BorderSense::along(const LinePiece& whole_line) const {
   std::vector<LinePiece> open{whole_line};
   Against result = Against::yes;
-  for (int budget = kMaximumPieces; !open.empty(); --budget) {
+  for (int budget = kMostStretches; !open.empty(); --budget) {
     const LinePiece piece = open.back();
     open.pop_back();
     if (lies_outside(piece, enclosed_inner_)) continue;
     const IntervalVector middle = Interval{0.5, 0.5} * (piece.a + piece.b);
     if (is_nearly_inside(middle)) return Against::no;
-    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kShortestBorderPiece)) {
+    if (budget <= 0 || !(norm(piece.b - piece.a).hi > kBeside)) {
       result = Against::undecided;
       continue;
     }
@@ -119,7 +111,7 @@ bool BorderSense::goes_against(const PlanePoint& from, const PlanePoint& to) con
 
 Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
   Against result = Against::yes;
-  for (int budget = kMaximumPieces; !open.empty(); --budget) {
+  for (int budget = kMostStretches; !open.empty(); --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
     const bool short_enough =
@@ -130,7 +122,7 @@ Against BorderSense::along(std::vector<Stretch> open, const Arc& arc) const {
     const auto parts = halves(stretch);
     if (is_nearly_inside(arc.c + parts[0].rb * parts[0].ub)) return Against::no;
     const double size = norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi;
-    if (budget <= 0 || (short_enough && !(size > kShortestBorderPiece))) {
+    if (budget <= 0 || (short_enough && !(size > kBeside))) {
       result = Against::undecided;
       continue;
     }

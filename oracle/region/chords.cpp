@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "oracle/region/arc.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
@@ -79,8 +80,7 @@ std::vector<bool> find_chords(std::span<const LevelMotion> motions, const Number
 ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<bool>& chords,
                         int sense, const Number& shortest) {
   // Angles in doubles: a sum of so many is off by less than this; what is nearer stays undecided.
-  constexpr double kMost = std::numbers::pi / 4;
-  constexpr double kUnsureTurn = 1e-7;
+  constexpr double kMost = kQuarterTurn * std::numbers::pi;
   const double least = enclose(shortest).hi;
   ChordTurning result;
   bool in_row = false;
@@ -109,8 +109,8 @@ ChordTurning turning_of(std::span<const LevelMotion> motions, const std::vector<
       turned += sense * std::atan2(dx * ny - dy * nx, dx * nx + dy * ny);
       most = std::max(most, turned);
       const double against = most - turned;
-      if (against > kMost + kUnsureTurn) return {Turning::against, i};
-      if (against > kMost - kUnsureTurn) result.kind = Turning::undecided;
+      if (against > kMost + kEstimate) return {Turning::against, i};
+      if (against > kMost - kEstimate) result.kind = Turning::undecided;
     }
     has_direction = true;
     dx = nx;

@@ -8,6 +8,8 @@
 #include <list>
 #include <string>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
@@ -22,10 +24,6 @@ using Real = Kernel::FT;
 using Point = Kernel::Point_2;
 using Circle = Kernel::Circle_2;
 using ArcPoint = Traits::Point_2;
-
-// More vertices of one remaining piece are not sampled.
-constexpr std::size_t kMaximumVertices = 24;
-constexpr std::size_t kMaximumSamples = 400;
 
 Real to_real(const Number& value) {
   const auto [numerator, denominator] = value.fraction();
@@ -167,7 +165,7 @@ using Sample = std::array<double, 2>;
 void append_samples(const Polygon& border, std::vector<Sample>& out) {
   std::vector<Sample> corners;
   for (auto curve = border.curves_begin(); curve != border.curves_end(); ++curve) {
-    if (corners.size() == kMaximumVertices) break;
+    if (corners.size() == kMostTries) break;
     corners.push_back({CGAL::to_double(curve->source().x()), CGAL::to_double(curve->source().y())});
   }
   Sample mean{0, 0};
@@ -178,7 +176,7 @@ void append_samples(const Polygon& border, std::vector<Sample>& out) {
   out.push_back(mean);
   for (const Sample& a : corners) {
     for (const Sample& b : corners) {
-      if (out.size() < kMaximumSamples) {
+      if (out.size() < kMostSpots) {
         out.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2});
       }
     }

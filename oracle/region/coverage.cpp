@@ -6,19 +6,11 @@
 #include <utility>
 
 #include "oracle/region/border.hpp"
+#include "oracle/region/constants.hpp"
 #include "oracle/region/shapes.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
-
-// Exact checks of spots that seem uncovered before the search for a witness is given up.
-constexpr int kMaximumAttempts = 24;
-// Shapes in one exact decision; CGAL needs about a millisecond for each.
-constexpr std::size_t kMaximumShapes = 2'000;
-// Half the side of the window of a local exact decision, mm.
-constexpr double kWindow = 1e-5;
-// Into how many parts of the tolerance a spiral's radius is cut, the coarse and the fine attempt.
-constexpr double kCuts[] = {8, 128};
 
 Coverage undecided(GapReason reason, std::string why) {
   Coverage result;
@@ -74,11 +66,10 @@ double Decision::clearance(double x, double y) const {
 
 // To a place about as deep in the hole as there is nearby: the finding that says most.
 std::array<double, 2> Decision::climb(double x, double y) const {
-  constexpr int kMaximumMoves = 400;
   double best = clearance(x, y);
-  int moves = 0;
-  for (double stride = reach_; stride > 1e-10 && moves < kMaximumMoves; stride /= 2) {
-    for (bool better = true; better && moves < kMaximumMoves;) {
+  std::size_t moves = 0;
+  for (double stride = reach_; stride > kBeside && moves < kMostSpots; stride /= 2) {
+    for (bool better = true; better && moves < kMostSpots;) {
       better = false;
       for (int k = 0; k < 9; ++k) {
         const int column = k / 3 - 1;
@@ -124,12 +115,12 @@ std::optional<Coverage> Decision::refute(double x, double y) const {
 
 Coverage Decision::by_filter() {
   BorderFilter filter(bands_, grid_, target_);
-  int attempts = 0;
-  while (attempts < kMaximumAttempts && filter.find_hole()) {
+  std::size_t attempts = 0;
+  while (attempts < kMostTries && filter.find_hole()) {
     ++attempts;
     if (auto hole = refute(filter.hole().x, filter.hole().y)) return *hole;
   }
-  if (attempts == kMaximumAttempts)
+  if (attempts == kMostTries)
     return undecided(GapReason::comparison, "No place that seems uncovered proves to be.");
   if (filter.covered()) return {};
   // A path that nowhere comes near the area: its middle is as good a place as any.
@@ -172,7 +163,7 @@ Coverage Decision::settle(const std::vector<std::uint32_t>& near,
       return undecided(GapReason::comparison, "The exact decision needs rational coordinates.");
     }
   }
-  if (shapes.size() > kMaximumShapes)
+  if (shapes.size() > kMostShapes)
     return undecided(GapReason::cap_area, "The exact decision would take too long.");
   Coverage result;
   result.by_filter = false;
@@ -206,7 +197,7 @@ Coverage check_coverage(const Path& path, const Target& target, const Number& to
   const bool spirals =
       std::any_of(path.arcs.begin(), path.arcs.end(), [](const Arc& arc) { return !arc.round; });
   Coverage result;
-  for (const double cuts : kCuts) {
+  for (const double cuts : kSpiralCuts) {
     auto bands = make_bands(path, target.reach, enclose(tolerance).lo / cuts);
     if (!bands)
       return undecided(GapReason::cap_area, "The spirals of the level have too many parts.");

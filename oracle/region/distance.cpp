@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 
 Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
@@ -25,8 +27,6 @@ Interval distance_to_round(const Arc& arc, const IntervalVector& point) {
 
 namespace {
 
-constexpr int kMaximumDistanceStretches = 4'000;
-
 Interval distance_to_stretch(const Arc& arc, const Stretch& stretch, const IntervalVector& point) {
   const IntervalVector offset = point - arc.c;
   const Interval radius = hull(stretch.ra, stretch.rb);
@@ -46,14 +46,14 @@ std::optional<double> clear_of_spiral(const Arc& arc, const IntervalVector& poin
   std::vector<Stretch> open{whole(arc)};
   double least = std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  for (int budget = kMaximumDistanceStretches; !open.empty(); --budget) {
+  for (int budget = kMostStretches; !open.empty(); --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
     const Interval distance = distance_to_stretch(arc, stretch, point);
     upper = std::min(upper, distance.hi);
     if (upper <= reach.hi || budget <= 0) return std::nullopt;
     // Good enough once it is clear, or as close as the midway to the nearest point known.
-    if (distance.lo > reach.hi + (upper - reach.hi) * 0.999) {
+    if (distance.lo > reach.hi + (upper - reach.hi) * kAlmost) {
       least = std::min(least, distance.lo);
       continue;
     }

@@ -4,13 +4,10 @@
 #include <stdexcept>
 
 #include "oracle/region/arc.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
-
-constexpr int kBits = 80;      // of the bounds that cosine, sine and origin are taken from
-constexpr int kTurnBits = 44;  // of the tangent of half the angle
-constexpr int kShiftBits = 50;
 
 Number power_of_two(int exponent) {
   return Number::binary(1, exponent);
@@ -43,8 +40,8 @@ struct Rounded {
 
 Rounded rational_near(const Number& value) {
   if (value.is_rational()) return {value, Number()};
-  const auto bounds = value.bounds(kBits);
-  const Number near = rounded(middle(bounds), kShiftBits);
+  const auto bounds = value.bounds(kRationalBits);
+  const Number near = rounded(middle(bounds), kShortBits);
   return {near, farthest(near, bounds)};
 }
 
@@ -62,17 +59,18 @@ Frame make_frame(const PlanePoint& origin, const Number& cos, const Number& sin)
     return frame;
   }
   // (cos, sin) = ((1 - t^2), 2 t) / (1 + t^2), t = sin / (1 + cos), by the axis on the nearer side.
-  const auto c = cos.bounds(kBits);
-  const auto s = sin.bounds(kBits);
+  const auto c = cos.bounds(kRationalBits);
+  const auto s = sin.bounds(kRationalBits);
   const bool left = middle(c).sign() < 0;
-  const Number t = rounded(middle(s) / (Number(1) + exact::abs(middle(c))), kTurnBits);
+  const Number t = rounded(middle(s) / (Number(1) + exact::abs(middle(c))), kShortBits);
   const Number below = Number(1) + t * t;
   frame.cos = (Number(1) - t * t) / below;
   if (left) frame.cos = -frame.cos;
   frame.sin = Number(2) * t / below;
   // A rotation's error moves a point at 1 mm by the distance of the two unit vectors.
   const Number turn = farthest(frame.cos, c) + farthest(frame.sin, s);
-  if (turn > power_of_two(-20)) throw std::domain_error("The cosine and sine are of no angle.");
+  if (turn > power_of_two(-kMiddleBits))
+    throw std::domain_error("The cosine and sine are of no angle.");
   frame.turn = short_bound(turn);
   return frame;
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/region/gouge.hpp"
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
-
-// Halvings of a spiral before it is called undecided.
-constexpr int kMaximumGougeStretches = 20'000;
 
 Reach outside(const PlanePoint& witness, const Number& beyond) {
   return {Reach::Kind::outside, witness, beyond};
@@ -99,7 +98,7 @@ double SpiralReach::squared_distance(const Stretch& stretch) const {
 Reach SpiralReach::farthest() const {
   std::vector<Stretch> open{whole(arc_)};
   bool undecided = false;
-  for (int budget = kMaximumGougeStretches; !open.empty() && budget > 0; --budget) {
+  for (int budget = kMostStretches; !open.empty() && budget > 0; --budget) {
     const Stretch stretch = open.back();
     open.pop_back();
     if (squared_distance(stretch) <= limit_.radius2.lo) continue;
@@ -110,7 +109,7 @@ Reach SpiralReach::farthest() const {
       const PlanePoint witness{to_number(point.x.middle()), to_number(point.y.middle())};
       return outside(witness, to_number((distance - limit_.radius).lo));
     }
-    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < 1e-10 && !stretch.wide &&
+    if (norm(stretch.rb * stretch.ub - stretch.ra * stretch.ua).hi < kBeside && !stretch.wide &&
         stretch.turns == 0) {
       undecided = true;
       continue;

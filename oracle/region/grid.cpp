@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle::region {
 
 Grid::Grid(std::span<const Band> bands, double half_side, double reach)
-    : bands_(bands), radius_(half_side * 1.001) {
+    : bands_(bands), radius_(half_side / kAlmost) {
   // About as many cells as bands, none much smaller than the bands are wide.
   const double finest = std::max(reach, 2 * radius_ / std::sqrt(double(bands.size()) + 1));
-  while (side_ < 1024 && 2 * radius_ / side_ > finest) side_ *= 2;
+  while (side_ < kMostCells && 2 * radius_ / side_ > finest) side_ *= 2;
   width_ = 2 * radius_ / side_;
   squares_.push_back({0, 0, side_, std::vector<std::uint32_t>(bands.size()), 0, true});
   std::iota(squares_[0].bands.begin(), squares_[0].bands.end(), 0U);
@@ -54,7 +57,9 @@ void Grid::fill(Square& square, const std::vector<std::uint32_t>& candidates) co
   const double x = -radius_ + square.column * width_ + half;
   const double y = -radius_ + square.row * width_ + half;
   for (const std::uint32_t band : candidates) {
-    if (rough_distance(bands_[band], x, y) > half * 1.415 + 1e-9 * radius_) continue;
+    if (rough_distance(bands_[band], x, y) >
+        half * std::numbers::sqrt2 / kAlmost + kBeside * radius_)
+      continue;
     square.bands.push_back(band);
   }
   square.known = true;

@@ -22,6 +22,24 @@ struct PlanePoint {
   Number p;
   Number q;
 };
+inline PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) {
+  return {a.p + b.p, a.q + b.q};
+}
+inline PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
+  return {a.p - b.p, a.q - b.q};
+}
+inline bool operator==(const PlanePoint& a, const PlanePoint& b) {
+  return a.p == b.p && a.q == b.q;
+}
+inline Number dot(const PlanePoint& a, const PlanePoint& b) {
+  return a.p * b.p + a.q * b.q;
+}
+inline Number cross(const PlanePoint& a, const PlanePoint& b) {
+  return a.p * b.q - a.q * b.p;
+}
+inline Number norm_squared(const PlanePoint& a) {
+  return dot(a, a);
+}
 
 // One motion of a level, in the plane. An arc whose radii at start and end differ is the curve with
 // the radius linear in the angle.
@@ -33,6 +51,10 @@ struct LevelMotion {
   int rot = 0;             // arcs: sign = sense (+ counterclockwise), |rot| - 1 whole turns first
   std::size_t record = 0;  // which record of the subject, for the finding
 };
+inline bool same_cut(const LevelMotion& a, const LevelMotion& b) {
+  return a.is_arc == b.is_arc && a.rot == b.rot && a.from == b.from && a.to == b.to &&
+         (!a.is_arc || a.centre == b.centre);
+}
 
 // A core rectangle about the origin, sides along the axes, grown by a disc: a rectangle with
 // rounded corners; with a core that is a line a slot, with a core that is a point a circle. Lengths
@@ -47,9 +69,9 @@ struct RoundedRectangle {
 RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half_width,
                                    const Number& corner_radius);
 
-// J-PATH-06. Of an arc whose ends are no farther apart than `within`, rounding may have made a whole
-// turn of none or the reverse. What the record says is tried first; where only the other turn is
-// right, that is GO, or, where the record `is_ambiguous`, a gap.
+// J-PATH-06. Of an arc whose ends are no farther apart than `within`, rounding may have made a
+// whole turn of none or the reverse. What the record says is tried first; where only the other turn
+// is right, that is GO, or, where the record `is_ambiguous`, a gap.
 struct OpenTurns {
   Number within;
   bool is_ambiguous = false;
@@ -69,12 +91,12 @@ struct OpenTurns {
 struct CircularLevel {
   PlanePoint centre;
   Number pocket_radius;
-  Number tool_radius;  // 0 < tool_radius < pocket_radius
-  Number step;         // 0 < step < 2 * tool_radius
-  int sense = -1;      // the sign that rot must have
-  PlanePoint plunge;   // where the tool came down
-  Number tolerance;    // > 0
-  Number chord = {};   // >= 0; 0: none are granted
+  Number tool_radius;                        // 0 < tool_radius < pocket_radius
+  Number step;                               // 0 < step < 2 * tool_radius
+  int sense = -1;                            // the sign that rot must have
+  PlanePoint plunge;                         // where the tool came down
+  Number tolerance;                          // > 0
+  Number chord = {};                         // >= 0; 0: none are granted
   std::optional<OpenTurns> open_turns = {};  // none: within the tolerance
 };
 
@@ -121,10 +143,8 @@ struct LevelVerdict {
   std::optional<Finding> finding;  // no_go
   std::string gap;                 // why it could not be decided
   GapReason reason = GapReason::none;
-  bool by_filter = true;           // decided by certified subdivision alone
+  bool by_filter = true;  // decided by certified subdivision alone
 };
-
-inline constexpr std::size_t kMaximumLevelMotions = 50'000;  // J-CONST-04
 
 // The first rule broken in the order sense, gouge, cover, step, order.
 LevelVerdict judge_level(const CircularLevel& level, std::span<const LevelMotion> motions);

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
-
-// J-CONST-04: places of the floor along each axis.
-constexpr int kPlacesAcross = 40;
-// Pieces that the way of one motion is measured in.
-constexpr int kPiecesOfWay = 64;
 
 // Strictly, whichever way rounding falls.
 bool surely_inside(const EnclosedRectangle& shape, const IntervalVector& point) {

@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/region/order_proof.hpp"
 #include "oracle/region/stations.hpp"
 
 namespace gonogo::oracle::region {
 namespace {
-
-// Pieces of path looked at, for each unit and on top.
-constexpr std::size_t kPartsPerUnit = 400;
-constexpr std::size_t kPartsOnTop = 100'000;
-// A shorter piece that is still open leaves the order undecided, mm.
-constexpr double kShortestPart = 1e-7;
-// Proofs tried before the search for a witness is given up.
-constexpr int kMaximumProofs = 24;
 
 // For a reach that is less by so much.
 Band narrowed(Band band, Interval by) {
@@ -110,7 +103,7 @@ class OrderCheck {
         bands_(path.bands_),
         stations_(units_),
         grid_(bands_, half_side, path.reach_.hi),
-        budget_(kPartsPerUnit * units_.size() + kPartsOnTop) {}
+        budget_(kPiecesPerUnit * units_.size() + kPiecesOnTop) {}
 
   CutOrder run();
 
@@ -142,7 +135,7 @@ class OrderCheck {
   Stations stations_;
   Grid grid_;
   std::size_t budget_;
-  int proofs_ = 0;
+  std::size_t proofs_ = 0;
   bool undecided_ = false;
   // How far back in the list the bands stand that held pieces lately, the latest first: the
   // turn before runs along.
@@ -249,7 +242,7 @@ bool OrderCheck::seems_supported(std::size_t unit, const IntervalVector& at) con
 
 // Where the part ends the path is farthest in; else somewhere in its middle.
 std::optional<CutOrder> OrderCheck::refute(std::size_t unit, const Part& part) {
-  if (proofs_ >= kMaximumProofs) return std::nullopt;
+  if (proofs_ >= kMostTries) return std::nullopt;
   ++proofs_;
   const CutUnit& whole_unit = units_[unit];
   const auto halved = halves_of(whole_unit, part);
@@ -287,7 +280,7 @@ std::optional<CutOrder> OrderCheck::walk(std::size_t unit) {
     if (!seems_supported(unit, middle_of(whole_unit, part))) {
       if (auto broken = refute(unit, part)) return broken;
     }
-    if (budget_ == 0 || !(norm(part.to - part.from).hi > kShortestPart)) {
+    if (budget_ == 0 || !(norm(part.to - part.from).hi > kEstimate)) {
       undecided_ = true;
       return std::nullopt;
     }

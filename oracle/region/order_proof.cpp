@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
-// Halvings of one unit before the proof is given up.
-constexpr int kMaximumDepth = 40;
 constexpr Interval kTwo{2, 2};
 
 class Proof {
@@ -90,7 +90,7 @@ bool Proof::take(const CutUnit& unit, const Stretch& stretch, int depth) {
     was_out_ = true;
     return true;
   }
-  if (depth == kMaximumDepth) return false;
+  if (depth == kMostHalvings) return false;
   const auto parts = halves(stretch);
   const std::size_t later = unit.counterclockwise ? 1 : 0;
   return take(unit, parts[later], depth + 1) && take(unit, parts[1 - later], depth + 1);
@@ -114,7 +114,7 @@ bool Proof::take_line(const CutUnit& unit) {
 
 bool Proof::is_out(const CutUnit& unit, const Stretch& stretch, int depth) {
   if (notes(distance(unit, stretch))) return true;
-  if (depth == kMaximumDepth || distance(unit, stretch).hi <= reach_.lo) return false;
+  if (depth == kMostHalvings || distance(unit, stretch).hi <= reach_.lo) return false;
   const auto parts = halves(stretch);
   return is_out(unit, parts[0], depth + 1) && is_out(unit, parts[1], depth + 1);
 }

@@ -6,6 +6,7 @@
 
 #include "oracle/region/border_sense.hpp"
 #include "oracle/region/chords.hpp"
+#include "oracle/region/constants.hpp"
 #include "oracle/region/gouge.hpp"
 #include "oracle/region/order.hpp"
 #include "oracle/region/winding.hpp"
@@ -57,7 +58,7 @@ class LevelJudge {
         border_(terms.border()),
         surely_(border_, terms.sense, terms.tolerance - terms.slack),
         perhaps_(border_, terms.sense, terms.tolerance + terms.slack),
-        nearby_(enclose(min(terms.tool_radius, inner_radius(border_)) / Number(4)).lo) {
+        nearby_(enclose(min(terms.tool_radius, inner_radius(border_)) / Number(kSmallOfTool)).lo) {
     if (terms.chord.sign() > 0) {
       chords_ = find_chords(motions, terms.chord + terms.tolerance);
       along_chords_.emplace(border_, terms.sense, terms.tolerance + terms.chord);
@@ -120,9 +121,10 @@ LevelVerdict LevelJudge::judge() {
   if (terms_.step) {
     // J-PKT-05: two places, each off by the tolerance on both axes, are 2 sqrt(2) of it farther
     // apart than they should be, and chords each run so far inside of their arcs.
-    const Number reach = *terms_.step + Number(3) * terms_.tolerance + Number(2) * terms_.chord;
+    const Number reach =
+        *terms_.step + Number(kTwoPlaces) * terms_.tolerance + Number(2) * terms_.chord;
     sequence_.emplace(terms_.plunge - terms_.middle, *terms_.step, reach,
-                      enclose(terms_.tolerance).lo / 8);
+                      enclose(terms_.tolerance).lo / kBlur);
   }
   if (auto verdict = gouge()) return *verdict;
   path_.points.push_back(terms_.plunge - terms_.middle);
@@ -196,7 +198,7 @@ std::optional<LevelVerdict> LevelJudge::sense_along_border() {
 
 // J-PKT-06: rings round the middle, in pieces of any kind.
 std::optional<LevelVerdict> LevelJudge::sense_round_middle() {
-  const Number blur = Number(8) * terms_.tolerance;
+  const Number blur = Number(kBlur) * terms_.tolerance;
   Winding winding(terms_.middle, terms_.sense, terms_.step.value_or(0), blur);
   for (const LevelMotion& motion : motions_) {
     if (!has_sense(motion, terms_.open_turns.within)) continue;
@@ -243,10 +245,10 @@ std::optional<LevelVerdict> LevelJudge::sense_of_pieces() {
   return std::nullopt;
 }
 
-// J-PKT-08
+// J-PKT-06
 std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   const ChordTurning turning =
-      turning_of(motions_, chords_, terms_.sense, Number(8) * terms_.tolerance);
+      turning_of(motions_, chords_, terms_.sense, Number(kBlur) * terms_.tolerance);
   if (turning.kind == Turning::undecided)
     doubt(GapReason::comparison, "Whether chords turn the wrong way is undecided.");
   if (turning.kind != Turning::against) return std::nullopt;
@@ -254,7 +256,7 @@ std::optional<LevelVerdict> LevelJudge::sense_of_chords() {
   return broken(Rule::sense, motion.record, motion.from, Number());
 }
 
-// J-PKT-01
+// J-PKT-02
 std::optional<LevelVerdict> LevelJudge::gouge() {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LevelMotion& motion = motions_[i];
@@ -415,7 +417,7 @@ void LevelJudge::clear_with_ends(const LevelMotion& motion) {
   path_.points.push_back(motion.to - terms_.middle);
 }
 
-// J-PKT-02, J-PKT-03, by the arcs and the plunge that J-PKT-04 leaves of the path.
+// J-PKT-02, by the arcs and the plunge that J-PKT-02 leaves of the path.
 std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle& area,
                                                const Number& reach) {
   const std::optional<RoundedRectangle> none;
@@ -430,7 +432,7 @@ std::optional<LevelVerdict> LevelJudge::covers(Rule rule, const RoundedRectangle
     doubt(coverage.reason, coverage.why);
     return std::nullopt;
   }
-  // J-PKT-11
+  // J-CMP-12
   const Number apart = coverage.excess + tolerance + terms_.slack;  // of the tool's own reach
   auto verdict = broken(rule, std::nullopt, coverage.witness + terms_.middle, apart);
   verdict.by_filter = coverage.by_filter;
@@ -442,9 +444,8 @@ LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motion
   Terms as_stated = terms;
   as_stated.open_turns.within = 0;
   LevelVerdict stated = LevelJudge(as_stated, motions, method).judge();
-  const bool any_open = std::ranges::any_of(motions, [&](const LevelMotion& motion) {
-    return is_open(motion, terms.open_turns.within);
-  });
+  const bool any_open = std::ranges::any_of(
+      motions, [&](const LevelMotion& motion) { return is_open(motion, terms.open_turns.within); });
   if (stated.kind == LevelVerdict::Kind::go || !any_open) return stated;
   LevelVerdict meant = LevelJudge(terms, motions, method).judge();
   if (meant.kind == LevelVerdict::Kind::no_go) return stated;
@@ -457,7 +458,7 @@ LevelVerdict judge_turns(const Terms& terms, std::span<const LevelMotion> motion
 
 LevelVerdict judge_by_rules(const Terms& terms, std::span<const LevelMotion> motions,
                             Method method) {
-  if (motions.size() > kMaximumLevelMotions)
+  if (motions.size() > kMostMotions)
     return gap(GapReason::cap_level, "The level has more than 50,000 motions.");
   try {
     return judge_turns(terms, motions, method);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
@@ -22,10 +24,10 @@ PlanePoint rational_direction(double x, double y, int bits) {
 
 // A rational direction a hair inside a sweep that begins at u (side 1) or ends there (side -1).
 PlanePoint direction_inside(const IntervalVector& u, double side) {
-  const double hair = side * 0x1p-40;
+  const double hair = std::ldexp(side, -kHairBits);
   const double x = u.x.middle();
   const double y = u.y.middle();
-  return rational_direction(x - hair * y, y + hair * x, 48);
+  return rational_direction(x - hair * y, y + hair * x, kHairBits + 8);
 }
 
 // Sectors of at most 90 degrees and a little; a and b are the rational directions of the ends.
@@ -39,7 +41,7 @@ void append_sectors(const CircleShape& ring, const PlanePoint& a, const PlanePoi
     return;
   }
   const IntervalVector m = middle_direction(enclose(a), enclose(b), wide);
-  const PlanePoint middle = rational_direction(m.x.middle(), m.y.middle(), 12);
+  const PlanePoint middle = rational_direction(m.x.middle(), m.y.middle(), kCoarseBits);
   append_sectors(ring, a, middle, false, out);
   append_sectors(ring, middle, b, false, out);
 }
@@ -88,9 +90,9 @@ bool append_capsule(const Line& line, const Number& reach, std::vector<Shape>& o
   if (!is_rational(line.from) || !is_rational(line.to) || !reach.is_rational()) return false;
   const PlanePoint d = line.to - line.from;
   const Number length = exact::sqrt(norm_squared(d));
-  const PlanePoint normal = length.is_rational()
-                                ? PlanePoint{-d.q / length, d.p / length}
-                                : rational_direction(-line.u.y.middle(), line.u.x.middle(), 40);
+  const PlanePoint normal =
+      length.is_rational() ? PlanePoint{-d.q / length, d.p / length}
+                           : rational_direction(-line.u.y.middle(), line.u.x.middle(), kHairBits);
   out.push_back(CapsuleShape{line.from, line.to, normal, reach});
   return true;
 }

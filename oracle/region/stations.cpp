@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/region/constants.hpp"
 #include "oracle/region/order.hpp"
 
 namespace gonogo::oracle::region {
@@ -37,10 +38,9 @@ bool Stations::may_be_beyond(const Box& box, double x, double y, double limit) c
 std::int64_t Stations::last_beyond(std::size_t unit, const IntervalVector& point,
                                    Interval limit) const {
   // So far beyond that the enclosures agree.
-  constexpr double kMargin = 1e-9;
   const double x = point.x.middle();
   const double y = point.y.middle();
-  const double least = limit.hi * (1 + kMargin) + kMargin;
+  const double least = limit.hi * (1 + kBeside) + kBeside;
   // The subtrees that hold the units before `unit`, the last ones first; then down to the right.
   for (std::size_t k = leaves_ + unit; k > 1; k /= 2) {
     if (k % 2 == 0) continue;

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "oracle/region/constants.hpp"
+
 namespace gonogo::oracle::region {
 namespace {
 
-// J-CONST-08. A ring that closes goes back by a whole turn; a link straight across the middle, or
+// A ring that closes goes back by a whole turn; a link straight across the middle, or
 // an arc beside it, by no more than half of one.
-constexpr double kMostBack = 1.5 * std::numbers::pi;
-// A sum of 50,000 angles in doubles is off by less; what is nearer stays undecided.
-constexpr double kUnsureAngle = 1e-7;
+constexpr double kMostBack = kQuarterTurn * 6 * std::numbers::pi;
 
 struct Place {
   double x, y;
@@ -35,7 +35,7 @@ Winding::Winding(const PlanePoint& middle, int sense, const Number& longest, con
 // its circle goes round the middle (of several turns one says enough: nothing is left to go back),
 // and the smaller one where it does not.
 double Winding::angle_of(const LevelMotion& motion) const {
-  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kTurn = std::numbers::pi * 2;
   const Place a = place(motion.from - middle_);
   const Place b = place(motion.to - middle_);
   if (std::hypot(a.x, a.y) <= blur_ || std::hypot(b.x, b.y) <= blur_) return 0;
@@ -45,14 +45,14 @@ double Winding::angle_of(const LevelMotion& motion) const {
     const bool goes_round = std::hypot(c.x, c.y) < std::max(distance(a, c), distance(b, c)) + blur_;
     return goes_round && (angle <= 0 || whole_turns(motion.rot) > 0) ? angle + kTurn : angle;
   }
-  const bool travels = distance(a, b) > longest_ || std::fabs(angle) > kTurn / 8;
+  const bool travels = distance(a, b) > longest_ || std::fabs(angle) > kTurn * kQuarterTurn / 2;
   return travels ? std::max(0.0, angle) : angle;
 }
 
 Against Winding::add(const LevelMotion& motion) {
   back_ = std::max(0.0, back_ - angle_of(motion));
-  if (back_ > kMostBack + kUnsureAngle) return Against::yes;
-  return back_ > kMostBack - kUnsureAngle ? Against::undecided : Against::no;
+  if (back_ > kMostBack + kEstimate) return Against::yes;
+  return back_ > kMostBack - kEstimate ? Against::undecided : Against::no;
 }
 
 }  // namespace gonogo::oracle::region

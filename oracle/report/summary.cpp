@@ -178,7 +178,7 @@ const Finding* Summary::add(const CaseHead& line) {
   return findings_.add(line, kind);
 }
 
-// Whether all of the corpus was judged, under the subject's own numbers (J-RUN-15).
+// Whether all of the corpus was judged, under the subject's own numbers (J-RUN-01).
 bool Summary::is_whole(const RunConditions& conditions, const Json* footer) const {
   const std::size_t unjudged =
       scope_.skipped() + scope_.advised() + scope_.known() + scope_.undecided();

@@ -121,7 +121,7 @@ TEST(CheckerMatch, ADwellIsNoLength) {
   EXPECT_EQ(found({dwell("0.1")}, {dwell("0.0001")}).answer, Answer::departs);
 }
 
-// J-PATH-03, J-PATH-04.
+// R2, R3.
 TEST(CheckerMatch, APieceOfAThreadHasTheAngleOfTheFirst) {
   const auto thread = [](const char* z, const char* start, const char* lead = "2") {
     return std::string(R"({"k":"thread","b":1,"to":{"z":")") + z + R"("},"lead":")" + lead +

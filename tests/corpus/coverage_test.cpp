@@ -70,9 +70,11 @@ TEST(Coverage, EveryCycleThatPassesOnMFunctionsSaysSo) {
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& [id, test] : checked_in_cases()) {
     std::vector<std::string> lines{""};
-    for (const char c : test.program) {
-      if (c == '\n') lines.emplace_back();
-      lines.back() += c;
+    for (std::size_t i = 0; i < test.program.size(); ++i) {
+      const bool is_crlf = test.program.compare(i, 2, "\r\n") == 0;
+      const bool ends = test.program[i] == '\n' || (test.program[i] == '\r' && !is_crlf);
+      lines.back() += test.program[i];
+      if (ends) lines.emplace_back();
     }
     for (const Expectation& expectation : test.expect) {
       for (const reference::Record& record : expectation.records) {

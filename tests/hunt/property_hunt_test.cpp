@@ -72,9 +72,9 @@ bool shows(const Shown& shown, const char* fault) {
                       shown.variant);
 }
 
-// J-PROP-11: F10 under G20 is F254 under G21. J-PROP-12: the arc of G17 in G18. J-PROP-13: X4
-// behind X10 is U-6. J-PROP-14: the halves of line 3 say
-// line 3. J-PROP-15: L2 is two blocks.
+// J-PROP-11: F10 under G20 is F254 under G21. J-PROP-11: the arc of G17 in G18. J-PROP-11: X4
+// behind X10 is U-6. J-PROP-11: the halves of line 3 say
+// line 3. J-PROP-11: L2 is two blocks.
 TEST(PropertyHunt, FindsPlantedFaultsByEachRewriting) {
   for (const Shown& shown : std::to_array<Shown>({
            {"gsk", "inch-feed", "gsk988ta", "G20\nG01 X1 F10\nM30\n", "units", 0},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PROP-11 to J-PROP-15: programs in another unit, in another plane, by increments, in halves, and
+// J-PROP-11: programs in another unit, in another plane, by increments, in halves, and
 // a block for each hole.
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(Units, MakeASimilarPartOfTheSameNumbers) {
   EXPECT_EQ(related->scale, Number(127) / 5);
 }
 
-// J-PROP-12: X to Y, Y to Z, Z to X; so G17 to G19, and G18 to G17.
+// J-PROP-11: X to Y, Y to Z, Z to X; so G17 to G19, and G18 to G17.
 TEST(Planes, ChangeInACycle) {
   EXPECT_EQ(text_of(in_other_plane(program_of("rs274", "G17 G2 X1 Y2 I3 J4 Z5 F9\n"), 1)),
             "G19\nG19 G2 Y1 Z2 J3 K4 X5 F9\n");
@@ -64,7 +64,7 @@ TEST(Planes, LeaveAloneWhatKnowsAxesByTheirNames) {
   EXPECT_EQ(text_of(in_other_plane(program_of("rs274", "G18 G76 P1 Z-9 I-1 J1 K2\n"), 1)), "none");
 }
 
-// J-PROP-13
+// J-PROP-11
 TEST(Increments, AreTheWaysFromWordToWord) {
   EXPECT_EQ(text_of(by_increments(program_of("gsk988ta", "G00 X10 Z5\nG01 X4 Z-2.5 F9\n"), 0)),
             "G00 U10 W5\nG01 U-6 W-7.5 F9\n");
@@ -80,7 +80,7 @@ TEST(Increments, AreLeftWhereThePlaceIsNotSaid) {
             "G0 X=IC(2)\nX4\nG91\nX1\n");
 }
 
-// J-PROP-14
+// J-PROP-11
 TEST(Halves, OfAFeedEndInItsMiddle) {
   const auto related = in_halves(program_of("rs274", "G0 X10\nG1 X4 Z-1 F9\nG91 X3\nX.5\n"));
   EXPECT_EQ(text_of(related),
@@ -107,7 +107,7 @@ TEST(Halves, HaveToEndInTheMiddle) {
   EXPECT_TRUE(first_difference(first, first, related, 0));
 }
 
-// J-PROP-15
+// J-PROP-11
 TEST(Repeats, AreABlockForEachHole) {
   EXPECT_EQ(text_of(unrolled(program_of("rs274", "G98\nG91 G81 X1 R-2 Z-3 L2 F9\nM2\n"))),
             "G98\nG91 G81 X1 R-2 Z-3 F9\nG91 G81 X1 R-2 Z-3 F9\nM2\n");

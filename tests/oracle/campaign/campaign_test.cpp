@@ -32,7 +32,7 @@ TEST(Campaign, EveryCaseIsRunOnceWhateverTheJobsAndTheWindow) {
   }
 }
 
-// J-RUN-09. Flaky in time only: every third case has no answer at the first try, and in a fresh
+// J-RUN-08. Flaky in time only: every third case has no answer at the first try, and in a fresh
 // process one that is later than the limit of 2 s.
 TEST(Campaign, TimeoutsOfASlowMachineLeaveTheResultsAsTheyAre) {
   const Scratch scratch;
@@ -56,7 +56,7 @@ RunEnd ended(RunEnd::Kind kind) {
   return RunEnd::of(kind, "It ended so.");
 }
 
-// J-RUN-09: a subject that hangs at every third program of a process.
+// J-RUN-08: a subject that hangs at every third program of a process.
 TEST(Campaign, AHangThatFreshProcessesDoNotShareIsAStateLeak) {
   const Scratch scratch;
   write_corpus(scratch, 3);
@@ -71,7 +71,7 @@ TEST(Campaign, AHangThatFreshProcessesDoNotShareIsAStateLeak) {
   EXPECT_NE(scratch.read("r").find("\"attempts\":4"), std::string::npos);
 }
 
-// J-RUN-10: the process grows from program to program; a fresh one has room.
+// J-RUN-08: the process grows from program to program; a fresh one has room.
 TEST(Campaign, TooMuchMemoryIsToldAsThatWhateverAFreshProcessDoes) {
   const Scratch scratch;
   write_corpus(scratch, 3);
@@ -106,7 +106,7 @@ FakeSubject skipping_all_but(const std::string& judged, const std::string& featu
   return skips;
 }
 
-// J-RUN-06: the cases need `basic`, which it declares; whatever it names as its reason.
+// J-RUN-05: the cases need `basic`, which it declares; whatever it names as its reason.
 TEST(Campaign, ASkipInsideADeclaredFeatureIsAFailureOfTheDeclaration) {
   const Scratch scratch;
   write_corpus(scratch, 10);
@@ -229,7 +229,7 @@ TEST(Campaign, ACrashAndThenATimeoutIsACrash) {
   EXPECT_NE(scratch.read("r").find("\"verdict\":\"crash\""), std::string::npos);
 }
 
-// J-RUN-09.
+// J-RUN-08.
 TEST(Campaign, AProgramThatTheCorpusDoesNotCoverNeverFailsByItsTime) {
   const Scratch scratch;
   Case outside;

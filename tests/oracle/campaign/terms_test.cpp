@@ -47,7 +47,7 @@ TEST(Terms, DeclarationsCountUpToTheLeastIncrement) {
   EXPECT_EQ(ngc.feed_resolution, number("0.0001"));
 }
 
-// J-RUN-03
+// J-RUN-02
 TEST(Terms, TheCertifierGrantsMore) {
   Grants grants;
   grants.feed_resolution = number("0.1");

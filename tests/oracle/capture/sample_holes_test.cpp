@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-RUN-18: holes in samples, and what their rhythm does not show.
+// J-RUN-11: holes in samples, and what their rhythm does not show.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ void expect_hole(const Rows& rows, const std::string& times) {
   EXPECT_NE(verdict.message.find(times), std::string::npos) << verdict.message;
 }
 
-// J-RUN-18
+// J-RUN-11
 TEST(SampleHoles, AHoleIsAGapWhereverItLies) {
   for (const double begin : {0.2, 1.2, 2.4, 3.8, 5.8, 6.2}) {  // rest, traverse, cut, corner, end
     const Rows rows =

@@ -209,7 +209,7 @@ TEST_F(Evidence, BadgeIsGreenForGoAndRedWithTheNumberForNoGo) {
   EXPECT_EQ(badge["color"], "red");
 }
 
-// J-RUN-15: what was granted, and which part it is, stands in the badge, and it is not green.
+// J-RUN-01: what was granted, and which part it is, stands in the badge, and it is not green.
 TEST_F(Evidence, BadgeIsNotGreenForAPartOrForWhatWasGranted) {
   const auto badge_with = [&](const std::string& from, const std::string& to) {
     std::string text = results_text({kPass});

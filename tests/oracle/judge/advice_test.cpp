@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-ALM-01 to J-ALM-07: a departure from what no text states is an advice, and NO-GO under strict.
-// The table has the programs on which a second careful reader of the manuals did something else.
+// J-ALM-01, J-ALM-03, R7: a departure from what no text states is an advice, and NO-GO under
+// strict. The table has the programs on which a second careful reader of the manuals did something
+// else.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -168,7 +169,7 @@ TEST(Advice, NeedsNoLineNumbers) {
             VerdictKind::fail_alarm_spurious);
 }
 
-// J-ALM-02: a block that breaks a rule of a text as well. Q-6 is no depth of a peck, and X stands
+// J-ALM-01: a block that breaks a rule of a text as well. Q-6 is no depth of a peck, and X stands
 // beside U.
 TEST(Advice, IsNoneWhereTheBlockAlsoBreaksARuleOfAText) {
   const std::string begin = R"({"k":"rapid","b":1,"to":{"x":"0","z":"2"}})"
@@ -179,7 +180,7 @@ TEST(Advice, IsNoneWhereTheBlockAlsoBreaksARuleOfAText) {
   EXPECT_EQ(reference::clause_name(verdict.clause), "HNC-G74-01");
 }
 
-// J-ALM-04.
+// R7.
 TEST(Advice, ComesBehindADepartureInMotion) {
   const char* program = "G0 X10\nX15\nG1 X20 I3 F100\n";
   EXPECT_EQ(
@@ -228,7 +229,7 @@ TEST(Advice, IsNoCrash) {
   }
 }
 
-// J-ALM-06: where no rule of ours lets the block run, the clause is that of its first record.
+// R6: where no rule of ours lets the block run, the clause is that of its first record.
 TEST(SpuriousAlarm, NamesTheClauseUnderWhichTheProgramIsRight) {
   const Verdict verdict = judge_trace("G00 X130 Z5\nG94 X120 Z-10 F300\n",
                                       kRapidToStart + subject_alarm(2, "taper-limit"));

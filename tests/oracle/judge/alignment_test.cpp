@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which motion of the reference a motion of the subject is, where that is not plain: J-CMP-03,
-// J-CMP-04, J-CMP-13. The tolerance is 0.001 mm.
+// Which motion of the reference a motion of the subject is, where that is not plain: R3,
+// R1. The tolerance is 0.001 mm.
 #include <gtest/gtest.h>
 
 #include "judging.hpp"
@@ -15,7 +15,7 @@ VerdictKind aligned(std::string_view program, const TraceText& trace, bool block
   return judge_trace(program, trace.text(), judging).kind;
 }
 
-// J-CMP-13. The traverse to Z10.0008 may be the first or the second motion of the reference, whose
+// R1. The traverse to Z10.0008 may be the first or the second motion of the reference, whose
 // ends are both within the tolerance of it: only what follows tells.
 TEST(Alignment, WhatAMotionIsShowsByWhatFollows) {
   const std::string_view program = "G00 Z10\nG00 Z10.0008\nG01 Z20 F100\n";
@@ -30,7 +30,7 @@ TEST(Alignment, WhatAMotionIsShowsByWhatFollows) {
   EXPECT_EQ(decision(aligned(program, trace_of(false).feed({{'z', 21}}))), Decision::no_go);
 }
 
-// J-CMP-04: two traverses of the reference in one line, and between them a cut of no length.
+// R1: two traverses of the reference in one line, and between them a cut of no length.
 TEST(Alignment, MotionsAreJoinedOverOneThatMovesNothing) {
   const std::string_view program = "G00 Z10\nG01 Z10 F100\nG00 Z20\n";
   TraceText joined(1);
@@ -41,7 +41,7 @@ TEST(Alignment, MotionsAreJoinedOverOneThatMovesNothing) {
   EXPECT_EQ(aligned(program, beyond, false), VerdictKind::fail_geometry);
 }
 
-// J-CMP-03: a cut of no length between two pieces of a traverse leads nowhere, and several small
+// R3: a cut of no length between two pieces of a traverse leads nowhere, and several small
 // ones do not lead on.
 TEST(Alignment, AMotionBetweenPiecesMayLeadNowhere) {
   const std::string_view program = "G00 Z10\n";
@@ -56,7 +56,7 @@ TEST(Alignment, AMotionBetweenPiecesMayLeadNowhere) {
   EXPECT_EQ(aligned(program, trace_of({5.0008, 5.0016})), VerdictKind::fail_geometry);
 }
 
-// J-CONST-06. A hundred thousand cuts of half the tolerance, there and back, that the subject
+// R9. A hundred thousand cuts of half the tolerance, there and back, that the subject
 // leaves out.
 TEST(Alignment, TooManyMotionsThatAreTooSmallToSeeAreAGap) {
   std::string program = "G00 Z10\nG01 Z10.0005 F100\n";
@@ -79,7 +79,7 @@ TEST(Alignment, AnArcThatEndsInItsCentreIsToldFromALine) {
   EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
 }
 
-// J-CMP-10, J-ALM-06. Without line numbers an alarm may name any.
+// R3, R6. Without line numbers an alarm may name any.
 TEST(Alignment, WithoutLineNumbersThatOfAnAlarmSaysNothing) {
   const std::string_view program = "G00 X0 Z0\nG74 U9 F173\nQ8 R0.1 Z-0.002 X4\n";
   const auto kind = [&](int block) {

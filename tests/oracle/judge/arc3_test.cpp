@@ -257,7 +257,7 @@ TEST(Arc3, HalvesMakeWholeTurnsOfAnArc) {
 }
 
 // 64 pieces of a turn of radius 10 that rises by 3.2; each leaves the helix by far less than 0.001.
-// J-PATH-07.
+// R2.
 TEST(Arc3, SmallPiecesFollowAHelix) {
   const auto point = [](double turn, double off) {
     Position position;
@@ -289,7 +289,7 @@ TEST(Arc3, ALineMayComeAsAnArcThatNothingTellsFromIt) {
 }
 
 // A bulge of 0.0004 is none where places are written in thousandths.
-// J-PATH-11.
+// R3.
 TEST(Arc3, MayComeAsALineThatNothingTellsFromIt) {
   const Position from = xyz("0", "0", "0");
   const Position to = xyz("10", "0", "0");
@@ -353,7 +353,7 @@ TEST(Arc3, GoesRoundWhereItsIntermediatePointIsElsewhere) {
 
 // Beside the line by 0.0001 mm, the intermediate point beyond the end: what comes of it hangs on
 // the tolerance of 0.001 mm where a coordinate is no short decimal, and has to be rounded.
-// J-PATH-14.
+// R9.
 TEST(Arc3, PointsInLineHangOnRoundingWhereThereIsAny) {
   const Number tau = Number::millionths(1000);
   const auto hangs = [&](const char* via_x, const char* via_y, const Number& start_y) {

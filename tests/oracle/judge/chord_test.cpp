@@ -37,7 +37,7 @@ TEST(Chords, AsManyAsAnArcTakesAreNoOverrun) {
   EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
 }
 
-// J-PATH-10.
+// R3.
 TEST(Chords, ThatAreNotGrantedAreNone) {
   const Verdict verdict = judge_trace(kHalfTurnProgram, chords(3000).text(), rs274(""));
   EXPECT_EQ(decision(verdict.kind), Decision::no_go);
@@ -58,7 +58,7 @@ TEST(Chords, ThatGoBackAreADeparture) {
   EXPECT_EQ(decision(judge_trace(kHalfTurnProgram, trace.text(), rs274()).kind), Decision::no_go);
 }
 
-// J-PATH-11. A quarter of a millimetre of a circle of radius 100 about (100, 0): the arc rises over
+// R3. A quarter of a millimetre of a circle of radius 100 about (100, 0): the arc rises over
 // its chord by 0.25^2 / 800 = 0.000078, and the tolerance is 0.0001.
 constexpr std::string_view kFlatArc = "G0 X0 Y0\nG2 X0.0003125 Y0.25 I100 J0 F100\n";
 
@@ -87,7 +87,8 @@ TEST(FlatArcs, OneThatNothingTellsFromItsChordMayComeAsThat) {
 }
 
 TEST(FlatArcs, ALineMayComeAsAnArcThatNothingTellsFromIt) {
-  const auto told = [](const char* x, const char* y, int rot, const char* end = R"("x":"0","y":"0.25")") {
+  const auto told = [](const char* x, const char* y, int rot,
+                       const char* end = R"("x":"0","y":"0.25")") {
     const std::string trace = fmt::format(
         R"({{"k":"arc","b":1,"plane":"G17","c":{{"x":"{}","y":"{}"}},"rot":{},"to":{{{}}},"f":"100"}})"
         "\n",

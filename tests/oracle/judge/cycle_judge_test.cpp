@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Traces of canned cycles and threads written by hand: M functions among motions (J-CMP-05),
+// Traces of canned cycles and threads written by hand: M functions among motions (R5),
 // leads, alarms that are found late, and how many assignments of readings there are.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -133,7 +133,7 @@ TEST(CycleJudge, AThreadIsItsLineAndItsLead) {
   EXPECT_EQ(judged_words(program, with_word_moved(right, 3, 2)).kind, VerdictKind::fail_order);
 }
 
-// J-CMP-08: what a reading has moved of a block before it finds the fault.
+// R6: what a reading has moved of a block before it finds the fault.
 TEST(CycleJudge, AnAlarmThatIsFoundLate) {
   const std::string program = "F100\nG86 X5 Z-4 R2 P1\nM2\n";
   const WordTrace moves = {"R2,0,2", "R2,5,2", "A2"};
@@ -160,7 +160,7 @@ reference::Profile all_of_rs274_open() {
   return profile;
 }
 
-// J-CONST-02: 64 are judged.
+// R9: 64 are judged.
 TEST(CycleJudge, AProgramOfPecksHasFewAssignments) {
   const auto count = [](std::string_view program) {
     const Assignments assignments = assignments_of(all_of_rs274_open(), ProgramText{program});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PATH-12, J-PATH-13: a NO-GO names the motion that departs first and how far it is from where it
+// J-CMP-12: a NO-GO names the motion that departs first and how far it is from where it
 // may lead, not what follows from it. The numbers are by hand.
 #include <gtest/gtest.h>
 
@@ -137,7 +137,7 @@ TEST(DepartureMessage, ADwellThatIsNotDueIsWhatDeparts) {
 // A helix of one turn of radius 10 about (10, 0), 12 mm down; half way it is 6 mm down.
 constexpr std::string_view kHelix = "G17 G21 G90 G94\nG2 X0 Y0 Z-12 I10 F100\n";
 
-// J-PATH-07.
+// R2.
 TEST(DepartureMessage, AHelixOffByHalfAMicrometreIsToldByThatMuch) {
   TraceText trace(2, 100);
   trace.arc("G17", {{'x', 10}, {'y', 0}}, -1, {{'x', 20}, {'y', 0}, {'z', -6.0005}});
@@ -182,7 +182,7 @@ TEST(DepartureMessage, AMotionThatFitsLaterIsOutOfOrder) {
             "A later motion comes here: one before it is missing, or comes after it.");
 }
 
-// J-CMP-11. By hand: 7/3 = 2.3333..., the root of 2 = 1.41421356237...
+// J-CMP-12. By hand: 7/3 = 2.3333..., the root of 2 = 1.41421356237...
 TEST(DepartureMessage, AWitnessIsPrintedWithNineDecimalsBesideItsExactText) {
   EXPECT_EQ(point_for_people(R"({"x":"65","z":"4.9"})"), R"({"x":"65","z":"4.9"})");
   EXPECT_EQ(point_for_people(R"({"x":"7/3","z":"1"})"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CMP-05, J-CMP-06, J-CMP-12. M functions and dwells are events of one order with the motions,
+// R5, J-CMP-12. M functions and dwells are events of one order with the motions,
 // whether the subject tells line numbers or not.
 #include <gtest/gtest.h>
 
@@ -253,7 +253,7 @@ TEST(EventOrder, KindsSayWhetherAnEventComesElsewhere) {
   }
 }
 
-// J-CONST-09: what does not come within 200 records is taken for missing.
+// J-CMP-12: what does not come within 200 records is taken for missing.
 TEST(EventOrder, LooksTwoHundredRecordsAhead) {
   const auto kind = [](int motions) {
     std::string program = "M8\n";
@@ -269,7 +269,7 @@ TEST(EventOrder, LooksTwoHundredRecordsAhead) {
   EXPECT_EQ(kind(201), VerdictKind::fail_geometry);
 }
 
-// J-CMP-03: motions too small to see on either side stand in no M function's way.
+// R3: motions too small to see on either side stand in no M function's way.
 TEST(EventOrder, MotionsTooSmallToSeeComeBeforeOrBehind) {
   const std::string program = "G00 X0 Z5\nG01 Z5.0002 F100\nM8\nG01 Z5.0004\nG01 Z1 M5\n";
   const std::vector<WordTrace> all = {

@@ -27,7 +27,7 @@ std::string spiral_with_joint(const char* x, const char* y) {
       x, y);
 }
 
-// J-PATH-08.
+// J-PATH-09.
 TEST(FalseGo, ASpiralInPartsHasItsRadiusAtTheJoint) {
   EXPECT_EQ(decision(judge_trace(kSpiral, spiral_with_joint("80.00066", "-60.00049"), kNgc).kind),
             Decision::go);
@@ -45,7 +45,7 @@ std::string traverse_to(double x, double z) {
 }
 
 // GSK: tau 0.001, so that each step back is within it.
-// J-PATH-02.
+// R4.
 TEST(FalseGo, ATraverseMayNotCreepBack) {
   std::string creeping = traverse_to(5, 5);
   for (int step = 1; step <= 20; ++step) {
@@ -103,7 +103,7 @@ TEST(FalseGo, AnMFunctionStandsBeforeTheDwellOfALaterBlock) {
   EXPECT_EQ(judge_trace("M8\nG4 P1\n", dwell + coolant, judging).kind, VerdictKind::fail_order);
 }
 
-// J-PATH-03, J-PATH-04.
+// R2, R3.
 TEST(FalseGo, ACoarseResolutionExcusesNoLead) {
   constexpr std::string_view kThread = "G00 X20 Z0\nG92 X18 Z-20 F2\n";
   for (const auto& [lead, due] :

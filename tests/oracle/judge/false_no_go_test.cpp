@@ -140,7 +140,7 @@ TEST(FalseNoGo, AnArcThroughAPointMayBePartOfAHelicalPocket) {
 }
 
 // "%a" of 359.999, the way that a double is written exactly.
-// J-PATH-04, J-CONST-03.
+// R3.
 TEST(FalseNoGo, ASpindleAngleMayBeTheNearestDouble) {
   const auto trace = [](const char* start) {
     return fmt::format(R"({{"k":"rapid","b":1,"to":{{"x":"17.5","z":"5"}}}}

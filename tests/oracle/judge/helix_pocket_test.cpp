@@ -197,7 +197,7 @@ TEST(HelixPocketJudge, AnExitElsewhereIsNoGo) {
   expect_pocket_no_go(pocket, "GSK-G112-06");
 }
 
-// J-CYC-01. By hand, about X15.5 Y-5: at the bottom 0.002 outwards and back, twice the tolerance.
+// R8. By hand, about X15.5 Y-5: at the bottom 0.002 outwards and back, twice the tolerance.
 TEST(HelixPocketJudge, ACutAsideAtTheEndOfTheHelixIsNoGo) {
   const auto trace = [](bool aside) {
     TraceText text(1, 300);

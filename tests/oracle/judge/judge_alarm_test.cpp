@@ -23,7 +23,7 @@ TEST(AlarmJudge, TheRightAlarmInTheRightBlockIsGo) {
             VerdictKind::pass_exact);
 }
 
-// J-CMP-08.
+// R6.
 TEST(AlarmJudge, EachWrongAlarmHasItsOwnVerdict) {
   EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "value-sign")).kind,
             VerdictKind::fail_alarm_class);
@@ -45,7 +45,7 @@ TEST(AlarmJudge, AnAlarmWithoutAFaultIsSpurious) {
             VerdictKind::fail_alarm_spurious);
 }
 
-// J-ALM-09: what stands before the place that cannot be read.
+// R6: what stands before the place that cannot be read.
 TEST(AlarmJudge, AFaultBeforeThePlaceThatCannotBeReadIsAsGood) {
   const auto kind = [](std::string_view line, const char* alarm_class) {
     const std::string program = "G0 X1 Y1\n" + std::string(line) + "\nM2\n";
@@ -94,7 +94,7 @@ TEST(AlarmJudge, NoMFunctionMayComeThatIsNotDueBeforeTheAlarm) {
             VerdictKind::fail_geometry);
 }
 
-// J-CMP-08.
+// R6.
 TEST(AlarmJudge, MFunctionsOfTheBlockThatAlarmsMayComeOrNot) {
   for (const bool blocks : {true, false}) {
     EXPECT_EQ(

@@ -34,7 +34,7 @@ double y_at(double degrees, double radius = 10) {
   return radius * std::sin(degrees * std::numbers::pi / 180);
 }
 
-// J-PATH-05.
+// R2.
 TEST(MotionJudge, ACircleInArcsIsTheSameCircle) {
   for (int parts : {1, 2, 5, 36}) {
     TraceText trace = start_of_circle();
@@ -67,7 +67,7 @@ TEST(MotionJudge, AnArcOffTheCircleByTwoTolerancesIsNoGo) {
   }
 }
 
-// J-PATH-10.
+// R3.
 TEST(MotionJudge, ChordsNeedTheCertifiersGrantAndKeepWithinIt) {
   // 100 chords: sagitta 10 (1 - cos 1.8 degrees) = 0.0049.
   TraceText trace = start_of_circle();
@@ -88,7 +88,7 @@ TEST(MotionJudge, ChordsTheWrongWayRoundAreNoGo) {
 }
 
 // Three turns of a helix whose end is off its start by the rounding of a double, either way.
-// J-PATH-05, J-PATH-06.
+// R2, J-PATH-06.
 TEST(MotionJudge, TheTurnsOfAHelixAreCountedWhereItsEndIsNearItsStart) {
   constexpr std::string_view kPocket = "G17 G00 X0 Y0 Z10\nG113 X0 Y0 Z4 I14 L3 D4 F100\n";
   for (double off : {-1e-15, 0.0, 1e-15}) {
@@ -105,7 +105,7 @@ TEST(MotionJudge, TheTurnsOfAHelixAreCountedWhereItsEndIsNearItsStart) {
   }
 }
 
-// J-PATH-01.
+// R1.
 TEST(MotionJudge, ALineInPiecesMayNotGoBack) {
   constexpr std::string_view kLine = "G00 Z10\nG01 Z0 F100\n";
   auto trace = [](double first, double second) {
@@ -119,7 +119,7 @@ TEST(MotionJudge, ALineInPiecesMayNotGoBack) {
   EXPECT_EQ(decided(kLine, trace(3, 3.0011)), Decision::no_go);
 }
 
-// J-CMP-04, J-CMP-10.
+// R1, R3.
 TEST(MotionJudge, TwoCutsOfOneLineMayBeOneOnlyInOneBlock) {
   constexpr std::string_view kTwo = "G00 Z10\nG01 Z5 F100\nZ0\n";
   TraceText trace(1);
@@ -127,7 +127,7 @@ TEST(MotionJudge, TwoCutsOfOneLineMayBeOneOnlyInOneBlock) {
   EXPECT_EQ(decided(kTwo, trace), Decision::no_go);
 }
 
-// J-PATH-02.
+// R4.
 TEST(MotionJudge, ATraverseInPartsIsMonotoneOnEachAxis) {
   constexpr std::string_view kBoth = "G00 X20 Z10\n";
   EXPECT_EQ(decided(kBoth, TraceText(1).rapid({{'z', 10}}).rapid({{'x', 10}})), Decision::go);
@@ -148,7 +148,7 @@ TEST(MotionJudge, AnExchangedPairIsAnOrderFailure) {
   EXPECT_EQ(judge_trace(kTwo, blocks.text()).kind, VerdictKind::fail_geometry);
 }
 
-// J-CMP-12, J-CONST-09.
+// J-CMP-12.
 TEST(MotionJudge, ALaterMotionFromTheSamePointIsAnOrderFailure) {
   // There and back twice; the second way starts where the first does.
   constexpr std::string_view kTwo = "G00 Z10\nG00 Z0\nG00 Z20\n";
@@ -157,7 +157,7 @@ TEST(MotionJudge, ALaterMotionFromTheSamePointIsAnOrderFailure) {
   EXPECT_EQ(judge_trace(kTwo, trace.text()).kind, VerdictKind::fail_order);
 }
 
-// J-CMP-06, J-CMP-12.
+// R5, J-CMP-12.
 TEST(MotionJudge, ADwellIsDueWhereItStands) {
   constexpr std::string_view kDwell = "G00 Z10\nG04 X1.5\nG00 Z20\n";
   auto trace = [](const char* seconds, bool late) {
@@ -174,7 +174,7 @@ TEST(MotionJudge, ADwellIsDueWhereItStands) {
   EXPECT_EQ(judge_trace(kDwell, trace("1.5", true)).kind, VerdictKind::fail_order);
 }
 
-// J-CMP-05.
+// R5.
 TEST(MotionJudge, MFunctionsAreComparedInTheirOrderOnlyWhenDeclared) {
   constexpr std::string_view kM = "M3 G00 Z10\nM8 G00 Z20\n";
   auto trace = [](int first, int second) {

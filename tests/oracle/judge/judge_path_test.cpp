@@ -20,7 +20,7 @@ const std::string kToD = R"({"k":"feed","b":2,"to":{"z":"5"},"f":"200"})"
 const std::string kHome = R"({"k":"rapid","b":2,"to":{"x":"65"}})"
                           "\n";
 
-// J-CMP-01.
+// R1.
 TEST(PathJudge, TheManualsPathIsExact) {
   EXPECT_EQ(judge_trace(kFace, kRapidToStart + kToB + kToC + kToD + kHome).kind,
             VerdictKind::pass_exact);
@@ -43,7 +43,7 @@ TEST(PathJudge, AGoSaysHowItsCoordinatesAreRounded) {
   EXPECT_FALSE(judge_trace(kFace, kRapidToStart + kToB + far + kToD + kHome).coordinates);
 }
 
-// J-CMP-04.
+// R1.
 TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
   const std::string piece = R"({"k":"feed","b":2,"to":{"x":"20.0004"},"f":"200"})"
                             "\n";
@@ -51,7 +51,7 @@ TEST(PathJudge, ACutInPiecesOfOneLineIsTheSameCut) {
             Decision::go);
 }
 
-// J-CMP-02.
+// R2.
 TEST(PathJudge, OneIncrementOffPassesAndTwoDoNot) {
   const std::string near = R"({"k":"feed","b":2,"to":{"x":"0.001"},"f":"200"})"
                            "\n";
@@ -87,7 +87,7 @@ TEST(PathJudge, AnOmittedMotionIsAnOrderFailure) {
             VerdictKind::fail_geometry);
 }
 
-// J-CMP-07.
+// R5.
 TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
   const std::string more = R"({"k":"rapid","b":2,"to":{"y":"1"}})"
                            "\n";
@@ -95,7 +95,7 @@ TEST(PathJudge, MotionAfterTheEndIsAnOverrun) {
             VerdictKind::fail_overrun);
 }
 
-// J-CMP-03.
+// R3.
 TEST(PathJudge, ManyStepsWithinTheToleranceDoNotAddUpUnseen) {
   std::string creeping = kRapidToStart;
   for (int i = 1; i <= 10; ++i) {
@@ -134,7 +134,7 @@ TEST(PathJudge, AMotionTooSmallToSeeMayStandBeforeARenaming) {
 
 // Without line numbers the traverse of block 4, after a code that is not covered, is one with those
 // before it.
-// J-CMP-10.
+// R3.
 TEST(PathJudge, WithoutLineNumbersATraverseMayGoOnPastWhatIsCovered) {
   constexpr std::string_view kProgram = "G00 X20\nX30\nG55\nX60\n";
   Judging judging;

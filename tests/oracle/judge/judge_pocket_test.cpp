@@ -90,7 +90,7 @@ TEST(PocketJudge, AnOffCentrePlungeIsNoGoWithAWitness) {
   EXPECT_FALSE(verdict.witness.empty());
 }
 
-// J-PROP-10 leaves such pockets out, but none of these is undecided: two levels a tolerance deep, a
+// J-PROP-07 leaves such pockets out, but none of these is undecided: two levels a tolerance deep, a
 // circle of twice the tolerance, in whole rings or in pieces, from any side, rounded or not.
 TEST(PocketJudge, ConcentricCirclesOfTheLeastStepAreGo) {
   constexpr std::string_view kLeast =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PATH-03, J-PATH-04: the numbers of records beside their places, and the pieces of a thread.
+// R2, R3: the numbers of records beside their places, and the pieces of a thread.
 #include "oracle/judge/labels.hpp"
 
 #include <fmt/format.h>
@@ -87,8 +87,8 @@ TEST(Labels, AnEnclosureThatHoldsTheNumberIsTheNumber) {
     EXPECT_TRUE(stands_for(between("99.9999999999999998", "100.0000000000000002"), 100,
                            std::nullopt, terms));
     EXPECT_TRUE(stands_for(between("100", "100.0000000000000002"), 100, std::nullopt, terms));
-    EXPECT_TRUE(stands_for(between("1.2460190981701562", "1.2460190981701563"), kLead,
-                           std::nullopt, terms));
+    EXPECT_TRUE(stands_for(between("1.2460190981701562", "1.2460190981701563"), kLead, std::nullopt,
+                           terms));
     EXPECT_FALSE(stands_for(between("100.0001", "100.0001000000000001"), 100, std::nullopt, terms));
     EXPECT_FALSE(stands_for(between("99.9", "99.9000000000000001"), 100, std::nullopt, terms));
   }
@@ -102,8 +102,7 @@ TEST(Labels, AnEnclosureIsUndecidedOnlyWhereItsWidthDecides) {
   };
   EXPECT_TRUE(told("100.0004", "100.0004000000000001"));
   EXPECT_FALSE(told("100.0006", "100.0006000000000001"));
-  EXPECT_TRUE(
-      is_undecided([&] { return told("100.0004999999999999", "100.0005000000000001"); }));
+  EXPECT_TRUE(is_undecided([&] { return told("100.0004999999999999", "100.0005000000000001"); }));
 }
 
 TEST(Labels, StartAnglesAWholeTurnApartAreTheSame) {

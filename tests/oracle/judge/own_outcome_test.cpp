@@ -111,7 +111,7 @@ TEST(OwnOutcome, APocketAsDeepAsTheToleranceIsLeftBeforeTheNextBlock) {
 
 // A slot that the tool fills but for a micrometre: at each level four quarters of a circle of that
 // radius, each too small to see, between infeeds along one line. Found by generated programs.
-// J-CMP-04.
+// R1.
 TEST(OwnOutcome, CirclesAsSmallAsTheToleranceMayStandBetweenInfeeds) {
   reference::Profile profile =
       profile_of("sinumerik802s", {{"sie.pocket.path", "contour-parallel"}});

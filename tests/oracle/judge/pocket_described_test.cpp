@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CYC-01, J-PKT-09, J-PKT-10: of LCYC75 nothing but what its clauses describe. Planes: R101 = 5,
+// R8, J-PKT-09, J-PKT-10: of LCYC75 nothing but what its clauses describe. Planes: R101 = 5,
 // clearance 2, reference 0. Named after the wrong GO that each was.
 #include <gtest/gtest.h>
 

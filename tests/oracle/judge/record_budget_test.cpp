@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CYC-02, J-CONST-05: records that make progress are no overrun, however many; those that make
+// J-CYC-02: records that make progress are no overrun, however many; those that make
 // none are stopped. And GSK-CYC-02 through the whole judge. The pocket of judge_pocket_test.cpp:
 // G18, centre Z 50, X 25 (radius), I - D = 12, L = 3.
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ bool renames_position(std::string program) {
   return program.find("G50") != std::string::npos || program.find("G92") != std::string::npos;
 }
 
-// J-PROP-10: whether a pocket or a thread is so small that a motion in it is hardly one.
+// J-PROP-07: whether a pocket or a thread is so small that a motion in it is hardly one.
 class CycleSizes {
  public:
   explicit CycleSizes(const Number& tolerance) : least_(tolerance * 4) {}
@@ -158,7 +158,7 @@ TEST(RelationProperties, WhatTheReferenceShowsIsNeverNoGo) {
   }));
 }
 
-// J-PROP-02.
+// J-PROP-01.
 TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
   const auto in_pieces = [](const Tried& tried, Trials& trials) {
     return split(tried.of.outcome, start_of(tried), tried.of.terms.tolerance * 2, trials);
@@ -166,7 +166,7 @@ TEST(RelationProperties, MotionsInPiecesAreJudgedAsWholeOnes) {
   EXPECT_TRUE(changes_nothing(Of::any, in_pieces));
 }
 
-// J-PROP-02: of pieces as small as the tolerance only one half holds.
+// J-PROP-01: of pieces as small as the tolerance only one half holds.
 TEST(RelationProperties, WhatIsGoIsGoInAnyPieces) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();
@@ -176,14 +176,14 @@ TEST(RelationProperties, WhatIsGoIsGoInAnyPieces) {
   }));
 }
 
-// J-PROP-02.
+// J-PROP-01.
 TEST(RelationProperties, JoinedMotionsAreJudgedAsTheirPieces) {
   EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials&) {
     return joined(tried.of.outcome, start_of(tried));
   }));
 }
 
-// J-PROP-03.
+// J-PROP-01.
 TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();
@@ -215,7 +215,7 @@ TEST(RelationProperties, WhatIsCorrectlyRoundedIsNeverNoGo) {
   }));
 }
 
-// J-PROP-03, J-CONST-07. The last ring of the path that is shown has a radius of 286.76346 about
+// J-PROP-01, R2. The last ring of the path that is shown has a radius of 286.76346 about
 // Z1107.51366 X-317.50254. Rounded, its radius is 0.00046 less and its centre 0.00057 off: on the
 // far side the tool leaves 1.03 micrometres. Found by generated programs.
 TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
@@ -232,7 +232,7 @@ TEST(RelationProperties, ALevelWhoseArcsAreCorrectlyRoundedIsCleared) {
   EXPECT_EQ(verdict.kind, VerdictKind::pass_properties) << verdict.message;
 }
 
-// J-PROP-04.
+// J-PROP-01.
 TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();
@@ -249,14 +249,14 @@ TEST(RelationProperties, WhatIsGoIsNeverNoGoWithinMore) {
   }));
 }
 
-// J-PROP-05.
+// J-PROP-01.
 TEST(RelationProperties, MotionsThatLeadNowhereAndDwellsOfNoTimeChangeNothing) {
   EXPECT_TRUE(changes_nothing(Of::any, [](const Tried& tried, Trials& trials) {
     return with_nothing_added(tried.of.outcome, start_of(tried), trials);
   }));
 }
 
-// J-PROP-06.
+// J-PROP-01.
 TEST(RelationProperties, LineNumbersThatAreNotDeclaredAreNotLookedAt) {
   EXPECT_TRUE(rc::check([] {
     Trials trials = drawn_trials();

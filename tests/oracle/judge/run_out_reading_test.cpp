@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-THR-11: a run-out that leads into the material by itself, named alone or among others.
+// J-THR-05: a run-out that leads into the material by itself, named alone or among others.
 #include <gtest/gtest.h>
 
 #include "tests/oracle/judge/own_outcome.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-ALM-03, J-ALM-04, J-ALM-05, J-ALM-10: what no text states excuses the other answer to its own
+// J-ALM-03, R7: what no text states excuses the other answer to its own
 // question, and nothing that stands beside it. Each program is tried with every class of alarm.
 #include <gtest/gtest.h>
 
@@ -311,7 +311,7 @@ std::string silent_name(const testing::TestParamInfo<Silent>& one) {
 INSTANTIATE_TEST_SUITE_P(Programs, RunsOnBySilence, testing::ValuesIn(running_on()), silent_name);
 INSTANTIATE_TEST_SUITE_P(Programs, AlarmsBySilence, testing::ValuesIn(alarming()), silent_name);
 
-// J-ALM-04: what departs before a silent alarm goes first.
+// R7: what departs before a silent alarm goes first.
 TEST_P(AlarmsBySilence, WhichExcusesNothingBeforeIt) {
   const Silent& one = GetParam();
   const std::string dwell =
@@ -324,7 +324,7 @@ TEST_P(AlarmsBySilence, WhichExcusesNothingBeforeIt) {
   }
 }
 
-// J-ALM-05: X40 beside U2 alarms, and K1 has no effect: a control that says so of K1 answers
+// R7: X40 beside U2 alarms, and K1 has no effect: a control that says so of K1 answers
 // another question the other way.
 TEST(Silence, ExcusesTheAlarmOfARuleBesideAnotherFault) {
   const Judging judging{.dialect = "hnc21t"};
@@ -352,7 +352,7 @@ TEST(Silence, ExcusesTheAlarmOfARuleBesideAFaultOfAText) {
   EXPECT_EQ(kind("syntax"), VerdictKind::fail_alarm_class);
 }
 
-// J-ALM-10. Line 3 is the second %; behind it X moves to a diameter of 20.
+// R7. Line 3 is the second %; behind it X moves to a diameter of 20.
 TEST(Silence, OfTheEndExcusesWhatTheRestOfTheProgramDoes) {
   for (const std::string_view dialect : {"gsk988ta", "hnc21t"}) {
     const Judging judging{.dialect = dialect};
@@ -375,7 +375,7 @@ TEST(Silence, OfTheEndExcusesWhatTheRestOfTheProgramDoes) {
   }
 }
 
-// J-ALM-04. Line 2 alarms by a rule of ours, line 4 by one of a text.
+// R7. Line 2 alarms by a rule of ours, line 4 by one of a text.
 TEST(Silence, ExcusesTheNextAlarmOfASubjectThatRunsOn) {
   const auto kind = [](int block, std::string_view alarm_class) {
     const std::string moved = traverse(1, R"("x":"5")") + traverse(2, R"("x":"10")");

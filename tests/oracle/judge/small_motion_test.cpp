@@ -177,7 +177,7 @@ TEST(SmallMotions, TwiceTheToleranceIsADeparture) {
   EXPECT_EQ(decided_as_binary64(kStepAndOn, trace), Decision::no_go);
 }
 
-// J-CMP-03.
+// R3.
 TEST(SmallMotions, ManyOfThemCannotAddUp) {
   // To and fro in X, and on in Z by 0.6 of the tolerance.
   TraceText trace = at_ten();

@@ -79,7 +79,7 @@ TEST(SmallPockets, RoomOfTheToleranceIsGo) {
   expect_go({});
 }
 
-// J-PKT-12
+// J-PKT-09
 TEST(SmallPockets, DepthOfTheToleranceIsGo) {
   for (const std::string_view ways : {"R126=3 R127=1", "R126=2 R127=2"}) {
     for (const std::string_view sizes : {"R118=6.002 R119=6.002 R120=0", "R118=6 R119=6.002 R120=0",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far the steps of a thread may lead that no text bounds (J-THR-02 to J-THR-07): in every
+// How far the steps of a thread may lead that no text bounds (J-THR-02 to J-THR-06): in every
 // plane, of bolts and bores, of both hands. One pass of four turns with the lead 5 about the origin
 // from 15 to -5. Bolt: rho_0 = 15 + 3 = 18, pass at 17; bore: rho_0 = 7.5 - 3 = 4.5, pass at 5.5.
 // With J 2 and K 30 the polar run-out ends at 19 from the axis, or 3.5, over 30 degrees:
@@ -313,7 +313,7 @@ TEST(ThreadEnvelope, AWayBackThatLeadsAsideOrDownIsNoGo) {
   }
 }
 
-// J-THR-07. 20 and 6 beside it.
+// J-THR-06. 20 and 6 beside it.
 TEST(ThreadEnvelope, ASafePositionFarFromTheBoltIsNoGo) {
   const auto to = [](double p) {
     Pass pass;

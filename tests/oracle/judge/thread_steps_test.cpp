@@ -164,7 +164,7 @@ TEST(ThreadSteps, AHelixInPiecesIsGo) {
   }
 }
 
-// In 5,000 pieces a step: no piece is an overrun (J-THR-10).
+// In 5,000 pieces a step: no piece is an overrun (J-THR-01).
 TEST(ThreadSteps, StepsInManyPiecesAreNoOverrun) {
   Path path;
   path.words = "J2 K30";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PROP-09: no trace that is right in another way is NO-GO, advised against or left undecided.
+// J-PROP-07: no trace that is right in another way is NO-GO, advised against or left undecided.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ bool hangs_on_rounding(const Stroke& stroke, double tolerance) {
   });
 }
 
-// J-PROP-09: what no alternative is held against.
+// J-PROP-07: what no alternative is held against.
 bool is_outside(const Attempt& attempt) {
   const double tolerance = value_of(attempt.terms.tolerance);
   const std::vector<Stroke> strokes = attempt.specimen.strokes(attempt.specimen.right);
@@ -104,7 +104,7 @@ class Alternatives {
 
   long rejected() const { return tried() - accepted() - too_close(); }
 
-  // J-PATH-14: the estimate of an angle does not tell. It rejects nothing, but decides nothing.
+  // R9: the estimate of an angle does not tell. It rejects nothing, but decides nothing.
   long too_close() const { return too_close_; }
 
   // Traces of enclosures, and how many of them nothing could be said of.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-CMP-05, J-CMP-06: M functions and dwells out of their place among the motions.
+// R5: M functions and dwells out of their place among the motions.
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>

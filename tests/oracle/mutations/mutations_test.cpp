@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// J-PROP-07, J-PROP-08: no trace that is wrong is GO, and none is left undecided.
+// J-PROP-07: no trace that is wrong is GO, and none is left undecided.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"

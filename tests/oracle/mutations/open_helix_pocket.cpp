@@ -92,7 +92,7 @@ class OpenHelixPocket : public OpenPart {
     return "";
   }
 
-  // Where both ends of a turn agree with one place, either of them off by the tolerance (J-CMP-02),
+  // Where both ends of a turn agree with one place, either of them off by the tolerance (R2),
   // the last turn may be nil or a full one, and the one that fits is meant: of the helix that of
   // its height. A full one after other turns is what its record says (J-PATH-06).
   double sweep_of(const Stroke& motion, const Margin& margin) const {

@@ -289,7 +289,7 @@ class OpenThread : public OpenPart {
       return "the way back ends below the R plane (GSK-G114-10)";
     }
 
-    // J-THR-07, for a bolt: farther than a tool's diameter beside the safe position; or through the
+    // J-THR-06, for a bolt: farther than a tool's diameter beside the safe position; or through the
     // part, but to the side where the helix began.
     std::string excursion_of_away(const Stroke& motion) const {
       if (of.free_ < 0) return "";

@@ -203,7 +203,7 @@ std::vector<Stroke> with_traverses_as_one(const std::vector<Stroke>& strokes) {
   return all;
 }
 
-// By which rule a mutant is right that lies along the right path (docs/judging.md, J-PROP-08).
+// By which rule a mutant is right that lies along the right path (docs/judging.md, J-PROP-07).
 std::string kind_of_equality(const Specimen& specimen, const Trace& mutant,
                              const std::vector<Stroke>& got) {
   std::vector<Stroke> right;
@@ -212,25 +212,25 @@ std::string kind_of_equality(const Specimen& specimen, const Trace& mutant,
   }
   if (are_same(got, right)) {
     if (mutant.records.size() != specimen.right.records.size()) {
-      return "the same path in other pieces (J-CMP-04)";
+      return "the same path in other pieces (R1)";
     }
     const auto kinds_differ = !std::ranges::equal(mutant.records, specimen.right.records, {},
                                                   &Record::kind, &Record::kind);
-    return kinds_differ ? "an M function elsewhere in its block (J-CMP-05)"
-                        : "the same in other words (J-CMP-01)";
+    return kinds_differ ? "an M function elsewhere in its block (R5)"
+                        : "the same in other words (R1)";
   }
   const double tau = specimen.tolerance();
   const std::vector<Stroke> seen = without_nil(got, tau);
   const std::vector<Stroke> due = without_nil(right, tau);
-  if (are_same(seen, due)) return "nothing moves (J-CMP-03)";
+  if (are_same(seen, due)) return "nothing moves (R3)";
   if (are_same(with_traverses_as_one(seen), with_traverses_as_one(due))) {
-    return "the way of a traverse (J-PATH-02)";
+    return "the way of a traverse (R4)";
   }
-  return "within the tolerance (J-CMP-02, J-PATH-01)";
+  return "within the tolerance (R2, R1)";
 }
 
 // Where the right path has motions hardly larger than the tolerance, a place may be off by one
-// tolerance from another that is dropped within one (J-CMP-03).
+// tolerance from another that is dropped within one (R3).
 bool has_small_motions(const Specimen& specimen) {
   const double tau = specimen.tolerance();
   return std::ranges::any_of(specimen.path, [&](const PathElement& element) {
@@ -272,7 +272,7 @@ Statement state_path(const Specimen& specimen, const Trace& mutant) {
   // A control that checks at load may alarm with no motion at all.
   const bool at_load = specimen.profile.alarm_timing == reference::AlarmTiming::program;
   if (at_load && is_alarm(mutant) && is_alarm(specimen.right) && strokes.empty()) {
-    return {Answer::same, "no motion before an alarm at load (J-CMP-08)"};
+    return {Answer::same, "no motion before an alarm at load (R6)"};
   }
   const double beyond = (has_small_motions(specimen) ? kBeyondTwo : kSurelyBeyond) * tau;
   const Margin wide{beyond, 4 * tau, beyond};

@@ -180,7 +180,7 @@ bool other_m(Attempt& attempt) {
   return true;
 }
 
-// J-CMP-05: the places in its block where the M function `number` may stand, too: the numbers of
+// R5: the places in its block where the M function `number` may stand, too: the numbers of
 // the records that it stands before. None where its block has another one.
 std::vector<std::size_t> other_places(const std::vector<Record>& records, std::size_t number) {
   const std::int32_t m = records[number].m;

@@ -40,7 +40,7 @@ TEST(Region, SpiralWhoseLastStepIsClippedIsGo) {
 }
 
 // Between 3 and 9 the middle is 3 from both, 1.5 more than half the step. The tool still cleans it.
-// J-PKT-03
+// J-PKT-02
 TEST(Region, OneRingLeftOutBreaksStep) {
   const Job job = concentric(i16_l3_d4(), {3, 9, 12});
   const LevelVerdict verdict = judge(job);
@@ -60,7 +60,7 @@ TEST(Region, TwoRingsLeftOutBreakCover) {
 }
 
 // The circle of radius 16 lies 16 - 12 outside.
-// J-PKT-01
+// J-PKT-02
 TEST(Region, LastCircleAtThePocketRadiusGouges) {
   const Job job = concentric(i16_l3_d4(), {3, 6, 9, 12, 16});
   const LevelVerdict verdict = judge(job);
@@ -128,7 +128,7 @@ TEST(Region, AnArcThatBulgesInwardDoesNotGouge) {
   EXPECT_TRUE(is_go(job));
 }
 
-// J-PKT-04
+// J-PKT-02
 TEST(Region, StraightMotionsDoNotClear) {
   Job job = concentric(i16_l3_d4(), {3, 9, 12});
   for (int k = 0; k < 4; ++k) line_to(job, {k % 2 == 0 ? 6 : -6, k < 2 ? 2 : -2});
@@ -147,7 +147,7 @@ TEST(Region, NoArcAtAllBreaksCover) {
 }
 
 TEST(Region, MoreMotionsThanTheLimitAreAGap) {
-  const std::vector<LevelMotion> motions(kMaximumLevelMotions + 1);
+  const std::vector<LevelMotion> motions(kMostMotions + 1);
   EXPECT_EQ(judge_level(i16_l3_d4(), motions).kind, LevelVerdict::Kind::gap);
 }
 

@@ -203,7 +203,7 @@ TEST(PocketRegion, AToolTooLargeForThePocketIsAGap) {
 
 TEST(PocketRegion, MoreMotionsThanTheLimitAreAGap) {
   Pocket job = rectangle();
-  job.motions.resize(kMaximumLevelMotions + 1);
+  job.motions.resize(kMostMotions + 1);
   EXPECT_EQ(judge(job).kind, LevelVerdict::Kind::gap);
 }
 
