@@ -173,16 +173,16 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   const bool is_class = std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
     return outcome_.alarm != nullptr && reference::name(alarm.alarm) == outcome_.alarm->alarm_class;
   });
-  if (got.part != Part::close || got.item != nullptr || outcome_.alarm == nullptr) {
-    // R7: the other answer to an alarm that no text states is to run on from its block, without it.
-    const bool is_before =
-        terms_.compare_blocks && got.part != Part::close && got.block < report.block;
-    const bool runs_on = !is_before && !(is_block && is_class);
-    if (runs_on && is_silent(firmest(report).clause) && !terms_.strict) {
-      offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
-    }
-    return;
+  const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
+  // R7: the other answer to an alarm that no text states is to run on from its block, without it.
+  const bool is_before =
+      terms_.compare_blocks && got.part != Part::close && got.block < report.block;
+  const bool runs_on = alarms ? terms_.compare_blocks && outcome_.alarm->block > report.block
+                              : !is_before && !(is_block && is_class);
+  if (runs_on && is_silent(firmest(report).clause) && !terms_.strict) {
+    offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
   }
+  if (!alarms) return;
   const auto alarms_before = [&] {
     return alarms_before_fault(profile_, program_, report, outcome_.alarm->alarm_class);
   };

@@ -145,6 +145,11 @@ void Correspondence::rename(const Place& place) {
   pair.start = subject(place).place(place.j);
   pair.first_record = got.record;
   for (const Axis axis : kAllAxes) pair.start[axis] += renaming.shift[axis];
+  // What leads to the new name from elsewhere is a motion, and none that is nil behind it.
+  const Number& tau = terms_.tolerance;
+  const bool leads_there = got.is_motion() && !is_near(got.from, got.to, tau) &&
+                           is_near(got.to, rational_near(pair.start), tau);
+  if (leads_there) return;
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
 

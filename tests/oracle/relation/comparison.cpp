@@ -73,12 +73,16 @@ void Comparison::compare(const Task& task, std::string_view change,
     ++of_ends_;
     return;
   }
-  if (is_at_limit(task, trace, answer, verdict)) {
-    ++(decision(answer.kind) == oracle::Decision::go ? narrower_ : wider_);
-    return;
-  }
   const std::string kind = fmt::format("{}: definition {} {}, judge {}", change, name(answer.kind),
                                        name(answer.rule), name(verdict.kind));
+  if (is_at_limit(task, trace, answer, verdict)) {
+    const bool is_narrower = decision(answer.kind) == oracle::Decision::go;
+    long& count = is_narrower ? narrower_ : wider_;
+    if (++count <= kPrinted) {
+      print_difference(task, fmt::format("about the limit, {}", kind), answer, verdict, trace);
+    }
+    return;
+  }
   if (++differences_[kind] <= kPrinted) print_difference(task, kind, answer, verdict, trace);
 }
 

@@ -417,6 +417,21 @@ TEST(R5Events, MFunctionsThatAreNotDeclaredAreNotCompared) {
   EXPECT_EQ(decided(kLathe, lathe("", ""), {.dialect = "gsk988ta", .m = false}), kGo);
 }
 
+// G92 X8 names where the tool stands, 10 from the axis; a control that goes there is wrong.
+TEST(R5Events, AnotherNameOfThePositionIsNoMotion) {
+  const std::string program = "G90 G00 X20 Z5\nG92 X8 Z5\nG00 X12\n";
+  const auto trace = [](std::string_view between, std::string_view to) {
+    return R"({"k":"rapid","b":1,"to":{"x":"10","z":"5"}})"
+           "\n" +
+           std::string(between) + R"({"k":"rapid","b":3,"to":{"x":")" + std::string(to) + "\"}}";
+  };
+  const Declared hnc{.dialect = "hnc21t"};
+  EXPECT_EQ(decided(program, trace("", "6"), hnc), kGo);
+  EXPECT_NE(decided(program, trace("", "12"), hnc), kGo);
+  EXPECT_NE(decided(program, trace("{\"k\":\"rapid\",\"b\":2,\"to\":{\"x\":\"4\"}}\n", "6"), hnc),
+            kGo);
+}
+
 TEST(R5Events, NothingFollowsTheEnd) {
   EXPECT_EQ(decided(kCorner, corner(kToX, kToY) + R"(
 {"k":"feed","b":2,"to":{"x":"20"},"f":"100"})"),
@@ -504,6 +519,11 @@ TEST(R7Silence, AnAlarmOfOursMayBeMissing) {
 {"k":"m","b":3,"m":30})";
   EXPECT_EQ(decided(program, runs_on, gsk), "advice R6");
   EXPECT_EQ(decided(program, R"({"k":"m","b":3,"m":30})", gsk), "fail.order R5");
+  EXPECT_EQ(decided("G00 X50 Z5\nG04 X-1\nG00 X-\nM30\n",
+                    R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
+{"k":"alarm","b":3,"class":"syntax"})",
+                    gsk),
+            "advice R6");
   // Motion of the block and then the alarm is neither answer.
   EXPECT_EQ(decided(program, R"({"k":"rapid","b":1,"to":{"x":"25","z":"5"}}
 {"k":"dwell","b":2,"s":"1"}

@@ -44,7 +44,7 @@ bool is_short(std::span<const Record> records, const reference::Profile& profile
   static const char* const text = std::getenv("GONOGO_ROUND");
   static const long one_in = text == nullptr ? 1 : std::atol(text);
   static long round = 0;
-  constexpr double kMostLines = 6'000;
+  constexpr double kMostLines = 1'500;
   const double lines = lines_of_arcs(records, profile);
   if (records.size() > kMostRecords || lines > kMostLines) return false;
   return lines == 0 || round++ % one_in == 0;
@@ -56,7 +56,7 @@ bool is_wanted(std::string_view id) {
 }
 
 void print_now_and_then(const Comparison& comparison) {
-  constexpr long kOften = 500;
+  constexpr long kOften = 1'000;
   if (comparison.traces() % kOften == 0) comparison.print();
 }
 
