@@ -177,9 +177,13 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   // R7: the other answer to an alarm that no text states is to run on from its block, without it.
   const bool is_before =
       terms_.compare_blocks && got.part != Part::close && got.block < report.block;
-  const bool runs_on = alarms ? terms_.compare_blocks && outcome_.alarm->block > report.block
-                              : !is_before && !(is_block && is_class);
-  if (runs_on && is_silent(firmest(report).clause) && !terms_.strict) {
+  // An alarm behind it is another one, which the program has without the block.
+  const auto runs_on = [&] {
+    if (is_before || (alarms && is_block)) return false;
+    return outcome_.alarm == nullptr ||
+           alarms_without(profile_, program_, report.block, *outcome_.alarm);
+  };
+  if (is_silent(firmest(report).clause) && !terms_.strict && runs_on()) {
     offer(at_place(place, VerdictKind::advice, Rule::alarm, "No text states the alarm."));
   }
   if (!alarms) return;

@@ -66,6 +66,10 @@ class MillingConditions {
     return abs(place[axes_.d] - rational_near(pocket_.retract)) <= terms_.tolerance &&
            is_at_middle(place, 0);
   }
+  // The last lift is too small to be seen.
+  bool is_shallow() const {
+    return rational_near(pocket_.retract) - rational_near(pocket_.floor) <= terms_.tolerance;
+  }
 
   // What the levels lack, so far; empty: nothing.
   std::string_view lacks() const {
@@ -128,7 +132,7 @@ class MillingConditions {
   // roughing has cleared.
   bool is_free(const Event& piece, const Number& off) const {
     const Number height = min(piece.from[axes_.d], piece.to[axes_.d]);
-    if (height > rational_near(pocket_.reference_plane) - off) return true;
+    if (height >= rational_near(pocket_.reference_plane) - off) return true;
     const bool is_above = !levels_.empty() && height > levels_.back().depth + off;
     const bool is_roughed_there = height > rational_near(pocket_.rough_floor) + off &&
                                   is_roughed(offset_of(piece.from)) &&
@@ -167,7 +171,9 @@ class MillingConditions {
   std::string_view take_cut(const Event& piece, const Number& off) {
     const bool is_in_material =
         min(piece.from[axes_.d], piece.to[axes_.d]) <= rational_near(pocket_.reference_plane) - off;
-    if (is_in_material && is_along_border(piece.from) && is_along_border(piece.to)) {
+    // A line has no way round it.
+    const bool has_sense = min(half_length_, half_width_) - tool_ > terms_.tolerance * 4;
+    if (has_sense && is_in_material && is_along_border(piece.from) && is_along_border(piece.to)) {
       winding_.take(offset_of(piece.from));
       winding_.take(offset_of(piece.to));
       if (winding_.goes_back()) return "The cut goes round the border the other way.";
@@ -322,7 +328,7 @@ StepAnswer follow(const PocketMilling& pocket, const Followed& way) {
       i = *end - 1;
       continue;
     }
-    is_behind_traverse = piece.part == Part::traverse;
+    is_behind_traverse = piece.part == Part::traverse || conditions.is_shallow();
     const std::string_view broken = conditions.take(piece);
     if (broken.empty()) continue;
     answer.broken_by = i;

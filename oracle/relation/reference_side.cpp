@@ -137,26 +137,27 @@ bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
   if (is_fixed(m.record)) return index == m.event;
   const Block block = block_of(m);
   if (index < block.begin || index > block.end) return false;
-  const auto cuts = [&](std::size_t begin, std::size_t end) {
+  const auto has = [&](std::size_t begin, std::size_t end, auto&& wanted) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (at(i).part == Part::cut || at(i).part == Part::free_step) return true;
+      if (wanted(at(i))) return true;
     }
     return false;
   };
-  const bool starts = m.record.before_cut || std::ranges::count(kStarting, m.record.m) > 0;
-  const bool ends = std::ranges::count(kEnding, m.record.m) > 0;
-  if (starts && cuts(block.begin, index)) return false;
-  if (ends && cuts(index, block.end)) return false;
-  // Of a cycle before all motions or behind them.
-  const auto moves = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (at(i).is_motion() || at(i).part == Part::free_step) return true;
-    }
-    return false;
+  const auto cuts = [](const Event& event) {
+    return event.part == Part::cut || event.part == Part::free_step;
   };
-  const bool moves_behind = moves(index, block.end);
-  if (moves_behind && std::ranges::count(kProgramEnd, m.record.m) > 0) return false;
-  return !moves(block.begin, index) || !moves_behind;
+  const auto moves = [&](const Event& event) { return event.is_motion() || cuts(event); };
+  const auto waits = [&](const Event& event) {
+    return cuts(event) || (event.part == Part::stop && event.source().kind == RecordKind::dwell);
+  };
+  const auto is_one_of = [&](const auto& list) { return std::ranges::count(list, m.record.m) > 0; };
+  if ((m.record.before_cut || is_one_of(kStarting)) && has(block.begin, index, waits)) return false;
+  if (is_one_of(kEnding) && has(index, block.end, cuts)) return false;
+  const bool moves_behind = has(index, block.end, moves);
+  if (is_one_of(kProgramEnd) && moves_behind) return false;
+  // Of a cycle before all motions or behind them; a clamp closes once the tool is in place.
+  if (m.record.before_cut || !has(block.begin, block.end, cuts)) return true;
+  return !moves_behind || !has(block.begin, index, moves);
 }
 
 bool ReferenceSide::is_overdue(std::size_t number, std::size_t index) {

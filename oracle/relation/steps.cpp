@@ -145,11 +145,14 @@ void Correspondence::rename(const Place& place) {
   pair.start = subject(place).place(place.j);
   pair.first_record = got.record;
   for (const Axis axis : kAllAxes) pair.start[axis] += renaming.shift[axis];
-  // What leads to the new name from elsewhere is a motion, and none that is nil behind it.
+  // What leads to the new name from elsewhere is a motion, and none that is nil behind it, but
+  // where one is due there.
   const Number& tau = terms_.tolerance;
+  const Event& due = reference(place).at(place.i + 1);
+  const bool is_nil_due = due.is_motion() && is_near(due.from, due.to, tau);
   const bool leads_there = got.is_motion() && !is_near(got.from, got.to, tau) &&
                            is_near(got.to, rational_near(pair.start), tau);
-  if (leads_there) return;
+  if (leads_there && !is_nil_due) return;
   reach_corner({pair_for(pair), place.i + 1, 0, place.m});
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "reference/expander.hpp"
@@ -32,7 +33,44 @@ std::string cut_at(std::string_view program, std::uint64_t block, std::size_t le
   return text;
 }
 
+std::string without(std::string_view program, std::uint64_t block) {
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  grammar::Line line;
+  std::string text;
+  while (lines.next(line)) {
+    if (line.number != block) text += line.text;
+    text += '\n';
+  }
+  return text;
+}
+
+// The alarm with which the program ends; nothing: without one.
+std::optional<AlarmReport> alarm_of(const reference::Profile& profile, std::string_view program) {
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  reference::Expander expander(profile, lines, reference::OpenPaths::judged);
+  std::optional<AlarmReport> found;
+  while (const reference::Item* item = expander.next()) {
+    if (const auto* report = std::get_if<AlarmReport>(item)) found = *report;
+  }
+  return found;
+}
+
+bool has(const AlarmReport& report, std::string_view alarm_class) {
+  return std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
+    return reference::name(alarm.alarm) == alarm_class;
+  });
+}
+
 }  // namespace
+
+bool alarms_without(const reference::Profile& profile, std::string_view program,
+                    std::uint64_t block, const oracle::SubjectAlarm& alarm) {
+  const auto found = alarm_of(profile, without(program, block));
+  const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
+  return is_block && has(*found, alarm.alarm_class);
+}
 
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
                          const AlarmReport& report, std::string_view alarm_class) {
@@ -40,16 +78,9 @@ bool alarms_before_fault(const reference::Profile& profile, std::string_view pro
   if (!report.syntax || !wanted || std::ranges::count(kLasting, *wanted) == 0) return false;
   // Back to where the line can be read.
   for (std::size_t length = report.syntax->where.begin + 1; length-- > 0;) {
-    const std::string text = cut_at(program, report.block, length);
-    grammar::MemorySource bytes(text);
-    grammar::LineSource lines(bytes);
-    reference::Expander expander(profile, lines, reference::OpenPaths::judged);
-    const AlarmReport* found = nullptr;
-    while (const reference::Item* item = expander.next()) found = std::get_if<AlarmReport>(item);
-    if (found == nullptr || found->block != report.block) return false;
-    if (found->syntax) continue;
-    return std::ranges::any_of(found->alarms,
-                               [&](const auto& alarm) { return alarm.alarm == *wanted; });
+    const auto found = alarm_of(profile, cut_at(program, report.block, length));
+    if (!found || found->block != report.block) return false;
+    if (!found->syntax) return has(*found, alarm_class);
   }
   return false;
 }

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "oracle/subject.hpp"
+
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -12,5 +14,9 @@ namespace gonogo::relation {
 // that class which nothing behind them could take away.
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
                          const reference::AlarmReport& report, std::string_view alarm_class);
+
+// R7: whether the program has the alarm without one of its blocks.
+bool alarms_without(const reference::Profile& profile, std::string_view program,
+                    std::uint64_t block, const oracle::SubjectAlarm& alarm);
 
 }  // namespace gonogo::relation
