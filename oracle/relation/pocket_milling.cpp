@@ -90,6 +90,7 @@ class MillingConditions {
   struct Level {
     Number depth;
     std::vector<Stroke> cuts;
+    bool is_over = false;  // the tool has travelled: what is cleared by now is all of it
   };
 
   // In the pocket's own directions, from its middle.
@@ -149,8 +150,18 @@ class MillingConditions {
     return slack_.allows(cover_of(level).of(tool));
   }
 
+  // Of roughing nothing but the infeed at the centre comes before the first level.
+  static constexpr std::string_view kEarly = "The motion comes before the first infeed.";
+  bool is_early(const Event& piece) const {
+    const bool sinks = piece.to[axes_.d] <= piece.from[axes_.d] + slack_.axis(piece.width);
+    const bool stays = sinks && is_at_middle(piece.to, piece.width);
+    return !pocket_.finishing && levels_.empty() && !stays;
+  }
+
   std::string_view take_traverse(const Event& piece, const Number& off) {
     winding_.leave();
+    if (is_early(piece)) return kEarly;
+    if (!levels_.empty()) levels_.back().is_over = true;
     const bool is_straight_up = piece.to[axes_.d] > piece.from[axes_.d] &&
                                 way_of(piece, axes_.p) + way_of(piece, axes_.q) <= off;
     if (is_straight_up || is_free(piece, off)) return {};
@@ -187,13 +198,15 @@ class MillingConditions {
     if (is_new && pocket_.finishing) levels_.push_back({piece.to[axes_.d], {}});
     const bool is_at_level =
         !levels_.empty() && is_level && abs(piece.to[axes_.d] - levels_.back().depth) <= off;
-    if (is_at_level && has_feed(piece, pocket_.plane_feed)) {
+    if (is_at_level && !levels_.back().is_over && has_feed(piece, pocket_.plane_feed)) {
       levels_.back().cuts.push_back(stroke_of(piece));
       return {};
     }
-    if (is_free(piece, off) || is_in_cleared(piece, off)) return {};
-    return levels_.empty() ? "The cut comes before the first infeed."
-                           : "The cut has another feed, or is beside its level.";
+    if (is_early(piece)) return kEarly;
+    if (!levels_.empty()) levels_.back().is_over = true;
+    return is_free(piece, off) || is_in_cleared(piece, off)
+               ? ""
+               : "The cut has another feed, or is beside its level.";
   }
 
   // SIE-LC75-04, SIE-LC75-11: at the centre with R122; in finishing the last alone.
@@ -209,7 +222,8 @@ class MillingConditions {
     }
     if (pocket_.finishing && height > rational_near(pocket_.rough_floor) + slack_.axis(0))
       return {};
-    const bool goes_on = !levels_.empty() && levels_.back().cuts.size() == 1;
+    const bool goes_on =
+        !levels_.empty() && levels_.back().cuts.size() == 1 && !levels_.back().is_over;
     if (goes_on) {
       levels_.back().depth = height;
     } else {
