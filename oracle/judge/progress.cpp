@@ -101,7 +101,7 @@ bool MilledAgain::allows(const Motion& cut) {
     const double turns = ring.turns * width_ / std::max(ring.growth, width_);
     double& all = times_[PlaceHash(width_).add(p).add(q).add(ring.radius).key()];
     all += turns;
-    if (all > static_cast<double>(kMostTimes)) return false;
+    if (all > static_cast<double>(kMostTimes) + kEstimate) return false;
     motion.add(p).add(q);
     is_seen = is_seen || ring.turns > 0.5;
   }

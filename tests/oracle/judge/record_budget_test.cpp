@@ -87,6 +87,19 @@ TEST(RecordBudget, ARingIsTurnedOnTenTimes) {
   }
 }
 
+// Ten turns are ten turns, however the doubles come out that they are summed up from: of places
+// rounded to 0.001, 240 arcs of 15 degrees and some more.
+TEST(RecordBudget, TenTurnsInPiecesAreNoMoreThanTen) {
+  for (const int pieces : {5, 13, 21, 23, 24, 27, 32, 35, 37}) {
+    TraceText trace = approach();
+    trace.decimals(3);
+    for (const double radius : {3.0, 6.0, 9.0}) ring(trace, radius, 2);
+    for (int k = 0; k < 10; ++k) ring(trace, 12, pieces);
+    const Verdict verdict = judge_trace(kPocket, leave(trace));
+    EXPECT_EQ(decision(verdict.kind), Decision::go) << pieces << " " << verdict.message;
+  }
+}
+
 // No time hangs on how many turns a record makes.
 TEST(RecordBudget, TurnsCountWhereOneRecordMakesThem) {
   EXPECT_EQ(decision(judge_trace(kPocket, last_ring_again(0, 1, -9)).kind), Decision::go);
