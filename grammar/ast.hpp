@@ -182,6 +182,7 @@ struct OutsideConstruct {
   // "comma-word", "RL=", "RC=".
   std::string name;
   Span where;
+  std::string word = {};  // what it begins with, as written: "MCALL", "#1"
   friend bool operator==(const OutsideConstruct& a, const OutsideConstruct& b) {
     return a.name == b.name;
   }

@@ -13,6 +13,8 @@
 namespace gonogo::grammar {
 namespace {
 
+constexpr std::string_view kWordEnd = "word-end";
+
 // What each rule of the grammars means when it is not met. '@' stands for the address before it.
 struct Expectation {
   std::string_view key;
@@ -26,7 +28,7 @@ constexpr Expectation kExpectations[] = {
     {"closed-comment", SyntaxCode::unclosed_comment, "')'"},
     {"closed-brackets", SyntaxCode::unexpected_character, "']'"},
     {"block-end", SyntaxCode::unexpected_character,
-     "an address, a comment or the end of the block"},
+     "an address, a comment in '(' and ')' or behind ';', or the end of the block"},
     {"tape-mark-end", SyntaxCode::unexpected_character, "the end of the line after '%'"},
     {"percent-sign-end", SyntaxCode::unexpected_character,
      "a program number or the end of the line after '%'"},
@@ -49,7 +51,8 @@ constexpr Expectation kExpectations[] = {
      "a value without AC() and IC(), which are only the whole value of an axis, I J K, I1 J1 K1 or "
      "AP"},
     {"nesting", SyntaxCode::unexpected_character, "a value of at most 64 brackets in each other"},
-    {"word-end", SyntaxCode::unexpected_character, "a word, a comment or the end of the block"},
+    {kWordEnd, SyntaxCode::unexpected_character,
+     "a word, ';' with a comment behind it, or the end of the block"},
 };
 
 // A code, its stable name and its sentence; '@' stands for what was expected.
@@ -129,6 +132,11 @@ SyntaxError foreign_character(std::string_view line, std::size_t offset, std::st
 
 SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t offset,
                      const ByteSet& program) {
+  // '//' behind a value is no quotient, but meant as a comment.
+  if (key == "value" && line.substr(0, offset).ends_with('/') &&
+      line.substr(offset).starts_with('/')) {
+    return diagnose(line, kWordEnd, offset - 1, program);
+  }
   const Expectation& expectation = expectation_of(key);
   if (expectation.code == SyntaxCode::unclosed_comment) {
     return {expectation.code, span(offset - 1, line.size()), std::string(expectation.phrase)};
@@ -143,7 +151,7 @@ SyntaxError diagnose(std::string_view line, std::string_view key, std::size_t of
     return {SyntaxCode::misplaced_number_word, span(offset, offset + 1),
             "an address other than N and O"};
   }
-  if (key == "word-end" && begins_number_word(line, offset)) {
+  if (key == kWordEnd && begins_number_word(line, offset)) {
     return {SyntaxCode::misplaced_number_word, span(offset, offset + 1), "a word other than N"};
   }
   return {expectation.code, span(offset, offset + 1), std::move(phrase)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/arc_centre.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 namespace gonogo::reference {
@@ -13,6 +14,11 @@ Number fine(const Number& length) {
 
 Number square(const Number& value) {
   return value * value;
+}
+
+// mm of a square of micrometres.
+Number root_of_fine(const Number& square_2) {
+  return exact::sqrt(square_2) / 1000;
 }
 
 // Of two radii whose squares these are.
@@ -108,6 +114,25 @@ bool OffsetCentre::radii_agree_in_part_of_start(const Number& part) const {
 
 bool OffsetCentre::radius_below(const Number& length) const {
   return !is_at_least(min(start_2, end_2), square(fine(length)));
+}
+
+std::string radius_too_small(const ArcEnds& ends, const Number& radius) {
+  return with_values("Twice the radius is {} mm, less than the chord of {} mm.",
+                     {abs(radius) * 2, root_of_fine(ends.chord_2)});
+}
+
+std::string radii_apart(const OffsetCentre& arc, const PlaneAxes& axes, bool on_lathe) {
+  const auto name = [&](Axis axis) {
+    return std::string(1, "XYZ"[index(axis)]) + (on_lathe && axis == Axis::x ? " as a radius" : "");
+  };
+  const Number start = root_of_fine(arc.start_2);
+  const Number end = root_of_fine(arc.end_2);
+  const Number apart = arc.start_2 < arc.end_2 ? end - start : start - end;
+  const std::string centre = name(axes.p) + " {}, " + name(axes.q) + " {}.";
+  return with_values(
+      "The radius is {} mm at the start and {} mm at the end, {} mm apart, about the centre " +
+          centre,
+      {start, end, apart, arc.centre[0], arc.centre[1]});
 }
 
 }  // namespace gonogo::reference

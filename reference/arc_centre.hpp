@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 #include "reference/axis.hpp"
 
@@ -66,5 +67,9 @@ struct OffsetCentre {
   // Whether a radius is less than `length`, mm.
   bool radius_below(const Number& length) const;
 };
+
+// The sentences of alarms. On a lathe X is told as the radius that it is here.
+std::string radius_too_small(const ArcEnds& ends, const Number& radius);
+std::string radii_apart(const OffsetCentre& arc, const PlaneAxes& axes, bool on_lathe);
 
 }  // namespace gonogo::reference

@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "reference/compared.hpp"
+
 namespace gonogo::reference {
 
 void BlockBase::alarm(AlarmClass alarm, ClauseId clause, WordName address, std::string message) {
@@ -77,6 +83,20 @@ void BlockBase::arc(ClauseId clause, AxisSet named, const Position& to,
   put(std::move(record));
 }
 
+void BlockBase::name_corners(Axis positioning, Axis cutting, const Number& taper,
+                             const Position& c) const {
+  if (!out.notes_places) return;
+  const Position& a = state.position;
+  Position b = a;
+  Position d = a;
+  b[positioning] = c[positioning] + taper;
+  d[cutting] = c[cutting];
+  out.name_point("A", a);
+  out.name_point("B", b);
+  out.name_point("C", c);
+  out.name_point("D", d);
+}
+
 void BlockBase::rename(const Position& to) {
   Renaming renaming{line, {}};
   for (Axis axis : kAllAxes) renaming.shift[axis] = to[axis] - state.position[axis];
@@ -117,11 +137,30 @@ NotCovered word_outside(const grammar::Word& word, std::string_view code, std::u
           word.where};
 }
 
+namespace {
+
+std::string_view kind_of(const grammar::OutsideConstruct& construct) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kKinds{{
+      {"variable", "a variable"},
+      {"expression", "an expression"},
+      {"control-statement", "a control statement"},
+      {"file-name", "a file name"},
+      {"o-word", "an O word"},
+      {"string", "a string"},
+      {"comma-word", "a word behind a comma"},
+  }};
+  const auto* const found =
+      std::ranges::find(kKinds, std::string_view(construct.name),
+                        &std::pair<std::string_view, std::string_view>::first);
+  return found != kKinds.end() ? found->second : "a word of the control";
+}
+
+}  // namespace
+
 NotCovered construct_outside(const grammar::Block& block, std::uint64_t line) {
   const grammar::OutsideConstruct& construct = block.outside.value();
   return {line, construct.name,
-          fmt::format("The block has a construct of the control that the gauge does not read: {}.",
-                      construct.name),
+          fmt::format("The gauge does not read {}, {}.", construct.word, kind_of(construct)),
           construct.where};
 }
 
@@ -146,7 +185,8 @@ std::optional<Record> read_m_function(const grammar::Word& word, std::uint64_t l
     const bool is_whole = value == value.floor();
     out.alarms.push_back({is_whole ? AlarmClass::value_out_of_range : AlarmClass::not_an_integer,
                           alarm_clause, 'M', word.where,
-                          "An M function is a whole number from 0 to 2147483647."});
+                          with_values("An M function is a whole number from 0 to {}, and not {}.",
+                                      {kLargestM, value})});
     return std::nullopt;
   }
   if (*number > kLastCommonM) {

@@ -51,6 +51,9 @@ struct BlockBase {
   void arc(ClauseId clause, AxisSet named, const Position& to, const std::array<Number, 2>& centre,
            int sense);
   void put(Record record) { out.items.emplace_back(std::move(record)); }
+  // A to D of a cutting cycle, where it is put out: A is where the machine stands, C the end point,
+  // B lies the taper beyond it on the positioning axis and level with A on the other, D behind C.
+  void name_corners(Axis positioning, Axis cutting, const Number& taper, const Position& c) const;
   // The position gets a new name; nothing moves.
   void rename(const Position& to);
 };

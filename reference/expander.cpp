@@ -45,6 +45,8 @@ void BlockOutput::clear() {
   program_end = false;
   end_clause = kNoClause;
   accepted.clear();
+  cycle_places.places.clear();
+  cycle_places.axes.clear();
 }
 
 Expander::Expander(const Profile& profile, grammar::LineSource& lines, OpenPaths open_paths)
@@ -141,6 +143,8 @@ const Item* Expander::next() {
       if (!out_.alarms.empty()) out_.items.swap(out_.before_alarm);
       out_.after.clear();
       out_.cycle = {};
+    } else if (place_ && !out_.cycle_places.empty()) {
+      place_(line_.number, out_.cycle_places);
     }
     for (const ClauseId clause : out_.accepted) accept_(line_.number, clause);
   }

@@ -19,6 +19,21 @@
 
 namespace gonogo::reference {
 
+// A place of a cycle's path under the name that its text gives it, as the cycle itself has computed
+// it: a point, or a plane across the one axis that is named. For drawings.
+struct NamedPlace {
+  std::string_view name;       // "B", "R plane"
+  std::optional<Axis> across;  // of a plane
+  Position at;
+};
+// The letters that the text of a cycle has for axes: 'p' for Z.
+using NamedAxis = std::pair<char, Axis>;
+struct CyclePlaces {
+  std::vector<NamedPlace> places;
+  std::vector<NamedAxis> axes;
+  bool empty() const { return places.empty() && axes.empty(); }
+};
+
 // What one block does: motions, then the motions of a cycle, then M functions; or alarms.
 struct BlockOutput {
   std::vector<Item> items;
@@ -40,6 +55,21 @@ struct BlockOutput {
   std::vector<ClauseId> accepted;
   void accept(ClauseId clause) {
     if (notes_acceptances) accepted.push_back(clause);
+  }
+
+  // The places of the cycle that the block runs, only while somebody asks for them.
+  bool notes_places = false;
+  CyclePlaces cycle_places;
+  void name_plane(std::string_view name, Axis axis, const Number& at) {
+    if (!notes_places) return;
+    NamedPlace& plane = cycle_places.places.emplace_back(NamedPlace{name, axis, {}});
+    plane.at[axis] = at;
+  }
+  void name_point(std::string_view name, const Position& at) {
+    if (notes_places) cycle_places.places.push_back({name, std::nullopt, at});
+  }
+  void name_axis(char letter, Axis axis) {
+    if (notes_places) cycle_places.axes.emplace_back(letter, axis);
   }
 
   void clear();
@@ -93,6 +123,12 @@ class Expander {
   void stand_at(const Position& position) { interpreter_->stand_at(position); }
 
   const ReadingsInUse& readings() const { return readings_; }
+  // The readings that mattered since the last call.
+  std::vector<ReadingKey> take_touched_readings() {
+    std::vector<ReadingKey> touched = readings_.touched();
+    readings_.forget_touched();
+    return touched;
+  }
   // Behind an end that no text states (its clause says so): `next` goes on with the line behind it,
   // as on a control that passes the mark over. REQUIRES: the last item was such an end.
   void pass_over_end() {
@@ -110,6 +146,12 @@ class Expander {
   void on_acceptance(AcceptanceSink sink) {
     accept_ = std::move(sink);
     out_.notes_acceptances = true;
+  }
+  // Is told of the places of every cycle that runs, before its motions.
+  using PlaceSink = std::function<void(std::uint64_t block, const CyclePlaces& places)>;
+  void on_places(PlaceSink sink) {
+    place_ = std::move(sink);
+    out_.notes_places = true;
   }
   // After a syntax alarm: the text of its line, for a diagnostic.
   std::string_view failed_line() const { return line_.text; }
@@ -129,6 +171,7 @@ class Expander {
   BlockOutput out_;
   WarningSink warn_;
   AcceptanceSink accept_;
+  PlaceSink place_;
   std::size_t next_item_ = 0;
   std::size_t next_after_ = 0;
   Item last_;

@@ -182,6 +182,7 @@ class ReadingsInUse {
   exact::Number length(ReadingKey key) const;
   bool touched(ReadingKey key) const { return touched_[index(key)]; }
   std::vector<ReadingKey> touched() const;
+  void forget_touched() { touched_.fill(false); }
 
  private:
   ReadingChoice shown_;

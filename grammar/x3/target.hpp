@@ -92,6 +92,18 @@ struct Flag : spirit::unary_parser<Subject, Flag<Subject, member>> {
   }
 };
 
+// What a construct begins with: a name, or all up to a blank.
+inline std::string first_word(Iterator begin, Iterator end) {
+  constexpr std::ptrdiff_t kLongest = 30;
+  if (end - begin > kLongest) end = begin + kLongest;
+  Iterator last = begin;
+  while (last != end && (kLetter.contains(*last) || *last == '_')) ++last;
+  if (last - begin < 2) {
+    while (last != end && !kBlank.contains(*last)) ++last;
+  }
+  return {begin, last};
+}
+
 // outside<kName>[construct]: notes that the block holds a construct that is not read. Its span
 // ends before trailing blanks.
 template <typename Subject, const char* name>
@@ -108,7 +120,7 @@ struct Outside : spirit::unary_parser<Subject, Outside<Subject, name>> {
     if (!this->subject.parse(first, last, context, rule, spirit::unused)) return false;
     Iterator end = first;
     while (kBlank.contains(end[-1])) --end;
-    into.block.outside = OutsideConstruct{name, into.span(begin, end)};
+    into.block.outside = OutsideConstruct{name, into.span(begin, end), first_word(begin, end)};
     return true;
   }
 };

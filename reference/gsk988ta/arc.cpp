@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reference/arc_centre.hpp"
+#include "reference/compared.hpp"
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
@@ -21,7 +22,7 @@ Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
   const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
   if (!centre) {
     block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, 'R',
-                "Twice the radius is less than the chord.");
+                radius_too_small(ends, block.words.length('R').value()));
   }
   return centre;
 }
@@ -51,7 +52,7 @@ Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEn
   }
   if (checked && !arc.radii_agree(limit)) {
     block.alarm(AlarmClass::arc_end_point, "GSK-COM-05"_clause, address,
-                fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
+                radii_apart(arc, axes, true) + with_values(" {} mm is allowed.", {limit}));
     return std::nullopt;
   }
   if (has_no_radius) return std::nullopt;

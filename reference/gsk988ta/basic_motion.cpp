@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // GSK-COM-05 without arcs: G00, G01, G04, G28, G50.
+#include "reference/compared.hpp"
 #include "reference/gsk988ta/machine.hpp"
 #include "reference/predicate.hpp"
 
@@ -73,7 +74,7 @@ void run_dwell(BlockContext& block) {
   if (address == 'P') record.seconds = record.seconds / 1000;
   if (decided("GSK-COM-12"_clause, "P", record.seconds) < 0) {
     block.alarm(AlarmClass::value_sign, "GSK-COM-12"_clause, address,
-                "A dwell cannot be negative.");
+                with_values("A dwell of {} s is negative.", {record.seconds}));
   }
   block.put(std::move(record));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gsk988ta/cutting_cycle.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 #include <fmt/format.h>
@@ -51,13 +52,24 @@ Number cut_end_point(const BlockContext& block, Axis axis) {
   return word->incremental ? start + word->value : word->value;
 }
 
+void name_corners(const BlockContext& block, const CuttingAxes& axes,
+                  const std::array<Number, 2>& c) {
+  if (!block.out.notes_places) return;
+  const PlaneAxes plane = axes_of(block.machine.plane);
+  Position end = block.machine.position;
+  end[plane.p] = c[0];
+  end[plane.q] = c[1];
+  block.name_corners(axes.positioning, axes.cutting, block.machine.cut.taper, end);
+  block.out.name_axis(axes.positioning == plane.p ? 'p' : 'q', axes.positioning);
+}
+
 void check_taper(BlockContext& block, const Number& travel, ClauseId clause) {
   const Number& taper = block.machine.cut.taper;
   if (decided(clause, "R * travel", taper.sign() * travel.sign()) >= 0) return;
   if (decided(clause, "abs(R) - abs(travel)", abs(taper), abs(travel)) <= 0) return;
-  block.alarm(
-      AlarmClass::taper_limit, clause, 'R',
-      fmt::format("R {} is larger than the opposite travel {}.", taper.text(), travel.text()));
+  block.alarm(AlarmClass::taper_limit, clause, 'R',
+              with_values("The taper R of {} mm is larger than the opposite travel of {} mm.",
+                          {taper, travel}));
 }
 
 }  // namespace gonogo::reference::gsk988ta

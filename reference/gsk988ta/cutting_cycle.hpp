@@ -23,6 +23,9 @@ void retain_cut_words(BlockContext& block, const CuttingAxes& axes);
 bool runs_cut(const BlockContext& block, const CuttingAxes& axes);
 // C along one axis: absolute, an increment from A (GSK-MOD-07), or no travel.
 Number cut_end_point(const BlockContext& block, Axis axis);
+// A to D, where the cycle is put out; C lies at these places along p and q.
+void name_corners(const BlockContext& block, const CuttingAxes& axes,
+                  const std::array<Number, 2>& c);
 // An alarm where R and the travel from A to C have opposite signs and R is the larger.
 void check_taper(BlockContext& block, const Number& travel, ClauseId clause);
 

@@ -3,6 +3,7 @@
 // G110 and G111, the circular pocket: roughed layer by layer, clockwise and counterclockwise.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/pocket_paths.hpp"
 #include "reference/predicate.hpp"
@@ -78,8 +79,8 @@ void check_tool(BlockContext& block) {
   if (mode.step && mode.tool &&
       decided("GSK-G110-03"_clause, "L - 2 D", *mode.step, *mode.tool * 2) >= 0) {
     block.alarm(AlarmClass::step_too_large, "GSK-G110-03"_clause, 'L',
-                fmt::format("The step {} is not smaller than the tool diameter {}.",
-                            mode.step->text(), (*mode.tool * 2).text()));
+                with_values("The step of {} mm is not smaller than the tool's diameter of {} mm.",
+                            {*mode.step, *mode.tool * 2}));
   }
 }
 
@@ -148,6 +149,7 @@ void run_g110(BlockContext& block) {
   check_depth(block, site);
   Pocket pocket = make_pocket(block, site);
   if (!block.out.alarms.empty()) return;
+  name_planes(block, site);
 
   Position& position = block.machine.position;
   position = site.centre;

@@ -89,6 +89,7 @@ void run_g112(BlockContext& block) {
   check_depth(block, site);
   if (!block.out.alarms.empty()) return;
 
+  name_planes(block, site);
   const bool cuts = site.depth().sign() != 0;
   Position& position = block.machine.position;
   position = site.centre;

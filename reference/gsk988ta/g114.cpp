@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/compared.hpp"
 #include "reference/gsk988ta/milling.hpp"
 #include "reference/gsk988ta/thread_path.hpp"
 #include "reference/predicate.hpp"
@@ -50,15 +51,16 @@ struct ThreadWords {
 void check_tool(BlockContext& block, const ThreadWords& words) {
   if (words.height && words.tool &&
       decided("GSK-G114-03"_clause, "P - D", *words.height, *words.tool) > 0) {
-    block.alarm(AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
-                fmt::format("The thread height {} is larger than the tool radius {}.",
-                            words.height->text(), words.tool->text()));
+    block.alarm(
+        AlarmClass::depth_exceeds_tool, "GSK-G114-03"_clause, 'P',
+        with_values("The thread's height of {} mm is larger than the tool's radius of {} mm.",
+                    {*words.height, *words.tool}));
   }
   if (is_external(block.machine.milling.code) || !words.tool || !words.diameter) return;
   if (decided("GSK-G114-15"_clause, "E / 2 - D", *words.diameter / 2, *words.tool) <= 0) {
     block.alarm(AlarmClass::tool_too_large, "GSK-G114-15"_clause, 'D',
-                fmt::format("The tool radius {} is not smaller than the radius {} of the bore.",
-                            words.tool->text(), (*words.diameter / 2).text()));
+                with_values("The tool's radius of {} mm is not smaller than the bore's of {} mm.",
+                            {*words.tool, *words.diameter / 2}));
   }
 }
 
@@ -180,6 +182,7 @@ void run_g114(BlockContext& block) {
   check_depth(block, site);
   if (!block.out.alarms.empty()) return;
 
+  name_planes(block, site);
   Position& position = block.machine.position;
   position = site.centre;
   ThreadMilling thread;

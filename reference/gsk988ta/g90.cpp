@@ -20,6 +20,7 @@ void run_g90(BlockContext& block) {
   block.need_feed();
   const Number& taper = block.machine.cut.taper;  // GSK-G90-11: a true length, like the travel
 
+  name_corners(block, axes, {c_p, c_q});
   // GSK-G90-10: all motions are those of this block.
   block.rapid("GSK-G90-02"_clause, {{plane.q, c_q + taper}});
   block.feed("GSK-G90-03"_clause, {{plane.p, c_p}, {plane.q, c_q}});

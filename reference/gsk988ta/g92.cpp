@@ -87,6 +87,7 @@ void run_g92(BlockContext& block) {
   const Number c_q = cut_end_point(block, plane.q);
   check_taper(block, c_q - a[plane.q], "GSK-G92-09"_clause);
 
+  name_corners(block, axes, {c_p, c_q});
   // GSK-G92-10: all motions are those of this block.
   block.rapid("GSK-G92-02"_clause, {{plane.q, c_q + block.machine.cut.taper}});
   Record thread =

@@ -21,6 +21,7 @@ void run_g94(BlockContext& block) {
   block.need_feed();
   const Number& taper = block.machine.cut.taper;  // GSK-G94-11: a true length, like the travel
 
+  name_corners(block, axes, {c_p, c_q});
   // GSK-G94-10: all motions are those of this block.
   block.rapid("GSK-G94-02"_clause, {{plane.p, c_p + taper}});
   block.feed("GSK-G94-03"_clause, {{plane.p, c_p}, {plane.q, c_q}});

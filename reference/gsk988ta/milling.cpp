@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 namespace gonogo::reference::gsk988ta {
@@ -123,11 +124,21 @@ void position_only(BlockContext& block) {
   block.put(std::move(record));
 }
 
+void name_planes(const BlockContext& block, const MillingSite& site) {
+  block.out.name_plane("R plane", site.axes.d, site.r_plane);
+  block.out.name_plane("initial plane", site.axes.d, site.initial_plane);
+  block.out.name_axis('d', site.axes.d);
+}
+
 void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause) {
   const Number r = site.r_plane - site.initial_plane;
   if (decided(clause, "R * depth", r.sign() * site.travel.sign()) >= 0) return;
-  block.alarm(AlarmClass::direction_conflict, clause, 'R',
-              "R leads away from the bottom to be milled.");
+  block.alarm(
+      AlarmClass::direction_conflict, clause, 'R',
+      with_values(
+          "R leads by {} mm from where the tool stands, and the bottom lies the other way, {} mm "
+          "from R.",
+          {r, site.travel}));
 }
 
 void check_depth(BlockContext& block, const MillingSite& site) {
@@ -135,7 +146,9 @@ void check_depth(BlockContext& block, const MillingSite& site) {
     block.need_feed();
   } else if (block.readings.is(ReadingKey::zero_depth, "alarm")) {
     block.alarm(AlarmClass::value_out_of_range, "GSK-G110-17"_clause,
-                addresses_of(site.axes.d).absolute, "There is no depth to be milled.");
+                addresses_of(site.axes.d).absolute,
+                with_values("R and the bottom are both {} mm: there is no depth to be milled.",
+                            {site.r_plane}));
   }
 }
 
@@ -153,8 +166,9 @@ void check_needed(BlockContext& block, std::span<const NeededWord> words, bool m
     if (mills && decided(clause, {&word.address, 1}, *word.value) <= 0) {
       const bool here = block.words.has(word.address);
       block.alarm(AlarmClass::value_out_of_range, clause, word.address,
-                  here ? fmt::format("{} must be above zero.", word.address)
-                       : fmt::format("The retained {} is not above zero.", word.address));
+                  with_values(fmt::format("{}{} is {{}} and not above zero.",
+                                          here ? "" : "The retained ", word.address),
+                              {*word.value}));
     }
   }
 }
@@ -164,8 +178,8 @@ void check_tool_radius(BlockContext& block, ClauseId clause) {
   if (!mode.radius || !mode.tool) return;
   if (decided(clause, "I - D", *mode.radius, *mode.tool) > 0) return;
   block.alarm(AlarmClass::tool_too_large, clause, 'I',
-              fmt::format("The pocket radius {} is not larger than the tool radius {}.",
-                          mode.radius->text(), mode.tool->text()));
+              with_values("The pocket's radius of {} mm is not larger than the tool's of {} mm.",
+                          {*mode.radius, *mode.tool}));
 }
 
 void take_in_pocket_words(BlockContext& block) {

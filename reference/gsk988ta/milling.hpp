@@ -51,6 +51,9 @@ Number r_of_pocket(const BlockContext& block);
 // GSK-G110-14 under gsk.missing-axis = position: the plane axes that are there are positioned.
 void position_only(BlockContext& block);
 
+// The planes of a site that is milled.
+void name_planes(const BlockContext& block, const MillingSite& site);
+
 // GSK-G110-04: R must not lead away from the bottom; R = 0 agrees with all, and so does no depth.
 void check_direction(BlockContext& block, const MillingSite& site, ClauseId clause);
 // GSK-G110-17: a site without depth is an alarm or needs no feed; any other needs one.

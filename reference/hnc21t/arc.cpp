@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/hnc21t/machine.hpp"
 
 namespace gonogo::reference::hnc21t {
@@ -22,7 +23,7 @@ Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
   const Centre centre = centre_from_radius(ends, block.words.length('R').value(), sense);
   if (!centre) {
     block.alarm(AlarmClass::arc_radius, "HNC-COM-01"_clause, 'R',
-                "Twice the radius is less than the chord.");
+                radius_too_small(ends, block.words.length('R').value()));
   }
   return centre;
 }
@@ -47,7 +48,8 @@ Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
   if (arc.begins_at_centre()) refuse_zero_radius(block, "The arc begins at its centre.");
   if (limit.sign() >= 0 && !arc.radii_agree(limit)) {
     block.alarm(AlarmClass::arc_end_point, "HNC-COM-05"_clause, block.words.has('K') ? 'K' : 'I',
-                fmt::format("The radii at start and end differ by more than {} mm.", limit.text()));
+                radii_apart(arc, axes_of(block.machine.plane), true) +
+                    with_values(" {} mm is allowed.", {limit}));
     return std::nullopt;
   }
   return arc.centre;

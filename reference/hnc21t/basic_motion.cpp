@@ -3,6 +3,7 @@
 // HNC-COM-01 without arcs: G00, G01, G04, G32, G92, and the work offsets.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/hnc21t/machine.hpp"
 #include "reference/predicate.hpp"
 
@@ -111,7 +112,8 @@ void run_dwell(BlockContext& block) {
   record.clause = "HNC-COM-01"_clause;
   record.seconds = block.words.written('P') / 1000;
   if (decided("HNC-COM-04"_clause, "P", record.seconds) < 0) {
-    block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P', "A dwell cannot be negative.");
+    block.alarm(AlarmClass::value_sign, "HNC-COM-04"_clause, 'P',
+                with_values("A dwell of {} s is negative.", {record.seconds}));
   }
   block.put(std::move(record));
 }

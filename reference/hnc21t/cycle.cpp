@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hnc21t/cycle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace gonogo::reference::hnc21t {
@@ -27,8 +29,25 @@ void take_command_words(BlockContext& block) {
   }
 }
 
+namespace {
+
+// Other makers write some of these cycles in two lines, the first of them without an end.
+void warn_of_no_travel(const BlockContext& block) {
+  if (block.codes.motion < 0 || block.words.block().words.size() < 2) return;
+  block.out.warnings.push_back(
+      {fmt::format("G{} without X and Z cuts nothing: its words hold on, and the cycle of this "
+                   "control stands in one line with its end point.",
+                   block.codes.motion),
+       block.places.place_of('G').value_or(block.places.behind())});
+}
+
+}  // namespace
+
 bool does_nothing(const BlockContext& block, std::span<const AxisAddresses> needed) {
-  if (!block.words.has_axis_word()) return true;
+  if (!block.words.has_axis_word()) {
+    warn_of_no_travel(block);
+    return true;
+  }
   const auto lacks = [&](const AxisAddresses& axis) { return !block.words.has(axis); };
   return std::ranges::any_of(needed, lacks) &&
          block.readings.is(ReadingKey::hnc_missing_axis, "nothing");

@@ -21,6 +21,12 @@ std::optional<Number> cycle_end_point(BlockContext& block, const AxisAddresses& 
 struct EndPoint {
   Number x;
   Number z;
+  // With the other axes of a position.
+  Position over(Position at) const {
+    at[Axis::x] = x;
+    at[Axis::z] = z;
+    return at;
+  }
 };
 std::optional<EndPoint> cycle_end_point(BlockContext& block);
 

@@ -15,6 +15,7 @@ void run_g80(BlockContext& block) {
   // HNC-G80-02: a true length, in absolute and incremental programs; nothing limits it.
   const Number i = block.machine.command.i.value_or(0);
 
+  block.name_corners(Axis::x, Axis::z, i, c->over(a));
   // HNC-G80-01
   const ClauseId clause = "HNC-G80-01"_clause;
   block.rapid(clause, {{Axis::x, c->x + i}});

@@ -14,6 +14,7 @@ void run_g81(BlockContext& block) {
   if (!c) return;
   const Number k = block.machine.command.k.value_or(0);  // HNC-G81-02
 
+  block.name_corners(Axis::z, Axis::x, k, c->over(a));
   // HNC-G81-01
   const ClauseId clause = "HNC-G81-01"_clause;
   block.rapid(clause, {{Axis::z, c->z + k}});

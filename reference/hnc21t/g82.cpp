@@ -5,6 +5,7 @@
 // acceleration constant Q change nothing in the path.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/hnc21t/cycle.hpp"
 #include "reference/predicate.hpp"
 
@@ -16,13 +17,14 @@ void check_thread_words(BlockContext& block) {
   const BlockWords& words = block.words;
   if (words.has('Q') && decided("HNC-G82-05"_clause, "Q", words.written('Q')) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-G82-05"_clause, 'Q',
-                "The acceleration constant of the run-out is negative.");
+                with_values("The acceleration constant Q of the run-out, {}, is negative.",
+                            {words.written('Q')}));
   }
   if (!words.has('C')) return;
   const Number starts = words.written('C');
   if (decided("HNC-G82-06"_clause, "C", starts) < 0) {
     block.alarm(AlarmClass::value_sign, "HNC-G82-06"_clause, 'C',
-                "The number of starts is negative.");
+                with_values("The number of starts, {}, is negative.", {starts}));
   }
   if (starts != starts.floor()) {
     block.alarm(AlarmClass::not_an_integer, "HNC-G82-06"_clause, 'C',
@@ -72,9 +74,12 @@ void check_ratio(BlockContext& block, const RunOut& run_out, const Number& c_z) 
   const Number& across = long_z ? x : z;
   const Number& along = long_z ? z : x;
   if (decided("HNC-G82-04"_clause, "short - 20 long", across, along * 20) <= 0) return;
-  block.alarm(AlarmClass::retract_ratio, "HNC-G82-04"_clause, block.words.has('E') ? 'E' : 'R',
-              fmt::format("The run-out along {} is more than 20 times that along {}.",
-                          long_z ? 'X' : 'Z', long_z ? 'Z' : 'X'));
+  block.alarm(
+      AlarmClass::retract_ratio, "HNC-G82-04"_clause, block.words.has('E') ? 'E' : 'R',
+      with_values(long_z
+                      ? "The run-out of {} mm along X is more than 20 times that of {} mm along Z."
+                      : "The run-out of {} mm along Z is more than 20 times that of {} mm along X.",
+                  {across, along}));
 }
 
 // HNC-G82-06: how many passes, at least 1; several need P (HNC-G82-11).
@@ -160,6 +165,7 @@ void run_g82(BlockContext& block) {
   if (!block.out.alarms.empty()) return;
 
   const Position& a = block.machine.position;
+  block.name_corners(Axis::x, Axis::z, command.i.value_or(0), c->over(a));
   block.out.cycle =
       cut_thread({.motions = CycleMotions(block),
                   .command = command,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/hnc21t/pecking.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 #include <fmt/format.h>
@@ -59,8 +60,8 @@ void plan_pecks(BlockContext& block, Plunge& plunge, const PlungeClauses& clause
     const Number gain = plunge.step - plunge.withdrawal;
     if (decided(clauses.pecks, "Q - R", gain) <= 0) {
       block.alarm(AlarmClass::value_out_of_range, clauses.pecks, 'R',
-                  fmt::format("Withdrawals of {} mm between pecks of {} mm never reach the bottom.",
-                              plunge.withdrawal.text(), plunge.step.text()));
+                  with_values("Withdrawals of {} mm between pecks of {} mm never reach the bottom.",
+                              {plunge.withdrawal, plunge.step}));
       return;
     }
     plunge.pecks = ((depth - plunge.withdrawal) / gain).ceil();
@@ -78,8 +79,11 @@ void plan_approach(BlockContext& block, Plunge& plunge, const PlungeClauses& cla
     return;
   }
   if (plunge.direction == 0) {
-    block.alarm(AlarmClass::direction_conflict, clauses.straight, 'X',
-                "X is where the tool stands: there is no direction to plunge in.");
+    block.alarm(
+        AlarmClass::direction_conflict, clauses.straight, 'X',
+        with_values("X is where the tool stands, at the radius {} mm: there is no direction "
+                    "to plunge in.",
+                    {plunge.bottom}));
     return;
   }
   const CommandWords& command = block.machine.command;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "reference/arc_centre.hpp"
+#include "reference/compared.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -40,14 +41,18 @@ std::optional<std::int32_t> turns_of(BlockContext& block) {
   const bool is_whole = turns.counts_as_whole(Whole::turns, block.readings);
   const bool is_positive = (is_whole ? turns.nearest() : written).sign() > 0;
   if (!is_positive) {
-    block.alarm(AlarmClass::value_sign, clause, 'P', "The number of turns is not above zero.");
+    block.alarm(AlarmClass::value_sign, clause, 'P',
+                with_values("The number of turns, {}, is not above zero.", {written}));
   }
   if (!is_whole) {
-    block.alarm(AlarmClass::not_an_integer, clause, 'P', "The number of turns is not whole.");
+    block.alarm(AlarmClass::not_an_integer, clause, 'P',
+                with_values("The number of turns, {}, is not whole.", {written}));
     return std::nullopt;
   }
   if (turns.nearest() > Number(std::numeric_limits<std::int32_t>::max())) {
-    block.alarm(AlarmClass::value_out_of_range, clause, 'P', "The number of turns is too large.");
+    block.alarm(AlarmClass::value_out_of_range, clause, 'P',
+                with_values("The number of turns, {}, is above {}.",
+                            {written, std::numeric_limits<std::int32_t>::max()}));
     return std::nullopt;
   }
   if (!is_positive) return std::nullopt;
@@ -72,7 +77,7 @@ Centre centre_by_radius(BlockContext& block, const Arc& arc) {
   if (arc.ends.chord_within((abs(radius) + kForgiven) * 2) && is_linuxcnc(block)) {
     return arc.ends.middle();
   }
-  block.alarm(AlarmClass::arc_radius, clause, 'R', "Twice the radius is less than the chord.");
+  block.alarm(AlarmClass::arc_radius, clause, 'R', radius_too_small(arc.ends, radius));
   return std::nullopt;
 }
 
@@ -87,19 +92,34 @@ Number limit_of_nist(bool inch) {
   return Number::millionths(inch ? 5080 : 2000);
 }
 
+// LinuxCNC's limits are those of its messages times the root of two; squared here. Between the two,
+// 0.001 of the larger radius is allowed.
+struct LinuxcncLimits {
+  explicit LinuxcncLimits(bool inch)
+      : least(inch ? inches(inches(Number::millionths(8))) : Number::millionths(800)),
+        most(inch ? inches(inches(Number::millionths(80'000))) : Number(8)) {}
+  Number least;  // 0.02 mm, 0.002 inch
+  Number most;   // 2 mm, 0.2 inch
+};
+
 RadiusFaults faults_by_nist(const OffsetCentre& arc, bool inch) {
   return {arc.begins_at_centre(), !arc.radii_agree(limit_of_nist(inch))};
 }
 
-// LinuxCNC's limits are those of its messages times the root of two: 2 mm and 0.02 mm, 0.2 inch and
-// 0.002 inch; squared here. Between the two, 0.001 of the larger radius is allowed.
 RadiusFaults faults_by_linuxcnc(const OffsetCentre& arc, bool inch) {
-  const Number most = inch ? inches(inches(Number::millionths(80'000))) : Number(8);
-  const Number least = inch ? inches(inches(Number::millionths(8))) : Number::millionths(800);
+  const LinuxcncLimits limits(inch);
   const bool agree =
-      arc.radii_agree_squared(least) ||
-      (arc.radii_agree_squared(most) && arc.radii_agree_in_part(Number::millionths(1000)));
+      arc.radii_agree_squared(limits.least) ||
+      (arc.radii_agree_squared(limits.most) && arc.radii_agree_in_part(Number::millionths(1000)));
   return {arc.radius_below(kForgiven), !agree};
+}
+
+std::string allowed_apart(bool inch) {
+  const LinuxcncLimits limits(inch);
+  return with_values(
+      " NIST's interpreter allows {} mm, LinuxCNC {} mm and, up to {} mm, a thousandth of the "
+      "larger radius.",
+      {limit_of_nist(inch), exact::sqrt(limits.least), exact::sqrt(limits.most)});
 }
 
 void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
@@ -115,7 +135,7 @@ void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
   }
   if (faults.apart) {
     block.alarm(AlarmClass::arc_end_point, clause, address,
-                "The radii at start and end differ by more than the tolerance.");
+                radii_apart(arc, axes_of(block.machine.plane), false) + allowed_apart(inch));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G0, G1 and G4.
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/rs274/machine.hpp"
 
@@ -66,7 +67,8 @@ void run_dwell(BlockContext& block) {
   record.clause = "NGC-G4-01"_clause;
   record.seconds = block.words.written('P');
   if (decided("NGC-G4-01"_clause, "P", record.seconds) < 0) {
-    block.alarm(AlarmClass::value_sign, "NGC-G4-01"_clause, 'P', "A dwell cannot be negative.");
+    block.alarm(AlarmClass::value_sign, "NGC-G4-01"_clause, 'P',
+                with_values("A dwell of {} s is negative.", {record.seconds}));
   }
   block.put(std::move(record));
 }

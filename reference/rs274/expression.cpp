@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "reference/compared.hpp"
 #include "reference/exact/size.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
@@ -47,13 +48,15 @@ std::optional<std::int64_t> Calculator::number_of_parameter(const Number& value,
   const ClauseId clause = "NGC-PAR-01"_clause;
   const NearWhole number(value);
   if (!number.counts_as_whole(Whole::repeats, readings_)) {
-    fail(AlarmClass::not_an_integer, clause, where, "The number of a parameter is whole.");
+    fail(AlarmClass::not_an_integer, clause, where,
+         with_values("The number of a parameter is whole, and not {}.", {value}));
     return std::nullopt;
   }
   const std::int64_t nearest = number.nearest().to_int64().value_or(0);
   if (nearest >= 1 && nearest <= kLastParameter) return nearest;
   fail(AlarmClass::value_out_of_range, clause, where,
-       fmt::format("The numbered parameters are #1 to #{}.", kLastParameter));
+       with_values("The number of a parameter is from 1 to {}, and not {}.",
+                   {kLastParameter, nearest}));
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -31,10 +32,12 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
   if (words().r && words().depth) {
     levels_ = read_levels();
     // NGC-CYC-07
-    if (decided("NGC-CYC-07"_clause, "R - bottom", levels_->r_plane, levels_->bottom) < 0) {
+    const int depth = decided("NGC-CYC-07"_clause, "R - bottom", levels_->r_plane, levels_->bottom);
+    if (depth == 0) warn_of_no_depth();
+    if (depth < 0) {
       block_.alarm(AlarmClass::reference_plane, "NGC-CYC-07"_clause, 'R',
-                   fmt::format("R {} lies below the bottom of the hole {}.",
-                               levels_->r_plane.text(), levels_->bottom.text()));
+                   with_values("R, {} mm, lies below the bottom of the hole, {} mm.",
+                               {levels_->r_plane, levels_->bottom}));
     }
   }
   // NGC-CYC-20
@@ -42,6 +45,15 @@ HoleBlock::HoleBlock(BlockContext& block, OwnWord own)
       block_.readings.is(ReadingKey::ngc_cycle_feed, "needed")) {
     block_.need_feed("NGC-CYC-20"_clause);
   }
+}
+
+// NGC-CYC-03: often meant as a level to go back to, and read as the bottom.
+void HoleBlock::warn_of_no_depth() const {
+  const char depth = address_of(axes_.d);
+  block_.out.warnings.push_back(
+      {with_values(fmt::format("{} and R are both {{}} mm: the cycle drills nothing.", depth),
+                   {levels_->bottom}),
+       block_.places.place_of(depth).value_or(block_.places.behind())});
 }
 
 // NGC-CYC-02, NGC-CYC-03: those of the first block of a cycle hold until they are written anew.
@@ -66,10 +78,11 @@ void HoleBlock::take_own_word() {
     in_force = block_.words.written(address);
     if (is_q && decided("NGC-CYC-22"_clause, "Q", *in_force) <= 0) {
       block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'Q',
-                   "The depth of a peck is not above zero.");
+                   with_values("The depth of a peck, {}, is not above zero.", {*in_force}));
       note_late(Found::over_the_hole);
     } else if (!is_q && decided("NGC-CYC-22"_clause, "P", *in_force) < 0) {
-      block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'P', "A dwell cannot be negative.");
+      block_.alarm(AlarmClass::value_sign, "NGC-CYC-22"_clause, 'P',
+                   with_values("A dwell of {} s is negative.", {*in_force}));
     }
   }
   if (!in_force && own_ != OwnWord::takes_p) {
@@ -99,13 +112,16 @@ Number HoleBlock::repeats() {
   const NearWhole count(written);
   const bool is_whole = count.counts_as_whole(Whole::repeats, block_.readings);
   if (!is_whole) {
-    block_.alarm(AlarmClass::not_an_integer, clause, 'L', "The number of holes is not whole.");
+    block_.alarm(AlarmClass::not_an_integer, clause, 'L',
+                 with_values("The number of holes, {}, is not whole.", {written}));
   }
   const int sign = decided(clause, "L", is_whole ? count.nearest() : written);
   if (sign < 0) {
-    block_.alarm(AlarmClass::value_sign, clause, 'L', "The number of holes is below zero.");
+    block_.alarm(AlarmClass::value_sign, clause, 'L',
+                 with_values("The number of holes, {}, is below zero.", {written}));
   } else if (sign == 0) {
-    block_.alarm(AlarmClass::value_out_of_range, clause, 'L', "The number of holes is zero.");
+    block_.alarm(AlarmClass::value_out_of_range, clause, 'L',
+                 with_values("The number of holes, {}, counts as zero.", {written}));
   }
   return count.nearest();
 }
@@ -226,6 +242,7 @@ void HoleBlock::run(Hole hole) {
     holes.step = {holes.first[0] - holes.start[axes_.p], holes.first[1] - holes.start[axes_.q]};
   }
   machine.cycle.levels = levels_;
+  block_.out.name_plane("R plane", axes_.d, holes.r_plane);
   // NGC-CYC-26
   const std::array<Number, 2> last = holes.place(holes.count);
   machine.position[axes_.p] = last[0];

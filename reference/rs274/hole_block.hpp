@@ -45,6 +45,7 @@ class HoleBlock {
   // How far a control may have moved when it finds a broken rule.
   enum class Found : std::uint8_t { at_once, above_the_place, over_the_hole };
 
+  void warn_of_no_depth() const;
   void take_words();
   void take_own_word();
   void check_axes();

@@ -41,7 +41,7 @@ class Interpreter : public BlockInterpreter {
                  BlockOutput& out);
   void take_feed(const BlockWords& words);
   void take_spindle(const grammar::Block& block);
-  void take_modes(const BlockCodes& codes);
+  void take_modes(const BlockCodes& codes, std::uint64_t line);
   void take_tool(const BlockWords& words);
   void take_motion(int code);
   void move_out(BlockOutput& out) const;
@@ -97,6 +97,9 @@ void Interpreter::move_out(BlockOutput& out) const {
     }
   }
   out.cycle = moved(std::move(out.cycle), offsets.origin);
+  for (NamedPlace& place : out.cycle_places.places) {
+    for (const Axis axis : kAllAxes) place.at[axis] += offsets.origin[axis];
+  }
 }
 
 // NGC-MOD-01: the feed comes before the units of its own block.
@@ -134,7 +137,7 @@ void Interpreter::take_motion(int code) {
   machine_.motion = motion;
 }
 
-void Interpreter::take_modes(const BlockCodes& codes) {
+void Interpreter::take_modes(const BlockCodes& codes, std::uint64_t line) {
   WordModes& modes = machine_.modes;
   if (codes.plane >= 0) {
     const auto plane = static_cast<Plane>(codes.plane - 17);
@@ -149,6 +152,7 @@ void Interpreter::take_modes(const BlockCodes& codes) {
   if (codes.retract == 98) machine_.retract = Retract::initial_level;
   if (codes.retract == 99) machine_.retract = Retract::r_plane;
   if (codes.motion >= 0) take_motion(codes.motion);
+  if (codes.motion == 80) machine_.motion_ended = line;
 }
 
 // NGC-COM-01, NGC-CYC-17: the axes that the records do not have.
@@ -180,7 +184,12 @@ bool runs_motion(const Machine& machine, const BlockWords& words, const BlockCod
 void Interpreter::run_motion(BlockContext& block) const {
   if (machine_.motion == kNoMotion && block.words.has_axis_word() &&
       !takes_axis_words(block.codes)) {
-    block.missing("NGC-MOD-01"_clause, 'G');
+    block.alarm(
+        AlarmClass::missing_word, "NGC-MOD-01"_clause, 'G',
+        machine_.motion_ended != 0
+            ? fmt::format("No motion is in force for the axis words: G80 of line {} ended it.",
+                          machine_.motion_ended)
+            : std::string("No motion is in force for the axis words: none was given yet."));
   }
   if (!block.runs_motion) return;
   switch (machine_.motion) {
@@ -312,7 +321,7 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
   take_feed(words);
   take_spindle(block);
   take_tool(words);
-  take_modes(codes);
+  take_modes(codes, line);
   BlockContext context{
       {machine_, words, profile_, readings_, line, out}, machine_, words, codes, reading_.letters,
       runs_motion(machine_, words, codes, readings_)};

@@ -21,7 +21,7 @@ void take_m_function(const grammar::Word& word, std::uint64_t line, const Readin
   const NearWhole value(to_number(word.value));
   if (!value.counts_as_whole(Whole::m_function, readings)) {
     out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
-                          "The number of an M function is whole."});
+                          fmt::format("{} is no M function: its number is whole.", text_of(word))});
     return;
   }
   const std::optional<std::int64_t> number = value.nearest().to_int64();  // nothing: too large

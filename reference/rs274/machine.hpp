@@ -20,6 +20,7 @@ struct Machine : MotionState {
 
   WordModes modes;
   int motion = kNoMotion;  // as BlockCodes has it; kNoMotion also after G80
+  std::uint64_t motion_ended = 0;  // the line of that G80; 0: none was in force
   Number rotary_feed;      // F as written: degrees per minute where rotary axes move alone
   Retract retract = Retract::unsaid;
   int spindle = 5;  // M3, M4 or M5

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "reference/compared.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -31,7 +32,8 @@ std::optional<Number> whole_word(BlockContext& block, ClauseId clause, char addr
   const NearWhole value(block.words.written(address));
   if (value.counts_as_whole(Whole::repeats, block.readings)) return value.nearest();
   block.alarm(AlarmClass::not_an_integer, clause, address,
-              fmt::format("{} is a whole number here.", address));
+              with_values(fmt::format("{} is {{}} and not whole.", address),
+                          {block.words.written(address)}));
   return std::nullopt;
 }
 
@@ -60,8 +62,10 @@ std::optional<std::size_t> named_system(BlockContext& block, ClauseId clause) {
   const std::optional<Number> number = whole_word(block, clause, 'P');
   if (!number) return std::nullopt;
   if (number->sign() < 0 || *number > Number(static_cast<int>(kSystems.size()))) {
-    block.alarm(AlarmClass::value_out_of_range, clause, 'P',
-                "P names the coordinate system in force by 0, or one by 1 to 9.");
+    block.alarm(
+        AlarmClass::value_out_of_range, clause, 'P',
+        with_values("P names the coordinate system in force by 0, or one by 1 to 9; it is {}.",
+                    {*number}));
     return std::nullopt;
   }
   const auto place = static_cast<std::size_t>(number->to_int64().value());
@@ -111,7 +115,8 @@ void run_setting(BlockContext& block) {
     return block.not_covered(10, 'L',
                              "The gauge does not read the word L of G10 for the tool table.");
   }
-  block.alarm(AlarmClass::value_out_of_range, clause, 'L', "L of G10 is 0, 1, 2, 10, 11 or 20.");
+  block.alarm(AlarmClass::value_out_of_range, clause, 'L',
+              with_values("L of G10 is 0, 1, 2, 10, 11 or 20, and not {}.", {*number}));
 }
 
 // NGC-OFS-07: an axis that G92 does not name.
@@ -181,7 +186,8 @@ std::optional<Number> length_of_tool(BlockContext& block) {
     tool = whole_word(block, clause, 'H');
     if (!tool) return std::nullopt;
     if (tool->sign() < 0) {
-      block.alarm(AlarmClass::value_sign, clause, 'H', "The number of a tool is not below zero.");
+      block.alarm(AlarmClass::value_sign, clause, 'H',
+                  with_values("The number of the tool, {}, is below zero.", {*tool}));
       return std::nullopt;
     }
   }

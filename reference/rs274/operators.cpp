@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "reference/compared.hpp"
 #include "reference/exact/size.hpp"
 #include "reference/rs274/expression.hpp"
 #include "reference/rs274/whole.hpp"
@@ -66,7 +67,7 @@ bool Calculator::apply_power(const grammar::Term& term, Number& left, const Numb
   }
   if (*exponent < 0 && left.sign() == 0) {
     return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
-                "A negative power of zero.");
+                with_values("The power {} of zero is not defined.", {right}));
   }
   const std::size_t bits = exact::size_of(left).bits;
   const auto times = static_cast<std::size_t>(std::abs(*exponent));
@@ -97,7 +98,8 @@ bool Calculator::apply_two(const grammar::Term& term) {
       return true;
     case TermKind::divide:
       if (right.sign() == 0) {
-        return fail(AlarmClass::value_out_of_range, clause, term.where, "A division by zero.");
+        return fail(AlarmClass::value_out_of_range, clause, term.where,
+                    with_values("A division of {} by zero.", {left}));
       }
       left = left / right;
       return true;
@@ -174,7 +176,7 @@ bool Calculator::apply_one(const grammar::Term& term) {
     case TermKind::sqrt:
       if (top.sign() < 0) {
         return fail(AlarmClass::value_out_of_range, clause, term.where,
-                    "SQRT of a number below zero.");
+                    with_values("SQRT of {}, which is below zero.", {top}));
       }
       top = exact::sqrt(top);
       return true;
@@ -196,7 +198,7 @@ bool Calculator::apply_one(const grammar::Term& term) {
     case TermKind::asin:
       if (exact::abs(top) > Number(1)) {
         return fail(AlarmClass::value_out_of_range, clause, term.where,
-                    "No angle has this sine or cosine.");
+                    with_values("No angle has the sine or cosine {}.", {top}));
       }
       top = term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
                                         : signed_angle(other_leg(top), top);

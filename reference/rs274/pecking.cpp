@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/pecking.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 namespace gonogo::reference::rs274 {
@@ -19,7 +20,8 @@ PeckBlock::PeckBlock(BlockContext& block) : holes_(block, OwnWord::needs_q) {
   if (has_clearance_word(block) &&
       decided("NGC-G83-08"_clause, "D", block.words.written('D')) < 0) {
     block.alarm(AlarmClass::value_sign, "NGC-G83-08"_clause, 'D',
-                "The clearance above the last peck is below zero.");
+                with_values("The clearance above the last peck, {}, is below zero.",
+                            {block.words.written('D')}));
   }
   if (holes_.is_sound() && block.readings.is(ReadingKey::ngc_peck_dwell, "quarter")) {
     holes_.dwell_for(kQuarter);

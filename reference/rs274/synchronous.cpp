@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/synchronous.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ void check_lead(BlockContext& block) {
                 "K, the lead, is needed in every block.");
   } else if (decided("NGC-G33-05"_clause, "K", block.words.written('K')) <= 0 &&
              block.readings.is(ReadingKey::ngc_g33_k, "positive")) {
-    block.alarm(AlarmClass::value_sign, "NGC-G33-05"_clause, 'K', "The lead is not above zero.");
+    block.alarm(AlarmClass::value_sign, "NGC-G33-05"_clause, 'K',
+                with_values("The lead, {}, is not above zero.", {block.words.written('K')}));
   }
 }
 

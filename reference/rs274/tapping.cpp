@@ -28,8 +28,8 @@ void check_spindle(HoleBlock& holes, const Tap& tap) {
                         fmt::format("A {} tap needs a spindle that turns.", tap.hand));
   } else if (machine.spindle != tap.forward) {
     holes.alarm_at_hole(AlarmClass::direction_conflict, clause, 'M',
-                        fmt::format("A {} tap needs M{}, and the spindle turns the other way.",
-                                    tap.hand, tap.forward));
+                        fmt::format("A {} tap needs M{}, and M{} is in force.", tap.hand,
+                                    tap.forward, machine.spindle));
   }
 }
 

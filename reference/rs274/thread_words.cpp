@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/rs274/whole.hpp"
 
@@ -29,8 +30,10 @@ class Reader {
   void read_slide();
   // NGC-G76-03, as far as LinuxCNC looks: an alarm unless ngc.g76.checks = linuxcnc.
   bool forgives() const { return block_.readings.is(ReadingKey::ngc_g76_checks, "linuxcnc"); }
-  void refuse(AlarmClass alarm, char address, std::string_view what) {
-    block_.alarm(alarm, "NGC-G76-03"_clause, address, std::string(what));
+  // `what` has places for the values.
+  void refuse(AlarmClass alarm, char address, std::string_view what,
+              std::initializer_list<Number> values) {
+    block_.alarm(alarm, "NGC-G76-03"_clause, address, with_values(what, values));
   }
   int decides(std::string_view what, const Number& value) const {
     return decided("NGC-G76-03"_clause, what, value);
@@ -80,20 +83,25 @@ void Reader::read_depths() {
   read_.first_depth = length('J');
   read_.full_depth = length('K');
   if (words_.has('P') && decides("P", read_.lead) <= 0 && !forgives()) {
-    refuse(AlarmClass::value_sign, 'P', "The lead is not above zero.");
+    refuse(AlarmClass::value_sign, 'P', "The lead, {} mm, is not above zero.", {read_.lead});
   }
   if (words_.has('I') && decides("I", read_.peak) == 0) {
-    refuse(AlarmClass::value_out_of_range, 'I', "I says outside or inside by its sign.");
+    refuse(AlarmClass::value_out_of_range, 'I', "I is {}, and says outside or inside by its sign.",
+           {read_.peak});
   }
   if (words_.has('J') && decides("J", read_.first_depth) <= 0) {
-    refuse(AlarmClass::value_sign, 'J', "The depth of the first pass is not above zero.");
+    refuse(AlarmClass::value_sign, 'J', "The depth of the first pass, {} mm, is not above zero.",
+           {read_.first_depth});
   }
   if (!words_.has('K')) return;
   if (decides("K", read_.full_depth) < 0 && !forgives()) {
-    refuse(AlarmClass::value_sign, 'K', "The depth of the thread is below zero.");
+    refuse(AlarmClass::value_sign, 'K', "The depth of the thread, {} mm, is below zero.",
+           {read_.full_depth});
   }
   if (words_.has('J') && decides("K - J", read_.full_depth - read_.first_depth) <= 0) {
-    refuse(AlarmClass::value_out_of_range, 'K', "The thread is not deeper than its first pass.");
+    refuse(AlarmClass::value_out_of_range, 'K',
+           "The thread is {} mm deep, not deeper than its first pass of {} mm.",
+           {read_.full_depth, read_.first_depth});
   }
 }
 
@@ -103,7 +111,8 @@ std::optional<Number> Reader::whole(char address) {
   if (!words_.has(address)) return 0;
   const NearWhole value(words_.written(address));
   if (value.counts_as_whole(Whole::repeats, block_.readings)) return value.nearest();
-  refuse(AlarmClass::not_an_integer, address, fmt::format("{} is a whole number.", address));
+  refuse(AlarmClass::not_an_integer, address, fmt::format("{} is {{}} and not whole.", address),
+         {words_.written(address)});
   return std::nullopt;
 }
 
@@ -113,20 +122,24 @@ void Reader::read_spring_passes() {
   read_.spring_passes = *count;
   if (decides("H", *count) >= 0) return;
   if (*count == -1 && forgives()) return;
-  refuse(AlarmClass::value_sign, 'H', "The number of spring passes is below zero.");
+  refuse(AlarmClass::value_sign, 'H', "The number of spring passes, {}, is below zero.", {*count});
 }
 
 void Reader::read_taper() {
   read_.taper = length('E');
   if (decides("E", read_.taper) < 0) {
-    if (!forgives()) refuse(AlarmClass::value_sign, 'E', "The length of the taper is below zero.");
+    if (!forgives())
+      refuse(AlarmClass::value_sign, 'E', "The length of the taper, {} mm, is below zero.",
+             {read_.taper});
     read_.taper = 0;
   }
   read_taper_ends();
   if (read_.enters_by_taper()) read_entry();
   const bool tapers = read_.taper_at_start || read_.taper_at_end;
   if (tapers && decides("2 E - abs(travel)", read_.taper * 2 - abs(travel())) > 0 && !forgives()) {
-    refuse(AlarmClass::value_out_of_range, 'E', "The taper is longer than half of the thread.");
+    refuse(AlarmClass::value_out_of_range, 'E',
+           "The taper of {} mm is longer than half of the thread of {} mm.",
+           {read_.taper, abs(travel())});
   }
 }
 
@@ -137,8 +150,9 @@ void Reader::read_taper_ends() {
   const bool is_above = decides("L - 3", *ends - 3) > 0;
   const bool is_below = decides("L", *ends) < 0;
   if (is_below || (is_above && !forgives())) {
-    refuse(AlarmClass::value_out_of_range, 'L', "L is 0, 1, 2 or 3.");
-    if (is_below) refuse(AlarmClass::value_sign, 'L', "L is below zero.");  // either is true
+    refuse(AlarmClass::value_out_of_range, 'L', "L is {}, and not 0, 1, 2 or 3.", {*ends});
+    if (is_below)
+      refuse(AlarmClass::value_sign, 'L', "L, {}, is below zero.", {*ends});  // either is true
     return;
   }
   if (is_above) *ends -= (*ends / 4).floor() * 4;
@@ -162,7 +176,8 @@ void Reader::read_degression() {
   if (!words_.has('R')) return;
   Number degression = words_.written('R');
   if (decides("R - 1", degression - 1) < 0) {
-    if (!forgives()) refuse(AlarmClass::value_out_of_range, 'R', "The degression is below 1.");
+    if (!forgives())
+      refuse(AlarmClass::value_out_of_range, 'R', "The degression, {}, is below 1.", {degression});
     degression = 1;
   }
   // In lowest terms: a decimal has few of them.

@@ -3,6 +3,7 @@
 // G2 and G3: the plane of an arc, its form, and the turns of a helix.
 #include "reference/sinumerik/arc.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 #include <fmt/format.h>
@@ -39,13 +40,14 @@ std::optional<int> more_turns(BlockContext& block) {
   const ClauseId clause = "SIE-ARC-13"_clause;
   if (turns != turns.floor()) {
     block.alarm(AlarmClass::not_an_integer, clause, WordName("TURN"),
-                "The number of turns is not whole.");
+                with_values("The number of turns, {}, is not whole.", {turns}));
     return std::nullopt;
   }
   if (decided(clause, "TURN", turns) < 0 ||
       decided(clause, "TURN - 999", turns, Number(kMostTurns)) > 0) {
-    block.alarm(AlarmClass::value_out_of_range, clause, WordName("TURN"),
-                "The number of turns is from 0 to 999.");
+    block.alarm(
+        AlarmClass::value_out_of_range, clause, WordName("TURN"),
+        with_values("The number of turns is from 0 to {}, and not {}.", {kMostTurns, turns}));
     return std::nullopt;
   }
   return static_cast<int>(*turns.to_int64());
@@ -68,8 +70,9 @@ bool check_angle(BlockContext& block) {
   const Number& angle = block.words.written(Address::ar);
   const ClauseId clause = "SIE-ARC-05"_clause;
   if (decided(clause, "AR", angle) > 0 && decided(clause, "AR - 360", angle, 360) < 0) return true;
-  block.alarm(AlarmClass::value_out_of_range, clause, WordName("AR"),
-              "The angle of an arc is above 0 and below 360 degrees.");
+  block.alarm(
+      AlarmClass::value_out_of_range, clause, WordName("AR"),
+      with_values("The angle of an arc is above 0 and below 360 degrees, and not {}.", {angle}));
   return false;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The centre of an arc whose end misses its circle: how far it may, and what is done about it.
+#include "reference/compared.hpp"
 #include "reference/exact/radians.hpp"
 #include "reference/sinumerik/arc.hpp"
 
@@ -16,18 +17,19 @@ Number fine_2(const Number& mm_2) {
 }
 
 // SIE-ARC-07: the larger of the two limits decides, so either will do.
-bool radii_agree(const BlockContext& block, const OffsetCentre& radii) {
+bool check_radii(BlockContext& block, const OffsetCentre& radii, const PlaneAxes& axes,
+                 WordName word) {
   const Number most =
       block.profile.parameter("CIRCLE_ERROR_CONST").value_or(Number::millionths(10'000));
   const Number part = block.profile.parameter("CIRCLE_ERROR_FACTOR").value_or(kPerMille);
-  return radii.radii_agree_squared(most * most) || radii.radii_agree_in_part_of_start(part);
-}
-
-// SIE-ARC-07, with its alarm.
-bool check_radii(BlockContext& block, const OffsetCentre& radii, WordName word) {
-  if (radii_agree(block, radii)) return true;
-  block.alarm(AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
-              "The radii at start and end differ by more than the tolerance.");
+  if (radii.radii_agree_squared(most * most) || radii.radii_agree_in_part_of_start(part)) {
+    return true;
+  }
+  block.alarm(
+      AlarmClass::arc_end_point, "SIE-ARC-07"_clause, word,
+      radii_apart(radii, axes, false) +
+          with_values(" The larger of {} mm and {} times the radius at the start is allowed.",
+                      {most, part}));
   return false;
 }
 
@@ -80,6 +82,27 @@ PlanePoint projected(const ArcEnds& ends, const PlanePoint& programmed) {
   return {ends.dp * kHalf - ends.dq * off, ends.dq * kHalf + ends.dp * off};
 }
 
+// Radians, where the centres are apart.
+Number angle_between(const PlanePoint& programmed, const PlanePoint& found) {
+  return exact::radians(
+      exact::angle_degrees(dot(programmed, found), exact::abs(cross(programmed, found))));
+}
+
+// An enclosure might not be told from no angle at all, and a message decides nothing.
+std::string too_far_text(const PlanePoint& programmed, const PlanePoint& found) {
+  const bool is_enclosed = cross(programmed, found).form() == Number::Form::enclosure;
+  const Number limit = exact::sqrt(kPerMille);
+  return is_enclosed
+             ? with_values(
+                   "The corrected centre is seen from the start more than {} radians beside the "
+                   "programmed one.",
+                   {limit})
+             : with_values(
+                   "The corrected centre is seen from the start {} radians beside the programmed "
+                   "one, and {} are allowed.",
+                   {angle_between(programmed, found), limit});
+}
+
 // Whether the angle at the start between the two centres is at most the root of 0.001 radians. Its
 // tangent is algebraic and that of the root is not: they are never equal, and enough digits decide.
 bool is_near(const PlanePoint& programmed, const PlanePoint& found) {
@@ -88,8 +111,7 @@ bool is_near(const PlanePoint& programmed, const PlanePoint& found) {
   const Number across = cross(programmed, found);
   // The tangent is above the angle.
   if (across * across <= along * along * kPerMille) return true;
-  const Number angle = exact::radians(exact::angle_degrees(along, exact::abs(across)));
-  return angle <= exact::sqrt(kPerMille);
+  return angle_between(programmed, found) <= exact::sqrt(kPerMille);
 }
 
 }  // namespace
@@ -111,7 +133,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   if (radii.begins_at_centre()) {
     block.alarm(AlarmClass::arc_radius, kCorrected, word, "The centre is the start.");
     // No text says which of the two is looked at first.
-    if (!arc.closed()) check_radii(block, radii, word);
+    if (!arc.closed()) check_radii(block, radii, arc.axes, word);
     return std::nullopt;
   }
   FoundArc found{centre.at, centre.offset, std::nullopt, false};
@@ -122,7 +144,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
     if (arc.end.mark) found.mark = arc.end.mark;
     return found;
   }
-  if (!check_radii(block, radii, word)) return std::nullopt;
+  if (!check_radii(block, radii, arc.axes, word)) return std::nullopt;
   found.is_corrected = true;
   const ReadingsInUse& readings = block.readings;
   if (readings.is(ReadingKey::sie_arc_correct, "programmed")) return found;
@@ -133,7 +155,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   found.centre = {start[0] + found.offset[0], start[1] + found.offset[1]};
   if (!is_near(centre.offset, found.offset)) {
     block.alarm(AlarmClass::arc_end_point, kCorrected, word,
-                "The centre would move too far, seen from the start.");
+                too_far_text(centre.offset, found.offset));
     return std::nullopt;
   }
   return found;

@@ -56,8 +56,7 @@ std::optional<FoundArc> arc_by_radius(BlockContext& block, const ArcCommand& arc
   std::optional<PlanePoint> offset = centre_from_radius(ends, radius, arc.sense);
   if (!offset && is_forgiven(block, ends, radius)) offset = ends.middle();
   if (!offset) {
-    block.alarm(AlarmClass::arc_radius, "SIE-ARC-11"_clause, word,
-                "Twice the radius is less than the chord.");
+    block.alarm(AlarmClass::arc_radius, "SIE-ARC-11"_clause, word, radius_too_small(ends, radius));
     return std::nullopt;
   }
   return from_start(block, arc, *offset);

@@ -3,6 +3,7 @@
 // G0, G1 and G4, and how motions are put out.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/sinumerik/machine.hpp"
 
@@ -177,7 +178,7 @@ void run_dwell(BlockContext& block) {
     if (words.has(address) &&
         decided(kUnsaidDwell, address == Address::f ? "F" : "S", words.written(address)) < 0) {
       block.alarm(AlarmClass::value_sign, kUnsaidDwell, name_of(address),
-                  "A dwell cannot be negative.");
+                  with_values("The dwell {} is negative.", {words.written(address)}));
     }
   }
   if (has_both) return;

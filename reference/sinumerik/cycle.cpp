@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/sinumerik/cycle.hpp"
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 
 #include <fmt/format.h>
@@ -46,18 +47,35 @@ void check_planes(const CycleCall& call) {
         decided("SIE-LC82-04"_clause, "R101 - R103", call.retract(), call.parameter(103)) >= 0;
     call.parameter_alarm(
         AlarmClass::reference_plane, is_above_reference ? "SIE-LC82-04"_clause : clause, 101,
-        fmt::format("The retract plane R101 = {} lies below the clearance {} above the "
-                    "reference plane.",
-                    call.retract().text(), call.clearance().text()));
+        with_values("The retract plane R101 = {} lies below the clearance R103 + R102 = {}.",
+                    {call.retract(), call.clearance()}));
   }
   if (decided("SIE-LC82-04"_clause, "R102", call.parameter(102)) < 0) {
-    call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
-                         "The safety clearance R102 is below zero.");
+    call.parameter_alarm(
+        AlarmClass::value_sign, "SIE-LC82-04"_clause, 102,
+        with_values("The safety clearance R102 = {} is below zero.", {call.parameter(102)}));
   }
   if (decided(clause, "R104 - R103", call.parameter(104), call.parameter(103)) >= 0) {
-    call.parameter_alarm(AlarmClass::reference_plane, clause, 104,
-                         "The depth R104 is not below the reference plane R103.");
+    call.parameter_alarm(
+        AlarmClass::reference_plane, clause, 104,
+        with_values("The depth R104 = {} is not below the reference plane R103 = {}.",
+                    {call.parameter(104), call.parameter(103)}));
   }
+}
+
+void name_planes(const CycleCall& call) {
+  BlockOutput& out = call.block.out;
+  if (!out.notes_places) return;
+  const Machine& machine = call.block.machine;
+  const Axis d = call.block.plane_axes().d;
+  const auto base = [&](const Number& level) {
+    Position at = machine.position;
+    at[d] = level;
+    return machine.frame.to_base(at)[d];
+  };
+  out.name_plane("R101", d, base(call.retract()));
+  out.name_plane("R103 + R102", d, base(call.clearance()));
+  out.name_plane("R104", d, base(call.parameter(104)));
 }
 
 void put_cycle_motion(const CycleCall& call, RecordKind kind, ClauseId clause,

@@ -34,6 +34,8 @@ void order_by_parameter(std::vector<Alarm>& alarms);
 // SIE-LC82-02: the planes lie in order.
 void check_planes(const CycleCall& call);
 // A motion of the cycle, without the words of the block. The feed is of this motion.
+// The planes that the parameters give, in base coordinates.
+void name_planes(const CycleCall& call);
 void put_cycle_motion(const CycleCall& call, RecordKind kind, ClauseId clause,
                       std::initializer_list<AxisValue> to, const Number& feed = 0);
 // SIE-CT-02: a cycle ends with a traverse along the depth axis.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/exact/size.hpp"
 #include "reference/words.hpp"
 
@@ -35,7 +36,9 @@ bool is_kept(const Number& value, const grammar::Term& term, NoValue& problem) {
 bool Calculator::push_parameter(const grammar::Term& term, NoValue& problem) {
   const grammar::Decimal& number = term.number;
   if (number.scale != 0 || !number.long_digits.empty() || number.magnitude >= count_) {
-    return fail(problem, term, fmt::format("The R parameters are R0 to R{}.", count_ - 1));
+    return fail(problem, term,
+                fmt::format("The R parameters are R0 to R{}, and this is number {}.", count_ - 1,
+                            to_number(number).text()));
   }
   stack_.push_back(parameter(number.magnitude));
   return true;
@@ -51,7 +54,8 @@ bool Calculator::apply_function(const grammar::Term& term, NoValue& problem) {
       top = exact::abs(top);
       return true;
     case TermKind::sqrt:
-      if (top.sign() < 0) return fail(problem, term, "SQRT of a number below zero.");
+      if (top.sign() < 0)
+        return fail(problem, term, with_values("SQRT of {}, which is below zero.", {top}));
       top = exact::sqrt(top);
       return true;
     case TermKind::sin:
@@ -62,7 +66,8 @@ bool Calculator::apply_function(const grammar::Term& term, NoValue& problem) {
       return true;
     default: {
       const auto [cosine, sine] = exact::cos_sin_degrees(top);
-      if (cosine.sign() == 0) return fail(problem, term, "TAN of a right angle.");
+      if (cosine.sign() == 0)
+        return fail(problem, term, with_values("TAN of {} degrees, a right angle.", {top}));
       top = sine / cosine;
       return true;
     }
@@ -94,7 +99,8 @@ bool Calculator::apply(const grammar::Term& term, NoValue& problem) {
   } else if (term.kind == TermKind::multiply) {
     left = left * right;
   } else {
-    if (right.sign() == 0) return fail(problem, term, "A division by zero.");
+    if (right.sign() == 0)
+      return fail(problem, term, with_values("A division of {} by zero.", {left}));
     left = left / right;
   }
   return is_kept(left, term, problem);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/compared.hpp"
 #include "reference/range.hpp"
 #include "reference/sinumerik/cycle.hpp"
 #include "reference/sinumerik/machine.hpp"
@@ -133,13 +134,15 @@ void Interpreter::take_m(std::uint64_t line, const grammar::NamedWord& word, con
                          BlockOutput& out) {
   const ClauseId clause = "SIE-MOD-02"_clause;
   if (value != value.floor()) {
-    out.alarms.push_back({AlarmClass::not_an_integer, clause, 'M', word.where,
-                          "The number of an M function is whole."});
+    out.alarms.push_back(
+        {AlarmClass::not_an_integer, clause, 'M', word.where,
+         with_values("The number of an M function is whole, and not {}.", {value})});
     return;
   }
   if (value.sign() < 0 || value > Number(kLargestM)) {
-    out.alarms.push_back({AlarmClass::value_out_of_range, clause, 'M', word.where,
-                          "An M function is from 0 to 2147483647."});
+    out.alarms.push_back(
+        {AlarmClass::value_out_of_range, clause, 'M', word.where,
+         with_values("An M function is from 0 to {}, and not {}.", {kLargestM, value})});
     return;
   }
   if (machine_.control == Control::sinumerik802s && value > Number(kLastM802s)) {
@@ -194,7 +197,9 @@ bool Interpreter::take_values(std::uint64_t line, BlockWords& words, BlockOutput
     std::optional<Number> value = calculator_.value(block, word, problem);
     if (value && address == Address::r && *word.index >= calculator_.count()) {
       problem = {word.where,
-                 fmt::format("The R parameters are R0 to R{}.", calculator_.count() - 1), false};
+                 fmt::format("The R parameters are R0 to R{}, and this is number {}.",
+                             calculator_.count() - 1, *word.index),
+                 false};
       // The 802S's are printed; those of the 840D a machine data says.
       if (machine_.control == Control::sinumerik840d) clause = "SIE-PAR-02"_clause;
       value.reset();
@@ -242,7 +247,9 @@ void Interpreter::take_modes(BlockContext& block) {
       if (!words.has(address)) continue;
       if (words.written(address).sign() < 0) {
         block.alarm(AlarmClass::value_sign, address == Address::s ? "SIE-COM-03"_clause : kCommon,
-                    name_of(address), fmt::format("{} is below zero.", name_of(address).text()));
+                    name_of(address),
+                    with_values(fmt::format("{} is {{}}, below zero.", name_of(address).text()),
+                                {words.written(address)}));
       }
       (address == Address::f ? machine_.feed : machine_.speed) = words.written(address);
       if (address == Address::s) machine_.speed_given = false;

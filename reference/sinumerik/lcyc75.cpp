@@ -78,6 +78,7 @@ void run_lcyc75(const CycleCall& call) {
   pocket.depth_feed = call.parameter(122);
   pocket.plane_feed = call.parameter(123);
   pocket.feed_mode = block.machine.feed_mode;
+  name_planes(call);
   // SIE-LC75-13: the approach is one traverse, then one down to the clearance.
   const PlaneAxes axes = block.plane_axes();
   put_cycle_motion(

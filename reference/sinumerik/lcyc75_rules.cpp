@@ -3,6 +3,7 @@
 // SIE-LC75-03, SIE-LC75-08, SIE-LC75-09: what LCYC75 needs, in the order of its parameters.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/sinumerik/lcyc75.hpp"
 
@@ -22,6 +23,11 @@ bool finishes(const CycleCall& call) {
 // SIE-LC75-03: T0 and D0 are no tool.
 bool has_tool(const CycleCall& call) {
   return call.block.machine.tool && call.block.machine.edge.sign() != 0;
+}
+
+// As with_values takes it.
+Number number_of(std::uint64_t parameter) {
+  return static_cast<std::int64_t>(parameter);
 }
 
 // The radius of the tool in force; nothing where the profile does not say it.
@@ -65,27 +71,32 @@ int sign_of(const CycleCall& call, ClauseId clause, std::uint64_t number) {
 
 void need_not_negative(const CycleCall& call, std::uint64_t number) {
   if (sign_of(call, kUnsaid, number) >= 0) return;
-  call.parameter_alarm(AlarmClass::value_sign, kUnsaid, number,
-                       fmt::format("R{} is below zero.", number));
+  call.parameter_alarm(
+      AlarmClass::value_sign, kUnsaid, number,
+      with_values("R{} = {} is below zero.", {number_of(number), call.parameter(number)}));
 }
 
 void check_sizes(const CycleCall& call) {
   for (const std::uint64_t number : {118U, 119U}) {
     if (sign_of(call, kRanges, number) > 0) continue;
-    call.parameter_alarm(AlarmClass::pocket_size, kRanges, number,
-                         fmt::format("R{} is not above zero.", number));
+    call.parameter_alarm(
+        AlarmClass::pocket_size, kRanges, number,
+        with_values("R{} = {} is not above zero.", {number_of(number), call.parameter(number)}));
   }
   need_not_negative(call, 120);
   const Number widest = min(call.parameter(118), call.parameter(119)) / 2;
   if (widest.sign() > 0 &&
       decided(kRanges, "R120 - half the pocket", call.parameter(120), widest) > 0 &&
       call.block.readings.is(ReadingKey::sie_corner, "reject")) {
-    call.parameter_alarm(AlarmClass::pocket_size, kRanges, 120,
-                         "The corner radius R120 is larger than half the pocket.");
+    call.parameter_alarm(
+        AlarmClass::pocket_size, kRanges, 120,
+        with_values("The corner radius R120 = {} is larger than half the pocket, {}.",
+                    {call.parameter(120), widest}));
   }
   if (sign_of(call, kUnsaid, 121) <= 0) {
-    call.parameter_alarm(AlarmClass::value_sign, kUnsaid, 121,
-                         "The infeed R121 is not above zero.");
+    call.parameter_alarm(
+        AlarmClass::value_sign, kUnsaid, 121,
+        with_values("The infeed R121 = {} is not above zero.", {call.parameter(121)}));
   }
 }
 
@@ -93,27 +104,34 @@ void check_feeds(const CycleCall& call) {
   for (const std::uint64_t number : {122U, 123U}) {
     if (sign_of(call, kRanges, number) > 0) continue;
     call.parameter_alarm(AlarmClass::feed_missing, kRanges, number,
-                         fmt::format("The feed R{} is not above zero.", number));
+                         with_values("The feed R{} = {} is not above zero.",
+                                     {number_of(number), call.parameter(number)}));
   }
 }
 
 void check_allowances(const CycleCall& call, const std::optional<Number>& radius) {
   need_not_negative(call, 124);
   if (radius && decided(kRanges, "R124 - tool", call.parameter(124), *radius * 2) >= 0) {
-    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 124,
-                         "The allowance R124 is not smaller than the tool.");
+    call.parameter_alarm(
+        AlarmClass::allowance_too_large, kRanges, 124,
+        with_values("The allowance R124 = {} is not smaller than the tool's diameter {}.",
+                    {call.parameter(124), *radius * 2}));
   }
   need_not_negative(call, 125);
   if (radius && decided(kRanges, "R125 - tool", call.parameter(125), *radius * 2) >= 0 &&
       call.block.readings.is(ReadingKey::sie_lc75_r125_limit, "alarm")) {
-    call.parameter_alarm(AlarmClass::allowance_too_large, kRanges, 125,
-                         "The allowance R125 is not smaller than the tool.");
+    call.parameter_alarm(
+        AlarmClass::allowance_too_large, kRanges, 125,
+        with_values("The allowance R125 = {} is not smaller than the tool's diameter {}.",
+                    {call.parameter(125), *radius * 2}));
   }
   const Number depth = call.parameter(103) - call.parameter(104);
   if (roughs(call) && depth.sign() > 0 &&
       decided(kUnsaid, "R125 - depth", call.parameter(125), depth) >= 0) {
-    call.parameter_alarm(AlarmClass::allowance_too_large, kUnsaid, 125,
-                         "The allowance R125 leaves nothing to be roughed.");
+    call.parameter_alarm(
+        AlarmClass::allowance_too_large, kUnsaid, 125,
+        with_values("The allowance R125 = {} leaves nothing of the depth {} to be roughed.",
+                    {call.parameter(125), depth}));
   }
 }
 
@@ -125,8 +143,10 @@ void check_fit(const CycleCall& call, const std::optional<Number>& radius) {
     const Number size = call.parameter(number);
     if (size.sign() <= 0) continue;
     if (decided("SIE-LC75-08"_clause, "tool - pocket", needs * 2, size) <= 0) continue;
-    call.parameter_alarm(AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
-                         fmt::format("The tool does not fit into R{}.", number));
+    call.parameter_alarm(
+        AlarmClass::tool_too_large, "SIE-LC75-08"_clause, number,
+        with_values("The tool, with the allowance {} wide, does not fit into R{} = {}.",
+                    {needs * 2, number_of(number), size}));
   }
 }
 
@@ -141,10 +161,12 @@ std::optional<Number> check_pocket(const CycleCall& call) {
   check_allowances(call, radius);
   const Number direction = call.parameter(126);
   if (direction != Number(2) && direction != Number(3)) {
-    call.parameter_alarm(AlarmClass::direction_parameter, kRanges, 126, "R126 is neither 2 nor 3.");
+    call.parameter_alarm(AlarmClass::direction_parameter, kRanges, 126,
+                         with_values("R126 = {} is neither 2 nor 3.", {direction}));
   }
   if (!roughs(call) && !finishes(call)) {
-    call.parameter_alarm(AlarmClass::machining_type, kRanges, 127, "R127 is neither 1 nor 2.");
+    call.parameter_alarm(AlarmClass::machining_type, kRanges, 127,
+                         with_values("R127 = {} is neither 1 nor 2.", {call.parameter(127)}));
   }
   check_tool(call);
   if (has_tool(call) && !radius) lack_tool(call);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // LCYC82: drilling and counterboring with a dwell, where the tool stands.
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/sinumerik/cycle.hpp"
 
@@ -14,13 +15,14 @@ void run_lcyc82(const CycleCall& call) {
   const Number dwell = call.parameter(105);
   if (decided("SIE-LC82-04"_clause, "R105", dwell) < 0) {
     call.parameter_alarm(AlarmClass::value_sign, "SIE-LC82-04"_clause, 105,
-                         "The dwell R105 is below zero.");
+                         with_values("The dwell R105, {} s, is below zero.", {dwell}));
   }
   if (decided("SIE-LC82-03"_clause, "F", block.machine.feed) == 0) {
     call.alarm(AlarmClass::feed_missing, "SIE-LC82-03"_clause, 'F', "No feed is in force.");
   }
   need_spindle(block);
   if (!block.out.alarms.empty()) return;
+  name_planes(call);
   const Axis d = block.plane_axes().d;
   put_cycle_motion(call, RecordKind::rapid, clause, {{d, call.clearance()}});
   put_cycle_motion(call, RecordKind::feed, clause, {{d, call.parameter(104)}}, linear_feed(block));

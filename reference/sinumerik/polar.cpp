@@ -3,6 +3,7 @@
 // End points, Cartesian and polar, and the pole.
 #include <fmt/format.h>
 
+#include "reference/compared.hpp"
 #include "reference/predicate.hpp"
 #include "reference/sinumerik/machine.hpp"
 
@@ -30,13 +31,14 @@ bool check_ranges(BlockContext& block) {
   bool kept = true;
   if (words.has(Address::rp) && decided(kRules, "RP", words.written(Address::rp)) < 0) {
     block.alarm(AlarmClass::value_sign, kRules, WordName("RP"),
-                "A polar radius is not below zero.");
+                with_values("The polar radius {} is below zero.", {words.written(Address::rp)}));
     kept = false;
   }
   if (words.has(Address::ap) &&
       decided(kRules, "abs(AP) - 360", exact::abs(words.written(Address::ap)), 360) > 0) {
     block.alarm(AlarmClass::value_out_of_range, kRules, WordName("AP"),
-                "A polar angle is from -360 to 360 degrees.");
+                with_values("A polar angle is from -360 to 360 degrees, and not {}.",
+                            {words.written(Address::ap)}));
     kept = false;
   }
   return kept;

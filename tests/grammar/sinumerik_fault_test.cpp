@@ -45,6 +45,16 @@ TEST(SinumerikFault, AnAddressWithoutANumber) {
                                             {"X N10", kNumber, 2, 3}});
 }
 
+// What other languages begin a comment with.
+TEST(SinumerikFault, ACommentBeginsWithASemicolon) {
+  constexpr const char* kWord = "a word, ';' with a comment behind it, or the end of the block";
+  expect_faults(kWord, {{"X5 // down", kCharacter, 3, 4},
+                        {"X=5 // down", kCharacter, 4, 5},
+                        {"// down", kCharacter, 1, 2},
+                        {"X5 (down)", kCharacter, 3, 4},
+                        {"X5 \xE2\x80\xA6", kCharacter, 3, 6}});
+}
+
 TEST(SinumerikFault, OneLetterIsNoLabel) {
   expect_faults("a number or '=' after A", {{"A: X1", kNumber, 1, 2}});
 }
@@ -52,7 +62,8 @@ TEST(SinumerikFault, OneLetterIsNoLabel) {
 TEST(SinumerikFault, GAndLTakeNoEqualsSign) {
   expect_faults("a number after G", {{"G=1", kNumber, 1, 2}, {"G X1", kNumber, 2, 3}});
   expect_faults("a number after l", {{"X1 l=1", kNumber, 4, 5}});
-  expect_faults("a word, a comment or the end of the block", {{"G1=5", kCharacter, 2, 3}});
+  expect_faults("a word, ';' with a comment behind it, or the end of the block",
+                {{"G1=5", kCharacter, 2, 3}});
 }
 
 TEST(SinumerikFault, BlockNumbersAreWhole) {
@@ -121,10 +132,11 @@ TEST(SinumerikFault, BracketsThatAreNotClosedOrNotOpened) {
                         {"MSG(\"a\";)", kCharacter, 7, 8}});
   expect_faults("'(' after SIN", {{"X=SIN 30", kCharacter, 6, 7}, {"X=1+SIN", kCharacter, 7, 7}});
   expect_faults("'(' after ac", {{"X=ac", kCharacter, 4, 4}, {"X=ac +5", kCharacter, 5, 6}});
-  expect_faults("a word, a comment or the end of the block", {{"X=5)", kCharacter, 3, 4},
-                                                              {"X5 (c)", kCharacter, 3, 4},
-                                                              {"(c)", kCharacter, 0, 1},
-                                                              {"MSG())", kCharacter, 5, 6}});
+  expect_faults("a word, ';' with a comment behind it, or the end of the block",
+                {{"X=5)", kCharacter, 3, 4},
+                 {"X5 (c)", kCharacter, 3, 4},
+                 {"(c)", kCharacter, 0, 1},
+                 {"MSG())", kCharacter, 5, 6}});
 }
 
 TEST(SinumerikFault, AStringThatIsNotClosed) {
@@ -147,29 +159,31 @@ TEST(SinumerikFault, AcAndIcWhereTheyAreNotTheWholeValueOfAPosition) {
                            {"X=-AC(5)", kCharacter, 3, 4},
                            {"X=(IC(5))", kCharacter, 3, 4},
                            {"X=AC(IC(5))", kCharacter, 5, 6}});
-  expect_faults("a word, a comment or the end of the block", {{"X=AC(5)+1", kCharacter, 7, 8}});
+  expect_faults("a word, ';' with a comment behind it, or the end of the block",
+                {{"X=AC(5)+1", kCharacter, 7, 8}});
 }
 
 TEST(SinumerikFault, WhatMayNotStandBetweenWords) {
-  expect_faults("a word, a comment or the end of the block", {{"5", kCharacter, 0, 1},
-                                                              {"X5 6", kCharacter, 3, 4},
-                                                              {"X1.2.3", kCharacter, 4, 5},
-                                                              {"X5+3", kCharacter, 2, 3},
-                                                              {"X5,Y3", kCharacter, 2, 3},
-                                                              {"=5", kCharacter, 0, 1},
-                                                              {"G1 \"a\"", kCharacter, 3, 4},
-                                                              {"G1 %", kCharacter, 3, 4},
-                                                              {"N10 /G1", kCharacter, 4, 5},
-                                                              {"/12 G1", kCharacter, 2, 3},
-                                                              {"//G1", kCharacter, 1, 2},
-                                                              {"N10.5", kCharacter, 3, 4},
-                                                              {"AB: CD:", kCharacter, 6, 7},
-                                                              {"X1 ?", kCharacter, 3, 4},
-                                                              {"X1\x01", kCharacter, 2, 3}});
+  expect_faults("a word, ';' with a comment behind it, or the end of the block",
+                {{"5", kCharacter, 0, 1},
+                 {"X5 6", kCharacter, 3, 4},
+                 {"X1.2.3", kCharacter, 4, 5},
+                 {"X5+3", kCharacter, 2, 3},
+                 {"X5,Y3", kCharacter, 2, 3},
+                 {"=5", kCharacter, 0, 1},
+                 {"G1 \"a\"", kCharacter, 3, 4},
+                 {"G1 %", kCharacter, 3, 4},
+                 {"N10 /G1", kCharacter, 4, 5},
+                 {"/12 G1", kCharacter, 2, 3},
+                 {"//G1", kCharacter, 1, 2},
+                 {"N10.5", kCharacter, 3, 4},
+                 {"AB: CD:", kCharacter, 6, 7},
+                 {"X1 ?", kCharacter, 3, 4},
+                 {"X1\x01", kCharacter, 2, 3}});
 }
 
 TEST(SinumerikFault, BytesAbove127OutsideCommentsAndStrings) {
-  expect_faults("a word, a comment or the end of the block",
+  expect_faults("a word, ';' with a comment behind it, or the end of the block",
                 {
                     {"X5\xC3\xBC", kCharacter, 2, 4},      // ü
                     {"X5 \xFC", kCharacter, 3, 4},         // ü in Latin-1
