@@ -86,6 +86,8 @@ void add_paths(Json& detail, const Json& line, const std::string& program,
   sheet.departing = &subject.path;
   sheet.witness = departure(line, reference.path, subject.path, wanted);
   if (wanted) sheet.expected = reference.path.motions[*wanted].points.back();
+  sheet.expected_motion = wanted;
+  sheet.departing_motion = departing_motion(line);
   sheet.block = count_of(line, "b").value_or(0);
   sheet.limits = limits_of_program(machine, program);
   detail["svg"] = svg_sheet(sheet);

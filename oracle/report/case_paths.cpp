@@ -75,6 +75,9 @@ DrawnPath reference_path(const reference::Profile& profile, std::string_view pro
     grammar::MemorySource bytes(program);
     grammar::LineSource lines(bytes);
     reference::Expander expander(profile, lines, reference::OpenPaths::shown);
+    expander.on_places([&](std::uint64_t block, const reference::CyclePlaces& places) {
+      sampler.add_names(block, places);
+    });
     const AddItem add{sampler, drawn.note};
     while (const reference::Item* item = expander.next()) {
       if (!std::visit(add, *item)) break;

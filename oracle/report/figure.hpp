@@ -19,6 +19,8 @@ struct PocketFloor {
   reference::Plane plane = reference::Plane::g17;
   double depth = 0;  // coordinate of the depth axis, mm
   double tool_radius = 0;
+  // Where its levels are free: the coordinate that they begin at, `depth` being that of the floor.
+  std::optional<double> top = std::nullopt;
 };
 
 // A line that is no motion: the border of what may be cut, or how far the tool's centre may go.

@@ -118,7 +118,8 @@ struct Draw {
         oracle::approximate(pocket.length),       oracle::approximate(pocket.width),
         oracle::approximate(pocket.corner_radius)};
     std::vector<Limit> limits = {rectangle(Limit::Kind::border, kPocketBorder, level, shape)};
-    limits.front().level = PocketFloor{pocket.block, pocket.plane, level.depth, tool};
+    limits.front().level = PocketFloor{pocket.block, pocket.plane, level.depth, tool,
+                                       oracle::approximate(pocket.reference_plane)};
     shape.length -= 2 * tool;
     shape.width -= 2 * tool;
     shape.corner -= tool;

@@ -84,6 +84,36 @@ bool PathSampler::add(const Record& record, std::string text) {
   return true;
 }
 
+void PathSampler::add_names(std::uint64_t block, const reference::CyclePlaces& places) {
+  Names& names = path_.names.emplace_back();
+  names.block = block;
+  for (const auto& [letter, axis] : places.axes) names.axes.emplace(letter, "XYZAC"[index(axis)]);
+  const auto add = [](auto& known, const auto& is_there, auto named) {
+    const auto same = std::ranges::find_if(known, is_there);
+    if (same == known.end()) {
+      known.push_back(std::move(named));
+    } else {
+      same->name += ", " + named.name;
+    }
+  };
+  for (const reference::NamedPlace& place : places.places) {
+    const Point3 at = approximate(place.at);
+    const std::string name(place.name);
+    if (!place.across) {
+      add(
+          names.points, [&](const NamedPoint& point) { return point.at == at; },
+          NamedPoint{name, at});
+      continue;
+    }
+    const char axis = "XYZAC"[index(*place.across)];
+    const double level = axis == 'X' ? at.x : axis == 'Y' ? at.y : at.z;
+    add(
+        names.planes,
+        [&](const NamedPlane& plane) { return plane.axis == axis && plane.at == level; },
+        NamedPlane{name, axis, level});
+  }
+}
+
 void PathSampler::rename(const reference::Position& shift) {
   for (std::size_t i = 0; i < reference::kAxes; ++i) at_.at[i] += shift.at[i];
   here_ = approximate(at_);
@@ -97,6 +127,12 @@ void PathSampler::add_end(std::string_view kind, std::uint64_t block, std::strin
   drawn.clause = clause;
   drawn.text = std::move(text);
   drawn.points = {here_};
+}
+
+Names names_in(const Path& path, std::uint64_t block) {
+  const auto of_block = [&](const Names& names) { return block == 0 || names.block == block; };
+  const auto found = std::ranges::find_if(path.names, of_block);
+  return found != path.names.end() ? *found : Names();
 }
 
 Path sample_path(const Position& start, std::span<const Record> records, std::size_t max_segments) {

@@ -5,12 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "reference/record.hpp"
+#include "reference/expander.hpp"
 
 namespace gonogo::oracle::report {
 
@@ -36,8 +37,26 @@ struct Motion {
   bool moves() const { return points.size() > 1; }
 };
 
+// The points, planes and axes of a cycle under the names that its text gives them.
+struct NamedPoint {
+  std::string name;  // "A"
+  Point3 at;
+};
+struct NamedPlane {
+  std::string name;  // "R plane"
+  char axis = 'Z';   // that it stands across
+  double at = 0;     // mm
+};
+struct Names {
+  std::uint64_t block = 0;  // source line
+  std::vector<NamedPoint> points;
+  std::vector<NamedPlane> planes;
+  std::map<char, char> axes;  // 'p' -> 'Z'
+};
+
 struct Path {
   std::vector<Motion> motions;  // one a record, in order
+  std::vector<Names> names = {};  // of the cycles that are run, in order
   bool cut = false;             // more records or segments than are drawn
 };
 
@@ -58,6 +77,8 @@ class PathSampler {
                std::string text);
   // The position gets a new name; nothing is drawn.
   void rename(const reference::Position& shift);
+  // What a cycle calls its places; those that are one have their names together.
+  void add_names(std::uint64_t block, const reference::CyclePlaces& places);
   void mark_cut() { path_.cut = true; }
   Path take() { return std::move(path_); }
 
@@ -69,6 +90,9 @@ class PathSampler {
   Point3 here_;
   std::size_t segments_left_;
 };
+
+// Of the cycle that one block runs; 0: of the first one.
+Names names_in(const Path& path, std::uint64_t block);
 
 Path sample_path(const reference::Position& start, std::span<const reference::Record> records,
                  std::size_t max_segments = kMaxSegments);

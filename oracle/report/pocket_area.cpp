@@ -52,8 +52,27 @@ std::string swept(const View& view, const Path& path, const PocketFloor& level) 
 
 }  // namespace
 
-const Limit* level_shown(const std::vector<Limit>& limits, std::uint64_t block,
-                         const std::optional<Point3>& departure) {
+namespace {
+
+// The border at the depth of a place between the floor and where the levels begin.
+Limit at_depth_of(Limit border, const Point3& place) {
+  PocketFloor& level = *border.level;
+  const double depth = depth_of(place, level.plane);
+  const bool is_within = level.top && depth > level.depth && depth < *level.top;
+  if (!is_within) return border;
+  level.depth = depth;
+  for (Point3& point : border.points) {
+    (level.plane == reference::Plane::g17   ? point.z
+     : level.plane == reference::Plane::g18 ? point.y
+                                            : point.x) = depth;
+  }
+  return border;
+}
+
+}  // namespace
+
+std::optional<Limit> level_shown(const std::vector<Limit>& limits, std::uint64_t block,
+                                 const std::optional<Point3>& departure) {
   const Limit* best = nullptr;
   double least = 0;
   for (const Limit& limit : limits) {
@@ -72,7 +91,9 @@ const Limit* level_shown(const std::vector<Limit>& limits, std::uint64_t block,
       least = distance;
     }
   }
-  return best;
+  if (best == nullptr) return std::nullopt;
+  const bool of_block = block == 0 || best->level->block == block;
+  return departure && of_block ? at_depth_of(*best, *departure) : *best;
 }
 
 void include_swept(Extent& extent, const PocketFloor& level, const Path& path) {

@@ -14,9 +14,10 @@
 namespace gonogo::oracle::report {
 
 // The border of the level that is drawn: of the block and the depth of the departure where there
-// is one, else of the deepest level of the first pocket. Null: no pocket.
-const Limit* level_shown(const std::vector<Limit>& limits, std::uint64_t block,
-                         const std::optional<Point3>& departure);
+// is one, else of the deepest level of the first pocket; of levels that are free, at that depth
+// itself. Nothing: no pocket.
+std::optional<Limit> level_shown(const std::vector<Limit>& limits, std::uint64_t block,
+                                 const std::optional<Point3>& departure);
 
 // With what the tool sweeps there.
 void include_swept(Extent& extent, const PocketFloor& level, const Path& path);

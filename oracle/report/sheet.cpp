@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "oracle/report/inset.hpp"
-#include "oracle/report/named_points.hpp"
 #include "oracle/report/pocket_area.hpp"
 #include "oracle/report/sheet_parts.hpp"
 #include "oracle/report/sheet_paths.hpp"
@@ -25,7 +24,7 @@ constexpr double kInsetWidth = 330;  // of it
 struct Parts {
   Layout layout;
   Names names;
-  const Limit* level = nullptr;  // of the pocket that is shown
+  std::optional<Limit> level;  // of the pocket that is shown
   std::optional<Unfolding> unfolding;
   std::optional<View> inset;
 
@@ -49,7 +48,7 @@ const Path& judged_path(const Sheet& sheet) {
 }
 
 void append_pocket(std::string& out, const View& view, const Sheet& sheet, const Parts& parts) {
-  if (parts.level != nullptr && looks_along(view, *parts.level->level)) {
+  if (parts.level && looks_along(view, *parts.level->level)) {
     append_pocket_area(out, view, *parts.level, judged_path(sheet));
     append_area_legend(out, view, *parts.level->level);
   }
@@ -62,7 +61,7 @@ void append_marks(std::string& out, const View& view, const Sheet& sheet, const 
   if (sheet.departing != nullptr) append_end(out, view, *sheet.departing, 's');
   append_names(out, view, parts.names);
   if (!sheet.witness) return;
-  if (parts.level != nullptr && looks_along(view, *parts.level->level)) {
+  if (parts.level && looks_along(view, *parts.level->level)) {
     append_tool_disc(out, view, *parts.level->level, *sheet.witness);
   }
   append_witness(out, view.place(*sheet.witness));
@@ -78,10 +77,25 @@ void append_view(std::string& out, const View& view, const Sheet& sheet, const P
   out += "</g>\n";
 }
 
+// A veil over the columns of what was accepted, before the motion that departs.
+void append_accepted(std::string& out, const View& view, const Path& path,
+                     const std::optional<std::size_t>& departing) {
+  if (!departing || *departing >= path.motions.size()) return;
+  const double end = view.place(path.motions[*departing].points.front()).x;
+  const double width = end - view.frame.x;
+  if (width <= 0) return;
+  out += fmt::format(
+      "<rect class=\"gs-accepted\" style=\"fill:var(--gs-paper,#fff);fill-opacity:.55\" x=\"{}\" "
+      "y=\"{}\" width=\"{}\" height=\"{}\"/>\n",
+      svg::number(view.frame.x), svg::number(view.frame.y), svg::number(width),
+      svg::number(view.frame.height));
+}
+
 // The paths as far as they are unfolded; as wide as the strip, whatever the length of the motions.
 void append_unfolded(std::string& out, const Sheet& sheet, const Unfolding& how, double width) {
   Path reference = unfolded(*sheet.reference, how);
   Path departing = sheet.departing != nullptr ? unfolded(*sheet.departing, how) : Path();
+  align(departing, sheet.departing_motion, reference, sheet.expected_motion);
   Extent extent = extent_of_paths({&reference, &departing});
   const double high = std::max(extent.high.z - extent.low.z, kStill);
   const double wide = std::max(extent.high.x - extent.low.x, 1.0);
@@ -100,6 +114,7 @@ void append_unfolded(std::string& out, const Sheet& sheet, const Unfolding& how,
   append_view_frame(out, view);
   append_path(out, view, reference, 'r');
   append_path(out, view, departing, 's');
+  append_accepted(out, view, departing, sheet.departing_motion);
   append_start(out, view, reference);
   out += "</g>\n";
 }
@@ -119,8 +134,8 @@ Extent extent_of(const Sheet& sheet) {
   for (const Limit& limit : sheet.limits) {
     for (const Point3& point : limit.points) extent.include(point);
   }
-  const Limit* level = level_shown(sheet.limits, sheet.block, sheet.witness);
-  if (level != nullptr) include_swept(extent, *level->level, judged_path(sheet));
+  const std::optional<Limit> level = level_shown(sheet.limits, sheet.block, sheet.witness);
+  if (level) include_swept(extent, *level->level, judged_path(sheet));
   return extent;
 }
 

@@ -25,6 +25,8 @@ struct Sheet {
   const Path* departing = nullptr;  // the subject's; null: one path
   std::optional<Point3> witness;    // where the subject departs
   std::optional<Point3> expected;   // where the motion had to end
+  std::optional<std::size_t> expected_motion;   // of the reference, which was due
+  std::optional<std::size_t> departing_motion;  // of the subject
   std::uint64_t block = 0;          // of the departure; 0: none
   std::vector<Limit> limits;        // walls of pockets, and how far the tool may go
 };

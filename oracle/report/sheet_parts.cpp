@@ -270,23 +270,50 @@ void append_limit(std::string& out, const View& view, const Limit& limit) {
                      limit.kind == Limit::Kind::border ? "gs-border-line" : "gs-reach", d);
 }
 
-void append_names(std::string& out, const View& view, const Names& names) {
-  for (const NamedPlane& plane : names.planes) {
-    const Point3 at{plane.axis == 'X' ? plane.at : 0, plane.axis == 'Y' ? plane.at : 0,
-                    plane.axis == 'Z' ? plane.at : 0};
-    const SheetPoint place = view.place(at);
-    const SheetBox& field = view.field;
-    if (view.isometric) continue;
-    if (axis_of(view.up) == plane.axis) {
-      out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}h{}\"/>", svg::number(field.x),
-                         svg::number(place.y), svg::number(field.width));
-      svg::append_text(out, {field.x + field.width - 4, place.y - 4}, "gs-point", plane.name,
-                       "text-anchor=\"end\"");
-    } else if (axis_of(view.right) == plane.axis) {
-      out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}v{}\"/>", svg::number(place.x),
-                         svg::number(field.y), svg::number(field.height));
-      svg::append_text(out, {place.x + 4, field.y + 10}, "gs-point", plane.name);
+namespace {
+
+// A plane that is seen as a line, with its name: of upright ones below the names of those `before`
+// it, of level ones beside those close by.
+void append_plane(std::string& out, const View& view, const NamedPlane& plane, std::size_t before,
+                  double aside) {
+  const Point3 at{plane.axis == 'X' ? plane.at : 0, plane.axis == 'Y' ? plane.at : 0,
+                  plane.axis == 'Z' ? plane.at : 0};
+  const SheetPoint place = view.place(at);
+  const SheetBox& field = view.field;
+  constexpr double kLine = 13;
+  if (axis_of(view.up) == plane.axis) {
+    out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}h{}\"/>", svg::number(field.x),
+                       svg::number(place.y), svg::number(field.width));
+    svg::append_text(out, {field.x + field.width - 4 - aside, place.y - 4}, "gs-point", plane.name,
+                     "text-anchor=\"end\"");
+  } else if (axis_of(view.right) == plane.axis) {
+    out += fmt::format("<path class=\"gs-plane\" d=\"M{} {}v{}\"/>", svg::number(place.x),
+                       svg::number(field.y), svg::number(field.height));
+    svg::append_text(out, {place.x + 4, field.y + 10 + kLine * static_cast<double>(before)},
+                     "gs-point", plane.name);
+  }
+}
+
+// The room that the names of planes close by take of a line.
+double room_of_names(const View& view, const Names& names, std::size_t count) {
+  constexpr double kLetter = 8.5;
+  constexpr double kClose = 14;
+  double room = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const NamedPlane& other = names.planes[i];
+    const double apart = std::fabs(other.at - names.planes[count].at) * view.scale;
+    if (other.axis == names.planes[count].axis && apart < kClose) {
+      room += kLetter * static_cast<double>(other.name.size()) + kClose;
     }
+  }
+  return room;
+}
+
+}  // namespace
+
+void append_names(std::string& out, const View& view, const Names& names) {
+  for (std::size_t i = 0; i < names.planes.size() && !view.isometric; ++i) {
+    append_plane(out, view, names.planes[i], i, room_of_names(view, names, i));
   }
   for (std::size_t i = 0; i < names.points.size(); ++i) {
     const SheetPoint place = view.place(names.points[i].at);

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "oracle/report/named_points.hpp"
 #include "oracle/report/sheet.hpp"
 #include "oracle/report/svg.hpp"
 #include "oracle/report/views.hpp"

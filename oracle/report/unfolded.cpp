@@ -16,8 +16,15 @@ double value_of(const Point3& point, char axis) {
   return axis == 'X' ? point.x : axis == 'Y' ? point.y : point.z;
 }
 
+// Whether a motion takes a column: one that leads nowhere takes none.
 bool is_shown(const Motion& motion, std::uint64_t block) {
-  return motion.moves() && (block == 0 || motion.block == block);
+  const Point3& begin = motion.points.front();
+  const auto leads_away = [&](const Point3& point) {
+    return std::fabs(point.x - begin.x) > kStill || std::fabs(point.y - begin.y) > kStill ||
+           std::fabs(point.z - begin.z) > kStill;
+  };
+  return motion.moves() && (block == 0 || motion.block == block) &&
+         std::ranges::any_of(motion.points, leads_away);
 }
 
 // How often a coordinate changes its direction over motions that move nothing else.
@@ -81,6 +88,20 @@ Path unfolded(const Path& path, const Unfolding& how) {
     place += 1;
   }
   return out;
+}
+
+void align(Path& departing, const std::optional<std::size_t>& motion, const Path& reference,
+           const std::optional<std::size_t>& due) {
+  if (!motion || !due || *motion >= departing.motions.size() || *due >= reference.motions.size()) {
+    return;
+  }
+  const double from = departing.motions[*motion].points.front().x;
+  const double to = reference.motions[*due].points.front().x;
+  for (std::size_t i = 0; i < departing.motions.size(); ++i) {
+    for (Point3& point : departing.motions[i].points) {
+      point.x = i < *motion && from > 0 ? point.x * to / from : point.x + to - from;
+    }
+  }
 }
 
 }  // namespace gonogo::oracle::report

@@ -24,5 +24,10 @@ std::optional<Unfolding> unfolding_of(const Path& path, std::uint64_t block);
 // The same path, with as many motions, seen so: X is the place of the motion, Z the coordinate.
 // Motions of other blocks do not move in it.
 Path unfolded(const Path& path, const Unfolding& how);
+// Lays an unfolded path beside that of the reference: the motion that departs begins in the column
+// of the one that was due, and what was accepted before it has the width of what it was accepted
+// for.
+void align(Path& departing, const std::optional<std::size_t>& motion, const Path& reference,
+           const std::optional<std::size_t>& due);
 
 }  // namespace gonogo::oracle::report

@@ -5,7 +5,6 @@
 
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/deflate.hpp"
-#include "oracle/report/named_points.hpp"
 #include "oracle/report/page_paths.hpp"
 #include "oracle/report/sheet.hpp"
 #include "oracle/report/unfolded.hpp"
@@ -61,15 +60,6 @@ TEST(SheetExtras, points_have_the_names_that_the_clauses_give_them) {
   EXPECT_EQ(names.axes, (std::map<char, char>{{'p', 'Z'}}));
 }
 
-// R -5 from the initial plane Y 50.
-TEST(SheetExtras, the_r_plane_is_named_where_the_tool_stops_for_it) {
-  const Names names = names_in(reference_of("gsk988ta", kPocket), 2);
-  ASSERT_FALSE(names.planes.empty());
-  EXPECT_EQ(names.planes[0].name, "R plane");
-  EXPECT_EQ(names.planes[0].axis, 'Y');
-  EXPECT_DOUBLE_EQ(names.planes[0].at, 45);
-}
-
 // Down to R at Z1 in line 2. Line 3 begins at R with an initial level of Z5, and under the reading
 // of LinuxCNC goes to that level first, by a motion of the same clause.
 TEST(SheetExtras, the_r_plane_of_a_hole_is_where_the_cut_begins) {
@@ -86,6 +76,101 @@ TEST(SheetExtras, the_r_plane_of_a_hole_is_where_the_cut_begins) {
       const std::size_t named = names.planes.size();
       EXPECT_TRUE(block == 3 || named == 1) << reading;
     }
+  }
+}
+
+struct Labelled {
+  const char* dialect;
+  const char* program;
+  std::uint64_t line;  // of the cycle
+  char axis;
+  std::vector<std::pair<const char*, double>> planes;
+};
+
+// Depths are those of the words: R of the GSK counts from the initial plane, as its own examples
+// have it; those of the 802S are coordinates.
+std::vector<Labelled> labelled() {
+  std::vector<Labelled> all;
+  static std::vector<std::string> programs;
+  programs.reserve(32);
+  const auto add = [&](const char* dialect, std::string program, std::uint64_t line, char axis,
+                       std::vector<std::pair<const char*, double>> planes) {
+    all.push_back({dialect, programs.emplace_back(std::move(program)).c_str(), line, axis,
+                   std::move(planes)});
+  };
+  for (const char* const code : {"G110", "G111"}) {
+    add("gsk988ta",
+        std::string("M3 S100\nG18 G0 X70 Z70 Y50\n") + code +
+            " X50 Z50 Y20 R-5 I16 L3 Q5 P1 D4 F800\n",
+        3, 'Y', {{"R plane", 45}, {"initial plane", 50}});
+  }
+  for (const char* const code : {"G112", "G113"}) {
+    add("gsk988ta",
+        std::string("M3 S100\nG18 G0 X70 Z70 Y50\n") + code + " X50 Z50 Y20 R-5 I16 L3 D4 F800\n",
+        3, 'Y', {{"R plane", 45}, {"initial plane", 50}});
+  }
+  for (const char* const code : {"G114", "G115", "G116", "G117"}) {
+    add("gsk988ta",
+        std::string("M3 S100\nG17 G0 X0 Y0 Z30\n") + code +
+            " X0 Y0 Z-12 R-25 I2 P1 D3 E30 J1 K90 F100\n",
+        3, 'Z', {{"R plane", 5}, {"initial plane", 30}});
+  }
+  for (const char* const words :
+       {"G73 Q2", "G74", "G81", "G82 P0", "G83 Q2", "G84", "G85", "G86 P0", "G89 P0"}) {
+    const std::string spindle = std::string(words) == "G74" ? "M4" : "M3";
+    add("rs274", spindle + " S100 F100\nG0 Z5\n" + words + " X10 Z-6 R1.5\nM2\n", 3, 'Z',
+        {{"R plane", 1.5}});
+  }
+  // The origin of G55 lies 4 mm down.
+  add("rs274", "M3 S100 F100\nG10 L2 P2 Z-4\nG55 G0 Z5\nG81 X10 Z-6 R1.5\nM2\n", 4, 'Z',
+      {{"R plane", -2.5}});
+  add("sinumerik802s",
+      "M3 S100 F100\nR101=9 R102=2 R103=1 R104=-10 R105=0\nG0 X0 Y0 Z20\nLCYC82\nM2\n", 4, 'Z',
+      {{"R101", 9}, {"R103 + R102", 3}, {"R104", -10}});
+  add("sinumerik802s",
+      "T1 D1 M3 S100\nR101=9 R102=2 R103=1 R104=-10 R116=0 R117=0 R118=60 R119=40 R120=8 R121=4\n"
+      "R122=100 R123=200 R124=0 R125=0 R126=2 R127=1\nG0 X0 Y0 Z20\nLCYC75\nM2\n",
+      5, 'Z', {{"R101", 9}, {"R103 + R102", 3}, {"R104", -10}});
+  return all;
+}
+
+TEST(SheetExtras, planes_lie_at_the_values_of_their_parameters_in_every_cycle) {
+  for (const Labelled& cycle : labelled()) {
+    const auto profile = case_profile(cycle.dialect, {{"tools", {{"1", {{"radius", "5"}}}}}});
+    const DrawnPath drawn = reference_path(std::get<reference::Profile>(profile), cycle.program);
+    const Names names = names_in(drawn.path, cycle.line);
+    ASSERT_EQ(names.planes.size(), cycle.planes.size()) << cycle.program << drawn.note;
+    for (std::size_t i = 0; i < cycle.planes.size(); ++i) {
+      EXPECT_EQ(names.planes[i].name, cycle.planes[i].first) << cycle.program;
+      EXPECT_EQ(names.planes[i].axis, cycle.axis) << cycle.program;
+      EXPECT_DOUBLE_EQ(names.planes[i].at, cycle.planes[i].second) << cycle.program;
+    }
+  }
+}
+
+// A at (X30, Z5), C at (X20, Z-30), the taper 4: on X for the cycles that cut along Z, on Z for
+// those that cut along X. All are radii; programs have diameters.
+TEST(SheetExtras, corners_lie_where_the_words_put_them_in_every_cutting_cycle) {
+  struct Cutting {
+    const char* dialect;
+    const char* code;
+    const char* words;
+    bool along_x;
+  };
+  for (const Cutting& cycle :
+       {Cutting{"gsk988ta", "G90", "R-4", false}, Cutting{"gsk988ta", "G92", "R-4 J0 K0", false},
+        Cutting{"gsk988ta", "G94", "R-4", true}, Cutting{"hnc21t", "G80", "I-4", false},
+        Cutting{"hnc21t", "G81", "K-4", true}, Cutting{"hnc21t", "G82", "I-4", false}}) {
+    const std::string program = std::string("M3 S100\nG00 X60 Z5\n") + cycle.code + " X40 Z-30 " +
+                                cycle.words + " F2\nM30\n";
+    const Names names = names_in(reference_of(cycle.dialect, program.c_str()), 3);
+    ASSERT_EQ(names.points.size(), 4U) << program;
+    EXPECT_EQ(names.points[0].at, (Point3{30, 0, 5})) << program;
+    EXPECT_EQ(names.points[1].at, (cycle.along_x ? Point3{30, 0, -34} : Point3{16, 0, 5}))
+        << program;
+    EXPECT_EQ(names.points[2].at, (Point3{20, 0, -30})) << program;
+    EXPECT_EQ(names.points[3].at, (cycle.along_x ? Point3{20, 0, 5} : Point3{30, 0, -30}))
+        << program;
   }
 }
 
@@ -119,6 +204,21 @@ TEST(SheetExtras, an_unfolded_path_keeps_its_records_and_its_coordinate) {
   ASSERT_EQ(flat.motions.size(), 6U);
   EXPECT_EQ(flat.motions[2].points.front(), (Point3{2, 0, 0}));
   EXPECT_EQ(flat.motions[2].points.back(), (Point3{3, 0, -10}));
+}
+
+// A motion that leads nowhere takes no column, and the one that departs stands beside the one that
+// was due.
+TEST(SheetExtras, what_departs_stands_in_the_column_of_what_was_due) {
+  const Path reference = pecks(3);
+  Path subject = pecks(3);
+  subject.motions.insert(subject.motions.begin() + 1, line({0, 0, -5}, {0, 0, -5}));
+  const Unfolding how = *unfolding_of(reference, 0);
+  const Path flat = unfolded(reference, how);
+  Path beside = unfolded(subject, how);
+  EXPECT_EQ(beside.motions[2].points.front().x, 1);
+  align(beside, 5, flat, 2);  // it departs in its last cut, where the second was due
+  EXPECT_EQ(beside.motions[5].points.front().x, 2);
+  EXPECT_EQ(beside.motions[0].points.back().x, 0.5);
 }
 
 TEST(SheetExtras, a_departure_below_a_pixel_is_drawn_large) {
