@@ -191,6 +191,68 @@ Number Curve::distance(const CurveProgress& from, const Position& point, double 
   return least;
 }
 
+namespace {
+
+// A point of an arc, turned so many degrees from its start in its sense, or against it.
+Position turned(const Motion& arc, const Number& degrees, bool backward) {
+  const PlaneAxes axes = reference::axes_of(arc.record.plane);
+  const PlaneVector a = from_centre(arc.record, arc.from);
+  const PlaneVector b = from_centre(arc.record, arc.to());
+  const int sense = arc.record.rot < 0 ? -1 : 1;
+  const auto [cosine, sine] = exact::cos_sin_degrees(degrees * (backward ? -sense : sense));
+  Position point = arc.from;
+  point[axes.p] = arc.record.centre[0] + a.p * cosine - a.q * sine;
+  point[axes.q] = arc.record.centre[1] + a.p * sine + a.q * cosine;
+  if (is_nil(a) || is_nil(b)) return point;
+  for (Axis axis : kAllAxes) {
+    if (axis == axes.p || axis == axes.q || arc.from[axis] == arc.to()[axis]) continue;
+    const Number part = degrees / 360 / turns_between(a, b, sense, approximate_turns(arc));
+    point[axis] += part * (arc.to()[axis] - arc.from[axis]);
+  }
+  return point;
+}
+
+// Degrees from the start of an arc to points between its ends, of the first turn: halves of right
+// angles, where coordinates are exact, or about its middle.
+std::vector<Number> angles_within(const Motion& arc) {
+  constexpr int kStep = 45;
+  const double sweep = std::min(approximate_turns(arc) * 360, 360.0);
+  std::vector<Number> angles;
+  for (int degrees = kStep; degrees < sweep; degrees += kStep) angles.emplace_back(degrees);
+  if (angles.empty()) angles.push_back(Number::millionths(std::llround(sweep * 500'000)));
+  return angles;
+}
+
+}  // namespace
+
+Apart Curve::farthest(const Apart& known, const CurveProgress& from, const Motion& subject) const {
+  const std::optional<Motion> arc =
+      subject.record.kind == RecordKind::arc3 ? as_arc(subject) : std::optional(subject);
+  if (!arc || arc->record.kind != RecordKind::arc) return known;
+  Apart most = known;
+  const auto take = [&](Position point, Number distance) {
+    if (estimate(distance) > estimate(most.distance))
+      most = {std::move(point), std::move(distance)};
+  };
+  for (const Number& degrees : angles_within(*arc)) {
+    Position point = turned(*arc, degrees, false);
+    const double turns = from.arc + (round_ ? round_->part_of_turn(arc->from, point) : 0);
+    Number off = distance(from, point, turns);
+    Number off_start = largest_difference(point, arc->from);
+    if (estimate(off_start) < estimate(off)) off = std::move(off_start);
+    take(std::move(point), std::move(off));
+  }
+  const bool is_other_way = reference_.record.kind == RecordKind::arc &&
+                            (reference_.record.rot < 0) != (arc->record.rot < 0);
+  if (!is_other_way || most.distance > terms_.tolerance) return most;
+  for (const Number& degrees : angles_within(*arc)) {
+    Position point = turned(*arc, degrees, false);
+    Number off = largest_difference(point, turned(*arc, degrees, true));
+    take(std::move(point), std::move(off));
+  }
+  return most;
+}
+
 // J-CMP-12: its end, or a point before that if the end lies where it may.
 Apart Curve::apart(const CurveProgress& from, const Motion& subject) const {
   const auto turns_to = [&](const Position& point) {

@@ -8,6 +8,7 @@
 #include "oracle/judge/places.hpp"
 #include "oracle/judge/step_text.hpp"
 #include "oracle/judge/unit_error.hpp"
+#include "reference/compared.hpp"
 
 namespace gonogo::oracle {
 
@@ -67,6 +68,33 @@ bool fits_later(const Motion& motion, std::size_t number, ReferenceSteps& steps,
   return false;
 }
 
+// The axes of a witness: whatever it leaves out is where the motion ends.
+AxisSet axes_shown(const Position& at, const Motion& motion, const Motion& want) {
+  AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
+  for (Axis axis : kAllAxes) {
+    if (visible_sign(at[axis] - motion.to()[axis]) != 0) axes.add(axis);
+  }
+  return axes;
+}
+
+// How far a motion is off. Where rotary axes alone are, that is told in degrees.
+void tell_distance(Verdict& verdict, const Number& distance, const Position& got,
+                   const Position& want, const Number& tolerance) {
+  std::optional<Axis> rotary;
+  bool linear = false;
+  for (Axis axis : kAllAxes) {
+    if (agree(got[axis], want[axis], tolerance)) continue;
+    const bool is_rotary = axis == Axis::a || axis == Axis::c;
+    linear = linear || !is_rotary;
+    if (is_rotary) rotary = axis;
+  }
+  if (linear || !rotary) return set_deviation(verdict, distance);
+  verdict.message +=
+      reference::with_values(fmt::format(" The axis {} is at {{}} degrees in place of {{}}.",
+                                         *rotary == Axis::a ? 'A' : 'C'),
+                             {got[*rotary], want[*rotary]});
+}
+
 std::string_view short_sentence(RecordKind kind) {
   switch (kind) {
     case RecordKind::rapid:
@@ -90,9 +118,9 @@ Verdict short_of(const Motion& want, const Motion& piece) {
   verdict.want = record_text(want.record);
   verdict.got = record_text(piece.record);
   verdict.message = short_sentence(want.record.kind);
-  verdict.witness = point_text(piece.to(), moved_axes(piece, 0) | moved_axes(want, 0));
+  verdict.witness = point_text(piece.to(), axes_shown(piece.to(), piece, want));
   try {
-    set_deviation(verdict, largest_difference(piece.to(), want.to()));
+    tell_distance(verdict, largest_difference(piece.to(), want.to()), piece.to(), want.to(), 0);
   } catch (const exact::Undecided&) {
   }
   return verdict;
@@ -170,7 +198,20 @@ Number rounding(const Number& number, const std::optional<Number>& resolution,
   return terms.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
 
-// Of a feed or a lead that differs.
+// Of a feed or a lead that differs: both values.
+std::string values_of(const Record& want, const Record& got) {
+  if (want.kind == RecordKind::thread) {
+    return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.lead});
+  }
+  const auto unit = [](const Record& record) {
+    return record.feed_mode == reference::FeedMode::per_revolution ? "mm/rev" : "mm/min";
+  };
+  return reference::with_values(
+      fmt::format(" It is {{}} {} in place of {{}} {}.", unit(got), unit(want)),
+      {got.feed, want.feed});
+}
+
+// What it may come from.
 std::string unit_error_of(const Record& want, const Record& got, const JudgeTerms& terms) {
   if (want.kind == RecordKind::thread) {
     return unit_error(Quantity::lead, want.lead, got.lead,
@@ -226,7 +267,8 @@ Verdict wrong_dwell(const Record& dwell, std::size_t number, const Hypothesis& f
   verdict.clause = clause_of(step);
   verdict.message = "The subject dwells where no dwell is due.";
   if (want != nullptr) {
-    verdict.message = "The dwell differs.";
+    verdict.message = reference::with_values("The dwell differs. It is {} s in place of {}.",
+                                             {dwell.seconds, want->seconds});
     verdict.message += unit_error(Quantity::dwell, want->seconds, dwell.seconds,
                                   rounding(dwell.seconds, terms.resolution, terms));
   }
@@ -265,13 +307,16 @@ void explain_path(const Refutation& refutation, ReferenceSteps& steps, const Jud
   } else if (want.record.kind == RecordKind::rapid) {
     verdict.rule = RelationRule::traverse;
   }
-  const AxisSet axes = moved_axes(motion, 0) | moved_axes(want, 0);
   const std::optional<Apart>& centre = refutation.answer.centre;
-  verdict.witness = point_text(centre ? centre->at : motion.to(), axes);
+  const auto show = [&](const Position& at) {
+    verdict.witness = point_text(at, axes_shown(at, motion, want));
+  };
+  show(centre ? centre->at : motion.to());
   try {
     const Apart apart = centre ? *centre : from.curve->apart(from.progress, motion);
-    verdict.witness = point_text(apart.at, axes);
-    set_deviation(verdict, apart.distance);
+    const Apart shown = from.curve->farthest(apart, from.progress, motion);
+    show(shown.at);
+    tell_distance(verdict, shown.distance, motion.to(), want.to(), terms.tolerance);
     if (ended_short(refutation, apart, steps, terms)) {
       verdict = short_of(want, *from.piece);
     } else if (fits_later(motion, from.step + from.joined + 1, steps, terms)) {
@@ -305,6 +350,7 @@ Verdict explain(const Refutation& refutation, ReferenceSteps& steps, const Judge
   if (answer.departure == Departure::feed) {
     verdict.kind = VerdictKind::fail_feed;
     verdict.word = 'F';
+    verdict.message += values_of(want.record, motion.record);
     verdict.message += unit_error_of(want.record, motion.record, terms);
   } else {
     explain_path(refutation, steps, terms, verdict);

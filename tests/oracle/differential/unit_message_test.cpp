@@ -25,8 +25,10 @@ TEST(UnitMessage, OfAFeedInInches) {
         std::array{"ngc", "inch-feed-unscaled", "rs274"}}) {
     const Verdict verdict = verdict_of(expander, fault, dialect, "G20\nG01 X1 F10\nM30\n");
     EXPECT_EQ(verdict.kind, VerdictKind::fail_feed) << expander;
-    EXPECT_EQ(verdict.message,
-              "The feed differs. It is 5/127 of what is due: inches not converted to mm?");
+    EXPECT_EQ(
+        verdict.message,
+        "The feed differs. It is 10 mm/min in place of 254 mm/min. It is 5/127 of what is due: "
+        "inches not converted to mm?");
     EXPECT_EQ(decision(verdict_of(expander, "", dialect, "G20\nG01 X1 F10\nM30\n").kind),
               Decision::go);
   }
@@ -35,11 +37,14 @@ TEST(UnitMessage, OfAFeedInInches) {
 // G4 P300 of rs274 is 300 s; in ms it is 0.3 s. G04 P3 of the HNC is 0.003 s; in s it is 3 s.
 TEST(UnitMessage, OfADwell) {
   EXPECT_EQ(verdict_of("ngc", "dwell-in-milliseconds", "rs274", "G4 P300\nM2\n").message,
-            "The dwell differs. It is a 1000th of what is due: s taken for ms?");
+            "The dwell differs. It is 0.3 s in place of 300. It is a 1000th of what is due: s "
+            "taken for ms?");
   EXPECT_EQ(verdict_of("hnc", "dwell-in-seconds", "hnc21t", "G04 P3\nM30\n").message,
-            "The dwell differs. It is 1000 times what is due: ms taken for s?");
+            "The dwell differs. It is 3 s in place of 0.003. It is 1000 times what is due: ms "
+            "taken for s?");
   EXPECT_EQ(verdict_of("gsk", "dwell-halved", "gsk988ta", "G04 X3\nM30\n").message,
-            "The dwell differs. It is half what is due: halved as a diameter is?");
+            "The dwell differs. It is 1.5 s in place of 3. It is half what is due: halved as a "
+            "diameter is?");
 }
 
 }  // namespace

@@ -160,6 +160,55 @@ TEST(DepartureMessage, AHelixThatStopsAQuarterTurnShortIsNamed) {
          {VerdictKind::fail_geometry, 0, "NGC-ARC-05", "10", kCutShort});
 }
 
+// A quarter turn from (10, 0) to (0, 10) about the origin, gone the other way round: after 135 of
+// its 270 degrees it stands at (-5 sqrt(2), -5 sqrt(2)), and both ends of the right one are 10 + 5
+// sqrt(2) away along an axis.
+TEST(DepartureMessage, AnArcTheWrongWayIsMarkedWhereItIsFarthestOff) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 0}, {'y', 0}}, -1, {{'x', 0}, {'y', 10}});
+  Judging judging = of("rs274");
+  const std::string start = R"({"k":"rapid","b":1,"to":{"x":"10"}})"
+                            "\n";
+  const Verdict verdict =
+      judge_trace("G0 X10\nG3 X0 Y10 I-10 F100\nM2\n", start + trace.text(), judging);
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.witness, R"({"x":{"root":["0","-5","2"]},"y":{"root":["0","-5","2"]}})");
+  EXPECT_EQ(verdict.deviation_mm, "17.071067812");
+}
+
+// The same circle the other way: after a quarter of a turn they are on opposite sides of it.
+TEST(DepartureMessage, ACircleTheWrongWayIsMarkedAcrossIt) {
+  TraceText trace(2, 100);
+  trace.arc("G17", {{'x', 0}, {'y', 0}}, -1, {{'x', 10}, {'y', 0}});
+  const std::string start = R"({"k":"rapid","b":1,"to":{"x":"10"}})"
+                            "\n";
+  const Verdict verdict =
+      judge_trace("G0 X10\nG3 I-10 F100\nM2\n", start + trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.witness, R"({"x":"0","y":"-10"})");
+  EXPECT_EQ(verdict.deviation_mm, "20");
+}
+
+TEST(DepartureMessage, ARotaryAxisDepartsInDegrees) {
+  TraceText trace(1, 100);
+  trace.line(R"({"k":"rapid","b":1,"to":{"x":"10","a":"45"}})");
+  const Verdict verdict = judge_trace("G0 X10 A30\nM2\n", trace.text(), of("rs274"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+  EXPECT_EQ(verdict.deviation_mm, "");
+  EXPECT_NE(verdict.message.find("The axis A is at 45 degrees in place of 30."), std::string::npos)
+      << verdict.message;
+}
+
+TEST(DepartureMessage, ALeadThatDiffersHasBothValues) {
+  TraceText trace(1);
+  trace.rapid({{'x', 65}, {'z', 5}}).block(3, 0);
+  trace.line(R"({"k":"thread","b":3,"to":{"z":"-28"},"lead":"1.75","start":"0"})");
+  const Verdict verdict =
+      judge_trace("G00 X130 Z5\nM03 S100\nG32 Z-28 F1.5\nM30\n", trace.text(), of("hnc21t"));
+  EXPECT_EQ(verdict.kind, VerdictKind::fail_feed) << verdict.message;
+  EXPECT_EQ(verdict.message, "The lead differs. It is 1.75 mm in place of 1.5.");
+}
+
 // The cut along Z is left out. What comes instead ends 5 mm beside it.
 TEST(DepartureMessage, WhatComesInsteadOfAMotionThatIsLeftOutIsNamed) {
   TraceText trace(1);
