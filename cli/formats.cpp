@@ -44,7 +44,7 @@ class Table : public RecordFormat {
   void record(const Record& record, std::string& out) override {
     if (!headed_) {
       out += fmt::format("{:>6}  {:<6} {:<36} {:<30} {:<12} {}\n", "line", "motion",
-                         "to (mm, X as radius)", "centre, turns", "feed", "clause");
+                         "to (mm, X as radius)", "centre, turns; lead, start", "feed", "clause");
       headed_ = true;
     }
     std::string line = record.block != 0 ? std::to_string(record.block) : std::string("-");
@@ -55,10 +55,16 @@ class Table : public RecordFormat {
       detail = fmt::format("{}{} {}{} {:+d}", capital(axes.p), shown_number(record.centre[0]),
                            capital(axes.q), shown_number(record.centre[1]), record.rot);
     }
+    if (record.kind == RecordKind::arc3) detail = "via " + point_text(record.via, record.via_axes);
+    if (record.kind == RecordKind::thread) {
+      detail = fmt::format("lead {} mm, start {} deg", shown_number(record.lead),
+                           shown_number(record.start));
+    }
     if (record.kind == RecordKind::dwell) what = fmt::format("{} s", shown_number(record.seconds));
     if (record.kind == RecordKind::m) what = fmt::format("M{}", record.m);
     std::string feed;
-    if (record.kind == RecordKind::feed || record.kind == RecordKind::arc) {
+    if (record.kind == RecordKind::feed || record.kind == RecordKind::arc ||
+        record.kind == RecordKind::arc3) {
       feed = shown_number(record.feed);
       if (record.feed_mode == reference::FeedMode::per_revolution) feed += "/rev";
     }

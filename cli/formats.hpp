@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "reference/expander.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -19,6 +20,10 @@ class RecordFormat {
   virtual void record(const reference::Record& record, std::string& out) = 0;
   virtual void alarm(const reference::AlarmReport& report, std::string& out) = 0;
   virtual void not_covered(const reference::NotCovered& outside, std::string& out) = 0;
+  virtual void places(std::uint64_t block, const reference::CyclePlaces& places) {
+    static_cast<void>(block);
+    static_cast<void>(places);
+  }
   virtual void finish(std::string& out) { static_cast<void>(out); }
 };
 

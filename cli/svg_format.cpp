@@ -27,6 +27,9 @@ class SvgSheet : public RecordFormat {
   void not_covered(const reference::NotCovered& outside, std::string&) override {
     sampler_.add_end("not-covered", outside.block, "", outside.message);
   }
+  void places(std::uint64_t block, const reference::CyclePlaces& places) override {
+    if (!cut_) sampler_.add_names(block, places);
+  }
   void finish(std::string& out) override {
     const oracle::report::Path path = sampler_.take();
     oracle::report::Sheet sheet;

@@ -39,6 +39,11 @@ int expand(const ExpandOptions& options) {
   });
   Output output;
   std::unique_ptr<RecordFormat> format = make_record_format(options.format, profile, file.name());
+  if (options.format == "svg") {
+    expander.on_places([&](std::uint64_t block, const reference::CyclePlaces& places) {
+      format->places(block, places);
+    });
+  }
   int exit_code = kGo;
   while (const reference::Item* item = expander.next()) {
     if (auto* record = std::get_if<reference::Record>(item)) {

@@ -61,23 +61,27 @@ void check_block(std::string_view program, long block) {
 class Explanation {
  public:
   Explanation(const reference::Profile& profile, std::string_view program)
-      : program_(program), table_(make_record_format("table", profile, "")) {}
+      : program_(program),
+        choice_(profile.readings.shown()),
+        table_(make_record_format("table", profile, "")) {}
 
   bool empty() const { return block_ == 0; }
-  void record(const reference::Record& record, std::string& out) {
-    if (record.block != block_ && record.block != 0) {
-      block_ = record.block;
-      clause_ = reference::kNoClause;
-      out += fmt::format("\nline {}: {}\n", block_, line_of(program_, block_));
-    }
+  void note(const reference::Warning& warning, std::uint64_t line, std::string& out) {
+    begin(line, out);
+    out += fmt::format("  note: {}\n", warning.message);
+  }
+  // `decided_by`: the readings that mattered since the last record.
+  void record(const reference::Record& record, const std::vector<reference::ReadingKey>& decided_by,
+              std::string& out) {
+    if (record.block != 0) begin(record.block, out);
     if (record.clause != clause_ && record.clause != reference::kNoClause) {
       clause_ = record.clause;
       const reference::Clause& clause = reference::clause(clause_);
       out += fmt::format("  {} ({}): {}\n", clause.id, reference::name(clause.level), clause.text);
-      for (const reference::Reading& reading : reference::readings()) {
-        if (reading.clause != clause_) continue;
-        out += fmt::format("    reading {}: {}\n", reading.name, reading.text);
-      }
+    }
+    for (const reference::ReadingKey key : decided_by) {
+      const reference::Reading& reading = reference::reading(key);
+      out += fmt::format("    reading {}={}: {}\n", reading.name, choice_.get(key), reading.text);
     }
     std::string row;
     table_->record(record, row);
@@ -86,7 +90,15 @@ class Explanation {
   }
 
  private:
+  void begin(std::uint64_t line, std::string& out) {
+    if (line == block_) return;
+    block_ = line;
+    clause_ = reference::kNoClause;
+    out += fmt::format("\nline {}: {}\n", block_, line_of(program_, block_));
+  }
+
   std::string_view program_;
+  reference::ReadingChoice choice_;  // as it is shown
   std::unique_ptr<RecordFormat> table_;
   std::uint64_t block_ = 0;
   reference::ClauseId clause_ = reference::kNoClause;
@@ -117,15 +129,22 @@ int explain(const ExplainOptions& options) {
   oracle::CycleTime time(profile.initial.at);
   if (options.block != 0) check_block(program.text(), options.block);
   Output output;
+  const auto is_shown = [&](std::uint64_t line) {
+    return options.block == 0 || line == static_cast<std::uint64_t>(options.block);
+  };
+  expander.on_warning([&](const reference::Warning& warning, const grammar::Line& line) {
+    if (is_shown(line.number)) explanation.note(warning, line.number, output.text());
+  });
   int exit_code = kGo;
   while (const reference::Item* item = expander.next()) {
     if (auto* record = std::get_if<reference::Record>(item)) {
-      if (options.block != 0 && record->block != static_cast<std::uint64_t>(options.block)) {
+      const auto decided_by = expander.take_touched_readings();
+      if (!is_shown(record->block)) {
         time.pass_over(*record);
         continue;
       }
       time.take(*record);
-      explanation.record(*record, output.text());
+      explanation.record(*record, decided_by, output.text());
       output.flush_if_large();
     } else if (auto* renaming = std::get_if<reference::Renaming>(item)) {
       time.rename(renaming->shift);

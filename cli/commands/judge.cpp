@@ -53,8 +53,9 @@ void check_numeric(const std::string& kind) {
 // What a trace has decides what is compared, and is known for certain only at its end: where the
 // guess was wrong, the trace is judged once more.
 oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference::Profile& profile,
-                                   const oracle::ProgramText& program, RecordedTrace& trace) {
-  TraceFeatures features = trace.likely_features();
+                                   const oracle::ProgramText& program, RecordedTrace& trace,
+                                   TraceFeatures& features) {
+  features = trace.likely_features();
   for (;;) {
     const oracle::JudgeTerms terms = terms_for(features, options, profile);
     oracle::JudgeSession session(profile, program, terms);
@@ -75,6 +76,14 @@ oracle::SessionVerdict judge_trace(const JudgeOptions& options, const reference:
     }
     return said;
   }
+}
+
+// What a trace lacks was not looked at.
+std::string not_compared_text(const TraceFeatures& features) {
+  std::string text;
+  if (!features.blocks) text += "  Lines were not compared: no record of the trace has \"b\".\n";
+  if (!features.m) text += "  M functions were not compared: the trace has none.\n";
+  return text;
 }
 
 std::string text_of(const oracle::ProgramText& program) {
@@ -174,10 +183,11 @@ int judge(const JudgeOptions& options) {
     return judge_by_definition(options, profile, oracle::ProgramText::of_file(program.descriptor()),
                                trace);
   }
-  const oracle::SessionVerdict session =
-      judge_trace(options, profile, oracle::ProgramText::of_file(program.descriptor()), trace);
+  TraceFeatures features;
+  const oracle::SessionVerdict session = judge_trace(
+      options, profile, oracle::ProgramText::of_file(program.descriptor()), trace, features);
   Output output;
-  output.text() = verdict_text(session.verdict);
+  output.text() = verdict_text(session.verdict) + not_compared_text(features);
   if (options.time) output.text() += times_text(profile, program, trace);
   if (options.rounding) {
     const auto& compared = session.verdict.coordinates;
