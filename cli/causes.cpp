@@ -28,13 +28,14 @@ std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
   return std::nullopt;
 }
 
-// The mistake that explains all that departs, or more than half of it and of what passes.
+// The mistake that explains all that departs, or more than half of it, and all that passes: with one
+// that programs would not pass with, the subject does something else.
 std::string cause_in(const identify::Attribution& found) {
   if (!found.complete.empty()) return found.complete.front().name;
   if (found.partial.empty()) return {};
   const identify::Cause& best = found.partial.front();
   const bool is_likely =
-      2 * best.departures > found.departures && 2 * best.passes >= found.passes();
+      2 * best.departures > found.departures && best.passes == found.passes();
   return is_likely ? best.name : std::string();
 }
 

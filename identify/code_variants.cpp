@@ -173,8 +173,11 @@ void add_code_variants(const Observation& departure, Variants& out) {
   for (const std::string& code : codes) {
     const std::size_t point = code.find('.');
     if (point != std::string::npos) add_taken_for(code, code.substr(0, point), out);
+    // A code that ends or sets something is not taken for a motion.
+    const Code* const own = table.find(code);
+    const bool moves = own != nullptr && is_confusable(*own);
     for (const Code& other : table.codes) {
-      const bool can_be = is_confusable(other) && code != other.name && code.front() == 'G';
+      const bool can_be = moves && is_confusable(other) && code != other.name;
       if (can_be) add_taken_for(code, std::string(other.name), out);
     }
     add_codes(

@@ -93,6 +93,14 @@ void add_edit(std::string name, program::WordEdit edit, Variants& out) {
 }
 
 void add_operations(const Scope& scope, Variants& out) {
+  // The simplest goes first: what is ignored may be too small to matter as well.
+  add_edit(
+      fmt::format("{} is ignored", scope.name()),
+      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
+        if (!scope.has(block, word)) return std::nullopt;
+        return "";
+      },
+      out);
   for (const Operation& operation : operations()) {
     add_edit(
         fmt::format("{} {}", scope.name(), operation.name),
@@ -110,13 +118,6 @@ void add_operations(const Scope& scope, Variants& out) {
       fmt::format("{} is ignored but under G91", scope.name()),
       [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
         if (block.modes.incremental || !scope.has(block, word)) return std::nullopt;
-        return "";
-      },
-      out);
-  add_edit(
-      fmt::format("{} is ignored", scope.name()),
-      [scope](const TextBlock& block, const TextWord& word) -> std::optional<std::string> {
-        if (!scope.has(block, word)) return std::nullopt;
         return "";
       },
       out);
