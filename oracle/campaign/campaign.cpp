@@ -16,6 +16,11 @@
 namespace gonogo::oracle {
 namespace {
 
+// A subject that died before its first record in each of so many first cases was never at work: its
+// command is wrong, and nothing is said of what it implements.
+constexpr std::size_t kDeadOnArrival = 5;
+constexpr std::size_t kLongestNotes = 1000;
+
 // What the workers share.
 class Run {
  public:
@@ -34,6 +39,7 @@ class Run {
   std::optional<Case> select(Case test);
   void run_cases(CaseJudge& judge);
   void finish_case(CaseResult result);
+  void note_life(const CaseResult& result);
 
   const CampaignOptions& options_;
   const ResultSink& results_;
@@ -43,6 +49,8 @@ class Run {
   std::mutex mutex_;
   std::size_t finished_ = 0;
   std::size_t no_go_ = 0;
+  std::size_t deaths_ = 0;  // at once; while there was nothing else
+  bool has_lived_ = false;
   bool stopped_ = false;
   std::exception_ptr failure_;
   CaseQueue queue_;  // last: its thread uses what stands above
@@ -62,10 +70,22 @@ std::optional<Case> Run::select(Case test) {
   return merged;
 }
 
+void Run::note_life(const CaseResult& result) {
+  if (has_lived_ || result.verdict.kind == VerdictKind::skip) return;
+  has_lived_ = result.verdict.kind != VerdictKind::crash || !result.trace.empty();
+  if (has_lived_ || ++deaths_ < kDeadOnArrival) return;
+  const std::string notes = result.notes.substr(0, kLongestNotes);
+  throw SubjectUnusable(fmt::format(
+      "The subject died at once in each of the first {} cases, so that nothing was judged. {}{}{}",
+      kDeadOnArrival, result.verdict.message,
+      notes.empty() ? "" : "\nIt wrote to stderr: ", notes));
+}
+
 void Run::finish_case(CaseResult result) {
-  known_failures_.apply(result);
   const std::lock_guard lock(mutex_);
   if (stopped_) return;
+  note_life(result);
+  known_failures_.apply(result);
   ++finished_;
   if (decision(result.verdict.kind) == Decision::no_go) {
     ++no_go_;

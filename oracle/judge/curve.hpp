@@ -75,7 +75,7 @@ class Curve {
   bool goes_beyond(const CurveProgress& from, const Motion& subject) const;
   // Where a motion that departs is off what is left of the curve, and how far.
   Apart apart(const CurveProgress& from, const Motion& subject) const;
-  // J-PATH-12: of points on a round motion that departs the one that is farthest from what is left
+  // J-CMP-12: of points on a round motion that departs the one that is farthest from what is left
   // of the curve; of one that goes round the other way on the same circle, from where the curve has
   // come meanwhile. `known` where none is farther.
   Apart farthest(const Apart& known, const CurveProgress& from, const Motion& subject) const;

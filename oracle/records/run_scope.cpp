@@ -134,14 +134,13 @@ bool RunScope::claims_every_dialect() const {
 }
 
 // "basic, g94 (10 of 12 cases) of gsk988ta; arc of hnc21t". A feature of which some cases were not
-// judged says how many were. More than `most` of a dialect: their number. `of_go`: those that are GO
-// alone.
-std::string RunScope::judged_features(std::size_t most, bool of_go) const {
+// judged says how many were. More than `most` of a dialect: their number.
+std::string RunScope::go_features(std::size_t most) const {
   std::string text;
   for (const auto& [dialect, features] : features_) {
     std::vector<std::string> names;
     for (const auto& [name, seen] : features) {
-      if (of_go ? !seen.is_go() : seen.cases == 0) continue;
+      if (!seen.is_go()) continue;
       names.push_back(seen.all() == seen.cases
                           ? name
                           : fmt::format("{} ({} of {} cases)", name, grouped(seen.cases),
@@ -153,6 +152,23 @@ std::string RunScope::judged_features(std::size_t most, bool of_go) const {
                                 : fmt::format("{}", fmt::join(names, ", "));
     text += " of " + dialect;
   }
+  return text;
+}
+
+// "g94 of gsk988ta fails 252 of 878 cases, arc of hnc21t 3 of 7 cases"; more than `most`: the
+// first, and how many more.
+std::string RunScope::failing_features(std::size_t most) const {
+  std::string text;
+  std::size_t count = 0;
+  for (const auto& [dialect, features] : features_) {
+    for (const auto& [name, seen] : features) {
+      if (seen.no_go == 0 || ++count > most) continue;
+      text += fmt::format("{}{} of {}{} {} of {}", text.empty() ? "" : ", ", name, dialect,
+                          text.empty() ? " fails" : "", grouped(seen.no_go),
+                          counted(seen.cases, "case", "cases"));
+    }
+  }
+  if (count > most) text += ", and " + counted(count - most, "more feature", "more features");
   return text;
 }
 
@@ -172,12 +188,18 @@ std::string RunScope::hardly_judged() const {
   return fmt::format("; not judged for the most part: {}", fmt::join(names, ", "));
 }
 
+std::string RunScope::score() const {
+  if (no_go_ == 0) return fmt::format("{} judged", grouped(judged_));
+  const std::size_t go = judged_ - no_go_;
+  return fmt::format("{} of {} judged {} GO", grouped(go), grouped(judged_),
+                     go == 1 ? "is" : "are");
+}
+
 std::string RunScope::counts() const {
-  std::string text = fmt::format("{} judged", grouped(judged_));
+  std::string text = score();
   auto put = [&](std::size_t number, std::string_view one, std::string_view many) {
     if (number > 0) text += ", " + counted(number, one, many);
   };
-  put(no_go_, "NO-GO", "NO-GO");
   put(advised_, "advice", "advices");
   put(known_, "known to fail", "known to fail");
   put(undecided_, "undecided", "undecided");
@@ -220,24 +242,28 @@ std::string RunScope::skips() const {
 
 // J-RUN-01.
 std::string RunScope::head(std::string_view decision) const {
-  const std::string features =
-      judged_features(std::numeric_limits<std::size_t>::max(), decision != kNoGo);
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  const std::string go = go_features(kAll);
   std::string text(decision);
-  if (!features.empty()) text += " for " + features;
-  return text + ": " + counts() + skips() + hardly_judged();
+  if (decision == kNoGo) {
+    text += ": ";
+    if (const std::string failing = failing_features(kAll); !failing.empty())
+      text += failing + "; ";
+    if (!go.empty()) text += "GO: " + go + "; ";
+  } else {
+    text += (go.empty() ? "" : " for " + go) + ": ";
+  }
+  return text + counts() + skips() + hardly_judged();
 }
 
 std::string RunScope::short_head(std::string_view decision) const {
   constexpr std::string_view kDot = " \xC2\xB7 ";
   constexpr std::size_t kMostNames = 4;
   std::string text(decision);
-  if (const std::string features = judged_features(kMostNames, decision != kNoGo);
-      !features.empty()) {
-    text.append(kDot).append(features);
-  }
-  text.append(kDot);
-  text += no_go_ > 0 ? fmt::format("{} of {} judged", grouped(no_go_), grouped(judged_))
-                     : fmt::format("{} judged", grouped(judged_));
+  const std::string features =
+      decision == kNoGo ? failing_features(kMostNames) : go_features(kMostNames);
+  if (!features.empty()) text.append(kDot).append(features);
+  text.append(kDot).append(score());
   if (advised_ > 0) text += ", " + counted(advised_, "advice", "advices");
   if (known_ > 0) text += fmt::format(", {} known to fail", grouped(known_));
   if (skipped_ > 0) text += fmt::format(", {} not claimed", grouped(skipped_));

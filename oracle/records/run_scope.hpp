@@ -66,7 +66,9 @@ class RunScope {
   // `kind`: in the run, which may be another than the line's own.
   void add(const CaseHead& line, VerdictKind kind);
 
-  // "GO for basic, g94 of gsk988ta: 156 judged, 3 advices; not claimed: g90, g92 (5,085 cases)"
+  // "GO for basic, g94 of gsk988ta: 156 judged, 3 advices; not claimed: g90, g92 (5,085 cases)";
+  // "NO-GO: g94 of gsk988ta fails 252 of 878 cases; GO: basic of gsk988ta; 593 of 865 judged are
+  // GO"
   std::string head(std::string_view decision) const;
   // The same in less room: "GO · basic, g94 of gsk988ta · 156 judged, 5,085 not claimed".
   std::string short_head(std::string_view decision) const;
@@ -89,7 +91,9 @@ class RunScope {
 
  private:
   void count_features(const CaseHead& line, VerdictKind kind);
-  std::string judged_features(std::size_t most, bool of_go) const;
+  std::string go_features(std::size_t most) const;
+  std::string failing_features(std::size_t most) const;
+  std::string score() const;
   std::string hardly_judged() const;
   std::string counts() const;
   std::string skips() const;

@@ -88,6 +88,31 @@ TEST(Campaign, TooMuchMemoryIsToldAsThatWhateverAFreshProcessDoes) {
   }
 }
 
+TEST(Campaign, ASubjectThatDiesAtOnceInEveryCaseIsNotJudged) {
+  const Scratch scratch;
+  write_corpus(scratch, 8);
+  FakeSubject dies;
+  dies.act = [](std::string_view, int) -> std::optional<RunEnd> {
+    RunEnd end = ended(RunEnd::Kind::crash);
+    end.notes = "no such script";
+    return end;
+  };
+  try {
+    results_of(scratch, "r", options_of(1), fake_maker(dies));
+    FAIL() << "it was judged";
+  } catch (const SubjectUnusable& unusable) {
+    EXPECT_NE(std::string(unusable.what()).find("no such script"), std::string::npos);
+  }
+  // One that answers once is at work.
+  FakeSubject lives;
+  lives.act = [](std::string_view id, int) -> std::optional<RunEnd> {
+    if (id == "t.000001") return std::nullopt;
+    return ended(RunEnd::Kind::crash);
+  };
+  const std::string footer = results_of(scratch, "r", options_of(1), fake_maker(lives));
+  EXPECT_NE(footer.find("\"crash\":7"), std::string::npos) << footer;
+}
+
 SubjectInfo declaring(std::map<std::string, std::set<std::string>> dialects) {
   SubjectInfo info;
   info.dialects = std::move(dialects);
@@ -116,8 +141,8 @@ TEST(Campaign, ASkipInsideADeclaredFeatureIsAFailureOfTheDeclaration) {
     const std::string footer = results_of(scratch, "r", options_of(1), fake_maker(skips));
     EXPECT_NE(footer.find("\"decision\":\"NO-GO\""), std::string::npos) << footer;
     EXPECT_NE(footer.find("\"fail.declaration\":9,\"pass-exact\":1"), std::string::npos) << footer;
-    EXPECT_NE(footer.find("NO-GO for basic of gsk988ta: 10 judged, 9 NO-GO; declared, but skipped: "
-                          "basic of gsk988ta (9 cases)"),
+    EXPECT_NE(footer.find("NO-GO: basic of gsk988ta fails 9 of 10 cases; 1 of 10 judged is GO; "
+                          "declared, but skipped: basic of gsk988ta (9 cases)"),
               std::string::npos)
         << footer;
   }

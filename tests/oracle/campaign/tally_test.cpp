@@ -93,6 +93,20 @@ TEST(Tally, AdvicesAndSkipsChangeNothingButTheHeadLine) {
   EXPECT_EQ(go.scope.advices().begin()->second.first, std::vector<std::string>{"c"});
 }
 
+// J-RUN-01.
+TEST(Tally, ANoGoSaysWhatFailedAndWhatDidNot) {
+  const RunAnswer no_go = answer({of_feature("a", VerdictKind::fail_geometry, "g94"),
+                                  of_feature("b", VerdictKind::pass_exact, "g94"),
+                                  of_feature("c", VerdictKind::pass_exact, "basic"),
+                                  of_feature("d", VerdictKind::fail_feed, "g110")});
+  EXPECT_EQ(no_go.head,
+            "NO-GO: g94 of gsk988ta fails 1 of 2 cases, g110 of gsk988ta 1 of 1 case; GO: basic of "
+            "gsk988ta; 2 of 4 judged are GO");
+  EXPECT_EQ(no_go.scope.short_head("NO-GO"),
+            "NO-GO \xC2\xB7 g94 of gsk988ta fails 1 of 2 cases, g110 of gsk988ta 1 of 1 case "
+            "\xC2\xB7 2 of 4 judged are GO");
+}
+
 // J-RUN-14: three cases of three that are advices are not GO.
 TEST(Tally, AFeatureOfWhichTheGreaterPartWasNotJudgedIsNotGo) {
   const RunAnswer none = answer({of_feature("a", VerdictKind::advice, "g94"),
