@@ -110,7 +110,7 @@ bool Alignment::take_ways(const Hypothesis& from, const Motion& motion, const Cu
       next.rounded = next.rounded && grade.rounded;
       is_exact = is_exact || grade.exact;
       if (way.progress.doubt != nullptr && !next.instead) {
-        next.instead = gap_verdict(GapReason::comparison, way.progress.doubt);
+        next.instead = gap_verdict(way.progress.gap, way.progress.doubt);
       }
       leave_motion(next);
     } else {

@@ -29,6 +29,7 @@ struct CurveProgress {
   Number line;                       // along the axis that moves most
   double arc = 0;                    // turns, to choose between whole turns only
   const char* doubt = nullptr;       // a sentence: of a piece it is open whether it belongs to it
+  GapReason gap = GapReason::none;   // why
   std::optional<Position> traverse;  // the nearest to its end so far, axis by axis
 };
 

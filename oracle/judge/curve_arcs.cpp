@@ -27,6 +27,7 @@ constexpr const char* kSpiralTooClose = "The radius of the spiral is too close."
 // departs, so does the whole; if it leads to the end, the whole is open.
 CurveAnswer doubtful(CurveProgress progress, const char* reason) {
   progress.doubt = reason;
+  progress.gap = GapReason::comparison;
   return CurveAnswer::goes(std::move(progress), false);
 }
 
@@ -168,7 +169,10 @@ CurveAnswer Curve::as_turns(const CurveProgress& from, const Motion& subject, do
   CurveAnswer answer = end_of_piece(from, subject, turns);
   const bool is_declared = terms_.resolution ? from.arc == 0 && !closes() : terms_.binary64;
   if (is_declared && is_rounded_curve(from, subject)) return answer;
-  for (CurveWay& way : answer.ways) way.progress.doubt = kHangsOnRounding;
+  for (CurveWay& way : answer.ways) {
+    way.progress.doubt = kHangsOnRounding;
+    way.progress.gap = GapReason::two_readings;
+  }
   return answer;
 }
 

@@ -33,7 +33,7 @@ MatchResult CurveFollower::match(const Motion& subject) {
     CurveAnswer answer = curve_.follow(from, subject);
     for (CurveWay& way : answer.ways) {
       if (way.done && way.progress.doubt != nullptr) {
-        departure = CurveAnswer::departs(Departure::undecided, way.progress.doubt);
+        departure = CurveAnswer::undecided(way.progress.gap, way.progress.doubt);
         continue;
       }
       if (!way.done) {

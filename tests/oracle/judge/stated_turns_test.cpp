@@ -54,9 +54,13 @@ Judging judging(Says says) {
   return result;
 }
 
+// A gap has its reason (R9).
 Decision decided(const Circle& circle, int turns, const char* ahead, Says says) {
-  return decision(
-      judge_trace(program_of(circle), trace_of(circle, turns, ahead), judging(says)).kind);
+  const Verdict verdict =
+      judge_trace(program_of(circle), trace_of(circle, turns, ahead), judging(says));
+  const bool is_open = decision(verdict.kind) == Decision::undecided;
+  EXPECT_EQ(verdict.gap, is_open ? GapReason::two_readings : GapReason::none);
+  return decision(verdict.kind);
 }
 
 // A subject that drops a circle whose end is not its start to the last bit prints this.
