@@ -38,7 +38,12 @@ Number sweep(const Motion& arc) {
   return (angle.sign() < 0 ? angle + full : angle) + Number(full) * turns;
 }
 
-// Nothing: it is not known here. A radius is that at the start.
+bool has_no_length(const PlaneVector& radius) {
+  return radius.p.sign() == 0 && radius.q.sign() == 0;
+}
+
+// Nothing: it is not known here, as of an arc that begins or ends in its own centre. A radius is
+// that at the start.
 std::optional<Number> length_of(const Motion& motion) {
   if (motion.record.kind == RecordKind::arc3) {
     const Motion chord_or_arc = straightened(motion);
@@ -48,6 +53,8 @@ std::optional<Number> length_of(const Motion& motion) {
   }
   if (motion.record.kind != RecordKind::arc) return chord(motion);
   const PlaneVector from = from_centre(motion.record, motion.from);
+  if (has_no_length(from) || has_no_length(from_centre(motion.record, motion.to())))
+    return std::nullopt;
   const Axis depth = reference::axes_of(motion.record.plane).d;
   const Number radius_2 = square(from.p) + square(from.q);
   const Number height = motion.to()[depth] - motion.from[depth];

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace gonogo::oracle {
 
@@ -29,17 +30,22 @@ std::string point_text(const reference::Position& point, reference::AxisSet axes
 
 namespace {
 
-// A number of a point as `append_json` writes it.
-Number number_of(const nlohmann::ordered_json& json) {
+// A number of a point as `append_json` writes it; nothing of one that is too long to be read.
+std::optional<Number> number_of(const nlohmann::ordered_json& json) {
   const auto part = [](const nlohmann::ordered_json& text) {
-    return Number::parse(text.get<std::string>()).value();
+    return Number::parse(text.get<std::string>());
   };
   if (json.is_string()) return part(json);
   if (const auto root = json.find("root"); root != json.end()) {
-    return Number::root(part(root->at(0)), part(root->at(1)), part(root->at(2)));
+    const auto a = part(root->at(0));
+    const auto b = part(root->at(1));
+    const auto c = part(root->at(2));
+    return a && b && c ? std::optional(Number::root(*a, *b, *c)) : std::nullopt;
   }
   const nlohmann::ordered_json& bounds = json.at("enclosure");
-  return Number::between(part(bounds.at(0)), part(bounds.at(1)));
+  const auto low = part(bounds.at(0));
+  const auto high = part(bounds.at(1));
+  return low && high ? std::optional(Number::between(*low, *high)) : std::nullopt;
 }
 
 }  // namespace
@@ -50,7 +56,9 @@ std::string point_for_people(const std::string& point) {
   bool says_more = false;
   const auto axes = nlohmann::ordered_json::parse(point);
   for (const auto& [axis, value] : axes.items()) {
-    const std::string decimal = millimetres_text(number_of(value));
+    const std::optional<Number> number = number_of(value);
+    if (!number) return point;
+    const std::string decimal = millimetres_text(*number);
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis, decimal);
     says_more = says_more || !value.is_string() || value.get<std::string>() != decimal;
   }

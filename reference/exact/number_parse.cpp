@@ -12,8 +12,6 @@
 namespace gonogo::exact {
 namespace {
 
-constexpr std::size_t kMaxParsedLength = 1000;
-constexpr int kMaxExponent = 9999;
 constexpr std::size_t kMaxWordDigits = 19;  // fit in 64 bits
 
 bool is_digit(char c) {
@@ -74,7 +72,7 @@ std::optional<int> exponent_of(std::string_view text, char letter) {
   int value = 0;
   for (const char c : digits) {
     value = value * 10 + (c - '0');
-    if (value > kMaxExponent) return std::nullopt;
+    if (value > kMostExponent) return std::nullopt;
   }
   return negative ? -value : value;
 }
@@ -149,7 +147,7 @@ std::optional<Number> parse_short_decimal(bool negative, std::string_view text) 
 }  // namespace
 
 std::optional<Number> Number::parse(std::string_view text) {
-  if (text.size() > kMaxParsedLength) return std::nullopt;
+  if (text.size() > kMostCharacters) return std::nullopt;
   const bool negative = take_sign(text);
   if (auto value = parse_short_decimal(negative, text)) return value;
   if (text.size() > 2 && text[0] == '0' && is_letter(text[1], 'x')) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers as text: for records (append_json), for people (text) and rounded (decimal_text).
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -12,7 +13,6 @@
 namespace gonogo::exact {
 namespace {
 
-constexpr std::size_t kMaxLength = 1000;  // of a number in a record
 // Enclosures are written on a grid of 1e-20 from bounds 2^-64 apart: at most 1e-15 together.
 constexpr int kEnclosurePlaces = 20;
 constexpr int kEnclosureBits = 64;
@@ -39,15 +39,16 @@ void append_small(std::string& out, std::int64_t count) {
   out.append(begin, static_cast<std::size_t>(end - begin));
 }
 
+// The digits with so many of them behind the point.
+std::string with_point(std::string text, unsigned long places) {
+  if (places == 0) return text;
+  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+  return text.insert(text.size() - places, 1, '.');
+}
+
 // digits / 10^places, with all its places.
 std::string point_text(const mpz_class& digits, unsigned long places) {
-  std::string text = mpz_class(abs(digits)).get_str();
-  if (places > 0) {
-    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-    text.insert(text.size() - places, 1, '.');
-  }
-  if (sgn(digits) < 0) text.insert(0, 1, '-');
-  return text;
+  return (sgn(digits) < 0 ? "-" : "") + with_point(mpz_class(abs(digits)).get_str(), places);
 }
 
 // The places that a terminating decimal needs; nothing when the value is none.
@@ -61,6 +62,47 @@ std::optional<unsigned long> terminating_places(const mpq_class& value) {
   return std::max(twos, fives);
 }
 
+// digits * 10^exponent, with the digits that it needs and an exponent that is read.
+std::string scientific_text(mpz_class digits, long exponent) {
+  const mpz_class ten = 10;
+  exponent +=
+      static_cast<long>(mpz_remove(digits.get_mpz_t(), digits.get_mpz_t(), ten.get_mpz_t()));
+  const long told = std::clamp(exponent, -kMostExponent, kMostExponent);
+  if (exponent > told) digits *= power_of_ten(static_cast<unsigned long>(exponent - told));
+  const auto places = static_cast<unsigned long>(std::max(0L, told - exponent));
+  return point_text(digits, places) + "e" + std::to_string(told);
+}
+
+// The same to the base of two. REQUIRES: a denominator that is a power of it.
+std::string binary_text(const mpq_class& value) {
+  mpz_class digits = abs(value.get_num());
+  const mp_bitcnt_t twos = mpz_scan1(digits.get_mpz_t(), 0);
+  const long exponent =
+      static_cast<long>(twos) - static_cast<long>(mpz_scan1(value.get_den_mpz_t(), 0));
+  const long told = std::clamp(exponent, -kMostExponent, kMostExponent);
+  digits >>= twos;
+  if (exponent > told) digits <<= static_cast<mp_bitcnt_t>(exponent - told);
+  const auto bits = static_cast<mp_bitcnt_t>(std::max(0L, told - exponent));
+  digits <<= (4 - bits % 4) % 4;
+  return (sgn(value) < 0 ? "-0x" : "0x") + with_point(digits.get_str(16), (bits + 3) / 4) + "p" +
+         std::to_string(told);
+}
+
+// What is too long for a record as a decimal: as a fraction, with an exponent, with a power of two;
+// the first that can be read back, else the shortest.
+std::string long_rational_text(const mpq_class& value, std::optional<unsigned long> places) {
+  std::string text = value.get_str();
+  const auto prefer = [&](std::string other) {
+    if (text.size() > kMostCharacters && other.size() < text.size()) text = std::move(other);
+  };
+  if (places) {
+    prefer(scientific_text(value.get_num() * (power_of_ten(*places) / value.get_den()),
+                           -static_cast<long>(*places)));
+  }
+  if (mpz_popcount(value.get_den_mpz_t()) == 1) prefer(binary_text(value));
+  return text;
+}
+
 void append_rational(std::string& out, const Number& value) {
   if (NumberAccess::node(value) == nullptr) {
     append_small(out, NumberAccess::millionths(value));
@@ -69,13 +111,12 @@ void append_rational(std::string& out, const Number& value) {
   mpq_class scratch;
   const mpq_class& exact = rational_of(value, scratch);
   const auto places = terminating_places(exact);
-  // A decimal that is too long for a record gives way to a shorter fraction: 2^-1074.
-  if (places && (*places <= kMaxLength || *places <= exact.get_str().size())) {
-    const mpz_class digits = exact.get_num() * (power_of_ten(*places) / exact.get_den());
-    out += point_text(digits, *places);
-  } else {
-    out += exact.get_str();
+  std::string text;
+  if (places && *places <= kMostCharacters) {
+    text = point_text(exact.get_num() * (power_of_ten(*places) / exact.get_den()), *places);
   }
+  const bool fits = !text.empty() && text.size() <= kMostCharacters;
+  out += fits ? text : long_rational_text(exact, places);
 }
 
 std::string rational_text(const Number& value) {

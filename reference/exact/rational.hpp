@@ -13,6 +13,10 @@
 
 namespace gonogo::exact {
 
+// Of a number in a record, as it is read: what is written holds to it where there is a way.
+inline constexpr std::size_t kMostCharacters = 1000;
+inline constexpr long kMostExponent = 9999;
+
 struct RationalNode final : Node {
   explicit RationalNode(mpq_class its_value)
       : Node(Number::Form::rational), value(std::move(its_value)) {}

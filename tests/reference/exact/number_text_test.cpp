@@ -45,6 +45,29 @@ TEST(NumberJson, WritesAFractionWhereADecimalIsTooLongForARecord) {
   EXPECT_EQ(num(text.substr(1, text.size() - 2)), Number::binary(1, -1074));
 }
 
+// What is read from a record is at most 1,000 characters long, and so is what is written of it.
+TEST(NumberJson, WritesWhatCanBeReadBack) {
+  const std::string nines(990, '9');
+  for (const std::string& text :
+       {std::string("1e1000"), std::string("-1e1000"), std::string("1e-1000"),
+        std::string("1.5e9999"), std::string("-1e-9999"), "0." + nines + "e-9999", nines + "0e9999",
+        std::string("0x1p9999"), std::string("0x1p-9999"), std::string("-0x1.8p-9999"),
+        std::string("0x0.000000000000000000001p-9999"), "0x" + nines + "p9999",
+        "1/" + nines + "7"}) {
+    const std::string written = json(num(text));
+    EXPECT_LE(written.size(), 1002U) << text;
+    EXPECT_EQ(num(written.substr(1, written.size() - 2)), num(text)) << text;
+  }
+}
+
+TEST(NumberJson, WritesAnExponentWhereNothingElseIsShortEnough) {
+  EXPECT_EQ(json(num("1e999")), '"' + ('1' + std::string(999, '0')) + '"');
+  EXPECT_EQ(json(num("1e1000")), "\"1e1000\"");
+  EXPECT_EQ(json(num("-250e-1002")), "\"-25e-1001\"");
+  EXPECT_EQ(json(num("100e9999")), "\"100e9999\"");
+  EXPECT_EQ(json(num("0x3p9000")), "\"0x3p9000\"");
+}
+
 TEST(NumberJson, WritesRootsByTheirParts) {
   EXPECT_EQ(json(Number::root(1, 2, 3)), "{\"root\":[\"1\",\"2\",\"3\"]}");
   EXPECT_EQ(json(Number::root(num("1/3"), num("-0.5"), 2)), "{\"root\":[\"1/3\",\"-0.5\",\"2\"]}");
