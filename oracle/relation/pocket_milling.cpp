@@ -29,7 +29,6 @@ class MillingConditions {
         limit_(terms_.tolerance * 17 / 8),
         start_(way.subject.at(way.begin).from),
         raster_((half_length_ + half_width_) * 4 + Number(1)),
-        winding_(pocket.sense, terms_.tolerance * 4),
         above_(rational_near(pocket.clearance)) {
     constexpr int kAsMuch = 10;
     const Number sides = half_length_ + half_width_ - tool_ * 2;
@@ -135,7 +134,7 @@ class MillingConditions {
     const Number height = min(piece.from[axes_.d], piece.to[axes_.d]);
     if (height >= rational_near(pocket_.reference_plane) - off) return true;
     const bool is_above = !levels_.empty() && height > levels_.back().depth + off;
-    const bool is_roughed_there = height > rational_near(pocket_.rough_floor) + off &&
+    const bool is_roughed_there = height >= rational_near(pocket_.rough_floor) - off &&
                                   is_roughed(offset_of(piece.from)) &&
                                   is_roughed(offset_of(piece.to));
     return is_above || (pocket_.finishing && is_roughed_there);
@@ -159,18 +158,19 @@ class MillingConditions {
   }
 
   std::string_view take_traverse(const Event& piece, const Number& off) {
-    winding_.leave();
     if (is_early(piece)) return kEarly;
     if (!levels_.empty()) levels_.back().is_over = true;
     const bool is_straight_up = piece.to[axes_.d] > piece.from[axes_.d] &&
                                 way_of(piece, axes_.p) + way_of(piece, axes_.q) <= off;
-    if (is_straight_up || is_free(piece, off)) return {};
     // SIE-LC75-11: in finishing it ends above the floor that roughing left.
     const bool comes_down = piece.to[axes_.d] < piece.from[axes_.d] - off;
     const Number floor = rational_near(pocket_.finishing ? pocket_.rough_floor : pocket_.floor);
-    if ((pocket_.finishing || comes_down) && piece.to[axes_.d] <= floor + off) {
+    const bool is_in_air = piece.to[axes_.d] >= rational_near(pocket_.reference_plane) - off;
+    if ((pocket_.finishing || comes_down) && !is_straight_up && !is_in_air &&
+        piece.to[axes_.d] <= floor + off) {
       return "A traverse ends on a floor.";
     }
+    if (is_straight_up || is_free(piece, off)) return {};
     return is_in_cleared(piece, off) ? std::string_view() : "A traverse goes into the material.";
   }
 
@@ -182,15 +182,7 @@ class MillingConditions {
   std::string_view take_cut(const Event& piece, const Number& off) {
     const bool is_in_material =
         min(piece.from[axes_.d], piece.to[axes_.d]) <= rational_near(pocket_.reference_plane) - off;
-    // A line has no way round it.
-    const bool has_sense = min(half_length_, half_width_) - tool_ > terms_.tolerance * 4;
-    if (has_sense && is_in_material && is_along_border(piece.from) && is_along_border(piece.to)) {
-      winding_.take(offset_of(piece.from));
-      winding_.take(offset_of(piece.to));
-      if (winding_.goes_back()) return "The cut goes round the border the other way.";
-    } else {
-      winding_.leave();
-    }
+    if (is_in_material && runs_back(piece)) return "The cut goes round the border the other way.";
     const bool is_level = abs(piece.to[axes_.d] - piece.from[axes_.d]) <= off;
     const Number& lowest = levels_.empty() ? above_ : levels_.back().depth;
     const bool is_new = piece.to[axes_.d] < lowest - off;
@@ -207,6 +199,20 @@ class MillingConditions {
     return is_free(piece, off) || is_in_cleared(piece, off)
                ? ""
                : "The cut has another feed, or is beside its level.";
+  }
+
+  // SIE-LC75-12: along the border back for more than a quarter of the tool's radius, or of where
+  // the tool may go. A line has no way round it.
+  bool runs_back(const Event& piece) {
+    const Number half = min(half_length_, half_width_) - tool_;
+    if (half <= terms_.tolerance * 4) return false;
+    if (!is_along_border(piece.from) || !is_along_border(piece.to)) return false;
+    const Offset from = offset_of(piece.from);
+    const Offset to = offset_of(piece.to);
+    const Number way = max(abs(to.p - from.p), abs(to.q - from.q));
+    const bool is_back = ((from.p * to.q - from.q * to.p) * pocket_.sense).sign() < 0;
+    back_ = is_back ? back_ + way : max(back_ - way, 0);
+    return back_ > min(tool_, half) / 4;
   }
 
   // SIE-LC75-04, SIE-LC75-11: at the centre with R122; in finishing the last alone.
@@ -315,7 +321,7 @@ class MillingConditions {
   Number limit_;
   Position start_;
   Raster raster_;
-  Winding winding_;
+  Number back_;   // how far the last cuts have run back along the border
   Number above_;  // where it begins
   std::vector<Level> levels_;
   Number width_;

@@ -102,7 +102,6 @@ std::size_t ReferenceSide::m_functions(std::size_t index) {
   };
   if (index < scanned_) return m_.size();
   for (scanned_ = index; is_of_block(scanned_);) ++scanned_;
-  ++scanned_;
   return m_.size();
 }
 

@@ -381,6 +381,22 @@ TEST(R5Events, WhatEndsTheProgramComesBehindTheMotionsOfItsBlock) {
   EXPECT_EQ(decided("G00 X50 Z5 M30\n", m30 + motion, gsk), "fail.order R5");
 }
 
+// A block without a cut is no cycle.
+TEST(R5Events, AmongTraversesAnMFunctionIsFree) {
+  const Declared gsk{.dialect = "gsk988ta"};
+  const std::string to_25 = R"({"k":"rapid","b":1,"to":{"x":"25"}})"
+                            "\n";
+  const std::string to_20 = R"({"k":"rapid","b":2,"to":{"x":"20"}})"
+                            "\n";
+  const std::string m5 = "{\"k\":\"m\",\"b\":2,\"m\":5}\n";
+  const std::string program = "G00 X50\nX40 M5\nX30 M8\n";
+  const std::string rest = "{\"k\":\"m\",\"b\":3,\"m\":8}\n"
+                           R"({"k":"rapid","b":3,"to":{"x":"15"}})";
+  EXPECT_EQ(decided(program, to_25 + to_20 + m5 + rest, gsk), kGo);
+  EXPECT_EQ(decided(program, to_25 + m5 + to_20 + rest, gsk), kGo);
+  EXPECT_EQ(decided(program, m5 + to_25 + to_20 + rest, gsk), "fail.order R5");
+}
+
 TEST(R5Events, NoMFunctionStandsAmongTheMotionsOfACycle) {
   const std::string program = "G00 X50 Z5\nG94 X40 Z-3 F100 M8\nM30\n";
   const Declared gsk{.dialect = "gsk988ta"};
