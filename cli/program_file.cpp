@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,10 +16,39 @@
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
+namespace {
+
+// Whether a FIFO of which nothing has been read has a writer, or something to be read.
+bool has_writer(int descriptor) {
+  std::array<int, 2> copy{};
+  if (::pipe2(copy.data(), O_CLOEXEC) != 0) return true;
+  const bool has = ::tee(descriptor, copy[1], 1, SPLICE_F_NONBLOCK) != 0;
+  ::close(copy[0]);
+  ::close(copy[1]);
+  return has;
+}
+
+// A FIFO without a writer would be waited for without end.
+bool has_nobody_behind(int descriptor) {
+  constexpr int kPatienceMs = 5000;
+  pollfd waiting{descriptor, POLLIN, 0};
+  return ::poll(&waiting, 1, kPatienceMs) == 0 && !has_writer(descriptor);
+}
+
+// Of a device that is no terminal, nothing but that of no bytes ends.
+bool is_endless(const struct stat& status, int descriptor) {
+  struct stat null {};
+  const bool is_null = ::stat("/dev/null", &null) == 0 && null.st_rdev == status.st_rdev;
+  return S_ISBLK(status.st_mode) ||
+         (S_ISCHR(status.st_mode) && !is_null && ::isatty(descriptor) == 0);
+}
+
+}  // namespace
 
 ProgramFile::ProgramFile(const std::string& path, const char* kind)
     : name_(path == "-" ? "<stdin>" : path) {
-  descriptor_ = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  descriptor_ =
+      path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) {
     throw UsageError(
         fmt::format("{} cannot be opened: {}. Name {}.", path, std::strerror(errno), kind));
@@ -28,8 +58,16 @@ ProgramFile::ProgramFile(const std::string& path, const char* kind)
     if (S_ISDIR(status.st_mode)) {
       throw UsageError(fmt::format("{} is a folder. Name {}.", path, kind));
     }
+    if (is_endless(status, descriptor_)) {
+      throw UsageError(fmt::format("{} is a device. Name {}.", path, kind));
+    }
+    if (S_ISFIFO(status.st_mode) && path != "-" && has_nobody_behind(descriptor_)) {
+      throw UsageError(fmt::format("Nobody writes to {}. Name {}.", path, kind));
+    }
     if (S_ISREG(status.st_mode)) size_ = status.st_size;
   }
+  // Only the opening was not to wait.
+  if (descriptor_ != STDIN_FILENO) ::fcntl(descriptor_, F_SETFL, 0);
   bytes_ = std::make_unique<grammar::DescriptorSource>(descriptor_);
 }
 

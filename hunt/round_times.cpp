@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hunt/round_times.hpp"
+#include "oracle/records/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,7 @@ void append_round_time(const std::string& folder, const RoundTime& time) {
 
 std::vector<RoundTime> read_round_times(const std::string& folder) {
   std::map<std::size_t, RoundTime> rounds;
-  std::ifstream in(file_in(folder), std::ios::binary);
+  std::ifstream in = oracle::open_regular(file_in(folder));
   for (std::string text; std::getline(in, text);) {
     const Json line = Json::parse(text, nullptr, false);
     if (!line.is_object()) continue;

@@ -10,6 +10,8 @@ namespace gonogo::reference {
 
 namespace {
 
+constexpr std::uint64_t kMostOfACycle = 10'000'000;
+
 // A block behind '/' is passed over unread, so that nothing in it is wrong.
 bool is_skipped(const grammar::Line& line) {
   const std::size_t first = line.text.find_first_not_of(" \t");
@@ -84,6 +86,7 @@ void Expander::leave_out_of_range() {
 bool Expander::next_line() {
   out_.clear();
   next_item_ = next_after_ = 0;
+  of_cycle_ = 0;
   const auto size = static_cast<std::uint32_t>(line_.text.size());
   if (interpreter_->next_line(lines_, line_)) return true;
   text_ended_ = true;
@@ -94,7 +97,13 @@ bool Expander::next_line() {
 const Item* Expander::next() {
   while (!ended_) {
     if (next_item_ < out_.items.size()) return &out_.items[next_item_++];
-    if (const Item* item = out_.cycle.next()) return item;
+    if (const Item* item = out_.cycle.next()) {
+      if (++of_cycle_ <= kMostOfACycle) return item;
+      return finish(NotCovered{line_.number,
+                               "motions",
+                               "The cycle has more motions than the gauge follows, 10,000,000.",
+                               {}});
+    }
     if (next_after_ < out_.after.size()) return &out_.after[next_after_++];
     if (!out_.alarms.empty()) {
       // A text without a line has its alarm in the first.

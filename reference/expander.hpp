@@ -174,6 +174,7 @@ class Expander {
   PlaceSink place_;
   std::size_t next_item_ = 0;
   std::size_t next_after_ = 0;
+  std::uint64_t of_cycle_ = 0;  // items of the block so far
   Item last_;
   bool text_ended_ = false;
   bool ended_ = false;

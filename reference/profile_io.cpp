@@ -2,13 +2,13 @@
 //
 // Profiles from TOML and JSON. Both are read into one document first.
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "reference/dialect.hpp"
+#include "reference/toml_text.hpp"
 
 namespace gonogo::reference {
 namespace {
@@ -295,7 +295,7 @@ std::vector<ProfileKey> keys_of(Json document) {
 }  // namespace
 
 std::vector<ProfileKey> keys_of_toml(std::string_view text) {
-  return keys_of(from_toml_node(toml::parse(text), ""));
+  return keys_of(from_toml_node(parse_toml(text), ""));
 }
 
 std::vector<ProfileKey> keys_of_json(std::string_view text) {
@@ -303,7 +303,7 @@ std::vector<ProfileKey> keys_of_json(std::string_view text) {
 }
 
 ProfileResult profile_from_toml(std::string_view text, std::string_view unnamed) {
-  return guarded([&] { return from_toml_node(toml::parse(text), ""); }, unnamed);
+  return guarded([&] { return from_toml_node(parse_toml(text), ""); }, unnamed);
 }
 
 ProfileResult profile_from_json(std::string_view text, std::string_view unnamed) {

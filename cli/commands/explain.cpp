@@ -3,6 +3,8 @@
 // gonogo explain: each motion with the clause that it comes from, in words.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
@@ -24,44 +26,44 @@ struct ExplainOptions {
   long block = 0;  // 0: all
 };
 
-// Lines of the program as the expander reads them, remembered for the text of the block.
-class RememberedLines : public grammar::ByteSource {
+// The lines of a program by their numbers, in one walk where these only rise.
+class NumberedLines {
  public:
-  explicit RememberedLines(std::string text) : text_(std::move(text)), bytes_(text_) {}
-  std::size_t read(char* data, std::size_t capacity) override {
-    return bytes_.read(data, capacity);
+  explicit NumberedLines(std::string_view program) : program_(program) { rewind(); }
+
+  // Its beginning; nothing: there is none of that number.
+  std::optional<std::string_view> line(std::uint64_t number) {
+    if (number < line_.number) rewind();
+    while (line_.number < number) {
+      if (!lines_->next(line_)) return std::nullopt;
+    }
+    return line_.text.substr(0, 200);
   }
-  const std::string& text() const { return text_; }
+  // Of the line read last.
+  std::uint64_t number() const { return line_.number; }
 
  private:
-  std::string text_;
-  grammar::MemorySource bytes_;
+  void rewind() {
+    bytes_.emplace(program_);
+    lines_.emplace(*bytes_);
+    line_ = {};
+  }
+
+  std::string_view program_;
+  std::optional<grammar::MemorySource> bytes_;
+  std::optional<grammar::LineSource> lines_;
+  grammar::Line line_;
 };
 
-std::string line_of(std::string_view program, std::uint64_t number) {
-  grammar::MemorySource bytes(program);
-  grammar::LineSource lines(bytes);
-  grammar::Line line;
-  while (lines.next(line)) {
-    if (line.number == number) return std::string(line.text.substr(0, 200));
-  }
-  return {};
-}
-
-void check_block(std::string_view program, long block) {
-  grammar::MemorySource bytes(program);
-  grammar::LineSource lines(bytes);
-  grammar::Line line;
-  std::uint64_t last = 0;
-  while (lines.next(line)) last = line.number;
-  if (static_cast<std::uint64_t>(block) <= last) return;
-  throw UsageError(fmt::format("--block {}: the program has {} lines.", block, last));
+void check_block(NumberedLines& lines, long block) {
+  if (block == 0 || lines.line(static_cast<std::uint64_t>(block))) return;
+  throw UsageError(fmt::format("--block {}: the program has {} lines.", block, lines.number()));
 }
 
 class Explanation {
  public:
-  Explanation(const reference::Profile& profile, std::string_view program)
-      : program_(program),
+  Explanation(const reference::Profile& profile, NumberedLines& lines)
+      : lines_(lines),
         choice_(profile.readings.shown()),
         table_(make_record_format("table", profile, "")) {}
 
@@ -94,10 +96,10 @@ class Explanation {
     if (line == block_) return;
     block_ = line;
     clause_ = reference::kNoClause;
-    out += fmt::format("\nline {}: {}\n", block_, line_of(program_, block_));
+    out += fmt::format("\nline {}: {}\n", block_, lines_.line(block_).value_or(""));
   }
 
-  std::string_view program_;
+  NumberedLines& lines_;
   reference::ReadingChoice choice_;  // as it is shown
   std::unique_ptr<RecordFormat> table_;
   std::uint64_t block_ = 0;
@@ -121,13 +123,15 @@ std::string times_of(const oracle::CycleTime& time) {
 
 int explain(const ExplainOptions& options) {
   const reference::Profile profile = load_profile(options.profile);
-  RememberedLines program(read_file(options.program));
-  if (program.text().empty()) throw UsageError(options.program + " is empty.");
-  grammar::LineSource lines(program);
+  const std::string program = read_file(options.program);
+  if (program.empty()) throw UsageError(options.program + " is empty.");
+  NumberedLines numbered(program);
+  check_block(numbered, options.block);
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
-  Explanation explanation(profile, program.text());
+  Explanation explanation(profile, numbered);
   oracle::CycleTime time(profile.initial.at);
-  if (options.block != 0) check_block(program.text(), options.block);
   Output output;
   const auto is_shown = [&](std::uint64_t line) {
     return options.block == 0 || line == static_cast<std::uint64_t>(options.block);
@@ -161,7 +165,7 @@ int explain(const ExplainOptions& options) {
   if (options.block != 0 && exit_code == kGo && explanation.empty()) {
     output.text() +=
         fmt::format("\nline {}: {}\n  no motion comes from it\n", options.block,
-                    line_of(program.text(), static_cast<std::uint64_t>(options.block)));
+                    numbered.line(static_cast<std::uint64_t>(options.block)).value_or(""));
   }
   output.text() += times_of(time);
   output.flush();

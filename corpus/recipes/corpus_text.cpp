@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <filesystem>
 #include <set>
 
 #include "corpus/recipes/cover_recipe.hpp"
 #include "corpus/recipes/recipe.hpp"
 #include "oracle/corpus/folder_writer.hpp"
+#include "oracle/corpus/toml_file.hpp"
 
 namespace gonogo::recipes {
 
@@ -21,14 +21,10 @@ using oracle::CorpusError;
 
 // Version and retired ids.
 void read_settings(const std::string& path, CorpusText& corpus) {
-  try {
-    const toml::table table = toml::parse_file(path);
-    corpus.version = table["version"].value_or<std::string>("");
-    if (const toml::array* retired = table["retired"].as_array()) {
-      for (const toml::node& id : *retired) corpus.retired.push_back(id.value_or<std::string>(""));
-    }
-  } catch (const toml::parse_error& error) {
-    throw CorpusError(fmt::format("{}: {}", path, error.description()));
+  const toml::table table = oracle::read_toml_file(path);
+  corpus.version = table["version"].value_or<std::string>("");
+  if (const toml::array* retired = table["retired"].as_array()) {
+    for (const toml::node& id : *retired) corpus.retired.push_back(id.value_or<std::string>(""));
   }
   if (corpus.version.empty()) throw CorpusError(path + ": the version is missing.");
 }

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 
 #include "generate/cover/cases.hpp"
+#include "oracle/corpus/toml_file.hpp"
 
 namespace gonogo::recipes {
 
@@ -17,15 +17,6 @@ using oracle::Case;
 using oracle::CorpusError;
 
 namespace {
-
-toml::table toml_of(const std::string& path) {
-  try {
-    return toml::parse_file(path);
-  } catch (const toml::parse_error& error) {
-    throw CorpusError(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
-  }
-}
 
 std::int64_t number(const toml::table& cover, const std::string& path, std::string_view key) {
   const std::optional<std::int64_t> value = cover[key].value<std::int64_t>();
@@ -66,11 +57,11 @@ Making making_of(const toml::table& cover, const std::string& path) {
 }  // namespace
 
 bool is_cover_recipe(const std::string& path) {
-  return toml_of(path).contains("cover");
+  return oracle::read_toml_file(path).contains("cover");
 }
 
 std::vector<Case> cover_recipe_cases(const std::string& path) {
-  const toml::table document = toml_of(path);
+  const toml::table document = oracle::read_toml_file(path);
   const toml::table* cover = document["cover"].as_table();
   if (cover == nullptr || document.size() != 1) {
     throw CorpusError(fmt::format("{}: a recipe of a covering array has one table, cover.", path));

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
+#include "oracle/corpus/toml_file.hpp"
 #include "oracle/records/base64.hpp"
 
 namespace gonogo::recipes {
@@ -22,14 +22,9 @@ namespace {
 
 // A TOML file as JSON, which has no dates and no comments to care for.
 Json document_of(const std::string& path) {
-  try {
-    std::ostringstream text;
-    text << toml::json_formatter(toml::parse_file(path));
-    return Json::parse(text.str());
-  } catch (const toml::parse_error& error) {
-    throw CorpusError(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
-  }
+  std::ostringstream text;
+  text << toml::json_formatter(oracle::read_toml_file(path));
+  return Json::parse(text.str());
 }
 
 void need_keys(const Json& table, std::string_view what, std::initializer_list<const char*> known) {

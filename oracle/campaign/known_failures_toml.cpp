@@ -2,7 +2,6 @@
 //
 // The TOML of known failures and alarm maps.
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +9,7 @@
 
 #include "oracle/campaign/known_failures.hpp"
 #include "reference/outcome.hpp"
+#include "reference/toml_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -125,7 +125,7 @@ KnownCause cause_of(const toml::table& table) {
 template <typename Result, typename Read>
 std::variant<Result, FileFault> read_toml(std::string_view text, Read read) {
   try {
-    return read(toml::parse(text));
+    return read(reference::parse_toml(text));
   } catch (const FileFault& fault) {
     return fault;
   } catch (const toml::parse_error& error) {

@@ -11,6 +11,7 @@
 #include "oracle/capture/captured_trace.hpp"
 #include "oracle/capture/export_manifest.hpp"
 #include "oracle/records/features.hpp"
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "oracle/subjects/start_reply.hpp"
 #include "reference/dialect.hpp"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_regular(path);
   if (!file) throw SubjectUnusable(fmt::format("{} cannot be opened.", path.string()));
   std::ostringstream text;
   text << file.rdbuf();
@@ -50,7 +51,7 @@ void declare_everything(SubjectInfo& info) {
 bool traces_name_blocks(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".jsonl") continue;
-    std::ifstream file(entry.path());
+    std::ifstream file = open_regular(entry.path());
     TraceReader reader;
     for (std::string line; std::getline(file, line);) {
       if (line.find("\"k\"") == std::string::npos) continue;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <vector>
 
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/trace_reader.hpp"
 
 namespace gonogo::oracle {
@@ -113,7 +114,7 @@ void leave_header(SubjectAlarm& alarm, std::uint64_t lines) {
 
 RunEnd read_captured_trace(const std::string& path, const TraceHeader& header,
                            const RecordSink& sink) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_regular(path);
   if (!file) return protocol(path, 0, "The file cannot be opened.");
   TraceReader reader;
   HeaderFilter filter(header, sink);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "oracle/records/input_file.hpp"
 #include "oracle/subject.hpp"
 
 namespace gonogo::oracle {
@@ -30,7 +31,7 @@ ExportedProgram program_of(const nlohmann::json& entry) {
 }  // namespace
 
 std::map<std::string, ExportedProgram> read_export_manifest(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_regular(path);
   if (!file) throw SubjectUnusable(fmt::format("The manifest {} cannot be opened.", path));
   std::map<std::string, ExportedProgram> programs;
   try {

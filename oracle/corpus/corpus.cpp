@@ -13,6 +13,7 @@
 #include "oracle/corpus/files.hpp"
 #include "oracle/corpus/json_place.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/json_document.hpp"
 
 namespace gonogo::oracle {
@@ -31,7 +32,7 @@ std::string carried_file_text(const std::string& path) {
 
 std::string file_text(const std::string& path) {
   if (path.starts_with(kCarriedFolder)) return carried_file_text(path);
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_regular(path);
   std::string text;
   if (file) text = (std::ostringstream() << file.rdbuf()).str();
   if (!file || file.bad()) {

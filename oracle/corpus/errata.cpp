@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include <toml++/toml.h>
 #include <array>
 #include <filesystem>
 #include <regex>
 
 #include "oracle/corpus/corpus.hpp"
+#include "oracle/corpus/toml_file.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -69,21 +69,16 @@ std::vector<Erratum> read_errata(const std::string& folder) {
   const std::string path = folder + "/errata.toml";
   std::vector<Erratum> errata;
   if (!std::filesystem::exists(path)) return errata;
-  try {
-    const toml::table document = toml::parse_file(path);
-    for (const auto& [key, value] : document) {
-      const toml::array* entries = value.as_array();
-      if (key.str() != "erratum" || entries == nullptr) {
-        throw CorpusError(fmt::format("{}: write each erratum as [[erratum]].", path));
-      }
-      for (const toml::node& entry : *entries) {
-        if (!entry.is_table()) throw CorpusError(path + ": an erratum is a table.");
-        errata.push_back(erratum_of(*entry.as_table(), path));
-      }
+  const toml::table document = read_toml_file(path);
+  for (const auto& [key, value] : document) {
+    const toml::array* entries = value.as_array();
+    if (key.str() != "erratum" || entries == nullptr) {
+      throw CorpusError(fmt::format("{}: write each erratum as [[erratum]].", path));
     }
-  } catch (const toml::parse_error& error) {
-    throw CorpusError(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+    for (const toml::node& entry : *entries) {
+      if (!entry.is_table()) throw CorpusError(path + ": an erratum is a table.");
+      errata.push_back(erratum_of(*entry.as_table(), path));
+    }
   }
   return errata;
 }

@@ -14,6 +14,16 @@
 namespace gonogo::oracle {
 namespace {
 
+// Traces and exported programs are files of that name in a folder, and nowhere else.
+bool names_a_file(std::string_view id) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '-' || c == '_';
+  };
+  return !id.empty() && id.size() <= 200 && id.front() != '.' &&
+         id.find("..") == std::string_view::npos && std::ranges::all_of(id, is_plain);
+}
+
 using reference::Record;
 
 reference::ClauseId clause_id(const JsonPlace& place) {
@@ -79,7 +89,9 @@ void FileReader::read_case(const JsonPlace& place, const Case& head) {
   place.need_object({"id", "comment", "program", "expect", "tags", "provenance"});
   Case test = head;
   test.id = place.member("id").text();
-  if (test.id.empty()) place.member("id").fail("An id cannot be empty.");
+  if (!names_a_file(test.id)) {
+    place.member("id").fail("An id is letters, digits, points, - and _: files are named after it.");
+  }
   if (!ids_.insert(test.id).second) {
     place.member("id").fail(fmt::format("The id {} stands twice.", test.id));
   }

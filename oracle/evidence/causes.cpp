@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 Causes read_causes(const std::filesystem::path& folder) {
   using report::text_of;
   Causes causes;
-  std::ifstream in(folder / kCausesFile, std::ios::binary);
+  std::ifstream in = open_regular(folder / kCausesFile);
   if (!in) return causes;
   const Json file = Json::parse(in, nullptr, false);
   if (!file.is_object() || report::count_of(file, "format") != 1) return causes;

@@ -9,11 +9,12 @@
 
 #include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results_reader.hpp"
+#include "oracle/records/input_file.hpp"
 
 namespace gonogo::oracle::evidence {
 
 std::string file_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = open_regular(path);
   if (!in) throw ResultsError(fmt::format("{} cannot be read.", path));
   std::ostringstream text;
   text << in.rdbuf();
@@ -21,7 +22,7 @@ std::string file_text(const std::string& path) {
 }
 
 std::string file_sha256(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = open_regular(path);
   if (!in) throw ResultsError(fmt::format("{} cannot be read.", path));
   Sha256 hash;
   std::string chunk(std::size_t{1} << 16, '\0');

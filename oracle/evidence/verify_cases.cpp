@@ -9,6 +9,7 @@
 
 #include "oracle/campaign/reading_tally.hpp"
 #include "oracle/evidence/text.hpp"
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/text.hpp"
 #include "oracle/records/trace_reader.hpp"
 #include "oracle/report/case_paths.hpp"
@@ -56,7 +57,7 @@ std::string why_no_trace_tells(VerdictKind kind) {
 
 SessionVerdict judge_trace(const std::string& path, const reference::Profile& profile,
                            const std::string& program, const JudgeTerms& terms) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file = open_regular(path);
   JudgeSession session(profile, program, terms);
   TraceReader reader;
   RunEnd end;
@@ -89,8 +90,7 @@ std::string trace_fault(const Json& line, const CaseRow& row, const SessionVerdi
   if (told != kind || decision(kind) != Decision::go) return {};
   const auto open = open_readings(now);
   const Json explaining = open ? Json(open->explaining) : Json::array();
-  const Json was =
-      line.value("readings", Json::object()).value("explaining", Json::array());
+  const Json was = line.value("readings", Json::object()).value("explaining", Json::array());
   if (was == explaining) return {};
   return fmt::format(
       "{}: the readings that explain it were {}, but derived from the trace they are {}.", row.id,
@@ -160,10 +160,11 @@ VerdictsAgain::Answer VerdictsAgain::of_skip(const Json& line, const CaseRow& ro
   }
   const Json profile = line.value("profile", Json::object());
   if (profile.empty()) {
-    return {fmt::format("{}: the subject declares all that it needs, and the profile of defaults is "
-                        "no reason to skip it.",
-                        row.id),
-            {}};
+    return {
+        fmt::format("{}: the subject declares all that it needs, and the profile of defaults is "
+                    "no reason to skip it.",
+                    row.id),
+        {}};
   }
   refused_.try_emplace(test.dialect + report::dump(profile), row.id);
   return {{}, "skip: only the subject can say whether it refuses the profile"};
@@ -205,9 +206,11 @@ void VerdictsAgain::tell(Findings& findings) const {
                                  skipped, run->second));
   }
   std::vector<std::string> ways;
-  for (const auto& [way, cases] : derived_) ways.push_back(fmt::format("{} {}", grouped(cases), way));
-  findings.add_list(faults, fmt::format("Verdicts derived again, all the same: {}.",
-                                        ways.empty() ? "none" : fmt::format("{}", fmt::join(ways, ", "))));
+  for (const auto& [way, cases] : derived_)
+    ways.push_back(fmt::format("{} {}", grouped(cases), way));
+  findings.add_list(faults,
+                    fmt::format("Verdicts derived again, all the same: {}.",
+                                ways.empty() ? "none" : fmt::format("{}", fmt::join(ways, ", "))));
   for (const auto& [reason, cases] : not_derived_) {
     findings.add_unproven(fmt::format("{} could not be derived here ({}). --subject runs {} again.",
                                       counted(cases, "verdict", "verdicts"), reason,

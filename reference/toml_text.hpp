@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// TOML that others wrote. The parser bounds how deep values nest, and not how many parts a key has;
+// each of them is a table in a table, which the walk over the document pays for with its stack.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string_view>
+
+namespace gonogo::reference {
+
+// Throws toml::parse_error.
+toml::table parse_toml(std::string_view text, std::string_view path = {});
+
+}  // namespace gonogo::reference
