@@ -2,6 +2,7 @@
 #include "cli/known_failures_file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <sstream>
@@ -35,6 +36,10 @@ KnownFailuresFile::KnownFailuresFile(std::string path, const std::string& known)
         fmt::format("{0} is there already. To bring it up to date, name it with --known-failures "
                     "{0} as well.",
                     path_));
+  }
+  const std::filesystem::path folder = std::filesystem::absolute(path_).parent_path();
+  if (std::filesystem::is_directory(path_) || ::access(folder.c_str(), W_OK) != 0) {
+    throw UsageError(fmt::format("{} cannot be written. Name a file in a folder that can.", path_));
   }
   if (!known.empty()) head_ = head_of(read_file(known, "a file of known failures"));
 }

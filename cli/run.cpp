@@ -12,6 +12,7 @@
 #include "cli/program_file.hpp"
 #include "cli/run.hpp"
 #include "cli/version.hpp"
+#include "oracle/campaign/results_lock.hpp"
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/subject.hpp"
 
@@ -82,6 +83,9 @@ int run(int argc, char** argv) {
     complain("gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const oracle::CorpusError& error) {
+    complain("gonogo: {}\n", error.what());
+    return kWrongUse;
+  } catch (const oracle::ResultsRefused& error) {
     complain("gonogo: {}\n", error.what());
     return kWrongUse;
   } catch (const OutputError& error) {

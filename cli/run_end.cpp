@@ -7,19 +7,32 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "oracle/evidence/certificate_files.hpp"
 #include "oracle/evidence/evidence.hpp"
+#include "oracle/evidence/statement.hpp"
 
 namespace gonogo::cli {
 namespace {
+
+void need_own_results(const FinishedRun& run, const std::string& path) {
+  if (oracle::evidence::file_sha256(path) == run.results_sha256) return;
+  throw OutputError(
+      fmt::format("{} is not what this run wrote: somebody else has written to it. Believe none of "
+                  "what stands beside it.",
+                  path),
+      false);
+}
 
 // What was written where, line by line.
 void write_report(const FinishedRun& run, std::string& written) {
   auto failed = oracle::evidence::write_evidence(run.files.results, run.report, run.corpus);
   if (failed) throw OutputError(*failed, false);
+  need_own_results(run, run.files.results);
   written += fmt::format("report:  {}/index.html\n", run.report);
   if (run.certificate.empty()) return;
   failed = oracle::evidence::write_certificate(run.files, run.certificate);
   if (failed) throw OutputError(*failed, false);
+  need_own_results(run, run.certificate + "/" + oracle::evidence::kResultsFile);
   written += fmt::format("certificate: {}/STATEMENT.md\n", run.certificate);
 }
 

@@ -17,9 +17,11 @@ struct FinishedRun {
   std::string report;                          // folder
   std::string certificate;                     // folder; empty: none
   const oracle::Corpus* corpus = nullptr;      // for the programs of the passes; null: without
+  std::string results_sha256;                  // of the results as they were put in place
 };
 
-// Tells the summary and writes report and certificate. Throws what keeps one of them from being
+// Tells the summary and writes report and certificate, of the results that were judged and no
+// others. Throws what keeps one of them from being
 // written, but does the others before: neither does a report that cannot be written keep the
 // summary from being told, nor a closed pipe the report from being written, nor either a NO-GO from
 // the caller: then it is said only.

@@ -167,8 +167,9 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   return header;
 }
 
-oracle::ResultsWriter open_results(const CertifyOptions& options, const std::string& path,
-                                   const oracle::ResultsHeader& header) {
+void open_results(const CertifyOptions& options, const std::string& path,
+                  const oracle::ResultsHeader& header,
+                  std::optional<oracle::ResultsWriter>& results) {
   const std::string journal = oracle::ResultsWriter::journal_of(path);
   if (options.resume) need_same_limits(journal, options.limits);
   if (!options.resume && std::filesystem::exists(journal)) {
@@ -177,9 +178,25 @@ oracle::ResultsWriter open_results(const CertifyOptions& options, const std::str
         "it.\n",
         journal);
   }
-  return {
-      path, header,
-      options.resume ? oracle::ResultsWriter::Start::resume : oracle::ResultsWriter::Start::anew};
+  using Start = oracle::ResultsWriter::Start;
+  results.emplace(path, header, options.resume ? Start::resume : Start::anew);
+}
+
+// A journal that goes on holds cases of this run alone.
+void need_selected(const oracle::Corpus& corpus, oracle::CampaignOptions campaign,
+                   const oracle::ResultsWriter& results) {
+  if (results.resumed() == 0) return;
+  std::size_t selected = 0;
+  campaign.is_done = [&](std::string_view id) {
+    if (results.has(id)) ++selected;
+    return false;
+  };
+  oracle::count_cases(corpus, campaign);
+  if (selected == results.resumed()) return;
+  throw oracle::ResultsRefused(fmt::format(
+      "The journal holds {} cases, and the run selects {} of them. Leave --resume out to begin "
+      "anew.",
+      results.resumed(), selected));
 }
 
 // Runs the cases into the journal.
@@ -317,15 +334,15 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   begin_trace_folder(options.traces, info);
   CampaignSummary summary;
   oracle::CaptureTally captured;
+  std::optional<oracle::ResultsWriter> results;  // holds the folder to the end
   try {
-    oracle::ResultsWriter results = open_results(
-        options, results_path, results_header(options, subject, corpus, campaign, info));
-    const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, results);
-    summary = close_results(campaign, end, results, info.recorded ? &captured : nullptr,
+    open_results(options, results_path, results_header(options, subject, corpus, campaign, info),
+                 results);
+    need_selected(corpus, campaign, *results);
+    const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, *results);
+    summary = close_results(campaign, end, *results, info.recorded ? &captured : nullptr,
                             known ? &*known : nullptr);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
-  } catch (const oracle::ResumeError& error) {
-    throw UsageError(error.what());
   } catch (const oracle::CorpusError& error) {
     throw UsageError(error.what());
   } catch (const oracle::ResultsUnwritable& error) {
@@ -350,7 +367,8 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
        {results_path, options.known_failures, options.alarm_map, options.profile, options.traces},
        report,
        options.certificate,
-       &corpus});
+       &corpus,
+       results->file_sha256()});
   return summary.answer.exit_code;
 }
 

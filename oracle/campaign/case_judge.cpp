@@ -167,10 +167,15 @@ bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
   const bool second = again.session.verdict.kind == VerdictKind::out_of_memory;
   if (!first && !second) return false;
   if (!first) attempt = std::move(again);
-  if (first != second) {
+  if (!first) {
+    attempt.session.verdict.message += " That was a fresh process, which has run nothing else.";
+  } else if (!second && again.answers()) {
     attempt.session.verdict.message +=
-        first ? " A fresh process, which has run nothing else, runs the same program without."
-              : " That was a fresh process, which has run nothing else.";
+        " A fresh process, which has run nothing else, runs the same program without.";
+  } else if (!second) {
+    attempt.session.verdict.message +=
+        fmt::format(" A fresh process, which has run nothing else, ended {}.",
+                    name(again.session.verdict.kind));
   }
   return true;
 }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "oracle/campaign/results.hpp"
+#include "oracle/corpus/sha256.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -20,14 +21,24 @@ namespace {
 // So many runs of a level become one of the next: each line is written once a level.
 constexpr std::size_t kRunsOfALevel = 32;
 
-// A sorted run that is read back line by line.
+void update(Sha256& hash, std::string_view line) {
+  hash.update(line);
+  hash.update("\n");
+}
+
+// A sorted run that is read back line by line, and is what was written.
 class RunReader {
  public:
-  RunReader(std::FILE* file, const std::string& folder)
-      : lines_(file, "What is sorted in " + folder) {}
+  RunReader(std::FILE* file, std::string sha256, const std::string& folder)
+      : lines_(file, "What is sorted in " + folder), folder_(folder), sha256_(std::move(sha256)) {}
 
   bool next() {
-    if (!lines_.next(line)) return false;
+    if (!lines_.next(line)) {
+      if (hash_.hex() == sha256_) return false;
+      throw ResultsUnwritable(
+          fmt::format("Somebody else has written to what is sorted in {}", folder_));
+    }
+    update(hash_, line);
     id = id_of_line(line);
     return true;
   }
@@ -37,22 +48,14 @@ class RunReader {
 
  private:
   StoredLines lines_;
+  std::string folder_;
+  std::string sha256_;
+  Sha256 hash_;
 };
 
 [[noreturn]] void fail_to_sort(const std::string& folder) {
   throw ResultsUnwritable(
       fmt::format("The results cannot be sorted in {}: {}", folder, std::strerror(errno)));
-}
-
-void put(std::FILE* file, const std::string& line, const std::string& folder) {
-  if (std::fwrite(line.data(), 1, line.size(), file) != line.size() ||
-      std::fputc('\n', file) == EOF) {
-    fail_to_sort(folder);
-  }
-}
-
-void flush(std::FILE* file, const std::string& folder) {
-  if (std::fflush(file) != 0) fail_to_sort(folder);
 }
 
 [[noreturn]] void fail_to_read(const std::string& name) {
@@ -85,6 +88,27 @@ bool StoredLines::next(std::string& line) {
   return true;
 }
 
+class LineSorter::RunWriter {
+ public:
+  RunWriter(FileHandle file, const std::string& folder) : file_(std::move(file)), folder_(folder) {}
+  void put(const std::string& line) {
+    if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
+        std::fputc('\n', file_.get()) == EOF) {
+      fail_to_sort(folder_);
+    }
+    update(hash_, line);
+  }
+  Run finish(int level) {
+    if (std::fflush(file_.get()) != 0) fail_to_sort(folder_);
+    return {std::move(file_), level, hash_.hex()};
+  }
+
+ private:
+  FileHandle file_;
+  const std::string& folder_;
+  Sha256 hash_;
+};
+
 FileHandle LineSorter::temporary() const {
   std::string path = folder_ + "/.sorting-XXXXXX";
   const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
@@ -96,6 +120,7 @@ FileHandle LineSorter::temporary() const {
 
 void LineSorter::add(std::string line) {
   std::string id = id_of_line(line);
+  ++size_;
   held_bytes_ += line.size() + id.size() + sizeof(Entry);
   held_.push_back({std::move(id), std::move(line)});
   if (held_bytes_ > run_bytes_) write_run();
@@ -107,12 +132,11 @@ void LineSorter::sort_held() {
 
 void LineSorter::write_run() {
   sort_held();
-  FileHandle file = temporary();
-  for (const Entry& entry : held_) put(file.get(), entry.line, folder_);
-  flush(file.get(), folder_);
+  RunWriter run(temporary(), folder_);
+  for (const Entry& entry : held_) run.put(entry.line);
   held_ = {};
   held_bytes_ = 0;
-  runs_.push_back({std::move(file)});
+  runs_.push_back(run.finish(0));
   const auto is_full = [&] {
     return runs_.size() >= kRunsOfALevel &&
            runs_[runs_.size() - kRunsOfALevel].level == runs_.back().level;
@@ -121,17 +145,17 @@ void LineSorter::write_run() {
 }
 
 void LineSorter::merge_last(std::size_t count) {
-  Run one{temporary(), runs_.back().level + 1};
+  RunWriter one(temporary(), folder_);
   merge(std::span(runs_).last(count),
-        [&](const std::string&, const std::string& line) { put(one.file.get(), line, folder_); });
-  flush(one.file.get(), folder_);
+        [&](const std::string&, const std::string& line) { one.put(line); });
+  Run run = one.finish(runs_.back().level + 1);
   runs_.resize(runs_.size() - count);
-  runs_.push_back(std::move(one));
+  runs_.push_back(std::move(run));
 }
 
 void LineSorter::merge(std::span<const Run> runs, const Visit& visit) const {
   std::vector<RunReader> readers;
-  for (const Run& run : runs) readers.emplace_back(run.file.get(), folder_);
+  for (const Run& run : runs) readers.emplace_back(run.file.get(), run.sha256, folder_);
   // The first of equal ids is that of the first run.
   auto later = [&](std::size_t a, std::size_t b) {
     const int order = readers[a].id.compare(readers[b].id);

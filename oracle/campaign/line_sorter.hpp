@@ -54,8 +54,9 @@ class LineSorter {
 
   // Throws ResultsUnwritable.
   void add(std::string line);
+  std::size_t size() const { return size_; }
   // Visits every line once, in order; to be called once. Two lines of one id come one after the
-  // other. Throws ResultsUnwritable.
+  // other. Throws ResultsUnwritable, also when what is read back is not what was written.
   using Visit = std::function<void(const std::string& id, const std::string& line)>;
   void for_each(const Visit& visit);
 
@@ -68,10 +69,12 @@ class LineSorter {
   struct Run {
     FileHandle file;
     int level = 0;
+    std::string sha256;  // of its lines
   };
   void sort_held();
   void write_run();
   void merge_last(std::size_t count);
+  class RunWriter;
   FileHandle temporary() const;
   void merge(std::span<const Run> runs, const Visit& visit) const;
 
@@ -79,6 +82,7 @@ class LineSorter {
   std::size_t run_bytes_;
   std::vector<Entry> held_;
   std::size_t held_bytes_ = 0;
+  std::size_t size_ = 0;
   std::vector<Run> runs_;  // levels never rise
 };
 

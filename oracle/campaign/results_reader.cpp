@@ -5,6 +5,7 @@
 
 #include "oracle/campaign/encoding.hpp"
 #include "oracle/campaign/results.hpp"
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle {
@@ -37,7 +38,7 @@ std::string hashed_text(const Json& line) {
 }
 
 ResultsReader::ResultsReader(std::string path, Order order)
-    : path_(std::move(path)), order_(order), in_(path_, std::ios::binary) {
+    : path_(std::move(path)), order_(order), in_(open_regular(path_)) {
   if (!in_) throw ResultsError(fmt::format("{} cannot be opened.", path_));
   if (!read_line()) {
     throw ResultsError(fmt::format("{} is empty: a results file begins with its header.", path_));
@@ -106,7 +107,7 @@ void ResultsReader::check_case(const CaseHead& head) {
 // The hash is that of the lines as this program writes them. A file that was written anew with
 // other blanks holds the same values.
 std::string ResultsReader::sha256_of_values() const {
-  std::ifstream in(path_, std::ios::binary);
+  std::ifstream in = open_regular(path_);
   std::string line;
   std::getline(in, line);
   Sha256 hash;

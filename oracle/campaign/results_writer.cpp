@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/campaign/results_writer.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,12 +9,15 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "oracle/campaign/known_failures.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "oracle/records/input_file.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle {
 
@@ -41,14 +45,29 @@ std::string difference(const Json& a, const Json& b) {
   return {};
 }
 
+// What stands where results or their journal go is of a run, or nothing: it is replaced. A link may
+// lead anywhere.
+void check_own(const std::string& path) {
+  constexpr std::string_view kBegin = "{\"format\":";
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, ignored);
+  if (!std::filesystem::exists(status)) return;
+  std::string begin(kBegin.size(), '\0');
+  std::ifstream file = std::filesystem::is_symlink(status) ? std::ifstream() : open_regular(path);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.is_open() && kBegin.starts_with(begin)) return;
+  throw ResultsRefused(
+      fmt::format("{} is not of a run, and would be replaced by one. Take it away, or name another "
+                  "folder with --report.",
+                  path));
+}
+
 // A journal that ends within its header says nothing.
 bool has_header(const std::string& path) {
-  FileHandle file(std::fopen(path.c_str(), "re"));
-  if (file == nullptr) return false;
-  for (int c = std::fgetc(file.get()); c != EOF; c = std::fgetc(file.get())) {
-    if (c == '\n') return true;
-  }
-  return false;
+  std::ifstream file = open_regular(path);
+  std::string line;
+  return std::getline(file, line) && !file.eof();
 }
 
 }  // namespace
@@ -56,8 +75,9 @@ bool has_header(const std::string& path) {
 // The file that takes the place of the results when it is whole.
 class ResultsWriter::Sorted {
  public:
-  explicit Sorted(const std::string& path)
-      : path_(path), sorted_(path + ".sorted"), file_(std::fopen(sorted_.c_str(), "we")) {
+  explicit Sorted(const std::string& path) : path_(path), sorted_(path + ".sorted") {
+    const int descriptor = create_anew(sorted_);
+    file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
     if (file_ == nullptr) fail_to_write(sorted_);
   }
   Sorted(const Sorted&) = delete;
@@ -72,57 +92,74 @@ class ResultsWriter::Sorted {
         std::fputc('\n', file_.get()) == EOF) {
       fail_to_write(sorted_);
     }
+    hash_.update(line);
+    hash_.update("\n");
   }
-  void finish() {
+  // The hash of all that was put.
+  std::string finish() {
     if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0)
       fail_to_write(sorted_);
     if (std::fclose(file_.release()) != 0) fail_to_write(sorted_);
     if (std::rename(sorted_.c_str(), path_.c_str()) != 0) fail_to_write(path_);
     is_whole_ = true;
+    return hash_.hex();
   }
 
  private:
   std::string path_;
   std::string sorted_;
   FileHandle file_;
+  Sha256 hash_;
   bool is_whole_ = false;
 };
 
 ResultsWriter::ResultsWriter(std::string path, const ResultsHeader& header, Start start)
-    : path_(std::move(path)), header_(header_line(header)) {
+    : path_(std::move(path)), header_(header_line(header)), lock_(path_), lines_(folder_of(path_)) {
   start == Start::resume&& has_header(journal_of(path_)) ? resume() : create();
 }
 
 ResultsWriter::ResultsWriter(std::string path, std::string header)
-    : path_(std::move(path)), header_(std::move(header)) {
+    : path_(std::move(path)), header_(std::move(header)), lock_(path_), lines_(folder_of(path_)) {
   create();
 }
 
 void ResultsWriter::create() {
   const std::string journal = journal_of(path_);
-  journal_.reset(std::fopen(journal.c_str(), "w+e"));
+  check_own(path_);
+  check_own(journal);
+  const int descriptor = create_anew(journal);
+  journal_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
   if (journal_ == nullptr) fail_to_write(journal);
-  add_line(header_);
+  write(header_);
 }
 
 void ResultsWriter::resume() {
   const std::string journal = journal_of(path_);
+  check_own(path_);
+  check_own(journal);
   std::uint64_t whole = 0;
   try {
     ResultsReader reader(journal, ResultsReader::Order::as_run);
     const std::string key = difference(reader.header(), Json::parse(header_));
     if (!key.empty()) {
-      throw ResumeError(fmt::format(
+      throw ResultsRefused(fmt::format(
           "{} is of another run: its header differs in \"{}\". Run the command that it was begun "
           "with, or leave --resume out to begin anew.",
           journal, key));
     }
-    for (CaseHead head; reader.next(head);) resumed_.insert(head.id);
+    for (CaseHead head; reader.next(head);) {
+      if (!resumed_.insert(head.id)) {
+        throw ResultsRefused(fmt::format(
+            "{} holds the case {} twice. Leave --resume out to begin anew.", journal, head.id));
+      }
+      lines_.add(reader.text());
+    }
     whole = reader.whole_bytes();
   } catch (const ResultsError& error) {
-    throw ResumeError(fmt::format("{} Leave --resume out to begin the run anew.", error.what()));
+    throw ResultsRefused(fmt::format("{} Leave --resume out to begin the run anew.", error.what()));
   }
-  journal_.reset(std::fopen(journal.c_str(), "r+e"));
+  const int descriptor = ::open(journal.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+  journal_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
   if (journal_ == nullptr ||
       ::ftruncate(::fileno(journal_.get()), static_cast<off_t>(whole)) != 0 ||
       std::fseek(journal_.get(), 0, SEEK_END) != 0) {
@@ -131,24 +168,19 @@ void ResultsWriter::resume() {
 }
 
 // Line by line to the system, so that a killed run loses none.
-void ResultsWriter::add_line(std::string_view line) {
+void ResultsWriter::write(std::string_view line) {
   if (std::fwrite(line.data(), 1, line.size(), journal_.get()) != line.size() ||
       std::fputc('\n', journal_.get()) == EOF || std::fflush(journal_.get()) != 0) {
     fail_to_write(journal_of(path_));
   }
 }
 
-void ResultsWriter::each_journal_line(const std::function<void(std::string)>& take) {
-  StoredLines lines(journal_.get(), journal_of(path_));
-  std::string line;
-  for (bool is_header = true; lines.next(line);) {
-    if (!std::exchange(is_header, false)) take(std::move(line));
-  }
+void ResultsWriter::add_line(std::string_view line) {
+  write(line);
+  lines_.add(std::string(line));
 }
 
 RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, const Visit& visit) {
-  LineSorter sorter(folder_of(path_));
-  each_journal_line([&](std::string line) { sorter.add(std::move(line)); });
   Sorted out(path_);
   out.put(header_);
   Sha256 hash;
@@ -156,9 +188,12 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   const PassEvidence evidence = ending.is_shard ? PassEvidence::keep : PassEvidence::drop;
   std::set<std::string> mapped;
   std::string last;
-  sorter.for_each([&](const std::string& id, const std::string& line) {
+  const std::size_t added = lines_.size();
+  std::size_t visited = 0;
+  lines_.for_each([&](const std::string& id, const std::string& line) {
     if (id == last) throw std::runtime_error(fmt::format("The case {} is there twice.", id));
     last = id;
+    ++visited;
     CaseFacts facts = facts_of(line);
     const VerdictKind kind = tally.add(facts);
     if (!facts.mapped.empty()) mapped.insert(std::move(facts.mapped));
@@ -168,6 +203,9 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
     hash_case_line(written, hash);
     if (visit) visit(written, kind);
   });
+  if (visited != added) {
+    throw ResultsUnwritable(fmt::format("Of {} cases {} were read back", added, visited));
+  }
   footer.left_out = ending.left_out;
   footer.stale = ending.stale;
   footer.unused_alarms.reset();
@@ -191,18 +229,16 @@ RunAnswer ResultsWriter::close(const Ending& ending, ResultsFooter& footer, cons
   footer.coordinates = answer.coordinates;
   footer.sha256 = hash.hex();
   if (ending.is_complete) out.put(footer_line(footer));
-  out.finish();
+  file_sha256_ = out.finish();
   ::unlink(journal_of(path_).c_str());
   return answer;
 }
 
 void ResultsWriter::close_without_footer() {
-  LineSorter sorter(folder_of(path_));
-  each_journal_line([&](std::string line) { sorter.add(std::move(line)); });
   Sorted out(path_);
   out.put(header_);
-  sorter.for_each([&](const std::string&, const std::string& line) { out.put(line); });
-  out.finish();
+  lines_.for_each([&](const std::string&, const std::string& line) { out.put(line); });
+  file_sha256_ = out.finish();
   ::unlink(journal_of(path_).c_str());
 }
 

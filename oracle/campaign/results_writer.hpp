@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writes results.jsonl. Until all is there <path>.part is the journal: the header and the case
-// lines in the order in which they come, from which an interrupted run goes on.
+// lines in the order in which they come, from which an interrupted run goes on. Only such a run
+// reads it: what is decided is decided from the lines as they were added, whatever became of it.
 #pragma once
 
 #include <functional>
@@ -11,15 +12,10 @@
 
 #include "oracle/campaign/line_sorter.hpp"
 #include "oracle/campaign/results.hpp"
+#include "oracle/campaign/results_lock.hpp"
 #include "oracle/corpus/id_set.hpp"
 
 namespace gonogo::oracle {
-
-// A journal that the run cannot go on from: a sentence (wrong use).
-class ResumeError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 class ResultsWriter {
  public:
@@ -28,8 +24,9 @@ class ResultsWriter {
     resume,  // goes on from the journal, if there is one
   };
 
-  // Throws ResultsUnwritable when the journal cannot be written, ResumeError when it is of another
-  // run: its header may differ in argv only.
+  // Throws ResultsUnwritable when the journal cannot be written; ResultsRefused when another run
+  // writes there, when what stands there is no results, and when the journal is of another run: its
+  // header may differ in argv only.
   ResultsWriter(std::string path, const ResultsHeader& header, Start start = Start::anew);
   // With a header line that is there already.
   ResultsWriter(std::string path, std::string header);
@@ -62,17 +59,22 @@ class ResultsWriter {
   RunAnswer close(const Ending& ending, ResultsFooter& footer, const Visit& visit = nullptr);
   // Writes the sorted lines without a footer: an incomplete file.
   void close_without_footer();
+  // Of the whole file that was put in place.
+  const std::string& file_sha256() const { return file_sha256_; }
 
  private:
   class Sorted;
   void resume();
   void create();
-  void each_journal_line(const std::function<void(std::string)>& take);
+  void write(std::string_view line);
 
   std::string path_;
   std::string header_;
+  ResultsLock lock_;
   FileHandle journal_;
+  LineSorter lines_;
   IdSet resumed_;
+  std::string file_sha256_;
 };
 
 }  // namespace gonogo::oracle

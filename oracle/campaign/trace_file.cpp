@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oracle/judge/step_text.hpp"
+#include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -39,7 +40,8 @@ std::string subject_json(const SubjectInfo& subject) {
 TraceFile::TraceFile(const std::string& folder, std::string_view id)
     : path_(fmt::format("{}/{}.jsonl", folder, id)), part_(path_ + ".part") {
   ::unlink(path_.c_str());
-  file_.reset(std::fopen(part_.c_str(), "we"));
+  const int descriptor = create_anew(part_);
+  file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"));
   if (file_ == nullptr) error_ = errno;
 }
 
@@ -76,10 +78,10 @@ void begin_traces(const std::string& folder, const SubjectInfo& subject) {
   if (error) fail_to_write(folder, error.value());
   const std::string path = folder + "/subject.json";
   const std::string text = subject_json(subject);
-  FileHandle file(std::fopen(path.c_str(), "we"));
-  if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0) {
-    fail_to_write(path, errno);
+  try {
+    write_file(path, text);
+  } catch (const std::system_error& unwritten) {
+    fail_to_write(path, unwritten.code().value());
   }
 }
 

@@ -6,6 +6,8 @@
 #include <system_error>
 
 #include "oracle/evidence/text.hpp"
+#include "oracle/records/input_file.hpp"
+#include "oracle/records/output_file.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
@@ -110,7 +112,7 @@ JunitWriter::Suite& JunitWriter::suite(const std::string& dialect) {
   Suite& suite = place->second;
   if (added) {
     suite.path = path_.string() + fmt::format(".{}.part", suites_.size());
-    suite.out.open(suite.path, std::ios::binary | std::ios::trunc);
+    open_anew(suite.path, suite.out);
     if (!suite.out) {
       throw std::system_error(errno, std::generic_category(),
                               suite.path.string() + " cannot be written");
@@ -147,7 +149,7 @@ void JunitWriter::add(const CaseRow& facts, const Finding* finding) {
 void JunitWriter::copy_suite(const std::string& dialect, Suite& suite, OutputFile& out,
                              const std::string& properties) const {
   suite.out.close();
-  std::ifstream in(suite.path, std::ios::binary);
+  std::ifstream in = open_regular(suite.path);
   if (!suite.out || !in) {
     throw std::system_error(errno, std::generic_category(),
                             suite.path.string() + " cannot be written");

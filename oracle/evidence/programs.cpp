@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "oracle/evidence/text.hpp"
+#include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -14,7 +15,7 @@ constexpr const char* kList = ".written";
 
 // Only plain names: the list may have come from elsewhere.
 void remove_listed(const std::filesystem::path& folder) {
-  std::ifstream list(folder / kList);
+  std::ifstream list = open_regular(folder / kList);
   std::string name;
   while (std::getline(list, name)) {
     if (!name.ends_with(".nc") || file_stem(name) != name) continue;
@@ -28,7 +29,7 @@ void remove_listed(const std::filesystem::path& folder) {
 ProgramFolder::ProgramFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
   if (std::filesystem::is_directory(folder_)) remove_listed(folder_);
   std::filesystem::create_directories(folder_);
-  list_.open(folder_ / kList, std::ios::trunc);
+  open_anew(folder_ / kList, list_);
 }
 
 void ProgramFolder::add(const CaseRow& facts) {

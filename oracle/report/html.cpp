@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "oracle/records/input_file.hpp"
+#include "oracle/records/output_file.hpp"
 #include "oracle/report/assets.hpp"
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/deflate.hpp"
@@ -86,7 +88,7 @@ HtmlPage::HtmlPage(const std::string& directory, const Json& header)
       subject_(subject_name(header)) {
   std::error_code ignored;  // what comes of it shows in the file
   std::filesystem::create_directories(directory, ignored);
-  out_.open(part_, std::ios::binary | std::ios::trunc);
+  open_anew(part_, out_);
   Skeleton page = skeleton();
   out_ << page.before;
   after_ = std::move(page.after);
@@ -168,7 +170,7 @@ std::optional<ReportError> HtmlPage::finish(const Json& summary) {
 
 std::optional<ReportError> write_html_report(const std::string& results,
                                              const std::string& directory) {
-  std::ifstream in(results, std::ios::binary);
+  std::ifstream in = open_regular(results);
   if (!in) return ReportError{fmt::format("{} cannot be opened.", results)};
   std::string line;
   std::getline(in, line);

@@ -2,6 +2,9 @@
 #include "oracle/campaign/results_writer.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "campaign_testing.hpp"
 #include "oracle/campaign/results_reader.hpp"
@@ -86,7 +89,7 @@ TEST(ResultsWriter, DoesNotGoOnFromTheJournalOfAnotherRun) {
   try {
     const ResultsWriter writer(scratch.path("r.jsonl"), header_of("2"), Start::resume);
     FAIL();
-  } catch (const ResumeError& error) {
+  } catch (const ResultsRefused& error) {
     EXPECT_NE(std::string(error.what()).find("\"gonogo\""), std::string::npos) << error.what();
   }
 }
@@ -102,7 +105,8 @@ TEST(ResultsWriter, GoesOnWhenOnlyTheCommandLineDiffers) {
 TEST(ResultsWriter, ADamagedJournalIsRefused) {
   const Scratch scratch;
   leave_journal(scratch, "garbage\n");
-  EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1"), Start::resume), ResumeError);
+  EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1"), Start::resume),
+               ResultsRefused);
 }
 
 TEST(ResultsWriter, ACaseThatIsThereTwiceIsAnError) {
@@ -117,8 +121,64 @@ TEST(ResultsWriter, ACaseThatIsThereTwiceIsAnError) {
 
 TEST(ResultsWriter, AFullDiskIsToldAndNotCrashedOn) {
   const Scratch scratch;
-  std::filesystem::create_symlink("/dev/full", scratch.path("r.jsonl.part"));
+  // No file may have more bytes than this: more are refused, as on a full disk.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{16, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1")), ResultsUnwritable);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+}
+
+TEST(ResultsWriter, DecidesFromWhatWasAddedWhateverBecameOfTheJournal) {
+  const Scratch scratch;
+  ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
+  CaseResult failed = passed("a");
+  failed.verdict.kind = VerdictKind::fail_geometry;
+  writer.add(failed);
+  writer.add(passed("b"));
+  scratch.write("r.jsonl.part", scratch.read("r.jsonl.part").substr(0, 20));
+  ResultsFooter footer;
+  const RunAnswer answer = writer.close({}, footer);
+  EXPECT_EQ(answer.decision, "NO-GO");
+  EXPECT_EQ(answer.cases, 2U);
+}
+
+TEST(ResultsWriter, OneRunHoldsThePlaceAndTheNextOneMayHaveItWhenThatIsOver) {
+  const Scratch scratch;
+  {
+    const ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
+    EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1")), ResultsRefused);
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch.path("r.jsonl.lock")));
+  const ResultsWriter writer(scratch.path("r.jsonl"), header_of("1"));
+}
+
+TEST(ResultsWriter, ReplacesNoFileOfAnotherAndFollowsNoLink) {
+  for (const char* name : {"r.jsonl", "r.jsonl.part"}) {
+    const Scratch scratch;
+    scratch.write(name, "mine\n");
+    EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1")), ResultsRefused) << name;
+    EXPECT_EQ(scratch.read(name), "mine\n");
+  }
+  for (const char* name : {"r.jsonl", "r.jsonl.part"}) {
+    const Scratch scratch;
+    scratch.write("victim", "{\"format\":1}\n");
+    std::filesystem::create_symlink(scratch.path("victim"), scratch.path(name));
+    EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1")), ResultsRefused) << name;
+    EXPECT_EQ(scratch.read("victim"), "{\"format\":1}\n");
+  }
+}
+
+TEST(ResultsWriter, AJournalWithACaseTwiceIsRefused) {
+  const Scratch scratch;
+  leave_journal(scratch, "");
+  const std::string journal = scratch.read("r.jsonl.part");
+  scratch.write("r.jsonl.part", journal + journal.substr(journal.find('\n') + 1));
+  EXPECT_THROW(ResultsWriter(scratch.path("r.jsonl"), header_of("1"), Start::resume),
+               ResultsRefused);
 }
 
 TEST(ResultsWriter, AlarmsThatNoCaseMetAreStaleInAWholeRunAndListedInAShard) {
