@@ -42,6 +42,8 @@ void add_run_options(Command& command, LimitOptions& options) {
   constexpr long kMost = 1'000'000'000;
   command.number("--timeout", options.timeout, 1, kMost, "limit of one run, milliseconds");
   command.number("--memory", options.memory, 1, kMost, "memory limit of a subject, MB");
+  command.repeated_option("--env", options.environment,
+                          "a variable of the environment that the subject is given as well");
   add_tolerance_options(command, options);
 }
 
@@ -60,6 +62,7 @@ oracle::Limits LimitOptions::limits() const {
   oracle::Limits limits;
   if (timeout > 0) limits.run = std::chrono::milliseconds(timeout);
   if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
+  limits.environment = environment;
   if (!feed_tolerance.empty()) {
     limits.capture.feed_tolerance =
         *decimal_option(feed_tolerance, "--feed-tolerance", "percent") / 100;

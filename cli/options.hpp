@@ -28,6 +28,7 @@ void add_profile_options(Command& command, ProfileOptions& options);
 struct LimitOptions {
   long timeout = 0;  // ms; 0: the default
   long memory = 0;   // MB; 0: the default
+  std::vector<std::string> environment;
   std::string tolerance;
   std::string chord;
   std::string feed_resolution;
@@ -43,7 +44,7 @@ struct LimitOptions {
 void add_tolerance_options(Command& command, LimitOptions& options);
 // --strict
 void add_strict_option(Command& command, LimitOptions& options);
-// --tolerance, --chord, --feed-resolution, and of a subject that runs --timeout, --memory
+// --tolerance, --chord, --feed-resolution, and of a subject that runs --timeout, --memory, --env
 void add_run_options(Command& command, LimitOptions& options);
 // Those, and of captured output --feed-tolerance, --blend, --columns, --manifest
 void add_subject_options(Command& command, LimitOptions& options);

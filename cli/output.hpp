@@ -11,6 +11,8 @@
 #include <string_view>
 #include <utility>
 
+#include "oracle/records/text.hpp"
+
 namespace gonogo::cli {
 
 // Standard output cannot be written. A closed pipe is not worth a message; a full disk is.
@@ -28,7 +30,8 @@ class OutputError : public std::runtime_error {
 // else: the exit code says what matters.
 template <typename... Values>
 void complain(fmt::format_string<Values...> text, Values&&... values) {
-  const std::string words = fmt::format(text, std::forward<Values>(values)...);
+  const std::string words =
+      oracle::visible(fmt::format(text, std::forward<Values>(values)...), oracle::Lines::kept);
   std::fwrite(words.data(), 1, words.size(), stderr);
 }
 

@@ -34,6 +34,7 @@ LimitOptions limits_of_run(const Json& header) {
   LimitOptions limits;
   limits.timeout = limit_of(header, "--timeout");
   limits.memory = limit_of(header, "--memory");
+  limits.environment = oracle::report::option_values(header.value("argv", Json::array()), "--env");
   return limits;
 }
 

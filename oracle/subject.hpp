@@ -104,6 +104,8 @@ struct Limits {
   std::size_t line_bytes = std::size_t{64} << 20;
   std::size_t memory_bytes = std::size_t{2} << 30;
   int restarts = 10;  // in a row
+  // Names of variables that the subject is given besides those that every one is.
+  std::vector<std::string> environment;
   CaptureOptions capture;
 };
 

@@ -7,6 +7,7 @@
 
 #include "oracle/campaign/encoding.hpp"
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 
@@ -48,7 +49,8 @@ Json text_or_null(const std::string& text) {
 
 std::string text_in(const Json& object, const char* key) {
   auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  return found != object.end() && found->is_string() ? visible(found->get<std::string>())
+                                                     : std::string();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/capture/sample_reader.hpp"
+#include "oracle/records/text.hpp"
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ bool SampleReader::is_header(const SampleColumns& columns) const {
 }
 
 void SampleReader::fail(std::size_t column, const std::string& sentence) const {
-  throw SampleFault(fmt::format("{}, line {}, column {}: {}", path_, line_, column + 1, sentence));
+  throw SampleFault(
+      fmt::format("{}, line {}, column {}: {}", path_, line_, column + 1, visible(sentence)));
 }
 
 bool SampleReader::next_line() {
@@ -170,7 +172,7 @@ std::uint64_t SampleReader::line_number_at(std::size_t column) const {
 void SampleReader::set_alarm(const std::string& name, std::size_t column) {
   if (name.empty()) fail(column, "The alarm has no name.");
   alarm_.emplace();
-  alarm_->native = name;
+  alarm_->native = visible(name);
   if (reference::alarm_class(name)) alarm_->alarm_class = name;
 }
 
@@ -194,7 +196,8 @@ void SampleReader::read_row(Sample& sample) {
         const std::string text = decimal_at(i);
         const std::size_t point = text.find('.');
         const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
-        time_decimals_ = std::max(time_decimals_, static_cast<int>(decimals) + columns_[i].decimals);
+        time_decimals_ =
+            std::max(time_decimals_, static_cast<int>(decimals) + columns_[i].decimals);
         if (last_time_ && sample.time <= *last_time_) {
           fail(i, fmt::format("The time {} does not grow: the sample before has {}.", cells_[i],
                               last_time_->text()));

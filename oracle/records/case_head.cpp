@@ -6,6 +6,7 @@
 
 #include "oracle/records/base64.hpp"
 #include "oracle/records/json_document.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -112,7 +113,7 @@ bool read_case_head(std::string_view line, CaseHead& head) {
     for (const auto& [key, text] : texts) {
       std::string_view value;
       if (field.key != key) continue;
-      if (field.value.get(value) == simdjson::SUCCESS) *text = value;
+      if (field.value.get(value) == simdjson::SUCCESS) *text = visible(value);
       break;
     }
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/records/text.hpp"
 
+#include <fmt/format.h>
 #include <simdjson.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace gonogo::oracle {
 namespace {
@@ -94,10 +97,65 @@ std::string readable(std::string_view bytes) {
   return out;
 }
 
+namespace {
+
+// The code point of a well-formed character.
+std::uint32_t code_point(std::string_view character) {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  const std::size_t length = character.size();
+  std::uint32_t code = length == 1 ? at(0) : at(0) & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) code = code << 6 | (at(i) & 0x3FU);
+  return code;
+}
+
+// Controls of the first and the second table, marks of direction, what has no width, line and
+// paragraph ends.
+bool is_hidden(std::uint32_t code) {
+  constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 9> kRanges = {{{0, 0x1F},
+                                                                               {0x7F, 0x9F},
+                                                                               {0xAD, 0xAD},
+                                                                               {0x61C, 0x61C},
+                                                                               {0x200B, 0x200F},
+                                                                               {0x2028, 0x202E},
+                                                                               {0x2060, 0x206F},
+                                                                               {0xFEFF, 0xFEFF},
+                                                                               {0xE0000, 0xE007F}}};
+  return std::ranges::any_of(
+      kRanges, [&](const auto& range) { return range.first <= code && code <= range.second; });
+}
+
+std::string written_out(std::uint32_t code) {
+  if (code == '\n') return "\\n";
+  if (code == '\r') return "\\r";
+  if (code == '\t') return "\\t";
+  return fmt::format("\\u{{{:x}}}", code);
+}
+
+bool is_plain(char c) {
+  return c >= ' ' && c <= '~';
+}
+
+}  // namespace
+
+std::string visible(std::string_view bytes, Lines lines) {
+  if (std::ranges::all_of(bytes, is_plain)) return std::string(bytes);
+  std::string out;
+  const std::string text = readable(bytes);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view character = rest.substr(0, character_length(rest));
+    const std::uint32_t code = code_point(character);
+    const bool stays = !is_hidden(code) || (lines == Lines::kept && (code == '\n' || code == '\t'));
+    out += stays ? std::string(character) : written_out(code);
+    rest.remove_prefix(character.size());
+  }
+  return out;
+}
+
 std::string excerpt(std::string_view bytes, std::size_t limit) {
-  if (bytes.size() <= limit) return readable(bytes);
+  bytes = bytes.substr(0, bytes.find_last_not_of("\r\n") + 1);
+  if (bytes.size() <= limit) return visible(bytes);
   while (limit > 0 && is_continuation(static_cast<unsigned char>(bytes[limit]))) --limit;
-  return readable(bytes.substr(0, limit)) + "...";
+  return visible(bytes.substr(0, limit)) + "...";
 }
 
 std::string shell_quoted(std::string_view word) {

@@ -19,7 +19,13 @@ std::string base64(std::string_view bytes);
 // The same text with U+FFFD for each byte that is not part of well-formed UTF-8.
 std::string readable(std::string_view bytes);
 
-// At most `limit` bytes of a text for a message, readable, with "..." when it was cut.
+// A text of others for people, at a terminal or in a log: readable, with what would move the
+// cursor, turn the writing or hide in it written out, as \n or \u{202e}. What is visible stays as
+// it is.
+enum class Lines { shown, kept };  // line ends and tabs: as \n and \t, or as they are
+std::string visible(std::string_view bytes, Lines lines = Lines::shown);
+
+// At most `limit` bytes of a text for a message, visible, with "..." when it was cut.
 std::string excerpt(std::string_view bytes, std::size_t limit = 120);
 
 // One word of a POSIX shell command.

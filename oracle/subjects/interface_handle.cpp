@@ -18,7 +18,7 @@ std::optional<std::string> escaped(Function&& function) noexcept {
     function();
     return std::nullopt;
   } catch (const std::exception& error) {
-    return fmt::format("An exception left the subject: {}", readable(error.what()));
+    return fmt::format("An exception left the subject: {}", visible(error.what()));
   } catch (...) {
     return "An exception left the subject.";
   }

@@ -176,8 +176,8 @@ SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
   }
   SubjectAlarm alarm;
   alarm.block = source.block;
-  alarm.native = readable(view(source.native));
-  alarm.alarm_class = readable(view(source.klass));
+  alarm.native = visible(view(source.native));
+  alarm.alarm_class = visible(view(source.klass));
   alarm.word = source.word;
   if (alarm.native.empty() && alarm.alarm_class.empty()) {
     fail_record("An alarm needs a class or the subject's own text.");

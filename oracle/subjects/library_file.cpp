@@ -20,7 +20,7 @@ constexpr const char* kEntry = "gonogo_get_subject";
 // What the loader says last; never null after a failure.
 std::string loader_words() {
   const char* words = dlerror();
-  return words == nullptr ? "no reason was given" : readable(words);
+  return words == nullptr ? "no reason was given" : visible(words);
 }
 
 void* load(const std::string& path) {

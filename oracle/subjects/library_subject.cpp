@@ -65,7 +65,7 @@ class LibrarySubject : public Subject {
 
 void check_library(const std::string& path, const Limits& limits, const std::string& program) {
   const std::string absolute = library_path(path);
-  Process process(host_command(program, "--check ", absolute), limits.memory_bytes);
+  Process process(host_command(program, "--check ", absolute), limits);
   process.arm(limits.start);
   LineBuffer output(std::size_t{1} << 20);
   Process::Event event = Process::Event::output;

@@ -36,7 +36,7 @@ class OneshotRun {
         limits_(limits),
         sink_(sink),
         document_(document),
-        process_(command, limits.memory_bytes),
+        process_(command, limits),
         lines_(limits.line_bytes) {}
 
   RunEnd run(std::string_view program) {
@@ -205,7 +205,7 @@ class OneshotSubject : public Subject {
   // `CMD --describe` may print the reply to `start`. A command that does not know the option may
   // do anything else: then everything is taken as declared.
   void describe() {
-    Process process(command_ + " --describe", limits_.memory_bytes);
+    Process process(command_ + " --describe", limits_);
     process.arm(limits_.start);
     process.end_input();
     LineBuffer lines(limits_.line_bytes);

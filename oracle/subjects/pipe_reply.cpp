@@ -74,7 +74,8 @@ void read_field(std::string_view key, const element& value, Parts& parts) {
   } else if (key == "message") {
     reply.message = reply_text(key, value);
   } else if (key == "notes") {
-    reply.notes = excerpt(value_of<std::string_view>(key, value, "a string"), kLongestNotes);
+    reply.notes = visible(
+        value_of<std::string_view>(key, value, "a string").substr(0, kLongestNotes), Lines::kept);
   } else if (key.substr(0, 2) != "x-") {
     throw ReplyFault{fmt::format("A reply has no key \"{}\"; a key of your own begins with x-.",
                                  excerpt(key, 60))};

@@ -36,7 +36,7 @@ void append_run_message(std::int64_t seq, std::string_view id, std::string_view 
 }  // namespace
 
 PipeSession::PipeSession(const std::string& command, const Limits& limits)
-    : limits_(limits), process_(command, limits.memory_bytes), lines_(limits.line_bytes) {}
+    : limits_(limits), process_(command, limits), lines_(limits.line_bytes) {}
 
 RunEnd PipeSession::fail(RunEnd::Kind kind, std::string message) {
   usable_ = false;

@@ -14,9 +14,10 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "oracle/records/text.hpp"
-#include "oracle/subjects/process_memory.hpp"
+#include "oracle/subjects/process_family.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -54,7 +55,39 @@ void make_nonblocking(const Descriptor& fd) {
   if (fcntl(fd.get(), F_SETFL, O_NONBLOCK) != 0) fail(errno, "fcntl");
 }
 
-// The settings of a new process: own group, no blocked or ignored signals, three pipes.
+// What a subject learns of this program's environment besides what is asked for: what a command is
+// found and run by, and what a build for testing reads. No token and no place of this run.
+constexpr std::string_view kPassedOn[] = {"PATH",
+                                          "HOME",
+                                          "USER",
+                                          "LOGNAME",
+                                          "SHELL",
+                                          "LANG",
+                                          "LANGUAGE",
+                                          "TZ",
+                                          "TMPDIR",
+                                          "LC_ALL",
+                                          "LD_LIBRARY_PATH",
+                                          "ASAN_OPTIONS",
+                                          "UBSAN_OPTIONS",
+                                          "LSAN_OPTIONS",
+                                          "TSAN_OPTIONS",
+                                          "LLVM_PROFILE_FILE"};
+
+std::vector<std::string> environment_of(const Limits& limits) {
+  std::vector<std::string> environment;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    const std::string_view name = text.substr(0, text.find('='));
+    if (name.starts_with("LC_") || std::ranges::find(kPassedOn, name) != std::end(kPassedOn) ||
+        std::ranges::find(limits.environment, name) != limits.environment.end()) {
+      environment.emplace_back(text);
+    }
+  }
+  return environment;
+}
+
+// The settings of a new process: own session, no blocked or ignored signals, three pipes.
 class SpawnSettings {
  public:
   SpawnSettings(int in, int out, int err) {
@@ -69,9 +102,8 @@ class SpawnSettings {
     sigfillset(&all);
     posix_spawnattr_setsigmask(&attributes_, &none);
     posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-    posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setflags(&attributes_,
+                             POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
   SpawnSettings(const SpawnSettings&) = delete;
   SpawnSettings& operator=(const SpawnSettings&) = delete;
@@ -79,13 +111,17 @@ class SpawnSettings {
     posix_spawn_file_actions_destroy(&files_);
     posix_spawnattr_destroy(&attributes_);
   }
-  pid_t spawn_shell(std::string command) const {
+  pid_t spawn_shell(std::string command, const Limits& limits) const {
     std::string shell = "sh";
     std::string option = "-c";
     std::array<char*, 4> arguments = {shell.data(), option.data(), command.data(), nullptr};
+    std::vector<std::string> environment = environment_of(limits);
+    std::vector<char*> entries;
+    for (std::string& entry : environment) entries.push_back(entry.data());
+    entries.push_back(nullptr);
     pid_t pid = -1;
     const int error =
-        posix_spawn(&pid, "/bin/sh", &files_, &attributes_, arguments.data(), environ);
+        posix_spawn(&pid, "/bin/sh", &files_, &attributes_, arguments.data(), entries.data());
     if (error != 0) fail(error, "posix_spawn /bin/sh");
     return pid;
   }
@@ -143,15 +179,16 @@ std::string Ending::text() const {
   return fmt::format("exited with {}", code);
 }
 
-Process::Process(const std::string& command, std::size_t memory_bytes)
-    : memory_bytes_(memory_bytes) {
+Process::Process(const std::string& command, const Limits& limits)
+    : memory_bytes_(limits.memory_bytes) {
   Pipe in = make_pipe();
   Pipe out = make_pipe();
   Pipe err = make_pipe();
   make_nonblocking(in.write);
   make_nonblocking(out.read);
   make_nonblocking(err.read);
-  pid_ = SpawnSettings(in.read.get(), out.write.get(), err.write.get()).spawn_shell(command);
+  const SpawnSettings settings(in.read.get(), out.write.get(), err.write.get());
+  pid_ = begin_family([&] { return settings.spawn_shell(command, limits); });
   input_ = std::move(in.write);
   output_ = std::move(out.read);
   errors_ = std::move(err.read);
@@ -269,10 +306,7 @@ Process::Event Process::pump(LineBuffer& output) {
 const Ending& Process::kill() {
   if (pid_ < 0) return ending_;
   ending_.by_itself = has_exited();
-  ::kill(-pid_, SIGKILL);
-  int status = 0;
-  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = end_family(pid_);
   if (WIFEXITED(status)) ending_.code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) ending_.signal = WTERMSIG(status);
   pid_ = -1;
@@ -286,7 +320,7 @@ const Ending& Process::kill() {
 
 std::string Process::take_notes() {
   if (errors_.is_open()) read_notes();
-  std::string text = readable(notes_);
+  std::string text = visible(notes_, Lines::kept);
   if (notes_cut_ > 0) text += fmt::format("\n({} more bytes)", notes_cut_);
   notes_.clear();
   notes_cut_ = 0;

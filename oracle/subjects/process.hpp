@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A shell command in a process group of its own, with pipes on stdin, stdout and stderr. Whatever
-// it does, the group is killed and the process reaped at the latest when the object goes.
+// A shell command in a session and with an environment of its own, with pipes on stdin, stdout and
+// stderr. Whatever it does, it and all that came of it are ended at the latest when the object
+// goes.
 #pragma once
 
 #include <sys/types.h>
@@ -11,6 +12,7 @@
 #include <string>
 #include <utility>
 
+#include "oracle/subject.hpp"
 #include "oracle/subjects/line_buffer.hpp"
 
 namespace gonogo::oracle {
@@ -55,7 +57,7 @@ class Process {
   };
 
   // Throws std::system_error when the system cannot start a process.
-  Process(const std::string& command, std::size_t memory_bytes);
+  Process(const std::string& command, const Limits& limits);
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
   ~Process();
@@ -72,7 +74,7 @@ class Process {
   // Moves bytes until something happens.
   Event pump(LineBuffer& output);
 
-  // Kills the group, reaps the process and tells how it ended. May be called again.
+  // Kills all of it, reaps the process and tells how it ended. May be called again.
   const Ending& kill();
 
   // What came on stderr since the last call: readable, cut.

@@ -46,7 +46,7 @@ std::string text_of(std::string_view key, const element& value) {
   if (value.get(text) != simdjson::SUCCESS) {
     throw Refusal{fmt::format("The key \"{}\" must be a string.", key)};
   }
-  return std::string(text);
+  return visible(text);
 }
 
 std::set<std::string> names_of(std::string_view key, const element& value) {

@@ -7,6 +7,7 @@
 
 #include "campaign_testing.hpp"
 #include "oracle/campaign/results_reader.hpp"
+#include "oracle/records/text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -100,7 +101,7 @@ TEST(CaseLine, OfAKnownFailureKeepsItsRuleMessageAndReason) {
 
 TEST(CaseLine, GivesTheVerdictBackForPeople) {
   const CaseResult read = result_of_line(case_line(failed(), true));
-  EXPECT_EQ(read.id, failed().id);
+  EXPECT_EQ(read.id, visible(failed().id));
   EXPECT_EQ(read.verdict.kind, VerdictKind::fail_geometry);
   EXPECT_EQ(read.verdict.clause, 0);
   EXPECT_EQ(read.verdict.block, 2U);

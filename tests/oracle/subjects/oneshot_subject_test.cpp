@@ -44,7 +44,7 @@ TEST(OneshotSubject, AlarmAndExitCodeMustAgree) {
 TEST(OneshotSubject, ExitThreeIsASkipWithItsReason) {
   const RunEnd end = oneshot_end("exit3");
   EXPECT_EQ(end.kind, Kind::skip);
-  EXPECT_EQ(end.message, "no G116 here\n");
+  EXPECT_EQ(end.message, "no G116 here");
 }
 
 TEST(OneshotSubject, AnyOtherEndIsACrashAndNoRejection) {

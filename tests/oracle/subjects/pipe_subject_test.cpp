@@ -188,7 +188,9 @@ TEST(PipeSubject, ALateAnswerIsNeverTakenForTheNext) {
   const auto mark =
       std::filesystem::temp_directory_path() / ("gonogo-late-" + std::to_string(getpid()));
   setenv("FAKE_MARK", mark.c_str(), 1);
-  auto subject = fake_pipe("late-first", short_limits());
+  Limits limits = short_limits();
+  limits.environment = {"FAKE_MARK"};
+  auto subject = fake_pipe("late-first", limits);
   EXPECT_EQ(run(*subject).end.kind, Kind::timeout);
   usleep(500'000);  // by now the first answer would have come
   const Ran second = run(*subject);
