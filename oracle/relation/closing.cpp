@@ -136,8 +136,9 @@ void Correspondence::close(const Place& place) {
 void Correspondence::close_at_end(const Place& place, const Record& end) {
   const Event& got = subject(place).at(place.j);
   if (got.part != Part::close) {
-    // R7: behind an end that no text states.
-    if (is_silent(end.clause) && !terms_.strict) {
+    // R7: behind an end that no text states, what stands behind it.
+    const bool is_behind = !terms_.compare_blocks || got.block > end.block;
+    if (is_behind && is_silent(end.clause) && !terms_.strict) {
       offer(
           at_place(place, VerdictKind::advice, Rule::event, "No text says that the program ends."));
     }

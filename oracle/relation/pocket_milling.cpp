@@ -53,6 +53,7 @@ class MillingConditions {
     way_ += way_of(piece, axes_.p) + way_of(piece, axes_.q);
     if (way_ > most_way_) return "The way is more than ten times as long as the levels need.";
     width_ = max(width_, piece.width);
+    if (may_be_none()) return {};
     if (piece.part == Part::traverse) return take_traverse(piece, off);
     const Label& label = *piece.label;
     if (label.kind != RecordKind::feed && label.kind != RecordKind::arc) {
@@ -72,6 +73,7 @@ class MillingConditions {
 
   // What the levels lack, so far; empty: nothing.
   std::string_view lacks() const {
+    if (may_be_none()) return {};
     if (levels_.empty() ||
         abs(levels_.back().depth - rational_near(pocket_.floor)) > slack_.axis(0)) {
       return "The floor is not reached.";
@@ -99,6 +101,12 @@ class MillingConditions {
     const Number cosine = rational_near(pocket_.direction[0]);
     const Number sine = rational_near(pocket_.direction[1]);
     return {p * cosine + q * sine, q * cosine - p * sine};
+  }
+  // No deeper than tau below R103, so that all or nothing of it is within the tolerance.
+  bool may_be_none() const {
+    return slack_.is_generous() &&
+           rational_near(pocket_.reference_plane) - rational_near(pocket_.floor) <=
+               terms_.tolerance;
   }
   Stroke stroke_of(const Event& piece) const {
     return {raster_.point(offset_of(piece.from)), raster_.point(offset_of(piece.to))};

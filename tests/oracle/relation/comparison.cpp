@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 namespace gonogo::relation {
@@ -39,11 +40,13 @@ bool is_at_limit(const Task& task, const Trace& trace, const Answer& answer,
   return decision(other.kind) == decision(verdict.kind);
 }
 
-// The definition: a shift along the path is none, and a centre is where the points of its arc are.
-// The judge holds the end of each motion and the centre of each arc within tau, also then.
-bool is_of_ends(std::string_view change, const Answer& answer) {
+// The definition: a shift along the path is none, a centre is where the points of its arc are, and
+// of a circle no wider than the limit it shows nowhere how it is gone round. The judge holds the
+// end of each motion and the centre and turns of each arc, also then.
+bool is_of_numbers(std::string_view change, const Answer& answer) {
+  constexpr std::array<std::string_view, 4> kChanges = {"shift", "shift-centre", "turn", "reverse"};
   return decision(answer.kind) == oracle::Decision::go &&
-         (change == "shift" || change.starts_with("shift-end") || change == "shift-centre");
+         (change.starts_with("shift-end") || std::ranges::count(kChanges, change) > 0);
 }
 
 }  // namespace
@@ -69,8 +72,8 @@ void Comparison::compare(const Task& task, std::string_view change,
     ++undecided_[fmt::format("{}: definition {}", name(verdict.gap), word(answer.kind))];
     return;
   }
-  if (is_of_ends(change, answer)) {
-    ++of_ends_;
+  if (is_of_numbers(change, answer)) {
+    ++of_numbers_;
     return;
   }
   const std::string kind = fmt::format("{}: definition {} {}, judge {}", change, name(answer.kind),
@@ -102,8 +105,9 @@ void Comparison::print() const {
   for (const auto& [reason, count] : undecided_) {
     fmt::print("{:7} undecided by the judge, {}\n", count, reason);
   }
-  fmt::print("{} traces, judge narrower {}, wider {}, ends and centres {}, {} other differences\n",
-             traces_, narrower_, wider_, of_ends_, differences());
+  fmt::print(
+      "{} traces, judge narrower {}, wider {}, ends, centres and turns {}, {} other differences\n",
+      traces_, narrower_, wider_, of_numbers_, differences());
   for (const auto& [kind, count] : differences_) fmt::print("{:7} {}\n", count, kind);
   std::fflush(stdout);
 }

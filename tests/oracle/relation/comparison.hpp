@@ -35,7 +35,7 @@ class Comparison {
   long traces_ = 0;
   long narrower_ = 0;  // the judge, about the limit
   long wider_ = 0;
-  long of_ends_ = 0;
+  long of_numbers_ = 0;
   std::map<std::string, long> undecided_;
   std::map<std::string, long> said_;
   std::map<std::string, long> differences_;

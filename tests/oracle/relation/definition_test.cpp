@@ -390,8 +390,9 @@ TEST(R5Events, AmongTraversesAnMFunctionIsFree) {
                             "\n";
   const std::string m5 = "{\"k\":\"m\",\"b\":2,\"m\":5}\n";
   const std::string program = "G00 X50\nX40 M5\nX30 M8\n";
-  const std::string rest = "{\"k\":\"m\",\"b\":3,\"m\":8}\n"
-                           R"({"k":"rapid","b":3,"to":{"x":"15"}})";
+  const std::string rest =
+      "{\"k\":\"m\",\"b\":3,\"m\":8}\n"
+      R"({"k":"rapid","b":3,"to":{"x":"15"}})";
   EXPECT_EQ(decided(program, to_25 + to_20 + m5 + rest, gsk), kGo);
   EXPECT_EQ(decided(program, to_25 + m5 + to_20 + rest, gsk), kGo);
   EXPECT_EQ(decided(program, m5 + to_25 + to_20 + rest, gsk), "fail.order R5");

@@ -67,7 +67,7 @@ void compare(Comparison& comparison, const Specimen& specimen, std::string_view 
 TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(400);
+  Trials trials(2'500);
   const std::size_t step =
       std::max<std::size_t>(1, all.size() / static_cast<std::size_t>(trials.count));
   for (std::size_t i = 0; i < all.size(); i += step) {
@@ -80,7 +80,7 @@ TEST(DefinitionSweep, WhatTheCorpusExpectsIsRight) {
 TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
   Comparison comparison;
   const std::vector<Specimen> all = specimens();
-  Trials trials(400);
+  Trials trials(2'500);
   for (long done = 0; done < trials.count;) {
     const Specimen& specimen = trials.one_of(all);
     const Change& change = trials.one_of(changes());
