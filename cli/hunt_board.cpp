@@ -149,16 +149,14 @@ void HuntBoard::show() {
   const auto lines = board_lines(title, standing(), columns_of_terminal() - 1);
   std::string text = lines_ == 0 ? std::string() : fmt::format("\033[{}A", lines_);
   for (const std::string& line : lines) text += line + "\033[K\n";
-  complain("{}", text);
-  std::fflush(stderr);
+  draw("{}", text);
   lines_ = lines.size();
 }
 
 // The lines go, and what is told next stands in their place.
 void HuntBoard::clear() {
   if (lines_ == 0) return;
-  complain("\033[{}A\033[J", lines_);
-  std::fflush(stderr);
+  draw("\033[{}A\033[J", lines_);
   lines_ = 0;
 }
 

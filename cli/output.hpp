@@ -35,6 +35,13 @@ void complain(fmt::format_string<Values...> text, Values&&... values) {
   std::fwrite(words.data(), 1, words.size(), stderr);
 }
 
+// The same for what moves the cursor of a terminal: texts of others in it must be visible() already.
+template <typename... Values>
+void draw(fmt::format_string<Values...> text, Values&&... values) {
+  fmt::print(stderr, text, std::forward<Values>(values)...);
+  std::fflush(stderr);
+}
+
 class Output {
  public:
   explicit Output(int descriptor = 1) : descriptor_(descriptor) {}

@@ -14,7 +14,7 @@ ProgressLine::ProgressLine(std::string subject)
     : subject_(std::move(subject)), on_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-  if (on_) complain("\r\033[K");
+  if (on_) draw("\r\033[K");
 }
 
 void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
@@ -24,9 +24,8 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
   shown_ = now;
   const std::chrono::duration<double> spent = now - start_;
   const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
-  complain("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left", subject_, done, all, no_go,
-           left);
-  std::fflush(stderr);
+  draw("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left",
+       oracle::visible(subject_, oracle::Lines::kept), done, all, no_go, left);
 }
 
 }  // namespace gonogo::cli

@@ -37,6 +37,7 @@ struct SubjectInfo {
   std::optional<Number> feed_resolution;  // mm/min or mm/rev
   std::optional<Number> chord;            // mm
   int max_in_flight = 1;
+  bool greeted = true;  // it has said who it is; a command for one program need not
 
   bool declares(std::string_view dialect, std::string_view feature) const;
 };

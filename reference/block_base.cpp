@@ -149,10 +149,10 @@ std::string_view kind_of(const grammar::OutsideConstruct& construct) {
       {"string", "a string"},
       {"comma-word", "a word behind a comma"},
   }};
-  const auto* const found =
-      std::ranges::find(kKinds, std::string_view(construct.name),
-                        &std::pair<std::string_view, std::string_view>::first);
-  return found != kKinds.end() ? found->second : "a word of the control";
+  for (const auto& [name, kind] : kKinds) {
+    if (name == construct.name) return kind;
+  }
+  return "a word of the control";
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ class Run {
   void run_cases(CaseJudge& judge);
   void finish_case(CaseResult result);
   void note_life(const CaseResult& result);
+  void note_greeting();
 
   const CampaignOptions& options_;
   const ResultSink& results_;
@@ -68,6 +69,11 @@ std::optional<Case> Run::select(Case test) {
   ++end_.cases;
   if (options_.is_done && options_.is_done(merged->id)) return std::nullopt;
   return merged;
+}
+
+void Run::note_greeting() {
+  const std::lock_guard lock(mutex_);
+  has_lived_ = true;
 }
 
 void Run::note_life(const CaseResult& result) {
@@ -124,6 +130,7 @@ void Run::run_cases(CaseJudge& judge) {
 void Run::work(const SubjectMaker& make_subject) {
   try {
     CaseJudge judge(options_, make_subject);
+    if (judge.info().greeted) note_greeting();
     run_cases(judge);
   } catch (...) {
     {

@@ -18,6 +18,7 @@ class CaseJudge {
 
   // How many cases it is of use to announce, the one that is judged next among them.
   std::size_t window() const;
+  const SubjectInfo& info() const { return subject_->info(); }
   // The case that is judged next.
   void prepare(const Case& test);
   // Tells the subject of a case that follows the last one announced. False when the subject cannot

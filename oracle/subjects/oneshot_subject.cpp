@@ -167,6 +167,7 @@ class OneshotSubject : public Subject {
   OneshotSubject(const std::string& command, const Limits& limits)
       : command_(command), limits_(limits) {
     info_.name = command;
+    info_.greeted = false;
     info_.everything = true;
     info_.features = {"blocks", "bytes", "m"};
     describe();
