@@ -113,7 +113,9 @@ bool read_case_head(std::string_view line, CaseHead& head) {
     for (const auto& [key, text] : texts) {
       std::string_view value;
       if (field.key != key) continue;
-      if (field.value.get(value) == simdjson::SUCCESS) *text = visible(value);
+      if (field.value.get(value) != simdjson::SUCCESS) break;
+      // Lines are in the order of their ids as they stand.
+      *text = key == "id" ? std::string(value) : visible(value);
       break;
     }
   }

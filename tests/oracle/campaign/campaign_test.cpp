@@ -92,6 +92,9 @@ TEST(Campaign, ASubjectThatDiesAtOnceInEveryCaseIsNotJudged) {
   const Scratch scratch;
   write_corpus(scratch, 8);
   FakeSubject dies;
+  dies.info.emplace();
+  dies.info->everything = true;
+  dies.info->greeted = false;
   dies.act = [](std::string_view, int) -> std::optional<RunEnd> {
     RunEnd end = ended(RunEnd::Kind::crash);
     end.notes = "no such script";
@@ -103,8 +106,14 @@ TEST(Campaign, ASubjectThatDiesAtOnceInEveryCaseIsNotJudged) {
   } catch (const SubjectUnusable& unusable) {
     EXPECT_NE(std::string(unusable.what()).find("no such script"), std::string::npos);
   }
-  // One that answers once is at work.
+  // One that answers once is at work, and so is one that has said who it is.
+  dies.info->greeted = true;
+  EXPECT_NE(results_of(scratch, "r", options_of(1), fake_maker(dies)).find("\"crash\":8"),
+            std::string::npos);
+  dies.info->greeted = false;
   FakeSubject lives;
+  lives.info = dies.info;
+  lives.info->features = {"blocks"};
   lives.act = [](std::string_view id, int) -> std::optional<RunEnd> {
     if (id == "t.000001") return std::nullopt;
     return ended(RunEnd::Kind::crash);
