@@ -215,10 +215,10 @@ Position turned(const Motion& arc, const Number& degrees, bool backward) {
 // Degrees from the start of an arc to points between its ends, of the first turn: halves of right
 // angles, where coordinates are exact, or about its middle.
 std::vector<Number> angles_within(const Motion& arc) {
-  constexpr int kStep = 45;
   const double sweep = std::min(approximate_turns(arc) * 360, 360.0);
   std::vector<Number> angles;
-  for (int degrees = kStep; degrees < sweep; degrees += kStep) angles.emplace_back(degrees);
+  for (int degrees = kWitnessDegrees; degrees < sweep; degrees += kWitnessDegrees)
+    angles.emplace_back(degrees);
   if (angles.empty()) angles.push_back(Number::millionths(std::llround(sweep * 500'000)));
   return angles;
 }

@@ -83,6 +83,8 @@ inline constexpr int kRoundingOfTolerance = 1'000;
 inline constexpr int kDiagonal = 1'414'220;
 // of a coordinate or number | a text asks after a unit only where rounding is less | -
 inline constexpr int kFewestParts = 100;
+// degrees | between the points of a round motion among which its witness is looked for | J-CMP-12
+inline constexpr int kWitnessDegrees = 45;
 
 // Caps. Beyond those of R9 the answer is undecided, with `cap-...` for its reason.
 
