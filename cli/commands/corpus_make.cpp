@@ -10,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
+#include "cli/program_file.hpp"
 #include "corpus/recipes/build.hpp"
 #include "oracle/corpus/corpus_diff.hpp"
 #include "oracle/corpus/files.hpp"
