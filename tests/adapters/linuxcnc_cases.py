@@ -192,8 +192,8 @@ class Linuxcnc(Lines, Distances, Arcs):
             with self.subTest(block=block):
                 self.assertAlarm(block + "\n", cls, 1, "")
 
-    def test_a_message_of_no_certain_class_has_none(self):
-        self.assertAlarm("G38.2 F1\n", None, 1, "")
+    def test_a_negative_feed_has_the_class_of_its_sign(self):
+        self.assertAlarm("F-1\n", "value-sign", 1, "Negative f word used")
 
     def test_nothing_is_left_of_a_program_that_alarmed(self):
         self.run_program("G20 G91 G18 G90.1\nG0 Q\n")
