@@ -4,16 +4,17 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
-#include "cli/subjects.hpp"
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
+#include "hunt/trial.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/relation/definition.hpp"
 
@@ -137,28 +138,21 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
 
 // The subject runs the program now, and its own description says what is compared.
 int judge_subject(const JudgeOptions& options, const reference::Profile& profile) {
-  const std::string program = read_file(options.program);
-  const auto subject = subject_maker(options.subject, options.limits.limits())();
-  check_dialect(subject->info(), profile.dialect);
-  const oracle::JudgeTerms terms = make_terms(subject->info(), profile, options.limits.grants());
-  oracle::JudgeSession session(profile, program, terms);
-  std::vector<reference::Record> kept;
-  subject->configure(profile);
-  const oracle::RunEnd end = subject->run("program", program, [&](const reference::Record& record) {
-    kept.push_back(record);
-    return session.record(record);
-  });
-  if (end.kind == oracle::RunEnd::Kind::skip || end.kind == oracle::RunEnd::Kind::refused) {
-    throw UsageError(fmt::format("The subject does not run it: {}", end.message));
-  }
-  oracle::Verdict verdict = session.finish(end).verdict;
-  if (decision(verdict.kind) == oracle::Decision::no_go) {
-    verdict.reading = explaining_reading(profile, program, terms, kept, end);
+  const TrialWords words{options.subject, {}, {}, options.limits};
+  hunt::TrialOptions terms = trial_options(words);
+  terms.strict = options.limits.strict;
+  terms.most_records = std::numeric_limits<std::size_t>::max();
+  hunt::Trial trial(trial_subject(words), std::move(terms));
+  check_dialect(trial.info(), profile.dialect);
+  const hunt::JudgedRun run = trial.examine({{}, {profile, read_file(options.program)}});
+  using Kind = oracle::RunEnd::Kind;
+  if (run.end.kind == Kind::skip || run.end.kind == Kind::refused) {
+    throw UsageError(fmt::format("The subject does not run it: {}", run.end.message));
   }
   Output output;
-  output.text() = verdict_text(verdict);
+  output.text() = verdict_text(run.verdict);
   output.flush();
-  return exit_code_of(verdict);
+  return exit_code_of(run.verdict);
 }
 
 int judge(const JudgeOptions& options) {
@@ -167,13 +161,9 @@ int judge(const JudgeOptions& options) {
   if (options.subject.empty() == options.trace.empty()) {
     throw UsageError(
         "Name what is judged: --trace FILE, a recorded outcome, or --subject S, which runs the "
-        "program "
-        "now.");
+        "program now.");
   }
   if (!options.subject.empty()) return judge_subject(options, profile);
-  if (options.limits.timeout != 0 || options.limits.memory != 0) {
-    throw UsageError("--timeout and --memory go with --subject: a recorded outcome runs nothing.");
-  }
   if (options.program == "-" && options.trace == "-") {
     throw UsageError("Only one of program and trace can come from standard input.");
   }
@@ -219,6 +209,9 @@ void add_judge(Command& program) {
   add_profile_options(command, options->profile);
   add_run_options(command, options->limits);
   add_strict_option(command, options->limits);
+  command.needs({"--timeout", "--memory", "--env"}, "--subject");
+  command.needs({"--numeric", "--resolution", "--time", "--rounding", "--by-definition"},
+                "--trace");
   command.run([options] { return judge(*options); });
 }
 
