@@ -301,12 +301,12 @@ void keep_campaign(const oracle::CampaignOptions& campaign, const std::string& r
 
 // Nobody is judged by a vector that is wrong. The checked-in corpus is tested with the gauge
 // itself.
-void check_vectors(const CertifyOptions& options, const oracle::Corpus& corpus,
-                   const oracle::CampaignOptions& campaign) {
+void check_vectors(const CertifyOptions& options) {
   if (options.corpus.empty()) return;
+  const oracle::Corpus corpus(corpus_folder(options.corpus));
   const std::string own = corpus_here("");
   if (!own.empty() && oracle::Corpus(own).sha256() == corpus.sha256()) return;
-  if (const auto fault = oracle::first_wrong_vector(corpus, campaign)) {
+  if (const auto fault = oracle::first_wrong_vector(corpus, campaign_options(options))) {
     throw OutputError(
         fmt::format("The corpus {} is at fault, not the subject: {}", corpus.folder(), *fault),
         false);
@@ -319,7 +319,6 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   const oracle::CampaignOptions campaign = campaign_options(options);
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
-  check_vectors(options, corpus, campaign);
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
@@ -478,6 +477,7 @@ int certify(const CertifyOptions& asked) {
     throw UsageError(
         "--write-known-failures takes a run that ends: leave --shard and --fail-fast out.");
   }
+  check_vectors(options);
   const std::string report = report_folder(options);
   if (options.subjects.size() == 1) return certify_one(options, options.subjects.front(), report);
   if (!options.subjects.empty()) return certify_each(options, report);

@@ -4,10 +4,13 @@
 // step itself in its place. What the first has where the second has the step is the open part.
 #include "oracle/corpus/open_parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "grammar/line_source.hpp"
+#include "reference/descriptor.hpp"
+#include "reference/dialect.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -183,6 +186,8 @@ std::vector<Element> elements_of(const reference::Profile& profile, std::string_
 // step before it takes one more.
 std::vector<OpenPart> open_parts(const reference::Profile& profile, std::string_view program,
                                  const std::vector<Record>& records) {
+  const auto codes = reference::find_dialect(profile.dialect)->descriptor->codes;
+  if (std::ranges::none_of(codes, &reference::Code::is_open_path)) return {};
   std::vector<Element> elements = elements_of(profile, program);
   std::vector<OpenPart> parts;
   std::size_t after_step = 0;  // the element behind the last step
