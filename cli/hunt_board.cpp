@@ -144,8 +144,8 @@ HuntStanding HuntBoard::standing() const {
 
 void HuntBoard::show() {
   shown_ = Clock::now();
-  const std::string title = fmt::format("{}, {} in {}", oracle::readable(words_.trial.subject),
-                                        words_.dialect, oracle::readable(words_.campaign));
+  const std::string title = fmt::format("{}, {} in {}", oracle::visible(words_.trial.subject),
+                                        words_.dialect, oracle::visible(words_.campaign));
   const auto lines = board_lines(title, standing(), columns_of_terminal() - 1);
   std::string text = lines_ == 0 ? std::string() : fmt::format("\033[{}A", lines_);
   for (const std::string& line : lines) text += line + "\033[K\n";

@@ -30,12 +30,12 @@ bool has_writer(int descriptor) {
 
 // A FIFO without a writer would be waited for without end.
 bool has_nobody_behind(int descriptor) {
-  constexpr int kPatienceMs = 5000;
+  constexpr int kWaitMs = 5000;
   pollfd waiting{descriptor, POLLIN, 0};
-  return ::poll(&waiting, 1, kPatienceMs) == 0 && !has_writer(descriptor);
+  return ::poll(&waiting, 1, kWaitMs) == 0 && !has_writer(descriptor);
 }
 
-// Of a device that is no terminal, nothing but that of no bytes ends.
+// A device that is no terminal does not end, but for the one of no bytes.
 bool is_endless(const struct stat& status, int descriptor) {
   struct stat null {};
   const bool is_null = ::stat("/dev/null", &null) == 0 && null.st_rdev == status.st_rdev;

@@ -25,7 +25,7 @@ void ProgressLine::show(std::size_t done, std::size_t all, std::size_t no_go) {
   const std::chrono::duration<double> spent = now - start_;
   const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
   draw("\r\033[K{}: {} of {} cases, {} NO-GO, about {:.0f} s left",
-       oracle::visible(subject_, oracle::Lines::kept), done, all, no_go, left);
+       oracle::visible(subject_), done, all, no_go, left);
 }
 
 }  // namespace gonogo::cli

@@ -332,7 +332,8 @@ void add_choice(Command& command, Choice& choice) {
 void add_corpus(Command& program) {
   auto words = std::make_shared<CorpusWords>();
   const char* whose = "folder of the corpus (the checked-in one)";
-  Command command = program.add_command("corpus", "Make, list, check, count, compare, copy or publish a corpus");
+  Command command =
+      program.add_command("corpus", "Make, list, check, count, compare, copy or publish a corpus");
   command.require_command();
 
   Command lists = command.add_command("list", "the cases and what they are about");

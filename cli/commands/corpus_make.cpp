@@ -46,7 +46,8 @@ void write_new(const fs::path& file, const std::string& text) {
 
 // Recipes with one case, which builds as it stands.
 int start(const MakeWords& words) {
-  if (reference::find_dialect(words.dialect) == nullptr) {
+  const reference::Dialect* const dialect = reference::find_dialect(words.dialect);
+  if (dialect == nullptr) {
     throw UsageError(
         fmt::format("There is no dialect {}. `gonogo spec` names them.", words.dialect));
   }
@@ -74,8 +75,7 @@ int start(const MakeWords& words) {
           "'''\n"
           "# The alarms that must come, class@line; without the key none may.\n"
           "# alarm = [\"missing-word@1\"]\n",
-          words.dialect, reference::find_dialect(words.dialect)->clauses.front().id,
-          words.dialect));
+          words.dialect, dialect->clauses.front().id, words.dialect));
   say(fmt::format(
       "{0}/{1}/mine.toml has a first case.\nNext: gonogo corpus build {0} {0}-corpus --review\n",
       words.out, words.dialect));

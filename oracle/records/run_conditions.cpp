@@ -105,9 +105,9 @@ RunConditions conditions_of(const Json& header) {
     return features.is_array() && std::ranges::find(features, Json(feature)) == features.end();
   };
   if (lacks("m")) {
-    conditions.not_compared.push_back("M functions" + cycles_with_m_functions(header));
+    conditions.not_compared.push_back({"M functions", cycles_with_m_functions(header)});
   }
-  if (lacks("blocks")) conditions.not_compared.emplace_back("source lines");
+  if (lacks("blocks")) conditions.not_compared.push_back({"source lines", {}});
   return conditions;
 }
 
@@ -118,7 +118,9 @@ std::string RunConditions::text() const {
   };
   put("granted", granted);
   put("a part", part);
-  put("not compared", not_compared);
+  std::vector<std::string> lacking;
+  for (const NotCompared& one : not_compared) lacking.push_back(one.what + one.beside);
+  put("not compared", lacking);
   if (strict) text += "; strict";
   return text;
 }
@@ -126,9 +128,7 @@ std::string RunConditions::text() const {
 std::string RunConditions::short_text() const {
   std::vector<std::string> all = granted;
   all.insert(all.end(), part.begin(), part.end());
-  for (const std::string& what : not_compared) {
-    all.push_back("without " + what.substr(0, what.find(" (")));
-  }
+  for (const NotCompared& one : not_compared) all.push_back("without " + one.what);
   if (strict) all.emplace_back("strict");
   return fmt::format("{}", fmt::join(all, ", "));
 }

@@ -10,9 +10,13 @@
 namespace gonogo::oracle {
 
 struct RunConditions {
-  std::vector<std::string> granted;       // by the certifier: "tolerance 1000 mm"
-  std::vector<std::string> part;          // of the cases of the dialects: "shard 1/300"
-  std::vector<std::string> not_compared;  // "M functions"
+  std::vector<std::string> granted;  // by the certifier: "tolerance 1000 mm"
+  std::vector<std::string> part;     // of the cases of the dialects: "shard 1/300"
+  struct NotCompared {
+    std::string what;    // "M functions"
+    std::string beside;  // " (g74, g84 of rs274 pass some on themselves)"; or empty
+  };
+  std::vector<NotCompared> not_compared;
   bool strict = false;
 
   // None, or strictness alone, which grants nothing.

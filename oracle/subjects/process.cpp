@@ -57,22 +57,10 @@ void make_nonblocking(const Descriptor& fd) {
 
 // What a subject learns of this program's environment besides what is asked for: what a command is
 // found and run by, and what a build for testing reads. No token and no place of this run.
-constexpr std::string_view kPassedOn[] = {"PATH",
-                                          "HOME",
-                                          "USER",
-                                          "LOGNAME",
-                                          "SHELL",
-                                          "LANG",
-                                          "LANGUAGE",
-                                          "TZ",
-                                          "TMPDIR",
-                                          "LC_ALL",
-                                          "LD_LIBRARY_PATH",
-                                          "ASAN_OPTIONS",
-                                          "UBSAN_OPTIONS",
-                                          "LSAN_OPTIONS",
-                                          "TSAN_OPTIONS",
-                                          "LLVM_PROFILE_FILE"};
+constexpr std::string_view kPassedOn[] = {
+    "PATH",         "HOME",          "USER",         "LOGNAME",      "SHELL",
+    "LANG",         "LANGUAGE",      "TZ",           "TMPDIR",       "LD_LIBRARY_PATH",
+    "ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS", "LLVM_PROFILE_FILE"};
 
 std::vector<std::string> environment_of(const Limits& limits) {
   std::vector<std::string> environment;
