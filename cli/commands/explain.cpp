@@ -39,7 +39,7 @@ class NumberedLines {
     }
     return line_.text.substr(0, 200);
   }
-  // Of the line read last.
+  // The number of the line read last.
   std::uint64_t number() const { return line_.number; }
 
  private:

@@ -59,7 +59,7 @@ class ResultsWriter {
   RunAnswer close(const Ending& ending, ResultsFooter& footer, const Visit& visit = nullptr);
   // Writes the sorted lines without a footer: an incomplete file.
   void close_without_footer();
-  // Of the whole file that was put in place.
+  // The hash of the whole file that was put in place.
   const std::string& file_sha256() const { return file_sha256_; }
 
  private:

@@ -30,7 +30,7 @@ double SampleRhythm::quantile(std::size_t parts) const {
   return *at;
 }
 
-// J-RUN-11. Of an even rhythm a sample that is missing makes an interval twice as long: half of one
+// J-RUN-11. In an even rhythm a missing sample makes an interval twice as long: half of one
 // is let pass. Times that are off by up to half an interval each way make none that exceeds this.
 // The quarter of the intervals that is shortest stands for the rhythm, or many holes would.
 double SampleRhythm::limit(double clock) const {

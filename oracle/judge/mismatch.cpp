@@ -198,7 +198,7 @@ Number rounding(const Number& number, const std::optional<Number>& resolution,
   return terms.binary64 ? abs(number) * Number::binary(1, 1 - kUlpBits) : Number(0);
 }
 
-// Of a feed or a lead that differs: both values.
+// For a feed or a lead that differs: both values.
 std::string values_of(const Record& want, const Record& got) {
   if (want.kind == RecordKind::thread) {
     return reference::with_values(" It is {} mm in place of {}.", {got.lead, want.lead});

@@ -376,7 +376,7 @@ OpenStepAnswer PocketMillingJudge::take_travel(const Motion& motion) {
   return over_ ? check_contour_only(motion) : OpenStepAnswer::take();
 }
 
-// R8: of roughing the first infeed follows the approach, at the centre. Of finishing
+// R8: in roughing the first infeed follows the approach, at the centre. In finishing
 // (SIE-LC75-11) the tool may travel in what roughing left.
 OpenStepAnswer PocketMillingJudge::check_first(const Motion& motion) const {
   const bool below = min(motion.from[axes_.d], motion.to()[axes_.d]) < item_.clearance;

@@ -69,7 +69,7 @@ struct RoundedRectangle {
 RoundedRectangle rounded_rectangle(const Number& half_length, const Number& half_width,
                                    const Number& corner_radius);
 
-// J-PATH-06. Of an arc whose ends are no farther apart than `within`, rounding may have made a
+// J-PATH-06. For an arc whose ends are no farther apart than `within`, rounding may have made a
 // whole turn of none or the reverse. What the record says is tried first; where only the other turn
 // is right, that is GO, or, where the record `is_ambiguous`, a gap.
 struct OpenTurns {

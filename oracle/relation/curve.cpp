@@ -229,7 +229,7 @@ Cutter::Cutter(const Record& record, const Position& from, const Number& tau, Tu
     is_flat_ = !turning_;
   }
   if (!turning_) return;
-  // Of a circle that is nowhere wider than tau it shows nowhere how often it is gone round.
+  // A circle that is nowhere wider than tau does not show how often it is gone round.
   const Number turns = (turning_->degrees / 360).floor();
   if (turning_->radius * 2 <= tau && turns > Number(2)) turning_->degrees -= (turns - 2) * 360;
   is_flat_ = is_within_of_chord(*turning_, tau);

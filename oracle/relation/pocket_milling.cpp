@@ -157,7 +157,7 @@ class MillingConditions {
     return slack_.allows(cover_of(level).of(tool));
   }
 
-  // Of roughing nothing but the infeed at the centre comes before the first level.
+  // In roughing nothing but the infeed at the centre comes before the first level.
   static constexpr std::string_view kEarly = "The motion comes before the first infeed.";
   bool is_early(const Event& piece) const {
     const bool sinks = piece.to[axes_.d] <= piece.from[axes_.d] + slack_.axis(piece.width);

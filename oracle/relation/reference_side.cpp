@@ -154,7 +154,7 @@ bool ReferenceSide::may_stand(std::size_t number, std::size_t index) {
   if (is_one_of(kEnding) && has(index, block.end, cuts)) return false;
   const bool moves_behind = has(index, block.end, moves);
   if (is_one_of(kProgramEnd) && moves_behind) return false;
-  // Of a cycle before all motions or behind them; a clamp closes once the tool is in place.
+  // In a cycle before all motions or behind them; a clamp closes once the tool is in place.
   if (m.record.before_cut || !has(block.begin, block.end, cuts)) return true;
   return !moves_behind || !has(block.begin, index, moves);
 }

@@ -114,7 +114,7 @@ class ThreadPasses : private ThreadSite {
       }
     }
   }
-  // Of chords: whether one leads to the circle of the pass.
+  // For chords: whether one leads to the circle of the pass.
   bool is_infeed(std::size_t i, const Number& radius) {
     const Event& piece = subject_.at(i);
     return is_on(offset_of(piece.to), radius, slack_.round(piece.width));
@@ -269,7 +269,7 @@ class ThreadPasses : private ThreadSite {
       if (broken.empty() && free_ > 0 && abs(piece.to[axes_.p] - middle_.p) > reach + off) {
         broken = "The way to safety goes away from the work.";
       }
-      // Of a bore the way leads along p, wherever along q the run-out ended.
+      // In a bore the way leads along p, wherever along q the run-out ended.
       const Number farthest = max(abs(foot[axes_.p] - middle_.p), abs(start_ - run_out_));
       const bool crosses =
           free_ > 0 ? is_deeper(piece, kept_of(number))

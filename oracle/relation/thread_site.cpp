@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWholeTurn = 360;
 
-// Of the line between two places: whether it leads farther from the axis, or nearer to it.
+// Whether the line between two places leads farther from the axis, or nearer to it.
 bool leads_beyond(const Offset& from, const Offset& to, const Number& radius) {
   return radius.sign() < 0 || max(from.square(), to.square()) > radius * radius;
 }

@@ -36,7 +36,7 @@ struct ThreadSite {
                  const Number& off) const;
   bool is_deeper(const Event& piece, const Number& radius) const;
   bool is_beyond(const Event& piece, const Number& radius) const;
-  // Of pass 0: of the uncut part. What the way to safety keeps to.
+  // For pass 0: of the uncut part. What the way to safety keeps to.
   Number radius_of_pass(std::int64_t number) const;
   Number kept_of(std::int64_t number) const;
   bool is_safe(const Position& place) const;

@@ -91,7 +91,7 @@ class PathSampler {
   std::size_t segments_left_;
 };
 
-// Of the cycle that one block runs; 0: of the first one.
+// For the cycle that one block runs; 0: for the first one.
 Names names_in(const Path& path, std::uint64_t block);
 
 Path sample_path(const reference::Position& start, std::span<const reference::Record> records,

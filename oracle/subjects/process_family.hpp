@@ -18,8 +18,8 @@ pid_t begin_family(const std::function<pid_t()>& spawn);
 // counts for every subject: nobody can tell whose it is.
 std::size_t resident_bytes(pid_t first);
 
-// Ends all of them, whatever they did to their groups, and reaps those that are this program's
-// children. Of processes that nobody can tell whose they are, those end with the last subject.
+// Ends all of them, also those that left their group, and reaps those that are this program's
+// children. Processes that nobody can tell whose they are end with the last subject.
 // Returns the first one's status, as waitpid.
 int end_family(pid_t first);
 

@@ -13,7 +13,7 @@
 
 namespace gonogo::exact {
 
-// Of a number in a record, as it is read: what is written holds to it where there is a way.
+// The bound of a number in a record, as it is read; what is written keeps to it where it can.
 inline constexpr std::size_t kMostCharacters = 1000;
 inline constexpr long kMostExponent = 9999;
 

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 HELPERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "helpers")
-# Of each subject: its dialect, a planted fault, and which part of the judged cases is closed.
+# For each subject: its dialect, a planted fault, and which part of the judged cases is closed.
 SUBJECTS = {"gsk": ("gsk988ta", "taper-sign", 0.65), "hnc": ("hnc21t", "withdrawal-twice", 0.98),
             "ngc": ("rs274", "g3-clockwise", 0.98), "sinumerik": ("sinumerik840d", "centre-absolute", 0.9)}
 

@@ -105,7 +105,7 @@ bool alarm_where_none_is(Edit& edit) {
 
 bool alarm_in_another_class(Edit& edit) {
   if (!alarms(edit)) return false;
-  // Of a block that cannot be read an undefined code before that place is as good (R6).
+  // In a block that cannot be read an undefined code before that place is as good (R6).
   for (const auto other : {reference::AlarmClass::no_tool, reference::AlarmClass::pocket_size,
                            reference::AlarmClass::lead_missing}) {
     if (std::ranges::find(edit.specimen.admissible, other) == edit.specimen.admissible.end()) {

@@ -756,7 +756,7 @@ TEST(R8FreeStep, TraversesKeepToWhatIsCleared) {
   EXPECT_EQ(rough(infeed("-3") + there + back + circle5(5) + rest), kNoStep);
 }
 
-// Of radius 20 with an allowance of 0.5: the ring of 15 mills the strip.
+// Radius 20 with an allowance of 0.5: the ring of 15 mills the strip.
 TEST(R8FreeStep, FinishingMillsTheContourAtEachLevel) {
   const auto finish = [](std::string_view trace) {
     return lcyc75("R118=40 R119=40 R120=20 R124=0.5 R125=0 R127=2", trace);
