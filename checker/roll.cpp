@@ -133,6 +133,10 @@ std::vector<std::string> header_faults(const Json& header) {
   const Json* strict = header.find("strict");
   need("--strict", (std::ranges::find(argv, "--strict") != argv.end()) ==
                        (strict != nullptr && strict->truth));
+  const Words sandbox = values_of(argv, "--sandbox");
+  const std::string sandboxed = text_at(header, "sandbox");
+  need("--sandbox", sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||
+                        (sandbox.back() == "off") == (sandboxed == "none"));
   const bool has_profile = header.find("machine") != nullptr ||
                            !header.member("profile", Json::Kind::object).members.empty();
   need("--profile", has_profile == !values_of(argv, "--profile").empty());

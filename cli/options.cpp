@@ -63,6 +63,7 @@ oracle::Limits LimitOptions::limits() const {
   if (timeout > 0) limits.run = std::chrono::milliseconds(timeout);
   if (memory > 0) limits.memory_bytes = static_cast<std::size_t>(memory) << 20;
   limits.environment = environment;
+  limits.show_ids = show_ids;
   if (!feed_tolerance.empty()) {
     limits.capture.feed_tolerance =
         *decimal_option(feed_tolerance, "--feed-tolerance", "percent") / 100;

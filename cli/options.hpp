@@ -25,10 +25,17 @@ Shard shard_option(const std::string& text);
 // --dialect, --profile, --reading
 void add_profile_options(Command& command, ProfileOptions& options);
 
+struct SandboxOptions {
+  std::string wish = "off";
+  std::vector<std::string> bound;
+};
+
 struct LimitOptions {
   long timeout = 0;  // ms; 0: the default
   long memory = 0;   // MB; 0: the default
   std::vector<std::string> environment;
+  SandboxOptions sandbox;
+  bool show_ids = false;
   std::string tolerance;
   std::string chord;
   std::string feed_resolution;

@@ -11,12 +11,14 @@
 #include "cli/options.hpp"
 #include "cli/program_file.hpp"
 #include "cli/run_limits.hpp"
+#include "cli/sandbox_options.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "oracle/campaign/results_reader.hpp"
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/selection.hpp"
 #include "oracle/evidence/statement.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::cli {
@@ -77,7 +79,12 @@ std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
                                                const std::string& subject) {
   const std::string certified = (fs::path(certificate) / oracle::evidence::kResultsFile).string();
   Json header = oracle::ResultsReader(certified).header();
-  const oracle::CampaignOptions campaign = options_of(header, certificate);
+  oracle::CampaignOptions campaign = options_of(header, certificate);
+  SandboxOptions sandbox;
+  sandbox.wish = oracle::report::text_of(header, "sandbox") == "bubblewrap" ? "auto" : "off";
+  sandbox.bound = oracle::report::option_values(header.value("argv", Json::array()), "--bind");
+  campaign.limits =
+      sandboxed(std::move(campaign.limits), sandbox, subject, {corpus_path, certificate});
   const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_path);
   const ScratchFolder scratch;

@@ -8,6 +8,7 @@
 
 #include "cli/program_file.hpp"
 #include "cli/subject_files.hpp"
+#include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
@@ -22,6 +23,7 @@ void add_trial_options(Command& command, TrialWords& words) {
   command.option("--alarm-map", words.alarm_map, "TOML file of what the subject's own alarms mean");
   command.option("--out", words.out, "folder for findings as vectors and files");
   add_run_options(command, words.limits);
+  add_sandbox_options(command, words.limits.sandbox, "off");
 }
 
 namespace {
@@ -43,7 +45,8 @@ hunt::SubjectMaker trial_subject(const TrialWords& words) {
         "Recorded output cannot be tried with other programs. `gonogo certify` judges it.");
   }
   if (!words.out.empty()) check_out(words);
-  return subject_maker(words.subject, words.limits.limits());
+  return subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
+                                                words.subject, {words.out}));
 }
 
 hunt::TrialOptions trial_options(const TrialWords& words) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oracle/subjects/sandbox.hpp"
 #include "reference/outcome.hpp"
 #include "reference/profile.hpp"
 
@@ -107,6 +108,8 @@ struct Limits {
   int restarts = 10;  // in a row
   // Names of variables that the subject is given besides those that every one is.
   std::vector<std::string> environment;
+  Sandbox sandbox;
+  bool show_ids = false;  // a subject behind a pipe is told the names of the cases
   CaptureOptions capture;
 };
 

@@ -26,6 +26,7 @@
 #include "cli/results_file.hpp"
 #include "cli/run_end.hpp"
 #include "cli/run_limits.hpp"
+#include "cli/sandbox_options.hpp"
 #include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
@@ -160,6 +161,7 @@ oracle::ResultsHeader results_header(const CertifyOptions& options, const std::s
   if (grants.chord) header.chord = grants.chord->text();
   if (grants.feed_resolution) header.feed_resolution = grants.feed_resolution->text();
   header.strict = grants.strict;
+  header.sandbox = sandbox_name(campaign.limits, subject);
   if (campaign.limits.capture.blend) header.blend = campaign.limits.capture.blend->text();
   header.capped = capped_declarations(campaign, info);
   header.shard = options.shard;
@@ -316,9 +318,12 @@ void check_vectors(const CertifyOptions& options) {
 int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
   // A pass is proven by its trace alone.
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
-  const oracle::CampaignOptions campaign = campaign_options(options);
-  oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
+  oracle::CampaignOptions campaign = campaign_options(options);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
+  campaign.limits =
+      sandboxed(std::move(campaign.limits), options.limits.sandbox, subject,
+                {corpus.folder(), report, options.traces, options.certificate});
+  oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();
   const oracle::SubjectMaker maker = beginning_with(std::move(first), std::move(make));
@@ -530,6 +535,9 @@ void add_certify(Command& program) {
                "go on from the journal of an interrupted run in the same folder");
   command.flag("--fail-fast", options->fail_fast, "stop at the first NO-GO");
   add_subject_options(command, options->limits);
+  add_sandbox_options(command, options->limits.sandbox, "auto");
+  command.flag("--show-ids", options->limits.show_ids,
+               "tell a subject behind a pipe the names of the cases, to find a fault");
   add_strict_option(command, options->limits);
   options->argv = arguments();
   command.run([options] { return certify(*options); });

@@ -10,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "cli/sandbox_options.hpp"
 #include "cli/subjects.hpp"
 #include "identify/attribution.hpp"
 #include "identify/identify.hpp"
@@ -120,7 +121,8 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
 
 int identify_subject(const IdentifyWords& words) {
   const std::unique_ptr<oracle::Subject> subject =
-      subject_maker(words.subject, words.limits.limits())();
+      subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
+                                             words.subject, {}))();
   return words.departure.empty() ? find_readings(words, *subject) : find_cause(words, *subject);
 }
 
@@ -138,6 +140,7 @@ void add_identify(Command& program) {
   command.option("--out", words->out, "write the profile that was found to this file");
   add_profile_options(command, words->profile);
   add_subject_options(command, words->limits);
+  add_sandbox_options(command, words->limits.sandbox, "off");
   command.run([words] { return identify_subject(*words); });
 }
 

@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/recorded_trace.hpp"
+#include "cli/sandbox_options.hpp"
 #include "cli/times_text.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
@@ -208,8 +209,9 @@ void add_judge(Command& program) {
                "judge by the definition itself, slowly, and tell which of its rules is broken");
   add_profile_options(command, options->profile);
   add_run_options(command, options->limits);
+  add_sandbox_options(command, options->limits.sandbox, "off");
   add_strict_option(command, options->limits);
-  command.needs({"--timeout", "--memory", "--env"}, "--subject");
+  command.needs({"--timeout", "--memory", "--env", "--sandbox", "--bind"}, "--subject");
   command.needs({"--numeric", "--resolution", "--time", "--rounding", "--by-definition"},
                 "--trace");
   command.run([options] { return judge(*options); });

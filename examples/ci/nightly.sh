@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT-0
 #
 # nightly.sh SUBJECT DIALECT...: what runs in the night. A hunt of each dialect goes on in its folder below
-# $GONOGO_CAMPAIGNS (gonogo-campaigns), which the service keeps from night to night, for $GONOGO_TIME (1h).
+# $GONOGO_CAMPAIGNS (gonogo-campaigns), which the service keeps from night to night, for $GONOGO_TIME (1h), or
+# for $GONOGO_PROGRAMS programs a night.
 # What is new since the last night stands in $GONOGO_REPORTS (gonogo-reports): DIALECT/issue.md, the text of an
 # issue, and DIALECT/results.sarif, junit.xml and index.html. Exits with 1 for a new finding, with 0 when the
 # night found none; further options of `gonogo ci batch` may stand in $GONOGO_OPTIONS.
@@ -12,6 +13,8 @@ subject=$1
 shift
 campaigns=${GONOGO_CAMPAIGNS:-gonogo-campaigns}
 reports=${GONOGO_REPORTS:-gonogo-reports}
+bound="--time ${GONOGO_TIME:-1h}"
+[ -z "${GONOGO_PROGRAMS-}" ] || bound="--programs $GONOGO_PROGRAMS"
 worst=0
 
 # findings CAMPAIGN: their folders.
@@ -44,7 +47,7 @@ for dialect; do
   campaign=$campaigns/$dialect
   before=$(findings "$campaign")
   # shellcheck disable=SC2086 # the options are words
-  gonogo ci batch --subject "$subject" --dialect "$dialect" --campaign "$campaign" --time "${GONOGO_TIME:-1h}" ${GONOGO_OPTIONS-}
+  gonogo ci batch --subject "$subject" --dialect "$dialect" --campaign "$campaign" $bound ${GONOGO_OPTIONS-}
   code=$?
   # 1: findings stand, of this night or one before; anything else is no answer.
   [ "$code" -le 1 ] || { [ "$worst" -eq 1 ] || worst=$code; }

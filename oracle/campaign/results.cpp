@@ -92,6 +92,7 @@ std::string header_line(const ResultsHeader& header) {
   line["chord"] = text_or_null(header.chord);
   line["feed_resolution"] = text_or_null(header.feed_resolution);
   line["strict"] = header.strict;
+  if (!header.sandbox.empty()) line["sandbox"] = header.sandbox;
   if (!header.blend.empty()) line["blend"] = header.blend;
   line["capped"] = capped_json(header);
   line["selection"] = selection_json(header);

@@ -29,15 +29,16 @@ struct ResultsHeader {
   std::string corpus_sha256;
   std::string subject_spec;
   SubjectInfo subject;
-  std::string profile;                // JSON object of what the certifier set
+  std::string profile;  // JSON object of what the certifier set
   std::string machine;  // dialect of the certifier's profile; empty: there is none
   std::vector<reference::ProfileKey> machine_keys;  // that it sets, to the default or not
-  std::vector<std::string> readings;  // "k=v" over the cases' profiles
-  std::string tolerance;              // empty: as declared
-  std::string chord;                  // empty: none
-  std::string feed_resolution;        // empty: as declared
-  std::string blend;                  // mm; empty: corners of sampled positions are not cut
-  bool strict = false;                // advices are NO-GO
+  std::vector<std::string> readings;                // "k=v" over the cases' profiles
+  std::string tolerance;                            // empty: as declared
+  std::string chord;                                // empty: none
+  std::string feed_resolution;                      // empty: as declared
+  std::string blend;    // mm; empty: corners of sampled positions are not cut
+  bool strict = false;  // advices are NO-GO
+  std::string sandbox;  // "bubblewrap", "none"; empty: the subject starts no process
   // By dialect: what the subject declares, but counts for less.
   std::vector<std::pair<std::string, Capped>> capped;
   std::vector<std::string> dialects;  // empty: all

@@ -22,7 +22,7 @@ struct HeaderPart {
   std::string_view what;
   const char* pointer;
 };
-inline constexpr std::array<HeaderPart, 18> kHeaderParts = {{
+inline constexpr std::array<HeaderPart, 19> kHeaderParts = {{
     {"subject", "/subject/name"},
     {"version of the subject", "/subject/version"},
     {"version of gonogo", "/gonogo"},
@@ -34,6 +34,7 @@ inline constexpr std::array<HeaderPart, 18> kHeaderParts = {{
     {"feed resolution", "/feed_resolution"},
     {"blend", "/blend"},
     {"strictness", "/strict"},
+    {"sandbox", "/sandbox"},
     {"features declared", "/subject/dialects"},
     {"what is told besides motions", "/subject/features"},
     {"numbers declared", "/subject/numeric"},

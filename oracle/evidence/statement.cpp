@@ -84,7 +84,7 @@ Json statement_json(const Json& header, const RunState& state, const Json& waive
                     const TraceFiles& traces) {
   Json root = {{"format", 1}, {"decision", state.decision}, {"head", state.head}};
   for (const char* key : {"subject", "gonogo", "gauge", "corpus", "profile", "readings",
-                          "machine", "tolerance", "chord", "feed_resolution", "blend", "strict", "capped", "selection",
+                          "machine", "tolerance", "chord", "feed_resolution", "blend", "strict", "sandbox", "capped", "selection",
                           "known_failures", "alarm_map", "seed", "shard"}) {
     if (header.contains(key)) root[key] = header[key];
   }
@@ -160,6 +160,7 @@ std::string facts_of_run(const Json& header, const RunState& state) {
   if (!feeds.empty()) put("Feed resolution", markdown_text(feeds) + ", granted by the certifier");
   const std::string blend = text_of(header, "blend");
   if (!blend.empty()) put("Blend", markdown_text(blend) + " mm, granted by the certifier");
+  put("Sandbox", text_of(header, "sandbox"));
   put("Advices", header.value("strict", Json(false)) == true ? "are NO-GO (--strict)"
                                                              : "are told, and are no NO-GO");
   if (header.contains("selection")) {

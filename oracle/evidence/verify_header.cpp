@@ -98,6 +98,11 @@ class HeaderCheck {
     const Json strict = header_.value("strict", Json(false));
     need("--strict", (std::ranges::find(argv_, Json("--strict")) != argv_.end()) == (strict == true),
          strict);
+    const std::vector<std::string> sandbox = option_values(argv_, "--sandbox");
+    const std::string sandboxed = text_of(header_, "sandbox");
+    const bool may_be = sandbox.empty() || sandbox.back() == "auto" || sandboxed.empty() ||
+                        (sandbox.back() == "off") == (sandboxed == "none");
+    need("--sandbox", may_be, Json(sandboxed));
     const Json profile = header_.value("profile", Json::object());
     const bool has_profile = header_.contains("machine") || !profile.empty();
     need("--profile", has_profile == !option_values(argv_, "--profile").empty(), profile);

@@ -99,6 +99,7 @@ RunConditions conditions_of(const Json& header) {
   if (!header.is_object()) return conditions;
   add_grants(header, conditions.granted);
   conditions.strict = header.value("strict", Json(false)) == true;
+  conditions.sandbox = text_in(header, "sandbox");
   add_part(header, conditions.part);
   const Json features = header.value("/subject/features"_json_pointer, Json());
   const auto lacks = [&](const char* feature) {
@@ -122,6 +123,7 @@ std::string RunConditions::text() const {
   for (const NotCompared& one : not_compared) lacking.push_back(one.what + one.beside);
   put("not compared", lacking);
   if (strict) text += "; strict";
+  if (!sandbox.empty()) text += "; sandbox: " + sandbox;
   return text;
 }
 

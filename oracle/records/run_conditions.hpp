@@ -18,6 +18,7 @@ struct RunConditions {
   };
   std::vector<NotCompared> not_compared;
   bool strict = false;
+  std::string sandbox;  // of a subject that is a process: "bubblewrap", "none"
 
   // None, or strictness alone, which grants nothing.
   bool are_none() const { return granted.empty() && part.empty() && not_compared.empty(); }

@@ -14,9 +14,10 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 // What a verdict depends on, besides the subject and the case.
-constexpr std::array<std::string_view, 10> kKept = {
+constexpr std::array<std::string_view, 13> kKept = {
     "--corpus",          "--profile", "--reading", "--tolerance", "--chord",
-    "--feed-resolution", "--timeout", "--memory",  "--alarm-map", "--known-failures"};
+    "--feed-resolution", "--timeout", "--memory",  "--alarm-map", "--known-failures",
+    "--env",             "--sandbox", "--bind"};
 
 bool is_plain_in_shell(char c) {
   constexpr std::string_view kPlain = "_@%+=:,./-";

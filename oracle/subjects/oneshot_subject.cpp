@@ -170,6 +170,7 @@ class OneshotSubject : public Subject {
     info_.greeted = false;
     info_.everything = true;
     info_.features = {"blocks", "bytes", "m"};
+    limits_.sandbox.bound.push_back(folder_.path());
     describe();
   }
   const SubjectInfo& info() const override { return info_; }

@@ -171,7 +171,9 @@ void PipeSession::send_run(std::string_view id, std::string_view program) {
     unasked_for_ = unasked(true);
   }
   open_.push_back({++seq_, std::string(id)});
-  append_run_message(seq_, id, program, outgoing_);
+  // A subject could look answers up by the name of a case.
+  append_run_message(seq_, limits_.show_ids ? std::string(id) : std::to_string(seq_), program,
+                     outgoing_);
 }
 
 RunEnd PipeSession::receive_run(const RecordSink& sink) {

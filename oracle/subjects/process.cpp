@@ -99,18 +99,21 @@ class SpawnSettings {
     posix_spawn_file_actions_destroy(&files_);
     posix_spawnattr_destroy(&attributes_);
   }
-  pid_t spawn_shell(std::string command, const Limits& limits) const {
-    std::string shell = "sh";
-    std::string option = "-c";
-    std::array<char*, 4> arguments = {shell.data(), option.data(), command.data(), nullptr};
+  pid_t spawn_shell(const std::string& command, const Limits& limits) const {
+    std::vector<std::string> words =
+        limits.sandbox.is_on() ? sandbox_words(limits.sandbox, command, limits.memory_bytes)
+                               : std::vector<std::string>{"/bin/sh", "-c", command};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     std::vector<std::string> environment = environment_of(limits);
     std::vector<char*> entries;
     for (std::string& entry : environment) entries.push_back(entry.data());
     entries.push_back(nullptr);
     pid_t pid = -1;
-    const int error =
-        posix_spawn(&pid, "/bin/sh", &files_, &attributes_, arguments.data(), entries.data());
-    if (error != 0) fail(error, "posix_spawn /bin/sh");
+    const int error = posix_spawn(&pid, words.front().c_str(), &files_, &attributes_,
+                                  arguments.data(), entries.data());
+    if (error != 0) fail(error, ("posix_spawn " + words.front()).c_str());
     return pid;
   }
 
