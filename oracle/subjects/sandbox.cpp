@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -45,25 +46,21 @@ std::vector<std::string> plain_words(const std::string& command) {
   return words;
 }
 
-// The folder of a file, with what stands beside it; the file alone where the folder is everybody's.
-fs::path with_siblings(const fs::path& file) {
-  const fs::path folder = file.parent_path();
-  const bool is_shared = std::ranges::find(kOwn, folder.string()) != std::end(kOwn);
-  std::error_code ignored;
-  return is_shared || fs::is_directory(file, ignored) ? file : folder;
-}
-
-// What the command needs of the places that the sandbox has of its own.
+// What the command needs of the places that the sandbox has of its own: the folder below one of them
+// in which it stands or that has a file of it, for a program needs more than the file that is named.
 std::vector<fs::path> needed(const std::string& command) {
   std::error_code ignored;
-  std::vector<fs::path> all = {fs::current_path(ignored)};
-  for (const std::string& word : plain_words(command)) {
-    if (!word.empty() && fs::exists(word, ignored)) all.push_back(with_siblings(absolute(word)));
+  std::vector<std::string> places = plain_words(command);
+  places.push_back(fs::current_path(ignored).string());
+  std::vector<fs::path> all;
+  for (const std::string& place : places) {
+    if (place.empty() || !fs::exists(place, ignored)) continue;
+    const fs::path path = absolute(place);
+    for (const fs::path own : kOwn) {
+      if (path == own || !lies_in(path, own)) continue;
+      all.push_back(own / *std::next(path.begin(), std::distance(own.begin(), own.end())));
+    }
   }
-  std::erase_if(all, [](const fs::path& path) {
-    return std::ranges::none_of(
-        kOwn, [&](std::string_view own) { return path != fs::path(own) && lies_in(path, own); });
-  });
   return all;
 }
 
