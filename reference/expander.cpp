@@ -12,6 +12,19 @@ namespace {
 
 constexpr std::uint64_t kMostOfACycle = 10'000'000;
 
+NotCovered too_many_motions(std::uint64_t line) {
+  return {line, "motions", "The cycle has more motions than the gauge follows, 10,000,000.", {}};
+}
+
+Record end_record(const Position& position, ClauseId clause) {
+  Record end;
+  end.kind = RecordKind::end;
+  end.axes = kEveryAxis;
+  end.clause = clause;
+  end.to = position;
+  return end;
+}
+
 // A block behind '/' is passed over unread, so that nothing in it is wrong.
 bool is_skipped(const grammar::Line& line) {
   const std::size_t first = line.text.find_first_not_of(" \t");
@@ -99,10 +112,7 @@ const Item* Expander::next() {
     if (next_item_ < out_.items.size()) return &out_.items[next_item_++];
     if (const Item* item = out_.cycle.next()) {
       if (++of_cycle_ <= kMostOfACycle) return item;
-      return finish(NotCovered{line_.number,
-                               "motions",
-                               "The cycle has more motions than the gauge follows, 10,000,000.",
-                               {}});
+      return finish(too_many_motions(line_.number));
     }
     if (next_after_ < out_.after.size()) return &out_.after[next_after_++];
     if (!out_.alarms.empty()) {
@@ -112,12 +122,7 @@ const Item* Expander::next() {
     }
     if (out_.not_covered) return finish(*std::move(out_.not_covered));
     if (out_.program_end || text_ended_) {
-      Record end;
-      end.kind = RecordKind::end;
-      end.axes = kEveryAxis;
-      end.clause = out_.end_clause;
-      end.to = interpreter_->position();
-      return finish(std::move(end));
+      return finish(end_record(interpreter_->position(), out_.end_clause));
     }
     if (!next_line()) continue;
     if (profile_.block_skip && is_skipped(line_)) {

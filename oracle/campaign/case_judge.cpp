@@ -166,13 +166,16 @@ bool CaseJudge::settle_memory(Attempt& attempt, Attempt& again) {
   const bool first = attempt.session.verdict.kind == VerdictKind::out_of_memory;
   const bool second = again.session.verdict.kind == VerdictKind::out_of_memory;
   if (!first && !second) return false;
-  if (!first) attempt = std::move(again);
   if (!first) {
+    attempt = std::move(again);
     attempt.session.verdict.message += " That was a fresh process, which has run nothing else.";
-  } else if (!second && again.answers()) {
+    return true;
+  }
+  if (second) return true;
+  if (again.answers()) {
     attempt.session.verdict.message +=
         " A fresh process, which has run nothing else, runs the same program without.";
-  } else if (!second) {
+  } else {
     attempt.session.verdict.message +=
         fmt::format(" A fresh process, which has run nothing else, ended {}.",
                     name(again.session.verdict.kind));

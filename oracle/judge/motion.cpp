@@ -211,8 +211,9 @@ double estimate(const Number& value) {
       if (exact::NumberAccess::node(value) == nullptr) return approximate(value);
       return exact::rational_of(value).get_d();
     case Number::Form::root:
-      return mpfr_get_d(exact::interval_of(exact::root_of(value), 2 * kEstimateBits).low(),
-                        MPFR_RNDN);
+      return mpfr_get_d(
+          exact::interval_of(exact::root_of(value), mpfr_prec_t{2} * kEstimateBits).low(),
+          MPFR_RNDN);
     case Number::Form::enclosure:
       break;
   }
