@@ -18,7 +18,6 @@
 #include "oracle/campaign/results_writer.hpp"
 #include "oracle/campaign/selection.hpp"
 #include "oracle/evidence/statement.hpp"
-#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::cli {
@@ -80,11 +79,8 @@ std::vector<oracle::evidence::Check> run_again(const std::string& certificate,
   const std::string certified = (fs::path(certificate) / oracle::evidence::kResultsFile).string();
   Json header = oracle::ResultsReader(certified).header();
   oracle::CampaignOptions campaign = options_of(header, certificate);
-  SandboxOptions sandbox;
-  sandbox.wish = oracle::report::text_of(header, "sandbox") == "bubblewrap" ? "auto" : "off";
-  sandbox.bound = oracle::report::option_values(header.value("argv", Json::array()), "--bind");
-  campaign.limits =
-      sandboxed(std::move(campaign.limits), sandbox, subject, {corpus_path, certificate});
+  campaign.limits = sandboxed(std::move(campaign.limits), limits_of_run(header).sandbox, subject,
+                              {corpus_path, certificate});
   const oracle::SubjectMaker maker = subject_maker(subject, campaign.limits);
   const oracle::Corpus corpus(corpus_path);
   const ScratchFolder scratch;

@@ -34,7 +34,10 @@ LimitOptions limits_of_run(const Json& header) {
   LimitOptions limits;
   limits.timeout = limit_of(header, "--timeout");
   limits.memory = limit_of(header, "--memory");
-  limits.environment = oracle::report::option_values(header.value("argv", Json::array()), "--env");
+  const Json argv = header.value("argv", Json::array());
+  limits.environment = oracle::report::option_values(argv, "--env");
+  limits.sandbox.bound = oracle::report::option_values(argv, "--bind");
+  if (header.value("sandbox", Json()) == "bubblewrap") limits.sandbox.wish = "auto";
   return limits;
 }
 

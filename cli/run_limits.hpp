@@ -10,7 +10,7 @@
 
 namespace gonogo::cli {
 
-// --timeout and --memory of the run with this header.
+// --timeout, --memory, --env and --bind of the run with this header, and its sandbox.
 LimitOptions limits_of_run(const nlohmann::ordered_json& header);
 
 // Throws UsageError when the run whose journal this is was begun with other limits. A journal that

@@ -10,8 +10,8 @@
 
 namespace gonogo::cli {
 
-// --sandbox auto|off|required and --bind PATH[:rw], as a word list of a command that starts
-// processes of others. `by_default` is what holds where --sandbox is not given.
+// Adds --sandbox auto|off|required and --bind PATH[:rw] to a command. `by_default` holds where
+// --sandbox is not given.
 void add_sandbox_options(Command& command, SandboxOptions& options, const std::string& by_default);
 
 // The limits with the sandbox for a subject of this kind; `hidden` are folders that it does not

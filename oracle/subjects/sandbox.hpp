@@ -23,8 +23,7 @@ struct Sandbox {
 
 // Returns the program and the words with which /bin/sh runs `command` in the sandbox. The current
 // folder and the files that the command names can be read, with all of their folder below /tmp,
-// unless they are hidden.
-// `temporary_bytes` bounds what the subject writes to its own /tmp.
+// unless they are hidden. `temporary_bytes` bounds what the subject writes to its own /tmp.
 std::vector<std::string> sandbox_words(const Sandbox& sandbox, const std::string& command,
                                        std::size_t temporary_bytes);
 

@@ -98,7 +98,7 @@ TEST(Text, ShellWordsAreQuoted) {
 // ESC is U+001B; U+202E turns the writing, U+200B has no width, U+009B begins a sequence as ESC [.
 TEST(Visible, WritesOutWhatMovesTheCursorTurnsTheWritingOrHides) {
   EXPECT_EQ(visible("a\nGO\r\t\x1B[2J"), "a\\nGO\\r\\t\\u{1b}[2J");
-  // In two parts, for the text of this file is not turned.
+  // The sign stands in two parts, so that it does not turn the text of this file.
   const std::string turns = std::string("\xE2\x80") + "\xAE";
   EXPECT_EQ(visible(turns + "\u200B\u009B\x7F"), "\\u{202e}\\u{200b}\\u{9b}\\u{7f}");
   EXPECT_EQ(visible("\xC3\xA4 \xE4\xB8\xAD \xFF"), "\xC3\xA4 \xE4\xB8\xAD \xEF\xBF\xBD");
