@@ -40,8 +40,13 @@ Number combine(const Number& a, const Number& b, Operation fallback, RationalOpe
 std::optional<Number> small_quotient(const Number& a, const Number& b) {
   if (NumberAccess::node(a) != nullptr || NumberAccess::node(b) != nullptr) return std::nullopt;
   const std::int64_t divisor = NumberAccess::millionths(b);
-  const detail::Wide dividend =
-      static_cast<detail::Wide>(NumberAccess::millionths(a)) * detail::kUnit;
+  // By a small whole number, nearly always 2: 128 bits take ten times as long.
+  const std::int64_t whole = divisor / detail::kUnit;
+  const std::int64_t count_a = NumberAccess::millionths(a);
+  if (whole > 0 && whole * detail::kUnit == divisor && count_a % whole == 0) {
+    return Number::millionths(count_a / whole);
+  }
+  const detail::Wide dividend = static_cast<detail::Wide>(count_a) * detail::kUnit;
   const detail::Wide quotient = dividend / divisor;
   const auto count = static_cast<std::int64_t>(quotient);
   if (count != quotient || quotient * divisor != dividend) return std::nullopt;

@@ -3,14 +3,14 @@
 // GSK-COM-05, G02 and G03: an arc by its radius or by its centre; with the depth axis, a helix.
 #include <fmt/format.h>
 
-#include "reference/arc_centre.hpp"
 #include "reference/compared.hpp"
+#include "reference/geometry/arc_centre.hpp"
 #include "reference/gsk988ta/machine.hpp"
 
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-using Centre = std::optional<std::array<Number, 2>>;
+using Centre = std::optional<Point_2>;
 
 // Nothing when the rules are broken.
 Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
@@ -30,8 +30,8 @@ Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
 // The centre from I J K: kept as given; the radii at start and end may differ by parameter 3410.
 Centre centre_by_offsets(BlockContext& block, const PlaneAxes& axes, const ArcEnds& ends) {
   const char address = offset_address(axes.p);
-  const OffsetCentre arc(ends, block.words.length(address).value_or(0),
-                         block.words.length(offset_address(axes.q)).value_or(0));
+  const OffsetCentre arc(ends, Vector_2(block.words.length(address).value_or(0),
+                                        block.words.length(offset_address(axes.q)).value_or(0)));
   if (arc.is_point()) {
     if (block.readings.is(ReadingKey::arc_zero_radius, "alarm")) {
       block.alarm(AlarmClass::arc_radius, "GSK-COM-05"_clause, address,
@@ -83,7 +83,7 @@ void run_arc(BlockContext& block, int sense) {
     if (block.out.alarms.empty() && to != machine.position) run_straight_feed(block);
     return;
   }
-  block.arc("GSK-COM-05"_clause, named, to, *centre, sense);
+  block.arc("GSK-COM-05"_clause, named, to, geometry::pair(*centre), sense);
 }
 
 }  // namespace gonogo::reference::gsk988ta

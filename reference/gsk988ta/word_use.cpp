@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/gsk988ta/word_use.hpp"
 
-#include "reference/arc_centre.hpp"
+#include "reference/geometry/arc_centre.hpp"
 #include "reference/gsk988ta/descriptor.hpp"
 
 namespace gonogo::reference::gsk988ta {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // HNC-COM-01, G02 and G03: an arc in the plane of Z and X, by its radius or by its centre.
-#include "reference/arc_centre.hpp"
 
 #include <fmt/format.h>
 
 #include "reference/compared.hpp"
+#include "reference/geometry/arc_centre.hpp"
 #include "reference/hnc21t/machine.hpp"
 
 namespace gonogo::reference::hnc21t {
 namespace {
 
-using Centre = std::optional<std::array<Number, 2>>;
+using Centre = std::optional<Point_2>;
 
 // Nothing when the rules are broken.
 Centre centre_by_radius(BlockContext& block, const ArcEnds& ends, int sense) {
@@ -37,8 +37,8 @@ void refuse_zero_radius(BlockContext& block, std::string message) {
 // The centre from I and K, increments from the start and true lengths. The radii at start and end
 // may differ by parameter 3410; a negative one allows any difference.
 Centre centre_by_offsets(BlockContext& block, const ArcEnds& ends) {
-  const OffsetCentre arc(ends, block.words.length('K').value_or(0),
-                         block.words.length('I').value_or(0));
+  const OffsetCentre arc(
+      ends, Vector_2(block.words.length('K').value_or(0), block.words.length('I').value_or(0)));
   if (arc.is_point()) {
     refuse_zero_radius(block, "The radius of the arc is zero.");
     return std::nullopt;
@@ -73,7 +73,7 @@ void run_arc(BlockContext& block, int sense) {
   const Centre centre =
       by_radius ? centre_by_radius(block, ends, sense) : centre_by_offsets(block, ends);
   // Under hnc.arc.zero-radius = none there is no way to go.
-  if (centre) block.arc("HNC-COM-01"_clause, named, to, *centre, sense);
+  if (centre) block.arc("HNC-COM-01"_clause, named, to, geometry::pair(*centre), sense);
 }
 
 }  // namespace gonogo::reference::hnc21t

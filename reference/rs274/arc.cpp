@@ -6,15 +6,15 @@
 
 #include <limits>
 
-#include "reference/arc_centre.hpp"
 #include "reference/compared.hpp"
+#include "reference/geometry/arc_centre.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/whole.hpp"
 
 namespace gonogo::reference::rs274 {
 namespace {
 
-using Centre = std::optional<std::array<Number, 2>>;
+using Centre = std::optional<Point_2>;
 
 // ngc.arc-tolerance = linuxcnc: half the chord may be longer than R by this much, and a radius
 // below it is zero. 0.00005 inch.
@@ -144,12 +144,12 @@ std::optional<OffsetCentre> offset_centre(BlockContext& block, const Arc& arc) {
   const std::optional<Number> p = block.words.length(offset_address(arc.axes.p));
   const std::optional<Number> q = block.words.length(offset_address(arc.axes.q));
   if (!block.machine.modes.absolute_centre) {
-    return OffsetCentre(arc.ends, p.value_or(0), q.value_or(0));
+    return OffsetCentre(arc.ends, Vector_2(p.value_or(0), q.value_or(0)));
   }
   if (!p) block.missing("NGC-ARC-02"_clause, offset_address(arc.axes.p));
   if (!q) block.missing("NGC-ARC-02"_clause, offset_address(arc.axes.q));
   if (!p || !q) return std::nullopt;
-  return OffsetCentre(arc.ends, *p - arc.ends.start_p, *q - arc.ends.start_q);
+  return OffsetCentre(arc.ends, Point_2(*p, *q) - arc.ends.start);
 }
 
 // NGC-ARC-02. Nothing when the rules are broken.
@@ -203,7 +203,7 @@ void run_arc(BlockContext& block, int sense) {
   const ClauseId clause = winds       ? "NGC-ARC-05"_clause
                           : by_radius ? "NGC-ARC-04"_clause
                                       : "NGC-ARC-02"_clause;
-  block.arc(clause, named, to, *centre, sense * *turns);
+  block.arc(clause, named, to, geometry::pair(*centre), sense * *turns);
 }
 
 }  // namespace gonogo::reference::rs274

@@ -103,9 +103,8 @@ bool check_form(BlockContext& block, const PlaneAxes& axes) {
 // SIE-ARC-06: the pole is the centre. RP is the radius at the end; at the start it is known where
 // the machine was sent there about the same pole.
 ArcCentre polar_centre(const BlockContext& block, const ArcCommand& arc) {
-  const PlanePoint& pole = block.machine.pole;
-  const PlanePoint start = block.position_in(arc.axes);
-  return {pole, {pole[0] - start[0], pole[1] - start[1]}, std::nullopt, arc.end.mark->radius_2};
+  const Point_2& pole = block.machine.pole;
+  return {pole, pole - block.position_in(arc.axes), std::nullopt, arc.end.mark->radius_2};
 }
 
 std::optional<FoundArc> find_arc(BlockContext& block, ArcCommand& arc, Address centre_word) {

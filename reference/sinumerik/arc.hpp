@@ -3,7 +3,7 @@
 // What the files of G2 and G3 share: the arc of a block before and after its centre is found.
 #pragma once
 
-#include "reference/arc_centre.hpp"
+#include "reference/geometry/arc_centre.hpp"
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -18,23 +18,23 @@ struct ArcCommand {
   EndPoint end;
   // Whether the end point is named in the plane.
   bool names_plane() const { return end.named.has(axes.p) || end.named.has(axes.q); }
-  ArcEnds ends() const { return {end.by[axes.p], end.by[axes.q]}; }
+  ArcEnds ends() const { return ArcEnds(geometry::vector_in(axes, end.by)); }
   // SIE-ARC-10: whether it ends where it starts, in its plane.
   bool closed() const;
 };
 
 // A centre, absolute and from the start; what is known of the radii beside the coordinates, mm^2.
 struct ArcCentre {
-  PlanePoint at;
-  PlanePoint offset;
+  Point_2 at;
+  Vector_2 offset;
   std::optional<Number> start_2;
   std::optional<Number> end_2;
 };
 
 // The centre that an arc really has, and what is known of its end.
 struct FoundArc {
-  PlanePoint centre;
-  PlanePoint offset;
+  Point_2 centre;
+  Vector_2 offset;
   std::optional<PlaceMark> mark;
   bool is_corrected = false;
 };

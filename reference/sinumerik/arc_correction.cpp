@@ -33,18 +33,10 @@ bool check_radii(BlockContext& block, const OffsetCentre& radii, const PlaneAxes
   return false;
 }
 
-Number cross(const PlanePoint& a, const PlanePoint& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-Number dot(const PlanePoint& a, const PlanePoint& b) {
-  return a[0] * b[0] + a[1] * b[1];
-}
-
 // SIE-ARC-10: the polar coordinates of a place about the point; nothing where it was not sent there
 // by them.
 const PlaceMark::Polar* polar_about(const std::optional<PlaceMark>& mark, Plane plane,
-                                    const PlanePoint& centre) {
+                                    const Point_2& centre) {
   const bool is_about =
       mark && mark->polar && mark->plane == plane && surely_equal(mark->centre, centre);
   return is_about ? &*mark->polar : nullptr;
@@ -57,7 +49,7 @@ int side_of_programmed(const Machine& machine, const ArcCommand& arc, const ArcE
   const PlaceMark::Polar* from = polar_about(machine.mark, arc.plane, programmed.at);
   const PlaceMark::Polar* to = polar_about(arc.end.mark, arc.plane, programmed.at);
   if (from == nullptr || to == nullptr) {
-    return cross({ends.dp, ends.dq}, programmed.offset).sign();
+    return CGAL::orientation(ends.chord, programmed.offset);
   }
   if (to->radius.sign() == 0) return 0;
   const Number turns = (to->angle - from->angle) / Number(360);
@@ -69,28 +61,29 @@ int side_of_programmed(const Machine& machine, const ArcCommand& arc, const ArcE
 // On the perpendicular bisector at the radius of the start, on the side of the programmed centre;
 // for one on the chord itself on the side of the shorter arc. A chord above twice that radius has
 // its centre in its middle.
-PlanePoint at_start_radius(const Machine& machine, const ArcCommand& arc, const ArcEnds& ends,
-                           const OffsetCentre& radii, const ArcCentre& programmed) {
+Vector_2 at_start_radius(const Machine& machine, const ArcCommand& arc, const ArcEnds& ends,
+                         const OffsetCentre& radii, const ArcCentre& programmed) {
   const int left = side_of_programmed(machine, arc, ends, programmed);
   const int side = left != 0 ? -left : -arc.sense;  // +1: right of the chord
-  return centre_off_middle(ends, radii.start_2, side).value_or(ends.middle());
+  return centre_off_middle(ends, radii.start_2, side).value_or(ends.middle()) - ends.start;
 }
 
-PlanePoint projected(const ArcEnds& ends, const PlanePoint& programmed) {
-  const Number chord_2 = ends.dp * ends.dp + ends.dq * ends.dq;
-  const Number off = cross({ends.dp, ends.dq}, programmed) / chord_2;
-  return {ends.dp * kHalf - ends.dq * off, ends.dq * kHalf + ends.dp * off};
+// The foot of the programmed centre on the perpendicular bisector. By its distance off the chord:
+// CGAL's projection on the line would ask whether an enclosure is 0.
+Vector_2 projected(const ArcEnds& ends, const Vector_2& programmed) {
+  const Number off = CGAL::determinant(ends.chord, programmed) / ends.chord.squared_length();
+  return ends.chord * kHalf + ends.chord.perpendicular(CGAL::COUNTERCLOCKWISE) * off;
 }
 
 // Radians, where the centres are apart.
-Number angle_between(const PlanePoint& programmed, const PlanePoint& found) {
-  return exact::radians(
-      exact::angle_degrees(dot(programmed, found), exact::abs(cross(programmed, found))));
+Number angle_between(const Vector_2& programmed, const Vector_2& found) {
+  return exact::radians(exact::angle_degrees(CGAL::scalar_product(programmed, found),
+                                             exact::abs(CGAL::determinant(programmed, found))));
 }
 
 // An enclosure might not be told from no angle at all, and a message decides nothing.
-std::string too_far_text(const PlanePoint& programmed, const PlanePoint& found) {
-  const bool is_enclosed = cross(programmed, found).form() == Number::Form::enclosure;
+std::string too_far_text(const Vector_2& programmed, const Vector_2& found) {
+  const bool is_enclosed = CGAL::determinant(programmed, found).form() == Number::Form::enclosure;
   const Number limit = exact::sqrt(kPerMille);
   return is_enclosed
              ? with_values(
@@ -105,10 +98,10 @@ std::string too_far_text(const PlanePoint& programmed, const PlanePoint& found) 
 
 // Whether the angle at the start between the two centres is at most the root of 0.001 radians. Its
 // tangent is algebraic and that of the root is not: they are never equal, and enough digits decide.
-bool is_near(const PlanePoint& programmed, const PlanePoint& found) {
-  const Number along = dot(programmed, found);
+bool is_near(const Vector_2& programmed, const Vector_2& found) {
+  const Number along = CGAL::scalar_product(programmed, found);
   if (along.sign() <= 0) return false;
-  const Number across = cross(programmed, found);
+  const Number across = CGAL::determinant(programmed, found);
   // The tangent is above the angle.
   if (across * across <= along * along * kPerMille) return true;
   return angle_between(programmed, found) <= exact::sqrt(kPerMille);
@@ -126,10 +119,10 @@ std::optional<Number> known_start(const Machine& machine, const ArcCommand& arc,
 std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& arc,
                                         const ArcCentre& centre, WordName word) {
   const ArcEnds ends = arc.ends();
-  OffsetCentre radii(ends, centre.offset[0], centre.offset[1]);
+  OffsetCentre radii(ends, centre.offset);
   if (const auto known = known_start(block.machine, arc, centre)) radii.start_2 = fine_2(*known);
-  const PlanePoint to_end = from_centre_to_end(arc.axes, centre.at, centre.offset, arc.end);
-  radii.end_2 = fine_2(centre.end_2.value_or(dot(to_end, to_end)));
+  const Vector_2 to_end = from_centre_to_end(arc.axes, centre.at, centre.offset, arc.end);
+  radii.end_2 = fine_2(centre.end_2.value_or(to_end.squared_length()));
   if (radii.begins_at_centre()) {
     block.alarm(AlarmClass::arc_radius, kCorrected, word, "The centre is the start.");
     // No text says which of the two is looked at first.
@@ -151,8 +144,7 @@ std::optional<FoundArc> centre_in_force(BlockContext& block, const ArcCommand& a
   const bool projects = readings.is(ReadingKey::sie_arc_correct, "project");
   found.offset = projects ? projected(ends, centre.offset)
                           : at_start_radius(block.machine, arc, ends, radii, centre);
-  const PlanePoint start = block.position_in(arc.axes);
-  found.centre = {start[0] + found.offset[0], start[1] + found.offset[1]};
+  found.centre = block.position_in(arc.axes) + found.offset;
   if (!is_near(centre.offset, found.offset)) {
     block.alarm(AlarmClass::arc_end_point, kCorrected, word,
                 too_far_text(centre.offset, found.offset));

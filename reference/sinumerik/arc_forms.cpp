@@ -7,12 +7,10 @@
 namespace gonogo::reference::sinumerik {
 namespace {
 
-PlanePoint plus(const PlanePoint& a, const PlanePoint& b) {
-  return {a[0] + b[0], a[1] + b[1]};
-}
+using geometry::Aff_transformation_2;
 
-FoundArc from_start(const BlockContext& block, const ArcCommand& arc, const PlanePoint& offset) {
-  return {plus(block.position_in(arc.axes), offset), offset, std::nullopt, false};
+FoundArc from_start(const BlockContext& block, const ArcCommand& arc, const Vector_2& offset) {
+  return {block.position_in(arc.axes) + offset, offset, std::nullopt, false};
 }
 
 // SIE-ARC-11: under that reading a chord may be longer than twice CR by CIRCLE_ERROR_CONST.
@@ -27,16 +25,16 @@ bool is_forgiven(const BlockContext& block, const ArcEnds& ends, const Number& r
 
 // SIE-ARC-02: from the start, or absolute with AC(); one that is left out is 0.
 ArcCentre programmed_centre(const BlockContext& block, const ArcCommand& arc) {
-  const PlanePoint start = block.position_in(arc.axes);
-  ArcCentre centre{start, {}, std::nullopt, std::nullopt};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Axis axis = i == 0 ? arc.axes.p : arc.axes.q;
-    if (!block.words.has(centre_address(axis))) continue;
+  const auto along = [&](Axis axis) {
+    const Number& start = block.machine.position[axis];
+    if (!block.words.has(centre_address(axis))) return std::array<Number, 2>{start, 0};
     const AxisWord word = block.words.centre_word(axis);
-    centre.offset[i] = word.incremental ? word.value : word.value - start[i];
-    centre.at[i] = word.incremental ? start[i] + word.value : word.value;
-  }
-  return centre;
+    return word.incremental ? std::array<Number, 2>{start + word.value, word.value}
+                            : std::array<Number, 2>{word.value, word.value - start};
+  };
+  const auto [at_p, offset_p] = along(arc.axes.p);
+  const auto [at_q, offset_q] = along(arc.axes.q);
+  return {{at_p, at_q}, {offset_p, offset_q}, std::nullopt, std::nullopt};
 }
 
 // SIE-ARC-04
@@ -53,13 +51,13 @@ std::optional<FoundArc> arc_by_radius(BlockContext& block, const ArcCommand& arc
     return std::nullopt;
   }
   const ArcEnds ends = arc.ends();
-  std::optional<PlanePoint> offset = centre_from_radius(ends, radius, arc.sense);
-  if (!offset && is_forgiven(block, ends, radius)) offset = ends.middle();
-  if (!offset) {
+  std::optional<Point_2> centre = centre_from_radius(ends, radius, arc.sense);
+  if (!centre && is_forgiven(block, ends, radius)) centre = ends.middle();
+  if (!centre) {
     block.alarm(AlarmClass::arc_radius, "SIE-ARC-11"_clause, word, radius_too_small(ends, radius));
     return std::nullopt;
   }
-  return from_start(block, arc, *offset);
+  return from_start(block, arc, *centre - ends.start);
 }
 
 // SIE-ARC-05. The centre stands off the middle of the chord by half its length times the cotangent
@@ -73,35 +71,32 @@ std::optional<FoundArc> arc_by_angle_and_end(BlockContext& block, const ArcComma
   const ArcEnds ends = arc.ends();
   const auto [cosine, sine] = exact::cos_sin_degrees(block.words.written(Address::ar) * kHalf);
   const Number off = Number(arc.sense) * kHalf * cosine / sine;
-  const PlanePoint middle = ends.middle();
-  return from_start(block, arc, {middle[0] - ends.dq * off, middle[1] + ends.dp * off});
+  const Vector_2& chord = ends.chord;
+  return from_start(block, arc, chord * kHalf + chord.perpendicular(CGAL::COUNTERCLOCKWISE) * off);
 }
 
 // SIE-ARC-05. The end is the start, turned about the centre: seen from the start the offset of the
 // centre less the same offset turned.
 std::optional<FoundArc> arc_by_angle_and_centre(BlockContext& block, ArcCommand& arc) {
   const ArcCentre centre = programmed_centre(block, arc);
-  const PlanePoint& offset = centre.offset;
-  if (!any_nonzero({offset[0], offset[1]})) {
+  const Vector_2& offset = centre.offset;
+  if (!any_nonzero({offset.x(), offset.y()})) {
     block.alarm(AlarmClass::arc_radius, "SIE-ARC-08"_clause, WordName("AR"),
                 "The centre is the start.");
     return std::nullopt;
   }
   const auto [cosine, sine] =
       exact::cos_sin_degrees(block.words.written(Address::ar) * Number(arc.sense));
-  const PlanePoint turned = {offset[0] * cosine - offset[1] * sine,
-                             offset[0] * sine + offset[1] * cosine};
-  const PlanePoint start = block.position_in(arc.axes);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Axis axis = i == 0 ? arc.axes.p : arc.axes.q;
-    arc.end.by[axis] = offset[i] - turned[i];
-    arc.end.to[axis] = start[i] + arc.end.by[axis];
+  const Aff_transformation_2 turn(CGAL::ROTATION, sine, cosine);
+  const Vector_2 chord = offset - turn(offset);
+  for (const auto& [axis, by] : {std::pair(arc.axes.p, chord.x()), {arc.axes.q, chord.y()}}) {
+    arc.end.by[axis] = by;
+    arc.end.to[axis] = block.machine.position[axis] + by;
     arc.end.named.add(axis);
   }
   arc.end.closed = false;
-  const Number radius_2 = known_start(block.machine, arc, centre)
-                              .value_or(offset[0] * offset[0] + offset[1] * offset[1]);
-  return FoundArc{centre.at, offset, PlaceMark{arc.plane, centre.at, radius_2, std::nullopt},
+  const Number radius_2 = known_start(block.machine, arc, centre).value_or(offset.squared_length());
+  return FoundArc{centre.at, centre.offset, PlaceMark{arc.plane, centre.at, radius_2, std::nullopt},
                   false};
 }
 

@@ -52,13 +52,11 @@ void remember_line(Machine& machine, const EndPoint& end) {
 // SIE-CT-02: of an arc the radius at its end, turned by 90 degrees in its sense.
 void remember_arc(Machine& machine, const ArcPath& arc, const EndPoint& end) {
   const PlaneAxes axes = axes_of(arc.plane);
-  const PlanePoint radius = from_centre_to_end(axes, arc.centre, arc.offset, end);
-  const Number sense = arc.rot > 0 ? 1 : -1;
+  const Vector_2 radius = from_centre_to_end(axes, arc.centre, arc.offset, end);
+  const auto sense = arc.rot > 0 ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE;
   LastMotion last;
-  last.direction[axes.p] = -(sense * radius[1]);
-  last.direction[axes.q] = sense * radius[0];
-  last.arc =
-      LastArc{{-arc.offset[0], -arc.offset[1]}, radius, end.closed.value_or(false), arc.rot, {}};
+  geometry::put_in(last.direction, axes, radius.perpendicular(sense));
+  last.arc = LastArc{-arc.offset, radius, end.closed.value_or(false), arc.rot, {}};
   if (end.named.has(axes.d)) last.arc->climb = LastArc::Climb{axes.d, end.by[axes.d]};
   machine.last = std::move(last);
 }
@@ -144,7 +142,7 @@ void put_arc(BlockContext& block, const ArcPath& arc, const EndPoint& end) {
   Record record =
       block.motion_to(RecordKind::arc, arc.clause, end.named | AxisSet{axes.p, axes.q}, end.to);
   record.plane = arc.plane;
-  record.centre = arc.centre;
+  record.centre = geometry::pair(arc.centre);
   if (arc.clause == "SIE-ARC-08"_clause) record.centre_clause = "SIE-ARC-15"_clause;
   record.rot = arc.rot;
   remember_arc(block.machine, arc, end);

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CIP: a circle in space through an intermediate point. Seen from the start, u is that point and v
-// the end.
+// CIP: a circle in space through an intermediate point. Points are seen from the start.
 #include "reference/sinumerik/machine.hpp"
 
 namespace gonogo::reference::sinumerik {
 namespace {
 
 constexpr ClauseId kPoints = "SIE-CIP-02"_clause;
-using Vector = std::array<Number, 3>;  // along X, Y, Z
+using geometry::ORIGIN;
+using geometry::Point_3;
+using geometry::Vector_3;
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Number dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector way(const Position& by) {
-  return {by[Axis::x], by[Axis::y], by[Axis::z]};
+Point_3 seen_from_start(const EndPoint& point) {
+  return ORIGIN + geometry::vector_of(point.by);
 }
 
 // SIE-CIP-02: coordinates that are left out are those of the start.
@@ -36,29 +29,19 @@ EndPoint intermediate_point(const BlockContext& block) {
   return via;
 }
 
-// The direction at the end. n = u x v is the axis of the circle about which it goes positively, and
-// ((u.u) v x n + (v.v) n x u) / (2 n.n) its centre c; the direction is that of n x (v - c), here
-// times 2 n.n.
-Vector direction_at_end(const Vector& u, const Vector& v, const Vector& n) {
-  const Vector first = cross(v, n);
-  const Vector second = cross(n, u);
-  const Number u_2 = dot(u, u);
-  const Number v_2 = dot(v, v);
-  const Number n_2 = dot(n, n) * 2;
-  Vector from_centre;
-  for (std::size_t i = 0; i < 3; ++i) {
-    from_centre[i] = v[i] * n_2 - (u_2 * first[i] + v_2 * second[i]);
-  }
-  return cross(n, from_centre);
+// The circle goes positively about its axis, and at its end upright on the radius.
+Vector_3 direction_at_end(const Point_3& via, const Point_3& end, const Vector_3& axis) {
+  const Point_3 centre = CGAL::circumcenter(Point_3(ORIGIN), via, end);
+  return CGAL::cross_product(axis, end - centre);
 }
 
-void put_circle(BlockContext& block, const EndPoint& end, const EndPoint& via, const Vector& n) {
-  const Vector direction = direction_at_end(way(via.by), way(end.by), n);
+void put_circle(BlockContext& block, const EndPoint& end, const EndPoint& via,
+                const Vector_3& direction) {
   Record record = block.motion_to(RecordKind::arc3, "SIE-CIP-01"_clause, end.named, end.to);
   record.via_axes = AxisSet{Axis::x, Axis::y, Axis::z};
   for (const Axis axis : kLinearAxes) record.via[axis] = via.to[axis];
   LastMotion last;
-  for (const Axis axis : kLinearAxes) last.direction[axis] = direction[index(axis)];
+  last.direction = geometry::position_of(direction);
   block.machine.last = std::move(last);
   put_motion(block, end, std::move(record));
 }
@@ -78,16 +61,15 @@ void run_intermediate(BlockContext& block) {
   if (!end) return;
   end->named = end->named | AxisSet{Axis::x, Axis::y, Axis::z};
   const EndPoint via = intermediate_point(block);
-  const Vector u = way(via.by);
-  const Vector v = way(end->by);
-  const Vector n = cross(u, v);
-  if (any_nonzero({n[0], n[1], n[2]})) {
-    put_circle(block, *end, via, n);
+  const Point_3 middle = seen_from_start(via);
+  const Point_3 last = seen_from_start(*end);
+  const Vector_3 axis = CGAL::cross_product(middle - ORIGIN, last - ORIGIN);
+  if (any_nonzero({axis.x(), axis.y(), axis.z()})) {
+    put_circle(block, *end, via, direction_at_end(middle, last, axis));
     return;
   }
   // SIE-CIP-01: on one line the intermediate point is between the others, or it is none.
-  const Number along = dot(u, v);
-  if (along.sign() > 0 && along < dot(v, v)) {
+  if (CGAL::collinear_are_strictly_ordered_along_line(Point_3(ORIGIN), middle, last)) {
     put_line(block, RecordKind::feed, "SIE-CIP-01"_clause, *end);
     return;
   }

@@ -32,16 +32,16 @@ std::optional<int> sign_of(const Number& value) {
 // Whether an arc from one point to another about a centre is no part of a turn, as far as can be
 // told. An arc that ends nearer or farther on the ray of its start (SIE-ARC-08) has a length
 // nevertheless.
-bool may_have_no_sweep(const PlanePoint& from, const PlanePoint& to) {
+bool may_have_no_sweep(const Vector_2& from, const Vector_2& to) {
   // First what is decided at once of half a turn, whose ends are as hard to tell from one ray.
-  const std::optional<int> along = sign_of(from[0] * to[0] + from[1] * to[1]);
+  const std::optional<int> along = sign_of(CGAL::scalar_product(from, to));
   if (along.value_or(1) <= 0) return false;
-  return sign_of(from[0] * to[1] - from[1] * to[0]).value_or(0) == 0;
+  return sign_of(CGAL::determinant(from, to)).value_or(0) == 0;
 }
 
 // Where the programmed centre is kept and the end stands in it (SIE-ARC-08), as far as can be told.
-bool may_end_in_centre(const PlanePoint& to) {
-  return sign_of(to[0]).value_or(0) == 0 && sign_of(to[1]).value_or(0) == 0;
+bool may_end_in_centre(const Vector_2& to) {
+  return sign_of(to.x()).value_or(0) == 0 && sign_of(to.y()).value_or(0) == 0;
 }
 
 // Whether no text says which way an arc goes at its end, as far as can be told.
@@ -52,20 +52,27 @@ bool may_go_no_way(const LastArc& arc) {
 
 // The whole angle that a helix turned through, in radians.
 Number angle_of(const LastArc& helix) {
-  const PlanePoint& a = helix.from_centre;
-  const PlanePoint& b = helix.to_end;
+  const Vector_2& a = helix.from_centre;
+  const Vector_2& b = helix.to_end;
   const int sense = helix.rot > 0 ? 1 : -1;
-  const Number across = (a[0] * b[1] - a[1] * b[0]) * Number(sense);
+  const Number across = CGAL::determinant(a, b) * Number(sense);
   const Number last =
-      helix.closed ? Number(360) : exact::angle_degrees(a[0] * b[0] + a[1] * b[1], across);
+      helix.closed ? Number(360) : exact::angle_degrees(CGAL::scalar_product(a, b), across);
   return exact::radians(last + Number(360) * Number(sense * helix.rot - 1));
 }
 
 // SIE-CT-02: what the plane sees of the direction before.
-PlanePoint direction_in_plane(const LastMotion& last, const PlaneAxes& axes) {
+Vector_2 direction_in_plane(const LastMotion& last, const PlaneAxes& axes) {
   const bool climbs = last.arc && last.arc->climb && last.arc->climb->axis != axes.d;
-  const Position direction = climbs ? whole_direction(last) : last.direction;
-  return {direction[axes.p], direction[axes.q]};
+  return geometry::vector_in(axes, climbs ? whole_direction(last) : last.direction);
+}
+
+// SIE-CT-01: from the start to the centre, on the left where that is positive: square to the
+// tangent there, and as far from the end, so that o.o = (chord - o).(chord - o). CGAL's
+// intersection of that normal with the chord's bisector would ask whether an enclosure is 1.
+Vector_2 centre_of_tangent_arc(const Vector_2& tangent, const Vector_2& chord) {
+  const Number off = chord.squared_length() / (CGAL::determinant(tangent, chord) * Number(2));
+  return tangent.perpendicular(CGAL::COUNTERCLOCKWISE) * off;
 }
 
 }  // namespace
@@ -91,34 +98,27 @@ void run_tangent(BlockContext& block) {
   if (last->undecided || (last->arc && may_go_no_way(*last->arc))) {
     throw exact::Undecided("exact: which way the motion before goes");
   }
-  const PlanePoint t = direction_in_plane(*last, axes);
-  if (!any_nonzero({t[0], t[1]})) {
+  const Vector_2 tangent = direction_in_plane(*last, axes);
+  if (!any_nonzero({tangent.x(), tangent.y()})) {
     return refuse(block, kBefore, "The motion before stands upright on the plane.");
   }
-  const PlanePoint d = {end->by[axes.p], end->by[axes.q]};
-  if (end->closed.value_or(false) || !any_nonzero({d[0], d[1]})) {
+  const Vector_2 chord = geometry::vector_in(axes, end->by);
+  if (end->closed.value_or(false) || !any_nonzero({chord.x(), chord.y()})) {
     return refuse(block, kBefore, "A tangent arc cannot end where it starts.");
   }
   end->named = end->named | AxisSet{axes.p, axes.q};
-  const Number across = t[0] * d[1] - t[1] * d[0];
-  const int sense = across.sign();
+  const int sense = CGAL::orientation(tangent, chord);
   // SIE-CT-01: straight ahead, or straight behind.
-  if (sense == 0) {
-    if ((t[0] * d[0] + t[1] * d[1]).sign() > 0) {
+  if (sense == CGAL::COLLINEAR) {
+    if (CGAL::angle(tangent, chord) == CGAL::ACUTE) {
       return put_line(block, RecordKind::feed, "SIE-CT-01"_clause, *end);
     }
     return refuse(block, "SIE-CT-01"_clause, "The end stands straight behind the start.");
   }
-  // The curvature is 2 t x d / (|t| |d|^2), and the centre stands off on the left by its inverse.
-  const Number off = (d[0] * d[0] + d[1] * d[1]) / (across * Number(2));
-  const PlanePoint offset = {-(t[1] * off), t[0] * off};
-  const PlanePoint start = block.position_in(axes);
+  const Vector_2 offset = centre_of_tangent_arc(tangent, chord);
   const bool is_helix = end->named.has(axes.d);
   put_arc(block,
-          {block.machine.plane,
-           {start[0] + offset[0], start[1] + offset[1]},
-           offset,
-           sense,
+          {block.machine.plane, block.position_in(axes) + offset, offset, sense,
            is_helix ? kBefore : "SIE-CT-01"_clause},
           *end);
 }

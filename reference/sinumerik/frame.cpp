@@ -9,9 +9,11 @@
 
 namespace gonogo::reference::sinumerik {
 
+using geometry::Aff_transformation_2;
+
 std::array<Number, 2> Frame::direction_in(Plane plane) const {
   if (plane != plane_) return {1, 0};
-  return {cos_, sin_};
+  return {rotation_.m(0, 0), rotation_.m(1, 0)};
 }
 
 void Frame::clear() {
@@ -28,17 +30,25 @@ void Frame::set_rotation(Plane plane, const Number& degrees) {
   plane_ = plane;
   angle_ = degrees - (degrees / 360).floor() * 360;
   const auto [cosine, sine] = exact::cos_sin_degrees(angle_);
-  cos_ = cosine;
-  sin_ = sine;
+  rotation_ = Aff_transformation_2(CGAL::ROTATION, sine, cosine);
 }
 
-Position Frame::turned_by(const Position& way, const Number& sine) const {
-  if (!is_rotated()) return way;
-  const PlaneAxes axes = axes_of(plane_);
-  Position out = way;
-  out[axes.p] = cos_ * way[axes.p] - sine * way[axes.q];
-  out[axes.q] = sine * way[axes.p] + cos_ * way[axes.q];
-  return out;
+namespace {
+
+// A, C and the axis upright on the plane stay.
+Position turned_in(const PlaneAxes& axes, const Aff_transformation_2& turn, Position way) {
+  geometry::put_in(way, axes, turn(geometry::vector_in(axes, way)));
+  return way;
+}
+
+}  // namespace
+
+Position Frame::turned(const Position& way) const {
+  return is_rotated() ? turned_in(axes_of(plane_), rotation_, way) : way;
+}
+
+Position Frame::turned_back(const Position& way) const {
+  return is_rotated() ? turned_in(axes_of(plane_), rotation_.inverse(), way) : way;
 }
 
 Position Frame::to_base(const Position& workpiece) const {
@@ -65,10 +75,8 @@ Record Frame::to_base(Record record, const Position& end) const {
   if (record.kind == RecordKind::arc) {
     const PlaneAxes axes = axes_of(record.plane);
     Position centre;
-    centre[axes.p] = record.centre[0];
-    centre[axes.q] = record.centre[1];
-    centre = to_base(centre);
-    record.centre = {centre[axes.p], centre[axes.q]};
+    geometry::put_in(centre, axes, geometry::point(record.centre));
+    record.centre = geometry::pair(geometry::point_in(axes, to_base(centre)));
   } else if (record.kind == RecordKind::arc3) {
     record.via = to_base(record.via);
     name_both(record.via_axes);
@@ -102,11 +110,10 @@ std::optional<PlaceMark> in_frame(const PlaceMark& mark, const Frame& old, const
   }
   const PlaneAxes axes = axes_of(mark.plane);
   Position centre;
-  centre[axes.p] = mark.centre[0];
-  centre[axes.q] = mark.centre[1];
+  geometry::put_in(centre, axes, mark.centre);
   centre = next.to_workpiece(old.to_base(centre));
   if (!centre[axes.p].is_rational() || !centre[axes.q].is_rational()) return std::nullopt;
-  PlaceMark found{mark.plane, {centre[axes.p], centre[axes.q]}, mark.radius_2, mark.polar};
+  PlaceMark found{mark.plane, geometry::point_in(axes, centre), mark.radius_2, mark.polar};
   if (found.polar) found.polar->angle += turned_back;
   return found;
 }

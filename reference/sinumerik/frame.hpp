@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The frame between workpiece and base coordinates: base = translation + rotation * workpiece.
+// The frame between workpiece and base coordinates: base = translation(rotation(workpiece)).
 #pragma once
 
+#include "reference/geometry/kernel.hpp"
 #include "reference/record.hpp"
 
 namespace gonogo::reference::sinumerik {
@@ -31,21 +32,18 @@ class Frame {
   Position to_base(const Position& workpiece) const;
   Position to_workpiece(const Position& base) const;
   // A way, not a place.
-  Position turned(const Position& way) const { return turned_by(way, sin_); }
-  Position turned_back(const Position& way) const { return turned_by(way, -sin_); }
+  Position turned(const Position& way) const;
+  Position turned_back(const Position& way) const;
   // The record of a motion to `end`, a place of the workpiece, in base coordinates.
   // REQUIRES: an arc lies in the plane of the rotation, or nothing is rotated.
   Record to_base(Record record, const Position& end) const;
 
  private:
-  Position turned_by(const Position& way, const Number& sine) const;
-
   Position translation_;
   bool is_translated_ = false;
   Plane plane_ = Plane::g17;
-  Number angle_;  // degrees, 0 <= angle < 360
-  Number cos_ = 1;
-  Number sin_ = 0;
+  Number angle_;                                             // degrees, 0 <= angle < 360
+  geometry::Aff_transformation_2 rotation_{CGAL::IDENTITY};  // in that plane
 };
 
 }  // namespace gonogo::reference::sinumerik

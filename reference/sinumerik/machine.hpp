@@ -5,20 +5,22 @@
 #pragma once
 
 #include "reference/block_base.hpp"
+#include "reference/geometry/kernel.hpp"
 #include "reference/sinumerik/codes.hpp"
 #include "reference/sinumerik/frame.hpp"
 #include "reference/sinumerik/words.hpp"
 
 namespace gonogo::reference::sinumerik {
 
-using PlanePoint = std::array<Number, 2>;  // along p and q
+using geometry::Point_2;
+using geometry::Vector_2;
 
 // What is known of the machine's place in a plane beside its coordinates, which may be enclosures:
 // its exact distance from a point, and the polar coordinates that it was sent to.
 struct PlaceMark {
   Plane plane = Plane::g17;
-  PlanePoint centre;  // the pole, or the centre of an arc
-  Number radius_2;    // mm^2
+  Point_2 centre;   // the pole, or the centre of an arc
+  Number radius_2;  // mm^2
   struct Polar {
     Number radius;  // RP
     Number angle;   // AP
@@ -28,8 +30,8 @@ struct PlaceMark {
 
 // What a direction at the end of an arc hangs on beside the radius there.
 struct LastArc {
-  PlanePoint from_centre;  // to the start
-  PlanePoint to_end;       // from the centre
+  Vector_2 from_centre;  // to the start
+  Vector_2 to_end;       // from the centre
   bool closed = false;
   int rot = 0;
   struct Climb {
@@ -49,17 +51,17 @@ struct LastMotion {
 struct Machine : MotionState {
   Control control = Control::sinumerik840d;
   WordModes modes;
-  std::optional<Motion> motion;  // none: no code of the group was there
-  int spindle = 5;               // M3, M4, M5
-  Number speed;                  // S
-  bool speed_given = false;      // S counts as above zero though it is not known
+  std::optional<Motion> motion;         // none: no code of the group was there
+  int spindle = 5;                      // M3, M4, M5
+  Number speed;                         // S
+  bool speed_given = false;             // S counts as above zero though it is not known
   bool constant_cutting_speed = false;  // G96, G961
   bool turns_unknown = false;           // S was a cutting speed: G97 keeps what came of it
   Frame frame;
   Position base;               // `position` in base coordinates; exact where that is only enclosed
   std::optional<Number> tool;  // T; none before any T word, or T0
   Number edge = 1;             // D
-  PlanePoint pole;
+  Point_2 pole;
   std::optional<Number> polar_angle;   // AP in force
   std::optional<Number> polar_radius;  // RP in force, mm
   std::optional<PlaceMark> mark;
@@ -84,16 +86,16 @@ struct BlockContext : BlockBase {
 
   PlaneAxes plane_axes() const { return axes_of(machine.plane); }
   void put_item(Item item) { out.items.push_back(std::move(item)); }
-  PlanePoint position_in(const PlaneAxes& axes) const {
-    return {machine.position[axes.p], machine.position[axes.q]};
+  Point_2 position_in(const PlaneAxes& axes) const {
+    return geometry::point_in(axes, machine.position);
   }
 };
 
 // An arc, ready to be put out.
 struct ArcPath {
   Plane plane = Plane::g17;
-  PlanePoint centre;
-  PlanePoint offset;  // centre - start
+  Point_2 centre;
+  Vector_2 offset;  // centre - start
   int rot = 0;
   ClauseId clause = kNoClause;
 };
@@ -147,9 +149,9 @@ bool admits_plane(BlockContext& block, Plane plane, WordName word);
 // shows.
 bool any_nonzero(std::initializer_list<Number> numbers);
 // The way from the centre of an arc to its end, rational where that is known.
-PlanePoint from_centre_to_end(const PlaneAxes& axes, const PlanePoint& centre,
-                              const PlanePoint& offset, const EndPoint& end);
+Vector_2 from_centre_to_end(const PlaneAxes& axes, const Point_2& centre, const Vector_2& offset,
+                            const EndPoint& end);
 // Whether it can be shown that two points are one.
-bool surely_equal(const PlanePoint& a, const PlanePoint& b);
+bool surely_equal(const Point_2& a, const Point_2& b);
 
 }  // namespace gonogo::reference::sinumerik

@@ -64,9 +64,9 @@ std::optional<PolarPoint> polar_point(BlockContext& block) {
   return PolarPoint{*machine.polar_radius, *machine.polar_angle};
 }
 
-PlanePoint point_about(const PlanePoint& pole, const PolarPoint& polar) {
+Vector_2 polar_vector(const PolarPoint& polar) {
   const auto [cosine, sine] = exact::cos_sin_degrees(polar.angle);
-  return {pole[0] + polar.radius * cosine, pole[1] + polar.radius * sine};
+  return Vector_2(cosine, sine) * polar.radius;
 }
 
 // SIE-ARC-10: whether a polar point is the place where the machine stands; nothing when that does
@@ -86,11 +86,11 @@ std::optional<bool> is_place(const Machine& machine, const PolarPoint& polar) {
 void add_polar(BlockContext& block, const PolarPoint& polar, EndPoint& end) {
   const Machine& machine = block.machine;
   const PlaneAxes axes = block.plane_axes();
-  const PlanePoint at = point_about(machine.pole, polar);
+  const Point_2 at = machine.pole + polar_vector(polar);
   end.closed = is_place(machine, polar);
   if (!end.closed.value_or(false)) {
-    move_axis(end, axes.p, {false, at[0]}, machine.position[axes.p]);
-    move_axis(end, axes.q, {false, at[1]}, machine.position[axes.q]);
+    move_axis(end, axes.p, {false, at.x()}, machine.position[axes.p]);
+    move_axis(end, axes.q, {false, at.y()}, machine.position[axes.q]);
   }
   end.named = end.named | AxisSet{axes.p, axes.q};
   end.mark = PlaceMark{machine.plane, machine.pole, polar.radius * polar.radius,
@@ -113,14 +113,14 @@ bool refuse_cartesian(BlockContext& block) {
 
 // SIE-POL-01: what the words of the pole's block add to its base. Both axes of the plane, or AP
 // and RP; whatever is not written is 0.
-std::optional<PlanePoint> pole_words(BlockContext& block) {
+std::optional<Vector_2> pole_words(BlockContext& block) {
   const BlockWords& words = block.words;
   const PlaneAxes axes = block.plane_axes();
   if (!words.is_polar()) {
-    PlanePoint by;
-    if (words.has(address_of(axes.p))) by[0] = words.length(address_of(axes.p));
-    if (words.has(address_of(axes.q))) by[1] = words.length(address_of(axes.q));
-    return by;
+    const auto along = [&](Axis axis) {
+      return words.has(address_of(axis)) ? words.length(address_of(axis)) : Number();
+    };
+    return Vector_2(along(axes.p), along(axes.q));
   }
   const bool refused = refuse_cartesian(block);
   const bool in_range = check_ranges(block);
@@ -129,7 +129,7 @@ std::optional<PlanePoint> pole_words(BlockContext& block) {
   if (refused || !in_range || !words.has(Address::ap) || !words.has(Address::rp)) {
     return std::nullopt;
   }
-  return point_about({}, {words.length(Address::rp), words.written(Address::ap)});
+  return polar_vector({words.length(Address::rp), words.written(Address::ap)});
 }
 
 void forget_polar(Machine& machine) {
@@ -161,7 +161,7 @@ std::optional<EndPoint> end_point(BlockContext& block) {
 // SIE-POL-02: the pole goes to the workpiece zero, also with the code of the plane in force.
 void take_plane(Machine& machine, Plane plane) {
   machine.plane = plane;
-  machine.pole = {};
+  machine.pole = CGAL::ORIGIN;
   forget_polar(machine);
 }
 
@@ -169,12 +169,12 @@ void take_plane(Machine& machine, Plane plane) {
 void run_pole(BlockContext& block) {
   Machine& machine = block.machine;
   const PlaneAxes axes = block.plane_axes();
-  const std::optional<PlanePoint> by = pole_words(block);
+  const std::optional<Vector_2> by = pole_words(block);
   if (!by) return;
-  PlanePoint base;  // G111: the workpiece zero
+  Point_2 base = CGAL::ORIGIN;  // G111: the workpiece zero
   if (block.codes.once == 110) base = block.position_in(axes);
   if (block.codes.once == 112) base = machine.pole;
-  machine.pole = {base[0] + (*by)[0], base[1] + (*by)[1]};
+  machine.pole = base + *by;
   forget_polar(machine);
   if (block.words.is_polar() && surely_equal(base, block.position_in(axes))) {
     // SIE-ARC-10: seen from the pole the machine stands on the other side, exactly RP away.

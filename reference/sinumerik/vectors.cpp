@@ -16,16 +16,16 @@ bool any_nonzero(std::initializer_list<Number> numbers) {
   return false;
 }
 
-PlanePoint from_centre_to_end(const PlaneAxes& axes, const PlanePoint& centre,
-                              const PlanePoint& offset, const EndPoint& end) {
-  const auto along = [&](std::size_t i, Axis axis) {
+Vector_2 from_centre_to_end(const PlaneAxes& axes, const Point_2& centre, const Vector_2& offset,
+                            const EndPoint& end) {
+  const auto along = [&](int i, Axis axis) {
     const bool is_absolute = centre[i].is_rational() && end.to[axis].is_rational();
     return is_absolute ? end.to[axis] - centre[i] : end.by[axis] - offset[i];
   };
   return {along(0, axes.p), along(1, axes.q)};
 }
 
-bool surely_equal(const PlanePoint& a, const PlanePoint& b) {
+bool surely_equal(const Point_2& a, const Point_2& b) {
   try {
     return a == b;
   } catch (const exact::Undecided&) {

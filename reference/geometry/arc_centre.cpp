@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/arc_centre.hpp"
+#include "reference/geometry/arc_centre.hpp"
 
 #include "reference/compared.hpp"
 #include "reference/predicate.hpp"
@@ -30,25 +30,16 @@ bool is_at_least(const Number& radius_2, const Number& limit_2) {
 }  // namespace
 
 ArcEnds::ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to)
-    : start_p(from[axes.p]),
-      start_q(from[axes.q]),
-      end_p(to[axes.p]),
-      end_q(to[axes.q]),
-      dp(end_p - start_p),
-      dq(end_q - start_q),
-      chord_2(square(fine(dp)) + square(fine(dq))) {}
+    : start(geometry::point_in(axes, from)),
+      end(geometry::point_in(axes, to)),
+      chord(end - start),
+      chord_2((chord * 1000).squared_length()) {}
 
-ArcEnds::ArcEnds(const Number& along_p, const Number& along_q)
-    : end_p(along_p),
-      end_q(along_q),
-      dp(along_p),
-      dq(along_q),
-      chord_2(square(fine(dp)) + square(fine(dq))) {}
-
-std::array<Number, 2> ArcEnds::middle() const {
-  const Number half = Number::millionths(500'000);
-  return {(start_p + end_p) * half, (start_q + end_q) * half};
-}
+ArcEnds::ArcEnds(const Vector_2& by)
+    : start(CGAL::ORIGIN),
+      end(CGAL::ORIGIN + by),
+      chord(by),
+      chord_2((chord * 1000).squared_length()) {}
 
 bool ArcEnds::chord_within(const Number& length) const {
   const Number most_2 = square(fine(length));
@@ -57,35 +48,37 @@ bool ArcEnds::chord_within(const Number& length) const {
 }
 
 // The centre stands off the middle of the chord by sqrt(R^2 - (chord/2)^2): in chords,
-// sqrt((4 R^2 - chord^2) / (4 chord^2)).
-std::optional<std::array<Number, 2>> centre_off_middle(const ArcEnds& ends, const Number& radius_2,
-                                                       int side) {
+// sqrt((4 R^2 - chord^2) / (4 chord^2)). Its two coordinates share that root, which CGAL's kernel
+// knows nothing of.
+std::optional<Point_2> centre_off_middle(const ArcEnds& ends, const Number& radius_2, int side) {
   const Number rest = radius_2 * 4 - ends.chord_2;
   if (decided_by_roots("chord - 2 R", -rest.sign(), {{1, ends.chord_2}, {-2, radius_2}}) > 0) {
     return std::nullopt;
   }
-  return Number::roots(ends.middle(), {ends.dq * side, ends.dp * -side}, rest, ends.chord_2 * 4);
+  const Point_2 middle = ends.middle();
+  const Vector_2 right = ends.chord.perpendicular(CGAL::CLOCKWISE) * side;
+  const auto centre =
+      Number::roots({middle.x(), middle.y()}, {right.x(), right.y()}, rest, ends.chord_2 * 4);
+  return Point_2(centre[0], centre[1]);
 }
 
-std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
-                                                        int sense) {
+std::optional<Point_2> centre_from_radius(const ArcEnds& ends, const Number& radius, int sense) {
   return centre_off_middle(ends, square(fine(radius)), -sense * radius.sign());
 }
 
-OffsetCentre::OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q)
-    : centre{ends.start_p + offset_p, ends.start_q + offset_q} {
-  from_centre = {fine(offset_p), fine(offset_q), fine(ends.dp - offset_p),
-                 fine(ends.dq - offset_q)};
-  start_2 = square(from_centre[0]) + square(from_centre[1]);
-  end_2 = square(from_centre[2]) + square(from_centre[3]);
-}
+OffsetCentre::OffsetCentre(const ArcEnds& ends, const Vector_2& offset)
+    : centre(ends.start + offset),
+      to_start(offset * -1000),
+      to_end((ends.chord - offset) * 1000),
+      start_2(to_start.squared_length()),
+      end_2(to_end.squared_length()) {}
 
 bool OffsetCentre::radii_agree(const Number& limit) const {
   // Nearly always enough: the radii differ by the difference of their squares over their sum, which
   // is at least `reach`. Not for enclosures: whether equal ones are equal is not decided.
   if (end_2.is_rational() && !decisions_are_watched()) {
-    const Number reach = max(abs(from_centre[0]), abs(from_centre[1])) +
-                         max(abs(from_centre[2]), abs(from_centre[3]));
+    const Number reach =
+        max(abs(to_start.x()), abs(to_start.y())) + max(abs(to_end.x()), abs(to_end.y()));
     if (abs(start_2 - end_2) <= fine(limit) * reach) return true;
   }
   return radii_agree_squared(square(limit));
@@ -132,7 +125,7 @@ std::string radii_apart(const OffsetCentre& arc, const PlaneAxes& axes, bool on_
   return with_values(
       "The radius is {} mm at the start and {} mm at the end, {} mm apart, about the centre " +
           centre,
-      {start, end, apart, arc.centre[0], arc.centre[1]});
+      {start, end, apart, arc.centre.x(), arc.centre.y()});
 }
 
 }  // namespace gonogo::reference

@@ -4,13 +4,15 @@
 // a dialect makes of a fault is the dialect's.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
-#include "reference/axis.hpp"
+#include "reference/geometry/kernel.hpp"
 
 namespace gonogo::reference {
+
+using geometry::Point_2;
+using geometry::Vector_2;
 
 // The address of the centre's offset along an axis: I with X, J with Y, K with Z.
 constexpr char offset_address(Axis axis) {
@@ -20,16 +22,16 @@ constexpr char offset_address(Axis axis) {
 // The start, the end and the chord of an arc in its plane. Squares here are of micrometres: those
 // of 1e-6 mm are then numbers of 64 bits.
 struct ArcEnds {
-  Number start_p, start_q;
-  Number end_p, end_q;
-  Number dp, dq;   // end - start
+  Point_2 start;
+  Point_2 end;
+  Vector_2 chord;
   Number chord_2;  // squared, um^2
 
   ArcEnds(const PlaneAxes& axes, const Position& from, const Position& to);
-  // Seen from the start: the chord alone.
-  ArcEnds(const Number& along_p, const Number& along_q);
-  bool closed() const { return dp.sign() == 0 && dq.sign() == 0; }
-  std::array<Number, 2> middle() const;
+  // Seen from the start, which is then the origin.
+  explicit ArcEnds(const Vector_2& chord);
+  bool closed() const { return chord.x().sign() == 0 && chord.y().sign() == 0; }
+  Point_2 middle() const { return CGAL::midpoint(start, end); }
   // Whether the chord is no longer than this, mm.
   bool chord_within(const Number& length) const;
 };
@@ -37,23 +39,22 @@ struct ArcEnds {
 // The centre from R: on the right of the chord for a short clockwise arc (`sense` -1); a negative R
 // asks for the long one. Nothing when twice the radius is less than the chord.
 // REQUIRES: !ends.closed().
-std::optional<std::array<Number, 2>> centre_from_radius(const ArcEnds& ends, const Number& radius,
-                                                        int sense);
+std::optional<Point_2> centre_from_radius(const ArcEnds& ends, const Number& radius, int sense);
 
 // The centre off the middle of the chord where the circle of this radius (squared, um^2) runs
 // through both ends: `side` +1 is right of the chord, -1 left. Nothing when twice the radius is
 // less than the chord. REQUIRES: !ends.closed().
-std::optional<std::array<Number, 2>> centre_off_middle(const ArcEnds& ends, const Number& radius_2,
-                                                       int side);
+std::optional<Point_2> centre_off_middle(const ArcEnds& ends, const Number& radius_2, int side);
 
 // The centre at an offset from the start, and the squares of the radii at start and end.
 struct OffsetCentre {
-  std::array<Number, 2> centre;
-  Number start_2;                     // um^2
-  Number end_2;                       // um^2
-  std::array<Number, 4> from_centre;  // um: to the start and to the end, along p and q
+  Point_2 centre;
+  Vector_2 to_start;  // from the centre, um
+  Vector_2 to_end;
+  Number start_2;  // um^2
+  Number end_2;
 
-  OffsetCentre(const ArcEnds& ends, const Number& offset_p, const Number& offset_q);
+  OffsetCentre(const ArcEnds& ends, const Vector_2& offset);
   bool begins_at_centre() const { return start_2.sign() == 0; }
   // Start, end and centre are one point.
   bool is_point() const { return begins_at_centre() && end_2.sign() == 0; }
