@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // G112 and G113, the circular pocket: milled along a helix, clockwise and counterclockwise.
+#include "reference/geometry/kernel.hpp"
 #include "reference/gsk988ta/milling.hpp"
 
 namespace gonogo::reference::gsk988ta {
@@ -9,9 +10,11 @@ namespace {
 // GSK-G112-04 to GSK-G112-06, from the centre back to the centre. The semicircles leave and meet
 // the circle of radius I - D tangentially and turn as commanded (GSK-G112-09); they lie on +p.
 Generator<Item> mill_along_helix(const MillingSite& site, const HelixPocket& pocket) {
-  const std::array<Number, 2>& centre = pocket.centre;
-  const std::array<Number, 2> side = {centre[0] + pocket.radius, centre[1]};
-  const std::array<Number, 2> middle = {centre[0] + pocket.radius / 2, centre[1]};
+  const geometry::Pair& centre = pocket.centre;
+  const geometry::Point_2 tangential =
+      geometry::point(centre) + geometry::Vector_2(pocket.radius, 0);
+  const geometry::Pair side = geometry::pair(tangential);
+  const geometry::Pair middle = geometry::pair(CGAL::midpoint(geometry::point(centre), tangential));
   co_yield site.arc_to("GSK-G112-04"_clause, side, middle, pocket.sense);
 
   Record helix = site.arc_to("GSK-G112-05"_clause, side, centre, pocket.sense * pocket.turns);

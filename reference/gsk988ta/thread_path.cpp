@@ -6,22 +6,20 @@
 // (GSK-G114-10).
 #include "reference/gsk988ta/thread_path.hpp"
 
+#include "reference/geometry/kernel.hpp"
+
 namespace gonogo::reference::gsk988ta {
 namespace {
 
-using Point = std::array<Number, 2>;  // along p and q
+using geometry::pair;
+using geometry::point;
+using geometry::Point_2;
+using geometry::Vector_2;
 
-// A direction of the plane, at an angle from +p in the cycle's own sense.
-Point direction(const ThreadMilling& thread, const Number& degrees) {
+// A way in the plane, at an angle from +p in the cycle's own sense.
+Vector_2 polar(const ThreadMilling& thread, const Number& length, const Number& degrees) {
   const auto [cosine, sine] = cos_sin_degrees(degrees);
-  return {cosine, sine * Number(thread.sense)};
-}
-
-// from + length * direction(degrees).
-Point polar(const ThreadMilling& thread, const Point& from, const Number& length,
-            const Number& degrees) {
-  const Point along = direction(thread, degrees);
-  return {from[0] + length * along[0], from[1] + length * along[1]};
+  return Vector_2(cosine, sine * Number(thread.sense)) * length;
 }
 
 // Where the helices end, in degrees from +p in the cycle's sense: the last turn may be partial.
@@ -38,7 +36,8 @@ Number free_side(const ThreadMilling& thread) {
 // GSK-G114-11: J to the free side, K degrees further round. Polar: the end lies at the radius
 // r_n +- J. Radial: straight, K from the normal towards the direction of feed. Tangent: straight,
 // K from the direction of feed towards the normal.
-Point run_out_end(const ThreadMilling& thread, const Number& radius) {
+Point_2 run_out_end(const ThreadMilling& thread, const Number& radius) {
+  const Point_2 centre = point(thread.centre);
   const Number theta = end_angle(thread);
   const Number& k = thread.runout_angle;
   const Number& j = thread.runout_length;
@@ -46,50 +45,51 @@ Point run_out_end(const ThreadMilling& thread, const Number& radius) {
     const Number normal = thread.external ? 0 : 180;  // from the radius vector
     const Number turn = thread.runout == ThreadRunOut::radial ? k : Number(90) - k;
     const Number angle = theta + (thread.external ? turn : normal - turn);
-    return polar(thread, polar(thread, thread.centre, radius, theta), j, angle);
+    return centre + polar(thread, radius, theta) + polar(thread, j, angle);
   }
-  return polar(thread, thread.centre, radius + free_side(thread) * j, theta + k);
+  return centre + polar(thread, radius + free_side(thread) * j, theta + k);
 }
 
 // The polar run-out: the arc that leaves the circle of radius r at S tangentially and ends at E.
 // With u the radius vector at S, t the direction of feed, E - S = a u + b t: its centre is S + w u
-// with w = (a^2 + b^2) / (2 a); for a = 0 it is straight.
+// with w = (a^2 + b^2) / (2 a); for a = 0 it is straight. By lengths alone, which are rational
+// where the points are enclosures.
 Record polar_run_out(const MillingSite& site, const ThreadMilling& thread, const Number& radius) {
   const ClauseId clause = "GSK-G114-11"_clause;
-  const Point end = run_out_end(thread, radius);
+  const Point_2 end = run_out_end(thread, radius);
   const auto [cos_k, sin_k] = cos_sin_degrees(thread.runout_angle);
   const Number end_radius = radius + free_side(thread) * thread.runout_length;
   const Number a = end_radius * cos_k - radius;
-  if (a.sign() == 0) return site.feed_to(clause, end);
+  if (a.sign() == 0) return site.feed_to(clause, pair(end));
   const Number chord_2 =
       radius * radius + end_radius * end_radius - radius * end_radius * cos_k * 2;
   const Number w = chord_2 / (a * 2);
-  const Point middle = polar(thread, thread.centre, radius + w, end_angle(thread));
+  const Point_2 middle = point(thread.centre) + polar(thread, radius + w, end_angle(thread));
   // A centre on the far side of the path from the thread's turns the other way round.
-  return site.arc_to(clause, end, middle, a.sign() < 0 ? thread.sense : -thread.sense);
+  return site.arc_to(clause, pair(end), pair(middle), a.sign() < 0 ? thread.sense : -thread.sense);
 }
 
 Record run_out(const MillingSite& site, const ThreadMilling& thread, const Number& radius) {
   if (thread.runout == ThreadRunOut::radial || thread.runout == ThreadRunOut::tangent) {
-    return site.feed_to("GSK-G114-11"_clause, run_out_end(thread, radius));
+    return site.feed_to("GSK-G114-11"_clause, pair(run_out_end(thread, radius)));
   }
   return polar_run_out(site, thread, radius);
 }
 
 // Where a pass leaves the thread.
-Point end_of_cut(const ThreadMilling& thread, const Number& radius) {
+Point_2 end_of_cut(const ThreadMilling& thread, const Number& radius) {
   if (thread.runout_length.sign() != 0) return run_out_end(thread, radius);
-  return polar(thread, thread.centre, radius, end_angle(thread));
+  return point(thread.centre) + polar(thread, radius, end_angle(thread));
 }
 
-Point end_of_pass(const ThreadMilling& thread, const Number& n) {
-  return {thread.centre[0] + safe_radius(thread), end_of_cut(thread, thread.radius_of_pass(n))[1]};
+Point_2 end_of_pass(const ThreadMilling& thread, const Number& n) {
+  return {thread.centre[0] + safe_radius(thread), end_of_cut(thread, thread.radius_of_pass(n)).y()};
 }
 
 Record helix(const MillingSite& site, const ThreadMilling& thread, const Number& radius) {
-  const Point end = polar(thread, thread.centre, radius, end_angle(thread));
+  const Point_2 end = point(thread.centre) + polar(thread, radius, end_angle(thread));
   const auto turns = static_cast<std::int32_t>(turns_of(thread).ceil().to_int64().value());
-  Record record = site.arc_to("GSK-G114-06"_clause, end, thread.centre, thread.sense * turns);
+  Record record = site.arc_to("GSK-G114-06"_clause, pair(end), thread.centre, thread.sense * turns);
   record.axes.add(site.axes.d);
   record.to[site.axes.d] = thread.bottom;
   return record;
@@ -105,20 +105,20 @@ Number safe_radius(const ThreadMilling& thread) {
   return thread.start_radius + free_side(thread) * thread.runout_length;
 }
 
-Point end_of_passes(const ThreadMilling& thread) {
-  return end_of_pass(thread, thread.passes());
+std::array<Number, 2> end_of_passes(const ThreadMilling& thread) {
+  return pair(end_of_pass(thread, thread.passes()));
 }
 
 Generator<Record> thread_passes(MillingSite site, ThreadMilling thread) {
   const ClauseId clause = "GSK-G114-06"_clause;
   const Axis p = site.axes.p;
-  const Point start = {thread.centre[0] + thread.start_radius, thread.centre[1]};
+  const Point_2 centre = point(thread.centre);
+  const Point_2 start = centre + Vector_2(thread.start_radius, 0);
   const Number passes = thread.passes();  // GSK-G114-04
   for (Number n = 1; n <= passes; n += 1) {
-    const Point from = n > 1 ? end_of_pass(thread, n - 1) : thread.centre;
+    const Point_2 from = n > 1 ? end_of_pass(thread, n - 1) : centre;
     if (from != start) {
-      const Point middle = {(from[0] + start[0]) / 2, (from[1] + start[1]) / 2};
-      co_yield site.arc_to(clause, start, middle, thread.sense);
+      co_yield site.arc_to(clause, pair(start), pair(CGAL::midpoint(from, start)), thread.sense);
     }
     const Number radius = thread.radius_of_pass(n);
     Record infeed = site.motion(RecordKind::feed, clause);
@@ -132,7 +132,7 @@ Generator<Record> thread_passes(MillingSite site, ThreadMilling thread) {
     co_yield site.rapid_depth(clause, site.r_plane);
     Record away = site.motion(RecordKind::rapid, clause);
     away.axes = {p};
-    away.to[p] = end_of_pass(thread, n)[0];
+    away.to[p] = end_of_pass(thread, n).x();
     co_yield away;
   }
 }
