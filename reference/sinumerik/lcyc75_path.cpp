@@ -2,10 +2,14 @@
 //
 // One path that LCYC75 admits (reading sie.pocket.path): every level from the centre outwards,
 // along the border of what the tool can reach, moved inwards by whole radii of the tool.
+#include "reference/geometry/kernel.hpp"
 #include "reference/sinumerik/lcyc75.hpp"
 
 namespace gonogo::reference::sinumerik {
 namespace {
+
+using geometry::Aff_transformation_2;
+using geometry::ORIGIN;
 
 // A pass: the rectangle that the tool's centre runs round, with corners of a radius.
 struct Pass {
@@ -16,11 +20,8 @@ struct Pass {
 
 // A motion of a pass in the pocket's own frame, its centre the origin.
 struct Segment {
-  Number to_u;
-  Number to_v;
-  bool is_arc = false;
-  Number centre_u;
-  Number centre_v;
+  Point_2 to;
+  std::optional<Point_2> centre;  // of an arc
 };
 
 Record record_of(const PocketMilling& pocket, RecordKind kind) {
@@ -33,21 +34,22 @@ Record record_of(const PocketMilling& pocket, RecordKind kind) {
   return record;
 }
 
-std::array<Number, 2> to_base(const PocketMilling& pocket, const Number& u, const Number& v) {
+// From the pocket's own frame to base coordinates.
+Aff_transformation_2 frame_of(const PocketMilling& pocket) {
   const auto& [cosine, sine] = pocket.direction;
-  return {pocket.centre[0] + u * cosine - v * sine, pocket.centre[1] + u * sine + v * cosine};
+  const Aff_transformation_2 turn(CGAL::ROTATION, sine, cosine);
+  return Aff_transformation_2(CGAL::TRANSLATION, geometry::point(pocket.centre) - ORIGIN) * turn;
 }
 
-Record in_plane(const PocketMilling& pocket, const Segment& segment) {
+Record in_plane(const PocketMilling& pocket, const Aff_transformation_2& to_base,
+                const Segment& segment) {
   const PlaneAxes axes = axes_of(pocket.plane);
-  Record record = record_of(pocket, segment.is_arc ? RecordKind::arc : RecordKind::feed);
+  Record record = record_of(pocket, segment.centre ? RecordKind::arc : RecordKind::feed);
   record.axes = {axes.p, axes.q};
-  const std::array<Number, 2> to = to_base(pocket, segment.to_u, segment.to_v);
-  record.to[axes.p] = to[0];
-  record.to[axes.q] = to[1];
+  geometry::put_in(record.to, axes, to_base(segment.to));
   record.feed = pocket.plane_feed;
-  if (segment.is_arc) {
-    record.centre = to_base(pocket, segment.centre_u, segment.centre_v);
+  if (segment.centre) {
+    record.centre = geometry::pair(to_base(*segment.centre));
     record.rot = pocket.sense;
   }
   return record;
@@ -71,11 +73,11 @@ std::vector<Segment> round(const Pass& pass, int sense) {
   const Number side = sense;  // of the first corner: +v counterclockwise
   std::vector<Segment> segments;
   const auto line = [&](const Number& u, const Number& v) {
-    segments.push_back({u, side * v, false, 0, 0});
+    segments.push_back({{u, side * v}, std::nullopt});
   };
   const auto corner = [&](const Number& u, const Number& v, const Number& at_u,
                           const Number& at_v) {
-    if (r.sign() > 0) segments.push_back({u, side * v, true, at_u, side * at_v});
+    if (r.sign() > 0) segments.push_back({{u, side * v}, Point_2(at_u, side * at_v)});
   };
   line(a, b - r);
   corner(a - r, b, a - r, b - r);
@@ -98,8 +100,8 @@ Number innermost(const PocketMilling& pocket, const Number& narrowest, bool whol
   return min(max(strip, 0), all);
 }
 
-bool moves(const Segment& segment, const Number& u, const Number& v) {
-  return segment.is_arc || segment.to_u != u || segment.to_v != v;
+bool moves(const Segment& segment, const Point_2& from) {
+  return segment.centre || segment.to != from;
 }
 
 // SIE-LC75-10: a level. It begins and ends at the centre.
@@ -107,24 +109,23 @@ Generator<Item> clear_level(PocketMilling pocket, bool whole) {
   const Number half_length = pocket.length / 2 - pocket.tool_radius;
   const Number half_width = pocket.width / 2 - pocket.tool_radius;
   const Number corner = pocket.corner_radius - pocket.tool_radius;
-  Number u = 0;
-  Number v = 0;
+  const Aff_transformation_2 to_base = frame_of(pocket);
+  Point_2 at = ORIGIN;
   for (Number k = innermost(pocket, min(half_length, half_width), whole); k.sign() >= 0; k -= 1) {
     const Number inset = k * pocket.tool_radius;
     const Pass pass{half_length - inset, half_width - inset, max(corner - inset, 0)};
     std::vector<Segment> segments = round(pass, pocket.sense);
-    segments.insert(segments.begin(), Segment{pass.half_length, 0, false, 0, 0});
+    segments.insert(segments.begin(), Segment{{pass.half_length, 0}, std::nullopt});
     for (const Segment& segment : segments) {
-      if (!moves(segment, u, v)) continue;
-      u = segment.to_u;
-      v = segment.to_v;
-      const Item item = in_plane(pocket, segment);
+      if (!moves(segment, at)) continue;
+      at = segment.to;
+      const Item item = in_plane(pocket, to_base, segment);
       co_yield item;
     }
   }
-  const Segment home{0, 0, false, 0, 0};
-  if (moves(home, u, v)) {
-    const Item item = in_plane(pocket, home);
+  const Segment home{ORIGIN, std::nullopt};
+  if (moves(home, at)) {
+    const Item item = in_plane(pocket, to_base, home);
     co_yield item;
   }
 }
