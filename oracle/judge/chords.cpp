@@ -7,42 +7,45 @@
 #include <optional>
 
 #include "oracle/judge/swept_turns.hpp"
+#include "reference/geometry/kernel.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
+using geometry::Point_2;
+using geometry::Vector_2;
+
 struct Circle {
-  PlaneVector centre;
+  Point_2 centre;
   Number radius;
 };
+
+Point_2 place(const PlaneVector& point) {
+  return {point.p, point.q};
+}
 
 // Of those three of the points that lie least in line: first, middle and last, or a third apart
 // where the first and last are near each other.
 std::optional<Circle> circle_of(std::span<const PlaneVector> points) {
   const std::size_t last = points.size() - 1;
-  const PlaneVector& a = points[0];
-  std::array<PlaneVector, 2> widest;
+  const Point_2 a = place(points[0]);
+  std::array<Point_2, 2> widest;
   Number area = 0;
   for (const auto& [i, k] : {std::pair(last / 2, last), std::pair(last / 3, last - last / 3)}) {
-    const PlaneVector b = points[i] - a;
-    const PlaneVector c = points[k] - a;
-    const Number product = cross(b, c);
-    if (abs(product) <= abs(area)) continue;
+    const Point_2 b = place(points[i]);
+    const Point_2 c = place(points[k]);
+    const Number product = abs(CGAL::determinant(b - a, c - a));
+    if (product <= area) continue;
     area = product;
     widest = {b, c};
   }
   if (area.sign() == 0) return std::nullopt;
-  const auto& [b, c] = widest;
-  const Number b_2 = dot(b, b);
-  const Number c_2 = dot(c, c);
-  const PlaneVector middle{(c.q * b_2 - b.q * c_2) / (area * 2),
-                           (b.p * c_2 - c.p * b_2) / (area * 2)};
-  return Circle{a + middle, exact::sqrt(dot(middle, middle))};
+  const Point_2 centre = CGAL::circumcenter(a, widest[0], widest[1]);
+  return Circle{centre, exact::sqrt((a - centre).squared_length())};
 }
 
 bool agrees_with(const Circle& circle, const PlaneVector& point, const Number& tolerance) {
-  const PlaneVector v = point - circle.centre;
-  const Number distance_2 = dot(v, v);
+  const Number distance_2 = (place(point) - circle.centre).squared_length();
   const Number outer = circle.radius + tolerance;
   const Number inner = circle.radius - tolerance;
   return distance_2 <= outer * outer && (inner.sign() <= 0 || distance_2 >= inner * inner);
@@ -76,12 +79,12 @@ bool are_chords_of_an_arc(std::span<const PlaneVector> points, const Number& tol
   SweptTurns swept;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (!agrees_with(*circle, points[i], tolerance)) return false;
-    const PlaneVector from = points[i - 1] - circle->centre;
-    const PlaneVector to = points[i] - circle->centre;
-    const Number turn = cross(from, to);
+    const Vector_2 from = place(points[i - 1]) - circle->centre;
+    const Vector_2 to = place(points[i]) - circle->centre;
+    const Number turn = CGAL::determinant(from, to);
     if (turn.sign() == 0 || (sense != 0 && turn.sign() != sense)) return false;
     sense = turn.sign();
-    swept.add(std::abs(std::atan2(estimate(turn), estimate(dot(from, to)))) /
+    swept.add(std::abs(std::atan2(estimate(turn), estimate(CGAL::scalar_product(from, to)))) /
               (2 * std::numbers::pi));
     // A sagitta of g has a half chord of sqrt(2 r g - g^2).
     const PlaneVector chord = points[i] - points[i - 1];

@@ -2,11 +2,20 @@
 #include "oracle/judge/open_start.hpp"
 
 #include "oracle/region/constants.hpp"
+#include "reference/geometry/intersections.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
-// The part of the polygon where normal . v <= limit.
+using geometry::ORIGIN;
+using geometry::Point_2;
+using geometry::Segment_2;
+
+Point_2 start_at(const PlaneVector& v) {
+  return {v.p, v.q};
+}
+
+// The part of the polygon where normal . v <= limit. CGAL's kernel clips no polygon.
 std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const PlaneVector& normal,
                              const Number& limit) {
   std::vector<PlaneVector> kept;
@@ -24,17 +33,6 @@ std::vector<PlaneVector> cut(const std::vector<PlaneVector>& polygon, const Plan
     }
   }
   return kept;
-}
-
-// The squared distance of the segment from the origin.
-Number squared_distance(const PlaneVector& a, const PlaneVector& b) {
-  const PlaneVector along = b - a;
-  const Number length_2 = dot(along, along);
-  const Number at = -dot(a, along);
-  if (length_2.sign() == 0 || at.sign() <= 0) return dot(a, a);
-  if (at >= length_2) return dot(b, b);
-  const Number away = cross(a, along);
-  return away * away / length_2;
 }
 
 // A rational near a value, and how far from it the value may lie: nothing for a rational.
@@ -98,15 +96,17 @@ OpenStart::Starts OpenStart::narrowed(const Similarity& map, const PlaneVector& 
 // inside.
 bool OpenStart::meets_circle(const Polygon& polygon) const {
   const Number radius_2 = radius_ * radius_;
+  const Point_2 middle = ORIGIN;
   bool reaches_out = false;
   bool reaches_in = false;
   bool holds_origin = polygon.size() > 2;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlaneVector& here = polygon[i];
-    const PlaneVector& next = polygon[(i + 1) % polygon.size()];
-    reaches_out = reaches_out || dot(here, here) >= radius_2;
-    reaches_in = reaches_in || squared_distance(here, next) <= radius_2;
-    holds_origin = holds_origin && cross(here, next).sign() > 0;
+    const Point_2 here = start_at(polygon[i]);
+    const Segment_2 side(here, start_at(polygon[(i + 1) % polygon.size()]));
+    reaches_out = reaches_out || CGAL::squared_distance(middle, here) >= radius_2;
+    reaches_in = reaches_in || CGAL::squared_distance(middle, side) <= radius_2;
+    holds_origin =
+        holds_origin && CGAL::orientation(middle, here, side.target()) == CGAL::LEFT_TURN;
   }
   return reaches_out && (reaches_in || holds_origin);
 }

@@ -8,31 +8,48 @@
 
 #include "oracle/judge/approximate.hpp"
 #include "oracle/region/constants.hpp"
+#include "reference/geometry/intersections.hpp"
 
 namespace gonogo::oracle {
+
+namespace {
+
+using geometry::Iso_cuboid_3;
+using geometry::Plane_3;
+using geometry::Point_3;
+using geometry::Segment_3;
+using geometry::Triangle_3;
+using geometry::Vector_3;
+
+Point_3 place(const SpacePoint& point) {
+  return {point[0], point[1], point[2]};
+}
+
+Vector_3 way(const SpacePoint& vector) {
+  return {vector[0], vector[1], vector[2]};
+}
+
+template <typename T>  // Point_3, Vector_3
+SpacePoint coordinates(const T& of) {
+  return {of.x(), of.y(), of.z()};
+}
+
+}  // namespace
 
 SpacePoint space_point(const Position& point) {
   return {point[Axis::x], point[Axis::y], point[Axis::z]};
 }
 
-SpacePoint operator+(const SpacePoint& a, const SpacePoint& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
 SpacePoint operator-(const SpacePoint& a, const SpacePoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-SpacePoint operator*(const Number& k, const SpacePoint& a) {
-  return {k * a[0], k * a[1], k * a[2]};
+  return coordinates(way(a) - way(b));
 }
 
 Number dot(const SpacePoint& a, const SpacePoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return CGAL::scalar_product(way(a), way(b));
 }
 
 SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return coordinates(CGAL::cross_product(way(a), way(b)));
 }
 
 bool is_rational(const SpacePoint& point) {
@@ -46,81 +63,51 @@ Position via_of(const Motion& arc3) {
 }
 
 bool is_over_half(const Motion& arc3) {
-  const SpacePoint via = space_point(arc3.record.via);
-  return dot(space_point(arc3.from) - via, space_point(arc3.to()) - via).sign() > 0;
+  return CGAL::angle(place(space_point(arc3.from)), place(space_point(arc3.record.via)),
+                     place(space_point(arc3.to()))) == CGAL::ACUTE;
 }
 
 std::optional<SpaceCircle> circle_through(const SpacePoint& a, const SpacePoint& via,
                                           const SpacePoint& b) {
-  const SpacePoint u = via - a;
-  const SpacePoint v = b - a;
-  const SpacePoint normal = cross(u, v);
-  const Number normal_2 = dot(normal, normal);
-  if (normal_2.sign() == 0) return std::nullopt;
-  const SpacePoint to_centre =
-      (Number(1) / (normal_2 * 2)) * (dot(u, u) * cross(v, normal) + dot(v, v) * cross(normal, u));
-  return SpaceCircle{a + to_centre, normal, dot(to_centre, to_centre)};
+  const Point_3 start = place(a);
+  const Vector_3 normal = CGAL::cross_product(place(via) - start, place(b) - start);
+  if (normal.squared_length().sign() == 0) return std::nullopt;
+  const Point_3 centre = CGAL::circumcenter(start, place(via), place(b));
+  return SpaceCircle{coordinates(centre), coordinates(normal), (start - centre).squared_length()};
 }
 
 namespace {
 
-// The part of the convex polygon in which coordinate `i` times `sign` is no more than `limit`.
-std::vector<SpacePoint> cut_off(const std::vector<SpacePoint>& polygon, std::size_t i,
-                                const Number& sign, const Number& limit) {
-  std::vector<SpacePoint> kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const SpacePoint& here = polygon[k];
-    const SpacePoint& next = polygon[(k + 1) % polygon.size()];
-    const Number beyond_here = sign * here[i] - limit;
-    const Number beyond_next = sign * next[i] - limit;
-    if (beyond_here.sign() <= 0) kept.push_back(here);
-    if (beyond_here.sign() * beyond_next.sign() < 0) {
-      kept.push_back(here + (beyond_here / (beyond_here - beyond_next)) * (next - here));
-    }
-  }
-  return kept;
-}
-
-// The squared distance of the line from a to b from the origin.
-Number line_distance_2(const SpacePoint& a, const SpacePoint& b) {
-  const SpacePoint along = b - a;
-  const Number length_2 = dot(along, along);
-  const Number at = -dot(a, along);
-  if (length_2.sign() == 0 || at.sign() <= 0) return dot(a, a);
-  if (at >= length_2) return dot(b, b);
-  return dot(a, a) - at * at / length_2;
-}
+// The corners of what a plane and a box have in common, one after the other.
+struct CornersInCommon {
+  using result_type = std::vector<Point_3>;
+  result_type operator()(const Point_3& point) const { return {point}; }
+  result_type operator()(const Segment_3& side) const { return {side.source(), side.target()}; }
+  result_type operator()(const Triangle_3& area) const { return {area[0], area[1], area[2]}; }
+  result_type operator()(const result_type& polygon) const { return polygon; }
+};
 
 }  // namespace
 
 bool passes_box(const SpaceCircle& circle, const SpacePoint& point, const Number& tolerance) {
-  const SpacePoint& n = circle.normal;
-  const SpacePoint at = point - circle.centre;
-  std::size_t a = 0;  // the axis across which the plane lies most
-  for (std::size_t i : {1U, 2U}) {
-    if (abs(n[i]) > abs(n[a])) a = i;
+  const Point_3 centre = place(circle.centre);
+  const Plane_3 plane(centre, way(circle.normal));
+  const Point_3 at = place(point);
+  if (tolerance.sign() <= 0) {
+    return tolerance.sign() == 0 && plane.has_on(at) &&
+           CGAL::squared_distance(centre, at) == circle.radius_2;
   }
-  const std::size_t b = (a + 1) % 3;
-  const std::size_t c = (a + 2) % 3;
-  std::vector<SpacePoint> polygon;
-  for (const auto& [side_b, side_c] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-    SpacePoint corner;
-    corner[b] = at[b] + tolerance * side_b;
-    corner[c] = at[c] + tolerance * side_c;
-    corner[a] = -(n[b] * corner[b] + n[c] * corner[c]) / n[a];
-    polygon.push_back(std::move(corner));
-  }
-  polygon = cut_off(polygon, a, 1, at[a] + tolerance);
-  polygon = cut_off(polygon, a, -1, tolerance - at[a]);
-  if (polygon.empty()) return false;
-  const bool holds_centre =
-      std::ranges::all_of(at, [&](const Number& each) { return abs(each) <= tolerance; });
+  const Vector_3 half(tolerance, tolerance, tolerance);
+  const Iso_cuboid_3 box(at - half, at + half);
+  const auto common = CGAL::intersection(plane, box);
+  if (!common) return false;
+  const std::vector<Point_3> corners = boost::apply_visitor(CornersInCommon(), *common);
   bool reaches_out = false;
-  bool reaches_in = holds_centre;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const SpacePoint& next = polygon[(i + 1) % polygon.size()];
-    reaches_out = reaches_out || dot(polygon[i], polygon[i]) >= circle.radius_2;
-    reaches_in = reaches_in || line_distance_2(polygon[i], next) <= circle.radius_2;
+  bool reaches_in = !box.has_on_unbounded_side(centre);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Segment_3 side(corners[i], corners[(i + 1) % corners.size()]);
+    reaches_out = reaches_out || CGAL::squared_distance(centre, corners[i]) >= circle.radius_2;
+    reaches_in = reaches_in || CGAL::squared_distance(centre, side) <= circle.radius_2;
   }
   return reaches_out && reaches_in;
 }
@@ -143,10 +130,10 @@ double part_of_turn(const SpaceCircle& circle, const SpacePoint& from, const Spa
 }
 
 SpacePoint middle_seen_from(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c) {
-  const SpacePoint to_b = b - a;
-  const SpacePoint to_c = c - a;
-  const Number b_2 = dot(to_b, to_b);
-  const Number c_2 = dot(to_c, to_c);
+  const Vector_3 to_b = way(b) - way(a);
+  const Vector_3 to_c = way(c) - way(a);
+  const Number b_2 = to_b.squared_length();
+  const Number c_2 = to_c.squared_length();
   const double length_b = std::sqrt(approximate(b_2));
   const double length_c = std::sqrt(approximate(c_2));
   // Half way where the point's direction halves the angle of the two.
@@ -155,8 +142,8 @@ SpacePoint middle_seen_from(const SpacePoint& a, const SpacePoint& b, const Spac
   const double part = std::frexp(share, &exponent);
   const Number t = Number::binary(static_cast<std::int64_t>(std::ldexp(part, kMiddleBits)),
                                   exponent - kMiddleBits);
-  const SpacePoint w = ((Number(1) - t) / b_2) * to_b + (t / c_2) * to_c;
-  return a + (Number(1) / dot(w, w)) * w;
+  const Vector_3 w = to_b * ((Number(1) - t) / b_2) + to_c * (t / c_2);
+  return coordinates(place(a) + w / w.squared_length());
 }
 
 }  // namespace gonogo::oracle

@@ -11,12 +11,12 @@
 
 namespace gonogo::oracle {
 
-using SpacePoint = std::array<Number, 3>;  // x, y, z; also a vector
+// x, y, z; also a vector. What the kernel of reference/geometry/ says of it, for who does without
+// it.
+using SpacePoint = std::array<Number, 3>;
 
 SpacePoint space_point(const Position& point);
-SpacePoint operator+(const SpacePoint& a, const SpacePoint& b);
 SpacePoint operator-(const SpacePoint& a, const SpacePoint& b);
-SpacePoint operator*(const Number& k, const SpacePoint& a);
 Number dot(const SpacePoint& a, const SpacePoint& b);
 SpacePoint cross(const SpacePoint& a, const SpacePoint& b);
 bool is_rational(const SpacePoint& point);
