@@ -39,8 +39,8 @@ struct State {
   bool feed_per_revolution = false;
   Motion motion = Motion::kLine;
   bool spindle_turns = false;
-  Fixed speed = 0;           ///< S
-  bool speed_given = false;  ///< S above 0
+  Fixed speed = 0;                      ///< S
+  bool speed_given = false;             ///< S above 0
   bool constant_cutting_speed = false;  ///< G96, G961
   bool turns_unknown = false;           ///< S was a cutting speed
   Pole pole;
@@ -108,6 +108,8 @@ void check_sizes(Machine& machine, const Block& block);
 Feed cutting_feed(Machine& machine, const Place& to, bool curved);
 /// Complains about the words of `unwanted` that the block has.
 void refuse(Machine& machine, const Block& block, Addresses unwanted);
+/// Complains about TURN, but for one of 0.
+void refuse_rounds(Machine& machine, const Block& block);
 
 // In polar.cpp.
 

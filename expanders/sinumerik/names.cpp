@@ -20,13 +20,13 @@ constexpr CodeRow kRows[] = {
     {Group::kFrame, Support::kNoEffect, "54 55 56 57 500"},
     {Group::kControl, Support::kNoEffect, "60 64"},
     {Group::kWindow, Support::kNoEffect, "601 602"},
+    {Group::kCorner, Support::kNoEffect, "450 451"},
     {Group::kProgrammedFrame, Support::kFull, "158 258 259"},
     // Thread cutting, cutter radius compensation, feeds of other kinds, working area, reference
-    // points, soft approach, tapping, corner behaviour, further frames, units of the feed.
+    // points, soft approach, tapping, further frames, units of the feed.
     {Group::kControl, Support::kOutside,
      "25 26 33 34 35 41 42 62 63 74 75 93 147 148 153 247 248 290 291 331 332 340 341 347 "
-     "348 "
-     "450 451 603 641 642 700 710 962"},
+     "348 603 641 642 700 710 962"},
 };
 constexpr CodeTable kCodes{kRows};
 constexpr Code kNewSpeedMode{0, static_cast<GroupNumber>(Group::kFeedMode), Support::kOutside};
@@ -60,7 +60,8 @@ constexpr std::string_view kControl =
     "GOTOS DEF PROC EXTERN CALL PCALL MCALL RET ";
 
 constexpr std::string_view kPassedOver =
-    " MSG STOPRE SOFT BRISK DRIVE FFWON FFWOF CFC CFTCP CFIN COMPOF DIAMOF LIMS SPOS ";
+    " MSG STOPRE SOFT BRISK DRIVE FFWON FFWOF CFC CFTCP CFIN COMPOF DIAMOF KONT "
+    "LIMS NORM SPCON SPCOF SPOS SPOSA WAITS ";
 
 constexpr std::string_view kOutside =
     " LCYC60 LCYC61 LCYC83 LCYC84 LCYC85 LCYC93 LCYC94 LCYC95 LCYC96 LCYC97 LCYC840 ";

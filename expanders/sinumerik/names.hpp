@@ -83,6 +83,7 @@ enum class Group : GroupNumber {
   kFrame,
   kControl,
   kWindow,
+  kCorner,
   kProgrammedFrame,  // G158, G258, G259
   kCycle             // LCYC75, LCYC82
 };

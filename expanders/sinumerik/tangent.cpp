@@ -26,7 +26,8 @@ Direction mirrored(const Machine& machine, const Arc& arc, const Vector& tangent
 
 // SIE-CT-01, SIE-CT-02
 void prepare_tangent(Machine& machine, const Block& block, Plan& plan) {
-  refuse(machine, block, kArcWords | kIntermediateWords | bit(Address::kTurn));
+  refuse(machine, block, kArcWords | kIntermediateWords);
+  refuse_rounds(machine, block);
   Arc arc{machine.plane()};
   take_end(machine, target_of(machine, block), arc);
   arc.feed = cutting_feed(machine, arc.target.to, true);

@@ -61,7 +61,8 @@ Address first_intermediate_word(const Block& block) {
 }  // namespace
 
 void prepare_through_point(Machine& machine, const Block& block, Plan& plan) {
-  refuse(machine, block, kArcWords | kPolarWords | bit(Address::kTurn));
+  refuse(machine, block, kArcWords | kPolarWords);
+  refuse_rounds(machine, block);
   if (!block.has_any(kIntermediateWords)) machine.complain(AlarmKind::kMissingWord);
   const Place from = machine.state.position;
   Target target = cartesian_target(machine, block);

@@ -98,4 +98,12 @@ void refuse(Machine& machine, const Block& block, Addresses unwanted) {
   }
 }
 
+// SIE-ARC-13
+void refuse_rounds(Machine& machine, const Block& block) {
+  if (!block.has(Address::kTurn)) return;
+  const Decimal& number = block.number(Address::kTurn);
+  const bool none = number.value == 0 && !number.finer && !number.overflow;
+  if (!none) refuse(machine, block, bit(Address::kTurn));
+}
+
 }  // namespace gonogo::expanders::sinumerik

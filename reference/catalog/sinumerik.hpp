@@ -83,7 +83,9 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "Two end-point axes that are not the plane's choose the plane, unless TURN=, AR= or a centre "
      "word of the plane's other axis makes a helix of it.",
      "reference/sinumerik/arc.cpp"},
-    {"SIE-ARC-13", derived, kArcs, "TURN= is whole, 0 to 999, and belongs to G2 and G3.",
+    {"SIE-ARC-13", derived, kArcs,
+     "TURN= is whole, 0 to 999, and belongs to G2 and G3; beside CIP and CT it is 0 and adds "
+     "nothing.",
      "reference/sinumerik/arc.cpp"},
     {"SIE-CIP-01", derived, kArcs,
      "CIP is an arc in space through the point I1= J1= K1=, its sense the order of the points; "
@@ -129,7 +131,8 @@ inline constexpr auto kPathClauses = std::to_array<Clause>({
      "skipped.",
      "reference/sinumerik/codes.cpp"},
     {"SIE-MOD-07", derived, kModes,
-     "G96 and G97 give feeds per revolution as G95 does, G961 and G971 per minute as G94. After G96 "
+     "G96 and G97 give feeds per revolution as G95 does, G961 and G971 per minute as G94. After "
+     "G96 "
      "and G961 S is a cutting speed; how fast the spindle turns is not known until an S counts "
      "revolutions again, and G4 S is not covered. Of the 802S only G96 and G97 are read.",
      "reference/sinumerik/interpreter.cpp"},

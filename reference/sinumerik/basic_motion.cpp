@@ -79,6 +79,12 @@ void refuse_words(BlockContext& block, std::initializer_list<Address> addresses)
   }
 }
 
+// SIE-ARC-13
+void refuse_turns(BlockContext& block) {
+  if (!block.words.has(Address::turn)) return;
+  if (block.words.written(Address::turn).sign() != 0) refuse_words(block, {Address::turn});
+}
+
 // SIE-COM-01
 void need_cutting(BlockContext& block) {
   block.need_feed("SIE-COM-01"_clause);

@@ -50,7 +50,8 @@ void put_circle(BlockContext& block, const EndPoint& end, const EndPoint& via,
 
 void run_intermediate(BlockContext& block) {
   refuse_words(block, {Address::i, Address::j, Address::k, Address::cr, Address::ar, Address::ap,
-                       Address::rp, Address::turn});
+                       Address::rp});
+  refuse_turns(block);
   need_cutting(block);
   if (!block.words.has_intermediate()) {
     block.missing(kPoints, WordName("I1"));

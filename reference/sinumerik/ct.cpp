@@ -88,7 +88,8 @@ Position whole_direction(const LastMotion& last) {
 
 void run_tangent(BlockContext& block) {
   refuse_words(block, {Address::i, Address::j, Address::k, Address::i1, Address::j1, Address::k1,
-                       Address::cr, Address::ar, Address::turn});
+                       Address::cr, Address::ar});
+  refuse_turns(block);
   need_cutting(block);
   std::optional<EndPoint> end = end_point(block);
   if (!end) return;

@@ -92,6 +92,10 @@ inline constexpr auto kNoFeed = std::to_array<PassedOver>({
     {"", "F", "SIE-G1-01"_clause, "the feed is taken in; a traverse has none"},
 });
 
+inline constexpr auto kNoTurns = std::to_array<PassedOver>({
+    {"of 0", "TURN", "SIE-ARC-13"_clause, "no turn is added"},
+});
+
 inline constexpr ClauseId kLines = "SIE-G1-01"_clause;
 inline constexpr Code kTraverse =
     does(Kind::traverse, Group::motion, kLines, "basic", {kEnds, kPolar}).passing(kNoFeed);
@@ -99,9 +103,10 @@ inline constexpr Code kFeed = does(Kind::line, Group::motion, kLines, "basic", {
 inline constexpr Code kRound =
     does(Kind::arc, Group::motion, "SIE-ARC-01"_clause, "arc", {kEnds, kPolar, kArc});
 inline constexpr Code kThroughPoint =
-    does(Kind::circle, Group::motion, "SIE-CIP-01"_clause, "cip", {kEnds, kIntermediate});
+    does(Kind::circle, Group::motion, "SIE-CIP-01"_clause, "cip", {kEnds, kIntermediate})
+        .passing(kNoTurns);
 inline constexpr Code kTangent =
-    does(Kind::circle, Group::motion, "SIE-CT-01"_clause, "ct", {kEnds, kPolar});
+    does(Kind::circle, Group::motion, "SIE-CT-01"_clause, "ct", {kEnds, kPolar}).passing(kNoTurns);
 inline constexpr Code kPause =
     does(Kind::dwell, Group::once, "SIE-MOD-03"_clause, "basic", {kDwell});
 inline constexpr Code kPole =
@@ -172,8 +177,8 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G341", Group::approach, "approach in the plane"),
     outside("G347", Group::approach, "soft approach along a semicircle"),
     outside("G348", Group::approach, "soft retraction along a semicircle"),
-    outside("G450", Group::corner, "transition circle at corners"),
-    outside("G451", Group::corner, "intersection at corners"),
+    no_effect("G450", Group::corner, "transition circle at corners"),
+    no_effect("G451", Group::corner, "intersection at corners"),
     no_effect("G500", Group::offset, "work offset off"),
     outside("G505", Group::offset, "further work offset").to("G599"),
     no_effect("G601", Group::exact_window, "fine exact stop window"),
@@ -228,7 +233,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("INIT", Group::once, "selection of a program of another channel"),
     outside("INVCCW", Group::once, "involute counterclockwise"),
     outside("INVCW", Group::once, "involute clockwise"),
-    outside("KONT", Group::once, "approach round the contour"),
+    no_effect("KONT", Group::once, "approach round the contour"),
     outside("L", Group::once, "subprogram"),
     outside("LCYC60", Group::once, "row of holes"),
     outside("LCYC61", Group::once, "circle of holes"),
@@ -247,7 +252,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("LONGHOLE", Group::once, "slots on a circle, of the tool's width"),
     outside("MIRROR", Group::once, "mirroring"),
     no_effect("MSG", Group::once, "message"),
-    outside("NORM", Group::once, "approach along a normal"),
+    no_effect("NORM", Group::once, "approach along a normal"),
     outside("O", Group::once, "address that the gauge does not have"),
     outside("OFFN", Group::once, "allowance on the contour"),
     outside("OVR", Group::once, "override"),
@@ -269,9 +274,10 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("SLOT1", Group::once, "slots on a circle"),
     outside("SLOT2", Group::once, "slots along a circle"),
     no_effect("SOFT", Group::once, "acceleration without jerks"),
-    outside("SPCOF", Group::once, "position control of the spindle off"),
-    outside("SPCON", Group::once, "position control of the spindle on"),
+    no_effect("SPCOF", Group::once, "position control of the spindle off"),
+    no_effect("SPCON", Group::once, "position control of the spindle on"),
     no_effect("SPOS", Group::once, "position of the spindle"),
+    no_effect("SPOSA", Group::once, "position of the spindle, while blocks run on"),
     outside("START", Group::once, "start of a program of another channel"),
     no_effect("STOPRE", Group::once, "stop of the block preparation"),
     outside("SUPA", Group::once, "all offsets off in the block"),
@@ -284,6 +290,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("V", Group::once, "axis that the gauge does not have"),
     outside("W", Group::once, "axis that the gauge does not have"),
     outside("WAITM", Group::once, "waiting for another channel"),
+    no_effect("WAITS", Group::once, "waiting for the spindle's position"),
     outside("WORKPIECE", Group::once, "blank of the simulation"),
     outside("address <n>", Group::once, "address with a number, whose meaning is the machine's"),
     outside("axis <n>", Group::once, "axis by its number"),

@@ -125,6 +125,8 @@ void put_motion(BlockContext& block, const EndPoint& end, Record record);
 void put_in_base(BlockContext& block, Record record, const Position& end, AxisSet standing = {});
 // An alarm for each word of the block that is among these.
 void refuse_words(BlockContext& block, std::initializer_list<Address> addresses);
+// An alarm where TURN= adds turns.
+void refuse_turns(BlockContext& block);
 
 // In polar.cpp. The end point of the block's axis words, Cartesian or polar; nothing after an
 // alarm.

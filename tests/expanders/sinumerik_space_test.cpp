@@ -29,6 +29,11 @@ TEST(SinumerikThroughPoint, OnTheStraightWay) {
             "arc3 via=1,2,3.001 x=3 y=6 z=9 f=9");
 }
 
+TEST(SinumerikThroughPoint, NoTurnsAreNoTurns) {
+  EXPECT_EQ(last_motion_or_alarm("CIP X3 I1=1 TURN=0 F9\n"), "feed x=3 y=0 z=0 f=9");
+  EXPECT_EQ(last_motion_or_alarm("G1 X10 F9\nCT X15 TURN=0\n"), "feed x=15 f=9");
+}
+
 TEST(SinumerikThroughPoint, NeedsThreePoints) {
   EXPECT_EQ(last_motion_or_alarm("CIP X3 F9\n"), "missing-word");
   EXPECT_EQ(last_motion_or_alarm("CIP X3 I1=0 F9\n"), "arc-intermediate-point");

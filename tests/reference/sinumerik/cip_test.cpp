@@ -32,6 +32,13 @@ TEST(SieCip, APointBetweenOnTheLineMakesItStraight) {
   EXPECT_EQ(line("CIP X3 I1=0.001 F9", 0), "feed x3 y0 z0 f9");
 }
 
+// No turns leave CIP as it is.
+TEST(SieCip, NoTurnsMayBeAdded) {
+  EXPECT_EQ(line("CIP X10 Z10 I1=5 K1=5 TURN=0 F9", 0), "feed x10 y0 z10 f9");
+  EXPECT_EQ(line("G0 X1 F9\nCIP X-1 I1=0 J1=1 TURN=R1-0", 1), "arc3 x-1 y0 z0 via x0 y1 z0 f9");
+  EXPECT_EQ(outcome("CIP X10 I1=5 TURN=1"), "conflicting-words TURN");
+}
+
 TEST(SieCip, AnyOtherPointOnTheLineIsAnAlarm) {
   for (const char* points :
        {"X10 I1=10", "X10 I1=0", "X10 I1=10.001", "X10 I1=-5", "X0 I1=5", "X0 I1=0", "A5 I1=7"}) {

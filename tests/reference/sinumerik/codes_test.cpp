@@ -21,8 +21,16 @@ TEST(SieCodes, CodesWithoutEffectArePassedOver) {
             Lines{"rapid x2"});  // no zero offset is read that it could suppress
 }
 
+// The spindle stands or turns where it is told to; without a radius compensation a contour has no
+// corners to go round and is approached as it stands.
+TEST(SieCodes, SpindlePositionsAndCornersLeaveThePath) {
+  EXPECT_EQ(path("G500\nSPCON\nG0 X1\nSPCOF\nSPOSA=90\nWAITS\nX2"),
+            (Lines{"rapid x1", "rapid x2"}));
+  EXPECT_EQ(path("G450 NORM G0 X1\nG451 KONT X2"), (Lines{"rapid x1", "rapid x2"}));
+}
+
 TEST(SieCodes, OutsideCodesAreNotCovered) {
-  for (const char* code : {"G33",     "G41",  "G75",     "G93",    "G153",   "G331",    "G450",
+  for (const char* code : {"G33",     "G41",  "G75",     "G93",    "G153",   "G331",    "G603",
                            "G505",    "G550", "G599",    "G641",   "G700",   "G962",    "TRANS",
                            "AMIRROR", "RPL",  "POCKET4", "HOLES1", "LCYC60", "LCYC840", "P"}) {
     const std::string value = std::string(code) == "P" ? "1" : "";

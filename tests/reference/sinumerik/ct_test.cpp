@@ -29,6 +29,12 @@ TEST(SieCt, AnEndStraightAheadMakesALine) {
   EXPECT_EQ(clauses("G1 X10 F9\nCT X15").back(), "SIE-CT-01");
 }
 
+TEST(SieCt, NoTurnsMayBeAdded) {
+  EXPECT_EQ(line("G1 X10 F9\nCT X15 TURN=0", 1), "feed x15 y0 f9");
+  EXPECT_EQ(line("G1 X10 F9\nCT X20 Y10 TURN=0", 1), "arc x20 y10 c10,10 rot1 f9");
+  EXPECT_EQ(outcome("G1 X10 F9\nCT X15 TURN=1"), "conflicting-words TURN");
+}
+
 TEST(SieCt, AnEndStraightBehindIsAnAlarm) {
   EXPECT_EQ(outcome("G1 X10\nCT X5"), "arc-tangent X");
   EXPECT_EQ(outcome("G1 X10\nCT X5 Y0.001"), "end");
