@@ -161,7 +161,7 @@ void check_radii(Machine& machine, const Block& block, Sketch& sketch) {
   const Wide smallest = squared(kSmallestRadius);
   const bool no_circle = machine.configuration.forgiving_arcs
                              ? start_square < smallest || end_square < smallest
-                             : start_square == 0;
+                             : start_square == 0 || end_square == 0;
   if (no_circle) machine.complain(AlarmKind::kArcRadius, word, block);
   const RadiusTolerance tolerance = tolerance_of(machine);
   const bool apart = machine.alters("end-point-equality-refused"_fault,

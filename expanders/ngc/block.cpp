@@ -83,6 +83,17 @@ bool is_small(std::string_view token) {
   return !token.empty() && token[0] >= 'a' && token[0] <= 'z';
 }
 
+bool begins_with_abort(std::string_view comment) {
+  std::string_view rest = "ABORT,";
+  for (const char c : comment) {
+    if (is_blank(c)) continue;
+    if (!same_letters({&c, 1}, rest.substr(0, 1))) return false;
+    rest.remove_prefix(1);
+    if (rest.empty()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void Block::clear() {
@@ -98,6 +109,19 @@ void Block::clear() {
   macro_ = {};
   long_number_ = false;
   motions_ = {};
+}
+
+bool Block::aborts() const {
+  std::string_view last;
+  std::size_t at = 0;
+  while (at < line_.size()) {
+    const std::size_t begin = line_.find_first_of("(;", at);
+    if (begin == std::string::npos) break;
+    if (line_[begin] == ';') break;
+    at = std::min(line_.find(')', begin), line_.size());
+    last = std::string_view(line_).substr(begin + 1, at - begin - 1);
+  }
+  return begins_with_abort(last);
 }
 
 Block::Reading Block::unreadable(std::string_view rest) {

@@ -74,6 +74,8 @@ class Block {
   }
   /// Of the line: it has decimals, or more digits than NIST's interpreter takes.
   bool long_number() const { return long_number_; }
+  /// NGC-COM-10: the last comment in brackets is (abort,...).
+  bool aborts() const;
   bool empty() const { return words_.empty() && !any_code_ && functions_.empty(); }
 
   /// The first code that is not implemented; null: none.

@@ -14,7 +14,7 @@ constexpr std::array kCodes{
     Code{0, Group::kMotion, kFull},        Code{10, Group::kMotion, kFull},
     Code{20, Group::kMotion, kFull},       Code{30, Group::kMotion, kFull},
     Code{40, Group::kOnce, kFull},         Code{50, Group::kMotion, kOut},
-    Code{70, Group::kLathe, kOut},         Code{80, Group::kLathe, kOut},
+    Code{70, Group::kLathe, kOut},         Code{80, Group::kLathe, kNone},
     Code{100, Group::kOnce, kOut},         Code{170, Group::kPlane, kFull},
     Code{171, Group::kPlane, kOut},        Code{180, Group::kPlane, kFull},
     Code{181, Group::kPlane, kOut},        Code{190, Group::kPlane, kFull},

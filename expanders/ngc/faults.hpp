@@ -180,6 +180,9 @@ inline constexpr FaultDescription kFaultTable[] = {
      "clamp that the text does not have"},
     {"g73-full-retract", "G73 retracts as G83", "NGC-G73-01", "one function for both"},
     // dwells, bores, taps
+    {"levels-in-single-precision",
+     "G81 and G82 drill twice where R less the depth is not the bottom", "NGC-G81-01",
+     "loop of pecks in binary32, with the whole depth for a peck (grblHAL core)"},
     {"dwell-after-retract", "G82 dwells above the hole", "NGC-G82-01", "order of the two"},
     {"g85-g89-silent",
      "G85, G86 and G89 do not move and take their words for the place of the tool", "NGC-G85-01",

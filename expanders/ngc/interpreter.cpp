@@ -83,6 +83,10 @@ Flow Interpreter::run_line(std::string_view line) {
     case Block::Reading::kWords:
       break;
   }
+  if (block_.aborts()) {  // NGC-COM-10
+    machine_.complain(AlarmKind::kProgramEnd);
+    return Flow::kAlarm;
+  }
   if (block_.empty()) return refuses_number() ? refuse_line() : Flow::kContinue;
   return run_block();
 }
@@ -155,6 +159,20 @@ void Interpreter::check_block() {
                              block_.duplicate_position());
   }
   check_sizes(machine_, block_, kMeasured);
+  check_numbers();
+}
+
+// NGC-COM-09
+void Interpreter::check_numbers() {
+  for (const char address : {'S', 'T'}) {
+    if (!block_.has(address)) continue;
+    const Decimal& number = block_.number(address);
+    if (number.minus && (number.value != 0 || number.finer || number.overflow)) {
+      machine_.complain(AlarmKind::kValueSign, address, block_);
+    } else if (address == 'T' && !number.overflow && !machine_.whole.function(number)) {
+      machine_.complain(AlarmKind::kNotAnInteger, 'T', block_);
+    }
+  }
 }
 
 bool Interpreter::check_functions() {

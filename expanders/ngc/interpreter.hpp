@@ -29,6 +29,7 @@ class Interpreter {
   Flow run_block();
   Flow check_coverage();
   void check_block();
+  void check_numbers();
   bool check_functions();
   void prepare(Plan& plan);
   void take_feed();

@@ -58,6 +58,15 @@ struct LineNumber : spirit::parser<LineNumber> {
   }
 };
 
+Iterator behind_comments(Iterator first, Iterator last) {
+  while (first != last && *first == '(') {
+    const Iterator close = std::find(first, last, ')');
+    if (close == last) return first;
+    first = close + 1;
+  }
+  return first;
+}
+
 // NGC-COM-06: O and a number alone name the program; with anything else they are an O word. Takes
 // nothing.
 struct NameAhead : spirit::parser<NameAhead> {
@@ -73,16 +82,6 @@ struct NameAhead : spirit::parser<NameAhead> {
     if (number_end == first + 1) return false;
     const Iterator end = behind_comments(number_end, last);
     return end == last || *end == ';';
-  }
-
- private:
-  static Iterator behind_comments(Iterator first, Iterator last) {
-    while (first != last && *first == '(') {
-      const Iterator close = std::find(first, last, ')');
-      if (close == last) return first;
-      first = close + 1;
-    }
-    return first;
   }
 };
 
@@ -226,7 +225,8 @@ Iterator label_end(Iterator first, Iterator last) {
   return end == first ? nullptr : end;
 }
 
-// NGC-OWD-08: a line with an O word has nothing else. Takes nothing where it is none.
+// NGC-OWD-08: a line with an O word has nothing else. NGC-OWD-12: no text says what a comment among
+// the values of a call does. Takes nothing where it is none.
 struct ControlLine : spirit::parser<ControlLine> {
   using attribute_type = spirit::unused_type;
   static constexpr bool has_attribute = false;
@@ -258,6 +258,12 @@ struct ControlLine : spirit::parser<ControlLine> {
       control.values.push_back(terms_of(bracketed, first, last, context, rule));
     }
     control.where = into.span(begin, first);
+    if (const Iterator behind = behind_comments(first, last);
+        word->kind == ControlKind::call && behind != first && behind != last && *behind == '[') {
+      into.block.outside =
+          OutsideConstruct{kOWord, control.where, "a comment between the values of call"};
+      first = last;
+    }
     return true;
   }
 

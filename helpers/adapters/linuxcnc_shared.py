@@ -54,6 +54,7 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
     (r"P value not an integer|Non integer value for integer", "not-an-integer"),
     (r"^[A-Z] word with no |R not allowed in G10", "unused-word"),
     (r"File ended with no percent sign", "program-end"),
+    (r"^\s*no part$", "program-end"),  # what the corpus has behind (abort,
 ]]
 
 #: The readings that LinuxCNC follows, as the profile names them.

@@ -156,7 +156,9 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"NGC-EXP-05", kAsChosen},
     {"NGC-EXP-06", "There is no such number."},
     {"NGC-EXP-07", kNotExpected},
+    {"NGC-EXP-08", kNotExpected},
     {"NGC-OWD-10", kNotExpected},
+    {"NGC-OWD-12", kNotExpected},
     {"NGC-G33-06", "The table of modal groups, and the prototype of the code with its words."},
     {"NGC-G331-02",
      "The text has the spindle turn the other way at both ends, by no word of the "
@@ -186,7 +188,10 @@ inline constexpr auto kBases = std::to_array<ClauseBasis>({
     {"SIE-ARC-11", "The forms of G2 and G3 are listed; half a form, or two, is none of them."},
     {"SIE-ARC-12",
      "The axes of the end point choose the plane, but not with AR= and not of a helix."},
-    {"SIE-ARC-13", "The chapter on helices: TURN from 0 to 999, as a word of G2 and G3."},
+    {"SIE-ARC-13",
+     "The chapter on helices: TURN from 0 to 999, as a word of G2 and G3; 0 beside CT, and beside "
+     "CIP "
+     "by the text of alarm 14920."},
     {"SIE-CIP-01", "The chapter on CIP, and the text of alarm 14920."},
     {"SIE-CIP-02", "Through fewer than three points there is no one circle."},
     {"SIE-CT-01", "An arc is tangent in one way; straight behind there is none of finite radius."},

@@ -68,9 +68,16 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "EXP, LN, powers whose exponent is not whole, TAN of a right angle, MOD 0 and ATAN[0]/[0] are "
      "not read, nor what grows beyond what the gauge keeps.",
      "reference/rs274/expression.cpp"},
+    {"NGC-EXP-08", open, kExpressions,
+     "Where numbers that doubles have not exactly come within 2^-32 of what decides a comparison, "
+     "a "
+     "condition, FIX, FUP, ROUND, MOD, a division by zero or a root, or count a repeat, doubles "
+     "may "
+     "decide otherwise: not read.",
+     "reference/rs274/operators.cpp"},
     {"NGC-OWD-01", must, kOCodes,
      "The lines from sub to endsub run when the label is called, and not where they stand. A "
-     "subroutine stands before its calls, is no part of another one, and has a label of its own.",
+     "subroutine is no part of another one, and has a label of its own.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-02", must, kOCodes,
      "call gives up to 30 values in brackets, which are #1, #2 and so on in the subroutine; the "
@@ -79,7 +86,8 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "before.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-03", must, kOCodes,
-     "return and endsub end a call. A value behind them is #<_value>, and #<_value_returned> is 1; "
+     "return and endsub end a call; only endsub needs its label. A value behind them is #<_value>, "
+     "and #<_value_returned> is 1; "
      "both are 0 from the next call on until one returns a value.",
      "reference/rs274/o_words.cpp"},
     {"NGC-OWD-04", must, kOCodes,
@@ -106,11 +114,19 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
          "reference/rs274/o_words.cpp", Basis::silent},
         "syntax"),
     {"NGC-OWD-10", open, kOCodes,
-     "Calls of what no line before them has (a file may), labels that are calculated but for "
+     "Calls of what the program does not have (a file may), labels that are calculated but for "
      "calls, "
      "more than nine calls within each other, repeat by no whole number, and programs beyond a "
      "mebibyte of lines that may come again or a hundred thousand lines that do are not read.",
      "reference/rs274/o_words.cpp"},
+    refused_by_some({"NGC-OWD-11", open, kOCodes,
+                     "A call of a subroutine that stands behind it runs it, and the program passes "
+                     "over it where it comes to it. The documents have it stand before, and do not "
+                     "say what happens else; our judgement.",
+                     "reference/rs274/o_words.cpp", Basis::silent},
+                    "syntax undefined-code"),
+    {"NGC-OWD-12", open, kOCodes, "A comment between the values of a call is not read.",
+     "grammar/x3/rs274.cpp"},
 });
 
 }  // namespace gonogo::reference::catalog::rs274

@@ -56,8 +56,9 @@ struct OffsetCentre {
 
   OffsetCentre(const ArcEnds& ends, const Vector_2& offset);
   bool begins_at_centre() const { return start_2.sign() == 0; }
+  bool ends_at_centre() const { return end_2.sign() == 0; }
   // Start, end and centre are one point.
-  bool is_point() const { return begins_at_centre() && end_2.sign() == 0; }
+  bool is_point() const { return begins_at_centre() && ends_at_centre(); }
   // Whether the radii differ by no more than `limit`, mm; than the root of `limit_2`, mm^2; than
   // this part of the larger one, 0 to 1.
   bool radii_agree(const Number& limit) const;

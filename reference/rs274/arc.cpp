@@ -103,7 +103,7 @@ struct LinuxcncLimits {
 };
 
 RadiusFaults faults_by_nist(const OffsetCentre& arc, bool inch) {
-  return {arc.begins_at_centre(), !arc.radii_agree(limit_of_nist(inch))};
+  return {arc.begins_at_centre() || arc.ends_at_centre(), !arc.radii_agree(limit_of_nist(inch))};
 }
 
 RadiusFaults faults_by_linuxcnc(const OffsetCentre& arc, bool inch) {
@@ -124,7 +124,7 @@ std::string allowed_apart(bool inch) {
 
 void check_radii(BlockContext& block, const OffsetCentre& arc, char address) {
   const bool inch = block.words.modes().inch;
-  // No alarm under either reading.
+  // No alarm under either reading: a radius of zero is below what LinuxCNC allows.
   if (arc.radii_agree(limit_of_nist(inch)) && !arc.radius_below(kForgiven)) return;
   RadiusFaults faults = faults_by_nist(arc, inch);
   const RadiusFaults other = faults_by_linuxcnc(arc, inch);

@@ -159,7 +159,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G5.2", Group::motion, "spline of control points"),
     outside("G5.3", Group::motion, "end of the spline"),
     outside("G7", Group::diameter, "diameter programming"),
-    outside("G8", Group::diameter, "radius programming"),
+    no_effect("G8", Group::diameter, "radius programming").initial(),
     does(Kind::rename, Group::once, "NGC-OFS-03"_clause, "offsets", {kOrigin, kSystem})
         .named("G10", "setting of a coordinate system"),
     sets("G17", Group::plane, Setting::plane_xy, "plane XY"),

@@ -36,7 +36,7 @@ bool Calculator::leave_out(std::string code, const grammar::Span& where, std::st
 
 // NGC-EXP-07
 bool Calculator::is_kept(const grammar::Term& term) {
-  const exact::Size size = exact::size_of(stack_.back());
+  const exact::Size size = exact::size_of(stack_.back().number);
   if (size.bits <= kLongest && size.depth <= kDeepest) return true;
   return leave_out("expression", term.where,
                    "The exact value has more digits than the gauge keeps.");
@@ -61,57 +61,57 @@ std::optional<std::int64_t> Calculator::number_of_parameter(const Number& value,
 }
 
 // NGC-PAR-04
-std::optional<Number> Calculator::of_machine(std::int64_t number) const {
+std::optional<Value> Calculator::of_machine(std::int64_t number) const {
   const WordModes& modes = machine_.modes;
   switch (number) {
     case 5220:
-      return Number(static_cast<std::int64_t>(machine_.offsets.system) + 1);
+      return Value{static_cast<std::int64_t>(machine_.offsets.system) + 1};
     case 5420:
-      return modes.number_of(machine_.position[Axis::x]);
+      return as_doubles_have(modes.number_of(machine_.position[Axis::x]));
     case 5421:
-      return modes.number_of(machine_.position[Axis::y]);
+      return as_doubles_have(modes.number_of(machine_.position[Axis::y]));
     case 5422:
-      return modes.number_of(machine_.position[Axis::z]);
+      return as_doubles_have(modes.number_of(machine_.position[Axis::z]));
     case 5423:
-      return machine_.position[Axis::a];
+      return as_doubles_have(machine_.position[Axis::a]);
     case 5425:
-      return machine_.position[Axis::c];
+      return as_doubles_have(machine_.position[Axis::c]);
     default:
       return std::nullopt;
   }
 }
 
 // NGC-PAR-04
-std::optional<Number> Calculator::of_machine(std::string_view name) const {
+std::optional<Value> Calculator::of_machine(std::string_view name) const {
   const WordModes& modes = machine_.modes;
   if (name == "_x") return of_machine(5420);
   if (name == "_y") return of_machine(5421);
   if (name == "_z") return of_machine(5422);
   if (name == "_a") return of_machine(5423);
   if (name == "_c") return of_machine(5425);
-  if (name == "_metric") return truth(!modes.inch);
-  if (name == "_imperial") return truth(modes.inch);
-  if (name == "_absolute") return truth(!modes.incremental);
-  if (name == "_incremental") return truth(modes.incremental);
-  if (name == "_value") return parameters_.returned.value_or(0);
-  if (name == "_value_returned") return truth(parameters_.returned.has_value());
+  if (name == "_metric") return Value{truth(!modes.inch)};
+  if (name == "_imperial") return Value{truth(modes.inch)};
+  if (name == "_absolute") return Value{truth(!modes.incremental)};
+  if (name == "_incremental") return Value{truth(modes.incremental)};
+  if (name == "_value") return parameters_.returned.value_or(Value{});
+  if (name == "_value_returned") return Value{truth(parameters_.returned.has_value())};
   return std::nullopt;
 }
 
 bool Calculator::push_numbered(const grammar::Term& term) {
-  const auto number = number_of_parameter(stack_.back(), term.where);
+  const auto number = number_of_parameter(stack_.back().number, term.where);
   if (!number) return false;
   if (*number <= kLastUserParameter) {
-    Number value = parameters_.numbered(*number);
+    Value value = parameters_.numbered(*number);
     // NGC-OWD-02
-    if (parameters_.is_inherited(*number) && value.sign() != 0 &&
+    if (parameters_.is_inherited(*number) && value.number.sign() != 0 &&
         readings_.is(ReadingKey::ngc_call_parameters, "zero")) {
-      value = 0;
+      value = {};
     }
     stack_.back() = std::move(value);
     return true;
   }
-  const std::optional<Number> of_it = of_machine(*number);
+  const std::optional<Value> of_it = of_machine(*number);
   if (!of_it) {
     return leave_out(fmt::format("#{}", *number), term.where,
                      "The gauge does not read this parameter of the machine.");
@@ -123,7 +123,7 @@ bool Calculator::push_numbered(const grammar::Term& term) {
 // NGC-PAR-03
 bool Calculator::push_named(const std::string& name, const grammar::Term& term) {
   const bool asks = term.kind == TermKind::exists;
-  std::optional<Number> value = is_predefined(name) ? of_machine(name) : parameters_.named(name);
+  std::optional<Value> value = is_predefined(name) ? of_machine(name) : parameters_.named(name);
   if (!value && is_predefined(name)) {
     return leave_out(fmt::format("#<{}>", name), term.where,
                      "The gauge does not read this parameter of the machine.");
@@ -132,14 +132,14 @@ bool Calculator::push_named(const std::string& name, const grammar::Term& term) 
     return fail(AlarmClass::value_out_of_range, "NGC-PAR-03"_clause, term.where,
                 fmt::format("The parameter #<{}> has no value.", name));
   }
-  stack_.push_back(asks ? truth(value.has_value()) : *value);
+  stack_.push_back(asks ? Value{truth(value.has_value())} : *value);
   return true;
 }
 
 bool Calculator::apply(const grammar::Block& block, const grammar::Term& term) {
   switch (term.kind) {
     case TermKind::number:
-      stack_.push_back(to_number(term.number));
+      stack_.push_back(as_doubles_have(to_number(term.number)));
       return true;
     case TermKind::numbered:
       return push_numbered(term);
@@ -166,8 +166,8 @@ bool Calculator::apply(const grammar::Block& block, const grammar::Term& term) {
   }
 }
 
-std::optional<Number> Calculator::value(const grammar::Block& block,
-                                        const grammar::TermRange& range) {
+std::optional<Value> Calculator::calculated(const grammar::Block& block,
+                                            const grammar::TermRange& range) {
   stack_.clear();
   for (std::uint32_t i = 0; i < range.count; ++i) {
     if (!apply(block, block.terms[range.first + i])) return std::nullopt;
@@ -175,12 +175,19 @@ std::optional<Number> Calculator::value(const grammar::Block& block,
   return std::move(stack_.back());
 }
 
+std::optional<Number> Calculator::value(const grammar::Block& block,
+                                        const grammar::TermRange& range) {
+  std::optional<Value> found = calculated(block, range);
+  if (!found) return std::nullopt;
+  return std::move(found->number);
+}
+
 // NGC-PAR-02
 bool Calculator::assign(const grammar::Block& block) {
   struct Setting {
     const grammar::Assignment* assignment;
     std::int64_t number;
-    Number value;
+    Value value;
   };
   std::vector<Setting> settings;
   for (const grammar::Assignment& assignment : block.assignments) {
@@ -199,7 +206,7 @@ bool Calculator::assign(const grammar::Block& block) {
                        assignment.where,
                        "The gauge does not read settings of parameters of the machine.");
     }
-    std::optional<Number> to = value(block, assignment.value);
+    std::optional<Value> to = calculated(block, assignment.value);
     if (!to) return false;
     settings.push_back({&assignment, number, *std::move(to)});
   }

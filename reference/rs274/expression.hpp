@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "grammar/ast.hpp"
@@ -23,6 +24,13 @@ struct Machine;
 // without end.
 inline constexpr std::size_t kLongest = 16'384;
 
+// NGC-EXP-08: whether a double can be this number.
+bool is_double(const Number& number);
+inline Value as_doubles_have(Number number) {
+  const bool is_rounded = !is_double(number);
+  return {std::move(number), is_rounded};
+}
+
 // NGC-EXP-02
 inline Number truth(bool holds) {
   return holds ? 1 : 0;
@@ -36,6 +44,10 @@ class Calculator {
   // The value. Nothing once a rule was broken, or where something is not read: alarm or outside
   // says which.
   std::optional<Number> value(const grammar::Block& block, const grammar::TermRange& range);
+  // The same, and whether it is rounded.
+  std::optional<Value> calculated(const grammar::Block& block, const grammar::TermRange& range);
+  // NGC-EXP-02: whether the value is true; nothing as above.
+  std::optional<bool> is_true(const grammar::Block& block, const grammar::TermRange& range);
   // NGC-PAR-02: the settings of the block, which take effect together. False after a problem.
   bool assign(const grammar::Block& block);
 
@@ -47,12 +59,15 @@ class Calculator {
   bool apply_one(const grammar::Term& term);
   bool apply_two(const grammar::Term& term);
   bool holds(grammar::TermKind kind, const Number& left, const Number& right) const;
+  bool is_doubtful(grammar::TermKind kind, const Value& left, const Value& right) const;
+  bool is_doubtful(grammar::TermKind kind, const Value& value) const;
+  bool leave_to_doubles(const grammar::Span& where);
   bool apply_power(const grammar::Term& term, Number& left, const Number& right);
   bool push_numbered(const grammar::Term& term);
   bool push_named(const std::string& name, const grammar::Term& term);
   std::optional<std::int64_t> number_of_parameter(const Number& value, const grammar::Span& where);
-  std::optional<Number> of_machine(std::int64_t number) const;
-  std::optional<Number> of_machine(std::string_view name) const;
+  std::optional<Value> of_machine(std::int64_t number) const;
+  std::optional<Value> of_machine(std::string_view name) const;
   bool are_equal(const Number& left, const Number& right) const;
   bool fail(AlarmClass alarm_class, ClauseId clause, const grammar::Span& where,
             std::string message);
@@ -62,7 +77,7 @@ class Calculator {
   const Machine& machine_;
   Parameters& parameters_;
   const ReadingsInUse& readings_;
-  std::vector<Number> stack_;
+  std::vector<Value> stack_;
 };
 
 }  // namespace gonogo::reference::rs274

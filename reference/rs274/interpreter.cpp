@@ -234,6 +234,7 @@ void Interpreter::run_block(BlockContext& block) const {
   check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
   check_m_groups(block.words.block(), block.readings, block.out.alarms);
   check_feed_sign(block.words, clause, block.out.alarms);
+  check_spindle_and_tool(block.words, block.readings, block.out.alarms);
   check_unused_words(block);
   check_once(block);
   take_offsets(block);
@@ -273,6 +274,10 @@ void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutp
         "ends no program within what does not run.",
         {}};
     return;
+  }
+  if (!block.control && !block.program_number) {
+    check_abort(block, out);
+    if (!out.alarms.empty()) return;
   }
   if (block.outside) {
     out.not_covered = construct_outside(block, line);

@@ -103,4 +103,22 @@ void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
   }
 }
 
+// NGC-COM-09
+void check_spindle_and_tool(const BlockWords& words, const ReadingsInUse& readings,
+                            std::vector<Alarm>& alarms) {
+  const ClauseId clause = "NGC-COM-09"_clause;
+  for (const char address : {'S', 'T'}) {
+    if (!words.has(address)) continue;
+    const grammar::Word& word = *words.word(address);
+    const Number number = words.written(address);
+    if (number.sign() < 0) {
+      alarms.push_back({AlarmClass::value_sign, clause, address, word.where,
+                        fmt::format("{} is below zero.", text_of(word))});
+    }
+    if (address == 'S' || NearWhole(number).counts_as_whole(Whole::m_function, readings)) continue;
+    alarms.push_back({AlarmClass::not_an_integer, clause, address, word.where,
+                      fmt::format("{} is no tool: its number is whole.", text_of(word))});
+  }
+}
+
 }  // namespace gonogo::reference::rs274

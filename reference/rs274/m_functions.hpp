@@ -10,6 +10,7 @@
 #include "grammar/ast.hpp"
 #include "reference/block_base.hpp"
 #include "reference/reading.hpp"
+#include "reference/rs274/words.hpp"
 
 namespace gonogo::reference::rs274 {
 
@@ -21,5 +22,8 @@ void take_m_functions(const grammar::Block& block, std::uint64_t line,
 // NGC-COM-01: of a modal group one M function, and four in all.
 void check_m_groups(const grammar::Block& block, const ReadingsInUse& readings,
                     std::vector<Alarm>& alarms);
+// NGC-COM-09: an alarm where S or T has a number that it may not have.
+void check_spindle_and_tool(const BlockWords& words, const ReadingsInUse& readings,
+                            std::vector<Alarm>& alarms);
 
 }  // namespace gonogo::reference::rs274

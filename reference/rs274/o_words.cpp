@@ -48,6 +48,7 @@ bool OWords::read(grammar::LineSource& lines, grammar::Line& line) {
   Level& level = levels_.back();
   if (level.at < level.text->size()) {
     const StoredLine& stored = (*level.text)[level.at++];
+    if (defined_ != nullptr && fills_) defined_->push_back(stored);
     ++repeated_;
     line.number = stored.number;
     line.text = stored.text;
@@ -86,6 +87,7 @@ bool OWords::is_wanted(const grammar::Control& control) const {
 
 bool OWords::next(grammar::LineSource& lines, grammar::Line& line) {
   current_ = &line;
+  lines_ = &lines;
   while (read(lines, line)) {
     if (!passes_over() || is_beyond() || line.too_long) return true;
     if (is_tape_mark(line.text) || is_wanted(line.text)) return true;
@@ -115,14 +117,12 @@ bool OWords::leave_out(const Step& step, std::string message) const {
   return false;
 }
 
-std::optional<Number> OWords::value(const Step& step) {
-  return step.calculator.value(step.block, step.control.values.front());
+std::optional<Value> OWords::value(const Step& step) {
+  return step.calculator.calculated(step.block, step.control.values.front());
 }
 
 std::optional<bool> OWords::holds(const Step& step) {
-  const std::optional<Number> condition = value(step);
-  if (!condition) return std::nullopt;
-  return condition->sign() != 0;
+  return step.calculator.is_true(step.block, step.control.values.front());
 }
 
 // NGC-OWD-08: the label of a condition or a loop stands for one of them.
@@ -174,27 +174,65 @@ void OWords::run_sub(const Step& step) {
     leave_out(step, "The gauge does not read a subroutine within a loop or a condition.");
     return;
   }
-  auto [place, is_new] = subs_.try_emplace(step.control.label, std::make_unique<Text>());
-  if (!is_new) {
+  const auto [place, is_new] = subs_.try_emplace(step.control.label, Sub{current_->number, {}});
+  if (place->second.line != current_->number) {
     refuse(step, "There is another subroutine of this label.");
     return;
   }
-  defined_ = place->second.get();
+  // NGC-OWD-11: of one that was looked for the lines are there.
+  fills_ = is_new;
+  if (!is_new) step.out.accept("NGC-OWD-11"_clause);
+  defined_ = &place->second.text;
   defined_label_ = step.control.label;
 }
 
-// NGC-OWD-03: return and endsub.
+// NGC-OWD-11: keeps the line behind those that are kept for a call.
+bool OWords::remember_next() {
+  grammar::Line line;
+  if (is_beyond() || !lines_->next(line) || line.too_long) return false;
+  remembered_ += line.text.size() + sizeof(StoredLine);
+  tape_.push_back({line.number, std::string(line.text)});
+  return true;
+}
+
+// NGC-OWD-11: whether a subroutine stands in the lines that have not run yet; its lines are then
+// known. They run later, and until then they are kept.
+bool OWords::find_behind(const std::string& label) {
+  called_at_ = current_->text;
+  current_->text = called_at_;  // the source forgets the line
+  Sub* found = nullptr;
+  for (std::size_t at = levels_.front().at; at < tape_.size() || remember_next(); ++at) {
+    const StoredLine& line = tape_[at];
+    if (found != nullptr) found->text.push_back(line);
+    if (is_tape_mark(line.text)) break;
+    if (!may_be_o_word(line.text, skips_) ||
+        grammar::parse_block(grammar::Dialect::rs274, line.text, scratch_) || !scratch_.control ||
+        scratch_.control->label != label) {
+      continue;
+    }
+    if (found == nullptr && scratch_.control->kind == ControlKind::sub) {
+      found = &subs_.try_emplace(label, Sub{line.number, {}}).first->second;
+    } else if (found != nullptr && scratch_.control->kind == ControlKind::endsub) {
+      return true;
+    }
+  }
+  subs_.erase(label);
+  return false;
+}
+
+// NGC-OWD-03: return and endsub; a return may have the label of another O word.
 void OWords::run_return(const Step& step) {
   if (defined_ != nullptr) {  // the end of one that is read
     defined_ = nullptr;
     return;
   }
-  if (is_main() || levels_.back().sub != step.control.label) {
+  const bool ends = step.control.kind == ControlKind::endsub;
+  if (is_main() || (ends && levels_.back().sub != step.control.label)) {
     refuse(step, "No subroutine of this label runs here.");
     return;
   }
   if (!step.control.values.empty()) {
-    std::optional<Number> returned = value(step);
+    std::optional<Value> returned = value(step);
     if (!returned) return;
     parameters_.returned = std::move(returned);
   }
@@ -215,16 +253,18 @@ void OWords::run_call(const Step& step) {
     }
     label = std::to_string(*whole);
   }
-  std::vector<Number> arguments;
+  std::vector<Value> arguments;
   for (const grammar::TermRange& range : step.control.values) {
-    std::optional<Number> argument = step.calculator.value(step.block, range);
+    std::optional<Value> argument = step.calculator.calculated(step.block, range);
     if (!argument) return;
     arguments.push_back(*std::move(argument));
   }
-  const auto sub = subs_.find(label);
-  if (sub == subs_.end()) {
-    leave_out(step, "No subroutine of this label stands before the call; a file may have it.");
-    return;
+  if (!subs_.contains(label)) {
+    if (!find_behind(label)) {
+      leave_out(step, "The program has no subroutine of this label; a file may have it.");
+      return;
+    }
+    step.out.accept("NGC-OWD-11"_clause);
   }
   if (levels_.size() > kMostCalls) {
     leave_out(step, "The gauge follows nine calls within each other.");
@@ -232,7 +272,7 @@ void OWords::run_call(const Step& step) {
   }
   parameters_.returned.reset();
   parameters_.enter(std::move(arguments));
-  levels_.push_back({label, sub->second.get(), 0, {}});
+  levels_.push_back({label, &subs_.at(label).text, 0, {}});
 }
 
 // NGC-OWD-04
@@ -301,10 +341,11 @@ void OWords::run_do(const Step& step) {
 // NGC-OWD-07
 void OWords::run_repeat(const Step& step) {
   if (!is_new_label(step)) return;
-  const std::optional<Number> times = value(step);
+  const std::optional<Value> times = value(step);
   if (!times) return;
-  const NearWhole number(*times);
-  const std::int64_t count = number.is_whole() ? number.nearest().to_int64().value_or(-1) : -1;
+  const NearWhole number(times->number);
+  const bool is_whole = number.is_whole() && !times->is_rounded;  // NGC-EXP-08
+  const std::int64_t count = is_whole ? number.nearest().to_int64().value_or(-1) : -1;
   if (count < 0) {
     leave_out(step,
               "No text says how often a loop runs for a number that is not whole, or below "

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // O words: which line of the program comes next. A program is still read line by line; the lines of
-// a subroutine and of the outermost loop that runs are remembered, and no others.
+// a subroutine and of the outermost loop that runs are remembered, and those up to a subroutine
+// that stands behind its call.
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +45,10 @@ class OWords {
     std::string text;
   };
   using Text = std::vector<StoredLine>;
+  struct Sub {
+    std::uint64_t line = 0;
+    Text text;
+  };
   // A condition or a loop that is open.
   struct Open {
     grammar::ControlKind kind;
@@ -79,12 +83,14 @@ class OWords {
   bool is_main() const { return levels_.size() == 1; }
   bool is_recording() const;
   void forget();
+  bool remember_next();
+  bool find_behind(const std::string& label);
   void open(const Step& step, bool is_done);
   bool is_new_label(const Step& step);
   Open* innermost(const Step& step, std::initializer_list<grammar::ControlKind> kinds);
   void want(const std::string& label, std::initializer_list<grammar::ControlKind> kinds);
   void go_back_to(std::size_t place);
-  std::optional<Number> value(const Step& step);
+  std::optional<Value> value(const Step& step);
   std::optional<bool> holds(const Step& step);
   bool refuse(const Step& step, std::string message) const;
   bool leave_out(const Step& step, std::string message) const;
@@ -107,14 +113,17 @@ class OWords {
   Parameters& parameters_;
   bool skips_;  // lines behind '/'
   Text tape_;   // lines of the program that may come again
-  std::map<std::string, std::unique_ptr<Text>> subs_;
+  std::map<std::string, Sub> subs_;
   Text* defined_ = nullptr;  // the subroutine that is read
   std::string defined_label_;
+  bool fills_ = false;  // its lines are new
   std::vector<Level> levels_ = {Level{{}, &tape_, 0, {}}};
   std::optional<Wanted> wanted_;
   std::map<std::string, std::uint64_t> labels_;  // of conditions and loops, by subroutine; lines
   grammar::Block scratch_;
-  const grammar::Line* current_ = nullptr;
+  grammar::Line* current_ = nullptr;
+  grammar::LineSource* lines_ = nullptr;
+  std::string called_at_;  // the line of a call that looked ahead
   bool is_used_ = false;
   std::size_t remembered_ = 0;
   std::uint64_t repeated_ = 0;

@@ -43,6 +43,19 @@ Number raised(Number base, std::int64_t exponent) {
   return power;
 }
 
+// NGC-EXP-08: 2^32, the inverse of how much calculations with doubles may have rounded, which is
+// far more than some ten thousand of them do.
+const Number kFarBeyondRounding = std::int64_t{1} << 32;
+
+bool are_near(const Number& left, const Number& right) {
+  const Number size = max(max(exact::abs(left), exact::abs(right)), Number(1));
+  return exact::abs(left - right) * kFarBeyondRounding <= size;
+}
+
+bool is_near_whole(const Number& value) {
+  return are_near(value, rounded(value));
+}
+
 Number other_leg(const Number& value) {
   return exact::sqrt(Number(1) - value * value);
 }
@@ -55,6 +68,79 @@ bool Calculator::are_equal(const Number& left, const Number& right) const {
   if (apart < kMillionth) return true;
   if (apart >= kTenThousandth) return false;
   return readings_.is(ReadingKey::ngc_equal, "ten-thousandth");
+}
+
+bool is_double(const Number& number) {
+  constexpr std::int64_t kParts = std::int64_t{1} << 20;  // decimals beyond these count as rounded
+  constexpr std::int64_t kMost = std::int64_t{1} << 53;
+  if (!number.is_rational()) return false;
+  const std::optional<std::int64_t> parts = (number * Number(kParts)).to_int64();
+  return parts && std::abs(*parts) <= kMost;
+}
+
+// NGC-EXP-08
+bool Calculator::is_doubtful(TermKind kind, const Value& left, const Value& right) const {
+  if (!left.is_rounded && !right.is_rounded) return false;
+  switch (kind) {
+    case TermKind::equal:
+    case TermKind::not_equal: {
+      const Number apart = exact::abs(left.number - right.number);
+      return are_near(apart, kMillionth) || are_near(apart, kTenThousandth);
+    }
+    case TermKind::greater:
+    case TermKind::not_less:
+    case TermKind::less:
+    case TermKind::not_greater:
+      return are_near(left.number, right.number);
+    case TermKind::logic_and:
+    case TermKind::logic_or:
+    case TermKind::logic_xor:
+      return (left.is_rounded && are_near(left.number, 0)) ||
+             (right.is_rounded && are_near(right.number, 0));
+    case TermKind::divide:
+      return right.is_rounded && are_near(right.number, 0);
+    case TermKind::modulo:
+      return right.number.sign() != 0 && is_near_whole(left.number / right.number);
+    default:
+      return false;
+  }
+}
+
+// NGC-EXP-08
+bool Calculator::is_doubtful(TermKind kind, const Value& value) const {
+  if (!value.is_rounded) return false;
+  switch (kind) {
+    case TermKind::fix:
+    case TermKind::fup:
+      return is_near_whole(value.number);
+    case TermKind::round:
+      return is_near_whole(value.number + Number::millionths(500'000));
+    case TermKind::sqrt:
+      return are_near(value.number, 0);
+    case TermKind::acos:
+    case TermKind::asin:
+      return are_near(exact::abs(value.number), 1);
+    default:
+      return false;
+  }
+}
+
+bool Calculator::leave_to_doubles(const grammar::Span& where) {
+  return leave_out("expression", where,
+                   "What the exact value decides here a control that calculates with doubles may "
+                   "decide otherwise.");
+}
+
+// NGC-EXP-02
+std::optional<bool> Calculator::is_true(const grammar::Block& block,
+                                        const grammar::TermRange& range) {
+  const std::optional<Value> condition = calculated(block, range);
+  if (!condition) return std::nullopt;
+  if (condition->is_rounded && are_near(condition->number, 0)) {
+    leave_to_doubles(block.control ? block.control->where : grammar::Span{});
+    return std::nullopt;
+  }
+  return condition->number.sign() != 0;
 }
 
 // NGC-EXP-01
@@ -83,45 +169,53 @@ bool Calculator::apply_power(const grammar::Term& term, Number& left, const Numb
 // Operators of two values.
 bool Calculator::apply_two(const grammar::Term& term) {
   const ClauseId clause = "NGC-EXP-06"_clause;
-  const Number right = std::move(stack_.back());
+  const Value by = std::move(stack_.back());
   stack_.pop_back();
-  Number& left = stack_.back();
+  if (is_doubtful(term.kind, stack_.back(), by)) return leave_to_doubles(term.where);
+  Value& value = stack_.back();
+  Number& left = value.number;
+  const Number& right = by.number;
+  bool is_rounded = value.is_rounded || by.is_rounded;
   switch (term.kind) {
     case TermKind::add:
       left = left + right;
-      return true;
+      break;
     case TermKind::subtract:
       left = left - right;
-      return true;
+      break;
     case TermKind::multiply:
       left = left * right;
-      return true;
+      break;
     case TermKind::divide:
       if (right.sign() == 0) {
         return fail(AlarmClass::value_out_of_range, clause, term.where,
                     with_values("A division of {} by zero.", {left}));
       }
       left = left / right;
-      return true;
+      break;
     case TermKind::power:
-      return apply_power(term, left, right);
+      if (!apply_power(term, left, right)) return false;
+      break;
     case TermKind::modulo: {
       if (right.sign() == 0) return leave_out("MOD", term.where, "No text says what MOD 0 is.");
       // NGC-EXP-04: what is left is not below zero.
       const Number step = exact::abs(right);
       left = left - (left / step).floor() * step;
-      return true;
+      break;
     }
     case TermKind::atan:
       if (left.sign() == 0 && right.sign() == 0) {
         return leave_out("ATAN", term.where, "No text says what ATAN[0]/[0] is.");
       }
       left = signed_angle(right, left);
-      return true;
+      is_rounded = true;
+      break;
     default:
-      left = truth(holds(term.kind, left, right));
+      value = {truth(holds(term.kind, left, right))};
       return true;
   }
+  value.is_rounded = is_rounded || !is_double(left);
+  return true;
 }
 
 // Comparisons and logic: 1 where it holds, else 0.
@@ -151,7 +245,9 @@ bool Calculator::holds(TermKind kind, const Number& left, const Number& right) c
 // NGC-EXP-03: functions and signs.
 bool Calculator::apply_one(const grammar::Term& term) {
   const ClauseId clause = "NGC-EXP-06"_clause;
-  Number& top = stack_.back();
+  Value& value = stack_.back();
+  Number& top = value.number;
+  if (is_doubtful(term.kind, value)) return leave_to_doubles(term.where);
   switch (term.kind) {
     case TermKind::negate:
     case TermKind::plus:
@@ -165,13 +261,13 @@ bool Calculator::apply_one(const grammar::Term& term) {
       top = exact::abs(top);
       return true;
     case TermKind::fix:
-      top = top.floor();
+      value = {top.floor()};
       return true;
     case TermKind::fup:
-      top = top.ceil();
+      value = {top.ceil()};
       return true;
     case TermKind::round:
-      top = rounded(top);
+      value = {rounded(top)};
       return true;
     case TermKind::sqrt:
       if (top.sign() < 0) {
@@ -179,19 +275,20 @@ bool Calculator::apply_one(const grammar::Term& term) {
                     with_values("SQRT of {}, which is below zero.", {top}));
       }
       top = exact::sqrt(top);
+      value.is_rounded = value.is_rounded || !is_double(top);
       return true;
     case TermKind::sin:
-      top = exact::sin_degrees(top);
+      value = {exact::sin_degrees(top), true};
       return true;
     case TermKind::cos:
-      top = exact::cos_degrees(top);
+      value = {exact::cos_degrees(top), true};
       return true;
     case TermKind::tan: {
       const auto [cosine, sine] = exact::cos_sin_degrees(top);
       if (cosine.sign() == 0) {
         return leave_out("TAN", term.where, "No text says what TAN of a right angle is.");
       }
-      top = sine / cosine;
+      value = {sine / cosine, true};
       return true;
     }
     case TermKind::acos:
@@ -200,8 +297,9 @@ bool Calculator::apply_one(const grammar::Term& term) {
         return fail(AlarmClass::value_out_of_range, clause, term.where,
                     with_values("No angle has the sine or cosine {}.", {top}));
       }
-      top = term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
-                                        : signed_angle(other_leg(top), top);
+      value = {term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
+                                           : signed_angle(other_leg(top), top),
+               true};
       return true;
     default:
       return leave_out(term.kind == TermKind::ln ? "LN" : "EXP", term.where,

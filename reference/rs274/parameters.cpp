@@ -77,13 +77,13 @@ bool is_global(const std::string& name) {
 
 }  // namespace
 
-Number Parameters::numbered(std::int64_t number) const {
+Value Parameters::numbered(std::int64_t number) const {
   if (is_argument(number)) return levels_.back().arguments[static_cast<std::size_t>(number - 1)];
   const auto found = numbered_.find(number);
-  return found == numbered_.end() ? Number() : found->second;
+  return found == numbered_.end() ? Value() : found->second;
 }
 
-void Parameters::set(std::int64_t number, Number value) {
+void Parameters::set(std::int64_t number, Value value) {
   if (is_argument(number)) {
     const auto place = static_cast<std::size_t>(number - 1);
     levels_.back().arguments[place] = std::move(value);
@@ -97,18 +97,18 @@ bool Parameters::is_inherited(std::int64_t number) const {
   return is_argument(number) && levels_.back().inherited[static_cast<std::size_t>(number - 1)];
 }
 
-std::optional<Number> Parameters::named(const std::string& name) const {
-  const std::map<std::string, Number>& all = is_global(name) ? global_ : levels_.back().named;
+std::optional<Value> Parameters::named(const std::string& name) const {
+  const std::map<std::string, Value>& all = is_global(name) ? global_ : levels_.back().named;
   const auto found = all.find(name);
   if (found == all.end()) return std::nullopt;
   return found->second;
 }
 
-void Parameters::set(const std::string& name, Number value) {
+void Parameters::set(const std::string& name, Value value) {
   (is_global(name) ? global_ : levels_.back().named)[name] = std::move(value);
 }
 
-void Parameters::enter(std::vector<Number> arguments) {
+void Parameters::enter(std::vector<Value> arguments) {
   Level level{levels_.back().arguments, {}, {}};
   const auto given = static_cast<std::ptrdiff_t>(arguments.size());
   std::fill(level.inherited.begin() + given, level.inherited.end(), true);

@@ -21,37 +21,43 @@ inline constexpr std::int64_t kLastParameter = 5602;
 inline constexpr std::int64_t kLastUserParameter = 5000;
 inline constexpr std::size_t kArguments = 30;  // #1 to #30 belong to a subroutine
 
+// What was calculated. NGC-EXP-08: `is_rounded` where doubles do not have it exactly.
+struct Value {
+  Number number;
+  bool is_rounded = false;
+};
+
 class Parameters {
  public:
   Parameters() : levels_(1) {}
 
   // NGC-PAR-01. REQUIRES: 1 <= number <= kLastUserParameter.
-  Number numbered(std::int64_t number) const;
-  void set(std::int64_t number, Number value);
+  Value numbered(std::int64_t number) const;
+  void set(std::int64_t number, Value value);
   // NGC-OWD-02: whether a call has left the parameter without a value, and nothing has set it
   // since.
   bool is_inherited(std::int64_t number) const;
   // NGC-PAR-03: nothing where it was never set, or in another subroutine alone.
-  std::optional<Number> named(const std::string& name) const;
-  void set(const std::string& name, Number value);
+  std::optional<Value> named(const std::string& name) const;
+  void set(const std::string& name, Value value);
 
   // NGC-OWD-02: a subroutine has parameters of its own, the first of them its arguments.
-  void enter(std::vector<Number> arguments);
+  void enter(std::vector<Value> arguments);
   void leave() { levels_.pop_back(); }
   std::size_t levels() const { return levels_.size(); }
 
   // NGC-OWD-03: what the last subroutine returned.
-  std::optional<Number> returned;
+  std::optional<Value> returned;
 
  private:
   struct Level {
-    std::array<Number, kArguments> arguments;
+    std::array<Value, kArguments> arguments;
     std::array<bool, kArguments> inherited = {};
-    std::map<std::string, Number> named;
+    std::map<std::string, Value> named;
   };
   std::vector<Level> levels_;
-  std::map<std::int64_t, Number> numbered_;
-  std::map<std::string, Number> global_;
+  std::map<std::int64_t, Value> numbered_;
+  std::map<std::string, Value> global_;
 };
 
 // NGC-PAR-04: whether the language gives the name a meaning of its own.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rs274/program_text.hpp"
 
+#include <algorithm>
+#include <string_view>
+
 namespace gonogo::reference::rs274 {
 namespace {
 
@@ -10,6 +13,19 @@ bool is_blank(const grammar::Block& block) {
   return !block.tape_mark && !block.skip && !block.sequence_number && !block.program_number &&
          !block.outside && block.words.empty() && block.comments.empty() &&
          block.line_comment.span.end == 0;
+}
+
+// "(abort," in either case and with blanks.
+bool begins_with_abort(std::string_view comment) {
+  constexpr std::string_view kAbort = "abort,";
+  std::size_t found = 0;
+  for (const char byte : comment) {
+    if (byte == ' ' || byte == '\t') continue;
+    const char small = byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : byte;
+    if (small != kAbort[found]) return false;
+    if (++found == kAbort.size()) return true;
+  }
+  return false;
 }
 
 bool is_whole_to_99999(const grammar::Decimal& number) {
@@ -49,6 +65,15 @@ void check_numbers(const grammar::Block& block, const ReadingsInUse& readings, B
     out.alarms.push_back({AlarmClass::syntax, "NGC-COM-06"_clause, 'O', block.number_place.span,
                           "A line that only names the program is not read."});
   }
+}
+
+// NGC-COM-10: the last comment in brackets alone is looked at.
+void check_abort(const grammar::Block& block, BlockOutput& out) {
+  const auto last = std::find_if(block.comments.rbegin(), block.comments.rend(),
+                                 [](const auto& comment) { return !comment.to_end_of_line; });
+  if (last == block.comments.rend() || !begins_with_abort(last->text)) return;
+  out.alarms.push_back({AlarmClass::program_end, "NGC-COM-10"_clause, 0, last->where,
+                        "The program ends itself here with an error."});
 }
 
 // NGC-COM-08

@@ -23,6 +23,9 @@ class ProgramText {
 // NGC-COM-05, NGC-COM-06: an alarm where N or O has a number that it may not have.
 void check_numbers(const grammar::Block& block, const ReadingsInUse& readings, BlockOutput& out);
 
+// NGC-COM-10: an alarm where the last comment in brackets is (abort,...).
+void check_abort(const grammar::Block& block, BlockOutput& out);
+
 // NGC-COM-08: an alarm at the end of a text that does not end the program.
 void check_text_end(const grammar::Span& end, const ReadingsInUse& readings, BlockOutput& out);
 

@@ -11,6 +11,15 @@ std::string ngc_alarm(const std::string& block, const char* profile = "{}") {
   return run_ngc("F9\n" + block + "\n", profile).alarm;
 }
 
+TEST(NgcAlarm, SpeedsAndToolsBelowZeroAndAborts) {
+  EXPECT_EQ(ngc_alarm("S-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("T-1"), "value-sign");
+  EXPECT_EQ(ngc_alarm("T1.5"), "not-an-integer");
+  EXPECT_EQ(ngc_alarm("S1.5 T0"), "");
+  EXPECT_EQ(ngc_alarm("G0 X1 ( Abort, no part)"), "program-end");
+  EXPECT_EQ(ngc_alarm("(abort, no part)(note) G0 X1"), "");
+}
+
 TEST(NgcAlarm, AnAxisWordNeedsAMotionCode) {
   for (const char* block : {"X1", "A1", "G80 X1", "G4 P1 X1", "G1\nG80\nY1"}) {
     EXPECT_EQ(ngc_alarm(block), "missing-word") << block;

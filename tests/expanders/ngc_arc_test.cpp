@@ -26,7 +26,7 @@ TEST(NgcArc, G18TakesZThenX) {
 }
 
 TEST(NgcArc, G19TakesYThenZ) {
-  EXPECT_EQ(ngc_arc("G19 G2 Y3 Z5 J3", "G0 Z5"), "arc-end-point");
+  EXPECT_EQ(ngc_arc("G19 G2 Y4 Z5 J3", "G0 Z5"), "arc-end-point");
   EXPECT_EQ(ngc_arc("G19 G2 Y6 Z5 J3", "G0 Z5"), "arc19 c=3,5 rot=-1 y=6 z=5 f=9");
 }
 

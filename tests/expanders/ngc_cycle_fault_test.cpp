@@ -79,6 +79,8 @@ const Exhibit kNgcCycleExhibits[] = {
     {"clearance-in-program-unit", kG83, "F0,0,-2 R0,0,0 R0,0,-1.99 F0,0,-3 R0,0,0"},
     {"return-not-above-r", "F9/G83 Z-0.2 R0 Q0.1", "F0,0,-0.1 R0,0,0 F0,0,-0.2 R0,0,0"},
     {"g73-full-retract", kG73, "F0,0,-2 R0,0,0 R0,0,-1.746 F0,0,-3 R0,0,0"},
+    {"levels-in-single-precision", "F9/G0 Z0.3/G81 Z-0.2 R0.3",
+     "R0,0,0.3 F0,0,-0.2 R0,0,0.3 F0,0,-0.2 R0,0,0.3"},
     {"dwell-after-retract", "F9/G82 Z-1 R0 P2", "F0,0,-1 R0,0,0 D2"},
     {"g85-g89-silent", "F9/G85 X1 Z-1 R0/G91 G0 Z2", "R0,0,1"},
     {"g85-rapid-out", "F9/G85 Z-1 R0", "F0,0,-1 R0,0,0"},

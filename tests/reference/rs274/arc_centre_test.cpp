@@ -31,6 +31,14 @@ TEST(NgcArcCentre, AFullCircleMayNeedAxisWords) {
   EXPECT_EQ(outcome("G18 G2 Y0 I3", needed), "alarm b2 missing-word");
 }
 
+// NIST's interpreter wants a radius at both ends, LinuxCNC one of 0.00127 mm.
+TEST(NgcArcCentre, AnEndInTheCentreHasNoRadius) {
+  EXPECT_EQ(outcome("G2 X0.002 I0.002"), "alarm b2 arc-radius");
+  EXPECT_EQ(outcome("G2 X0.0015 I0.0015", ngc({{"ngc.arc-tolerance", "linuxcnc"}})),
+            "alarm b2 arc-radius");
+  EXPECT_EQ(outcome("G2 X0.002 I0.001", ngc({{"ngc.arc-tolerance", "nist"}})), kDone);
+}
+
 TEST(NgcArcCentre, ReadingsAreAskedForOnlyWhereTheyMatter) {
   EXPECT_EQ(touched("F9\nG2 X2 I1\nX4 R1\nX6.002 I1\nM2"), Lines{});
   EXPECT_EQ(touched("F9\nG2 I1\nM2"), Lines{"ngc.full-circle-words"});

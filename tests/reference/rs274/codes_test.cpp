@@ -9,14 +9,13 @@ namespace gonogo::reference::testing::ngc {
 namespace {
 
 TEST(NgcCodes, ThoseWithoutEffectArePassedOver) {
-  EXPECT_EQ(path("G40 G49 G54 G64 G94 G97 G98\nG99\nG61\nG61.1\nT1 M6\nS500\nG0 X1"),
+  EXPECT_EQ(path("G8 G40 G49 G54 G64 G94 G97 G98\nG99\nG61\nG61.1\nT1 M6\nS500\nG0 X1"),
             Lines{"rapid x1"});
 }
 
 TEST(NgcCodes, ThoseOfOtherPartsOfTheLanguageAreNotCovered) {
-  for (const char* code :
-       {"G07",   "G08",   "G17.1", "G38.2", "G38.5", "G41", "G42", "G41.1", "G42.1", "G43.2",
-        "G50",   "G51",   "G52",   "G87",   "G88",   "G93", "G95", "G96"}) {
+  for (const char* code : {"G07", "G17.1", "G38.2", "G38.5", "G41", "G42", "G41.1", "G42.1",
+                           "G43.2", "G50", "G51", "G52", "G87", "G88", "G93", "G95", "G96"}) {
     EXPECT_EQ(ending_of(std::string("G0 X1\nX2 ") + code), std::string("not-covered b2 ") + code);
     EXPECT_EQ(path(std::string("G0 X1\nX2 ") + code).size(), 2U) << code;
   }
@@ -67,6 +66,13 @@ TEST(NgcCodes, AnyLetterButGAndMTwiceIsADuplicate) {
   EXPECT_EQ(ending_of("F1 F2"), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("G4 P1 P2"), "alarm b1 duplicate-word");
   EXPECT_EQ(ending_of("M3 M8"), "end x0 y0 z0 a0 c0");
+}
+
+TEST(NgcCodes, SpeedsAndToolsAreNotBelowZero) {
+  EXPECT_EQ(ending_of("S-1"), "alarm b1 value-sign");
+  EXPECT_EQ(ending_of("T-2"), "alarm b1 value-sign");
+  EXPECT_EQ(ending_of("G0 X1\nT1.5 X2"), "alarm b2 not-an-integer");
+  EXPECT_EQ(path("S100.5 T0 M3\nG0 X1"), Lines{"rapid x1"});
 }
 
 TEST(NgcCodes, MFunctionsAreKnownOrNot) {

@@ -50,8 +50,23 @@ TEST(NgcExpression, EqualityHasATolerance) {
   EXPECT_EQ(value("[1 EQ 1.0000005]"), "1");
   EXPECT_EQ(value("[1 EQ 1.00001]", ngc({{"ngc.equal", "millionth"}})), "0");
   EXPECT_EQ(value("[1 EQ 1.00001]", ngc({{"ngc.equal", "ten-thousandth"}})), "1");
-  EXPECT_EQ(value("[1 EQ 1.0001]", ngc({{"ngc.equal", "ten-thousandth"}})), "0");
+  EXPECT_EQ(value("[1 EQ 1.0002]", ngc({{"ngc.equal", "ten-thousandth"}})), "0");
+  // In binary64 they differ by less than 0.0001.
+  EXPECT_EQ(value("[1 EQ 1.0001]"), "not-covered b2 expression");
   EXPECT_EQ(value("[1 GE 1.0000005]"), "0");
+}
+
+// SIN[30] is below a half in binary64, and 0.1*3*10 above 3.
+TEST(NgcExpression, IsNotDecidedWhereDoublesMayDecideOtherwise) {
+  for (const char* text : {" FIX[0.1*3*10]", " FUP[0.1*3*10]", " ROUND[SIN[30]]", "[0.3 MOD 0.1]",
+                           "[0.1+0.2 GT 0.3]", "[0.1+0.2-0.3 OR 0]", "[1/[0.1+0.2-0.3]]",
+                           " SQRT[0.1+0.2-0.3]", " ASIN[0.1*10]", "[0.300001-0.3 EQ 0]"}) {
+    EXPECT_EQ(value(text), "not-covered b2 expression") << text;
+  }
+  EXPECT_EQ(value("[0.1+0.2 GT 0.29]"), "1");
+  EXPECT_EQ(value("[7/2 GT 3.5]"), "0");
+  EXPECT_EQ(value(" FIX[2.7]"), "2");
+  EXPECT_EQ(value("[2.7 MOD 2]"), "0.7");
 }
 
 TEST(NgcExpression, HasNoValueWithoutANumber) {

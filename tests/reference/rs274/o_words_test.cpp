@@ -38,6 +38,46 @@ TEST(NgcOWords, OneBranchRuns) {
   EXPECT_EQ(path("o1 if [0]\nGARBAGE ] X1\no1 else\nG0 X3\no1 endif"), Lines{"rapid x3"});
 }
 
+TEST(NgcOWords, ASubroutineMayStandBehindItsCall) {
+  const std::string sub = "o2 sub\nG0 X#1\no2 endsub\n";
+  EXPECT_EQ(path("o2 call [3]\nM2\n" + sub), Lines{"rapid x3"});
+  EXPECT_EQ(path("o2 call [3]\nG0 Y1\n" + sub + "o2 call [4]\nG0 Y2"),
+            (Lines{"rapid x3", "rapid y1", "rapid x4", "rapid y2"}));
+  EXPECT_EQ(path("o1 repeat [2]\nG91 G0 Y1\no2 call [3]\no1 endrepeat\nG0 Z1\n" + sub + "Z2"),
+            (Lines{"rapid y1", "rapid x3", "rapid y2", "rapid x6", "rapid z1", "rapid z3"}));
+  EXPECT_EQ(path("o1 sub\no2 call [5]\no1 endsub\no1 call\nG0 Y1\nM2\n" + sub),
+            (Lines{"rapid x5", "rapid y1"}));
+  EXPECT_EQ(path("o2 call [3]\no1 sub\nG0 Z#1\no1 endsub\n" + sub + "o1 call [4]\no2 call [5]"),
+            (Lines{"rapid x3", "rapid z4", "rapid x5"}));
+  EXPECT_EQ(ending_of("o2 call\nG0 X1\no2 sub\nG0 X2\nM2"), "not-covered b1 o-word");
+  EXPECT_EQ(ending_of("o2 call [1]\n" + sub + "o2 sub\no2 endsub"), "alarm b5 syntax");
+}
+
+// The documents: the label of a return need not be that of the subroutine.
+TEST(NgcOWords, AReturnOfAnyLabelReturns) {
+  EXPECT_EQ(path("o1 sub\nG0 X1\no7 return [4]\nG0 X2\no1 endsub\no1 call\nG0 Y#<_value>"),
+            (Lines{"rapid x1", "rapid y4"}));
+  EXPECT_EQ(ending_of("o1 sub\nG0 X1\no7 endsub\no1 endsub\no1 call"), "alarm b3 syntax");
+  EXPECT_EQ(ending_of("o7 return"), "alarm b1 syntax");
+}
+
+// In binary64 0.1 + 0.1 + 0.1 is above 0.3, and ten tenths are below 1.
+TEST(NgcOWords, WhatDoublesDecideOtherwiseIsNotDecided) {
+  EXPECT_EQ(ending_of("#1=0\no1 while [#1 LT 0.3]\n#1=[#1+0.1]\no1 endwhile"),
+            "not-covered b2 expression");
+  EXPECT_EQ(ending_of("#1=[0.3-0.1-0.2]\no1 if [#1]\no1 endif"), "not-covered b2 expression");
+  EXPECT_EQ(ending_of("o1 repeat [0.3/0.1]\no1 endrepeat"), "not-covered b1 o-word");
+  EXPECT_EQ(path("#1=0\no1 while [#1 LT 1]\n#1=[#1+0.5]\nG0 X#1\no1 endwhile"),
+            (Lines{"rapid x0.5", "rapid x1"}));
+  EXPECT_EQ(path("#1=0\no1 while [#1 LT 0.25]\n#1=[#1+0.1]\nG0 X#1\no1 endwhile"),
+            (Lines{"rapid x0.1", "rapid x0.2", "rapid x0.3"}));
+}
+
+TEST(NgcOWords, ACommentBetweenValuesIsNotRead) {
+  EXPECT_EQ(ending_of("o1 sub\no1 endsub\no1 call [1] (a) [2]"), "not-covered b3 o-word");
+  EXPECT_EQ(path("o1 sub\nG0 X#1\no1 endsub\no1 call [1] (a)"), Lines{"rapid x1"});
+}
+
 TEST(NgcOWords, LabelsBelongToWhatIsOpen) {
   for (const char* text : {"o1 endwhile", "o1 break", "o1 else", "o1 endif", "o1 endsub",
                            "o1 return", "o1 endrepeat"}) {

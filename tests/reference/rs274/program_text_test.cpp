@@ -41,6 +41,17 @@ TEST(NgcProgram, ATextEndsWithItsProgram) {
   EXPECT_EQ(path("%\nG0 X1"), Lines{"rapid x1"});
 }
 
+TEST(NgcProgram, AnAbortEndsIt) {
+  EXPECT_EQ(ending_of("G0 X1\n(abort, no part)\nM2"), "alarm b2 program-end");
+  EXPECT_EQ(ending_of("G0 X1\nX2 ( A Bort ,) M2"), "alarm b2 program-end");
+  EXPECT_EQ(path("G0 X1\nX2 (abort, no)\nM2"), (Lines{"rapid x1", "alarm b2 program-end"}));
+  EXPECT_EQ(ending_of("G0 X1\n(abort, no) ; why\nM2"), "alarm b2 program-end");
+  // The last comment in brackets alone is looked at, and a line that does not run has none.
+  EXPECT_EQ(path("(abort, no)(note) G0 X1\n(aborts,)\nX2 ;(abort, no)\nM2"),
+            (Lines{"rapid x1", "rapid x2"}));
+  EXPECT_EQ(path("o1 if [0]\n(abort, no)\no1 endif\nG0 X1\nM2"), Lines{"rapid x1"});
+}
+
 TEST(NgcProgram, LineNumbersHaveNoMeaning) {
   const Profile whole = ngc({{"ngc.line-number", "whole"}});
   for (const char* number : {"N10.5", "N10.50", "N999999999", "N100000"}) {
