@@ -173,7 +173,8 @@ std::uint64_t block_of(const ReferenceStep& step) {
 std::string alarms_text(const reference::AlarmReport& report) {
   std::string classes;
   for (const reference::Alarm& alarm : report.alarms) {
-    classes += fmt::format("{}\"{}\"", classes.empty() ? "" : ",", reference::name(alarm.alarm));
+    const std::string one = fmt::format("\"{}\"", reference::name(alarm.alarm));
+    if (classes.find(one) == std::string::npos) classes += (classes.empty() ? "" : ",") + one;
   }
   return fmt::format("{{\"k\":\"alarm\",\"b\":{},\"any_of\":[{}]}}", report.block, classes);
 }
