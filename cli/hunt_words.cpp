@@ -27,9 +27,10 @@ std::chrono::milliseconds time_of(const std::string& text) {
   return std::chrono::seconds(count * seconds);
 }
 
-std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words) {
+std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(
+    const std::vector<std::string>& choices) {
   std::vector<std::pair<reference::ReadingKey, std::string>> readings;
-  for (const std::string& choice : words.readings) {
+  for (const std::string& choice : choices) {
     const std::size_t equals = choice.find('=');
     const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
     readings.emplace_back(reading->key, choice.substr(equals + 1));

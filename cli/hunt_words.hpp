@@ -38,7 +38,8 @@ struct HuntWords {
 std::chrono::milliseconds time_of(const std::string& text);
 
 // REQUIRES: load_profile has taken them.
-std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(const HuntWords& words);
+std::vector<std::pair<reference::ReadingKey, std::string>> readings_of(
+    const std::vector<std::string>& choices);
 
 // " --tolerance 0.01 --chord 0.1", of what was given.
 std::string tolerances_of(const LimitOptions& limits);

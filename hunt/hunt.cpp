@@ -62,6 +62,7 @@ std::optional<Specimen> Hunt::next_fitted() {
     auto program = repertoire_.fitted(specimen.program);
     if (!program) continue;
     specimen.program = *std::move(program);
+    options_.put_in(specimen.program.profile);  // a single block has a machine of its own
     return specimen;
   }
   return std::nullopt;
@@ -89,7 +90,7 @@ Specimen Hunt::next() {
     litter_ = kLitter;
     specimen = mutant();
   }
-  settle(specimen);
+  options_.put_in(specimen.program.profile);
   return specimen;
 }
 
@@ -110,12 +111,6 @@ Specimen Hunt::mutant() {
   specimen.program.text = program::mutate_text(dice_, parent_.program.text, other.text);
   if (dice_.one_in(4)) mutate_profile(dice_, specimen.program.profile, other.profile);
   return specimen;
-}
-
-void Hunt::settle(Specimen& specimen) const {
-  reference::Profile& profile = specimen.program.profile;
-  if (options_.profile) profile = *options_.profile;
-  for (const auto& [key, value] : options_.readings) profile.readings.set(key, value);
 }
 
 // D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
@@ -263,7 +258,8 @@ std::optional<Finding> Hunt::flicker(const generate::GeneratedProgram& program) 
 
 void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also) {
   const StillShows inside = [&](const Exhibit& exhibit) {
-    return counts(finding.verdict, exhibit.program) && (also == nullptr || also(exhibit));
+    return options_.is_in(exhibit) && counts(finding.verdict, exhibit.program) &&
+           (also == nullptr || also(exhibit));
   };
   reduce_finding(trial_, finding, limits, inside);
 }

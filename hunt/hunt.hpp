@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hunt/pool.hpp"
+#include "hunt/profile_parts.hpp"
 #include "hunt/reduce.hpp"
 #include "hunt/repertoire.hpp"
 #include "hunt/signature.hpp"
@@ -17,12 +18,10 @@
 
 namespace gonogo::hunt {
 
-struct HuntOptions {
+struct HuntOptions : GivenMachine {
   std::string dialect;
   std::uint64_t seed = 1;
-  bool guided = true;                         // false: generated programs only
-  std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
-  std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
+  bool guided = true;                    // false: generated programs only
   generate::GeneratorSettings settings;  // of the programs that are generated
   std::size_t most_cost = 3'000;         // of one program, as of coverage_of()
   // What a subject does on a program outside of docs/domain.md is no finding, but for what ends it.
@@ -103,7 +102,6 @@ class Hunt {
   Specimen next();
   Specimen fresh();
   Specimen mutant();
-  void settle(Specimen& specimen) const;
   // Whether what the verdict says of the program is worth telling.
   bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
   void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program,

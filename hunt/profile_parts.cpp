@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hunt/profile_parts.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -51,6 +52,20 @@ void choose_another_reading(program::Dice& dice, Profile& profile) {
 }
 
 }  // namespace
+
+void GivenMachine::put_in(Profile& machine) const {
+  if (profile) machine = *profile;
+  for (const auto& [key, value] : readings) machine.readings.set(key, value);
+}
+
+bool GivenMachine::is_in(const Exhibit& exhibit) const {
+  const auto has = [&](const generate::GeneratedProgram& program) {
+    Profile machine = program.profile;
+    put_in(machine);
+    return machine == program.profile;
+  };
+  return has(exhibit.program) && std::ranges::all_of(exhibit.before, has);
+}
 
 std::size_t profile_parts() {
   return kParts.size() + reference::kReadings;

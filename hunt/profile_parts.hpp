@@ -5,12 +5,26 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "hunt/specimen.hpp"
 #include "program/mutator/dice.hpp"
 #include "reference/profile.hpp"
 
 namespace gonogo::hunt {
+
+// What somebody has said of the machine of every program: all of it, or some readings.
+struct GivenMachine {
+  std::optional<reference::Profile> profile;                            // nothing: any
+  std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
+
+  void put_in(reference::Profile& machine) const;
+  // Whether every program of the exhibit has it.
+  bool is_in(const Exhibit& exhibit) const;
+};
 
 std::size_t profile_parts();
 // Those that are not the default ones.

@@ -118,8 +118,7 @@ std::optional<PropertyFinding> PropertyHunt::step() {
   for (std::uint8_t& byte : bytes) byte = dice_.byte();
   generate::Choices choices{std::span<const std::uint8_t>(bytes)};
   generate::GeneratedProgram program = generator_.generate(choices, options_.settings, nullptr);
-  if (options_.profile) program.profile = *options_.profile;
-  for (const auto& [key, value] : options_.readings) program.profile.readings.set(key, value);
+  options_.put_in(program.profile);
   const relations::Trace trace = run(program);
   if (!trace.answered()) {
     ++count_.skipped;
@@ -154,6 +153,7 @@ void PropertyHunt::reduce(PropertyFinding& finding, ReduceLimits limits, const S
   limits.needs_right_path = false;
   std::optional<PropertyFinding> last;
   const StillShows shows = [&](const Exhibit& exhibit) {
+    if (!options_.is_in(exhibit)) return false;
     const relations::Trace trace = run(exhibit.program);
     if (!trace.answered()) return false;
     // Where a beginning ends depends on the lines that are left.

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "hunt/profile_parts.hpp"
 #include "hunt/reduce.hpp"
 #include "hunt/trial.hpp"
 #include "program/mutator/dice.hpp"
@@ -17,11 +18,9 @@ namespace gonogo::hunt {
 relations::Trace trace_of(oracle::Subject& subject, const generate::GeneratedProgram& program,
                           std::size_t most_records);
 
-struct PropertyOptions {
+struct PropertyOptions : GivenMachine {
   std::string dialect;
   std::uint64_t seed = 1;
-  std::optional<reference::Profile> profile;  // the machine of every program; nothing: any
-  std::vector<std::pair<reference::ReadingKey, std::string>> readings;  // over every profile
   generate::GeneratorSettings settings;
   std::optional<reference::Number>
       tolerance;  // mm; nothing: the subject's resolution, else the machine's

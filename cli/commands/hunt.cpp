@@ -152,7 +152,7 @@ hunt::HuntOptions hunt_options(const HuntWords& words) {
   options.dialect = profile.dialect;
   options.seed = static_cast<std::uint64_t>(words.seed);
   if (!words.profile.empty()) options.profile = profile;
-  options.readings = readings_of(words);
+  options.readings = readings_of(words.readings);
   options.settings = settings_option(words.settings);
   options.everywhere = words.everywhere;
   return options;

@@ -5,9 +5,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/hunt_words.hpp"
 #include "cli/output.hpp"
 #include "cli/trial_options.hpp"
 #include "cli/verdict_text.hpp"
+#include "hunt/profile_parts.hpp"
 #include "program/text.hpp"
 
 namespace gonogo::cli {
@@ -18,6 +20,14 @@ struct ReduceWords {
   std::string program;
   ProfileOptions profile;
 };
+
+// What the options say of the machine stays as it is.
+hunt::GivenMachine given_machine(const ProfileOptions& options) {
+  hunt::GivenMachine given;
+  if (!options.file.empty()) given.profile = load_profile(options);
+  given.readings = readings_of(options.readings);
+  return given;
+}
 
 int reduce(const ReduceWords& words) {
   constexpr std::size_t kMostRecords = 200'000;
@@ -32,7 +42,9 @@ int reduce(const ReduceWords& words) {
     complain("{}There is nothing to reduce.\n", verdict_text(verdict));
     return exit_code_of(verdict);
   }
-  hunt::reduce_finding(trial, *finding, {});
+  const hunt::GivenMachine given = given_machine(words.profile);
+  hunt::reduce_finding(trial, *finding, {},
+                       [&](const hunt::Exhibit& exhibit) { return given.is_in(exhibit); });
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
   const generate::GeneratedProgram& reduced = finding->exhibit.program;
   complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n", verdict_text(finding->verdict),

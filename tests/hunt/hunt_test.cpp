@@ -116,6 +116,47 @@ TEST(Hunt, AProfileIsThatOfEveryProgram) {
   }
 }
 
+TEST(Hunt, AReadingThatIsGivenIsThatOfEveryFinding) {
+  HuntOptions options = hunting("gsk988ta");
+  options.readings = {{reference::ReadingKey::zero_depth, "alarm"}};
+  const auto findings = hunted("gsk", "taper-sign", options, 100);
+  ASSERT_FALSE(findings.empty());
+  for (const Finding& finding : findings) {
+    EXPECT_TRUE(
+        finding.exhibit.program.profile.readings.is(reference::ReadingKey::zero_depth, "alarm"));
+  }
+}
+
+// What is skipped is tried block by block, on the machine of the hunt still.
+TEST(Hunt, SingleBlocksHaveTheMachineThatIsGiven) {
+  class Skipping : public oracle::Subject {
+   public:
+    explicit Skipping(std::size_t& machines) : inner_(builtin("gsk")()), machines_(machines) {}
+    const oracle::SubjectInfo& info() const override { return inner_->info(); }
+    void configure(const reference::Profile& profile) override {
+      ++machines_;
+      EXPECT_EQ(reference::profile_json(profile), R"({"block_skip":true})");
+    }
+    oracle::RunEnd run(std::string_view, std::string_view, const oracle::RecordSink&) override {
+      oracle::RunEnd end;
+      end.kind = oracle::RunEnd::Kind::skip;
+      return end;
+    }
+    void renew() override { inner_->renew(); }
+
+   private:
+    std::unique_ptr<oracle::Subject> inner_;
+    std::size_t& machines_;
+  };
+  std::size_t machines = 0;
+  HuntOptions options = hunting("gsk988ta");
+  options.profile = defaults("gsk988ta");
+  options.profile->block_skip = true;
+  Hunt hunt([&] { return std::make_unique<Skipping>(machines); }, {}, options);
+  while (hunt.count().programs < 60) hunt.step();
+  EXPECT_GT(machines, 0U);
+}
+
 TEST(Hunt, ASubjectRunsNothingThatNeedsWhatItDoesNotDeclare) {
   Hunt hunt(builtin("gsk"), {}, hunting("gsk988ta"));
   EXPECT_EQ(hunt.count().skipped, 0U);
