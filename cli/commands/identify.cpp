@@ -61,20 +61,16 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
   const identify::Identification found = identify_readings(subject, pool, options);
   Output output;
   output.text() = identification_text(found, subject.info().name, dialect);
-  if (!found.contradiction.empty()) {
+  if (found.answered() == 0 || !found.is_consistent()) {
     output.flush();
-    return kNoGo;
-  }
-  if (found.answered() == 0) {
-    output.flush();
-    return kUndecided;
+    return found.answered() == 0 ? kUndecided : kNoGo;
   }
   if (!words.out.empty()) {
     oracle::write_file(words.out, identification_toml(found, machine));
     output.text() += fmt::format("The profile is in {}.\n", words.out);
   }
   output.flush();
-  return kGo;
+  return found.answered_most() ? kGo : kUndecided;
 }
 
 // A case of the corpus by its id, or a program.
