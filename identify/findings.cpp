@@ -17,7 +17,6 @@ std::string Identifier::why_open(ReadingKey key) const {
   bool skipped = false;
   bool the_same = false;
   bool judged = false;
-  bool departs = false;
   for (const Item& item : items_) {
     const Outcomes& outcomes =
         reference::reading(key).by_properties ? item.probe->by_property : item.probe->by_reading;
@@ -28,13 +27,11 @@ std::string Identifier::why_open(ReadingKey key) const {
     const bool answered = item.run && found_.runs[*item.run].outcome.answered();
     skipped = skipped || (item.run ? !answered : !usable(item) && !item.used);
     judged = judged || answered;
-    departs = departs || is_aside(item);
     the_same = the_same || (item.checked && item.outcome.size() == outcomes.leaves.size() &&
                             std::set(item.outcome.begin(), item.outcome.end()).size() == 1);
   }
   if (!pool_.shows(key) || !shown) return "no program of the corpus or the generators shows it";
   if (the_same) return "the judge admits both: the difference is below the tolerance or left open";
-  if (departs) return "the subject departs under every reading in programs that show it";
   if (skipped && !judged) return "the subject skips the programs that show it";
   if (skipped) return "the subject skips some of the programs that show it";
   return "it makes no difference under the readings that were found";

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "identify/identify.hpp"
 
@@ -57,29 +56,21 @@ void append_run(const ProbeRun& run, std::size_t number, std::string& out) {
   for (const std::string& sentence : run.learnt) out += fmt::format("    {}.\n", sentence);
 }
 
-// "program 3, ngc.arc.000001", with these words between several.
-std::string programs_text(const Identification& found, std::span<const std::size_t> those,
-                          std::string_view between) {
-  std::string text;
-  for (const std::size_t one : those) {
-    text += fmt::format("{}program {}, {}", text.empty() ? "" : between, one + 1,
-                        found.runs[one].probe->id);
+void append_contradiction(const Identification& found, std::string& out) {
+  out += "The subject follows no readings consistently.\n";
+  const auto& those = found.contradiction;
+  const std::string& last = found.runs[those.front()].probe->id;
+  if (those.size() == 1) {
+    out += fmt::format("  What it does in program {}, {}, departs under every reading.\n",
+                       those.front() + 1, last);
+    return;
   }
-  return text;
-}
-
-void append_departures(const Identification& found, std::string& out) {
-  if (!found.is_consistent()) out += "The subject follows no readings consistently.\n";
-  if (!found.aside.empty()) {
-    out += fmt::format("  Set aside, for what it does there departs under every reading: {}.\n",
-                       programs_text(found, found.aside, "; "));
+  out += fmt::format("  What it does in program {}, {}, contradicts", those.front() + 1, last);
+  for (std::size_t i = 1; i < those.size(); ++i) {
+    out += fmt::format("{} program {}, {}", i == 1 ? "" : " together with", those[i] + 1,
+                       found.runs[those[i]].probe->id);
   }
-  if (found.contradiction.empty()) return;
-  const std::span those(found.contradiction);
-  out += fmt::format(
-      "  What it does in {} contradicts {}: no one assignment of the readings explains them all.\n",
-      programs_text(found, those.first(1), ""),
-      programs_text(found, those.subspan(1), " together with "));
+  out += ": no one assignment of the readings explains them all.\n";
 }
 
 // A value as TOML has it; what profile_json writes.
@@ -109,11 +100,10 @@ std::string identification_text(const Identification& found, std::string_view su
     out += fmt::format(" and {} without an answer", found.runs.size() - found.answered());
   }
   out += fmt::format(" (2^{:.0f} assignments)\n", found.bits);
-  append_departures(found, out);
-  if (!found.answered_most()) {
-    out += "  Most programs had no answer: what was found rests on few.\n";
+  if (!found.contradiction.empty()) {
+    append_contradiction(found, out);
+    return out;
   }
-  if (!found.is_consistent()) return out;
   for (const ReadingFound& one : found.readings) {
     out +=
         fmt::format("  {:<24} {}{}\n", reference::reading(one.key).name, joined(one.values, " or "),

@@ -44,7 +44,6 @@ class Identifier {
   double information(const Item& item) const;
   void check_outcomes(Item& item);
   bool strike(Item& item);
-  bool is_aside(const Item& item) const;
   void judge_runs_again();
   void count_coordinates();
 

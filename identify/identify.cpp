@@ -190,19 +190,10 @@ Identifier::Item* Identifier::best_item() {
   }
 }
 
-bool Identifier::is_aside(const Item& item) const {
-  return item.run && std::ranges::find(found_.aside, *item.run) != found_.aside.end();
-}
-
-// Keeps of the candidates what explains the run, or sets it aside where nothing would. False:
-// nothing is left together with the runs before.
+// Keeps of the candidates what explains the run. False: nothing does.
 bool Identifier::strike(Item& item) {
   const Outcomes& outcomes = item.probe->by_reading;
   std::vector<PartialAssignment> left = explaining(item, outcomes);
-  if (left.empty()) {
-    if (!is_aside(item)) found_.aside.push_back(*item.run);
-    return true;
-  }
   ProbeRun& run = found_.runs[*item.run];
   std::map<ReadingKey, std::vector<ReadingValue>> before;
   for (const ReadingKey key : outcomes.keys) before[key] = choices_.values(key);

@@ -37,20 +37,15 @@ struct ReadingFound {
 struct Identification {
   std::vector<ProbeRun> runs;
   std::vector<ReadingFound> readings;  // of the dialect, in the order of the catalog
-  // Runs that depart under every assignment, and say nothing of readings. Places in `runs`.
-  std::vector<std::size_t> aside;
-  // No assignment explains these runs together: the last one and what it contradicts. Empty: the
-  // subject follows what `readings` says. Places in `runs`.
-  std::vector<std::size_t> contradiction;
+  // No assignment explains these runs together: the last one and what it contradicts, if any one
+  // does. Empty: the subject follows what `readings` says.
+  std::vector<std::size_t> contradiction;  // places in `runs`
   // How its coordinates are rounded in the runs that are GO under what was found.
   oracle::RoundingCensus coordinates;
   double bits = 0;  // log2 of the number of assignments at the beginning
 
   // Programs that the subject answered.
   std::size_t answered() const;
-  bool answered_most() const { return 2 * answered() >= runs.size() && answered() > 0; }
-  // Whether readings explain what it does, but for fewer than half of the programs.
-  bool is_consistent() const { return contradiction.empty() && 2 * aside.size() < answered(); }
   // The readings that were found, set in `profile`.
   void set_in(Profile& profile) const;
 };

@@ -61,16 +61,20 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
   const identify::Identification found = identify_readings(subject, pool, options);
   Output output;
   output.text() = identification_text(found, subject.info().name, dialect);
-  if (found.answered() == 0 || !found.is_consistent()) {
+  if (!found.contradiction.empty()) {
     output.flush();
-    return found.answered() == 0 ? kUndecided : kNoGo;
+    return kNoGo;
+  }
+  if (found.answered() == 0) {
+    output.flush();
+    return kUndecided;
   }
   if (!words.out.empty()) {
     oracle::write_file(words.out, identification_toml(found, machine));
     output.text() += fmt::format("The profile is in {}.\n", words.out);
   }
   output.flush();
-  return found.answered_most() ? kGo : kUndecided;
+  return kGo;
 }
 
 // A case of the corpus by its id, or a program.
