@@ -9,9 +9,12 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <set>
+#include <system_error>
 
+#include "grammar/file_source.hpp"
 #include "oracle/campaign/campaign.hpp"
 #include "reference/dialect.hpp"
 
@@ -73,6 +76,24 @@ ProgramFile::ProgramFile(const std::string& path, const char* kind)
 
 ProgramFile::~ProgramFile() {
   if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
+}
+
+void ProgramFile::keep() {
+  if (size_ < 0) {
+    std::FILE* const kept = std::tmpfile();
+    if (kept == nullptr)
+      throw std::system_error(errno, std::generic_category(), "a temporary file");
+    std::array<char, 65'536> buffer;
+    while (const std::size_t count = bytes_->read(buffer.data(), buffer.size())) {
+      if (std::fwrite(buffer.data(), 1, count, kept) != count) {
+        throw std::system_error(errno, std::generic_category(), "a temporary file");
+      }
+    }
+    std::fflush(kept);
+    descriptor_ = ::dup(::fileno(kept));
+    std::fclose(kept);
+  }
+  bytes_ = std::make_unique<grammar::FileSource>(descriptor_);
 }
 
 std::string read_file(const std::string& path, const char* kind, std::size_t limit) {

@@ -41,6 +41,8 @@ class ProgramFile {
   // The size of a regular file; -1 for a pipe.
   long long size() const { return size_; }
   grammar::ByteSource& bytes() { return *bytes_; }
+  // A pipe is read to its end and kept in a file, so that the descriptor can be read again.
+  void keep();
   int descriptor() const { return descriptor_; }
 
  private:

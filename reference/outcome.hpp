@@ -77,6 +77,7 @@ struct PocketLevel {
   int sense = -1;                // sign of rot
   Number feed;
   FeedMode feed_mode = FeedMode::per_minute;
+  friend bool operator==(const PocketLevel&, const PocketLevel&) = default;
 };
 
 // How the tool leaves a thread at its bottom: as one of the given readings says; open: any one of
@@ -115,6 +116,7 @@ struct ThreadMilling {
   Number radius_of_pass(const Number& n) const {
     return external ? start_radius - depth_of_pass(n) : start_radius + depth_of_pass(n);
   }
+  friend bool operator==(const ThreadMilling&, const ThreadMilling&) = default;
 };
 
 // The milling of one helical pocket where the side of its entry is open (reading
@@ -133,6 +135,7 @@ struct HelixPocket {
   bool flat = false;             // the reading gsk.helix.flat = on: a full circle at the bottom
   Number feed;
   FeedMode feed_mode = FeedMode::per_minute;
+  friend bool operator==(const HelixPocket&, const HelixPocket&) = default;
 };
 
 // How the depth of a pocket is divided into levels.
@@ -178,6 +181,7 @@ struct PocketMilling {
   Number top() const;
   Number level_count() const;
   Number depth_of_level(const Number& k) const;
+  friend bool operator==(const PocketMilling&, const PocketMilling&) = default;
 };
 
 // The position got a new name (G50): nothing moves and no record says so, but the records that
@@ -185,9 +189,14 @@ struct PocketMilling {
 struct Renaming {
   std::uint64_t block = 0;
   Position shift;  // new coordinate less old one
+  friend bool operator==(const Renaming&, const Renaming&) = default;
 };
 
 using Item = std::variant<Record, PocketLevel, HelixPocket, ThreadMilling, PocketMilling, Renaming,
                           AlarmReport, NotCovered>;
+
+// Whether two items demand the same of a subject, whatever clauses they name: records of one
+// content, alarms of the same classes on the same grounds.
+bool says_the_same(const Item& a, const Item& b);
 
 }  // namespace gonogo::reference

@@ -15,9 +15,8 @@ namespace {
 const std::vector<Reading>& table() {
   static const std::vector<Reading> kTable = [] {
     std::vector<Reading> all = catalog::gsk988ta_readings();
-    for (const auto& more :
-         {catalog::hnc21t_readings(), catalog::rs274_readings(), catalog::rs274_cycle_readings(),
-          catalog::sinumerik_readings()}) {
+    for (const auto& more : {catalog::hnc21t_readings(), catalog::rs274_readings(),
+                             catalog::rs274_cycle_readings(), catalog::sinumerik_readings()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;
@@ -45,7 +44,7 @@ bool Reading::belongs_to(std::string_view name_of_dialect) const {
 }
 
 bool admits(const Reading& reading, std::string_view value) {
-  if (reading.is_length) {
+  if (reading.is_length && value != "any") {
     auto number = exact::Number::parse(value);
     return number && number->is_rational() && number->sign() >= 0;
   }

@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
+#include "oracle/judge/shown_readings.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -28,10 +29,12 @@ void warn_about_empty_program(const ProgramFile& file) {
 }
 
 int expand(const ExpandOptions& options) {
-  const reference::Profile profile = load_profile(options.profile);
+  reference::Profile profile = load_profile(options.profile);
   const grammar::Dialect dialect = reference::find_dialect(profile.dialect)->grammar;
   ProgramFile file(options.program);
   warn_about_empty_program(file);
+  file.keep();
+  profile = oracle::profile_to_show(profile, oracle::ProgramText::of_file(file.descriptor()));
   grammar::LineSource lines(file.bytes());
   reference::Expander expander(profile, lines, reference::OpenPaths::shown);
   expander.on_warning([&file](const reference::Warning& warning, const grammar::Line& line) {

@@ -11,6 +11,7 @@
 #include "cli/formats.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
+#include "oracle/judge/shown_readings.hpp"
 #include "oracle/judge/time_rows.hpp"
 #include "oracle/records/run_scope.hpp"
 #include "reference/expander.hpp"
@@ -122,9 +123,10 @@ std::string times_of(const oracle::CycleTime& time) {
 }
 
 int explain(const ExplainOptions& options) {
-  const reference::Profile profile = load_profile(options.profile);
   const std::string program = read_file(options.program);
   if (program.empty()) throw UsageError(options.program + " is empty.");
+  const reference::Profile profile =
+      oracle::profile_to_show(load_profile(options.profile), program);
   NumberedLines numbered(program);
   check_block(numbered, options.block);
   grammar::MemorySource bytes(program);

@@ -5,194 +5,213 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "oracle/judge/different_assignments.hpp"
+
 namespace gonogo::oracle {
 
-using reference::Reading;
+using reference::Profile;
 using reference::ReadingChoice;
 using reference::ReadingKey;
 
 namespace {
 
-bool is_open(const ReadingChoice& choice, const Reading& reading) {
-  return !reading.by_properties && choice.is(reading.key, "any");
-}
-
-// The readings of a dialect that may be open.
-std::vector<ReadingKey> openable_in(std::string_view dialect) {
+// The readings that are lengths, open, and asked for.
+std::vector<ReadingKey> open_lengths(const AssignmentSet& set,
+                                     const reference::ReadingsInUse& asked) {
   std::vector<ReadingKey> keys;
-  for (const Reading& reading : reference::readings()) {
-    if (!reading.by_properties && reading.belongs_to(dialect)) keys.push_back(reading.key);
+  for (const ReadingKey key : set.openable()) {
+    if (!reference::reading(key).is_length || !asked.touched(key)) continue;
+    if (!set.values(key).empty() && std::ranges::count(set.settled(), key) == 0) {
+      keys.push_back(key);
+    }
   }
   return keys;
 }
 
-// The open readings that a program can touch. Those of other dialects are open by default, too.
-std::vector<ReadingKey> open_in(const reference::Profile& profile) {
-  static const auto kOpenable = [] {
-    std::map<std::string_view, std::vector<ReadingKey>> by_dialect;
-    for (const Reading& reading : reference::readings()) {
-      for (const std::string_view dialect : {reading.dialect, reading.also}) {
-        by_dialect.try_emplace(dialect, openable_in(dialect));
+// How far the subject's record ends from the first records of its block that carry the reading's
+// clause, along their axis. `block` 0: not known.
+std::vector<Number> lengths_between(const Profile& profile, const ProgramText& program,
+                                    reference::ClauseId clause, std::uint64_t block,
+                                    const Record& subject) {
+  std::vector<Number> lengths;
+  ProgramInput input(program);
+  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
+  try {
+    for (std::size_t items = 0; items < kMostItems && lengths.size() < kMostLengths; ++items) {
+      const reference::Item* item = expander.next();
+      if (item == nullptr) break;
+      const auto* record = std::get_if<Record>(item);
+      if (record == nullptr || record->block < block) continue;
+      if (block != 0 && record->block > block) break;
+      if (record->clause != clause || record->kind != reference::RecordKind::rapid) continue;
+      for (const reference::Axis axis : reference::kLinearAxes) {
+        if (!record->axes.has(axis) || !subject.axes.has(axis)) continue;
+        const Number length = exact::abs(subject.to[axis] - record->to[axis]);
+        if (length.is_rational()) lengths.push_back(length);
       }
     }
-    return by_dialect;
-  }();
-  std::vector<ReadingKey> open;
-  const auto own = kOpenable.find(profile.dialect);
-  if (own == kOpenable.end()) return open;
-  std::ranges::copy_if(own->second, std::back_inserter(open),
-                       [&](ReadingKey key) { return profile.readings.is(key, "any"); });
-  return open;
+  } catch (const exact::Undecided&) {
+    // As far as it can be told.
+  }
+  return lengths;
 }
 
 }  // namespace
 
-std::vector<ReadingKey> touched_by(const reference::Profile& profile, const ProgramText& program) {
-  ProgramInput input(program);
-  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
-  try {
-    std::size_t items = 0;
-    std::uint64_t block = 0;
-    while (const reference::Item* item = expander.next()) {
-      const auto* record = std::get_if<Record>(item);
-      if (record != nullptr && std::exchange(block, record->block) != record->block) items = 0;
-      if (++items > kMostItems) break;
-    }
-  } catch (const exact::Undecided&) {
-    // The judge comes to the same place and says so.
-  }
-  return expander.readings().touched();
+struct JudgeSession::Fork {
+  Fork(const Profile& its, const ProgramText& program, const JudgeTerms& terms,
+       AssignmentSet its_set, Forking forking)
+      : set(std::move(its_set)),
+        profile(std::make_shared<const Profile>(with_readings(its, set.taken()))),
+        judge(*profile, program, terms, &set, forking) {}
+  AssignmentSet set;
+  const std::shared_ptr<const Profile> profile;
+  ProgramJudge judge;
+};
+
+JudgeSession::JudgeSession(const Profile& profile, const ProgramText& program,
+                           const JudgeTerms& terms, Forking forking)
+    : profile_(profile), program_(program), terms_(terms), forking_(forking) {
+  AssignmentSet all(profile);
+  if (all.leaves_open()) taken_.emplace();
+  Fork& first = add_fork(std::move(all));
+  if (!taken_) first.judge.watched().stop_watching();
 }
 
-Assignments assignments_of(const reference::Profile& profile, const ProgramText& program) {
-  Assignments result;
-  result.choices.push_back(profile.readings);
-  if (open_in(profile).empty()) return result;
-  // Each assignment is run until it touches an open reading; that one is then split.
-  std::set<ReadingKey> open;
-  for (std::size_t i = 0; i < result.choices.size();) {
-    reference::Profile assigned = profile;
-    assigned.readings = result.choices[i];
-    const std::vector<ReadingKey> touched = touched_by(assigned, program);
-    auto split = std::ranges::find_if(touched, [&](ReadingKey key) {
-      return is_open(assigned.readings, reference::reading(key));
-    });
-    if (split == touched.end()) {
-      ++i;
-      continue;
+JudgeSession::~JudgeSession() = default;
+
+// J-READ-01.
+JudgeSession::Fork& JudgeSession::add_fork(AssignmentSet set) {
+  Fork& fork = *alive_.emplace_back(
+      std::make_unique<Fork>(profile_, program_, terms_, std::move(set), forking_));
+  if (taken_) {
+    taken_->replay(program_, [&](const Record& record) { return fork.judge.record(record); });
+  }
+  return fork;
+}
+
+void JudgeSession::part(Fork& fork) {
+  for (const auto& [key, value] : fork.judge.watched().take_parted()) {
+    open_.insert(key);
+    add_fork(fork.set.with(key, value));
+    fork.set.leave_out(key, value);
+  }
+}
+
+// New ones come behind those that they part from.
+void JudgeSession::settle_forks() {
+  for (std::size_t i = 0; i < alive_.size();) {
+    if (i == kMaximumAssignments) {
+      too_many_ = true;
+      alive_.clear();
+      return;
     }
-    open.insert(*split);
-    const Reading& reading = reference::reading(*split);
-    for (std::string_view alternative : reading.alternatives) {
-      ReadingChoice choice = assigned.readings;
-      choice.set(*split, alternative);
-      if (alternative == reading.alternatives.front()) {
-        result.choices[i] = choice;
-      } else {
-        result.choices.push_back(choice);
+    part(*alive_[i]);
+    if (alive_[i]->judge.is_decided()) {
+      bury(*alive_[i]);
+      alive_.erase(alive_.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
+void JudgeSession::bury(Fork& fork) {
+  SampledVerdict said{fork.judge.finish(RunEnd{}), 0};
+  said.progress = fork.judge.progress();
+  most_others_ = std::max(most_others_, fork.judge.watched().others());
+  consider(std::move(said));
+  try_lengths(fork);
+}
+
+// J-READ-02: an open length is what the subject shows of it where it departs.
+void JudgeSession::try_lengths(const Fork& fork) {
+  for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {
+    const reference::ClauseId clause = reference::reading(key).clause;
+    for (const Record* shown : {&before_, &last_}) {
+      for (const Number& length :
+           lengths_between(*fork.profile, program_, clause, last_.block, *shown)) {
+        if (lengths_.size() == kMostLengths || length.sign() == 0) continue;
+        const auto [text, is_new] = lengths_.insert(length.text());
+        if (!is_new) continue;
+        open_.insert(key);
+        add_fork(fork.set.with(key, *text));
       }
     }
-    if (result.choices.size() > kMaximumAssignments) {
-      result.too_many = true;
-      break;
-    }
   }
-  result.open.assign(open.begin(), open.end());
-  return result;
 }
 
-JudgeSession::JudgeSession(const reference::Profile& profile, const ProgramText& program,
-                           const JudgeTerms& terms)
-    : profile_(profile), program_(program), terms_(terms), choices_{profile.readings} {
-  only_judge_.emplace(profile, program_, terms);
-  std::vector<ReadingKey> open = open_in(profile);
-  if (!open.empty()) unsettled_ = Unsettled{std::move(open), {}};
+// Of what came equally far the one that took more records, else the one that came first.
+void JudgeSession::consider(SampledVerdict said) {
+  const bool is_later = records_ > best_records_;
+  if (!best_ || outranks(said, *best_) || (is_later && !outranks(*best_, said))) {
+    best_ = std::move(said);
+    best_records_ = records_;
+  }
+}
+
+void JudgeSession::log(const Record& record, bool undecided) {
+  if (!taken_) return;
+  const Fork& first = *alive_.front();
+  if (undecided && first.judge.is_in_step()) {
+    taken_->add_own(first.profile, first.judge.progress(), &record);
+  } else {
+    taken_->add(record);
+  }
+}
+
+// The log has grown too long: from now on each assignment that will say something else later has a
+// judge of its own.
+void JudgeSession::stop_forking() {
+  std::vector<std::unique_ptr<Fork>> before = std::exchange(alive_, {});
+  for (std::unique_ptr<Fork>& fork : before) {
+    std::vector<AssignmentSet> different;
+    if (!add_different(profile_, program_, fork->set, different) ||
+        alive_.size() + different.size() > kMaximumAssignments) {
+      too_many_ = true;
+      alive_.clear();
+      return;
+    }
+    fork->set = different.front();
+    alive_.push_back(std::move(fork));
+    for (std::size_t i = 1; i < different.size(); ++i) add_fork(std::move(different[i]));
+  }
+  for (const auto& fork : alive_) {
+    fork->judge.watched().stop_watching();
+    for (const ReadingKey key : fork->set.settled()) open_.insert(key);
+  }
+  taken_.reset();
 }
 
 bool JudgeSession::record(const Record& record) {
-  return unsettled_ ? record_unsettled(record) : tell_judges(record);
-}
-
-bool JudgeSession::tell_judges(const Record& record) {
-  bool undecided = false;
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    undecided = judge_of(i).record(record) || undecided;
+  if (alive_.empty()) return false;
+  ++records_;
+  before_ = std::exchange(last_, record);
+  bool settled = true;
+  for (std::size_t i = 0; i < alive_.size(); ++i) {
+    ProgramJudge& judge = alive_[i]->judge;
+    const bool undecided = judge.record(record);
+    if (i == 0) log(record, undecided);
+    settled = settled && undecided && !judge.watched().has_parted();
   }
-  return undecided;
-}
-
-bool JudgeSession::record_unsettled(const Record& record) {
-  ProgramJudge& judge = *only_judge_;
-  const bool undecided = judge.record(record);
-  if (undecided && judge.is_in_step()) {
-    unsettled_->taken.add_own(judge.progress(), &record);
-  } else {
-    unsettled_->taken.add(record);
-  }
-  if (!touches_open() && unsettled_->taken.parts() < kMostParts) return undecided;
-  settle();
-  bool all_decided = true;
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    all_decided = all_decided && judge_of(i).is_decided();
-  }
-  return !all_decided;
+  if (!settled) settle_forks();
+  if (taken_ && taken_->parts() > kMostParts && !alive_.empty()) stop_forking();
+  return !alive_.empty();
 }
 
 bool JudgeSession::line(std::string_view line) {
-  if (choices_.size() != 1) return false;
-  ProgramJudge& judge = judge_of(0);
-  if (!unsettled_) return judge.line(line);
+  if (alive_.size() != 1) return false;
+  Fork& fork = *alive_.front();
+  if (!taken_) return fork.judge.line(line);
   // Else it has to be kept as a record.
-  if (!judge.is_in_step() || !judge.line(line) || judge.is_decided()) return false;
-  unsettled_->taken.add_own(judge.progress(), nullptr);
-  if (touches_open()) settle();
+  if (!fork.judge.is_in_step() || !fork.judge.line(line) || fork.judge.is_decided()) return false;
+  taken_->add_own(fork.profile, fork.judge.progress(), nullptr);
+  if (fork.judge.watched().has_parted()) settle_forks();
   return true;
-}
-
-bool JudgeSession::touches_open() const {
-  const reference::ReadingsInUse& readings = only_judge_->readings();
-  return std::ranges::any_of(unsettled_->open,
-                             [&](ReadingKey key) { return readings.touched(key); });
-}
-
-void JudgeSession::settle() {
-  const RecordLog taken = std::move(unsettled_->taken);
-  unsettled_.reset();
-  Assignments assignments = assignments_of(profile_, program_);
-  too_many_ = assignments.too_many;
-  open_ = std::move(assignments.open);
-  if (open_.empty()) return;  // the one judge goes on
-  only_judge_.reset();
-  choices_.clear();
-  if (too_many_) return;  // `finish` says so, whatever comes
-  choices_ = std::move(assignments.choices);
-  for (const ReadingChoice& choice : choices_) {
-    reference::Profile assigned = profile_;
-    assigned.readings = choice;
-    assigned_judges_.push_back(
-        std::make_unique<AssignedJudge>(std::move(assigned), program_, terms_));
-  }
-  taken.replay(profile_, program_, [this](const Record& record) { tell_judges(record); });
-}
-
-ProgramJudge& JudgeSession::judge_of(std::size_t assignment) {
-  return only_judge_ ? *only_judge_ : assigned_judges_[assignment]->judge;
-}
-
-SampledVerdict JudgeSession::finish_under(std::size_t assignment, const RunEnd& end) {
-  if (end.sampled == nullptr) {
-    SampledVerdict said{judge_of(assignment).finish(end), 0};
-    said.progress = judge_of(assignment).progress();
-    return said;
-  }
-  reference::Profile assigned = profile_;
-  assigned.readings = choices_[assignment];
-  return end.sampled->judge(assigned, program_, terms_, end);
 }
 
 // R9.
@@ -216,33 +235,73 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   return departs && one.progress > other.progress;
 }
 
-SessionVerdict JudgeSession::finish(const RunEnd& end) {
-  SessionVerdict result;
-  if (unsettled_) {
-    const bool may_be_whole = end.kind == RunEnd::Kind::ok || end.kind == RunEnd::Kind::alarm;
-    if (may_be_whole && end.sampled == nullptr) {
-      const SampledVerdict said = finish_under(0, end);
-      // GO: then the reference is at its end, and whether a reading was asked for is known.
-      const bool is_go = decision(said.verdict.kind) == Decision::go;
-      if (is_go && !touches_open()) return {said.verdict, choices_, {}};
+// The end may show that others part.
+void JudgeSession::finish_forks(const RunEnd& end) {
+  ++records_;
+  for (std::size_t i = 0; i < alive_.size(); ++i) {
+    if (i == kMaximumAssignments) {
+      too_many_ = true;
+      return;
     }
-    settle();
+    Fork& fork = *alive_[i];
+    SampledVerdict said{fork.judge.finish(end), 0};
+    said.progress = fork.judge.progress();
+    part(fork);
+    most_others_ = std::max(most_others_, fork.judge.watched().others());
+    if (decision(said.verdict.kind) == Decision::go) {
+      for (const ReadingKey key : open_lengths(fork.set, fork.judge.readings())) {
+        open_.insert(key);
+        fork.set = fork.set.with(key, fork.set.values(key).front());
+      }
+      std::ranges::move(fork.set.choices(), std::back_inserter(explaining_));
+    }
+    consider(std::move(said));
   }
-  result.open = open_;
+}
+
+void JudgeSession::finish_sampled(const SampledOutcome& sampled, const RunEnd& end) {
+  const Assignments assignments = assignments_of(profile_, program_);
+  too_many_ = assignments.too_many;
+  open_ = {assignments.open.begin(), assignments.open.end()};
+  if (too_many_) return;
+  best_.reset();
+  for (const ReadingChoice& choice : assignments.choices) {
+    SampledVerdict said = sampled.judge(with_readings(profile_, choice), program_, terms_, end);
+    if (decision(said.verdict.kind) == Decision::go) explaining_.push_back(choice);
+    consider(std::move(said));
+  }
+}
+
+void JudgeSession::finish_together(const RunEnd& end) {
+  if (forking_ == Forking::when_asked || !taken_ || most_others_ < 2) return;
+  if (!best_ || decision(best_->verdict.kind) != Decision::no_go) return;
+  JudgeSession each(profile_, program_, terms_, Forking::when_asked);
+  taken_->replay(program_, [&](const Record& record) { return each.record(record); });
+  const SessionVerdict said = each.finish(end);
+  if (each.too_many_ || decision(said.verdict.kind) != Decision::go) return;
+  best_->verdict = said.verdict;
+  explaining_ = said.explaining;
+  open_ = std::move(each.open_);
+}
+
+SessionVerdict JudgeSession::finish(const RunEnd& end) {
+  if (end.sampled != nullptr) {
+    finish_sampled(*end.sampled, end);
+  } else if (!too_many_) {
+    finish_forks(end);
+    finish_together(end);
+  }
+  SessionVerdict result;
+  result.open.assign(open_.begin(), open_.end());
   if (too_many_) {
-    result.verdict =
-        gap_verdict(GapReason::cap_assignments,
-                    fmt::format("The program touches open readings with more than {} assignments.",
-                                kMaximumAssignments));
+    result.verdict = gap_verdict(
+        GapReason::cap_assignments,
+        fmt::format("The program takes more than {} ways under the readings that are open.",
+                    kMaximumAssignments));
     return result;
   }
-  std::optional<SampledVerdict> best;
-  for (std::size_t i = 0; i < choices_.size(); ++i) {
-    SampledVerdict said = finish_under(i, end);
-    if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choices_[i]);
-    if (!best || outranks(said, *best)) best = std::move(said);
-  }
-  result.verdict = std::move(best->verdict);
+  result.explaining = std::move(explaining_);
+  result.verdict = std::move(best_->verdict);
   return result;
 }
 

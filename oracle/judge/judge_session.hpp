@@ -6,10 +6,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "oracle/judge/assignment_set.hpp"
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/record_log.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
@@ -40,16 +42,17 @@ class RecordsInMemory : public RecordSeries {
 struct SessionVerdict {
   Verdict verdict;                                   // GO if any assignment is
   std::vector<reference::ReadingChoice> explaining;  // assignments under which it is GO
-  std::vector<reference::ReadingKey> open;           // the open readings that the program touches
+  std::vector<reference::ReadingKey> open;           // the open readings that made a difference
 };
 
-// Until the reference asks for an open reading, every assignment means the same: one judge stands
-// for all, and the assignments are looked for only then.
+// One judge stands for all assignments until the reference puts out something else under one of
+// them; then that one has a judge of its own, until its first departure (J-READ-01).
 class JudgeSession {
  public:
   // `profile` may say "any"; `profile`, `program` and `terms` must outlive the session.
   JudgeSession(const reference::Profile& profile, const ProgramText& program,
-               const JudgeTerms& terms);
+               const JudgeTerms& terms, Forking forking = Forking::when_different);
+  ~JudgeSession();
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
   // The same as a line of JSON, where that is the reference's own and nothing more has to be looked
@@ -58,37 +61,39 @@ class JudgeSession {
   SessionVerdict finish(const RunEnd& end);
 
  private:
-  // While one judge stands for all.
-  struct Unsettled {
-    std::vector<reference::ReadingKey> open;  // that the program may touch
-    RecordLog taken;
-  };
-  bool touches_open() const;
-  bool record_unsettled(const Record& record);
-  // Looks for the assignments, and gives their judges what the one has taken.
-  void settle();
-  bool tell_judges(const Record& record);
+  // Assignments under which the reference says the same, and their judge.
+  struct Fork;
 
-  ProgramJudge& judge_of(std::size_t assignment);
-  // What is said under one assignment, and how far it came.
-  SampledVerdict finish_under(std::size_t assignment, const RunEnd& end);
+  void log(const Record& record, bool undecided);
+  Fork& add_fork(AssignmentSet set);
+  // The assignments that have parted from that fork get forks.
+  void part(Fork& fork);
+  void settle_forks();
+  void stop_forking();
+  void bury(Fork& fork);
+  void try_lengths(const Fork& fork);
+  void consider(SampledVerdict said);
+  void finish_forks(const RunEnd& end);
+  void finish_sampled(const SampledOutcome& sampled, const RunEnd& end);
+  // Where every fork departs: whether readings that make no difference each make one together.
+  void finish_together(const RunEnd& end);
 
   const reference::Profile& profile_;
   ProgramText program_;
   const JudgeTerms& terms_;
-  std::vector<reference::ReadingChoice> choices_;  // each with its judge
-  // One judge stands for all assignments, or each has its own.
-  struct AssignedJudge {
-    AssignedJudge(reference::Profile its_profile, const ProgramText& program,
-                  const JudgeTerms& terms)
-        : profile(std::move(its_profile)), judge(profile, program, terms) {}
-    const reference::Profile profile;
-    ProgramJudge judge;
-  };
-  std::optional<ProgramJudge> only_judge_;
-  std::vector<std::unique_ptr<AssignedJudge>> assigned_judges_;
-  std::optional<Unsettled> unsettled_;
-  std::vector<reference::ReadingKey> open_;
+  const Forking forking_;
+  std::vector<std::unique_ptr<Fork>> alive_;
+  // What they have taken, while others may have to take it, too.
+  std::optional<RecordLog> taken_;
+  std::size_t records_ = 0;  // of the subject, and its end
+  std::size_t best_records_ = 0;
+  std::optional<SampledVerdict> best_;                // of those that are at their end
+  std::vector<reference::ReadingChoice> explaining_;  // of those that are GO
+  std::set<reference::ReadingKey> open_;              // that made a difference
+  std::size_t most_others_ = 0;                       // that one fork looked at to the last
+  std::set<std::string, std::less<>> lengths_;  // that were tried of readings that are lengths
+  Record last_;                                 // the subject's last record, and the one before
+  Record before_;
   bool too_many_ = false;
 };
 
@@ -101,10 +106,16 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
                                               const ProgramText& program);
 
-// The assignments of the open readings ("any", not judged by properties) that the program touches.
+// The assignments under which the reference says different things of the program, each of which
+// stands for all that say the same; the first holds what `expand` shows. Nothing: they are more
+// than kMaximumAssignments.
+std::optional<std::vector<AssignmentSet>> different_assignments(const reference::Profile& profile,
+                                                                const ProgramText& program);
+
+// The same, each for itself, where readings that make no difference stay open.
 struct Assignments {
   std::vector<reference::ReadingChoice> choices;  // at least one
-  std::vector<reference::ReadingKey> open;
+  std::vector<reference::ReadingKey> open;        // that make a difference
   bool too_many = false;
 };
 Assignments assignments_of(const reference::Profile& profile, const ProgramText& program);

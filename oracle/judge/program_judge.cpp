@@ -12,11 +12,11 @@
 namespace gonogo::oracle {
 
 ProgramJudge::ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-                           const JudgeTerms& terms)
+                           const JudgeTerms& terms, const AssignmentSet* watched, Forking forking)
     : profile_(profile),
       terms_(terms),
       program_(program),
-      reference_(profile_, program_, terms_),
+      reference_(profile_, program_, terms_, watched, forking),
       alignment_(reference_, profile_.initial.at, terms_, memory_),
       budget_(profile_, program) {}
 

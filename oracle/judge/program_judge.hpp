@@ -20,9 +20,11 @@ namespace gonogo::oracle {
 
 class ProgramJudge {
  public:
-  // `profile` says every reading that counts; it, `program` and `terms` must outlive the judge.
+  // `watched`: the assignments that the readings of `profile` are taken from; null: they are all
+  // that counts. Everything must outlive the judge.
   ProgramJudge(const reference::Profile& profile, const ProgramText& program,
-               const JudgeTerms& terms);
+               const JudgeTerms& terms, const AssignmentSet* watched = nullptr,
+               Forking forking = Forking::when_different);
   ProgramJudge(const ProgramJudge&) = delete;
   // The subject's next record. False when nothing it can still send changes the answer.
   bool record(const Record& record);
@@ -38,6 +40,8 @@ class ProgramJudge {
   bool is_decided() const { return verdict_.has_value() && !other_order_.shows; }
   // What its reference has asked for so far.
   const reference::ReadingsInUse& readings() const { return reference_.readings(); }
+  // The alternatives that say something else than its reference so far.
+  WatchedReference& watched() { return reference_.watched(); }
   // Whether the record, or the line, that it was told last is item number `progress` of the
   // reference, which would say so whatever the subject had done.
   bool is_in_step() const { return in_step_ && !reference_.was_moved(); }

@@ -7,10 +7,11 @@ namespace gonogo::oracle {
 
 using reference::Record;
 
-void RecordLog::add_own(std::size_t item, const Record* named) {
+void RecordLog::add_own(const std::shared_ptr<const reference::Profile>& profile, std::size_t item,
+                        const Record* named) {
   Run* run = parts_.empty() ? nullptr : std::get_if<Run>(&parts_.back());
-  if (run == nullptr || run->last + 1 != item) {
-    run = &std::get<Run>(parts_.emplace_back(Run{item, item, std::nullopt}));
+  if (run == nullptr || run->last + 1 != item || run->profile != profile) {
+    run = &std::get<Run>(parts_.emplace_back(Run{profile, item, item, std::nullopt}));
   }
   run->last = item;
   run->named.reset();
@@ -22,9 +23,12 @@ namespace {
 // The items of the reference by their numbers, in ascending order.
 class Items {
  public:
-  Items(const reference::Profile& profile, const ProgramText& program)
-      : input_(program), expander_(profile, input_.lines, reference::OpenPaths::judged) {}
+  Items(std::shared_ptr<const reference::Profile> profile, const ProgramText& program)
+      : profile_(std::move(profile)),
+        input_(program),
+        expander_(*profile_, input_.lines, reference::OpenPaths::judged) {}
 
+  const reference::Profile* profile() const { return profile_.get(); }
   const Record& record(std::size_t number) {
     const reference::Item* item = nullptr;
     for (; count_ < number; ++count_) item = expander_.next();
@@ -32,6 +36,7 @@ class Items {
   }
 
  private:
+  std::shared_ptr<const reference::Profile> profile_;
   ProgramInput input_;
   reference::Expander expander_;
   std::size_t count_ = 0;
@@ -39,24 +44,22 @@ class Items {
 
 }  // namespace
 
-void RecordLog::replay(const reference::Profile& profile, const ProgramText& program,
-                       const std::function<void(const Record&)>& take) const {
+void RecordLog::replay(const ProgramText& program,
+                       const std::function<bool(const Record&)>& take) const {
   std::optional<Items> items;
   for (const auto& part : parts_) {
     if (const Record* record = std::get_if<Record>(&part)) {
-      take(*record);
+      if (!take(*record)) return;
       continue;
     }
-    if (!items) items.emplace(profile, program);
     const Run& run = std::get<Run>(part);
-    for (std::size_t i = run.first; i < run.last; ++i) take(items->record(i));
-    if (run.named) {
-      take(*run.named);
-      continue;
+    if (!items || items->profile() != run.profile.get()) items.emplace(run.profile, program);
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      if (!take(items->record(i))) return;
     }
-    Record last = items->record(run.last);
-    last.clause = reference::kNoClause;
-    take(last);
+    Record last = run.named ? *run.named : items->record(run.last);
+    if (!run.named) last.clause = reference::kNoClause;
+    if (!take(last)) return;
   }
 }
 

@@ -50,10 +50,10 @@ const Record* dwell_of(const ReferenceStep& step) {
 }
 
 ReferenceSteps::ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
-                               const JudgeTerms& terms)
+                               const JudgeTerms& terms, const AssignmentSet* watched,
+                               Forking forking)
     : terms_(terms),
-      input_(program),
-      expander_(profile, input_.lines, reference::OpenPaths::judged),
+      expander_(profile, program, watched, forking),
       place_(profile.initial.at),
       leaves_out_m_functions_(!terms.compare_m) {}
 

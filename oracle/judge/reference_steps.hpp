@@ -14,9 +14,8 @@
 
 #include "oracle/judge/curve.hpp"
 #include "oracle/judge/m_functions.hpp"
-#include "oracle/judge/program_input.hpp"
 #include "oracle/judge/queue.hpp"
-#include "reference/expander.hpp"
+#include "oracle/judge/watched_reference.hpp"
 
 namespace gonogo::oracle {
 
@@ -38,8 +37,9 @@ bool is_silent_end(const ReferenceStep& step);
 
 class ReferenceSteps {
  public:
+  // `watched`: as of a WatchedReference.
   ReferenceSteps(const reference::Profile& profile, const ProgramText& program,
-                 const JudgeTerms& terms);
+                 const JudgeTerms& terms, const AssignmentSet* watched, Forking forking);
 
   struct Step {
     ReferenceStep what;
@@ -90,6 +90,7 @@ class ReferenceSteps {
   std::size_t items() const { return items_; }
   // The same, with the records that the passes of a thread would be.
   std::size_t items_and_passes() const { return items_ + passes_; }
+  WatchedReference& watched() { return expander_; }
   const reference::ReadingsInUse& readings() const { return expander_.readings(); }
   // Whether line numbers have ascended, and go on so.
   bool is_in_order() const { return expander_.is_in_order(); }
@@ -101,8 +102,7 @@ class ReferenceSteps {
   void count_passes(const reference::ThreadMilling& thread);
 
   const JudgeTerms& terms_;
-  ProgramInput input_;
-  reference::Expander expander_;
+  WatchedReference expander_;
   std::deque<Step> steps_;
   std::size_t first_ = 0;  // number of the first step that is kept
   Position place_;         // where the steps so far end

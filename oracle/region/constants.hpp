@@ -99,9 +99,11 @@ inline constexpr std::size_t kRecordsOfPass = 4;
 inline constexpr std::size_t kMostPlaces = 200'000;
 // motions | of a level, an entry or a run-out | R9
 inline constexpr std::size_t kMostMotions = 50'000;
-// assignments | of the open readings that are judged side by side | R9
+// ways | under open readings that are followed at once, those that have departed not counted | R9
 inline constexpr std::size_t kMaximumAssignments = 64;
-// records | that are kept until the first reading is asked for | -
+// lengths | that a subject shows of an open length, in a program | J-READ-02
+inline constexpr std::size_t kMostLengths = 16;
+// records | that are kept for a way that forks later | -
 inline constexpr std::size_t kMostParts = 4'096;
 // records | judged again to name a reading | -
 inline constexpr std::size_t kMostRecordsAgain = 4'000'000;

@@ -30,9 +30,10 @@ TEST(ExplainingReading, IsTheOneThatTheSubjectFollows) {
 // With the radius of the start this arc alarms and ends the program; projected it does not, and
 // then comes a block under G70.
 TEST(ExplainingReading, MayBeOneThatOnlyAnotherAssignmentTouches) {
-  EXPECT_EQ(explained("F9\nG2 X9.995 I5\nG70 G1 X1 F5\n", "sinumerik840d", {},
-                      {{"sie.arc.correct", "project"}, {"sie.g70.f", "inch"}}),
-            "sie.g70.f=inch");
+  EXPECT_EQ(
+      explained("F9\nG2 X9.995 I5\nG70 G1 X1 F5\n", "sinumerik840d", {{"sie.arc.correct", "any"}},
+                {{"sie.arc.correct", "project"}, {"sie.g70.f", "inch"}}),
+      "sie.g70.f=inch");
 }
 
 // A pocket of 60 by 40, 7.5 deep by 4: levels of 3.75, or of 4 and 3.5.

@@ -19,6 +19,7 @@ Verdict judge_trace(std::string_view program, std::string_view trace, std::strin
 Verdict judge_trace(std::string_view program, std::string_view trace, const Judging& judging) {
   reference::Profile profile =
       std::get<reference::Profile>(reference::default_profile(judging.dialect));
+  profile.readings = profile.readings.shown();
   // Texts of tests need not end as programs do.
   if (judging.dialect == "rs274" && set_reading(profile, "ngc.program-end", "free")) {
     throw std::runtime_error("no such reading");

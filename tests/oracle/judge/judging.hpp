@@ -12,7 +12,8 @@ namespace gonogo::oracle {
 
 // What the subject declares and the certifier grants.
 struct Judging {
-  std::string reading = {};  // "k=v", changed from the default profile; empty: none
+  // "k=v"; what the default profile leaves open is as `expand` shows it. Empty: none.
+  std::string reading = {};
   bool blocks = true;
   bool m = false;
   std::string chord = {};       // mm

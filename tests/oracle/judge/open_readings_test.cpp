@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Until an open reading is asked for, one judge stands for all assignments. What is said in the end
-// must be what is said when each has a judge of its own from the first record on.
+// One judge stands for all assignments that make the same records (J-READ-01). What is said in the
+// end must be what is said when each has a judge of its own from the first record on.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "oracle/differential/reference_run.hpp"
 #include "tests/oracle/judge/generated_outcomes.hpp"
@@ -23,22 +24,37 @@ Verdict told(ProgramJudge& judge, const Outcome& outcome) {
   return judge.finish(outcome.end);
 }
 
+// J-READ-02: the lengths that the judge asked for, which are as they were taken.
+void fix_lengths(const ProgramJudge& judge, reference::ReadingChoice& choice,
+                 std::set<ReadingKey>& open) {
+  for (const reference::Reading& reading : reference::readings()) {
+    if (!reading.is_length || !choice.is(reading.key, "any")) continue;
+    if (!judge.readings().touched(reading.key)) continue;
+    choice.set(reading.key, reading.alternatives.front());
+    open.insert(reading.key);
+  }
+}
+
 // By the definition.
 SessionVerdict judged_at_once(const Profile& profile, const std::string& program,
                               const Outcome& outcome, const JudgeTerms& terms) {
   const Assignments assignments = assignments_of(profile, program);
   SessionVerdict result;
-  result.open = assignments.open;
+  std::set<ReadingKey> open(assignments.open.begin(), assignments.open.end());
   std::optional<SampledVerdict> best;
-  for (const reference::ReadingChoice& choice : assignments.choices) {
+  for (reference::ReadingChoice choice : assignments.choices) {
     Profile assigned = profile;
     assigned.readings = choice;
     ProgramJudge judge(assigned, program, terms);
     SampledVerdict said{told(judge, outcome), 0};
     said.progress = judge.progress();
-    if (decision(said.verdict.kind) == Decision::go) result.explaining.push_back(choice);
+    if (decision(said.verdict.kind) == Decision::go) {
+      fix_lengths(judge, choice, open);
+      result.explaining.push_back(choice);
+    }
     if (!best || outranks(said, *best)) best = std::move(said);
   }
+  result.open.assign(open.begin(), open.end());
   result.verdict = std::move(best->verdict);
   return result;
 }
@@ -75,10 +91,9 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
         generated_outcome(generator, some_readings(generator.dialect, trials), trials);
     const Profile& profile = of.program.profile;
     const std::string& program = of.program.text;
+    // Together they may be more than are followed at once.
     if (assignments_of(profile, program).too_many) {
       ++too_many;
-      ASSERT_EQ(judged(profile, program, of.outcome, of.terms).verdict.kind,
-                VerdictKind::oracle_gap);
       continue;
     }
     SessionVerdict whole = judged_at_once(profile, program, of.outcome, of.terms);
@@ -91,8 +106,11 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
     for (const SessionVerdict& said :
          {judged(profile, program, of.outcome, of.terms),
           judged_by_lines(profile, program, of.outcome, of.terms, known)}) {
+      ASSERT_EQ(decision(said.verdict.kind), decision(whole.verdict.kind)) << where;
+      // Of those that departed only the last tells; what makes a difference behind it is not known.
+      if (decision(said.verdict.kind) != Decision::go) continue;
       ASSERT_EQ(text_of(said), text_of(whole)) << where;
-      ASSERT_EQ(said.explaining, whole.explaining) << where;
+      ASSERT_TRUE(std::ranges::is_permutation(said.explaining, whole.explaining)) << where;
       ASSERT_EQ(said.open, whole.open) << where;
     }
     ++(whole.open.empty() ? untouched : touched);

@@ -7,6 +7,7 @@ namespace gonogo::oracle {
 
 reference::Profile profile_of(std::string_view dialect, ReadingValues readings) {
   auto profile = std::get<reference::Profile>(reference::default_profile(dialect));
+  profile.readings = profile.readings.shown();
   for (const auto& [name, value] : readings) {
     if (set_reading(profile, name, value)) throw std::runtime_error("no such reading");
   }

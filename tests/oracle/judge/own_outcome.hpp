@@ -19,7 +19,8 @@ struct OwnOutcome {
 };
 
 using ReadingValues = std::initializer_list<std::pair<std::string_view, std::string_view>>;
-// The default profile of a dialect with these readings.
+// The default profile of a dialect with these readings; others that it leaves open are as `expand`
+// shows them.
 reference::Profile profile_of(std::string_view dialect, ReadingValues readings = {});
 
 // Throws where the program holds what the gauge does not read.
