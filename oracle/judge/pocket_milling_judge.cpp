@@ -31,6 +31,7 @@ PocketMillingJudge::PocketMillingJudge(const reference::PocketMilling& item, con
       rough_reach_(reach_),
       cleared_{item.clearance, item.clearance},
       last_depth_(item.clearance),
+      lowest_(item.clearance),
       depth_(item.clearance),
       again_(ring_width(item.tool_radius, terms.level_tolerance())) {
   // SIE-LC75-10: what a tool of this radius cleared in roughing; nothing where it does not fit.
@@ -129,6 +130,11 @@ OpenStepAnswer PocketMillingJudge::take_motion(const Motion& motion) {
   if (floor_cuts_ && is_cut(kind)) note_floor_cut(motion);
   const Number& from = motion.from[axes_.d];
   const Number& to = motion.to()[axes_.d];
+  // SIE-LC75-05: levels may begin above what is to be cut.
+  if (to < lowest_ - terms_.tolerance && is_near_cleared(to)) {
+    lowest_ = to;
+    again_.clear();
+  }
   if (!goes_along_depth(motion)) return take_in_plane(motion);
   if (stays_at_level(motion)) return OpenStepAnswer::take();
   if (milling_ && !(motions_.empty() && to < from)) {

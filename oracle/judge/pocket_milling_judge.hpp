@@ -109,6 +109,7 @@ class PocketMillingJudge : public OpenStep {
   bool first_ = true;              // no level is finished
   Number next_level_ = 1;          // place of the next one in the list that the reading names
   Number last_depth_;              // of the level before, at first the clearance
+  Number lowest_;                  // that the tool has been in what is cleared, or in the air
   std::optional<Motion> arrival_;  // what brought the tool down to where it is
   bool milling_ = false;           // a level is being collected
   Number depth_;                   // of it

@@ -99,6 +99,19 @@ TEST(PocketShown, EveryShapeIsGoInEveryFrame) {
   }
 }
 
+// From 2 mm above to 0.1 below by at most 0.1: the contour is milled in the air 20 times, which is
+// more often than a level may be.
+TEST(PocketShown, LevelsInTheAirAreLevels) {
+  Job job;
+  job.depth = "-0.1";
+  job.infeed = "R121=0.1";
+  job.allowance = "R124=0 R125=0";
+  job.ways = "R126=3 R127=2";
+  const reference::Profile profile = profile_802s({{"sie.infeed-from", "clearance"}});
+  const Verdict verdict = judge_shown(job.program(), profile);
+  EXPECT_EQ(decision(verdict.kind), Decision::go) << verdict.message;
+}
+
 TEST(PocketShown, FinishingWithAllowancesIsGo) {
   for (const std::string_view allowance :
        {"R124=0.75 R125=0", "R124=0.75 R125=0.5", "R124=0 R125=0.5", "R124=9.999 R125=0",
