@@ -37,6 +37,13 @@ using namespace gonogo;
 
 constexpr std::size_t kMostRecords = 1'000'000;
 
+// All readings left open at once may be more ways than the judge follows.
+generate::GeneratorSettings some_open() {
+  generate::GeneratorSettings settings;
+  settings.open_one_in = 8;
+  return settings;
+}
+
 struct SoakOptions {
   std::uint64_t programs = 10'000;
   std::uint64_t seed = 1;
@@ -44,7 +51,7 @@ struct SoakOptions {
   std::string dialect;  // "": the expander's first, or the only one that the subject names
   std::string input;    // a fuzzer's input: its bytes decide one program
   bool distribution = false;
-  generate::GeneratorSettings settings;
+  generate::GeneratorSettings settings = some_open();
 };
 
 bool parse(int argc, char** argv, SoakOptions& options) {
@@ -54,7 +61,7 @@ bool parse(int argc, char** argv, SoakOptions& options) {
     if (word == "--distribution") {
       options.distribution = true;
     } else if (word == "--settings" && has_value) {
-      const auto settings = generate::read_settings(argv[++i]);
+      const auto settings = generate::read_settings(argv[++i], options.settings);
       if (!settings) return false;
       options.settings = *settings;
     } else if (word == "--programs" && has_value) {

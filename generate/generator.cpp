@@ -38,6 +38,9 @@ constexpr auto kUnaskedByNgc = std::to_array(
     {reference::ReadingKey::ngc_g92_other_axes, reference::ReadingKey::ngc_equal,
      reference::ReadingKey::ngc_sign_of_value, reference::ReadingKey::ngc_call_parameters});
 
+constexpr auto kOneOfGsk = std::to_array(
+    {reference::ReadingKey::arc_zero_radius, reference::ReadingKey::rotary_feed_inch});
+
 constexpr std::string_view k840d = "sinumerik840d";
 constexpr std::string_view k802s = "sinumerik802s";
 
@@ -51,7 +54,7 @@ std::string_view name(ProgramKind kind) {
 
 std::span<const Generator> generators() {
   static const auto kGenerators = std::to_array<Generator>({
-      {"gsk988ta", "gsk", generate_gsk, {}},
+      {"gsk988ta", "gsk", generate_gsk, kOneOfGsk},
       {"hnc21t", "hnc", generate_hnc, {}},
       {"rs274", "ngc", generate_ngc, kUnaskedByNgc},
       {k840d, "sinumerik", write_sinumerik<k840d>, {}},
@@ -63,9 +66,10 @@ std::span<const Generator> generators() {
 namespace {
 
 // An alternative for every reading that the profile leaves open and that has more than one, but for
-// `unasked`.
+// `unasked`. `leaves_some`: one in four stays open.
 void close_readings(Choices& choices, reference::Profile& profile,
-                    std::span<const reference::ReadingKey> unasked) {
+                    std::span<const reference::ReadingKey> unasked, bool leaves_some) {
+  constexpr std::uint32_t kOpenOneIn = 4;
   for (const reference::Reading& reading : reference::readings()) {
     const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
     if (reading.by_properties || count < 2 || !reading.belongs_to(profile.dialect) ||
@@ -73,6 +77,7 @@ void close_readings(Choices& choices, reference::Profile& profile,
         std::ranges::find(unasked, reading.key) != unasked.end()) {
       continue;
     }
+    if (leaves_some && choices.below(kOpenOneIn) == 0) continue;
     profile.readings.set(reading.key, reading.alternatives[choices.below(count)]);
   }
 }
@@ -88,8 +93,9 @@ GeneratedProgram Generator::generate(Choices& choices, const GeneratorSettings& 
                                  : write(choices, settings, kind, distribution);
   // The last of the decisions, so that the text is the same whatever is decided here.
   const std::uint32_t open_one_in = settings.open_one_in;
-  if (open_one_in > 1 && choices.below(open_one_in) + 1 < open_one_in) {
-    close_readings(choices, program.profile, unasked);
+  if (open_one_in > 1) {
+    const bool leaves_some = choices.below(open_one_in) + 1 == open_one_in;
+    close_readings(choices, program.profile, unasked, leaves_some);
   }
   return program;
 }

@@ -30,8 +30,8 @@ struct Generator {
   // The dialect's own writer; of every kind but raw.
   GeneratedProgram (*write)(Choices& choices, const GeneratorSettings& settings, ProgramKind kind,
                             Distribution* distribution);
-  // Readings that none of the writer's programs asks for: they stay open, since a subject that does
-  // not have what they are about need not know their alternatives.
+  // Readings that stay open: none of the writer's programs asks for them, and a subject that does
+  // not have what they are about need not know their alternatives; or our expander has one of them.
   std::span<const reference::ReadingKey> unasked;
 
   // A program of a kind that the settings have. `distribution` may be null.

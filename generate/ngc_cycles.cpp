@@ -92,7 +92,7 @@ void NgcWriter::place_words(Words& words, std::int64_t holes) {
 
 // Whether the readings leave the tool where the default ones do.
 bool NgcWriter::levels_are_told() const {
-  const auto& readings = profile_.readings;
+  const reference::ReadingChoice readings = profile_.readings.shown();
   return readings.is(ReadingKey::ngc_cycle_initial, "series") &&
          readings.is(ReadingKey::ngc_cycle_initial_kept, "place") &&
          readings.is(ReadingKey::ngc_cycle_g91_r, "current") &&

@@ -131,7 +131,7 @@ bool NgcWriter::may_be_far(char address) const {
 std::string NgcWriter::beside_whole(const std::string& word) {
   if (whole_.find(word[0]) == std::string_view::npos || word[1] == '-') return word;
   // Where they need not be whole exactly, more of them: the program may go on.
-  const bool often = !profile_.readings.is(reference::ReadingKey::ngc_whole, "exact");
+  const bool often = !profile_.readings.shown().is(reference::ReadingKey::ngc_whole, "exact");
   if (!meets_limit(12) && !(often && puts_wrong(12))) return word;
   count("beside a whole number");
   const std::size_t point = std::min(word.find('.'), word.size());

@@ -8,13 +8,16 @@
 
 #include "hunt/coverage.hpp"
 #include "hunt/program_vector.hpp"
+#include "oracle/judge/judge_session.hpp"
 
 namespace gonogo::hunt {
 namespace {
 
-// The program as a case; nothing where the reference says nothing of it, or cannot decide.
+// The program as a case; nothing where the reference says nothing of it, cannot decide, or takes
+// more ways than a judge follows.
 std::optional<oracle::Case> drawn_case(const generate::GeneratedProgram& program) {
   try {
+    if (!oracle::different_assignments(program.profile, program.text)) return std::nullopt;
     oracle::Case test = vector_of(program, "drawn");
     if (!std::ranges::any_of(test.expect, &oracle::Expectation::not_covered)) return test;
   } catch (const exact::Undecided&) {
