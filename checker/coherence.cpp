@@ -56,7 +56,7 @@ class RadiusLimit {
  private:
   std::string in_force(const std::string& key) const {
     const auto found = when_.find(key);
-    return found != when_.end() ? found->second : reading(vector_.profile, key);
+    return found != when_.end() ? found->second : shown_reading(vector_.profile, key);
   }
   bool is_off(const Rational& limit) const {
     if (limit < 0) return true;
@@ -174,8 +174,8 @@ class Checker {
               std::string_view choice) const {
     if (vector_.dialect != "rs274") return false;
     const auto found = expectation.when.find(key);
-    return (found != expectation.when.end() ? found->second : reading(vector_.profile, key)) ==
-           choice;
+    return (found != expectation.when.end() ? found->second
+                                            : shown_reading(vector_.profile, key)) == choice;
   }
 
   void check_motion(const Expectation& expectation, const Record& record, const Position& from) {

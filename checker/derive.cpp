@@ -27,8 +27,8 @@ Derived derive(const Vector& vector, const Trace& trace, const Json& header) {
     if (finding.answer == Answer::departs && allows_chords(header)) {
       finding = {Answer::undecided, "the certifier allows chords for arcs"};
     }
-    derived.answers.back() = finding.answer;
     const bool is_gap = expectation.ending == Expectation::Ending::not_covered;
+    if (!is_gap && !finding.is_doubtful) derived.answers.back() = finding.answer;
     fits = fits || (finding.answer == Answer::fits && !is_gap);
     fits_gap = fits_gap || (finding.answer == Answer::fits && is_gap);
     undecided = undecided || finding.answer == Answer::undecided;

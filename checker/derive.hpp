@@ -19,7 +19,8 @@ struct Derived {
   };
   Kind kind = Kind::undecided;
   std::string why;
-  std::vector<Answer> answers;  // one an expectation; undecided for those not admissible
+  // One an expectation; undecided for those not admissible, not covered or doubtful.
+  std::vector<Answer> answers;
 };
 
 // `header`: of the results. Throws Fault.

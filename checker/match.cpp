@@ -46,6 +46,10 @@ class Match {
     return {};
   }
 
+  bool is_doubtful() const {
+    return want_.is_doubtful || got_.is_doubtful || want_.drops || got_.drops;
+  }
+
  private:
   PathTerms path_terms(bool wanted) const {
     PathTerms terms{initial_position(vector_.profile), terms_.tolerance,
@@ -270,7 +274,10 @@ class Match {
 
 Finding match(const Vector& vector, const Expectation& expectation, const Trace& trace,
               const Terms& terms) {
-  return Match(vector, expectation, trace, terms).find();
+  Match made(vector, expectation, trace, terms);
+  Finding finding = made.find();
+  finding.is_doubtful = made.is_doubtful();
+  return finding;
 }
 
 }  // namespace gonogo::checker

@@ -38,6 +38,8 @@ enum class Answer { fits, departs, undecided };
 struct Finding {
   Answer answer = Answer::fits;
   std::string why;  // a sentence, with the exact numbers; of `undecided`: the reason
+  // Motions about as short as the tolerance were left out, which the program may tell apart.
+  bool is_doubtful = false;
 };
 
 // `why` of an undecided finding in a path that the manual leaves open.

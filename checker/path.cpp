@@ -149,6 +149,7 @@ class Builder {
     motion.is_open = terms_.is_open && terms_.is_open(record);
     const Truth nil = is_nil(motion, terms_.tolerance, terms_.keeps_short_arcs);
     if (nil == Truth::unknown) path_.is_doubtful = true;
+    if (nil == Truth::yes) path_.drops = true;
     if (nil != Truth::yes) append(std::move(motion));
     parts_ = nil == Truth::yes;
   }

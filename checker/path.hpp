@@ -29,6 +29,7 @@ struct Path {
   Position end;
   // Something could not be decided about dropping and joining: a departure may be no departure.
   bool is_doubtful = false;
+  bool drops = false;  // motions no longer than the tolerance
 };
 
 struct PathTerms {

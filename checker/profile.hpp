@@ -15,6 +15,8 @@ namespace gonogo::checker {
 std::optional<std::string_view> default_reading(std::string_view key);
 // In force under the profile: what it says, else the default. Throws Fault for an unknown one.
 std::string reading(const Json& profile, std::string_view key);
+// The same, of an open one what an expectation that does not say its value is made with.
+std::string shown_reading(const Json& profile, std::string_view key);
 // Whether the expectation is one of those that the profile admits.
 bool is_admissible(const Readings& when, const Json& profile);
 

@@ -98,7 +98,10 @@ std::vector<Identifier::Item*> Identifier::showing(ReadingKey key) {
 
 // Asks programs until one length alone explains all of them, or there are no more.
 Identifier::LengthsLeft Identifier::narrow_length(ReadingKey key, std::vector<Item*>& asked) {
-  std::vector<std::string> shown = {std::string(base_.get(key))};
+  // Where the reading is open, what `expand` shows.
+  const auto& named = reference::reading(key).alternatives;
+  std::vector<std::string> shown = {
+      std::string(base_.is(key, "any") ? named.front() : base_.get(key))};
   LengthsLeft left;
   const auto explains_all = [&](const std::string& length) {
     return std::ranges::all_of(asked,

@@ -109,7 +109,6 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      "tool radius forgotten on the way out"},
     {"helix-flat-circle", "G112 mills a full circle at the bottom", "GSK-G112-06",
      "helix routine of the milling control reused"},
-    {"helix-turns-leak", "L of G112 is modal", "GSK-G112-01", "L stored like that of G110"},
     {"helix-tool-equality-accepted", "G112 accepts I = D", "GSK-G112-02", "< written for <="},
     {"helix-ends-at-r-plane", "G112 stays at the R plane", "GSK-G112-07",
      "return level of another cycle"},

@@ -19,8 +19,7 @@ struct Helix {
 void take_helix_words(Machine& machine, const Block& block) {
   PocketStore& store = machine.state.pocket;
   if (!machine.follows("gsk.pocket.R=modal"_reading)) store.r_plane = {};
-  if (!machine.follows("gsk.helix.L=modal"_reading) && !machine.has("helix-turns-leak"_fault))
-    store.turns = {};
+  if (!machine.follows("gsk.helix.L=modal"_reading)) store.turns = {};
   take(machine, block, 'I', store.radius);
   take(machine, block, 'D', store.tool_radius);
   take(machine, block, 'R', store.r_plane);

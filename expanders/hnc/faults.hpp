@@ -30,8 +30,6 @@ inline constexpr auto kFaults = std::to_array<FaultDescription>({
      "radius word passed through the diameter conversion"},
     {"groove-step-short", "G75 leaves out the last of its places", "HNC-G75-04",
      "count of infeeds taken for the count of places"},
-    {"groove-ends-at-last", "G75 stays at the last place", "HNC-G75-04",
-     "return written for a single groove"},
     {"groove-running-sum", "the places of G75 are sums of a step rounded to 0.001 mm", "HNC-G75-04",
      "step rounded to the increment before the loop"},
     {"groove-count-unchecked", "a count of G75 with decimals is cut off", "HNC-G75-04",

@@ -103,8 +103,7 @@ bool perform(Machine& machine, const Groove& groove) {
     if (!machine.tracer.rapid_axis(GONOGO_Z, places.at(n))) return false;
     if (!plunge(machine, groove)) return false;
   }
-  const bool stays =
-      machine.follows("hnc.g75.end=last"_reading) || machine.has("groove-ends-at-last"_fault);
+  const bool stays = machine.follows("hnc.g75.end=last"_reading);
   return stays || machine.tracer.rapid_axis(GONOGO_Z, start);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -116,37 +117,55 @@ std::vector<std::string> clause_list(std::string_view text) {
   return clauses;
 }
 
-std::vector<Expectation> expectations_of(const reference::Profile& profile,
-                                         std::string_view program) {
-  struct Choice {
-    reference::Profile profile;
-    std::vector<std::pair<std::string, std::string>> when;
-    Expectation expectation;
-  };
-  std::vector<Choice> choices = {{profile, {}, oracle::expectation_of(profile, program)}};
+namespace {
+
+// The profile under some answers to readings that it leaves open, and what is expected then.
+struct Answered {
+  reference::Profile profile;
+  std::vector<std::pair<std::string, std::string>> when;
+  Expectation expectation;
+};
+
+// One of each alternative of the first open reading that makes a difference; none: no reading does.
+std::vector<Answered> answers_to_one(const Answered& before, std::string_view program) {
+  const std::string said = expectation_json(before.expectation);
   for (const reference::Reading& reading : reference::readings()) {
-    if (reading.by_properties || !reading.belongs_to(profile.dialect) ||
-        !profile.readings.is(reading.key, "any")) {
+    if (reading.by_properties || !reading.belongs_to(before.profile.dialect) ||
+        !before.profile.readings.is(reading.key, "any")) {
       continue;
     }
-    std::vector<Choice> longer;
-    std::set<std::string> outcomes;
-    for (const Choice& choice : choices) {
-      for (const std::string_view value : reading.alternatives) {
-        Choice next = choice;
-        next.profile.readings.set(reading.key, value);
-        next.when.emplace_back(reading.name, value);
-        next.expectation = oracle::expectation_of(next.profile, program);
-        outcomes.insert(expectation_json(next.expectation));
-        longer.push_back(std::move(next));
-      }
+    std::vector<Answered> answers;
+    bool differs = false;
+    for (const std::string_view value : reading.alternatives) {
+      Answered& next = answers.emplace_back(before);
+      next.profile.readings.set(reading.key, value);
+      next.expectation = oracle::expectation_of(next.profile, program);
+      differs = differs || expectation_json(next.expectation) != said;
+      next.when.emplace_back(reading.name, value);
     }
-    if (outcomes.size() > choices.size()) choices = std::move(longer);
+    if (differs) return answers;
   }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Expectation> expectations_of(const reference::Profile& profile,
+                                         std::string_view program) {
+  const Answered shown = {profile, {}, oracle::expectation_of(profile, program)};
+  std::vector<Answered> open = {shown};
   std::vector<Expectation> expectations;
-  for (Choice& choice : choices) {
-    choice.expectation.when = std::move(choice.when);
-    expectations.push_back(std::move(choice.expectation));
+  while (!open.empty()) {
+    Answered one = std::move(open.back());
+    open.pop_back();
+    std::vector<Answered> answers = answers_to_one(one, program);
+    if (answers.empty()) {
+      one.expectation.when = std::move(one.when);
+      expectations.push_back(std::move(one.expectation));
+    }
+    // The first is stated first.
+    std::ranges::move(answers.rbegin(), answers.rend(), std::back_inserter(open));
+    if (open.size() + expectations.size() > oracle::kMostStated) return {shown.expectation};
   }
   return expectations;
 }

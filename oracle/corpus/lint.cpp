@@ -108,8 +108,11 @@ class Linter {
     const auto found = readings_.find(reading.name);
     const std::set<std::string> none;
     const std::set<std::string>& set = found == readings_.end() ? none : found->second;
+    // An open one is expected under its first alternative where nothing else is said.
+    const bool is_open = reading.fallback == "any" && !reading.by_properties;
+    const std::string_view shown = is_open ? reading.alternatives.front() : reading.fallback;
     for (const std::string_view alternative : reading.alternatives) {
-      if (alternative == reading.fallback || set.contains(std::string(alternative))) continue;
+      if (alternative == shown || set.contains(std::string(alternative))) continue;
       say_(fmt::format("The reading {}={} stands in no profile.", reading.name, alternative));
     }
   }

@@ -31,22 +31,22 @@ inline std::vector<Reading> sinumerik_readings() {
               "the centre of an arc whose end misses its circle within the limit: on the "
               "perpendicular bisector at the radius of the start, the programmed one projected on "
               "it, or the programmed one with a radius linear in the angle"),
-      reading(ReadingKey::sie_cr_tolerance, "sie.cr.tolerance", {"0", "const"}, "0",
+      reading(ReadingKey::sie_cr_tolerance, "sie.cr.tolerance", {"0", "const"}, "any",
               "SIE-ARC-11"_clause,
               "by how much a chord may exceed twice CR: not at all, or by CIRCLE_ERROR_CONST (the "
               "arc is then half a turn about the chord's middle)"),
       reading(ReadingKey::sie_spindle, "sie.spindle", {"off", "alarm"}, "off", "SIE-G1-02"_clause,
               "cutting while the spindle stands: no matter, or an alarm"),
-      reading(ReadingKey::sie_initial_motion, "sie.initial-motion", {"g1", "g0"}, "g1",
+      reading(ReadingKey::sie_initial_motion, "sie.initial-motion", {"g1", "g0"}, "any",
               "SIE-MOD-02"_clause, "the motion in force before any code: G1 or G0"),
-      reading(ReadingKey::sie_g70_f, "sie.g70.f", {"mm", "inch"}, "mm", "SIE-MOD-04"_clause,
+      reading(ReadingKey::sie_g70_f, "sie.g70.f", {"mm", "inch"}, "any", "SIE-MOD-04"_clause,
               "F under G70: millimetres, or inches"),
       only_802s(ReadingKey::sie_g158, "sie.g158", {"absolute", "additive"}, "any", false,
                 "SIE-FRM-01"_clause,
                 "G158: it replaces translation and rotation, or is added to those in force"),
       only_802s(ReadingKey::sie_rpl_equals, "sie.rpl-equals", {"lenient", "required"}, "any", false,
                 "SIE-FRM-03"_clause, "RPL45 without '=': read as RPL=45, or an alarm"),
-      only_802s(ReadingKey::sie_g258, "sie.g258", {"absolute", "rotation-only"}, "absolute", false,
+      only_802s(ReadingKey::sie_g258, "sie.g258", {"absolute", "rotation-only"}, "any", false,
                 "SIE-FRM-04"_clause,
                 "G258: it replaces translation and rotation, or the rotation alone"),
       only_802s(

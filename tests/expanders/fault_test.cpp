@@ -77,7 +77,6 @@ const ProfiledExhibit kGskExhibits[] = {
     {"helix-entry-wrong-way", kHelix},
     {"helix-exit-radius", kHelix},
     {"helix-flat-circle", kHelix},
-    {"helix-turns-leak", "G112 X0 Z0 V-9 I5 L3 D2 F8\nX0 Z0 V-9\n"},
     {"helix-tool-equality-accepted", "G112 X0 Z0 V-9 I2 D2 F8\n"},
     {"helix-ends-at-r-plane", kHelix},
     {"g113-as-g112", kHelix},

@@ -32,7 +32,6 @@ const ProfiledExhibit kHncExhibits[] = {
     {"drill-takes-x", "G74 X4 Z-5 F9\n"},
     {"groove-depth-diameter", "G75 X-8 R1 Q2 F9\n"},
     {"groove-step-short", kThirds},
-    {"groove-ends-at-last", kThirds},
     {"groove-running-sum", kThirds},
     {"groove-count-unchecked", "G75 X-2 Z-1 I1.5 F9\n"},
     {"g80-taper-diameter", kTurn},
