@@ -130,7 +130,7 @@ void expect_full(const Profile& profile) {
   EXPECT_EQ(profile.readings.get(ReadingKey::pocket_end), "r-plane");
   EXPECT_EQ(profile.readings.get(ReadingKey::pocket_p_omitted), "0.5");
   EXPECT_EQ(profile.readings.get(ReadingKey::decimals), "any");
-  EXPECT_EQ(profile.readings.get(ReadingKey::x_depth), "diameter");
+  EXPECT_EQ(profile.readings.get(ReadingKey::x_depth), "any");
 }
 
 TEST(Profile, TomlGivesEveryKey) {

@@ -111,7 +111,15 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
       if (decision(said.verdict.kind) != Decision::go) continue;
       ASSERT_EQ(text_of(said), text_of(whole)) << where;
       ASSERT_TRUE(std::ranges::is_permutation(said.explaining, whole.explaining)) << where;
-      ASSERT_EQ(said.open, whole.open) << where;
+      // Behind a departure others may make a difference that nobody looks at.
+      ASSERT_TRUE(std::ranges::includes(whole.open, said.open)) << where;
+      for (const ReadingKey key : whole.open) {
+        const bool is_fixed =
+            std::ranges::any_of(said.explaining, [&](const reference::ReadingChoice& choice) {
+              return !choice.is(key, profile.readings.get(key));
+            });
+        ASSERT_TRUE(!is_fixed || std::ranges::count(said.open, key) == 1) << where;
+      }
     }
     ++(whole.open.empty() ? untouched : touched);
   }
