@@ -65,21 +65,27 @@ std::span<const Generator> generators() {
 
 namespace {
 
-// An alternative for every reading that the profile leaves open and that has more than one, but for
-// `unasked`. `leaves_some`: one in four stays open.
+// Closes every reading that the profile leaves open and that has more than one alternative, but for
+// `unasked`: as `expand` shows it, in one program of two any alternative of one. `leaves_some`: one
+// in four stays open.
 void close_readings(Choices& choices, reference::Profile& profile,
                     std::span<const reference::ReadingKey> unasked, bool leaves_some) {
   constexpr std::uint32_t kOpenOneIn = 4;
+  std::vector<const reference::Reading*> closed;
   for (const reference::Reading& reading : reference::readings()) {
-    const auto count = static_cast<std::uint32_t>(reading.alternatives.size());
-    if (reading.by_properties || count < 2 || !reading.belongs_to(profile.dialect) ||
-        !profile.readings.is(reading.key, "any") ||
+    if (reading.by_properties || reading.alternatives.size() < 2 ||
+        !reading.belongs_to(profile.dialect) || !profile.readings.is(reading.key, "any") ||
         std::ranges::find(unasked, reading.key) != unasked.end()) {
       continue;
     }
     if (leaves_some && choices.below(kOpenOneIn) == 0) continue;
-    profile.readings.set(reading.key, reading.alternatives[choices.below(count)]);
+    profile.readings.set(reading.key, reading.alternatives.front());
+    closed.push_back(&reading);
   }
+  if (closed.empty() || choices.below(2) == 0) return;
+  const reference::Reading& one = *closed[choices.below(static_cast<std::uint32_t>(closed.size()))];
+  const auto count = static_cast<std::uint32_t>(one.alternatives.size());
+  profile.readings.set(one.key, one.alternatives[choices.below(count)]);
 }
 
 }  // namespace
