@@ -55,8 +55,8 @@ struct GeneratorSettings {
   // For near_invalid: one block in so many has one thing put wrong. REQUIRES: at least 1.
   std::uint32_t fault_one_in = 12;
   // One program in so many leaves open a part of what the dialect leaves open, and any alternative
-  // will do; else they are as shown, but perhaps for one: left open together they may be more ways than a judge
-  // follows. REQUIRES: at least 1, with which nothing is chosen.
+  // will do; else they are as shown, but perhaps for one: left open together they may be more ways
+  // than a judge follows. REQUIRES: at least 1, with which nothing is chosen.
   std::uint32_t open_one_in = 1;
   MachineSettings machine;
   // What a rule of the dialect refuses is written now and then, by every kind; false: nowhere, as

@@ -29,7 +29,7 @@ std::string text_of(const fs::path& path) {
 }
 
 const std::regex& rule_id() {
-  static const std::regex kRule(R"(\bJ-(CMP|PATH|CYC|THR|PKT|ALM|RUN|PROP|CONST)-[0-9]{2}\b)");
+  static const std::regex kRule(R"(\bJ-(CMP|PATH|CYC|THR|PKT|ALM|READ|RUN|PROP|CONST)-[0-9]{2}\b)");
   return kRule;
 }
 
@@ -71,8 +71,8 @@ std::multiset<std::string> rules() {
 }
 
 const std::map<std::string, std::string>& code() {
-  static const auto kCited =
-      cited_in({"grammar", "reference", "oracle", "fuzz", "cli", "expanders", "checker", "relations"});
+  static const auto kCited = cited_in(
+      {"grammar", "reference", "oracle", "fuzz", "cli", "expanders", "checker", "relations"});
   return kCited;
 }
 

@@ -96,7 +96,7 @@ TEST(LazyForks, AlternativesThatMakeTheSameRecordsAreOne) {
   EXPECT_TRUE(said.open.empty());
 }
 
-// J-CONST-02: two alternatives each of seven readings are 128 ways, of which a subject that follows
+// R9: two alternatives each of seven readings are 128 ways, of which a subject that follows
 // one leaves the others behind block by block.
 TEST(LazyForks, TheCapIsOnThoseThatAreStillFollowed) {
   const std::string program =
