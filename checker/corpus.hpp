@@ -68,13 +68,15 @@ class Corpus {
   const std::vector<std::string>& faults() const { return faults_; }
 
   bool has(const std::string& id) const { return cases_.contains(id); }
-  // Of an id that is there.
+  // For an id that is there.
   const std::string& dialect_of(const std::string& id) const { return topic_of(id).dialect; }
   const Topic& topic_of(const std::string& id) const { return groups_[cases_.at(id).group].topic; }
-  const Json& profile_of(const std::string& id) const { return groups_[cases_.at(id).group].profile; }
+  const Json& profile_of(const std::string& id) const {
+    return groups_[cases_.at(id).group].profile;
+  }
   // Id and topic of every vector, by id.
   void for_each(const std::function<void(const std::string& id, const Topic& topic)>& visit) const;
-  // Of an id that is there. Throws Fault for a vector that cannot be read.
+  // For an id that is there. Throws Fault for a vector that cannot be read.
   Vector read(const std::string& id) const;
 
  private:

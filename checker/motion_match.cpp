@@ -57,7 +57,7 @@ bool plane_near(const Motion& arc, const Real& reach) {
           within(*arc.from[plane.second], *arc.to[plane.second], reach)) != Truth::no;
 }
 
-// Of an arc whose ends are near each other: those that the last one nearly completes are counted,
+// Whole turns of an arc whose ends are near each other: one that is nearly complete is counted,
 // one that has hardly begun is not. Nothing: undecided.
 std::optional<long> whole_turns(const Motion& arc) {
   const long size = arc.record.rotation < 0 ? -arc.record.rotation : arc.record.rotation;

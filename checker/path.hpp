@@ -37,7 +37,7 @@ struct PathTerms {
   Real tolerance;     // mm or degrees: points no farther apart agree
   long renaming = 0;  // from this line on positions are unknown until they are told; 0: none
   std::function<bool(const Record&)> is_open = nullptr;
-  // Of a subject: whether an arc whose ends agree is a whole turn or none is seen when it is
+  // For a subject: whether an arc whose ends agree is a whole turn or none is seen when it is
   // matched.
   bool keeps_short_arcs = false;
 };
@@ -48,7 +48,7 @@ Path make_path(const std::vector<Record>& records, const PathTerms& terms);
 Truth agree(const Position& p, const Position& q, const Real& tolerance);
 // The square of the distance in the plane.
 Real distance2(const Plane& plane, const Position& p, const Position& q);
-// Of the turn from p to q about the centre: positive when q lies up to half a turn
+// The sine of the turn from p to q about the centre: positive when q lies up to half a turn
 // counterclockwise of p.
 Real cross(const Plane& plane, const Position& centre, const Position& p, const Position& q);
 Real dot(const Plane& plane, const Position& centre, const Position& p, const Position& q);

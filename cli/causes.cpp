@@ -11,7 +11,7 @@
 namespace gonogo::cli {
 namespace {
 
-// Of the trials for a finding: a run is not to wait for its explanation.
+// A bound on the trials for a finding: a run is not to wait for its explanation.
 constexpr std::size_t kMostRecords = 1'000'000;
 
 // The case as the campaign asked for it.
@@ -28,14 +28,13 @@ std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
   return std::nullopt;
 }
 
-// The mistake that explains all that departs, or more than half of it, and all that passes: with one
-// that programs would not pass with, the subject does something else.
+// The mistake that explains all that departs, or more than half of it, and all that passes: with
+// one that programs would not pass with, the subject does something else.
 std::string cause_in(const identify::Attribution& found) {
   if (!found.complete.empty()) return found.complete.front().name;
   if (found.partial.empty()) return {};
   const identify::Cause& best = found.partial.front();
-  const bool is_likely =
-      2 * best.departures > found.departures && best.passes == found.passes();
+  const bool is_likely = 2 * best.departures > found.departures && best.passes == found.passes();
   return is_likely ? best.name : std::string();
 }
 

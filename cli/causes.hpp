@@ -11,8 +11,8 @@
 
 namespace gonogo::cli {
 
-// Of at most `most` findings in their order; a breakdown has none. A subject that cannot be asked
-// any more names none either.
+// Causes of at most `most` findings in their order; a breakdown has none. A subject that cannot be
+// asked any more names none either.
 oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,
                                      const oracle::CampaignOptions& campaign,
                                      const oracle::SubjectMaker& make, std::size_t most);

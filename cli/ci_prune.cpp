@@ -34,7 +34,8 @@ std::string pruned_text(const std::string& folder, const hunt::Pruned& pruned) {
   return text;
 }
 
-// Of the cases that the file names and no others, so that none is added that nobody has looked at.
+// Runs the cases that the file names and no others, so that nothing is added that nobody has looked
+// at.
 int prune_known_failures(const CiWords& words) {
   CertifyOptions options = certify_options(words);
   options.report = words.campaign + "/known-failures";
@@ -54,9 +55,9 @@ int prune_known_failures(const CiWords& words) {
 std::vector<std::string> shards_in(const std::string& campaign) {
   std::vector<std::string> shards = hunt::shards_of(campaign);
   if (shards.empty()) {
-    throw UsageError(fmt::format(
-        "{} is no folder of a campaign. `gonogo ci batch --campaign {}` begins one.", campaign,
-        campaign));
+    throw UsageError(
+        fmt::format("{} is no folder of a campaign. `gonogo ci batch --campaign {}` begins one.",
+                    campaign, campaign));
   }
   return shards;
 }
@@ -79,8 +80,8 @@ int ci_prune(const CiWords& words) {
   }
   const hunt::HuntSummary summary = tell_campaign(words.campaign, words.trial);
   output.text() += finding_list_text(summary);
-  output.text() += fmt::format("{}, {}: {}\n", words.trial.subject, summary.dialect,
-                               findings_text(summary));
+  output.text() +=
+      fmt::format("{}, {}: {}\n", words.trial.subject, summary.dialect, findings_text(summary));
   output.flush();
   return words.known_failures.empty() ? kGo : prune_known_failures(words);
 }

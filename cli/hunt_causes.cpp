@@ -16,7 +16,7 @@ namespace {
 
 using identify::ProgramAsked;
 
-// Of all trials for a campaign's findings: a hunt is not to wait for its explanation.
+// A bound on all trials for a campaign's findings: a hunt is not to wait for its explanation.
 constexpr std::size_t kMostRecords = 3'000'000;
 constexpr std::size_t kMostOthers = 400;  // programs
 

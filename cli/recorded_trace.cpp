@@ -89,7 +89,7 @@ TraceSummary RecordedTrace::read(const std::function<bool(std::string_view)>& kn
     return true;
   };
   summary.end = read_records(file_.descriptor(), count_known, count);
-  // Of an alarm that is the only record; others without a line say that the subject has none.
+  // For an alarm that is the only record; others without a line say that the subject has none.
   if (records_ == 0) summary.features.blocks = summary.end.alarm.block != 0;
   return summary;
 }

@@ -27,7 +27,7 @@ enum class GapReason : std::uint8_t {
   cap_level,        // motions of a level or of an entry
   cap_area,         // cells, shapes and bands of a level
   cap_records,      // of a program that is to be reduced
-  // Of sampled positions.
+  // For sampled positions.
   samples_hole,     // longer than the rhythm of the samples
   samples_rate,     // a motion that no sample shows
   samples_scatter,  // more than the tolerance

@@ -256,7 +256,7 @@ struct Code {
     code.is_open_path = true;
     return code;
   }
-  // Of a family the row that stands for it.
+  // For a family the row that stands for it.
   constexpr Code to(std::string_view last_name) const;
   constexpr Code with(const WordLists& own) const {
     Code code = *this;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of which texts the clauses of a dialect speak.
+// The texts that the clauses of a dialect speak of.
 #pragma once
 
 #include <string_view>
 
 namespace gonogo::reference {
 
-// The documents that the clauses of `dialect` name as their sources, each with its edition as far as the
-// text tells it; a sentence or more without the last full stop. Empty: there is no such dialect.
+// The documents that the clauses of `dialect` name as their sources, each with its edition as far
+// as the text tells it; a sentence or more without the last full stop. Empty: there is no such
+// dialect.
 std::string_view editions_of(std::string_view dialect);
 
 }  // namespace gonogo::reference

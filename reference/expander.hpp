@@ -46,7 +46,7 @@ struct BlockOutput {
   std::optional<NotCovered> not_covered;
   std::optional<grammar::Span> beyond_range;  // a value that an expression has, reference/range.hpp
   bool program_end = false;
-  // Of a program that a rule ends which no text states: that rule.
+  // The rule that ends a program though no text states it.
   ClauseId end_clause = kNoClause;
 
   // The rules that no text states by which the block runs on, or would but for its alarms; only

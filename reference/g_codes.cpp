@@ -34,7 +34,7 @@ Alarm second_of_group(const Code& code, const grammar::Word& word, ClauseId clau
 }
 
 NotCovered code_outside(const Code& code, const grammar::Word& word) {
-  // Of a family the one that is written.
+  // The one of a family that is written.
   const std::string name = code_name(tenths_of(word.value).value_or(code.tenths));
   return {0, name,
           fmt::format("{} ({}) is a code of the control that the gauge does not read.", name,

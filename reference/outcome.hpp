@@ -39,7 +39,7 @@ struct AlarmReport {
   std::optional<grammar::SyntaxError> syntax;
 };
 
-// Of the alarms of a block the first of those that rest on a text; else the first that is derived;
+// The first alarm of a block that rests on a text; else the first that is derived;
 // else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-01).
 // REQUIRES: there is one.
 const Alarm& firmest(const AlarmReport& report);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How an outcome is written: the line of JSON that closes a trace (docs/protocol.md), and what is wrong
-// for people: file, line, column, the line itself with a caret, and the clause.
+// How an outcome is written: the line of JSON that closes a trace (docs/protocol.md), and what is
+// wrong for people: file, line, column, the line itself with a caret, and the clause.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ namespace gonogo::reference {
 void append_json(const AlarmReport& report, std::string& out);
 void append_json(const NotCovered& outside, std::string& out);
 
-// Append whole lines. `file` names the program, `line` is the text of the line at fault. Of an alarm
-// report the first alarms, at most kShownAlarms.
+// Append whole lines. `file` names the program, `line` is the text of the line at fault. For an
+// alarm report the first alarms, at most kShownAlarms.
 inline constexpr std::size_t kShownAlarms = 20;
 void append_diagnostic(const AlarmReport& report, std::string_view file, std::string_view line,
                        std::string& out);

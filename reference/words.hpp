@@ -55,7 +55,7 @@ class WordPlaces {
 // What words have for a value that no decimal says, in the order of the block's words.
 using WordValues = std::vector<std::optional<Number>>;
 
-// Of an address that stands several times, the last word.
+// The last word of an address that stands several times.
 class WordTable : public WordPlaces {
  public:
   // `values` may be null; it must outlive the table.

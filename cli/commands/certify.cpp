@@ -103,7 +103,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
   return campaign;
 }
 
-// Of a file; nothing without one.
+// The hash of a file; nothing without one.
 std::string sha256_of(const std::string& path) {
   if (path.empty()) return {};
   oracle::Sha256 hash;
@@ -320,9 +320,8 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
   oracle::CampaignOptions campaign = campaign_options(options);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
-  campaign.limits =
-      sandboxed(std::move(campaign.limits), options.limits.sandbox, subject,
-                {corpus.folder(), report, options.traces, options.certificate});
+  campaign.limits = sandboxed(std::move(campaign.limits), options.limits.sandbox, subject,
+                              {corpus.folder(), report, options.traces, options.certificate});
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
   std::unique_ptr<oracle::Subject> first = make();
   const oracle::SubjectInfo info = first->info();

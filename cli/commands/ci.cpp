@@ -54,7 +54,7 @@ std::size_t begin_from(const std::string& campaign, const std::string& dialect, 
   return known;
 }
 
-// Of a campaign, if one is named: its departures, and other faces of what they come from.
+// The departures of a campaign, if one is named, and other faces of what they come from.
 HuntBefore what_is_known(const CiWords& words, const std::string& dialect) {
   if (words.campaign.empty()) return {};
   const auto mistakes = std::make_shared<KnownMistakes>(words.campaign, words.trial);

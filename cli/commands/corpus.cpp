@@ -260,7 +260,7 @@ class Stats {
     std::size_t alarms = 0;
   };
 
-  // Of the dialects that the cases have; a clause may belong to two of them.
+  // For the dialects that the cases have; a clause may belong to two of them.
   std::size_t count_clauses() const {
     std::set<std::string_view> ids;
     for (const std::string& dialect : dialects_) {

@@ -230,7 +230,7 @@ struct Handle {
 
 gonogo_text describe() {
   return text_of(R"({"protocol":1,"subject":{"name":"acme-cpp","version":"1.0.0"},)"
-                 // Of "basic" a part only: without "dialects" what is skipped is not claimed.
+                 // A part of "basic" only: without "dialects" what is skipped is not claimed.
                  R"("features":["blocks"],)"
                  R"("numeric":{"kind":"fixed","resolution":"0.000001"}})");
 }

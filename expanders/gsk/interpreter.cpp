@@ -234,7 +234,7 @@ AddressSet Interpreter::known_words() const {
   return known;
 }
 
-// Of the codes in force one takes the words of the block.
+// One of the codes in force takes the words of the block.
 void Interpreter::prepare(Plan& plan) {
   take_codes();
   if (machine_.in_alarm()) return;

@@ -111,7 +111,7 @@ bool ThreadMill::enter(Fixed radius) {
   return machine_.cut(point(radius, at), axis_bit(plane_.p));
 }
 
-// Of the lead from the R plane to the bottom; the last turn may be part of one.
+// Turns from the R plane to the bottom; the last may be part of one.
 bool ThreadMill::helix(Fixed radius, Direction& at) {
   const Fixed depth = magnitude(thread_.site.depth);
   Fixed whole = depth / thread_.lead;

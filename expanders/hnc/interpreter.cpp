@@ -243,7 +243,7 @@ void Interpreter::take_feed() {
       in_inches ? static_cast<Fixed>(scaled(written, 254, 10)) : written;
 }
 
-// Of the codes in force one takes the words of the block.
+// One of the codes in force takes the words of the block.
 void Interpreter::prepare(Plan& plan) {
   take_modal_codes();
   take_motion();

@@ -30,7 +30,7 @@ consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});
 }
 
-/// Of the machine parameters: how far radii may differ, mm; below 0 it is not looked at.
+/// A machine parameter: how far radii may differ, mm; below 0 it is not looked at.
 inline constexpr std::size_t kRadiusTolerance = 0;
 
 }  // namespace gonogo::expanders::hnc

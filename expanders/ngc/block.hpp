@@ -72,7 +72,7 @@ class Block {
       return word.number && uses_word(*word.number, address);
     });
   }
-  /// Of the line: it has decimals, or more digits than NIST's interpreter takes.
+  /// The number of the line has decimals, or more digits than NIST's interpreter takes.
   bool long_number() const { return long_number_; }
   /// NGC-COM-10: the last comment in brackets is (abort,...).
   bool aborts() const;

@@ -61,7 +61,7 @@ enum class FunctionGroup : std::uint8_t {
 };
 inline constexpr std::size_t kFunctionGroups = 7;
 
-/// Of a function that the control has.
+/// For a function that the control has.
 FunctionGroup group_of(Fixed m);
 
 /// Whether the function has a use for a word of this address: the numbers and values of overrides,

@@ -157,7 +157,7 @@ void CycleBlock::take_initial() {
   cycle_.initial = reached(machine_, block_, other, depth_word_);
 }
 
-// Of absolute words: nil, but for the fault that counts from where the machine was switched on.
+// Nil for absolute words, but for the fault that counts from where the machine was switched on.
 Fixed CycleBlock::offset(std::size_t axis) const {
   return machine_.alters<Fixed>("cycle-ignores-offset"_fault, 0,
                                 machine_.configuration.position[axis]);

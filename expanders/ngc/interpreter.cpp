@@ -212,7 +212,7 @@ Flow Interpreter::perform_plan(const Plan& plan) {
 
 // The M functions of the block that run before or after its motion, and the end of the program.
 Flow Interpreter::run_functions(bool before) {
-  // Of each group there is one at most.
+  // Each group has one at most.
   std::array<const FunctionWord*, kFunctionGroups> by_group{};
   for (const FunctionWord& word : block_.functions()) {
     by_group[static_cast<std::size_t>(group_of(*word.number))] = &word;

@@ -10,7 +10,7 @@ constexpr Fixed kCodeLimits[] = {0, kOne / 100'000, kOne / 10'000};
 constexpr Fixed kFunctionLimits[] = {0, kOne / 10'000, kOne / 10'000};
 constexpr Fixed kTurnLimits[] = {0, kOne / 10'000, kOne / 1'000};
 
-// Of a number that lies `rest` counts beside a whole step, to the nearest count: whether what was
+// The number lies `rest` counts beside a whole step, to the nearest count. Tells whether what was
 // written lies further away than `rest` says.
 bool lies_beyond(const Decimal& number, Fixed rest) {
   if (!number.finer) return false;

@@ -54,7 +54,7 @@ class Block {
 
   bool has(Address address) const { return has_any(bit(address)); }
   bool has_any(Addresses addresses) const { return (words_ & addresses) != 0; }
-  /// Of a word that is there.
+  /// For a word that is there.
   const Value& value(Address address) const { return values_[index_of(address)]; }
   const Decimal& number(Address address) const { return value(address).number; }
   Position position(Address address) const {
@@ -64,7 +64,7 @@ class Block {
   const Code* code(Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   /// In the order of the line.
   const std::vector<FunctionWord>& functions() const { return functions_; }
-  /// Of everything but N and the label.
+  /// For everything but N and the label.
   std::size_t items() const { return items_; }
   /// Whether the block consists of a code and of words of these addresses alone.
   bool has_only(Addresses addresses) const;

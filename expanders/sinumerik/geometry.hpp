@@ -44,7 +44,7 @@ inline constexpr Real dot(const Vector& a, const Vector& b) {
   return a.p * b.p + a.q * b.q;
 }
 
-/// Of length 1, by its angle.
+/// The vector of length 1 with this angle.
 inline Vector direction_of(Real degrees) {
   const Real radians = std::remainder(degrees, Real{360}) * (std::numbers::pi_v<Real> / 180);
   return {std::cos(radians), std::sin(radians)};

@@ -47,7 +47,7 @@ constexpr KnownName kNames[] = {
     {"CT", {NameKind::kCode, Address::kX, &kTangentCode}},
 };
 
-// Of 802S only.
+// 802S alone has it.
 constexpr KnownName kCycleNames[] = {
     {"RPL", {NameKind::kAddress, Address::kRotation}},
     {"LCYC75", {NameKind::kCode, Address::kX, &kPocketCode}},

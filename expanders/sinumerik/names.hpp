@@ -61,7 +61,7 @@ constexpr Addresses addresses(More... address) {
 inline constexpr Address axis_address(std::size_t axis) {
   return static_cast<Address>(axis);
 }
-/// Of the axes X, Y, Z.
+/// For the axes X, Y, Z.
 inline constexpr Address centre_address(std::size_t axis) {
   return static_cast<Address>(static_cast<std::size_t>(Address::kI) + axis);
 }

@@ -32,7 +32,7 @@ consteval Reading operator""_reading(const char* name, std::size_t size) {
   return find_reading(kReadings, {name, size});
 }
 
-/// Of the machine parameters: how far an end may be off its circle, mm, and of the radius at start.
+/// A machine parameter: how far an end may be off its circle, mm, and of the radius at start.
 inline constexpr std::size_t kCircleErrorConstant = 0;
 inline constexpr std::size_t kCircleErrorFactor = 1;
 

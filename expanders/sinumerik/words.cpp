@@ -7,7 +7,7 @@
 namespace gonogo::expanders::sinumerik {
 namespace {
 
-// Of the others any number of digits will do.
+// The others take any number of digits.
 constexpr Addresses kMeasured = ~addresses(Address::kTurn, Address::kTool, Address::kCuttingEdge,
                                            Address::kSpindle, Address::kRotation);
 

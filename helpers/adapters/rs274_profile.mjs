@@ -11,7 +11,7 @@ const kHarmless = {
   resolution: () => true,
   'initial.plane': (value) => value === 'G17',
   'initial.spindle': (value) => value === 'M5' || value === 'M05',
-  // Of a program that is only looked at.
+  // For a program that is only looked at.
   'readings.ngc.unused-words': (value) => value === 'ignored' || value === 'any',
   'readings.ngc.program-end': (value) => value === 'free' || value === 'any',
 };

@@ -38,7 +38,7 @@ _HARMLESS = {
     "initial.spindle": one_of("M5", "M05"),
     "initial.x": _zero, "initial.y": _zero, "initial.z": _zero, "initial.a": _zero,
     "initial.c": _zero, "initial.f": _zero, "resolution": anything,
-    # Of a program that is only looked at.
+    # For a program that is only looked at.
     "readings.ngc.unused-words": one_of("ignored", "any"),
     "readings.ngc.program-end": one_of("free", "any"),
 }

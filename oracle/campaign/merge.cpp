@@ -82,7 +82,7 @@ void check_same_run(const Shard& a, const Shard& b) {
   }
 }
 
-// Of two files of one shard, the one that says more.
+// The one of two files of a shard that says more.
 void choose(Shard shard, std::map<unsigned, Shard>& shards, std::vector<std::string>& notes) {
   auto [place, is_new] = shards.try_emplace(shard.number, shard);
   if (is_new) return;

@@ -45,10 +45,10 @@ class ResultsReader {
   Json json() const { return parsed(); }
   // After the last case line; nothing: the file is incomplete.
   const std::optional<Json>& footer() const { return footer_; }
-  // Of the case lines read so far, as in the footer: without what differs from run to run.
+  // For the case lines read so far, as in the footer: without what differs from run to run.
   std::string sha256() const;
   std::uint64_t cases() const { return cases_; }
-  // Of the line read last, from 1.
+  // For the line read last, from 1.
   std::uint64_t line_number() const { return line_number_; }
   // Bytes up to and with the last whole line.
   std::uint64_t whole_bytes() const { return whole_bytes_; }

@@ -47,7 +47,7 @@ struct RunAnswer {
   bool judged_nothing = false;           // in all, or in one of the dialects
   std::vector<std::string> assignments;  // readings that explain all passes, "k=v k=v"
   std::string reading_conflict;  // the first case that no assignment explains with those before it
-  // Of all that is GO: how coordinates are rounded, by dialect.
+  // For all that is GO: how coordinates are rounded, by dialect.
   std::map<std::string, RoundingCensus> coordinates;
   std::string decision;  // GO, NO-GO or UNDECIDED
   std::string head;      // of what: a line
@@ -60,7 +60,7 @@ class Tally {
   // Cases in the order of their ids. Returns the verdict of the case in the run: its own, or
   // fail.reading when no assignment explains it and all before, which may be known (J-RUN-17).
   VerdictKind add(const CaseFacts& facts);
-  // Of the case that was added last.
+  // For the case that was added last.
   const std::optional<ReadingConflict>& conflict() const { return conflict_; }
   // `stale`: entries of the subject's files that are no longer true. `conditions` stand in the head
   // line and decide nothing.

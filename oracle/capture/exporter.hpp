@@ -22,8 +22,8 @@ struct ExportOptions {
   std::string header;              // text that is put before each program's own header
   bool all_profiles = false;       // also those that need the machine set up otherwise
   bool expected = false;           // with what they have to do, and the comparer
-  // Of a lathe: the radius at which the work offset puts X0, mm. Nothing: X0 is the spindle's axis,
-  // and programs that start there are left out, for their header would traverse to it.
+  // For a lathe: the radius at which the work offset puts X0, mm. Nothing: X0 is the spindle's
+  // axis, and programs that start there are left out, for their header would traverse to it.
   std::optional<Number> x_zero_at;
 };
 

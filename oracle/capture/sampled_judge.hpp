@@ -84,9 +84,9 @@ class SampledRun {
   const std::optional<Verdict>& departure() const { return departure_; }  // place, order, dwell
   const std::optional<Verdict>& feed_fault() const { return feed_fault_; }
   const std::optional<Verdict>& open() const { return open_; }  // why the end is not decided
-  bool at_end() const { return at_end_; }            // of the path
-  bool left_end() const { return left_end_; }        // moved on after it
-  bool moved() const { return moved_; }              // from the start
+  bool at_end() const { return at_end_; }                       // of the path
+  bool left_end() const { return left_end_; }                   // moved on after it
+  bool moved() const { return moved_; }                         // from the start
   const Position& last() const { return last_at_; }
   std::size_t progress() const { return progress_; }  // pieces that are done for certain
   std::string summary() const;                        // what was checked and what not
@@ -171,7 +171,7 @@ class SampledRun {
   double granted_;
   double clock_;
   States states_;
-  // Of the present sample.
+  // For the present sample.
   std::map<std::size_t, std::vector<Stretch>> cache_;
   std::map<std::size_t, std::vector<Stretch>> wide_cache_;
   Tube wide_;

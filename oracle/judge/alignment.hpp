@@ -28,13 +28,13 @@ struct Hypothesis {
   Position at;      // where the subject stands, as the step names it
   Position anchor;  // where its last motion that led anywhere ended
 
-  // Of a step that is a motion, once it has begun; it may be joined with steps behind it.
+  // For a step that is a motion, once it has begun; it may be joined with steps behind it.
   std::shared_ptr<const Curve> curve;
   std::size_t joined = 0;
   CurveProgress progress;
   std::optional<Motion> piece;  // the last that was taken of it
 
-  // Of a step whose path is open. `waiting`: its next motion, which what follows may go on.
+  // For a step whose path is open. `waiting`: its next motion, which what follows may go on.
   std::shared_ptr<OpenStep> open;
   std::optional<Motion> waiting;
 
@@ -203,7 +203,7 @@ class Alignment {
   OpenStepMemory& memory_;
   std::vector<Hypothesis> hypotheses_;
   std::optional<Refutation> farthest_;
-  // Of a hypothesis that may be right as far as can be told, and the step where it was given up.
+  // For a hypothesis that may be right as far as can be told, and the step where it was given up.
   std::optional<Verdict> gap_;
   std::size_t gap_step_ = 0;
   Forgiven forgiven_;

@@ -49,7 +49,7 @@ bool Alignment::meet_motion(Hypothesis& from, const Motion& motion, Stage& stage
     if (is_done) take_longer_end(from, motion, stage);
   }
   if (is_nil && !is_done) stay(as_it_was, motion, stage);
-  // Of an earlier block it passes nothing of this one.
+  // A motion of an earlier block passes nothing of this one.
   const Motion& want = wanted(as_it_was, step);
   const bool is_earlier =
       terms_.compare_blocks && steps_.is_in_order() && motion.record.block < want.record.block;

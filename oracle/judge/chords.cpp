@@ -24,7 +24,7 @@ Point_2 place(const PlaneVector& point) {
   return {point.p, point.q};
 }
 
-// Of those three of the points that lie least in line: first, middle and last, or a third apart
+// Three of the points, those that lie least in line: first, middle and last, or a third apart
 // where the first and last are near each other.
 std::optional<Circle> circle_of(std::span<const PlaneVector> points) {
   const std::size_t last = points.size() - 1;

@@ -90,7 +90,7 @@ class Curve {
   CurveAnswer follow_flat(const CurveProgress& from, const Motion& subject) const;
   bool line_goes_beyond(const Motion& subject) const;
 
-  // Of round curves, in curve_arcs.cpp.
+  // Those of round curves, in curve_arcs.cpp.
   CurveAnswer follow_round(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_arc(const CurveProgress& from, const Motion& subject) const;
   CurveAnswer follow_chord(const CurveProgress& from, const Motion& subject) const;

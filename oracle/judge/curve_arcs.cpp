@@ -40,7 +40,8 @@ CurveProgress advanced(const CurveProgress& from, double turns) {
 constexpr const char* kHangsOnRounding =
     "Rounding decides whether the arc makes a turn more or less than its record says.";
 
-// What the motion may be by either answer. Of two departures the first, unless the other is open.
+// What the motion may be by either answer. The first of two departures counts, unless the other is
+// open.
 CurveAnswer joined(CurveAnswer one, CurveAnswer other) {
   if (one.departs()) {
     const bool other_says = !other.departs() || other.departure == Departure::undecided;

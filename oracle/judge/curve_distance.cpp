@@ -85,8 +85,8 @@ Number length(const PlaneVector& v) {
 
 }  // namespace
 
-// Of an arc: along the radius, and along the axes outside its plane, at the part of its sweep where
-// the point is seen from its centre.
+// An arc is measured along the radius, and along the axes outside its plane, at the part of its
+// sweep where the point is seen from its centre.
 Number RoundCurve::distance(const Position& point, double turns) const {
   if (arc_ == nullptr) return distance_in_space(point);
   const Record& arc = arc_->record;

@@ -62,7 +62,7 @@ std::optional<Number> length_of(const Motion& motion) {
   return sqrt(square(angle) * radius_2 + square(height));
 }
 
-// Of a thread the lead counts along the axis that moves most.
+// The lead of a thread counts along the axis that moves most.
 Number travel(const Motion& motion) {
   Number most;
   for (const Axis axis : reference::kLinearAxes) {

@@ -17,14 +17,14 @@ namespace gonogo::oracle {
 bool stands_for(const Number& got, const Number& exact, const std::optional<Number>& resolution,
                 const JudgeTerms& terms);
 
-// Of two cutting motions.
+// Compares two cutting motions.
 bool feeds_agree(const Record& want, const Record& got, const JudgeTerms& terms);
 bool feeds_agree(const Number& want, reference::FeedMode mode, const Record& got,
                  const JudgeTerms& terms);
-// Of two threads; angles a whole turn apart are the same.
+// Compares two threads; angles a whole turn apart are the same.
 bool leads_agree(const Record& want, const Record& got, const JudgeTerms& terms);
 bool start_angles_agree(const Record& want, const Record& got, const JudgeTerms& terms);
-// Of two dwells.
+// Compares two dwells.
 bool times_agree(const Record& want, const Record& got, const JudgeTerms& terms);
 
 }  // namespace gonogo::oracle

@@ -234,7 +234,7 @@ double part_of_turn(double across, double along) {
   return part < 0 ? part + 1.0 : part;
 }
 
-// Of one turn, where that is far from a whole one.
+// The sweep of one turn, where that is far from a whole one.
 std::optional<double> estimated_part(const PlaneVector& a, const PlaneVector& b, int sense) {
   const std::array<double, 2> from = {estimate(a.p), estimate(a.q)};
   const std::array<double, 2> to = {estimate(b.p), estimate(b.q)};

@@ -54,11 +54,11 @@ class OpenStep {
   };
   virtual Exit exit(const Position& here) const = 0;
 
-  // Of a motion that leads nowhere: whether it comes before the path, and is none of it.
+  // For a motion that leads nowhere: whether it comes before the path, and is none of it.
   virtual bool is_before(const Motion& /*motion*/) const { return false; }
-  // Of a motion too small to see: whether it belongs to the path all the same.
+  // For a motion too small to see: whether it belongs to the path all the same.
   virtual bool sees(const Motion& /*small*/) const { return false; }
-  // Of such a motion: whether the path may be over where it starts, and it comes behind.
+  // For such a motion: whether the path may be over where it starts, and it comes behind.
   virtual bool may_be_left_by(const Motion& /*small*/) const { return false; }
   // Whether the motion that leads to the path may go on into it, as `rest`.
   virtual bool may_begin_within(const Motion& /*rest*/) const { return false; }

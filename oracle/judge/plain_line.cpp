@@ -17,7 +17,7 @@ class Rest {
     rest_.remove_prefix(text.size());
     return true;
   }
-  // Of a length that the compiler knows, for which nothing has to be called.
+  // The length is one that the compiler knows, for which nothing has to be called.
   template <std::size_t size>
   bool take(const char (&text)[size]) {
     if (rest_.size() < size - 1 || std::memcmp(rest_.data(), text, size - 1) != 0) return false;

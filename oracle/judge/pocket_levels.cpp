@@ -173,7 +173,7 @@ std::optional<Number> PocketMillingJudge::place_of(const Number& depth) const {
   return found ? std::optional(place) : std::nullopt;
 }
 
-// SIE-LC75-06. Of finishing, levels that have nothing to clear may be left out: those in the air,
+// SIE-LC75-06. Finishing may leave out levels that have nothing to clear: those in the air,
 // and where there is no strip all but the last. Levels no farther apart than the tolerance are one.
 bool PocketMillingJudge::is_due(const Number& place) const {
   if (place <= next_level_) return place == next_level_;

@@ -165,7 +165,7 @@ bool PocketMillingJudge::stays_at_level(const Motion& motion) const {
       !agree(to, motion.from[axes_.d], terms_.tolerance)) {
     return false;
   }
-  // Of finishing, the floor is not cleared as the level just above it.
+  // In finishing, the floor is not cleared as the level just above it.
   return !(item_.finishing && to < depth_ && to >= item_.floor);
 }
 

@@ -88,7 +88,7 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   return verdict;
 }
 
-// Of an alarm for which the reference has none.
+// The answer to an alarm for which the reference has none.
 Verdict alarm_verdict(VerdictKind kind, const SubjectAlarm& alarm, std::string message) {
   Verdict verdict;
   verdict.kind = kind;

@@ -97,7 +97,7 @@ bool MilledAgain::allows(const Motion& cut) {
   if (cut.record.kind == RecordKind::arc) {
     const double p = estimate(cut.record.centre[0]), q = estimate(cut.record.centre[1]);
     const Ring ring = ring_of(cut);
-    // Of a spiral, the turns that lie within the width of one ring.
+    // Turns of a spiral that lie within the width of one ring.
     const double turns = ring.turns * width_ / std::max(ring.growth, width_);
     double& all = times_[PlaceHash(width_).add(p).add(q).add(ring.radius).key()];
     all += turns;

@@ -53,7 +53,7 @@ class ReferenceSteps {
 
   // REQUIRES: no step before this one is the last one, and this one has not been forgotten.
   const Step& at(std::size_t number);
-  // Of a step that is a motion.
+  // For a step that is a motion.
   const std::shared_ptr<const Curve>& curve_of(const Step& step) const;
   void forget_before(std::size_t number);
 

@@ -59,7 +59,7 @@ struct Capped {
   Number declared;
   Number counts;
 };
-// Of a subject under a profile.
+// The terms of a subject under a profile.
 std::vector<Capped> capped(const SubjectInfo& subject, const reference::Profile& profile,
                            const Grants& grants);
 

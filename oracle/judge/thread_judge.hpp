@@ -39,7 +39,7 @@ class ThreadJudge : public OpenStep {
     waits_ = true;
     return {};
   }
-  // Of a pass: the arc and the infeed, the helix, the run-out, back to the R plane, away.
+  // For a pass: the arc and the infeed, the helix, the run-out, back to the R plane, away.
   enum class Phase { entry, helix, run_out, way_back, away };
 
   OpenStepAnswer take_in_phase(const Motion& motion);

@@ -217,7 +217,7 @@ bool ThreadRunOutJudge::must_cut_deeper(const Motion& flat) const {
     if (each == ThreadRunOut::polar) {
       return !geometry_.item().external && geometry_.item().runout_length > radius_ * 2;
     }
-    // Of what hardly moves nobody can tell where it leads.
+    // Nobody can tell where something leads that hardly moves.
     const Number least = geometry_.loose_terms().tolerance * 2;
     return !agree(flat.from, flat.to(), least) && follows(each, flat) &&
            geometry_.clearance(line_to(each), radius_).kind != Clearance::Kind::clear;

@@ -100,7 +100,7 @@ class ThreadRunOutJudge {
   };
   std::array<std::optional<Line>, 3> lines_;
   std::array<bool, 3> off_line_ = {};
-  // Of the polar run-out as an arc.
+  // For the polar run-out as an arc.
   std::optional<Record> arc_;  // its first piece
   SweptTurns swept_;           // by all of them
   bool arc_departed_ = false;

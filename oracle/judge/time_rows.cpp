@@ -36,7 +36,7 @@ std::string amount_text(const TimePart& part) {
 
 std::string time_hint(std::size_t part, const Number& want, const Number& got) {
   if (!kQuantities.at(part)) return {};
-  // Of numbers that are rounded one by one.
+  // The numbers are rounded one by one.
   return unit_error(*kQuantities.at(part), want, got, want / (kFewestParts * kFewestParts));
 }
 

@@ -69,7 +69,7 @@ class Findings {
   const Finding* add(const CaseHead& line, VerdictKind kind);
   // Whether the case that was added last is the smallest of its finding so far.
   bool is_smallest() const { return is_smallest_; }
-  // Of one dialect, verdict, clause and `what`.
+  // For one dialect, verdict, clause and `what`.
   void set_cause(const Finding::Key& key, std::string cause);
   // By gravity, then the smallest program first; those of one cause stand together, where the
   // gravest of them stands.

@@ -32,7 +32,7 @@ Number power_of_ten(int exponent) {
   return power;
 }
 
-// Of the coarsest grid that the number is on.
+// The decimals of the coarsest grid that the number is on.
 int decimals_of(const Number& number) {
   Number steps = number;
   for (int decimals = 0; decimals < kNoGrid; ++decimals, steps = steps * 10) {

@@ -59,7 +59,7 @@ class RoundedCoordinates {
   bool operator==(const RoundedCoordinates&) const = default;
 
  private:
-  // Of each mode or rule the decimals of the finest grid that it fits on. What it does on a grid it
+  // The decimals of the finest grid that each mode or rule fits on. What it does on a grid it
   // does on every coarser one.
   template <std::size_t N>
   using Finest = std::array<std::int8_t, N>;

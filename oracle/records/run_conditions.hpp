@@ -28,7 +28,7 @@ struct RunConditions {
   std::string short_text() const;
 };
 
-// Of the header of a results file.
+// For the header of a results file.
 RunConditions conditions_of(const nlohmann::ordered_json& header);
 
 }  // namespace gonogo::oracle

@@ -50,7 +50,7 @@ class RunScope {
     std::string departure;
     auto operator<=>(const Advice&) const = default;
   };
-  // Of the cases that need a feature.
+  // For the cases that need a feature.
   struct Judged {
     std::size_t cases = 0;
     std::size_t no_go = 0;      // of them

@@ -56,8 +56,8 @@ inline constexpr std::size_t kDecisions = 4;
 std::string_view name(VerdictKind kind);  // "fail.geometry"
 std::optional<VerdictKind> verdict_kind(std::string_view name);
 Decision decision(VerdictKind kind);
-// Whether a case that ended so was judged (J-RUN-14): neither an advice nor a known failure, skip or
-// gap.
+// Whether a case that ended so was judged (J-RUN-14): neither an advice nor a known failure, skip
+// or gap.
 inline bool is_judged(VerdictKind kind) {
   return decision(kind) == Decision::go || decision(kind) == Decision::no_go;
 }
@@ -85,10 +85,10 @@ struct Verdict {
   RelationRule rule = RelationRule::none;  // none: that which the kind is the name of (rule_of)
   GapReason gap = GapReason::none;         // of an oracle_gap
   reference::ClauseId clause = reference::kNoClause;
-  // Of an advice: what it would be if a text stated the expectation; of an xfail: what it is.
+  // For an advice: what it would be if a text stated the expectation; of an xfail: what it is.
   std::optional<VerdictKind> departure;
   std::size_t property_motions = 0;  // of a GO: motions of the subject held to properties alone
-  // Of a GO: those that are compared.
+  // For a GO: those that are compared.
   std::optional<RoundingCensus> coordinates = {};
   std::string reading;                // another reading under which the answer would be GO: "k=v"
   std::uint64_t block = 0;            // source line; 0: none

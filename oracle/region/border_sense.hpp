@@ -20,7 +20,7 @@ class BorderSense {
   Against of_line(const Line& line) const;
   Against of_arc(const Arc& arc, bool counterclockwise) const;
 
-  // Of pieces in a row: whether one surely runs along the border, or a place lies on it, and
+  // Whether, of pieces in a row, one surely runs along the border, or a place lies on it, and
   // whether a way along it from one point to another, long enough, goes against the sense.
   bool runs_along(const Line& line) const;
   bool touches(const PlanePoint& place) const;

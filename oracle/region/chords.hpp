@@ -10,9 +10,9 @@
 
 namespace gonogo::oracle::region {
 
-// Of each motion, whether it is a chord: a line that, together with the line before or after it,
-// turns by less than 90 degrees and runs nowhere farther than `limit` from the circle through the
-// three ends.
+// Tells of each motion whether it is a chord: a line that, together with the line before or after
+// it, turns by less than 90 degrees and runs nowhere farther than `limit` from the circle through
+// the three ends.
 std::vector<bool> find_chords(std::span<const LevelMotion> motions, const Number& limit);
 
 // The first chord at which those in a row have turned against the sense by more than 45 degrees;

@@ -24,7 +24,7 @@ Number short_bound(const Number& value) {
   return (value * scale).ceil() / scale;
 }
 
-// Of the distance of a rational value from what lies in the bounds.
+// Bounds of the distance of a rational value from what lies in the bounds.
 Number farthest(const Number& value, const std::array<Number, 2>& bounds) {
   return exact::max(exact::abs(value - bounds[0]), exact::abs(value - bounds[1]));
 }

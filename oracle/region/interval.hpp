@@ -73,7 +73,7 @@ inline Interval operator/(Interval a, Interval b) {
   const Interval b = absolute(a);
   return {std::max(0.0, below(b.lo * b.lo)), above(b.hi * b.hi)};
 }
-// Of the part that is not negative.
+// The root of the part that is not negative.
 inline Interval square_root(Interval a) {
   return {std::max(0.0, below(std::sqrt(std::max(a.lo, 0.0)))),
           above(std::sqrt(std::max(a.hi, 0.0)))};

@@ -23,7 +23,7 @@ Position minus(const Position& a, const Position& b) {
   return difference;
 }
 
-// Of the linear axes.
+// The linear axes.
 Number dot(const Position& a, const Position& b) {
   Number sum;
   for (const Axis axis : kLinearAxes) sum += a[axis] * b[axis];

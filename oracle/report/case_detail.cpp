@@ -35,7 +35,7 @@ std::optional<std::size_t> wanted_record(const Path& path, const std::string& wa
   return found;
 }
 
-// Of samples the place counts all of them, and the trace holds those that a drawing needs, with
+// The place counts all samples, and the trace holds those that a drawing needs, with
 // their places.
 std::optional<std::size_t> departing_motion(const Json& line) {
   const auto record = count_of(line, "record");

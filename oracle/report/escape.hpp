@@ -22,7 +22,7 @@ std::string shortened(std::string_view text, std::size_t most);
 
 // RFC 4648 with padding. Nothing when it is not that.
 std::optional<std::string> from_base64(std::string_view text);
-// Of bytes that are given as hexadecimal digits.
+// For bytes that are given as hexadecimal digits.
 std::string base64_of_hex(std::string_view hex);
 
 }  // namespace gonogo::oracle::report

@@ -12,7 +12,7 @@
 
 namespace gonogo::oracle::report {
 
-// Of all motions; a null path has none.
+// For all motions; a null path has none.
 Extent extent_of_paths(std::initializer_list<const Path*> paths);
 // `owner` is 'r' (drawn broad) or 's' (drawn fine, above it).
 void append_path(std::string& out, const View& view, const Path& path, char owner);

@@ -289,7 +289,7 @@ Json Summary::coordinates(const Json* footer) {
 }
 
 Json Summary::finish(const Json& header, const Json* footer, std::uint64_t bad_lines) const {
-  // Of the dialects that were judged, and what else was hit.
+  // For the dialects that were judged, and what else was hit.
   std::set<std::string_view> shown;
   for (const auto& [dialect, judged] : judged_) {
     const reference::Dialect* known = reference::find_dialect(dialect);

@@ -22,7 +22,7 @@ namespace gonogo::oracle::report {
 
 using Json = nlohmann::ordered_json;
 
-// Of a name that is not a verdict's: NO-GO, so that nothing unknown passes.
+// A name that is no verdict's is NO-GO, so that nothing unknown passes.
 Decision decision_of(const std::string& verdict);
 
 // The cases of one cycle that hit one clause.

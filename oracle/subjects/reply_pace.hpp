@@ -17,7 +17,7 @@ class ReplyPace {
   // With `open` programs sent and not answered; nil: look at once. So short that the subject never
   // runs out of programs, and no longer than a millisecond.
   Duration patience(std::size_t open) const;
-  // Of `open` programs `replies` were answered since the last look, `time` ago.
+  // `replies` of `open` programs were answered since the last look, `time` ago.
   void note(std::size_t replies, std::size_t open, Duration time);
 
  private:

@@ -16,12 +16,12 @@ Wave other(Wave wave) {
   return wave == Wave::cosine ? Wave::sine : Wave::cosine;
 }
 
-// Of any angle.
+// For any angle.
 Number enclosed_wave(Wave wave, const Number& degrees) {
   return enclosure(wave == Wave::cosine ? Operation::cos_degrees : Operation::sin_degrees, degrees);
 }
 
-// Of a rational angle in [0, 45].
+// For a rational angle in [0, 45].
 Number wave_of_octant(Wave wave, const Number& degrees) {
   const Number half = Number::millionths(500'000);
   if (degrees == Number(0)) return wave == Wave::cosine ? 1 : 0;
@@ -52,7 +52,7 @@ Number wave_of(Wave wave, const Reduced& angle) {
   return is_negative ? -value : value;
 }
 
-// Of any angle, in the one form.
+// For any angle, in the one form.
 Number wave_of(Wave wave, const Number& degrees) {
   return degrees.is_rational() ? wave_of(wave, reduced(degrees)) : enclosed_wave(wave, degrees);
 }

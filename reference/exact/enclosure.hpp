@@ -54,7 +54,7 @@ std::optional<Number> simplified(Operation operation, const Number& x, const Num
 void destroy_enclosure(Node* node) noexcept;
 
 Interval interval_of(const Number& value, mpfr_prec_t bits);
-// Of the expression.
+// The bounds of the expression.
 std::uint64_t hash_of(const Number& value);
 // Whether two numbers are one by construction; false says nothing.
 bool same_expression(const Number& x, const Number& y);

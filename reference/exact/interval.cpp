@@ -59,7 +59,7 @@ Interval hull_of_ends(MpfrOperation operation, const Interval& x, const Interval
   return hull;
 }
 
-// Of ends that are numbers, none of them below zero.
+// The ends are numbers, none of them below zero.
 bool is_not_negative(const Interval& x) {
   return x.bounded() && mpfr_sgn(x.low()) >= 0;
 }

@@ -50,7 +50,7 @@ Interval subtract(const Interval& x, const Interval& y, mpfr_prec_t bits);
 Interval multiply(const Interval& x, const Interval& y, mpfr_prec_t bits);
 // The whole line where y contains zero.
 Interval divide(const Interval& x, const Interval& y, mpfr_prec_t bits);
-// Of the part that is not negative: the value is known to lie there.
+// The root of the part that is not negative: the value is known to lie there.
 Interval sqrt_of(const Interval& x, mpfr_prec_t bits);
 // REQUIRES: x is above zero.
 Interval root_of(const Interval& x, unsigned long degree, mpfr_prec_t bits);

@@ -235,8 +235,8 @@ bool is_surely_below(const Number& a, const Number& b) {
 
 }  // namespace
 
-// Of two enclosures that the last refinement does not tell apart, the first: they differ by less
-// than any question that it decides.
+// Takes the first of two enclosures that the last refinement does not tell apart: they differ by
+// less than any question that it decides.
 const Number& min(const Number& a, const Number& b) {
   return is_surely_below(b, a) ? b : a;
 }

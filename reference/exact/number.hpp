@@ -105,7 +105,7 @@ class Number {
   void append_json(std::string& out) const;
   // The same for people: 12.5, 11/3, 1 + 2*sqrt(3), [1.25, 1.26].
   std::string text() const;
-  // A decimal of `decimals` places, rounded to nearest (ties away from zero). Of an enclosure, the
+  // A decimal of `decimals` places, rounded to nearest (ties away from zero). For an enclosure, the
   // middle of bounds 2^-64 of the last place apart is rounded.
   std::string decimal_text(int decimals) const;
 

@@ -215,7 +215,7 @@ std::string Number::decimal_text(int decimals) const {
       digits = floor_of(root_of(scaled + millionths(500'000)));
       break;
     case Form::enclosure: {
-      // Of the middle, where 64 bits behind the last place still leave two answers.
+      // Digits of the middle, where 64 bits behind the last place still leave two answers.
       const auto [low, high] = scaled.bounds(kEnclosureBits);
       digits = rounded(mpq_class((rational_of(low) + rational_of(high)) / 2));
       break;

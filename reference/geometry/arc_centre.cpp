@@ -21,7 +21,7 @@ Number root_of_fine(const Number& square_2) {
   return exact::sqrt(square_2) / 1000;
 }
 
-// Of two radii whose squares these are.
+// Compares two radii whose squares these are.
 bool is_at_least(const Number& radius_2, const Number& limit_2) {
   const int sign = sign_of(limit_2 <=> radius_2);
   return decided_by_roots("limit - radius", sign, {{1, limit_2}, {-1, radius_2}}) <= 0;

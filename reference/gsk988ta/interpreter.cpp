@@ -245,7 +245,8 @@ void Interpreter::run_motion(BlockContext& block) const {
 }
 
 // The M function is passed on: one that stops or ends something after the motion, another before
-// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01). Of two the later one (GSK-COM-07).
+// (GSK-COM-05; M35 of the milling cycles before, GSK-G112-01). The later one of two counts
+// (GSK-COM-07).
 void Interpreter::put_m_function_of(const BlockContext& block) const {
   const grammar::Word* word = block.words.word('M');
   if (word == nullptr) return;

@@ -78,7 +78,7 @@ void read_codes(const grammar::Block& block, const ReadingsInUse& readings, Code
     const Code* const code = code_of(word, readings);
     if (is_beside && code->group == Group::motion) {
       if (++motions > 1 && alarms) reading.alarms.push_back(g80_beside(word));
-      // Of two G80 one is left.
+      // One of two G80 is left.
       if (code->tenths == kG80 && (beside.others > 0 || motions > 1)) continue;
     }
     kTable.take(word, code, false, reading);

@@ -42,7 +42,7 @@ struct Holes {
 // What a cycle does in a hole, from R to where the tool leaves it.
 using Hole = std::function<Generator<Item>(const Holes&)>;
 
-// All motion of the block. Of what leads nowhere there is no record.
+// All motion of the block. What leads nowhere has no record.
 Generator<Item> run_holes(Holes holes, Hole hole);
 
 }  // namespace gonogo::reference::rs274

@@ -36,7 +36,7 @@ struct Offsets {
   Position tool;                                  // tool length
   std::array<Position, 2> homes;                  // NGC-OFS-11: of G28 and G30, of the machine
 
-  // Of the program, in coordinates of the machine; what all of the above come to.
+  // The offset of the program, in coordinates of the machine; what all of the above come to.
   Position origin;
   bool is_moved = false;  // whether it is not the machine's
 

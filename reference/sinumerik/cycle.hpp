@@ -22,7 +22,7 @@ struct CycleCall {
   void parameter_alarm(AlarmClass alarm, ClauseId clause, std::uint64_t number,
                        std::string message) const;
   void alarm(AlarmClass alarm, ClauseId clause, WordName word, std::string message) const;
-  // Of the name of the cycle.
+  // For the name of the cycle.
   grammar::Span where() const;
   // In workpiece coordinates.
   Number retract() const { return parameter(101); }

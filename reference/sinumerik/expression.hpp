@@ -24,7 +24,7 @@ struct NoValue {
 
 class Calculator {
  public:
-  // Of a control with R0 to R`count - 1`. REQUIRES: count <= kParameters.
+  // Takes a control with R0 to R`count - 1`. REQUIRES: count <= kParameters.
   explicit Calculator(std::uint64_t count) : count_(count) {}
   std::uint64_t count() const { return count_; }
   // The value of a word that has one; nothing after `problem` was filled.

@@ -64,7 +64,7 @@ struct WordModes {
   bool incremental = false;
 };
 
-// Of an address that stands several times, the last word.
+// The last word of an address that stands several times.
 class BlockWords final : public WordPlaces {
  public:
   // `modes` may change while the block is read.
@@ -85,7 +85,7 @@ class BlockWords final : public WordPlaces {
   AxisWord intermediate_word(Axis axis) const {
     return point_word(intermediate_address(axis), axis);
   }
-  // Of I, J, K: incremental unless it is AC().
+  // For I, J, K: incremental unless it is AC().
   AxisWord centre_word(Axis axis) const;
   grammar::Dimension dimension(Address address) const {
     return words_[index(address)].word->dimension;

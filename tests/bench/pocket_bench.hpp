@@ -68,7 +68,7 @@ inline Job with_motions(const Strategy& strategy, std::size_t count, bool grows)
                : cleared(strategy, 60, 40, 4'000'000 / high);
 }
 
-// Of the processor: what else runs on the machine does not count.
+// Time of the processor: what else runs on the machine does not count.
 template <typename Work>
 double processor_milliseconds(Work work) {
   const std::clock_t start = std::clock();

@@ -15,7 +15,7 @@ namespace gonogo::testing {
 // Raised with every change of the corpus (corpus/recipes/corpus.toml).
 inline constexpr const char* kCorpusVersion = "2026.20.0";
 
-// Of the checkout.
+// The corpus of the checkout.
 std::string corpus_folder();
 
 // Every case of the checked-in corpus, by id; read once.

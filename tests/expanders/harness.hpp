@@ -47,7 +47,7 @@ class Session {
   /// Stops after `most` records.
   Outcome run(std::string_view program, std::size_t most = 100'000);
   int reset() { return subject_->reset(handle_); }
-  /// Of `create`, or of the last run.
+  /// For `create`, or of the last run.
   const Outcome& outcome() const { return outcome_; }
 
  private:

@@ -75,7 +75,7 @@ TEST(HncAlarms, TheFirstWordAtFaultIsReported) {
   const Outcome earlier = run_hnc("G82 F-1 X-1 Z-1 C-2\n");
   EXPECT_EQ(earlier.alarm_word, 'F');
   EXPECT_EQ(run_hnc("G74 Z-1 Q-1 R-1 F9\n").alarm_word, 'Q');
-  // Of words that are there before those that lack.
+  // Faults of words that are there come before words that lack.
   EXPECT_EQ(run_hnc("G74 R-1\nX1\n").alarm_word, 'R');
 }
 

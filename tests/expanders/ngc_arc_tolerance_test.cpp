@@ -92,7 +92,7 @@ TEST(NgcTolerance, OfAShortRadius) {
             "arc17 c=5,0 rot=1 x=10 y=0 f=9\n");
 }
 
-// Of squares beyond 64 bits, one count beside equality: (n + t)^2 against n^2.
+// Squares beyond 64 bits, one count beside equality: (n + t)^2 against n^2.
 TEST(NgcRadii, DifferByMoreIsExact) {
   const Wide n = Wide{kLargest};
   const Wide t = 2'000'000;

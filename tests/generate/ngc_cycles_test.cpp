@@ -42,7 +42,7 @@ TEST(NgcCyclesGenerator, EveryCycleIsEnteredAndRepeated) {
   expect_each({"G33 entry", "G331 entry", "G76 entry"}, 200);
 }
 
-// Of their records: their blocks ran.
+// Their records show that their blocks ran.
 TEST(NgcCyclesGenerator, EveryCycleRuns) {
   expect_each({"clause NGC-CYC", "clause NGC-G73", "clause NGC-G81", "clause NGC-G82",
                "clause NGC-G83", "clause NGC-G84", "clause NGC-G85", "clause NGC-G86",

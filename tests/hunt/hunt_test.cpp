@@ -96,7 +96,7 @@ TEST(Hunt, AFlickerOfOnePercentIsFoundAndToldAsSuch) {
   }
 }
 
-// Of generated programs. Mutants may be what two readers of the same manual read differently.
+// The programs are generated. Mutants may be what two readers of the same manual read differently.
 TEST(Hunt, AFaultFreeExpanderIsNotFound) {
   auto generated = [](const char* expander, const char* dialect) {
     HuntOptions options = hunting(dialect);

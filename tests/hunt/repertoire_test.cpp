@@ -185,7 +185,7 @@ generate::GeneratedProgram program(const char* text) {
   return {defaults("rs274"), text};
 }
 
-// Of a subject that says nothing of itself, and skipped enough for what it does to be learned.
+// A subject that says nothing of itself has skipped enough for what it does to be learned.
 Repertoire that_saw_much_skipped() {
   oracle::SubjectInfo info;
   info.everything = true;

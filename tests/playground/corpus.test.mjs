@@ -101,7 +101,7 @@ test('the module writes what the program writes', { timeout: 3_000_000 }, () => 
   let alarms = 0;
   for (const { vector, file, ...wanted } of all) {
     const found = ask(vector, file);
-    // Of wrong use each says it in its own words: one of files, one of a page.
+    // Wrong use is told in words of each: one of files, one of a page.
     const messages = wanted.exit === kEmpty ? wanted.messages : found.messages;
     assert.deepEqual({ exit: found.exit, records: found.records, messages }, wanted, vector.id);
     if (wanted.exit !== 0) ++alarms;

@@ -164,10 +164,9 @@ TEST(Campaign, ASubjectThatSkipsAllButOneIsGoForNoFeature) {
   write_corpus(scratch, 10);
   const std::string footer =
       results_of(scratch, "r", options_of(1), fake_maker(skipping_all_but("t.000003", "g90")));
-  EXPECT_NE(
-      footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
-                  "part: basic (1 of 10 cases); not compared: M functions, source lines\""),
-      std::string::npos)
+  EXPECT_NE(footer.find("\"head\":\"GO: 1 judged; not claimed: 9 cases; not judged for the most "
+                        "part: basic (1 of 10 cases); not compared: M functions, source lines\""),
+            std::string::npos)
       << footer;
 }
 
@@ -313,7 +312,7 @@ TEST(Campaign, ASubjectThatWasGivenUpIsNotRunAgain) {
   EXPECT_NE(scratch.read("r").find("\"attempts\":1"), std::string::npos);
 }
 
-// Of every case: an entry with the verdict of a trace without records, 1 of 4 runs.
+// Every case has an entry with the verdict of a trace without records, 1 of 4 runs.
 CampaignOptions knowing_flaky() {
   CampaignOptions options = options_of(1);
   options.known_failures = {{"t.*", VerdictKind::fail_geometry, {}, {}, "a race", Flaky{1, 4}}};

@@ -78,7 +78,7 @@ TEST(SampleHoles, OneSampleThatIsMissingIsAHoleOfAnEvenRhythm) {
 }
 
 TEST(SampleHoles, ManyHolesAreFoundAndTheFirstOnesNamed) {
-  // Of each second the last seven tenths: what is left is 16 samples a second and a hole.
+  // The last seven tenths of each second: what is left is 16 samples a second and a hole.
   expect_hole(without(way(), [](double time) { return time - std::floor(time) > 0.31; }),
               "0.3 s to 1 s");
   // More holes than intervals between them: of each fifth of a second two or three samples are

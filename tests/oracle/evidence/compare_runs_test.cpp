@@ -56,7 +56,7 @@ TEST_F(CompareRuns, CaseOfSomeRunsIsNewGoneOrCompared) {
   EXPECT_EQ(comparison.same, 1U);
 }
 
-// Of two runs it says what the comparison of two says.
+// It says of two runs what the comparison of two says.
 TEST_F(CompareRuns, TwoRunsAreComparedAsCompareResultsDoes) {
   const std::vector<std::string> verdicts = {"pass-exact", "pass-rounded", "skip",      "advice",
                                              "fail.order", "crash",        "oracle-gap"};

@@ -19,7 +19,7 @@ Judging rs274(std::string chord = "0.01") {
   return judging;
 }
 
-// Half a turn clockwise about (10010, 0), in so many chords. Of 3,000 the sagitta is
+// Half a turn clockwise about (10010, 0), in so many chords. With 3,000 the sagitta is
 // 10000 (1 - cos(pi/6000)) = 0.00137.
 constexpr std::string_view kHalfTurnProgram = "G0 X10\nG2 X20010 I10000 F100\n";
 TraceText chords(int count) {

@@ -82,7 +82,7 @@ TEST(DepartureMessage, AHundredthBesideALineIsToldAndNotTheWayStillToGo) {
   EXPECT_EQ(verdict.witness, R"({"x":"25","y":"0.01"})");
 }
 
-// From (0, 0) to (30, 10). Of (15, 6), with t along the line, |15 - 30 t| = |6 - 10 t| is least at
+// From (0, 0) to (30, 10). At (15, 6), with t along the line, |15 - 30 t| = |6 - 10 t| is least at
 // t = 21/40: 3/4.
 TEST(DepartureMessage, BesideASlantingLineTheNearestPointOfItCounts) {
   TraceText trace(2, 100);

@@ -107,7 +107,8 @@ TEST(OpenReadings, AreSettledLateAsTheyWouldBeAtOnce) {
          {judged(profile, program, of.outcome, of.terms),
           judged_by_lines(profile, program, of.outcome, of.terms, known)}) {
       ASSERT_EQ(decision(said.verdict.kind), decision(whole.verdict.kind)) << where;
-      // Of those that departed only the last tells; what makes a difference behind it is not known.
+      // For those that departed only the last tells; what makes a difference behind it is not
+      // known.
       if (decision(said.verdict.kind) != Decision::go) continue;
       ASSERT_EQ(text_of(said), text_of(whole)) << where;
       ASSERT_TRUE(std::ranges::is_permutation(said.explaining, whole.explaining)) << where;

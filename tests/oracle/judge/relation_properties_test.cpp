@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What holds of the acceptance relation whatever the program and the outcome are: docs/judging.md,
-// "Properties of the relation". Of generated programs of every dialect, with right outcomes, those
+// "Properties of the relation". The programs are of every dialect, with right outcomes, those
 // of faulty expanders, and spoilt ones.
 #include <gtest/gtest.h>
 

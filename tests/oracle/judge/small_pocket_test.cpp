@@ -129,7 +129,7 @@ TEST(SmallPockets, InfeedsOfTheToleranceAreGo) {
   }
 }
 
-// Of finishing where roughing left no strip, levels may be left out, but need not be: each is
+// Where roughing left no strip, levels of finishing may be left out, but need not be: each is
 // milled whole, as in roughing.
 TEST(SmallPockets, LevelsOfFinishingNoFartherApartThanTheToleranceAreGo) {
   for (const std::string_view infeed : {"R121=0.001", "R121=0.0015", "R121=0.002"}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A trace with one thing wrong that is larger than the tolerance is never GO, however small the
-// motions round it are. Of generated programs without open paths, where what is right is one path.
+// motions round it are. The programs have no open paths, so that what is right is one path.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

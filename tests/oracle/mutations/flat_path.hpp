@@ -37,7 +37,7 @@ inline double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-// Of a spiral, not above the distance: by places, less what may be between two of them.
+// A lower bound of the distance from a spiral: by places, less what may be between two of them.
 inline double distance_to_spiral(const Point& at, const FlatMotion& motion) {
   constexpr int kPlaces = 64;
   double least = distance(at, motion.to);

@@ -157,7 +157,7 @@ class OpenPocketMilling : public OpenPart {
     return false;
   }
 
-  // Of finishing, down to what roughing left or to the lowest level so far.
+  // In finishing: down to what roughing left or to the lowest level so far.
   bool traverses_to_floor(const Stroke& motion, double lowest, const Margin& margin) const {
     const double floor = std::min(value_of(pocket_.rough_floor), lowest);
     return pocket_.finishing && motion.kind() == RecordKind::rapid &&
@@ -207,12 +207,12 @@ class OpenPocketMilling : public OpenPart {
       return "a plunge beside the centre (SIE-LC75-04)";
     }
     if (motion.record->feed != pocket_.depth_feed) return "another feed in depth";
-    // Of a level that is the centre alone nothing shows that it was cleared.
+    // Nothing shows that a level was cleared that is the centre alone.
     if (std::max(half_length_, half_width_) <= 16 * margin.arc) return "";
     return lowest - to > infeed_ + margin.place ? "an infeed above R121 (SIE-LC75-05)" : "";
   }
 
-  // A motion that lies on the border, seen from the middle the wrong way round. Of a border that is
+  // A motion that lies on the border, seen from the middle the wrong way round. A border that is
   // a line or a point no motion has a direction.
   bool runs_against(const FlatMotion& cut, const Margin& margin) const {
     const double width = 64 * margin.arc;

@@ -313,7 +313,7 @@ class OpenThread : public OpenPart {
       skip_nil();
       const double safe = of.start_radius_ + of.free_ * of.run_out_;
       const Place from = next > 0 ? strokes[next - 1].to : strokes[0].from;
-      // Of a bore the place on the other side of the axis is as free; and the way leads along p
+      // In a bore the place on the other side of the axis is as free; and the way leads along p
       // alone, wherever along q the run-out ended.
       const auto is_safe = [&](const Place& place) {
         if (of.free_ > 0) return at(place) >= safe - margin.arc;

@@ -103,7 +103,7 @@ bool arc_fits(const Stroke& got, const Stroke& want, double from, double to, con
     if (got.u[i] == 0 && got.v[i] == 0) continue;
     if (std::abs(got.centre[i] - want.centre[i]) > margin.place) return false;
   }
-  // Of an arc too small to show its sense the other sense is not proved right: what turns nearly
+  // An arc too small to show its sense does not prove the other sense right: what turns nearly
   // all the way round against it is no piece of it (R2).
   if ((got.sweep < 0) != (want.sweep < 0) &&
       (margin.strict || std::abs(want.sweep) * (to - from) > slack)) {

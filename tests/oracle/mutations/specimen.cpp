@@ -58,7 +58,7 @@ std::shared_ptr<const OpenPart> conditions_of(const Item& part) {
   return nullptr;
 }
 
-// Of a helix: each turn is a place where the bench looks.
+// Each turn of a helix is a place where the bench looks.
 constexpr std::int32_t kMostTurns = 1000;
 
 // The trace that is shown. False where it ends in what is not covered.

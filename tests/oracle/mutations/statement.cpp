@@ -131,7 +131,7 @@ bool lines_may_come_again(const Specimen& specimen) {
 
 Statement state_functions(const Specimen& specimen, const Trace& mutant) {
   if (functions_of(mutant) != functions_of(specimen.right)) {
-    // Of the block that alarms no text says which are passed on.
+    // No text says which are passed on by the block that alarms.
     if (is_alarm(specimen.right)) {
       auto without = [&](const Trace& trace) {
         std::vector<PassedOn> all = functions_of(trace);

@@ -193,7 +193,7 @@ RC_GTEST_PROP(RegionLinePiece, AShortPieceClearOfTheBorderIsDecided, ()) {
   }
 }
 
-// Of a sector: a line through the wedge is inside, one through the hole is not.
+// A sector: a line through the wedge is inside, one through the hole is not.
 TEST(RegionLinePieces, ALineInASectorKeepsClearOfTheHole) {
   Band band;
   band.shape = Band::Shape::sector;

@@ -52,7 +52,7 @@ RoughDistance rough_distance_to(const LevelMotion& motion) {
   };
 }
 
-// Of the whole path.
+// For the whole path.
 RoughDistance rough_distance_to(const Pocket& pocket) {
   std::vector<RoughDistance> all;
   LevelMotion plunge;

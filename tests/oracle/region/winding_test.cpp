@@ -154,7 +154,7 @@ TEST(Winding, SectorsInTheOtherOrderAreGo) {
   EXPECT_TRUE(is_go(job));
 }
 
-// Of the last ring a half: too little for a turn, but it runs along the border.
+// Half of the last ring: too little for a turn, but it runs along the border.
 TEST(Winding, HalfOfTheLastRingTheOtherWayBreaksSense) {
   Job job = concentric(i16_l3_d4(), {3, 6, 9, 12});
   Job back{i16_l3_d4(), {}};

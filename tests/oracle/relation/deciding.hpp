@@ -18,7 +18,7 @@ struct Trace {
     return {records, end.kind == oracle::RunEnd::Kind::alarm ? &end.alarm : nullptr};
   }
 };
-// Of JSON lines; an alarm record closes it.
+// Reads JSON lines; an alarm record closes them.
 Trace trace_of(std::string_view lines);
 std::string text_of(const Trace& trace);
 

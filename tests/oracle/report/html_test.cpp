@@ -61,7 +61,7 @@ class HtmlReport : public testing::Test {
     return json::parse(unpacked(page.substr(from, page.find("</script>", from) - from)));
   }
 
-  // Of a case of results.jsonl.
+  // For a case of results.jsonl.
   json times_of(const std::string& id) {
     const std::string text = page("results.jsonl");
     for (int i = 0; i < 30; ++i) {
@@ -174,7 +174,7 @@ TEST_F(HtmlReport, an_unknown_verdict_never_passes) {
   EXPECT_EQ(block(text, "summary")["headline"]["decision"], "NO-GO");
 }
 
-// Of the cases that hit GSK-G94-02 one departs there, one is undecided, three fail elsewhere
+// One of the cases that hit GSK-G94-02 departs there, one is undecided, three fail elsewhere
 // (feed, crash, protocol), and 16 pass: 000001 and 000009 to 000023.
 TEST_F(HtmlReport, matrix_counts_a_failure_at_the_clause_that_it_departs_from) {
   const json matrix = block(page("results.jsonl"), "summary")["matrix"];

@@ -111,7 +111,7 @@ TEST(PipeWindow, ACrashThatNoProgramBringsAboutAloneIsToldOfTheLastThatWasUnderW
   EXPECT_NE(last.message.find("others under way"), std::string::npos) << last.message;
 }
 
-// Of five runs of one process or two the third of one: whichever it is, it is told once.
+// The third of five runs of one process or two: whichever it is, it is told once.
 TEST(PipeWindow, ACrashOfWhatCameBeforeIsToldOnce) {
   auto subject = windowed("third-aborts", 64);
   announce(*subject, 5);

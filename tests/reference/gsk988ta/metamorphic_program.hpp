@@ -60,7 +60,7 @@ struct Step {
   StepKind kind = StepKind::rapid;
   bool per_revolution = false;
   std::optional<std::int64_t> feed;  // F, or the milliseconds of a dwell
-  // Of motions: the end point, absolute; of `increment` the way.
+  // The end point of a motion, absolute; the way, for `increment`.
   Point end = {0, 0, 0};
   std::array<bool, 3> named = {true, true, true};
   int sense = -1;                               // of arcs
@@ -105,7 +105,7 @@ struct Writing {
   bool incremental = false;
   Lengths lengths = Lengths::mm;
   Repeats repeats = Repeats::as_given;
-  // Of the machine.
+  // What belongs to the machine.
   std::string_view run_out = "any";  // the reading gsk.thread.runout
   bool flat = false;                 // the reading gsk.helix.flat
   bool run_out_parameters = false;   // 5920 and 5921 stand in for K and J

@@ -31,7 +31,7 @@ struct Seen {
 };
 using Trace = std::vector<Seen>;
 
-// Exactly the same. Of two enclosures: they are nowhere apart by more than 2^-256 mm, and the
+// Exactly the same. Two enclosures are nowhere apart by more than 2^-256 mm, and the
 // programs are too short for two different values to be as close.
 bool same_value(const Number& a, const Number& b);
 template <typename Numbers>

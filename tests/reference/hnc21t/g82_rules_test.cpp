@@ -51,8 +51,8 @@ TEST(G82Rules, TheRatioIsAtMost20) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 R-100 E0.001 F2"), kEndAtOrigin);
 }
 
-// I 10.001 against a travel of 10: X is the long axis, abs(R) <= 20 abs(E). Of equal travels it is
-// Z.
+// I 10.001 against a travel of 10: X is the long axis, abs(R) <= 20 abs(E). With equal travels it
+// is Z.
 TEST(G82Rules, TheLongAxisIsThatOfTheLongerTravel) {
   EXPECT_EQ(ending_of("G82 X20 Z-10 I10.001 R-2 E0.1 F2"), kEndAtOrigin);
   EXPECT_EQ(ending_of("G82 X20 Z-10 I10.001 R-2.001 E0.1 F2"), "alarm b1 retract-ratio");

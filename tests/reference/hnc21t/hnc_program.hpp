@@ -28,7 +28,7 @@ struct Given {
 };
 
 struct Block {
-  // Of the motion group; or 4 (dwell), 54 to 59, 92.
+  // A code of the motion group; or 4 (dwell), 54 to 59, 92.
   int code = 0;
   bool code_stands = false;        // the code is written though it is in force
   Place end = {0, 0};              // in the work coordinates of the block

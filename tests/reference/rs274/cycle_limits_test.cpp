@@ -94,7 +94,7 @@ TEST(NgcThreadLimits, PassesAndTheDepth) {
   EXPECT_EQ(cuts_of("J1 K2.9999"), 3U);
   EXPECT_EQ(cuts_of("J1 K3"), 3U);
   EXPECT_EQ(cuts_of("J1 K3.0001"), 4U);
-  // Of sevenths of a tenth no binary number is whole: 0.7, 1.4, 2.1.
+  // No binary number is a whole seventh of a tenth: 0.7, 1.4, 2.1.
   EXPECT_EQ(cuts_of("J0.7 K2.1"), 3U);
   // R = 2: n < (K/J)^2.
   EXPECT_EQ(cuts_of("J1 K1.9999 R2"), 4U);

@@ -172,7 +172,7 @@ TEST(NgcCycleReadings, DOfPecks) {
   EXPECT_EQ(under({has_d, {"ngc.peck.clearance", "one-mm"}}, g83 + " D0.5"),
             pecks_with("-0.5 -3.5"));
   EXPECT_EQ(under({has_d}, g83 + " D-1"), "R0,0,10 !b3:value-sign");
-  // Of its block alone.
+  // It counts in its block alone.
   EXPECT_EQ(under({has_d}, "G99 G73 X0 Z-2 R0 Q1 D0.5\nX0"),
             "F0,0,-1 R0,0,-0.5 F0,0,-2 R0,0,0 F0,0,-1 R0,0,-0.746 F0,0,-2 R0,0,0");
   EXPECT_EQ(under({has_d}, "G20 G99 G73 X0 Z-2 R0 Q1 D0.5"),

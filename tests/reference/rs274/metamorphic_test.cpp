@@ -43,7 +43,7 @@ TEST(NgcMetamorphic, TheProgramsMoveAndFewOfThemAlarm) {
   EXPECT_LT(alarms[AlarmClass::arc_end_point] + alarms[AlarmClass::arc_radius], 200);
 }
 
-// Of exact arcs: the limits of the others do not grow with them.
+// Exact arcs: the limits of the others do not grow with them.
 RC_GTEST_PROP(NgcMetamorphic, ALargerProgramHasALargerPath, ()) {
   const Program program = *two_way_programs();
   Writing writing = any_writing();

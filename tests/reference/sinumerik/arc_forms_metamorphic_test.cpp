@@ -55,7 +55,7 @@ struct Arc {
   Pair place(int i) const { return {centre[0] + spoke(i)[0], centre[1] + spoke(i)[1]}; }
   // 0: a full circle.
   int steps() const { return ((to - from) * sense + 12) % 12; }
-  // Of the angle of the arc, 1 for more than half a turn.
+  // The sign of the angle of the arc, 1 for more than half a turn.
   int beyond_half() const {
     const Pair a = spoke(from);
     const Pair b = spoke(to);

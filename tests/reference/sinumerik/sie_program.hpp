@@ -58,7 +58,7 @@ struct Program {
 
 // Programs of up to eight steps under any readings; a few of them break a rule.
 rc::Gen<Program> programs();
-// Of lines and exact arcs, that can be walked backwards.
+// Lines and exact arcs, which can be walked backwards.
 rc::Gen<Program> two_way_programs();
 Program reversed(Program program);
 // The program larger or smaller, from the zero.
