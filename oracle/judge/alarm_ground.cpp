@@ -97,7 +97,9 @@ class AlarmSearch {
     }
     const bool is_there = place_.block != 0 ? ground.block == place_.block : items_ >= place_.at;
     if (is_there && first_ == kNoClause) first_ = ground.clause;
-    return place_.block != 0 ? ground.block <= place_.block || accepted_ : items_ < place_.undone;
+    // A call or a loop comes back to blocks with smaller numbers.
+    if (items_ < place_.undone) return true;
+    return place_.block != 0 && (ground.block <= place_.block || accepted_);
   }
 
   // Nothing: the block can be read, and moves nothing.

@@ -121,8 +121,8 @@ inline constexpr auto kCalculationClauses = std::to_array<Clause>({
      "reference/rs274/o_words.cpp"},
     refused_by_some({"NGC-OWD-11", open, kOCodes,
                      "A call of a subroutine that stands behind it runs it, and the program passes "
-                     "over it where it comes to it. The documents have it stand before, and do not "
-                     "say what happens else; our judgement.",
+                     "over it where it comes to it. The documents have it stand before. No text "
+                     "says what happens else; our judgement.",
                      "reference/rs274/o_words.cpp", Basis::silent},
                     "syntax undefined-code"),
     {"NGC-OWD-12", open, kOCodes, "A comment between the values of a call is not read.",

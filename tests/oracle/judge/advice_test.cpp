@@ -124,6 +124,11 @@ std::vector<Disputed> disputed() {
        lathe + subject_alarm(2, "conflicting-words"), kSpurious, "GSK-COM-10"},
       {"a word without effect, HNC", kHnc, "G00 X10\nG80 X8 Z-5 F100 K1\n",
        lathe + subject_alarm(2, "conflicting-words"), kSpurious, "HNC-COM-07"},
+      {"a subroutine met after its call", "rs274",
+       "#1=7\no100 call [3]\nG0 Y#1\no100 sub\nG0 X#1\no100 endsub\nM2\n",
+       rapid_x(5, "3") + R"({"k":"rapid","b":3,"to":{"x":"3","y":"7"}})" + "\n" +
+           subject_alarm(4, "syntax"),
+       kSpurious, "NGC-OWD-11"},
       {"H1 H2", kSie, "G0 X10\nH1 H2\nX20\n", sie + subject_alarm(2, "duplicate-word"), kSpurious,
        "SIE-COM-04"},
       {"a cut with a standing spindle", kSie, "G0 X10\nG1 X20 F100\n",
