@@ -68,10 +68,7 @@ void check_library(const std::string& path, const Limits& limits, const std::str
   Process process(host_command(program, "--check ", absolute), limits);
   process.arm(limits.start);
   LineBuffer output(std::size_t{1} << 20);
-  Process::Event event = Process::Event::output;
-  while (event == Process::Event::output || event == Process::Event::closed) {
-    event = process.pump(output);
-  }
+  const Process::Event event = process.pump_to_end(output, [](LineBuffer&) { return true; });
   if (event != Process::Event::exited) {
     throw SubjectUnusable(fmt::format(
         "The library {} was not loaded within {} ms and {} MiB. What it does while it is loaded, "

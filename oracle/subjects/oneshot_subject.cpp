@@ -212,15 +212,13 @@ class OneshotSubject : public Subject {
     process.end_input();
     LineBuffer lines(limits_.line_bytes);
     std::string first;
-    Process::Event event = Process::Event::output;
-    while (event == Process::Event::output || event == Process::Event::closed) {
-      event = process.pump(lines);
+    const Process::Event event = process.pump_to_end(lines, [&](LineBuffer& come) {
       if (first.empty()) {
-        if (auto line = lines.next()) first = *line;
+        if (auto line = come.next()) first = *line;
       }
-      if (!first.empty()) lines.clear();
-      if (lines.too_long()) break;
-    }
+      if (!first.empty()) come.clear();
+      return !come.too_long();
+    });
     if (first.empty()) first = lines.rest();
     const Ending ending = process.kill();
     if (ending.signal == 0 && (ending.code == 126 || ending.code == 127)) {

@@ -49,12 +49,8 @@ RunEnd PipeSession::fail(RunEnd::Kind kind, std::string message) {
 RunEnd PipeSession::fail_at_end() {
   process_.arm(kFarewell);
   const std::size_t half = lines_.rest().size();
-  Process::Event event = Process::Event::closed;
   LineBuffer rest(0);
-  while (event == Process::Event::closed || event == Process::Event::output) {
-    event = process_.pump(rest);
-    rest.clear();
-  }
+  process_.pump_to_end(rest, drop);
   const Ending ending = process_.kill();
   const std::string what =
       ending.by_itself ? "The subject " + ending.text() : "The subject closed its output";
@@ -280,11 +276,7 @@ void PipeSession::stop() {
   process_.end_input();
   process_.arm(kFarewell);
   LineBuffer ignored(0);
-  Process::Event event = Process::Event::output;
-  while (event == Process::Event::output || event == Process::Event::closed) {
-    event = process_.pump(ignored);
-    ignored.clear();
-  }
+  process_.pump_to_end(ignored, drop);
   usable_ = false;
   process_.kill();
 }

@@ -294,6 +294,15 @@ Process::Event Process::pump(LineBuffer& output) {
   }
 }
 
+Process::Event Process::pump_to_end(LineBuffer& output,
+                                    const std::function<bool(LineBuffer&)>& take) {
+  for (;;) {
+    const Event event = pump(output);
+    const bool goes_on = event == Event::output || event == Event::closed;
+    if (!take(output) || !goes_on) return event;
+  }
+}
+
 const Ending& Process::kill() {
   if (pid_ < 0) return ending_;
   ending_.by_itself = has_exited();

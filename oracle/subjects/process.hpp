@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -45,6 +46,12 @@ struct Ending {
   std::string text() const;  // "exited with 7", "exited with 134, signal 6 (Aborted)"
 };
 
+// Takes nothing of what has come.
+inline bool drop(LineBuffer& output) {
+  output.clear();
+  return true;
+}
+
 class Process {
  public:
   using Clock = std::chrono::steady_clock;
@@ -73,6 +80,9 @@ class Process {
 
   // Moves bytes until something happens.
   Event pump(LineBuffer& output);
+  // Moves bytes until it has exited or has to be killed, or `take`, which is given what has come,
+  // wants no more.
+  Event pump_to_end(LineBuffer& output, const std::function<bool(LineBuffer&)>& take);
 
   // Kills all of it, reaps the process and tells how it ended. May be called again.
   const Ending& kill();

@@ -128,11 +128,7 @@ SandboxSearch find_sandbox() {
   trial.arm(limits.start);
   trial.end_input();
   LineBuffer output(kTrialBytes);
-  Process::Event event = Process::Event::output;
-  while (event == Process::Event::output || event == Process::Event::closed) {
-    event = trial.pump(output);
-    output.clear();
-  }
+  const Process::Event event = trial.pump_to_end(output, drop);
   const Ending ending = trial.kill();
   if (event == Process::Event::exited && ending.signal == 0 && ending.code == 0) return search;
   const std::string notes = trial.take_notes();
