@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "oracle/judge/different_assignments.hpp"
 #include "oracle/manual/motion_text.hpp"
 #include "oracle/report/limits.hpp"
 #include "oracle/report/page_paths.hpp"
@@ -129,9 +130,10 @@ class Run {
  public:
   explicit Run(const Request& request)
       : request_(request),
+        profile_(oracle::profile_to_show(request.profile, request.program)),
         bytes_(request.program),
         lines_(bytes_),
-        expander_(request.profile, lines_, reference::OpenPaths::shown),
+        expander_(profile_, lines_, reference::OpenPaths::shown),
         drawing_(request.profile) {
     expander_.on_warning([this](const reference::Warning& warning, const grammar::Line& line) {
       reference::append_diagnostic(warning, request_.file, line, messages_);
@@ -197,7 +199,7 @@ class Run {
   Json limits() const {
     grammar::MemorySource bytes(request_.program);
     grammar::LineSource lines(bytes);
-    reference::Expander judged(request_.profile, lines, reference::OpenPaths::judged);
+    reference::Expander judged(profile_, lines, reference::OpenPaths::judged);
     std::vector<oracle::report::Limit> all;
     while (const reference::Item* item = judged.next()) {
       for (auto& limit : oracle::report::limits_of(*item)) all.push_back(std::move(limit));
@@ -206,6 +208,7 @@ class Run {
   }
 
   const Request& request_;
+  const reference::Profile profile_;
   grammar::MemorySource bytes_;
   grammar::LineSource lines_;
   reference::Expander expander_;

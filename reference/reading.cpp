@@ -102,12 +102,12 @@ ReadingChoice ReadingChoice::shown() const {
 }
 
 bool ReadingsInUse::is(ReadingKey key, std::string_view alternative) const {
-  touched_[index(key)] = true;
+  touch(key);
   return shown_.is(key, alternative);
 }
 
 exact::Number ReadingsInUse::length(ReadingKey key) const {
-  touched_[index(key)] = true;
+  touch(key);
   return exact::Number::parse(shown_.get(key)).value();
 }
 

@@ -182,11 +182,20 @@ class ReadingsInUse {
   exact::Number length(ReadingKey key) const;
   bool touched(ReadingKey key) const { return touched_[index(key)]; }
   std::vector<ReadingKey> touched() const;
-  void forget_touched() { touched_.fill(false); }
+  std::size_t touched_count() const { return count_; }
+  void forget_touched() {
+    touched_.fill(false);
+    count_ = 0;
+  }
 
  private:
+  void touch(ReadingKey key) const {
+    if (!std::exchange(touched_[index(key)], true)) ++count_;
+  }
+
   ReadingChoice shown_;
   mutable std::array<bool, kReadings> touched_{};
+  mutable std::size_t count_ = 0;
 };
 
 }  // namespace gonogo::reference

@@ -3,6 +3,9 @@
 // gonogo expand: the motions of a program, as records, a table, plain codes or a drawing.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "cli/commands.hpp"
 #include "cli/diagnostics.hpp"
 #include "cli/exit_code.hpp"
@@ -10,7 +13,7 @@
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/program_file.hpp"
-#include "oracle/judge/shown_readings.hpp"
+#include "oracle/judge/different_assignments.hpp"
 #include "reference/dialect.hpp"
 
 namespace gonogo::cli {
@@ -28,47 +31,111 @@ void warn_about_empty_program(const ProgramFile& file) {
   }
 }
 
+// One run of the reference, shown as it goes on. Where it first asks an open reading, the readings
+// to show are looked for; another run goes on with them behind what is shown, which they do not
+// change.
+class Expansion {
+ public:
+  Expansion(const ExpandOptions& options, ProgramFile& file)
+      : file_(file),
+        program_(oracle::ProgramText::of_file(file.descriptor())),
+        profile_(load_profile(options.profile)),
+        open_(profile_),
+        is_settled_(!open_.leaves_open()),
+        has_places_(options.format == "svg"),
+        format_(make_record_format(options.format, profile_, file.name())) {}
+
+  int run() {
+    while (!run_through()) {
+    }
+    format_->finish(output_.text());
+    output_.flush();
+    return exit_code_;
+  }
+
+ private:
+  // False: other readings are to be shown.
+  bool run_through() {
+    oracle::ProgramInput input(program_);
+    reference::Expander expander(profile_, input.lines, reference::OpenPaths::shown);
+    std::size_t items = 0;
+    std::size_t notes = 0;
+    const auto is_new_note = [&] {
+      const bool is_new = ++notes > noted_;
+      noted_ = std::max(noted_, notes);
+      return is_new;
+    };
+    expander.on_warning([&](const reference::Warning& warning, const grammar::Line& line) {
+      if (is_new_note()) report_warning(warning, file_.name(), line);
+    });
+    if (has_places_) {
+      expander.on_places([&](std::uint64_t block, const reference::CyclePlaces& places) {
+        if (is_new_note()) format_->places(block, places);
+      });
+    }
+    while (const reference::Item* item = expander.next()) {
+      if (++items <= shown_) continue;
+      if (!is_settled_ && asks_open(expander.readings())) {
+        is_settled_ = true;
+        reference::Profile shown = oracle::profile_to_show(profile_, program_);
+        if (!(shown.readings == profile_.readings)) {
+          profile_ = std::move(shown);
+          return false;
+        }
+      }
+      shown_ = items;
+      show(*item, expander, input.lines);
+    }
+    return true;
+  }
+
+  bool asks_open(const reference::ReadingsInUse& readings) {
+    if (std::exchange(asked_, readings.touched_count()) == readings.touched_count()) return false;
+    return std::ranges::any_of(open_.openable(), [&](reference::ReadingKey key) {
+      return readings.touched(key) && !open_.values(key).empty();
+    });
+  }
+
+  void show(const reference::Item& item, const reference::Expander& expander,
+            grammar::LineSource& lines) {
+    const grammar::Dialect dialect = reference::find_dialect(profile_.dialect)->grammar;
+    if (auto* record = std::get_if<reference::Record>(&item)) {
+      format_->record(*record, output_.text());
+      output_.flush_if_large();
+    } else if (auto* alarms = std::get_if<reference::AlarmReport>(&item)) {
+      format_->alarm(*alarms, output_.text());
+      output_.flush();
+      report_alarms(*alarms, file_.name(), expander.failed_line());
+      if (alarms->syntax) report_further_syntax_errors(dialect, lines, file_.name());
+      exit_code_ = kNoGo;
+    } else if (auto* outside = std::get_if<reference::NotCovered>(&item)) {
+      format_->not_covered(*outside, output_.text());
+      output_.flush();
+      report_not_covered(*outside, file_.name(), expander.failed_line());
+      report_further_syntax_errors(dialect, lines, file_.name());
+      exit_code_ = kUndecided;
+    }
+  }
+
+  ProgramFile& file_;
+  oracle::ProgramText program_;
+  reference::Profile profile_;
+  const oracle::AssignmentSet open_;  // before one is chosen
+  bool is_settled_;
+  bool has_places_;
+  std::unique_ptr<RecordFormat> format_;
+  Output output_;
+  std::size_t asked_ = 0;  // readings by the run
+  std::size_t shown_ = 0;  // items
+  std::size_t noted_ = 0;  // warnings and places that are shown
+  int exit_code_ = kGo;
+};
+
 int expand(const ExpandOptions& options) {
-  reference::Profile profile = load_profile(options.profile);
-  const grammar::Dialect dialect = reference::find_dialect(profile.dialect)->grammar;
   ProgramFile file(options.program);
   warn_about_empty_program(file);
   file.keep();
-  profile = oracle::profile_to_show(profile, oracle::ProgramText::of_file(file.descriptor()));
-  grammar::LineSource lines(file.bytes());
-  reference::Expander expander(profile, lines, reference::OpenPaths::shown);
-  expander.on_warning([&file](const reference::Warning& warning, const grammar::Line& line) {
-    report_warning(warning, file.name(), line);
-  });
-  Output output;
-  std::unique_ptr<RecordFormat> format = make_record_format(options.format, profile, file.name());
-  if (options.format == "svg") {
-    expander.on_places([&](std::uint64_t block, const reference::CyclePlaces& places) {
-      format->places(block, places);
-    });
-  }
-  int exit_code = kGo;
-  while (const reference::Item* item = expander.next()) {
-    if (auto* record = std::get_if<reference::Record>(item)) {
-      format->record(*record, output.text());
-      output.flush_if_large();
-    } else if (auto* alarms = std::get_if<reference::AlarmReport>(item)) {
-      format->alarm(*alarms, output.text());
-      output.flush();
-      report_alarms(*alarms, file.name(), expander.failed_line());
-      if (alarms->syntax) report_further_syntax_errors(dialect, lines, file.name());
-      exit_code = kNoGo;
-    } else if (auto* outside = std::get_if<reference::NotCovered>(item)) {
-      format->not_covered(*outside, output.text());
-      output.flush();
-      report_not_covered(*outside, file.name(), expander.failed_line());
-      report_further_syntax_errors(dialect, lines, file.name());
-      exit_code = kUndecided;
-    }
-  }
-  format->finish(output.text());
-  output.flush();
-  return exit_code;
+  return Expansion(options, file).run();
 }
 
 }  // namespace

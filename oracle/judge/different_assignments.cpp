@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Under which assignments of open readings the reference says different things of a program.
 #include "oracle/judge/different_assignments.hpp"
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "oracle/judge/judge_session.hpp"
+#include "oracle/judge/watched_reference.hpp"
+#include "oracle/region/constants.hpp"
 
 namespace gonogo::oracle {
 
@@ -18,20 +17,28 @@ using reference::ReadingKey;
 
 namespace {
 
-// A run of the reference to its end, for what it asks for.
+// A run of the reference to its end, for what it asks for: whether it ends in an alarm.
 template <typename Reference>
-void run_through(Reference& reference) {
+bool ends_in_alarm(Reference& reference) {
   try {
     std::size_t items = 0;
     std::uint64_t block = 0;
     while (const reference::Item* item = reference.next()) {
-      const auto* record = std::get_if<Record>(item);
+      if (std::holds_alternative<reference::AlarmReport>(*item)) return true;
+      const auto* record = std::get_if<reference::Record>(item);
       if (record != nullptr && std::exchange(block, record->block) != record->block) items = 0;
       if (++items > kMostItems) break;
     }
   } catch (const exact::Undecided&) {
     // The judge comes to the same place and says so.
   }
+  return false;
+}
+
+bool alarms(const Profile& profile, const ProgramText& program) {
+  ProgramInput input(program);
+  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
+  return ends_in_alarm(expander);
 }
 
 }  // namespace
@@ -52,7 +59,7 @@ bool add_different(const Profile& profile, const ProgramText& program, Assignmen
     const AssignmentSet watched = own;
     const Profile assigned = with_readings(profile, own.taken());
     WatchedReference run(assigned, program, &watched, Forking::when_different);
-    run_through(run);
+    ends_in_alarm(run);
     for (const auto& [key, value] : run.take_parted()) {
       different.push_back(own.with(key, value));
       own.leave_out(key, value);
@@ -62,11 +69,34 @@ bool add_different(const Profile& profile, const ProgramText& program, Assignmen
   return true;
 }
 
+std::vector<ReadingKey> open_lengths(const AssignmentSet& set,
+                                     const reference::ReadingsInUse& asked) {
+  std::vector<ReadingKey> keys;
+  for (const ReadingKey key : set.openable()) {
+    if (!reference::reading(key).is_length || !asked.touched(key)) continue;
+    if (!set.values(key).empty() && std::ranges::count(set.settled(), key) == 0) {
+      keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
 std::vector<ReadingKey> touched_by(const Profile& profile, const ProgramText& program) {
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
-  run_through(expander);
+  ends_in_alarm(expander);
   return expander.readings().touched();
+}
+
+bool has_other_outcomes(const Profile& profile, const ProgramText& program) {
+  const AssignmentSet all(profile);
+  if (!all.leaves_open()) return false;
+  const auto different = different_assignments(profile, program);
+  if (!different || different->size() > 1) return true;
+  ProgramInput input(program);
+  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
+  ends_in_alarm(expander);
+  return !open_lengths(all, expander.readings()).empty();
 }
 
 std::optional<std::vector<AssignmentSet>> different_assignments(const Profile& profile,
@@ -91,6 +121,17 @@ Assignments assignments_of(const Profile& profile, const ProgramText& program) {
   }
   result.open.assign(open.begin(), open.end());
   return result;
+}
+
+Profile profile_to_show(const Profile& profile, const ProgramText& program) {
+  if (!AssignmentSet(profile).leaves_open() || !alarms(profile, program)) return profile;
+  const auto different = different_assignments(profile, program);
+  if (!different) return profile;
+  for (const AssignmentSet& set : *different) {
+    Profile assigned = with_readings(profile, set.taken());
+    if (!alarms(assigned, program)) return assigned;
+  }
+  return profile;
 }
 
 }  // namespace gonogo::oracle

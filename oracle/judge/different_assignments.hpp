@@ -1,14 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What judge_session.cpp and different_assignments.cpp share.
+// The assignments of open readings under which the reference says different things of a program.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "oracle/judge/assignment_set.hpp"
 #include "oracle/judge/program_input.hpp"
 
 namespace gonogo::oracle {
+
+// The readings that a run of the reference under this profile asks for.
+std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
+                                              const ProgramText& program);
+
+// The assignments under which the reference says different things of the program, each of which
+// stands for all that say the same; the first holds what `expand` shows. Nothing: they are more
+// than kMaximumAssignments.
+std::optional<std::vector<AssignmentSet>> different_assignments(const reference::Profile& profile,
+                                                                const ProgramText& program);
+
+// The same, each for itself, where readings that make no difference stay open.
+struct Assignments {
+  std::vector<reference::ReadingChoice> choices;  // at least one
+  std::vector<reference::ReadingKey> open;        // that make a difference
+  bool too_many = false;
+};
+Assignments assignments_of(const reference::Profile& profile, const ProgramText& program);
+
+// The readings of the set that are lengths, open, and asked for.
+std::vector<reference::ReadingKey> open_lengths(const AssignmentSet& set,
+                                                const reference::ReadingsInUse& asked);
+
+// Whether a control may do something else under a reading that the profile leaves open.
+bool has_other_outcomes(const reference::Profile& profile, const ProgramText& program);
+
+// The profile with the readings under which a program is shown: as they are, where it ends without
+// an alarm; else an assignment of the open ones under which it does, if there is one.
+reference::Profile profile_to_show(const reference::Profile& profile, const ProgramText& program);
 
 reference::Profile with_readings(const reference::Profile& profile,
                                  reference::ReadingChoice choice);

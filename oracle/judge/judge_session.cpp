@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "oracle/judge/different_assignments.hpp"
 
 namespace gonogo::oracle {
 
@@ -18,19 +17,6 @@ using reference::ReadingChoice;
 using reference::ReadingKey;
 
 namespace {
-
-// The readings that are lengths, open, and asked for.
-std::vector<ReadingKey> open_lengths(const AssignmentSet& set,
-                                     const reference::ReadingsInUse& asked) {
-  std::vector<ReadingKey> keys;
-  for (const ReadingKey key : set.openable()) {
-    if (!reference::reading(key).is_length || !asked.touched(key)) continue;
-    if (!set.values(key).empty() && std::ranges::count(set.settled(), key) == 0) {
-      keys.push_back(key);
-    }
-  }
-  return keys;
-}
 
 // How far the subject's record ends from the first records of its block that carry the reading's
 // clause, along their axis. `block` 0: not known.
@@ -231,8 +217,12 @@ bool outranks(const SampledVerdict& one, const SampledVerdict& other) {
   };
   if (rank(one) != rank(other)) return rank(one) > rank(other);
   if (rank(one) == 3) return one.verdict.kind < other.verdict.kind;
-  const bool departs = rank(one) <= 1;
-  return departs && one.progress > other.progress;
+  if (rank(one) > 1) return false;
+  if (one.progress != other.progress) return one.progress > other.progress;
+  const auto lacks_alarm = [](const SampledVerdict& said) {
+    return said.verdict.kind == VerdictKind::fail_alarm_missing;
+  };
+  return !lacks_alarm(one) && lacks_alarm(other);
 }
 
 // The end may show that others part.

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "oracle/judge/assignment_set.hpp"
+#include "oracle/judge/different_assignments.hpp"
 #include "oracle/judge/program_judge.hpp"
 #include "oracle/judge/record_log.hpp"
 #include "oracle/judge/sampled_outcome.hpp"
@@ -99,26 +99,8 @@ class JudgeSession {
 
 // Whether what is said under one assignment counts before what is said under another: the best
 // pass; else a gap, for under that assignment the subject may be right; else the departure that
-// comes last.
+// comes last; of equals one that is not an alarm that is missing.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other);
-
-// The readings that a run of the reference under this profile asks for.
-std::vector<reference::ReadingKey> touched_by(const reference::Profile& profile,
-                                              const ProgramText& program);
-
-// The assignments under which the reference says different things of the program, each of which
-// stands for all that say the same; the first holds what `expand` shows. Nothing: they are more
-// than kMaximumAssignments.
-std::optional<std::vector<AssignmentSet>> different_assignments(const reference::Profile& profile,
-                                                                const ProgramText& program);
-
-// The same, each for itself, where readings that make no difference stay open.
-struct Assignments {
-  std::vector<reference::ReadingChoice> choices;  // at least one
-  std::vector<reference::ReadingKey> open;        // that make a difference
-  bool too_many = false;
-};
-Assignments assignments_of(const reference::Profile& profile, const ProgramText& program);
 
 // Judges a recorded outcome.
 SessionVerdict judge_outcome(const reference::Profile& profile, const ProgramText& program,

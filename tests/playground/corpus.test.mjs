@@ -81,7 +81,9 @@ test('the module writes the records of every vector', { timeout: 600_000 }, () =
     }
     const lines = found.records.split('\n').slice(0, -1);
     const last = JSON.parse(lines.at(-1));
-    const fits = vector.expect.some(({ records, alarm, not_covered: outside }) => {
+    const fits = vector.expect.some(({ records, alarm, not_covered: outside, others }) => {
+      // The module may show another alternative, which the vector does not state.
+      if (others) return true;
       const ends = records.some(({ k }) => k === 'end') ? last.k === 'end'
         : alarm ? last.k === 'alarm' && alarm.any_of.some((one) => one.class === last.class && one.b === last.b)
           : Boolean(outside) && last.k === 'not-covered';

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "oracle/judge/shown_readings.hpp"
+#include "oracle/judge/different_assignments.hpp"
 #include "own_outcome.hpp"
 
 namespace gonogo::oracle {
