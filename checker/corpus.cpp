@@ -43,6 +43,7 @@ Expectation read_expectation(const Json& value) {
     ++endings;
     expectation.ending = Expectation::Ending::not_covered;
   }
+  expectation.has_others = value.find("others") != nullptr;
   if (endings != 1) throw Fault("An expectation has none or several of end, alarm, not_covered.");
   return expectation;
 }

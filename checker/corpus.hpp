@@ -24,6 +24,7 @@ struct Expectation {
   enum class Ending { end, alarm, not_covered };
   Readings when;
   bool is_silent = false;       // no text states it
+  bool has_others = false;      // other outcomes are right, too, and not stated
   std::vector<Record> records;  // the motions, without the record `end`
   Ending ending = Ending::end;
   Position end;                       // Ending::end

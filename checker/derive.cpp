@@ -27,6 +27,9 @@ Derived derive(const Vector& vector, const Trace& trace, const Json& header) {
     if (finding.answer == Answer::departs && allows_chords(header)) {
       finding = {Answer::undecided, "the certifier allows chords for arcs"};
     }
+    if (finding.answer == Answer::departs && expectation.has_others) {
+      finding = {Answer::undecided, "an open reading gives the program other outcomes, too"};
+    }
     const bool is_gap = expectation.ending == Expectation::Ending::not_covered;
     if (!is_gap && !finding.is_doubtful) derived.answers.back() = finding.answer;
     fits = fits || (finding.answer == Answer::fits && !is_gap);

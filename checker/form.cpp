@@ -153,7 +153,7 @@ void check_open(const Json& expectation) {
 
 void check_expectation(const Json& expectation) {
   need_keys(expectation, "An expectation", {"basis", "records"},
-            {"when", "open", "alarm", "not_covered"});
+            {"when", "open", "alarm", "not_covered", "others"});
   if (!is_one_of(expectation.text_of("basis"), kBases)) {
     throw Fault("The basis " + expectation.text_of("basis") + " is unknown.");
   }

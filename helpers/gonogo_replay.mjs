@@ -235,6 +235,9 @@ class Judge {
     try {
       this.follow(expectation, trace);
     } catch (departs) {
+      if (departs instanceof Departs && expectation.others) {
+        throw new Open(`an open reading gives other outcomes, too: ${departs.message}`);
+      }
       if (departs instanceof Departs && expectation.basis === "silent") {
         throw new Open(`no text states it: ${departs.message}`);
       }

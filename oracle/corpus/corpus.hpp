@@ -46,6 +46,8 @@ struct Expectation {
   // records and the blocks that run on stand on. Nothing: the file does not say.
   std::optional<reference::Basis> basis;
   bool not_covered = false;
+  // Readings that are open give the program other outcomes, too, which this one does not state.
+  bool has_others = false;
 };
 
 struct Case {

@@ -6,6 +6,7 @@
 #include "grammar/line_source.hpp"
 #include "oracle/corpus/corpus.hpp"
 #include "oracle/corpus/open_parts.hpp"
+#include "oracle/judge/different_assignments.hpp"
 #include "reference/expander.hpp"
 
 namespace gonogo::oracle {
@@ -50,6 +51,7 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
   }
   expectation.basis = weakest;
   expectation.open = open_parts(profile, program, expectation.records);
+  expectation.has_others = has_other_outcomes(profile, program);
   return expectation;
 }
 

@@ -129,7 +129,7 @@ std::string FileReader::program_of(const JsonPlace& place) const {
 }
 
 Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test) {
-  place.need_object({"when", "basis", "records", "open", "alarm", "not_covered"});
+  place.need_object({"when", "basis", "records", "open", "alarm", "not_covered", "others"});
   Expectation expectation;
   if (detail_ == Detail::to_run) {
     if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
@@ -166,6 +166,7 @@ Expectation FileReader::expectation_of(const JsonPlace& place, const Case& test)
     if (expectation.alarms.empty()) alarm.fail("At least one alarm must be admissible.");
   }
   if (place.has("not_covered")) expectation.not_covered = place.member("not_covered").flag();
+  if (place.has("others")) expectation.has_others = place.member("others").flag();
   const bool ends =
       !expectation.records.empty() && expectation.records.back().kind == reference::RecordKind::end;
   const int endings =

@@ -129,6 +129,7 @@ std::string expectation_json(const Expectation& expectation) {
     out += ", \"alarm\": {\"any_of\": " + block_list(alarms, 6) + "}";
   }
   if (expectation.not_covered) out += ", \"not_covered\": true";
+  if (expectation.has_others) out += ", \"others\": true";
   return out + "}";
 }
 
