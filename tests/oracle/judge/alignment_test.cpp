@@ -67,16 +67,19 @@ TEST(Alignment, TooManyMotionsThatAreTooSmallToSeeAreAGap) {
   EXPECT_EQ(aligned(program, trace), VerdictKind::oracle_gap);
 }
 
-// The arc ends in its centre, which shows no direction: NGC-ARC-03 admits it at this size.
-TEST(Alignment, AnArcThatEndsInItsCentreIsToldFromALine) {
-  Judging judging;
-  judging.dialect = "rs274";
-  const Verdict verdict = judge_trace("G0 X10\nG2 X10.001 I0.001 F100\nM2\n",
-                                      R"({"k":"rapid","b":1,"to":{"x":"10"}}
+// An arc that ends beside its centre shows hardly a direction: NGC-ARC-03 admits it at this size.
+// One that ends in it has no radius there, and is an alarm.
+TEST(Alignment, AnArcThatEndsAtItsCentreIsToldFromALine) {
+  const auto kind = [](std::string_view centre) {
+    const std::string program = "G0 X10\nG2 X10.001 I" + std::string(centre) + " F100\nM2\n";
+    return judge_trace(program, R"({"k":"rapid","b":1,"to":{"x":"10"}}
 {"k":"feed","b":2,"to":{"x":"10.001"},"f":"100"}
 )",
-                                      judging);
-  EXPECT_EQ(verdict.kind, VerdictKind::fail_geometry) << verdict.message;
+                       {.dialect = "rs274"})
+        .kind;
+  };
+  EXPECT_EQ(kind("0.0009"), VerdictKind::fail_geometry);
+  EXPECT_EQ(kind("0.001"), VerdictKind::fail_alarm_missing);
 }
 
 // R3, R6. Without line numbers an alarm may name any.

@@ -102,6 +102,8 @@ void expect_no_go(Wrong wrong, std::string_view name, long usual) {
   for (long i = 0; i < trials.count; ++i) {
     GeneratedOutcome of = right_outcome(trials.one_of(generate::generators()), settings, trials);
     if (!is_told_by_records(of.program.text)) continue;
+    // What is wrong may be the path of another alternative.
+    of.program.profile.readings = of.program.profile.readings.shown();
     const std::vector<Motion> motions = motions_of(of);
     if (motions.size() < 2) continue;  // without any motion an alarm may have come at load
     Outcome spoilt = of.outcome;

@@ -193,6 +193,8 @@ std::unique_ptr<Specimen> make_specimen(const RawCase& raw, const RawCase::Assig
     specimen->id += " " + name + "=" + value;
     if (set_reading(specimen->profile, name, value)) return nullptr;
   }
+  // What is wrong may be the path of another alternative.
+  specimen->profile.readings = specimen->profile.readings.shown();
   oracle::SubjectInfo subject;
   subject.features = {"blocks", "m"};
   subject.numeric_kind = "exact";
