@@ -27,6 +27,7 @@ void add_verify(Command& program);
 void add_export(Command& program);
 void add_host(Command& program);
 void add_hunt(Command& program);
+void add_fuzz(Command& program);
 void add_ci(Command& program);
 void add_reduce(Command& program);
 void add_identify(Command& program);

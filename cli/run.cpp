@@ -47,6 +47,7 @@ int run_command(int argc, char** argv) {
   add_export(program);
   add_host(program);
   add_hunt(program);
+  add_fuzz(program);
   add_ci(program);
   add_reduce(program);
   add_identify(program);

@@ -39,36 +39,43 @@ const generate::Generator* generator_for(const oracle::SubjectInfo& info, std::s
 
 }  // namespace
 
-TriedSubject::TriedSubject(const std::string& text, const std::string& dialect) {
+std::unique_ptr<oracle::Subject> make_subject_here(const std::string& text) {
   const oracle::SubjectSpec spec =
       oracle::parse_subject_spec(text).value_or(oracle::SubjectSpec{"builtin", text});
   if (spec.kind == "builtin") {
     const std::size_t plus = spec.rest.find('+');
-    const std::string name = spec.rest.substr(0, plus);
-    subject_ = make_builtin(name, plus == std::string::npos ? "" : spec.rest.substr(plus + 1));
+    return make_builtin(spec.rest.substr(0, plus),
+                        plus == std::string::npos ? "" : spec.rest.substr(plus + 1));
+  }
+  if (spec.kind == "lib") {
+    return oracle::make_interface_subject(oracle::Library(spec.rest).subject());
+  }
+  if (spec.kind == "pipe") return oracle::make_pipe_subject(spec.rest, {});
+  if (spec.kind == "oneshot") return oracle::make_oneshot_subject(spec.rest, {});
+  throw SubjectUnusable(
+      fmt::format("\"{}\" names no subject. Write NAME, NAME+FAULT, lib:PATH.so, pipe:COMMAND or "
+                  "oneshot:COMMAND.",
+                  text));
+}
+
+TriedSubject::TriedSubject(const std::string& text, const std::string& dialect,
+                           const BeforeRun& before_run)
+    : subject_(make_subject_here(text)) {
+  const auto spec = oracle::parse_subject_spec(text);
+  if (!spec || spec->kind == "builtin") {
+    const std::string rest = spec ? spec->rest : text;
+    const std::string name = rest.substr(0, rest.find('+'));
     generator_ = generate::find_generator(name, dialect);
     if (generator_ != nullptr) return;
     throw SubjectUnusable(fmt::format("{} does not expand {}.", name, dialect));
   }
-  if (spec.kind == "lib") {
-    subject_ = oracle::make_interface_subject(oracle::Library(spec.rest).subject());
-  } else if (spec.kind == "pipe") {
-    subject_ = oracle::make_pipe_subject(spec.rest, {});
-  } else if (spec.kind == "oneshot") {
-    subject_ = oracle::make_oneshot_subject(spec.rest, {});
-  } else {
-    throw SubjectUnusable(
-        fmt::format("\"{}\" names no subject. Write NAME, NAME+FAULT, lib:PATH.so, pipe:COMMAND or "
-                    "oneshot:COMMAND.",
-                    text));
-  }
   const oracle::SubjectInfo& info = subject_->info();
   generator_ = generator_for(info, dialect);
   repertoire_.emplace(info, std::string(generator_->dialect));
-  learn();
+  learn(before_run);
 }
 
-void TriedSubject::learn() {
+void TriedSubject::learn(const BeforeRun& before_run) {
   constexpr std::size_t kRuns = 2'000;
   constexpr std::uint64_t kMostDrawn = 50 * kRuns;
   constexpr std::size_t kMostRecords = 5'000;
@@ -78,6 +85,7 @@ void TriedSubject::learn() {
     const auto program = repertoire_->fitted(generator_->generate(choices, nullptr));
     if (!program) continue;
     ++runs;
+    if (before_run) before_run(*program);
     const auto ended =
         oracle::run_alone(*subject_, program->profile, program->text, kMostRecords).kind;
     const bool is_skipped =

@@ -3,6 +3,7 @@
 // What the soak run and the differential targets try.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,16 +14,21 @@
 
 namespace gonogo::fuzz {
 
+// "NAME", "NAME+FAULT" or as on the command line: builtin:, lib:, pipe: and oneshot:. A library is
+// loaded into this process, where its branches and crashes are the engine's to see. Throws
+// oracle::SubjectUnusable with what to do.
+std::unique_ptr<oracle::Subject> make_subject_here(const std::string& spec);
+
 // A built-in expander, or somebody's subject in its place, which gets programs of what it declares
 // and runs. What it runs is learned when it is made, from programs of fixed seeds: afterwards a
 // program is the same whatever was tried before.
 class TriedSubject {
  public:
-  // "NAME", "NAME+FAULT" or as on the command line: builtin:, lib:, pipe: and oneshot:. A library
-  // is loaded into this process, where its branches and crashes are the engine's to see. `dialect`:
-  // empty for the first of a built-in expander, and for the only one that the subject names. Throws
-  // oracle::SubjectUnusable with what to do.
-  TriedSubject(const std::string& spec, const std::string& dialect);
+  using BeforeRun = std::function<void(const generate::GeneratedProgram&)>;
+  // `spec` as of make_subject_here(). `dialect`: empty for the first of a built-in expander, and
+  // for the only one that the subject names. `before_run` is told each program that it learns from.
+  TriedSubject(const std::string& spec, const std::string& dialect,
+               const BeforeRun& before_run = nullptr);
 
   oracle::Subject& subject() const { return *subject_; }
   const generate::Generator& generator() const { return *generator_; }
@@ -30,7 +36,7 @@ class TriedSubject {
   std::optional<generate::GeneratedProgram> fitted(generate::GeneratedProgram program) const;
 
  private:
-  void learn();
+  void learn(const BeforeRun& before_run);
 
   std::unique_ptr<oracle::Subject> subject_;
   const generate::Generator* generator_ = nullptr;

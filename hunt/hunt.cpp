@@ -31,6 +31,13 @@ bool is_of(const std::optional<Verdict>& verdict, const generate::GeneratedProgr
   return verdict && is_finding(*verdict) && signature_of(*verdict, program) == signature;
 }
 
+// D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
+bool counts_by(const HuntOptions& options, const Verdict& verdict,
+               const generate::GeneratedProgram& program) {
+  if (options.everywhere || !oracle::is_other_answer(verdict.kind)) return true;
+  return oracle::outside_domain(program.profile, program.text, options.most_cost).empty();
+}
+
 }  // namespace
 
 HuntCount& HuntCount::operator+=(const HuntCount& other) {
@@ -113,10 +120,8 @@ Specimen Hunt::mutant() {
   return specimen;
 }
 
-// D-DOM-01 to D-DOM-08. A crash, a hang, a broken protocol is one wherever it happens.
 bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& program) const {
-  if (options_.everywhere || !oracle::is_other_answer(verdict.kind)) return true;
-  return oracle::outside_domain(program.profile, program.text, options_.most_cost).empty();
+  return counts_by(options_, verdict, program);
 }
 
 void Hunt::offer(const generate::GeneratedProgram& program) {
@@ -262,6 +267,13 @@ void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows
            (also == nullptr || also(exhibit));
   };
   reduce_finding(trial_, finding, limits, inside);
+}
+
+bool is_news(const HuntOptions& options, const Verdict& verdict,
+             const generate::GeneratedProgram& program) {
+  return is_finding(verdict) && !options.known.contains(signature_of(verdict, program)) &&
+         !oracle::contradicts_itself(program.profile, program.text, options.most_cost) &&
+         counts_by(options, verdict, program);
 }
 
 std::optional<Finding> finding_of(Trial& trial, const generate::GeneratedProgram& program,

@@ -102,7 +102,6 @@ class Hunt {
   Specimen next();
   Specimen fresh();
   Specimen mutant();
-  // Whether what the verdict says of the program is worth telling.
   bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
   void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program,
                       bool is_no_go);
@@ -124,6 +123,11 @@ class Hunt {
   HuntCount count_;
   FeatureCounts features_;
 };
+
+// Whether the verdict is a finding that is worth telling of the program: by these options, and
+// since the reference does not contradict itself on it.
+bool is_news(const HuntOptions& options, const oracle::Verdict& verdict,
+             const generate::GeneratedProgram& program);
 
 // The same for one given program: nothing where the subject is GO on it (`verdict` says what it
 // is).
