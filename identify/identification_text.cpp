@@ -100,6 +100,9 @@ std::string identification_text(const Identification& found, std::string_view su
     out += fmt::format(" and {} without an answer", found.runs.size() - found.answered());
   }
   out += fmt::format(" (2^{:.0f} assignments)\n", found.bits);
+  if (found.is_thin()) {
+    out += "Most of the programs had no answer: what follows is not what the subject does.\n";
+  }
   if (!found.contradiction.empty()) {
     append_contradiction(found, out);
     return out;

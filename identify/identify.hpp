@@ -46,6 +46,8 @@ struct Identification {
 
   // Programs that the subject answered.
   std::size_t answered() const;
+  // Whether what was found rests on the lesser part of the programs that were run.
+  bool is_thin() const { return answered() * 2 <= runs.size(); }
   // The readings that were found, set in `profile`.
   void set_in(Profile& profile) const;
 };
