@@ -44,6 +44,7 @@ struct LimitOptions {
   std::string manifest;
   std::string blend;
   std::string columns;
+  oracle::StatedMachine stated;
   oracle::Limits limits() const;
   oracle::Grants grants() const;
 };

@@ -66,6 +66,7 @@ oracle::CampaignOptions options_of(const Json& header, const fs::path& folder) {
       feed_option(text_of(header, "feed_resolution"), "the feed resolution of the run"),
       header.value("strict", false)};
   campaign.limits = limits_of_run(header).limits();
+  campaign.limits.stated = {campaign.profile, campaign.readings};
   campaign.jobs = static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   read_subject_files(folder, campaign);
   return campaign;

@@ -28,6 +28,8 @@
  * @property {Object<string, string[]>} [dialects]  the features of each dialect; left out, nothing is
  *   declared, and what run() skips is not claimed
  * @property {string[]} [features]
+ * @property {string[]} [readings]  names of those that configure() knows; '*' for all. The others are
+ *   never sent
  * @property {object} [numeric]  kind, resolution, feed_resolution, chord
  * @property {number} [maxInFlight]  how many runs the runner may send ahead
  * @property {(dialect: string, profile: object) => (string|null|undefined)} [configure]
@@ -149,10 +151,10 @@ export class Server {
       this.#refuse(`This subject speaks version ${kProtocol} of the protocol.`);
       return;
     }
-    const { name, version, dialects, features = [], numeric = { kind: 'binary64' },
-      maxInFlight = 16 } = this.#subject;
-    this.#write({ protocol: kProtocol, subject: { name, version }, dialects, features, numeric,
-      max_in_flight: maxInFlight });
+    const { name, version, dialects, features = [], readings = [],
+      numeric = { kind: 'binary64' }, maxInFlight = 16 } = this.#subject;
+    this.#write({ protocol: kProtocol, subject: { name, version }, dialects, features, readings,
+      numeric, max_in_flight: maxInFlight });
   }
 
   async #configure({ dialect, profile }) {

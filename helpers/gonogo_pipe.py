@@ -49,6 +49,8 @@ class Subject:
     dialects = {}
     #: "blocks" (records carry b), "m" (M functions are records), "bytes" (any bytes as program).
     features = []
+    #: Names of the readings that configure() knows; "*" for all. The others are never sent.
+    readings = []
     #: kind "fixed", "binary64" or "exact"; resolution, feed_resolution and chord in mm, as text.
     numeric = {"kind": "binary64"}
     #: How many runs the runner may send ahead; they are answered one after the other.
@@ -184,7 +186,8 @@ class Server:
         subject = self.subject
         reply = {"protocol": PROTOCOL,
                  "subject": {"name": subject.name, "version": subject.version},
-                 "features": subject.features, "numeric": subject.numeric,
+                 "features": subject.features, "readings": subject.readings,
+                 "numeric": subject.numeric,
                  "max_in_flight": subject.max_in_flight}
         if subject.dialects is not None:
             reply["dialects"] = subject.dialects

@@ -37,10 +37,20 @@ struct SubjectInfo {
   std::optional<Number> resolution;       // mm
   std::optional<Number> feed_resolution;  // mm/min or mm/rev
   std::optional<Number> chord;            // mm
+  std::set<std::string> readings;         // those that it may be told by name; "*": all of them
   int max_in_flight = 1;
   bool greeted = true;  // it has said who it is; a command for one program need not
 
   bool declares(std::string_view dialect, std::string_view feature) const;
+  bool knows(const reference::Reading& reading) const;
+};
+
+// What the certifier says of the machine under the gauge. It holds whether the subject is told or
+// not.
+struct StatedMachine {
+  std::optional<reference::Profile> profile;
+  std::vector<std::string> readings;  // "k=v"
+  reference::Profile of(const std::string& dialect) const;
 };
 
 // The alarm as the subject reported it.
@@ -111,6 +121,7 @@ struct Limits {
   Sandbox sandbox;
   bool show_ids = false;  // a subject behind a pipe is told the names of the cases
   CaptureOptions capture;
+  StatedMachine stated;
 };
 
 // Thrown when a subject cannot be used at all: wrong use (exit 2), with what to do instead.

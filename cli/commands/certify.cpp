@@ -96,6 +96,7 @@ oracle::CampaignOptions campaign_options(const CertifyOptions& options) {
                       : static_cast<int>(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)));
   campaign.fail_fast = options.fail_fast;
   campaign.limits = options.limits.limits();
+  campaign.limits.stated = {campaign.profile, campaign.readings};
   const Shard shard = shard_option(options.shard);
   campaign.shard = shard.number;
   campaign.shards = shard.of;

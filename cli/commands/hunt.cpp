@@ -223,7 +223,13 @@ void add_hunt(Command& program) {
   command.number("--jobs", words->jobs, 1, 1'000,
                  "subjects of a campaign that run side by side (1)");
   command.number("--round", words->round, 1, 1'000'000, "programs of a round of a campaign (2000)");
-  command.run([words] { return hunt(*words); });
+  command.run([words] {
+    if (!words->profile.empty()) {
+      words->trial.limits.stated.profile = load_profile({words->dialect, words->profile, {}});
+    }
+    words->trial.limits.stated.readings = words->readings;
+    return hunt(*words);
+  });
 }
 
 }  // namespace gonogo::cli

@@ -65,7 +65,7 @@ int find_readings(const IdentifyWords& words, oracle::Subject& subject) {
     output.flush();
     return kNoGo;
   }
-  if (found.answered() == 0) {
+  if (found.is_thin()) {
     output.flush();
     return kUndecided;
   }
@@ -119,7 +119,9 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
   return attribution.complete.empty() ? kNoGo : kGo;
 }
 
-int identify_subject(const IdentifyWords& words) {
+int identify_subject(IdentifyWords words) {
+  if (!words.profile.file.empty()) words.limits.stated.profile = load_profile(words.profile);
+  words.limits.stated.readings = words.profile.readings;
   const std::unique_ptr<oracle::Subject> subject =
       subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
                                              words.subject, {}))();

@@ -139,7 +139,8 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
 
 // The subject runs the program now, and its own description says what is compared.
 int judge_subject(const JudgeOptions& options, const reference::Profile& profile) {
-  const TrialWords words{options.subject, {}, {}, options.limits};
+  TrialWords words{options.subject, {}, {}, options.limits};
+  words.limits.stated.profile = profile;
   hunt::TrialOptions terms = trial_options(words);
   terms.strict = options.limits.strict;
   terms.most_records = std::numeric_limits<std::size_t>::max();

@@ -30,7 +30,7 @@ void send(const std::string& line) {
 
 std::string start_reply() {
   return R"({"protocol":1,"subject":{"name":"selftest","version":"1"},"dialects":["gsk988ta"],)"
-         R"("features":["blocks","m"],"numeric":{"kind":"exact"},"max_in_flight":1})";
+         R"("features":["blocks","m"],"numeric":{"kind":"exact"},"readings":["*"],"max_in_flight":1})";
 }
 
 // What the reference says of a program, as a reply.

@@ -32,9 +32,11 @@ hunt::GivenMachine given_machine(const ProfileOptions& options) {
 int reduce(const ReduceWords& words) {
   constexpr std::size_t kMostRecords = 200'000;
   const generate::GeneratedProgram program{load_profile(words.profile), read_file(words.program)};
-  hunt::TrialOptions options = trial_options(words.trial);
+  TrialWords told = words.trial;
+  told.limits.stated.profile = program.profile;
+  hunt::TrialOptions options = trial_options(told);
   options.most_records = kMostRecords;
-  hunt::Trial trial(trial_subject(words.trial), std::move(options));
+  hunt::Trial trial(trial_subject(told), std::move(options));
   check_dialect(trial.info(), program.profile.dialect);
   oracle::Verdict verdict;
   std::optional<hunt::Finding> finding = hunt::finding_of(trial, program, verdict);

@@ -16,7 +16,7 @@ class Interpreter final : public LetterInterpreter {
       R"("dialects":{"hnc21t":["basic","arc","g32","g74","g75","g80","g81","g82"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
-      R"("max_in_flight":1})";
+      R"("readings":["*"],"max_in_flight":1})";
   static std::span<const ProfileTable> profiles();
 
   Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Planted<Fault> planted);

@@ -23,7 +23,7 @@ struct Ngc {
       R"("g33","g33.1","g76"]},)"
       R"("features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"},)"
-      R"("max_in_flight":1})";
+      R"("readings":["*"],"max_in_flight":1})";
 
   static ConfigurationResult read(std::string_view json, Configuration& configuration,
                                   std::string& message) {

@@ -19,7 +19,7 @@ class Interpreter final : public expanders::Interpreter {
       R"("sinumerik802s":["basic","arc","cr","ar","polar","planes","helix","cip","ct",)"
       R"("expressions","rotary","frames","lcyc82","lcyc75"]},"features":["blocks","m","bytes"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.001","feed_resolution":"0.001","chord":"0"},)"
-      R"("max_in_flight":1})";
+      R"("readings":["*"],"max_in_flight":1})";
   static std::span<const ProfileTable> profiles();
 
   Interpreter(const MachineProfile& profile, const gonogo_sink_v1& sink, Planted<Fault> planted);

@@ -14,7 +14,7 @@ from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from gonogo_pipe import Subject, serve  # noqa: E402
-from rs274_profile import anything, one_of, refusal  # noqa: E402
+from rs274_profile import LOOKED_AT, anything, one_of, refusal  # noqa: E402
 
 HOME = "/usr/share/bcnc/bCNC"
 CYCLES = (81, 82, 83, 85, 86, 89)  # as in its own compile()
@@ -39,6 +39,7 @@ class Bcnc(Subject):
     dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "g81", "g83",
                           "g85", "g86", "cycle-modal", "cycle-steps"]}
     features = ["blocks"]  # it is given one line at a time
+    readings = LOOKED_AT + ["ngc.cycle.initial", "ngc.cycle.retract-start", "ngc.g83.return"]
     numeric = {"kind": "binary64", "chord": "0.01"}
 
     def __init__(self):

@@ -12,7 +12,7 @@ from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from gonogo_pipe import Subject, alarm, serve  # noqa: E402
-from rs274_profile import anything, refusal  # noqa: E402
+from rs274_profile import LOOKED_AT, anything, refusal  # noqa: E402
 
 FOLDERS = ["/usr/lib/freecad-python3/lib", "/usr/share/freecad/Mod/Path", "/usr/share/freecad/Ext"]
 CHORD = 0.001
@@ -23,6 +23,7 @@ class FreecadPath(Subject):
     name = "freecad-path"
     dialects = {"rs274": ["basic", "arc", "helix"]}
     features = []
+    readings = LOOKED_AT
     numeric = {"kind": "binary64", "chord": str(CHORD)}
 
     def __init__(self):

@@ -6,7 +6,7 @@
 import { createRequire } from 'node:module';
 
 import { serve } from '../gonogo_pipe.mjs';
-import { isDecimal, refusal } from './rs274_profile.mjs';
+import { isDecimal, kLookedAt, refusal } from './rs274_profile.mjs';
 
 globalThis.self ??= globalThis;  // one of its packages looks for a browser when it is loaded
 const require = createRequire(import.meta.url);
@@ -97,6 +97,7 @@ await serve(() => {
     version,
     dialects: { rs274: ['basic', 'arc', 'arc-r', 'helix'] },
     features: [],
+    readings: kLookedAt,
     numeric: { kind: 'binary64', chord: '0.5' },
     configure,
     run,

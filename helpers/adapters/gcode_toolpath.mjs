@@ -5,7 +5,7 @@
 import { createRequire } from 'node:module';
 
 import { serve } from '../gonogo_pipe.mjs';
-import { isDecimal, refusal } from './rs274_profile.mjs';
+import { isDecimal, kLookedAt, refusal } from './rs274_profile.mjs';
 
 const require = createRequire(import.meta.url);
 const Toolpath = require('gcode-toolpath').default ?? require('gcode-toolpath');
@@ -75,6 +75,7 @@ await serve(() => ({
   version,
   dialects: { rs274: ['basic', 'arc', 'arc-r', 'helix', 'planes'] },
   features: [],
+  readings: kLookedAt,
   numeric: { kind: 'binary64' },
   configure,
   run,

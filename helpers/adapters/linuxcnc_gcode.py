@@ -153,6 +153,7 @@ class LinuxcncGcode(Subject):
     version = linuxcnc.version()
     dialects = {"rs274": linuxcnc.FEATURES}
     features = ["blocks"]  # not "bytes": a comment that is not UTF-8 breaks the module
+    readings = linuxcnc.NAMES
     numeric = {"kind": "binary64"}
 
     def __init__(self):

@@ -20,6 +20,7 @@ class LinuxcncRs274(Subject):
     version = linuxcnc.version()
     dialects = {"rs274": linuxcnc.FEATURES + linuxcnc.THREADS}
     features = ["bytes", "m"]
+    readings = linuxcnc.NAMES
     numeric = {"kind": "fixed", "resolution": "0.0001", "feed_resolution": "0.0001"}
 
     def __init__(self):

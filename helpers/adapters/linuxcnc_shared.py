@@ -74,6 +74,9 @@ READINGS = {"readings.ngc." + name: lambda value, own=own: value in (own, "any")
                 "g92-other-axes": "kept", "equal": "ten-thousandth", "call-parameters": "zero",
                 "sign-of-value": "taken", "g76.slide": "start", "g76.entry": "thread"}.items()}
 
+#: Their names, for what the subject says of itself.
+NAMES = [key[len("readings."):] for key in READINGS]
+
 MM = Fraction(127, 5)  # both interpreters are of a machine of inches
 SYSTEMS = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]
 _LETTERS = "xyzabc"

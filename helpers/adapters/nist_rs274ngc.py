@@ -47,7 +47,7 @@ class NistRs274ngc(Subject):
                           "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes"]}
     features = ["bytes"]
     numeric = {"kind": "fixed", "resolution": "0.0001", "feed_resolution": "0.0001"}
-    readings = {
+    followed = {
         "arc-tolerance": "nist", "full-circle-words": "free", "whole": "nist",
         "g80-beside": "alarm", "unused-words": "alarm", "line-number": "whole",
         "o-name": "syntax", "program-end": "needed", "bare-motion": "missing-word",
@@ -57,6 +57,7 @@ class NistRs274ngc(Subject):
         "g83.retract": "clear", "g83.return": "rapid", "peck.clearance": "ten-thou",
         "peck.d": "barred", "peck.dwell": "none", "g85.out": "clear", "tap.p": "barred",
     }
+    readings = ["ngc." + name for name in followed]
 
     def __init__(self):
         if len(sys.argv) != 2:
@@ -68,7 +69,7 @@ class NistRs274ngc(Subject):
         self.answers = (BLOCK_DELETE if profile.get("block_skip") else b"") + START
         return refusal(dialect, profile, {
             **{"readings.ngc." + name: one_of(value, "any")
-               for name, value in self.readings.items()},
+               for name, value in self.followed.items()},
             "block_skip": one_of(False, True),
             "resolution": lambda value: Decimal(str(value)) >= Decimal("0.0001"),
         })

@@ -3,6 +3,9 @@
 // What the adapters for the dialect rs274 say to a profile.
 
 const isZero = (value) => value !== '' && Number(value) === 0;
+// Those of which a value in kHarmless may be told.
+export const kLookedAt = ['ngc.unused-words', 'ngc.program-end'];
+
 const kHarmless = {
   units: (value) => value === 'mm',
   x_diameter: (value) => value === false,

@@ -32,6 +32,9 @@ def anything(_value):
     return True
 
 
+#: Those of which a value in _HARMLESS may be told.
+LOOKED_AT = ["ngc.unused-words", "ngc.program-end"]
+
 _HARMLESS = {
     "units": one_of("mm"), "x_diameter": one_of(False), "alarm_timing": one_of("block"),
     "block_skip": one_of(False), "initial.plane": one_of("G17"),

@@ -22,10 +22,13 @@ class InterfaceSubject : public Subject {
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
-    handle_.configure("{" + configuration_members(profile) + "}");
+    Told what = told(info_, profile, {});
+    silent_ = std::move(what.silent);
+    handle_.configure("{" + configuration_members(what.profile) + "}");
   }
 
   RunEnd run(std::string_view, std::string_view program, const RecordSink& sink) override {
+    if (silent_) return *silent_;
     const auto begin = Clock::now();
     RunEnd end = handle_.run(program, [&sink](const gonogo_record_v1& source, std::string& fault) {
       auto converted = convert_record(source);
@@ -45,6 +48,7 @@ class InterfaceSubject : public Subject {
  private:
   InterfaceHandle handle_;
   SubjectInfo info_;
+  std::optional<RunEnd> silent_;  // of a machine that it cannot be told
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "oracle/records/json_document.hpp"
 #include "oracle/records/record_json.hpp"
 #include "oracle/records/text.hpp"
+#include "oracle/subjects/configuration.hpp"
 #include "oracle/subjects/private_folder.hpp"
 #include "oracle/subjects/process.hpp"
 #include "oracle/subjects/start_reply.hpp"
@@ -176,10 +177,16 @@ class OneshotSubject : public Subject {
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
+    Told what = told(info_, profile, limits_.stated);
+    silent_ = std::move(what.silent);
+    if (!silent_ && !(profile == limits_.stated.of(profile.dialect)) && is_deaf(profile.dialect)) {
+      silent_ = RunEnd::of(RunEnd::Kind::refused,
+                           "The subject does not read --profile: it goes on where there is no such "
+                           "file. The machine of this program is not its own.");
+    }
     try {
-      const std::string file = folder_.write("profile.json", reference::profile_json(profile));
-      full_command_ = fmt::format("{} --dialect {} --profile {}", command_,
-                                  shell_quoted(profile.dialect), shell_quoted(file));
+      const std::string file = folder_.write("profile.json", reference::profile_json(what.profile));
+      full_command_ = command_for(profile.dialect, file);
     } catch (const std::system_error& error) {
       throw SubjectUnusable(fmt::format(
           "The profile for the subject cannot be written ({}); set TMPDIR to a folder with room.",
@@ -191,6 +198,7 @@ class OneshotSubject : public Subject {
     if (full_command_.empty()) {
       return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
+    if (silent_) return *silent_;
     try {
       return OneshotRun(full_command_, folder_.path(), limits_, sink, document_).run(program);
     } catch (const std::system_error& error) {
@@ -204,6 +212,24 @@ class OneshotSubject : public Subject {
   bool keeps_state() const override { return false; }
 
  private:
+  std::string command_for(const std::string& dialect, const std::string& profile) const {
+    return fmt::format("{} --dialect {} --profile {}", command_, shell_quoted(dialect),
+                       shell_quoted(profile));
+  }
+
+  // One that describes itself reads the profile. Another tells by what it does with a file that is
+  // not there.
+  bool is_deaf(const std::string& dialect) {
+    if (info_.greeted) return false;
+    if (!deaf_) {
+      const std::string command = command_for(dialect, folder_.path() + "/none.json");
+      const RecordSink sink = [](const reference::Record&) { return true; };
+      deaf_ = OneshotRun(command, folder_.path(), limits_, sink, document_).run("M30\n").kind ==
+              RunEnd::Kind::ok;
+    }
+    return *deaf_;
+  }
+
   // `CMD --describe` may print the reply to `start`. A command that does not know the option may
   // do anything else: then everything is taken as declared.
   void describe() {
@@ -248,6 +274,8 @@ class OneshotSubject : public Subject {
   SubjectInfo info_;
   PrivateFolder folder_;
   std::string full_command_;
+  std::optional<RunEnd> silent_;  // of a machine that it cannot be told
+  std::optional<bool> deaf_;      // whether it leaves the profile unread
   JsonDocument document_;
 };
 

@@ -34,7 +34,9 @@ class PipeSubject : public Subject {
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
-    std::string configuration = configuration_members(profile);
+    Told what = told(info_, profile, limits_.stated);
+    silent_ = std::move(what.silent);
+    std::string configuration = configuration_members(what.profile);
     if (configuration == configuration_) return;
     forget_ahead();
     configuration_ = std::move(configuration);
@@ -42,13 +44,14 @@ class PipeSubject : public Subject {
   }
 
   void announce(std::string_view id, std::string_view program) override {
-    if (takes(program)) ahead_.push_back({std::string(id), std::string(program)});
+    if (!silent_ && takes(program)) ahead_.push_back({std::string(id), std::string(program)});
   }
 
   RunEnd run(std::string_view id, std::string_view program, const RecordSink& sink) override {
     if (configuration_.empty()) {
       return RunEnd::of(RunEnd::Kind::error, "The subject has not been configured.");
     }
+    if (silent_) return *silent_;
     if (is_given_up()) {
       RunEnd end =
           RunEnd::of(RunEnd::Kind::crash,
@@ -211,6 +214,7 @@ class PipeSubject : public Subject {
   std::deque<Announced> ahead_;  // the next runs; those that were sent stand first
   std::unique_ptr<PipeSession> session_;
   std::string configuration_;
+  std::optional<RunEnd> silent_;   // of a machine that it cannot be told
   bool configured_ = false;        // this session knows the configuration
   std::optional<RunEnd> refusal_;  // and this is what it said against it
   int failures_ = 0;               // in a row

@@ -145,6 +145,18 @@ void read_numeric(const object& reply, SubjectInfo& info) {
   info.chord = length_of(numeric, "chord", true);
 }
 
+// A misspelled name would never be told.
+void read_readings(const object& reply, SubjectInfo& info) {
+  auto value = find(reply, "readings");
+  if (!value) return;
+  info.readings = names_of("readings", *value);
+  for (const std::string& name : info.readings) {
+    if (name == "*" || reference::find_reading(name) != nullptr) continue;
+    throw Refusal{
+        fmt::format("There is no reading \"{}\"; `gonogo spec` names them.", excerpt(name, 60))};
+  }
+}
+
 void read_window(const object& reply, SubjectInfo& info) {
   auto value = find(reply, "max_in_flight");
   if (!value) return;
@@ -165,8 +177,9 @@ std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
       protocol->get(version) != simdjson::SUCCESS || version != 1) {
     return JsonFault{"The reply to \"start\" must pick \"protocol\":1."};
   }
-  check_keys(reply, "The reply to \"start\"",
-             {"protocol", "subject", "dialects", "features", "numeric", "max_in_flight"});
+  check_keys(
+      reply, "The reply to \"start\"",
+      {"protocol", "subject", "dialects", "features", "readings", "numeric", "max_in_flight"});
   SubjectInfo info;
   read_identity(reply, info);
   read_dialects(reply, info);
@@ -176,6 +189,7 @@ std::variant<SubjectInfo, JsonFault> read_start_reply(const object& reply) try {
   } else if (info.everything) {
     info.features = {"blocks"};
   }
+  read_readings(reply, info);
   read_numeric(reply, info);
   read_window(reply, info);
   return info;

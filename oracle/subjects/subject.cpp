@@ -10,6 +10,24 @@ bool SubjectInfo::declares(std::string_view dialect, std::string_view feature) c
   return feature.empty() || found->second.empty() || found->second.contains(std::string(feature));
 }
 
+bool SubjectInfo::knows(const reference::Reading& reading) const {
+  return readings.contains("*") || readings.contains(std::string(reading.name));
+}
+
+reference::Profile StatedMachine::of(const std::string& dialect) const {
+  reference::Profile machine =
+      profile && profile->dialect == dialect
+          ? *profile
+          : std::get<reference::Profile>(reference::default_profile(dialect));
+  for (const std::string& choice : readings) {
+    const std::size_t equals = choice.find('=');
+    const reference::Reading* reading = reference::find_reading(choice.substr(0, equals));
+    if (reading == nullptr || !reading->belongs_to(dialect)) continue;
+    machine.readings.set(reading->key, choice.substr(equals + 1));
+  }
+  return machine;
+}
+
 std::optional<SubjectSpec> parse_subject_spec(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size()) {

@@ -30,7 +30,7 @@ class Protocol:
         self.assertEqual(begun, {
             "protocol": 1, "subject": {"name": "sample", "version": "1.2"},
             "dialects": {"rs274": ["basic"]}, "features": ["blocks", "bytes"],
-            "numeric": {"kind": "binary64"}, "max_in_flight": 16})
+            "readings": [], "numeric": {"kind": "binary64"}, "max_in_flight": 16})
         self.assertEqual(configured, {"ok": True})
 
     def test_a_protocol_that_is_not_offered_is_refused(self):

@@ -18,7 +18,7 @@ const gonogo_sink_v1* notes = nullptr;  // of the last handle; the tests have on
 gonogo_text describe() {
   constexpr std::string_view kDescription =
       R"({"protocol":1,"subject":{"name":"part-of-ngc","version":"1"},)"
-      R"("dialects":{"rs274":["basic","arc"]},"features":["blocks","m","bytes"],)"
+      R"("dialects":{"rs274":["basic","arc"]},"features":["blocks","m","bytes"],"readings":["*"],)"
       R"("numeric":{"kind":"fixed","resolution":"0.0001","feed_resolution":"0.0001","chord":"0"}})";
   return {kDescription.data(), kDescription.size()};
 }

@@ -121,6 +121,39 @@ TEST(OneshotSubject, ADescriptionCounts) {
   EXPECT_FALSE(subject->info().declares("gsk988ta", "g94"));
 }
 
+// A machine of inches; nobody said that the subject's is one.
+reference::Profile inch_machine() {
+  reference::Profile profile = gsk_profile();
+  profile.units = reference::Units::inch;
+  return profile;
+}
+
+TEST(OneshotSubject, OneThatLeavesTheProfileUnreadIsNotRunForAnotherMachine) {
+  auto subject = fake_oneshot("good");
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+  subject->configure(inch_machine());
+  const RunEnd end = run(*subject).end;
+  EXPECT_EQ(end.kind, Kind::refused);
+  EXPECT_NE(end.message.find("does not read --profile"), std::string::npos) << end.message;
+  subject->configure(gsk_profile());
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+}
+
+TEST(OneshotSubject, OneThatReadsTheProfileIsRunForEveryMachine) {
+  auto subject = fake_oneshot("reads");
+  subject->configure(inch_machine());
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+}
+
+TEST(OneshotSubject, TheMachineThatTheCertifierStatesIsItsOwn) {
+  Limits limits = patient_limits();
+  limits.stated.profile = inch_machine();
+  auto subject = fake_oneshot("good", limits);
+  EXPECT_EQ(run(*subject).end.kind, Kind::refused);  // of millimetres
+  subject->configure(inch_machine());
+  EXPECT_EQ(run(*subject).end.kind, Kind::ok);
+}
+
 TEST(OneshotSubject, ABadDescriptionOrCommandIsUnusable) {
   EXPECT_THROW(fake_oneshot("described-badly"), SubjectUnusable);
   EXPECT_THROW(make_oneshot_subject("/no/such/program", short_limits()), SubjectUnusable);

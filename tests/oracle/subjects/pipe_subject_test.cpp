@@ -77,6 +77,44 @@ TEST(PipeSubject, EveryRunOfARefusedProfileTellsTheRefusal) {
   EXPECT_EQ(second.message, "no readings here");
 }
 
+// A machine with this value of the reading gsk.g94.rewrite.
+reference::Profile rewriting(std::string_view value) {
+  reference::Profile profile = gsk_profile();
+  profile.readings.set(reference::find_reading("gsk.g94.rewrite")->key, value);
+  return profile;
+}
+
+std::string other_rewriting() {
+  return std::string(reference::find_reading("gsk.g94.rewrite")->alternatives.back());
+}
+
+TEST(PipeSubject, AReadingThatItDoesNotKnowIsNotToldAndNotAsked) {
+  auto subject = fake_pipe("told");
+  subject->configure(rewriting(other_rewriting()));
+  const RunEnd end = run(*subject).end;
+  EXPECT_EQ(end.kind, Kind::refused);
+  EXPECT_NE(end.message.find("gsk.g94.rewrite"), std::string::npos) << end.message;
+}
+
+TEST(PipeSubject, AReadingThatTheCertifierStatesNeedNotBeTold) {
+  Limits limits = patient_limits();
+  limits.stated.readings = {"gsk.g94.rewrite=" + other_rewriting()};
+  auto subject = fake_pipe("told", limits);
+  subject->configure(rewriting(other_rewriting()));
+  const RunEnd end = run(*subject).end;
+  EXPECT_EQ(end.kind, Kind::error);
+  EXPECT_NE(end.message.find("\"profile\":{}"), std::string::npos) << end.message;
+}
+
+TEST(PipeSubject, AReadingThatItNamesIsTold) {
+  auto subject = fake_pipe("told-one");
+  subject->configure(rewriting(other_rewriting()));
+  const RunEnd end = run(*subject).end;
+  EXPECT_EQ(end.kind, Kind::error);
+  EXPECT_NE(end.message.find("\"gsk.g94.rewrite\":\"" + other_rewriting()), std::string::npos)
+      << end.message;
+}
+
 TEST(PipeSubject, AnAbortIsACrashNamedByItsSignal) {
   const RunEnd end = pipe_end("abort");
   EXPECT_EQ(end.kind, Kind::crash);

@@ -62,6 +62,17 @@ TEST(StartReply, ReadsTheNumericDeclaration) {
   EXPECT_EQ(info.max_in_flight, 256);
 }
 
+TEST(StartReply, NamesTheReadingsThatTheSubjectKnows) {
+  const reference::Reading& one = *reference::find_reading("gsk.g94.rewrite");
+  const reference::Reading& other = *reference::find_reading("gsk.g94.after-00");
+  EXPECT_FALSE(info_of("").knows(one));
+  const SubjectInfo named = info_of(R"(,"readings":["gsk.g94.rewrite"])");
+  EXPECT_TRUE(named.knows(one));
+  EXPECT_FALSE(named.knows(other));
+  EXPECT_TRUE(info_of(R"(,"readings":["*"])").knows(other));
+  EXPECT_TRUE(refused(with(R"(,"readings":["gsk.g94.rewritten"])")));
+}
+
 TEST(StartReply, AKeyOfTheSubjectsOwnBeginsWithX) {
   EXPECT_EQ(info_of(R"(,"x-homepage":"x","x-build":{"os":"linux"})").name, "acme");
 }

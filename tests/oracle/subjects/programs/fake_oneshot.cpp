@@ -97,6 +97,9 @@ int run(const std::string& mode, const std::vector<std::string>& arguments) {
     show(arguments);
     return 3;
   }
+  if (mode == "reads") {
+    return std::ifstream(argument_after(arguments, "--profile")) ? print(kRecord, 0) : 2;
+  }
   return print(kRecord, 0);
 }
 

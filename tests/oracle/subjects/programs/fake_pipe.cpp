@@ -18,6 +18,7 @@ namespace {
 const std::string kRecord = R"({"k":"feed","b":1,"to":{"x":"1.5"},"f":"200"})";
 
 std::string mode;
+std::string configuration;  // the line that said it
 int runs = 0;
 
 void say(const std::string& line) {
@@ -208,6 +209,8 @@ const std::map<std::string, Action>& actions() {
       {"parts", [](auto& seq, auto&) { many_parts(seq); }},
       {"echo", [](auto& seq, auto& line) { echo(seq, line); }},
       {"eat-memory", [](auto&, auto&) { eat_memory(); }},
+      {"told", [](auto& seq, auto&) { echo(seq, configuration); }},
+      {"told-one", [](auto& seq, auto&) { echo(seq, configuration); }},
       {"leak", [](auto& seq, auto&) { leak(seq); }},
       {"by-four", [](auto& seq, auto&) { answer_by_four(seq, true); }},
       {"by-four-swapped", [](auto& seq, auto&) { answer_by_four(seq, false); }},
@@ -235,6 +238,10 @@ std::string window() {
   return given == nullptr ? std::string() : std::string(",\"max_in_flight\":") + given;
 }
 
+std::string readings() {
+  return mode == "told-one" ? R"(,"readings":["gsk.g94.rewrite"])" : "";
+}
+
 void start() {
   if (mode == "never-starts") sleep_for_ever();
   if (mode == "dies-at-start") {
@@ -246,7 +253,8 @@ void start() {
   const std::string features = mode == "echo" ? R"(["blocks","bytes"])" : R"(["blocks"])";
   say(R"({"protocol":1,"subject":{"name":"fake","version":"1.0"},"dialects":{"gsk988ta":["g94"]},)"
       R"("features":)" +
-      features + R"(,"numeric":{"kind":"fixed","resolution":"0.001"})" + window() + "}");
+      features + R"(,"numeric":{"kind":"fixed","resolution":"0.001"})" + readings() + window() +
+      "}");
 }
 
 void configure() {
@@ -266,6 +274,7 @@ int main(int count, char** arguments) {
     if (line.find("\"cmd\":\"start\"") != std::string::npos) {
       start();
     } else if (line.find("\"cmd\":\"configure\"") != std::string::npos) {
+      configuration = line;
       configure();
     } else if (line.find("\"cmd\":\"run\"") != std::string::npos) {
       ++runs;
