@@ -78,7 +78,9 @@ void Run::note_greeting() {
 
 void Run::note_life(const CaseResult& result) {
   if (has_lived_ || result.verdict.kind == VerdictKind::skip) return;
-  has_lived_ = result.verdict.kind != VerdictKind::crash || !result.trace.empty();
+  const bool broke_down =
+      result.verdict.kind == VerdictKind::crash || result.verdict.kind == VerdictKind::protocol;
+  has_lived_ = !broke_down || !result.trace.empty();
   if (has_lived_ || ++deaths_ < kDeadOnArrival) return;
   const std::string notes = result.notes.substr(0, kLongestNotes);
   throw SubjectUnusable(fmt::format(

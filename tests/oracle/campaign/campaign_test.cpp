@@ -106,6 +106,12 @@ TEST(Campaign, ASubjectThatDiesAtOnceInEveryCaseIsNotJudged) {
   } catch (const SubjectUnusable& unusable) {
     EXPECT_NE(std::string(unusable.what()).find("no such script"), std::string::npos);
   }
+  // An interpreter whose script is missing or broken often exits with 1, which is an alarm's code.
+  FakeSubject exits = dies;
+  exits.act = [](std::string_view, int) -> std::optional<RunEnd> {
+    return ended(RunEnd::Kind::protocol);
+  };
+  EXPECT_THROW(results_of(scratch, "r", options_of(1), fake_maker(exits)), SubjectUnusable);
   // One that answers once is at work, and so is one that has said who it is.
   dies.info->greeted = true;
   EXPECT_NE(results_of(scratch, "r", options_of(1), fake_maker(dies)).find("\"crash\":8"),
