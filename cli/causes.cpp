@@ -2,9 +2,12 @@
 #include "cli/causes.hpp"
 
 #include <exception>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "identify/attribution.hpp"
+#include "identify/shared_causes.hpp"
 #include "oracle/campaign/selection.hpp"
 #include "oracle/records/finding.hpp"
 
@@ -28,16 +31,6 @@ std::optional<identify::ProgramAsked> asked_in(const oracle::Corpus& corpus,
   return std::nullopt;
 }
 
-// The mistake that explains all that departs, or more than half of it, and all that passes: with
-// one that programs would not pass with, the subject does something else.
-std::string cause_in(const identify::Attribution& found) {
-  if (!found.complete.empty()) return found.complete.front().name;
-  if (found.partial.empty()) return {};
-  const identify::Cause& best = found.partial.front();
-  const bool is_likely = 2 * best.departures > found.departures && best.passes == found.passes();
-  return is_likely ? best.name : std::string();
-}
-
 }  // namespace
 
 oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracle::Corpus& corpus,
@@ -49,17 +42,27 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   options.chord = campaign.grants.chord;
   options.feed_resolution = campaign.grants.feed_resolution;
   options.most_records = kMostRecords;
-  std::size_t asked = 0;
+  std::map<std::string, std::string> named;  // with their evidence
   for (const oracle::Finding* finding : summary.findings.list()) {
     const oracle::VerdictKind kind = finding->key.kind;
     if (!oracle::is_other_answer(kind) || kind == oracle::VerdictKind::fail_reading) continue;
-    if (asked++ == most) break;
+    if (causes.asked == most) break;
+    ++causes.asked;
     try {
       const auto test = asked_in(corpus, campaign, finding->smallest.id);
       if (!test) continue;
       const std::unique_ptr<oracle::Subject> subject = make();
-      std::string cause = cause_in(identify::attribute(*subject, corpus, *test, options));
-      if (!cause.empty()) causes[finding->key] = std::move(cause);
+      std::set<std::string> names;
+      for (const auto& [name, evidence] : named) names.insert(name);
+      const std::string known = identify::known_cause(*subject, *test, names, options);
+      if (!known.empty()) {
+        causes.of[finding->key] = {known, named[known]};
+        continue;
+      }
+      const auto likely = likely_cause(identify::attribute(*subject, corpus, *test, options));
+      if (!likely) continue;
+      named[likely->name] = likely->evidence;
+      causes.of[finding->key] = {likely->name, likely->evidence};
     } catch (const std::exception&) {
       // The run has its answer; what it comes from is a courtesy.
       break;

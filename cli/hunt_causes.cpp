@@ -16,8 +16,8 @@ namespace {
 
 using identify::ProgramAsked;
 
-// A bound on all trials for a campaign's findings: a hunt is not to wait for its explanation.
-constexpr std::size_t kMostRecords = 3'000'000;
+// A bound on the trials for a finding, as of certify: a hunt is not to wait for its explanation.
+constexpr std::size_t kMostRecords = 1'000'000;
 constexpr std::size_t kMostOthers = 400;  // programs
 
 // The subject with its own alarms under the names of the gauge.

@@ -9,6 +9,8 @@
 
 #include "cli/colour.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/records/cycle_table.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/report/clauses.hpp"
 
 namespace gonogo::cli {
@@ -109,6 +111,7 @@ ExitCode exit_code_of(const oracle::Verdict& verdict) {
 namespace {
 
 constexpr std::size_t kShownIds = 3;
+constexpr std::size_t kShownCycles = 20;
 
 // The advices by what they are about.
 std::string advices_text(const oracle::RunScope& scope) {
@@ -154,10 +157,32 @@ std::string finding_head(const oracle::Finding& finding) {
   return finding.line();
 }
 
+std::string indented(const std::string& text, std::string_view indent) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin) + 1;
+    out += indent;
+    out += text.substr(begin, end - begin);
+    begin = end;
+  }
+  return out;
+}
+
+// Program, machine and the two steps of the smallest case, before its evidence.
+std::string case_text(const oracle::CaseResult& smallest) {
+  std::string text =
+      indented(oracle::marked_blocks(smallest.program, smallest.verdict.block), "  ");
+  const std::string machine = oracle::other_machine(smallest.profile);
+  if (!machine.empty()) text += fmt::format("  {:<11}{}\n", "machine", machine);
+  const std::string steps = oracle::want_and_got(smallest.verdict.want, smallest.verdict.got);
+  if (!steps.empty()) text += fmt::format("  {}\n", steps);
+  return text;
+}
+
 std::string finding_text(const oracle::Finding& finding, const oracle::CaseResult* smallest,
                          bool colour) {
   std::string text = in_tone(finding_head(finding), Tone::strong, colour) + "\n";
-  if (smallest != nullptr) text += evidence(smallest->verdict, "  ");
+  if (smallest != nullptr) text += case_text(*smallest) + evidence(smallest->verdict, "  ");
   if (finding.cases == 1) return text + "\n";
   text += fmt::format("  {:<11}{}\n", "cases of", cycles_text(finding));
   std::vector<std::string> others;
@@ -174,11 +199,10 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
   std::string cause;
   std::size_t shown = 0;
   for (const oracle::Finding* finding : summary.findings.list()) {
-    if (!finding->cause.empty() && finding->cause != cause) {
-      text +=
-          in_tone(fmt::format("Likely cause: {}.", finding->cause), Tone::unsure, colour) + "\n";
+    if (!finding->cause.empty() && finding->cause.name != cause) {
+      text += in_tone(finding->cause.text(), Tone::unsure, colour) + "\n";
     }
-    cause = finding->cause;
+    cause = finding->cause.name;
     if (++shown > kShownFindings) {
       text += finding_head(*finding) + "\n";
       continue;
@@ -187,7 +211,12 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
     text += finding_text(*finding, smallest == summary.smallest.end() ? nullptr : &smallest->second,
                          colour);
   }
-  return shown > kShownFindings ? text + "\n" : text;
+  if (shown > kShownFindings) text += "\n";
+  if (summary.causes_asked > 0) {
+    text += fmt::format("A cause was looked for of {} of {} (--causes).\n\n", summary.causes_asked,
+                        oracle::counted(shown, "finding", "findings"));
+  }
+  return text;
 }
 
 // What the subject does not claim, dialect by dialect, feature by feature.
@@ -253,7 +282,7 @@ std::string summary_text(const CampaignSummary& summary, const std::string& subj
     text += "  There is a dialect of which no feature was judged for the most part.\n";
   }
   text += in_tone(summary.answer.head, tone_of(summary.answer.decision), colour) + "\n";
-  return text;
+  return text + oracle::cycle_table(summary.answer.scope).text(kShownCycles);
 }
 
 }  // namespace gonogo::cli

@@ -25,6 +25,7 @@ struct CampaignSummary {
   oracle::ResultsFooter footer;
   oracle::Findings findings;
   std::map<std::size_t, oracle::CaseResult> smallest;  // case of a finding, by its number
+  std::size_t causes_asked = 0;                        // findings of which a cause was looked for
   std::size_t run_again = 0;                           // cases that took more than two runs
   std::size_t further_runs = 0;                        // that they took beside two
   bool complete = true;                                // not stopped at the first NO-GO

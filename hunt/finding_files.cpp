@@ -13,6 +13,7 @@
 #include "oracle/corpus/recheck.hpp"
 #include "oracle/differential/differential.hpp"
 #include "oracle/judge/step_text.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/records/text.hpp"
 
@@ -30,6 +31,9 @@ std::string verdict_text(const Finding& finding, const oracle::Case& test) {
   auto put = [&](std::string_view what, const std::string& value) {
     if (!value.empty()) text += fmt::format("{:<11}{}\n", what, value);
   };
+  text += oracle::marked_blocks(test.program, verdict.block);
+  put("machine", oracle::other_machine(reference::profile_json(test.profile)));
+  put("", oracle::want_and_got(verdict.want, verdict.got));
   put("clause", finding.signature.clause);
   if (verdict.block != 0) put("line", std::to_string(verdict.block));
   if (verdict.record) put("record", std::to_string(*verdict.record));

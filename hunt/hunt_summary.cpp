@@ -60,8 +60,8 @@ void add_shard(const CampaignState& state, const fs::path& folder, HuntSummary& 
   summary.count += state.count;
   summary.inputs += state.inputs.size();
   add_features(summary.features, state.features);
-  const bool is_told = std::ranges::find(summary.left_out, state.left_out) !=
-                       summary.left_out.end();
+  const bool is_told =
+      std::ranges::find(summary.left_out, state.left_out) != summary.left_out.end();
   if (!state.left_out.empty() && !is_told) summary.left_out.push_back(state.left_out);
   RoundEnds ends;
   for (const RoundTime& time : read_round_times(folder.string())) {
@@ -157,7 +157,7 @@ std::string findings_text(const HuntSummary& summary) {
 }
 
 std::string cause_text(const CampaignFinding& finding) {
-  if (!finding.cause.empty()) return "Likely cause: " + finding.cause + ".";
+  if (!finding.cause.empty()) return oracle::Cause{finding.cause, {}}.text();
   return "No one mistake that was tried explains it.";
 }
 
@@ -177,8 +177,9 @@ std::string finding_list_text(const HuntSummary& summary) {
   std::string text;
   std::size_t number = 0;
   for (const CampaignFinding& finding : summary.findings) {
-    text += fmt::format("{}. {}{}, {}\n   {}\n", ++number, finding.stands() ? "" : "mended: ",
-                        faces_text(finding), clauses_text(finding), cause_text(finding));
+    text += fmt::format("{}. {}{}, {}\n   {}\n", ++number,
+                        finding.stands() ? "" : "mended: ", faces_text(finding),
+                        clauses_text(finding), cause_text(finding));
     for (const Face& face : finding.faces) {
       text += fmt::format("  {:>7} x {}{}  {}\n", face.programs, face.signature.text(),
                           face.stands ? "" : " (mended)", face.folder);

@@ -48,7 +48,7 @@ struct HuntSummary {
   std::vector<std::string> left_out;  // what the subject skips, each text of a shard once
   std::size_t inputs = 0;
   double seconds = 0;  // of the rounds whose times are known, shards one after the other
-  std::size_t timed_programs = 0;  // of those rounds
+  std::size_t timed_programs = 0;                              // of those rounds
   std::optional<std::chrono::system_clock::time_point> begun;  // end of the first round
   std::optional<std::chrono::system_clock::time_point> ended;
   std::vector<CampaignFinding> findings;  // those that stand first, then by programs
@@ -66,7 +66,7 @@ using Causes = std::map<Signature, std::string>;
 // whatever code.
 void group_findings(HuntSummary& summary, const Causes& causes);
 
-// "Likely cause: I J K are taken as absolute.", or that there is none.
+// "Behaves as if: I J K are taken as absolute.", or that there is none.
 std::string cause_text(const CampaignFinding& finding);
 // "NGC-ARC-02 NGC-ARC-05"
 std::string clauses_text(const CampaignFinding& finding);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 namespace gonogo::identify {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 4'000;
 constexpr std::size_t kMostPartial = 10;
+constexpr std::size_t kMostTried = 12;  // mistakes on further programs, but for equals
 
 class Attributor {
  public:
@@ -20,7 +22,7 @@ class Attributor {
 
   // Gives the program to the subject; and tries on it what explains everything so far.
   void observe(const ProgramAsked& asked);
-  // What explains the programs that have been observed.
+  // What explains the programs that have been observed, or some of them and every pass.
   void find_causes();
   bool has_causes() const { return !causes_.empty(); }
   bool is_spent() const { return explainer_.is_spent(); }
@@ -39,7 +41,7 @@ class Attributor {
   void try_causes(const Observation& seen);
 
   Explainer explainer_;
-  std::vector<Explanation> causes_;  // that explain everything so far
+  std::vector<Explanation> causes_;  // that no pass contradicts so far
   Attribution found_;
 };
 
@@ -52,14 +54,15 @@ void Attributor::observe(const ProgramAsked& asked) {
 }
 
 bool Attributor::count(const Variant& variant, const Observation& seen, Cause& cause) {
-  if (!explainer_.explains(variant, seen)) return false;
-  ++(seen.departs() ? cause.departures : cause.passes);
+  const Fit fit = explainer_.fit(variant, seen);
+  if (fit == Fit::no) return false;
+  ++(!seen.departs() ? cause.passes : fit == Fit::full ? cause.departures : cause.cut_short);
   return true;
 }
 
 void Attributor::try_variant(const Variant& variant) {
   ++found_.tried;
-  Cause cause{variant.name, 0, 0};
+  Cause cause{variant.name, 0, 0, 0};
   for (const Observation& seen : found_.programs) {
     if (seen.departs()) count(variant, seen, cause);
   }
@@ -67,17 +70,17 @@ void Attributor::try_variant(const Variant& variant) {
   for (const Observation& seen : found_.programs) {
     if (!seen.departs()) count(variant, seen, cause);
   }
-  const bool complete = cause.departures == found_.departures && cause.passes == found_.passes();
-  if (complete) {
+  if (cause.passes == found_.passes()) {
     causes_.push_back({variant, std::move(cause)});
   } else {
     found_.partial.push_back(std::move(cause));
   }
 }
 
+// A departure may have another cause; a pass that would be none may not.
 void Attributor::try_causes(const Observation& seen) {
   std::erase_if(causes_, [&](Explanation& one) {
-    if (count(one.variant, seen, one.cause)) return false;
+    if (count(one.variant, seen, one.cause) || seen.departs()) return false;
     found_.partial.push_back(one.cause);
     return true;
   });
@@ -92,6 +95,14 @@ void Attributor::find_causes() {
     if (is_spent()) return;
     try_variant(variant);
   }
+  // The simplest first among equals; the hopeless are not tried any further.
+  std::vector<std::size_t> explained;
+  for (const Explanation& one : causes_) explained.push_back(one.cause.departures);
+  std::ranges::sort(explained, std::greater());
+  if (explained.size() <= kMostTried) return;
+  std::erase_if(causes_, [least = explained[kMostTried - 1]](const Explanation& one) {
+    return one.cause.departures < least;
+  });
 }
 
 Attribution Attributor::finish() {
@@ -100,7 +111,12 @@ Attribution Attributor::finish() {
     found_.partial.clear();
     return std::move(found_);
   }
-  for (const Explanation& one : causes_) found_.complete.push_back(one.cause);
+  for (const Explanation& one : causes_) {
+    const Cause& cause = one.cause;
+    const bool is_complete = cause.departures + cause.cut_short == found_.departures &&
+                             2 * cause.cut_short < found_.departures;
+    (is_complete ? found_.complete : found_.partial).push_back(cause);
+  }
   std::ranges::sort(found_.partial, [](const Cause& a, const Cause& b) {
     const auto rank = [](const Cause& cause) {
       return (cause.departures + 1) * (cause.passes + 1);
@@ -165,7 +181,7 @@ Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
                       const ProgramAsked& asked, const AttributionOptions& options) {
   Attributor attributor(subject, options);
   attributor.observe(asked);
-  Observation seed{asked.id, asked.program, asked.profile, {}, {}, 0, {}};
+  Observation seed{asked.id, asked.program, asked.profile, {}, {}, 0, {}, {}};
   if (!attributor.programs().empty()) seed = attributor.programs().front();
   const Programs programs = programs_like(corpus, seed, options);
   for (const ProgramAsked& other : programs.first) attributor.observe(other);
@@ -193,6 +209,30 @@ void append_cause(const Attribution& all, const Cause& cause, std::string& out) 
 }
 
 }  // namespace
+
+std::optional<LikelyCause> likely_cause(const Attribution& all) {
+  constexpr std::size_t kFew = 3;  // departures that tell few mistakes apart
+  constexpr std::size_t kShownRivals = 3;
+  std::vector<Cause> equal = all.complete;
+  const bool is_whole = !equal.empty();
+  for (const Cause& cause : all.partial) {
+    if (is_whole || 2 * cause.departures <= all.departures || cause.passes != all.passes())
+      continue;
+    if (equal.empty() || cause.departures == equal.front().departures) equal.push_back(cause);
+  }
+  if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return std::nullopt;
+  const Cause& first = equal.front();
+  LikelyCause likely{first.name, fmt::format("It explains {} of {} departures that were tried, and "
+                                             "that {} programs pass.",
+                                             first.departures, all.departures, first.passes)};
+  if (equal.size() == 1) return likely;
+  likely.evidence += " As much is explained by:";
+  for (std::size_t i = 1; i < equal.size() && i <= kShownRivals; ++i) {
+    likely.evidence += fmt::format("{} {}", i == 1 ? "" : ";", equal[i].name);
+  }
+  likely.evidence += equal.size() > kShownRivals + 1 ? "; and others." : ".";
+  return likely;
+}
 
 std::string attribution_text(const Attribution& all) {
   std::string out = fmt::format("{} programs, {} of them depart; {} mistakes tried\n",

@@ -21,6 +21,7 @@ struct AttributionOptions : ExplanationTerms {
 struct Cause {
   std::string name;
   std::size_t departures = 0;  // that it explains in full
+  std::size_t cut_short = 0;   // that it explains up to where it makes the reference refuse
   std::size_t passes = 0;      // programs that are GO and would be with it
 };
 
@@ -39,6 +40,15 @@ struct Attribution {
 // SubjectUnusable, CorpusError.
 Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
                       const ProgramAsked& asked, const AttributionOptions& options);
+
+// What a subject behaves as if, with what that rests on.
+struct LikelyCause {
+  std::string name;      // the simplest
+  std::string evidence;  // sentences: how much it explains, and what explains as much
+};
+// Nothing: no mistake explains more than half of what departs and all that passes, or too many do
+// for what was seen.
+std::optional<LikelyCause> likely_cause(const Attribution& attribution);
 
 std::string attribution_text(const Attribution& attribution);
 

@@ -23,6 +23,7 @@ bool is_confusable(const Code& code) {
     case Kind::thread:
     case Kind::arc:
     case Kind::cycle:
+    case Kind::reference_point:
     case Kind::pole:
     case Kind::frame:
       return code.is_g() && code.treatment == reference::Treatment::read;

@@ -62,7 +62,7 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
     subject_.configure(asked.profile);
     before_ = {};
   }
-  Observation seen{asked.id, asked.program, asked.profile, {}, {}, 0, before_};
+  Observation seen{asked.id, asked.program, asked.profile, {}, {}, 0, {}, before_};
   seen.outcome = run_subject(subject_, asked.id, asked.program);
   const auto shown = run_reference(asked.profile, asked.program);
   if (shown) seen.program = plainly_spelled(asked, *shown);
@@ -72,44 +72,57 @@ std::optional<Observation> Explainer::observe(const ProgramAsked& asked) {
                                seen.outcome.records, seen.outcome.end)
                      .verdict;
   if (decision(seen.verdict.kind) == Decision::undecided) return std::nullopt;
-  if (shown) seen.alarm = shown->end.alarm.block;
+  if (shown) {
+    seen.alarm = shown->end.alarm.block;
+    seen.alarms = shown->admitted;
+  }
   return seen;
 }
 
-bool Explainer::judge_trial(const Trial& trial) {
+Fit Explainer::judge_trial(const Trial& trial, const Observation& seen) {
   spent_ += trial.outcome.records.size();
-  if (is_spent()) return false;
+  if (is_spent()) return Fit::no;
   const oracle::JudgeTerms on = terms(trial.profile);
   if (trial.model) {
-    return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on);
+    return same_path(*trial.model, trial.outcome, trial.profile.initial.at, on) ? Fit::full
+                                                                                : Fit::no;
   }
   // One that would put out far more than the subject did need not be followed to its end.
   const std::size_t most = 1'000 + 20 * trial.outcome.records.size();
   const auto shown = run_reference(trial.profile, trial.program, most);
   spent_ += shown ? shown->records.size() : most;
-  if (!shown) return false;
-  const oracle::SessionVerdict said =
-      judge_outcome(trial.profile, trial.program, on, trial.outcome.records, trial.outcome.end);
-  return decision(said.verdict.kind) == Decision::go;
+  if (!shown) return Fit::no;
+  const oracle::VerdictKind said =
+      judge_outcome(trial.profile, trial.program, on, trial.outcome.records, trial.outcome.end)
+          .verdict.kind;
+  if (decision(said) == Decision::go) return Fit::full;
+  // The rule that ends the reference may be checked on the word as it is written.
+  const bool is_cut_short =
+      seen.departs() && seen.alarm == 0 && said == oracle::VerdictKind::fail_alarm_missing;
+  return is_cut_short ? Fit::cut_short : Fit::no;
 }
 
-bool Explainer::explains(const Variant& variant, const Observation& seen) {
+Fit Explainer::fit(const Variant& variant, const Observation& seen) {
+  if (variant.holds) return variant.holds(seen) ? Fit::full : Fit::no;
   auto trial = variant.apply(seen);
-  if (!trial) return !seen.departs();
-  if (judge_trial(*trial)) return true;
+  if (!trial) return seen.departs() ? Fit::no : Fit::full;
+  const Fit as_a_whole = judge_trial(*trial, seen);
+  if (as_a_whole != Fit::no) return as_a_whole;
   // Rules may be checked on the words as they are written, whatever is made of them afterwards.
-  if (seen.alarm == 0 || trial->model || trial->program == seen.program) return false;
+  if (seen.alarm == 0 || trial->model || trial->program == seen.program) return Fit::no;
   trial->program = spliced(trial->program, seen.program, seen.alarm, seen.profile);
-  return judge_trial(*trial);
+  return judge_trial(*trial, seen);
 }
 
 Variants variants_for(const Observation& departure) {
   Variants variants;
+  add_alarm_variants(departure, variants);
+  add_clause_variants(departure, variants);
   add_machine_variants(departure, variants);
   add_record_variants(departure, variants);
   add_word_variants(departure, variants);
-  add_code_variants(departure, variants);
   add_modal_variants(departure, variants);
+  add_code_variants(departure, variants);
   add_model_variants(departure, variants);
   return variants;
 }

@@ -22,10 +22,14 @@ struct ExplanationTerms {
   std::optional<reference::Number> tolerance;  // mm, as of the judge; nothing: the subject's own
   std::optional<reference::Number> chord;
   std::optional<reference::Number> feed_resolution;
-  // For all trials together: with more nothing is said. A subject that never ends one cycle has
-  // thousands of records, and is held against hundreds of mistakes.
+  // For all trials of a departure: with more nothing is said. A subject that never ends one cycle
+  // has thousands of records, and is held against hundreds of mistakes.
   std::size_t most_records = std::numeric_limits<std::size_t>::max();
 };
+
+// How far a mistake explains an observation. Cut short: up to a block that the mistake makes the
+// reference refuse, while the subject goes on.
+enum class Fit : std::uint8_t { no, cut_short, full };
 
 class Explainer {
  public:
@@ -38,13 +42,18 @@ class Explainer {
   std::optional<Observation> observe(const ProgramAsked& asked);
   // Whether the judge says GO with the mistake in the reference's place; of a program to which it
   // makes no difference, whether that passes.
-  bool explains(const Variant& variant, const Observation& seen);
+  Fit fit(const Variant& variant, const Observation& seen);
+  bool explains(const Variant& variant, const Observation& seen) {
+    return fit(variant, seen) == Fit::full;
+  }
+  // The bound holds from here on.
+  void begin_anew() { spent_ = 0; }
   // Nothing more is tried: all that is said from here on is that nothing explains anything.
   bool is_spent() const { return spent_ > options_.most_records; }
 
  private:
   oracle::JudgeTerms terms(const Profile& profile) const;
-  bool judge_trial(const Trial& trial);
+  Fit judge_trial(const Trial& trial, const Observation& seen);
 
   oracle::Subject& subject_;
   const ExplanationTerms& options_;
@@ -53,7 +62,7 @@ class Explainer {
   std::size_t spent_ = 0;  // records, the subject's and the reference's
 };
 
-// Every mistake that can be what the observation departs by, those of the machine first.
+// Every mistake that can be what the observation departs by, the simplest first.
 Variants variants_for(const Observation& departure);
 
 }  // namespace gonogo::identify

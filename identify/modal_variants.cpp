@@ -62,6 +62,61 @@ std::optional<std::string> leaked(const ProgramText& program,
   });
 }
 
+// What ends a cycle, and ought to clear what it retains.
+struct Passed {
+  std::string name;
+  std::set<Kind> kinds;
+};
+
+std::vector<Passed> passed_by(const reference::Descriptor& table) {
+  const std::set<Kind> motions = {Kind::traverse, Kind::line, Kind::arc, Kind::circle};
+  const std::set<Kind> others = {Kind::reference_point, Kind::rename};
+  std::vector<Passed> all = {{"motions", motions}, {"reference points and coordinates", others}};
+  if (const reference::Code* off = table.find(Kind::off)) {
+    std::set<Kind> both = motions;
+    both.insert(Kind::off);
+    all.push_back({std::string(off->name), {Kind::off}});
+    all.push_back({fmt::format("motions and {}", off->name), std::move(both)});
+  }
+  return all;
+}
+
+bool names_something(const TextBlock& block) {
+  return std::ranges::any_of(block.words, program::is_word);
+}
+
+// A cycle that lacks a word takes that of a cycle before it, across blocks of these kinds alone.
+std::optional<std::string> retained_past(const ProgramText& program,
+                                         const std::set<std::string>& addresses,
+                                         const std::set<Kind>& passed) {
+  std::map<std::string, std::string> given;  // since the last such block
+  std::map<std::string, std::string> kept;   // before it
+  return edited_in_order(program, [&](const TextBlock& block) {
+    std::string more;
+    if (!names_something(block) || block.modes.is_of(Kind::dwell)) return more;
+    if (!in_cycle(block)) {
+      const bool is_passed =
+          block.modes.code() != nullptr && passed.contains(block.modes.code()->kind);
+      if (is_passed) {
+        for (const auto& [address, word] : given) kept[address] = word;
+      } else if (block.modes.code() != nullptr) {
+        kept.clear();
+      }
+      given.clear();
+      return more;
+    }
+    for (const std::string& address : addresses) {
+      if (const TextWord* word = block.find(address)) {
+        given[address] = word->text;
+        kept.erase(address);
+      } else if (kept.contains(address)) {
+        more += " " + kept[address];
+      }
+    }
+    return more;
+  });
+}
+
 // A block of the code that lacks the word gets it with the value 0.
 std::optional<std::string> zeroed(const ProgramText& program, const std::string& address) {
   std::set<std::string> seen;  // codes under which it was given
@@ -208,6 +263,30 @@ void add_leaks(const reference::Descriptor& table, const std::set<std::string>& 
   }
 }
 
+// Words of cycles that stand in the program, each alone and all together.
+void add_retained(const reference::Descriptor& table, const std::set<std::string>& addresses,
+                  Variants& out) {
+  std::set<std::string> all;
+  for (const reference::Code& code : table.codes) {
+    if (code.kind != Kind::cycle) continue;
+    std::ranges::copy_if(addresses, std::inserter(all, all.end()),
+                         [&](const std::string& address) { return code.find(address) != nullptr; });
+  }
+  std::vector<std::pair<std::string, std::set<std::string>>> sets;
+  for (const std::string& address : all) sets.push_back({address + " of a cycle", {address}});
+  if (all.size() > 1) sets.push_back({"what a cycle retains", all});
+  for (const auto& [what, set] : sets) {
+    for (const Passed& passed : passed_by(table)) {
+      add_text(
+          fmt::format("{} stays in force past {}", what, passed.name),
+          [set, kinds = passed.kinds](const ProgramText& text) {
+            return retained_past(text, set, kinds);
+          },
+          out);
+    }
+  }
+}
+
 void add_lost_words(const std::set<std::string>& addresses, Variants& out) {
   for (const std::string& address : addresses) {
     add_text(
@@ -299,6 +378,7 @@ std::optional<Trial> with_end_ignored(const Observation& seen) {
 void add_modal_variants(const Observation& departure, Variants& out) {
   const ProgramText program(departure.profile, departure.program);
   const Named named = named_in(program);
+  add_retained(*program.table, named.addresses, out);
   add_leaks(*program.table, named.addresses, out);
   add_lost_words(named.addresses, out);
   add_mode_slips(out);

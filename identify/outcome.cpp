@@ -35,10 +35,11 @@ std::optional<KeptOutcome> run_reference(const Profile& profile, std::string_vie
   using Ending = oracle::ReferenceRun::Ending;
   oracle::ReferenceRun run = oracle::run_reference(profile, program, most);
   if (run.ending == Ending::too_long || run.ending == Ending::undecided) return std::nullopt;
-  KeptOutcome outcome{std::move(run.records), std::move(run.end), {}, false};
+  KeptOutcome outcome{std::move(run.records), std::move(run.end), {}, {}, false};
   for (const reference::Alarm& alarm : run.alarms) {
     outcome.alarms += fmt::format("{} {} ", outcome.end.alarm.block, name(alarm.alarm));
   }
+  outcome.admitted = std::move(run.alarms);
   outcome.not_covered = run.ending == Ending::not_covered;
   return outcome;
 }

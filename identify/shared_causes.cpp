@@ -78,6 +78,7 @@ bool Sharing::keeps_passes(const Variant& variant) {
 }
 
 void Sharing::close_first() {
+  explainer_.begin_anew();  // one that is too long leaves the others their chance
   std::vector<std::size_t> closed = {0};
   const Variants variants = variants_for(open_.front().seen);
   for (const Candidate& candidate : candidates(variants)) {
@@ -94,8 +95,10 @@ void Sharing::close_first() {
 }
 
 SharedCauses Sharing::find() {
-  while (!open_.empty() && !explainer_.is_spent()) close_first();
-  found_.given_up = explainer_.is_spent();
+  while (!open_.empty()) {
+    close_first();
+    found_.given_up = found_.given_up || explainer_.is_spent();
+  }
   return std::move(found_);
 }
 

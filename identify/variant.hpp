@@ -34,10 +34,11 @@ struct Observation {
   std::string id;
   std::string program;
   Profile profile;
-  KeptOutcome outcome;      // of the subject
-  oracle::Verdict verdict;  // under the profile
-  std::uint64_t alarm = 0;  // line in which the reference alarms; 0: none
-  Carried before;           // left by programs that it ran before
+  KeptOutcome outcome;                   // of the subject
+  oracle::Verdict verdict;               // under the profile
+  std::uint64_t alarm = 0;               // line in which the reference alarms; 0: none
+  std::vector<reference::Alarm> alarms;  // that it admits there
+  Carried before;                        // left by programs that it ran before
 
   bool departs() const { return decision(verdict.kind) == oracle::Decision::no_go; }
 };
@@ -56,6 +57,9 @@ struct Variant {
   std::string name;  // what the subject does, a sentence without its full stop
   // Nothing: it makes no difference to this program.
   std::function<std::optional<Trial>(const Observation&)> apply;
+  // In place of a trial, where what the subject would do next is not known: whether the observation
+  // is as the mistake makes it.
+  std::function<bool(const Observation&)> holds = {};
 };
 
 using Variants = std::vector<Variant>;
@@ -90,6 +94,10 @@ void add_modal_variants(const Observation& departure, Variants& out);
 // What came out turned round, mirrored, in other units, under other block numbers, at another
 // speed.
 void add_record_variants(const Observation& departure, Variants& out);
+// A rule that is not checked.
+void add_alarm_variants(const Observation& departure, Variants& out);
+// A motion that a clause asks for of another kind, or left out.
+void add_clause_variants(const Observation& departure, Variants& out);
 // Coordinates rounded; motions left out; sums in binary floating point.
 void add_model_variants(const Observation& departure, Variants& out);
 

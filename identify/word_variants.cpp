@@ -69,6 +69,8 @@ const std::vector<Operation>& operations() {
       {"is converted from inches", [](const Number& v) -> Value { return v * 127 / 5; },
        under_inches},
       {"is taken as millimetres, not inches", [](const Number& v) -> Value { return v * 5 / 127; }},
+      {"has no effect, as if it were without limit",
+       [](const Number& v) -> Value { return v * 1'000'000; }},
       {"is halved where X is a radius", [](const Number& v) -> Value { return v / 2; },
        where_x_is_a_radius},
       {"is 1000 times too large, milli for one", [](const Number& v) -> Value { return v * 1000; }},

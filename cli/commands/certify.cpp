@@ -277,7 +277,8 @@ void name_causes(const CertifyOptions& options, const oracle::Corpus& corpus,
     causes =
         find_causes(summary, corpus, campaign, maker, static_cast<std::size_t>(options.causes));
   }
-  for (const auto& [key, cause] : causes) summary.findings.set_cause(key, cause);
+  summary.causes_asked = causes.asked;
+  for (const auto& [key, cause] : causes.of) summary.findings.set_cause(key, cause);
   oracle::evidence::write_causes(report, causes);
 }
 

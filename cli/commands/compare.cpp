@@ -27,6 +27,14 @@ CompareFormat format_of(const std::string& word) {
   return word == "markdown" ? CompareFormat::markdown : CompareFormat::text;
 }
 
+// Runs of other corpora or selections say nothing of each other.
+void need_common_cases(const oracle::evidence::ComparedCases& cases, std::size_t changed) {
+  if (cases.same + changed > 0 || cases.added + cases.gone == 0) return;
+  throw UsageError(
+      "The runs have no case in common: there is nothing to compare. Name results of the same "
+      "corpus and dialects.");
+}
+
 // The text of the comparison, and whether there is a regression in it.
 struct Compared {
   std::string text;
@@ -37,9 +45,11 @@ Compared compared(const std::vector<std::string>& paths, CompareFormat format) {
   namespace evidence = oracle::evidence;
   if (paths.size() == 2) {
     const evidence::Comparison two = evidence::compare_results(paths[0], paths[1]);
+    need_common_cases(two, two.changed.size());
     return {evidence::comparison_text(two, format), two.count(evidence::Change::regression) > 0};
   }
   const evidence::RunsComparison many = evidence::compare_runs(paths);
+  need_common_cases(many, many.changed.size());
   return {evidence::runs_comparison_text(many, format),
           many.count(evidence::Change::regression) > 0};
 }

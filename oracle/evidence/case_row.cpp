@@ -39,6 +39,9 @@ CaseRow case_row(const Json& line) {
   const auto expected = line.find("expected");
   facts.expected = expected != line.end() && *expected == true;
   facts.program = report::program_bytes(line);
+  if (const auto profile = line.find("profile"); profile != line.end()) {
+    facts.profile = profile->dump();
+  }
   return facts;
 }
 

@@ -36,6 +36,7 @@ struct CaseRow {
   std::uint64_t microseconds = 0;
   bool expected = false;               // an oracle-gap that the corpus expects
   std::optional<std::string> program;  // bytes
+  std::string profile;                 // JSON, where the line has it
 
   Decision decision() const { return oracle::decision(kind); }
   std::string_view verdict() const { return name(kind); }

@@ -4,16 +4,19 @@
 // part of the results: no verdict depends on it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
-#include <string>
 
 #include "oracle/records/finding.hpp"
 
 namespace gonogo::oracle::evidence {
 
 inline constexpr const char* kCausesFile = "causes.json";
-using Causes = std::map<Finding::Key, std::string>;
+struct Causes {
+  std::map<Finding::Key, Cause> of;
+  std::size_t asked = 0;  // findings of which a cause was looked for
+};
 
 // Those of the folder; a file that is missing or of another format says nothing.
 Causes read_causes(const std::filesystem::path& folder);

@@ -68,7 +68,7 @@ class Writers {
         programs_(folder / "programs"),
         page_(folder, reader.header()),
         programs_of_passes_(std::move(programs)) {
-    for (const auto& [key, cause] : causes) summary_.set_cause(key, cause);
+    for (const auto& [key, cause] : causes.of) summary_.set_cause(key, cause);
   }
 
   // All lines that the reader still has.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "oracle/evidence/text.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/report/clauses.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
@@ -138,6 +139,29 @@ std::string advice_list(const Json& scope) {
   return text;
 }
 
+std::string cycles_table(const Json& cycles) {
+  if (cycles["rows"].empty()) return {};
+  std::string text = "| cycle |";
+  std::string rule = "|---|";
+  for (std::size_t i = 0; i < cycles["columns"].size(); ++i) {
+    if (cycles["used"][i] == false) continue;
+    text += fmt::format(" {} |", cycles["columns"][i].get<std::string>());
+    rule += "--:|";
+  }
+  text += "\n" + rule + "\n";
+  for (const Json& row : cycles["rows"]) {
+    text += fmt::format("| {} |", markdown_text(text_of(row, "cycle")));
+    for (std::size_t i = 0; i < row["cases"].size(); ++i) {
+      if (cycles["used"][i] == true) {
+        text += fmt::format(" {} |", grouped(row["cases"][i].get<std::size_t>()));
+      }
+    }
+    text += "\n";
+  }
+  const std::string others = text_of(cycles, "others");
+  return text + (others.empty() ? "" : "\nNothing judged: " + markdown_text(others) + ".\n") + "\n";
+}
+
 std::string named_cases(const Json& group) {
   std::string text;
   for (const Json& id : group["first_cases"]) {
@@ -157,6 +181,14 @@ void MarkdownSummary::add(const CaseRow& facts, const Finding* finding, bool is_
 std::string MarkdownSummary::failure(const CaseRow& facts) const {
   std::string text;
   if (!facts.message.empty()) text += markdown_text(facts.message) + "\n\n";
+  const std::string blocks = marked_blocks(facts.program.value_or(""), facts.block.value_or(0));
+  if (!blocks.empty()) text += markdown_fence(blocks.substr(0, blocks.size() - 1)) + "\n";
+  if (const std::string machine = other_machine(facts.profile); !machine.empty()) {
+    text += "- machine " + markdown_text(machine) + "\n";
+  }
+  if (const std::string steps = want_and_got(facts.want, facts.got); !steps.empty()) {
+    text += "- " + markdown_text(steps) + "\n";
+  }
   if (!facts.clause.empty()) {
     const reference::Clause* clause = report::find_clause(facts.clause);
     text += fmt::format("- clause {}{}\n", markdown_code(facts.clause),
@@ -184,7 +216,7 @@ std::string MarkdownSummary::findings(const RunState& state) const {
   for (const Json& finding : state.summary["findings"]) {
     if (shown == 0) text += "\n## Findings\n\n";
     if (const std::string own = text_of(finding, "cause"); !own.empty() && own != cause) {
-      text += "Likely cause: " + markdown_text(own) + ".\n\n";
+      text += markdown_text(text_of(finding, "causeText")) + "\n\n";
     }
     cause = text_of(finding, "cause");
     const std::string line = markdown_text(text_of(finding, "line"));
@@ -219,7 +251,8 @@ std::string MarkdownSummary::text(const RunState& state) const {
   auto part = [](std::string_view title, const std::string& list) {
     return list.empty() ? list : fmt::format("\n## {}\n\n{}", title, list);
   };
-  return head(state) + "\n" + totals_table(state.summary["totals"]) +
+  return head(state) + "\n" + cycles_table(scope["cycles"]) +
+         totals_table(state.summary["totals"]) +
          list_of_texts(state.footer, "assignments",
                        "Readings that explain everything that passed:") +
          list_of_texts(state.footer, "stale", "Stale entries of the subject's own files:") +

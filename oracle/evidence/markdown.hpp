@@ -33,6 +33,8 @@ class MarkdownSummary {
 
 // | verdict | | cases |
 std::string totals_table(const Json& totals);
+// The cycles with what became of their cases, as of report::scope_json; empty without any.
+std::string cycles_table(const Json& cycles);
 // Lists of the groups of a scope, as of report::scope_json; empty where there are none.
 std::string not_claimed_list(const Json& scope);
 std::string declared_but_skipped_list(const Json& scope);

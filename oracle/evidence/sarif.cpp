@@ -121,9 +121,10 @@ Json rule_json(const std::string& id, std::string_view address) {
   if (const reference::Clause* clause = report::find_clause(id)) {
     rule["shortDescription"] = text_json(clause->text);
     rule["fullDescription"] = text_json(fmt::format("{} ({})", clause->text, clause->source));
-    rule["help"] = text_json(fmt::format("{}: {} ({}). `gonogo spec --dialect {}` prints it beside "
-                                         "the readings that it leaves open.",
-                                         id, clause->text, clause->source, dialect_of(id)));
+    rule["help"] =
+        text_json(fmt::format("{}: {} ({}). `gonogo spec --dialect {}` prints it beside "
+                              "the readings that it leaves open.",
+                              id, clause->text, clause->source, dialect_of(id)));
     rule["properties"] = {{"document", clause->source}, {"level", reference::name(clause->level)}};
   } else if (const auto kind = verdict_kind(id)) {
     rule["shortDescription"] = text_json(meaning_of(*kind));
@@ -141,10 +142,7 @@ std::string_view address_of_pages() {
 
 SarifWriter::SarifWriter(const std::filesystem::path& path, const Json& header,
                          std::string_view address)
-    : out_(path),
-      header_(header),
-      command_(report::command_for_case(header)),
-      address_(address) {
+    : out_(path), header_(header), command_(report::command_for_case(header)), address_(address) {
   // The results come first, so that they need not be kept until the rules are known.
   out_.write(R"({"$schema":"https://json.schemastore.org/sarif-2.1.0.json","version":"2.1.0",)"
              "\n\"runs\":[{\"results\":[");
@@ -176,7 +174,7 @@ Json SarifWriter::result(const CaseRow& facts, const Finding* finding) {
   result["properties"] = properties(facts, command_);
   if (finding != nullptr) {
     result["properties"]["finding"] = finding->text();
-    if (!finding->cause.empty()) result["properties"]["cause"] = finding->cause;
+    if (!finding->cause.empty()) result["properties"]["cause"] = finding->cause.text();
   }
   return result;
 }

@@ -83,6 +83,11 @@ unsigned gravity(VerdictKind kind) {
   return static_cast<unsigned>(std::ranges::find(kOrder, kind) - std::begin(kOrder));
 }
 
+std::string Cause::text() const {
+  if (empty()) return {};
+  return fmt::format("Behaves as if: {}.{}{}", name, evidence.empty() ? "" : " ", evidence);
+}
+
 std::string Finding::text() const {
   std::string out(name(key.kind));
   if (!key.clause.empty()) out += " at " + key.clause;
@@ -132,7 +137,7 @@ const Finding* Findings::add(const CaseHead& line, VerdictKind kind) {
   return &finding;
 }
 
-void Findings::set_cause(const Finding::Key& key, std::string cause) {
+void Findings::set_cause(const Finding::Key& key, Cause cause) {
   if (const auto found = findings_.find(key); found != findings_.end()) found->second.cause = cause;
   causes_[key] = std::move(cause);
 }
@@ -150,7 +155,7 @@ std::vector<const Finding*> Findings::list() const {
     together.push_back(finding);
     if (finding->cause.empty()) continue;
     std::ranges::copy_if(all, std::back_inserter(together), [&](const Finding* other) {
-      return other != finding && other->cause == finding->cause;
+      return other != finding && other->cause.name == finding->cause.name;
     });
   }
   return together;

@@ -31,6 +31,16 @@ bool is_breakdown(VerdictKind kind);
 // The order in which findings are told: a wrong path before a wrong alarm, a breakdown after them.
 unsigned gravity(VerdictKind kind);
 
+// What a finding is likely to come from: a mistake with which the reference does as the subject.
+struct Cause {
+  std::string name;      // a sentence without its full stop; empty: none is known
+  std::string evidence;  // sentences: how much it explains, and what explains as much
+
+  bool empty() const { return name.empty(); }
+  // "Behaves as if: I J K are taken as absolute. It explains 5 of 5 departures ..."
+  std::string text() const;
+};
+
 // The cases that depart in one way, as far as their lines show.
 struct Finding {
   struct Key {
@@ -54,7 +64,7 @@ struct Finding {
   Example smallest;
   std::vector<std::string> first;               // ids
   std::map<std::string, std::size_t> by_cycle;  // cases
-  std::string cause;                            // what it is likely to come from; empty: not known
+  Cause cause;
 
   // "fail.geometry at GSK-G94-02 (rapid)"
   std::string text() const;
@@ -70,7 +80,7 @@ class Findings {
   // Whether the case that was added last is the smallest of its finding so far.
   bool is_smallest() const { return is_smallest_; }
   // For one dialect, verdict, clause and `what`.
-  void set_cause(const Finding::Key& key, std::string cause);
+  void set_cause(const Finding::Key& key, Cause cause);
   // By gravity, then the smallest program first; those of one cause stand together, where the
   // gravest of them stands.
   std::vector<const Finding*> list() const;
@@ -78,7 +88,7 @@ class Findings {
 
  private:
   std::map<Finding::Key, Finding> findings_;
-  std::map<Finding::Key, std::string> causes_;
+  std::map<Finding::Key, Cause> causes_;
   bool is_smallest_ = false;
 };
 

@@ -90,12 +90,15 @@ void RunScope::count_features(const CaseHead& line, VerdictKind kind) {
 // What ended in neither GO nor NO-GO was not judged (J-RUN-14).
 void RunScope::add(const CaseHead& line, VerdictKind kind) {
   dialects_.insert(line.dialect);
+  Cycle& cycle = cycles_[line.dialect][line.cycle];
   if (line.expected && (kind == VerdictKind::skip || kind == VerdictKind::oracle_gap)) {
     ++not_covered_;
+    ++cycle.not_covered;
     return;
   }
   if (kind == VerdictKind::skip) {
     ++skipped_;
+    ++cycle.skipped;
     // One that the gauge did not even ask for, or a reason of the subject's own.
     const bool lacks = !line.feature.empty() &&
                        (line.features.empty() ||
@@ -105,14 +108,19 @@ void RunScope::add(const CaseHead& line, VerdictKind kind) {
     if (lacks) return;
   } else if (decision(kind) == Decision::undecided) {
     ++undecided_;
+    ++cycle.undecided;
   } else if (kind == VerdictKind::xfail) {
     ++known_;
+    ++cycle.known;
   } else if (kind == VerdictKind::advice) {
     ++advised_;
+    ++cycle.advised;
     count(group_of(advices_, Advice{line.clause, line.departure}, Advice{}), line.id);
   } else {
     ++judged_;
-    if (decision(kind) == Decision::no_go) ++no_go_;
+    const bool fails = decision(kind) == Decision::no_go;
+    if (fails) ++no_go_;
+    ++(fails ? cycle.no_go : cycle.go);
   }
   if (kind == VerdictKind::fail_declaration) {
     count(group_of(broken_, Broken{line.dialect, line.cycle, line.message},
@@ -127,9 +135,9 @@ bool RunScope::claims_every_dialect() const {
     const auto named = features_.find(dialect);
     const auto nameless = nameless_.find(dialect);
     return (nameless != nameless_.end() && nameless->second.is_go()) ||
-           (named != features_.end() &&
-            std::ranges::any_of(named->second,
-                                [](const auto& feature) { return feature.second.is_go(); }));
+           (named != features_.end() && std::ranges::any_of(named->second, [](const auto& feature) {
+              return feature.second.is_go();
+            }));
   });
 }
 
@@ -141,10 +149,10 @@ std::string RunScope::go_features(std::size_t most) const {
     std::vector<std::string> names;
     for (const auto& [name, seen] : features) {
       if (!seen.is_go()) continue;
-      names.push_back(seen.all() == seen.cases
-                          ? name
-                          : fmt::format("{} ({} of {} cases)", name, grouped(seen.cases),
-                                        grouped(seen.all())));
+      names.push_back(
+          seen.all() == seen.cases
+              ? name
+              : fmt::format("{} ({} of {} cases)", name, grouped(seen.cases), grouped(seen.all())));
     }
     if (names.empty()) continue;
     if (!text.empty()) text += "; ";

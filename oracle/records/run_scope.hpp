@@ -63,6 +63,20 @@ class RunScope {
     bool is_go() const { return is_judged() && no_go == 0; }
   };
 
+  // What became of the cases of a cycle; each is counted once.
+  struct Cycle {
+    std::size_t go = 0;
+    std::size_t no_go = 0;
+    std::size_t advised = 0;
+    std::size_t known = 0;
+    std::size_t undecided = 0;
+    std::size_t skipped = 0;
+    std::size_t not_covered = 0;  // the corpus expects no answer
+
+    std::size_t judged() const { return go + no_go; }
+  };
+  using Cycles = std::map<std::string, Cycle, NaturalOrder>;
+
   // `kind`: in the run, which may be another than the line's own.
   void add(const CaseHead& line, VerdictKind kind);
 
@@ -82,6 +96,9 @@ class RunScope {
   std::size_t advised() const { return advised_; }
   std::size_t known() const { return known_; }
   std::size_t undecided() const { return undecided_; }
+  std::size_t not_covered() const { return not_covered_; }
+  // Dialect -> cycle.
+  const std::map<std::string, Cycles>& cycles() const { return cycles_; }
   // Dialect -> feature; features of every subject (`m`, `bytes`) are no part of it.
   using Features = std::map<std::string, Judged, NaturalOrder>;
   const std::map<std::string, Features>& features() const { return features_; }
@@ -107,6 +124,7 @@ class RunScope {
   std::size_t not_covered_ = 0;  // the corpus expects no answer
   std::set<std::string> dialects_;
   std::map<std::string, Features> features_;
+  std::map<std::string, Cycles> cycles_;
   std::map<std::string, Judged> nameless_;  // by dialect: cases that need no feature of their own
   std::map<Skipped, Group> not_claimed_;
   std::map<Broken, Group> broken_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "oracle/records/cycle_table.hpp"
 #include "oracle/records/rounding_census.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
@@ -112,7 +113,17 @@ Json scope_json(const RunScope& scope) {
   for (const auto& [key, group] : scope.advices()) {
     advices.push_back(group_json(group, {{"clause", key.clause}, {"departure", key.departure}}));
   }
+  const CycleTable table = cycle_table(scope);
+  Json cycles = {{"columns", CycleTable::kColumns},
+                 {"used", table.used},
+                 {"rows", Json::array()},
+                 {"others", table.others}};
+  for (const CycleTable::Row& row : table.rows) {
+    cycles["rows"].push_back(
+        {{"cycle", row.cycle}, {"dialect", row.dialect}, {"cases", row.cases}});
+  }
   return {{"features", features},
+          {"cycles", cycles},
           {"not_claimed", not_claimed},
           {"declared_but_skipped", broken},
           {"advices", advices}};
@@ -135,7 +146,10 @@ Json findings_json(const Findings& findings) {
                  {{"id", finding->smallest.id},
                   {"blocks", finding->smallest.blocks},
                   {"message", finding->smallest.message}}}};
-    if (!finding->cause.empty()) one["cause"] = finding->cause;
+    if (!finding->cause.empty()) {
+      one["cause"] = finding->cause.name;
+      one["causeText"] = finding->cause.text();
+    }
     list.push_back(std::move(one));
   }
   return list;
@@ -236,7 +250,8 @@ Json Summary::headline(const Json& header, const Json* footer, std::uint64_t bad
           {"cases", cases_},
           {"go", count[static_cast<std::size_t>(Decision::go)]},
           {"noGo", count[no_go]},
-          {"undecided", count[static_cast<std::size_t>(Decision::undecided)]}};
+          {"undecided", scope_.undecided()},
+          {"notCovered", scope_.not_covered()}};
 }
 
 Json Summary::matrix() const {

@@ -38,7 +38,7 @@ class Summary {
   // The finding that the case belongs to; null: it is none.
   const Finding* add(const CaseHead& line);
   // What a finding is likely to come from, as find_causes() of the program says it.
-  void set_cause(const Finding::Key& key, std::string cause) {
+  void set_cause(const Finding::Key& key, Cause cause) {
     findings_.set_cause(key, std::move(cause));
   }
   const Findings& findings() const { return findings_; }

@@ -47,7 +47,7 @@ test('one fault is one finding, with its cause and all of its faces', () => with
   assert.ok(told.findings[0].faces.length > 10);
   assert.equal(await page.locator('#told .badge').innerText(), `1 finding, ${told.findings[0].faces.length} faces`);
   assert.equal(await page.locator('section[id^=finding-]').count(), 1);
-  assert.equal(await page.locator('.cause').innerText(), `Likely cause: ${told.findings[0].cause}.`);
+  assert.equal(await page.locator('.cause').innerText(), `Behaves as if: ${told.findings[0].cause}.`);
   assert.equal(await page.locator('#faces-1 tbody tr').count(), told.findings[0].faces.length);
   const times = (await page.locator('#faces-1 tbody td.number').allInnerTexts()).map(Number);
   assert.deepEqual(times, [...times].sort((a, b) => b - a));

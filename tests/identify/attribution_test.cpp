@@ -71,6 +71,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "F holds from the next block on"},
         Planted{"ngc", "end-ignored", "ngc.m.000021", "the end of the program is ignored"},
         Planted{"ngc", "alarm-next-block", "ngc.alarm.000001", "alarms name the block after"},
+        Planted{"ngc", "end-point-unchecked", "ngc.arc-distance.000011",
+                "arc-end-point of NGC-ARC-03 is not checked"},
+        Planted{"gsk", "missing-step-down-accepted", "gsk.g110.alarm.000069",
+                "GSK-G110-02 does without Q"},
         Planted{"hnc", "peck-running-sum", "hnc.pecks.000001", "Q is summed up in binary64"},
         Planted{"hnc", "dwell-in-seconds", "hnc.basic.000068",
                 "P of G4 is 1000 times too large, milli for one"}),
@@ -115,12 +119,22 @@ TEST(Departure, IsGivenUpWhereItsTrialsTakeMoreRecordsThanTheyMay) {
   EXPECT_FALSE(whole.complete.empty());
 }
 
-TEST(Departure, NamesNoCauseThatDoesNotExplainEverything) {
-  // Every end is accepted: no mistake that is tried does that.
-  const Attribution found =
-      attribute_fault("ngc", "end-point-unchecked", "ngc.arc-distance.000011");
-  EXPECT_GT(found.departures, 0U);
-  EXPECT_TRUE(found.complete.empty());
+// Hand made: three departures of four are explained, then two of four, then all by two mistakes.
+TEST(LikelyCause, IsNoneOverAMinorityAndNamesItsRivals) {
+  Attribution found;
+  found.programs.resize(6);
+  found.departures = 4;
+  found.partial = {{"a", 3, 0, 2}, {"b", 4, 0, 1}};
+  ASSERT_TRUE(likely_cause(found));
+  EXPECT_EQ(likely_cause(found)->name, "a");
+  EXPECT_EQ(likely_cause(found)->evidence,
+            "It explains 3 of 4 departures that were tried, and that 2 programs pass.");
+  found.partial = {{"a", 2, 0, 2}};
+  EXPECT_FALSE(likely_cause(found));
+  found.complete = {{"c", 4, 0, 2}, {"d", 4, 0, 2}};
+  EXPECT_EQ(likely_cause(found)->evidence,
+            "It explains 4 of 4 departures that were tried, and that 2 programs pass. As much is "
+            "explained by: d.");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ function showHeadline() {
   if (headline.advices > 0) parts.push(counted(headline.advices, 'advice', 'advices'));
   if (headline.undecided > 0) parts.push(`${count(headline.undecided)} undecided`);
   if (headline.notClaimed > 0) parts.push(`${count(headline.notClaimed)} not claimed`);
+  if (headline.notCovered > 0) parts.push(`${count(headline.notCovered)} not covered by the gauge`);
   const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
   const words = el('div', { class: 'words' },
     el('p', { class: 'subject' }, name), el('p', { class: 'head', id: 'head-line' }, headline.head),
@@ -25,6 +26,7 @@ function showHeadline() {
   }
   byId('headline').replaceChildren(
     el('h1', { class: tone, id: 'decision' }, headline.decision), words);
+  showCycles();
   if (headline.incomplete.length > 0) {
     byId('headline').append(el('div', { class: 'banner undecided', id: 'incomplete', role: 'alert' },
       el('strong', {}, headline.decision === 'UNDECIDED' ? 'This run decides nothing.' : 'This run is incomplete.'),
@@ -43,6 +45,20 @@ function showHeadline() {
       el('ul', {}, ...stale.map((entry) => el('li', {}, String(entry))))));
   }
   document.title = `${headline.decision} \u2013 ${name || 'GoNoGo'} \u2013 GoNoGo report`;
+}
+
+// The cycles under the head line, those that fail first.
+function showCycles() {
+  const { columns, used, rows, others } = summary.scope.cycles;
+  if (rows.length === 0) return;
+  const shown = columns.map((name, i) => i).filter((i) => used[i]);
+  const body = rows.map((row) => el('tr', { class: row.cases[2] > 0 ? 'fails' : null },
+    el('th', { scope: 'row', class: 'mono' }, casesButton(row.cycle, () => { byId('by-cycle').value = row.cycle; })),
+    ...shown.map((i) => el('td', { class: 'number' }, count(row.cases[i])))));
+  byId('headline').append(el('details', { id: 'by-cycles', open: rows.length <= 20 ? '' : null },
+    el('summary', {}, `${counted(rows.length, 'cycle', 'cycles')}`),
+    table(['Cycle', ...shown.map((i) => columns[i])], body),
+    others && el('p', { class: 'note' }, `Nothing judged: ${others}.`)));
 }
 
 function showTotals() {
@@ -69,7 +85,7 @@ function showFindings() {
   for (const finding of findings) {
     if ((finding.cause ?? '') !== cause) {
       body.push(el('tr', { class: 'cause' }, el('th', { colspan: 5, scope: 'rowgroup' },
-        finding.cause ? `Likely cause: ${finding.cause}` : 'Of causes that are not named')));
+        finding.cause ? finding.causeText : 'Of causes that are not named')));
     }
     cause = finding.cause ?? '';
     body.push(findingRow(finding));
@@ -135,6 +151,8 @@ function showRun() {
 
 // ---- clauses and cycles ----
 
+const failingFirst = (all, fails) => [...all.filter(fails), ...all.filter((one) => !fails(one))];
+
 function showMatrix() {
   const known = new Set(summary.catalog.map((clause) => clause.id));
   const strangers = Object.keys(summary.matrix).filter((id) => !known.has(id)).map((id) => ({ id, level: '', source: '', text: 'not in the catalog of this gauge' }));
@@ -142,20 +160,23 @@ function showMatrix() {
   const hit = all.filter((clause) => summary.matrix[clause.id]).length;
   const words = [`${count(hit)} of ${count(all.length)} clauses were hit by a judged case; the others were not checked.`];
   if (summary.otherClauses > 0) words.push(`${count(summary.otherClauses)} clauses of other dialects are left out: no case of theirs was judged.`);
+  // What departs stands first, row by row and column by column, in the order that it has.
+  const departs = (id, cycle) => (summary.matrix[id]?.[cycle]?.[1] ?? 0) > 0;
+  const cycles = failingFirst(summary.cycles, (cycle) => all.some((clause) => departs(clause.id, cycle)));
   const body = el('tbody');
-  for (const clause of all) {
+  for (const clause of failingFirst(all, (one) => cycles.some((cycle) => departs(one.id, cycle)))) {
     const row = el('tr', {}, el('th', { scope: 'row', class: 'mono', title: clauseTitle(clause.id) }, clause.id),
       el('td', { class: 'text' }, clause.text, ' ', el('span', { class: 'level' }, clause.level)));
     const cells = summary.matrix[clause.id];
-    if (!cells) row.append(el('td', { class: 'unhit', colspan: summary.cycles.length || 1 }, 'not checked'));
-    else for (const cycle of summary.cycles) row.append(matrixCell(clause, cycle, cells[cycle]));
+    if (!cells) row.append(el('td', { class: 'unhit', colspan: cycles.length || 1 }, 'not checked'));
+    else for (const cycle of cycles) row.append(matrixCell(clause, cycle, cells[cycle]));
     body.append(row);
   }
   byId('matrix').append(el('p', { class: 'note' }, words.join(' ')),
     el('p', { class: 'note' }, '\u2713 passed, \u2717 departed at this clause, ? undecided, + departed at another clause, failed as expected, or an advice. Choose a cell to see its cases.'),
     el('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Matrix' }, el('table', {},
       el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'Clause'), el('th', { scope: 'col' }, 'What it says'),
-        ...summary.cycles.map((cycle) => el('th', { scope: 'col' }, cycle)))), body)));
+        ...cycles.map((cycle) => el('th', { scope: 'col' }, cycle)))), body)));
 }
 
 function matrixCell(clause, cycle, cell) {

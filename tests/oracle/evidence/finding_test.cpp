@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "oracle/evidence/causes.hpp"
+#include "oracle/records/cycle_table.hpp"
+#include "oracle/records/finding_text.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -73,8 +75,8 @@ TEST(Findings, those_of_one_cause_stand_together) {
   findings.add(departing("one", "A", 1, "", ""), VerdictKind::fail_geometry);
   findings.add(departing("other", "B", 2, "", ""), VerdictKind::fail_geometry);
   findings.add(departing("alarm", "C", 3, "", ""), VerdictKind::fail_alarm_class);
-  findings.set_cause(findings.list()[0]->key, "the sign");
-  findings.set_cause(findings.list()[2]->key, "the sign");
+  findings.set_cause(findings.list()[0]->key, {"the sign", ""});
+  findings.set_cause(findings.list()[2]->key, {"the sign", ""});
   std::vector<std::string> order;
   for (const Finding* finding : findings.list()) order.push_back(finding->smallest.id);
   EXPECT_EQ(order, (std::vector<std::string>{"one", "alarm", "other"}));
@@ -117,16 +119,72 @@ TEST(CaseHeads, count_the_blocks_of_a_program_in_text_and_in_base64) {
   EXPECT_EQ(head.program_blocks, 0U);
 }
 
+TEST(FindingText, steps_are_told_as_people_write_them) {
+  EXPECT_EQ(want_and_got(kRapid, kOtherRapid), "want rapid Z-7 / got rapid Z-3");
+  EXPECT_EQ(want_and_got(kFeed, ""), "want feed Z-7 F1 / got nothing");
+  EXPECT_EQ(short_step(R"({"k":"alarm","class":"taper-limit","b":2,"word":"R"})"),
+            "alarm taper-limit of R in line 2");
+  EXPECT_EQ(short_step("end"), "end");
+  EXPECT_EQ(want_and_got("", ""), "");
+}
+
+TEST(FindingText, the_block_that_departs_is_marked) {
+  EXPECT_EQ(marked_blocks("G0 X1\r\nG94 X2\nM30\nM2\n", 2),
+            "1 | G0 X1\n2 | G94 X2\n  | ^^^^^^\n3 | M30\n");
+  EXPECT_EQ(marked_blocks("G0\n", 0), "");
+  EXPECT_EQ(marked_blocks("G0\n", 2), "");
+  EXPECT_EQ(marked_blocks("\xE4\n", 1), "1 | ?\n  | ^\n");
+}
+
+TEST(FindingText, the_machine_is_told_where_it_is_not_the_default) {
+  EXPECT_EQ(other_machine("{}"), "");
+  EXPECT_EQ(other_machine(R"({"units":"inch","initial":{"feed":"5"},"readings":{"a.b":"c"}})"),
+            "units inch; initial.feed 5; a.b c");
+}
+
+// Five cases of two cycles, each counted once.
+TEST(CycleTable, counts_every_case_once_and_shows_first_what_fails) {
+  RunScope scope;
+  const auto add = [&](const char* cycle, VerdictKind kind, bool expected = false) {
+    CaseHead head = departing("a", "", 1, "", "");
+    head.cycle = cycle;
+    head.expected = expected;
+    scope.add(head, kind);
+  };
+  add("g90", VerdictKind::pass_exact);
+  add("g94", VerdictKind::fail_geometry);
+  add("g94", VerdictKind::pass_exact);
+  add("g94", VerdictKind::oracle_gap, true);
+  add("g112", VerdictKind::skip);
+  const CycleTable table = cycle_table(scope);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.text(20),
+            "  cycle  judged      GO   NO-GO  not covered\n"
+            "  g94         2       1       1            1\n"
+            "  g90         1       1       0            0\n"
+            "  nothing judged: g112 1\n");
+  EXPECT_EQ(table.text(1),
+            "  cycle  judged      GO   NO-GO  not covered\n"
+            "  g94         2       1       1            1\n"
+            "  and 1 more\n"
+            "  nothing judged: g112 1\n");
+  EXPECT_EQ(scope.judged() + scope.skipped() + scope.undecided() + scope.known() + scope.advised() +
+                scope.not_covered(),
+            5U);
+}
+
 TEST(Causes, are_kept_beside_the_results_and_gone_with_the_next_run) {
   const auto folder = std::filesystem::path(::testing::TempDir()) / "gonogo-causes";
   std::filesystem::create_directories(folder);
-  const evidence::Causes causes = {
-      {{gravity(VerdictKind::fail_feed), VerdictKind::fail_feed, "rs274", "NGC-1", "feed/feed"},
-       "F is \xC3\xA4"}};
-  evidence::write_causes(folder, causes);
-  EXPECT_EQ(evidence::read_causes(folder), causes);
+  const Finding::Key key{gravity(VerdictKind::fail_feed), VerdictKind::fail_feed, "rs274", "NGC-1",
+                         "feed/feed"};
+  evidence::write_causes(folder, {{{key, {"F is \xC3\xA4", "It explains all."}}}, 3});
+  const evidence::Causes read = evidence::read_causes(folder);
+  ASSERT_EQ(read.of.size(), 1U);
+  EXPECT_EQ(read.of.at(key).text(), "Behaves as if: F is \xC3\xA4. It explains all.");
+  EXPECT_EQ(read.asked, 3U);
   evidence::write_causes(folder, {});
-  EXPECT_TRUE(evidence::read_causes(folder).empty());
+  EXPECT_TRUE(evidence::read_causes(folder).of.empty());
   std::filesystem::remove_all(folder);
 }
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "oracle/records/cycle_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace gonogo::oracle {
+namespace {
+
+CycleTable::Row row_of(const std::string& dialect, const std::string& name,
+                       const RunScope::Cycle& cycle) {
+  return {name,
+          dialect,
+          {cycle.judged(), cycle.go, cycle.no_go, cycle.advised, cycle.known, cycle.undecided,
+           cycle.skipped, cycle.not_covered}};
+}
+
+std::size_t width_of(std::size_t column) {
+  return std::max<std::size_t>(6, CycleTable::kColumns[column].size());
+}
+
+}  // namespace
+
+CycleTable cycle_table(const RunScope& scope) {
+  CycleTable table;
+  for (const auto& [dialect, cycles] : scope.cycles()) {
+    for (const auto& [name, cycle] : cycles) {
+      CycleTable::Row row = row_of(dialect, name, cycle);
+      if (cycle.judged() + cycle.advised + cycle.known == 0) {
+        const std::size_t cases =
+            std::accumulate(row.cases.begin(), row.cases.end(), std::size_t{});
+        table.others +=
+            fmt::format("{}{} {}", table.others.empty() ? "" : ", ", name, grouped(cases));
+        continue;
+      }
+      for (std::size_t i = 0; i < row.cases.size(); ++i) {
+        table.used[i] = table.used[i] || row.cases[i] > 0 || i < 3;
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  std::vector<CycleTable::Row> ordered;
+  for (const bool fails : {true, false}) {
+    std::ranges::copy_if(table.rows, std::back_inserter(ordered),
+                         [&](const CycleTable::Row& row) { return row.fails() == fails; });
+  }
+  table.rows = std::move(ordered);
+  return table;
+}
+
+std::string CycleTable::text(std::size_t most) const {
+  if (rows.empty()) return {};
+  std::size_t width = std::string_view("cycle").size();
+  for (const Row& row : rows) width = std::max(width, row.cycle.size());
+  std::string text = fmt::format("  {:<{}}", "cycle", width);
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    if (used[i]) text += fmt::format("  {:>{}}", kColumns[i], width_of(i));
+  }
+  text += "\n";
+  for (std::size_t shown = 0; shown < std::min(most, rows.size()); ++shown) {
+    text += fmt::format("  {:<{}}", rows[shown].cycle, width);
+    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+      if (!used[i]) continue;
+      text += fmt::format("  {:>{}}", grouped(rows[shown].cases[i]), width_of(i));
+    }
+    text += "\n";
+  }
+  if (rows.size() > most) text += fmt::format("  and {} more\n", rows.size() - most);
+  if (!others.empty()) text += fmt::format("  nothing judged: {}\n", others);
+  return text;
+}
+
+}  // namespace gonogo::oracle
