@@ -144,6 +144,8 @@ inline constexpr int kMostHalvings = 40;
 inline constexpr int kMostCells = 1'024;
 // of the tolerance | parts into which a spiral's radius is cut, first and again | R8
 inline constexpr double kSpiralCuts[] = {8, 128};
+// times | as wide are the parts of a spiral that has too many | R8
+inline constexpr double kWiderCut = 8;
 // places | along an axis by which a floor is measured | J-PKT-10
 inline constexpr int kPlacesAcross = 40;
 // pieces | of a motion by which its way is measured | J-PKT-10

@@ -197,10 +197,19 @@ Coverage check_coverage(const Path& path, const Target& target, const Number& to
   const bool spirals =
       std::any_of(path.arcs.begin(), path.arcs.end(), [](const Arc& arc) { return !arc.round; });
   Coverage result;
+  double finest = enclose(target.reach).lo;
   for (const double cuts : kSpiralCuts) {
-    auto bands = make_bands(path, target.reach, enclose(tolerance).lo / cuts);
+    // Where a spiral takes too many parts, wider ones still prove a hole, and most that is covered.
+    double width = enclose(tolerance).lo / cuts;
+    auto bands = make_bands(path, target.reach, width);
+    while (!bands && width * kWiderCut < finest) {
+      width *= kWiderCut;
+      bands = make_bands(path, target.reach, width);
+    }
+    if (!bands && result.kind == Coverage::Kind::undecided) return result;
     if (!bands)
       return undecided(GapReason::cap_area, "The spirals of the level have too many parts.");
+    finest = width;
     if (cleared) add_cleared(*bands, *cleared);
     Decision decision(path, target, *bands);
     result = method == Method::filter_first ? decision.by_filter() : decision.by_circle_sets();
