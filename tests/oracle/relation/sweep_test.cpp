@@ -27,11 +27,33 @@ struct Specimen {
 constexpr std::size_t kMostRecords = 40;
 // A curve takes the definition a hundred times as long as a line: one case in so many.
 constexpr std::size_t kRoundCases = 24;
-// The definition looks at each assignment of open readings: they are left open in one case of so many.
+// The definition looks at each assignment of open readings: they are left open in one case of so
+// many.
 constexpr std::size_t kOpenCases = 16;
 
 bool is_round(const Record& record) {
   return record.kind == RecordKind::arc || record.kind == RecordKind::arc3;
+}
+
+// A pocket of inches takes the definition hours.
+bool is_wide(const Record& record) {
+  if (record.kind != RecordKind::arc) return false;
+  const auto axes = reference::axes_of(record.plane);
+  const exact::Number across = record.to[axes.p] - record.centre[0];
+  return across > 100 || across < -100;
+}
+
+// A pocket as wide as its tool: definition and judge differ about levels that are the centre alone,
+// and no text decides it.
+bool is_plunge(const oracle::Case& test, const oracle::Expectation& expected) {
+  const auto leads_aside = [](const Record& record) {
+    if (is_round(record)) return true;
+    const bool is_along_one = record.axes == reference::AxisSet{reference::Axis::x} ||
+                              record.axes == reference::AxisSet{reference::Axis::y} ||
+                              record.axes == reference::AxisSet{reference::Axis::z};
+    return record.kind == RecordKind::feed && !is_along_one;
+  };
+  return test.cycle == "lcyc75" && std::ranges::none_of(expected.records, leads_aside);
 }
 
 std::vector<Specimen> specimens() {
@@ -41,6 +63,7 @@ std::vector<Specimen> specimens() {
       .for_each([&](const oracle::Case& test) {
         for (const oracle::Expectation& expected : test.expect) {
           if (expected.not_covered || expected.records.size() > kMostRecords) continue;
+          if (std::ranges::any_of(expected.records, is_wide) || is_plunge(test, expected)) continue;
           if (std::ranges::any_of(expected.records, is_round) && round++ % kRoundCases != 0)
             continue;
           Specimen specimen{test.id, test.program, test.profile, {expected.records, {}}};
