@@ -2,6 +2,7 @@
 #include "oracle/judge/different_assignments.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -17,9 +18,10 @@ using reference::ReadingKey;
 
 namespace {
 
-// A run of the reference to its end, for what it asks for: whether it ends in an alarm.
+// A run of the reference to its end, or over so many items, for what it asks for: whether it ends in
+// an alarm.
 template <typename Reference>
-bool ends_in_alarm(Reference& reference) {
+bool ends_in_alarm(Reference& reference, std::size_t most = SIZE_MAX) {
   try {
     std::size_t items = 0;
     std::uint64_t block = 0;
@@ -27,7 +29,7 @@ bool ends_in_alarm(Reference& reference) {
       if (std::holds_alternative<reference::AlarmReport>(*item)) return true;
       const auto* record = std::get_if<reference::Record>(item);
       if (record != nullptr && std::exchange(block, record->block) != record->block) items = 0;
-      if (++items > kMostItems) break;
+      if (++items > kMostItems || --most == 0) break;
     }
   } catch (const exact::Undecided&) {
     // The judge comes to the same place and says so.
@@ -38,7 +40,7 @@ bool ends_in_alarm(Reference& reference) {
 bool alarms(const Profile& profile, const ProgramText& program) {
   ProgramInput input(program);
   reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
-  return ends_in_alarm(expander);
+  return ends_in_alarm(expander, kMostShown);
 }
 
 }  // namespace

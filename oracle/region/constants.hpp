@@ -112,6 +112,8 @@ inline constexpr std::size_t kExpansion = 1'000;
 // items | of a block or a program, which may have no end, that are looked at for readings and
 // alarms | R9
 inline constexpr std::size_t kMostItems = 10'000'000;
+// items | of a program, which may have no end, that are looked at for readings to show | -
+inline constexpr std::size_t kMostShown = 200'000;
 // letters | of a word that cannot be read, back from the fault | R6
 inline constexpr std::size_t kMostCuts = 32;
 // hypotheses | ways to read a trace at once; motions among which one as small is looked for | R9
