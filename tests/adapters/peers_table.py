@@ -38,7 +38,8 @@ def main(path):
         elif told.get(name) != numbers_of(run):
             print("peers.md says of %s: %s, but it is %s" % (name, told.get(name), numbers_of(run)))
             wrong += 1
-        if run["counts"]["no-go"] or run["counts"]["advice"]:
+        # An advice is a departure from what no text states: docs/peers.md speaks of it.
+        if run["counts"]["no-go"]:
             print("%s departs where nothing is known" % run["name"])
             wrong += 1
     print("%d rows, %d wrong" % (len(site["runs"]), wrong))
