@@ -244,7 +244,6 @@ bool Calculator::holds(TermKind kind, const Number& left, const Number& right) c
 
 // NGC-EXP-03: functions and signs.
 bool Calculator::apply_one(const grammar::Term& term) {
-  const ClauseId clause = "NGC-EXP-06"_clause;
   Value& value = stack_.back();
   Number& top = value.number;
   if (is_doubtful(term.kind, value)) return leave_to_doubles(term.where);
@@ -271,17 +270,16 @@ bool Calculator::apply_one(const grammar::Term& term) {
       return true;
     case TermKind::sqrt:
       if (top.sign() < 0) {
-        return fail(AlarmClass::value_out_of_range, clause, term.where,
+        return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
                     with_values("SQRT of {}, which is below zero.", {top}));
       }
       top = exact::sqrt(top);
       value.is_rounded = value.is_rounded || !is_double(top);
       return true;
     case TermKind::sin:
-      value = {exact::sin_degrees(top), true};
-      return true;
     case TermKind::cos:
-      value = {exact::cos_degrees(top), true};
+      value = {term.kind == TermKind::sin ? exact::sin_degrees(top) : exact::cos_degrees(top),
+               true};
       return true;
     case TermKind::tan: {
       const auto [cosine, sine] = exact::cos_sin_degrees(top);
@@ -294,7 +292,7 @@ bool Calculator::apply_one(const grammar::Term& term) {
     case TermKind::acos:
     case TermKind::asin:
       if (exact::abs(top) > Number(1)) {
-        return fail(AlarmClass::value_out_of_range, clause, term.where,
+        return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
                     with_values("No angle has the sine or cosine {}.", {top}));
       }
       value = {term.kind == TermKind::acos ? exact::angle_degrees(top, other_leg(top))
