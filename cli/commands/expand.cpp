@@ -75,10 +75,10 @@ class Expansion {
     }
     while (const reference::Item* item = expander.next()) {
       if (++items <= shown_) continue;
-      if (!is_settled_ && asks_open(expander.readings())) {
+      if (!is_settled_ && asks_open_now(expander.readings())) {
         is_settled_ = true;
         reference::Profile shown = oracle::profile_to_show(profile_, program_);
-        if (!(shown.readings == profile_.readings)) {
+        if (shown.readings != profile_.readings) {
           profile_ = std::move(shown);
           return false;
         }
@@ -89,11 +89,10 @@ class Expansion {
     return true;
   }
 
-  bool asks_open(const reference::ReadingsInUse& readings) {
+  // Looks where another reading has been asked for alone.
+  bool asks_open_now(const reference::ReadingsInUse& readings) {
     if (std::exchange(asked_, readings.touched_count()) == readings.touched_count()) return false;
-    return std::ranges::any_of(open_.openable(), [&](reference::ReadingKey key) {
-      return readings.touched(key) && !open_.values(key).empty();
-    });
+    return oracle::asks_open(open_, readings);
   }
 
   void show(const reference::Item& item, const reference::Expander& expander,

@@ -145,7 +145,8 @@ std::string vector_file_text(std::string_view corpus_version, const std::vector<
 // One expectation as in a vector file; equal texts are equal expectations.
 std::string expectation_json(const Expectation& expectation);
 
-// For a program with more outcomes under open readings a case states only what `expand` shows.
+// Where a program has more outcomes under open readings, a case states one, and that there are
+// others.
 inline constexpr std::size_t kMostStated = 8;
 
 // What the reference says of a case's program under its profile: fills `expect`.

@@ -51,7 +51,7 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
   }
   expectation.basis = weakest;
   expectation.open = open_parts(profile, program, expectation.records);
-  expectation.has_others = has_other_outcomes(profile, program);
+  expectation.has_others = has_other_outcomes(profile, program, expander.readings());
   return expectation;
 }
 

@@ -18,8 +18,8 @@ using reference::ReadingKey;
 
 namespace {
 
-// A run of the reference to its end, or over so many items, for what it asks for: whether it ends in
-// an alarm.
+// A run of the reference to its end, or over so many items, for what it asks for: whether it ends
+// in an alarm.
 template <typename Reference>
 bool ends_in_alarm(Reference& reference, std::size_t most = SIZE_MAX) {
   try {
@@ -90,15 +90,19 @@ std::vector<ReadingKey> touched_by(const Profile& profile, const ProgramText& pr
   return expander.readings().touched();
 }
 
-bool has_other_outcomes(const Profile& profile, const ProgramText& program) {
+bool asks_open(const AssignmentSet& set, const reference::ReadingsInUse& asked) {
+  return std::ranges::any_of(set.openable(), [&](ReadingKey key) {
+    return asked.touched(key) && !set.values(key).empty();
+  });
+}
+
+bool has_other_outcomes(const Profile& profile, const ProgramText& program,
+                        const reference::ReadingsInUse& asked) {
   const AssignmentSet all(profile);
-  if (!all.leaves_open()) return false;
+  if (!asks_open(all, asked)) return false;
+  if (!open_lengths(all, asked).empty()) return true;
   const auto different = different_assignments(profile, program);
-  if (!different || different->size() > 1) return true;
-  ProgramInput input(program);
-  reference::Expander expander(profile, input.lines, reference::OpenPaths::judged);
-  ends_in_alarm(expander);
-  return !open_lengths(all, expander.readings()).empty();
+  return !different || different->size() > 1;
 }
 
 std::optional<std::vector<AssignmentSet>> different_assignments(const Profile& profile,

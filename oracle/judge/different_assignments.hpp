@@ -33,8 +33,13 @@ Assignments assignments_of(const reference::Profile& profile, const ProgramText&
 std::vector<reference::ReadingKey> open_lengths(const AssignmentSet& set,
                                                 const reference::ReadingsInUse& asked);
 
-// Whether a control may do something else under a reading that the profile leaves open.
-bool has_other_outcomes(const reference::Profile& profile, const ProgramText& program);
+// Whether a reading of the set that is open was asked for.
+bool asks_open(const AssignmentSet& set, const reference::ReadingsInUse& asked);
+
+// Whether a control may do something else under a reading that the profile leaves open. `asked`: by
+// a run of the program under the profile.
+bool has_other_outcomes(const reference::Profile& profile, const ProgramText& program,
+                        const reference::ReadingsInUse& asked);
 
 // The profile with the readings under which a program is shown: as they are, where it ends without
 // an alarm; else an assignment of the open ones under which it does, if there is one.
