@@ -11,7 +11,7 @@ namespace gonogo::oracle {
 namespace {
 
 CycleTable::Row row_of(const std::string& dialect, const std::string& name,
-                       const RunScope::Cycle& cycle) {
+                       const RunScope::Counts& cycle) {
   return {name,
           dialect,
           {cycle.judged(), cycle.go, cycle.no_go, cycle.advised, cycle.known, cycle.undecided,

@@ -90,15 +90,17 @@ void RunScope::count_features(const CaseHead& line, VerdictKind kind) {
 // What ended in neither GO nor NO-GO was not judged (J-RUN-14).
 void RunScope::add(const CaseHead& line, VerdictKind kind) {
   dialects_.insert(line.dialect);
-  Cycle& cycle = cycles_[line.dialect][line.cycle];
+  Counts& cycle = cycles_[line.dialect][line.cycle];
+  const auto tally = [&](std::size_t Counts::*what) {
+    ++(all_.*what);
+    ++(cycle.*what);
+  };
   if (line.expected && (kind == VerdictKind::skip || kind == VerdictKind::oracle_gap)) {
-    ++not_covered_;
-    ++cycle.not_covered;
+    tally(&Counts::not_covered);
     return;
   }
   if (kind == VerdictKind::skip) {
-    ++skipped_;
-    ++cycle.skipped;
+    tally(&Counts::skipped);
     // One that the gauge did not even ask for, or a reason of the subject's own.
     const bool lacks = !line.feature.empty() &&
                        (line.features.empty() ||
@@ -107,20 +109,14 @@ void RunScope::add(const CaseHead& line, VerdictKind kind) {
     count(group_of(not_claimed_, key, Skipped{line.dialect, "", kOtherReasons}), line.id);
     if (lacks) return;
   } else if (decision(kind) == Decision::undecided) {
-    ++undecided_;
-    ++cycle.undecided;
+    tally(&Counts::undecided);
   } else if (kind == VerdictKind::xfail) {
-    ++known_;
-    ++cycle.known;
+    tally(&Counts::known);
   } else if (kind == VerdictKind::advice) {
-    ++advised_;
-    ++cycle.advised;
+    tally(&Counts::advised);
     count(group_of(advices_, Advice{line.clause, line.departure}, Advice{}), line.id);
   } else {
-    ++judged_;
-    const bool fails = decision(kind) == Decision::no_go;
-    if (fails) ++no_go_;
-    ++(fails ? cycle.no_go : cycle.go);
+    tally(decision(kind) == Decision::no_go ? &Counts::no_go : &Counts::go);
   }
   if (kind == VerdictKind::fail_declaration) {
     count(group_of(broken_, Broken{line.dialect, line.cycle, line.message},
@@ -197,10 +193,9 @@ std::string RunScope::hardly_judged() const {
 }
 
 std::string RunScope::score() const {
-  if (no_go_ == 0) return fmt::format("{} judged", grouped(judged_));
-  const std::size_t go = judged_ - no_go_;
-  return fmt::format("{} of {} judged {} GO", grouped(go), grouped(judged_),
-                     go == 1 ? "is" : "are");
+  if (no_go() == 0) return fmt::format("{} judged", grouped(judged()));
+  return fmt::format("{} of {} judged {} GO", grouped(all_.go), grouped(judged()),
+                     all_.go == 1 ? "is" : "are");
 }
 
 std::string RunScope::counts() const {
@@ -208,10 +203,10 @@ std::string RunScope::counts() const {
   auto put = [&](std::size_t number, std::string_view one, std::string_view many) {
     if (number > 0) text += ", " + counted(number, one, many);
   };
-  put(advised_, "advice", "advices");
-  put(known_, "known to fail", "known to fail");
-  put(undecided_, "undecided", "undecided");
-  put(not_covered_, "not covered by the gauge", "not covered by the gauge");
+  put(all_.advised, "advice", "advices");
+  put(all_.known, "known to fail", "known to fail");
+  put(all_.undecided, "undecided", "undecided");
+  put(all_.not_covered, "not covered by the gauge", "not covered by the gauge");
   return text;
 }
 
@@ -227,7 +222,7 @@ std::string RunScope::skips() const {
     }
     text += fmt::format("; declared, but skipped: {}", fmt::join(names, ", "));
   }
-  if (skipped_ == 0) return text;
+  if (all_.skipped == 0) return text;
   std::vector<std::string> names;
   std::size_t lacking = 0;
   for (const auto& [key, group] : not_claimed_) {
@@ -240,9 +235,9 @@ std::string RunScope::skips() const {
   if (lacking > 0) {
     text += fmt::format("{} ({})", fmt::join(names, ", "), counted(lacking, "case", "cases"));
   }
-  if (skipped_ > lacking) {
+  if (all_.skipped > lacking) {
     text += fmt::format("{}{}{}", lacking > 0 ? ", and " : "",
-                        counted(skipped_ - lacking, "case", "cases"),
+                        counted(all_.skipped - lacking, "case", "cases"),
                         lacking > 0 ? " for other reasons" : "");
   }
   return text;
@@ -272,9 +267,9 @@ std::string RunScope::short_head(std::string_view decision) const {
       decision == kNoGo ? failing_features(kMostNames) : go_features(kMostNames);
   if (!features.empty()) text.append(kDot).append(features);
   text.append(kDot).append(score());
-  if (advised_ > 0) text += ", " + counted(advised_, "advice", "advices");
-  if (known_ > 0) text += fmt::format(", {} known to fail", grouped(known_));
-  if (skipped_ > 0) text += fmt::format(", {} not claimed", grouped(skipped_));
+  if (all_.advised > 0) text += ", " + counted(all_.advised, "advice", "advices");
+  if (all_.known > 0) text += fmt::format(", {} known to fail", grouped(all_.known));
+  if (all_.skipped > 0) text += fmt::format(", {} not claimed", grouped(all_.skipped));
   return text;
 }
 

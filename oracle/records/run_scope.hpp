@@ -63,8 +63,8 @@ class RunScope {
     bool is_go() const { return is_judged() && no_go == 0; }
   };
 
-  // What became of the cases of a cycle; each is counted once.
-  struct Cycle {
+  // What became of cases; each is counted once.
+  struct Counts {
     std::size_t go = 0;
     std::size_t no_go = 0;
     std::size_t advised = 0;
@@ -75,7 +75,7 @@ class RunScope {
 
     std::size_t judged() const { return go + no_go; }
   };
-  using Cycles = std::map<std::string, Cycle, NaturalOrder>;
+  using Cycles = std::map<std::string, Counts, NaturalOrder>;
 
   // `kind`: in the run, which may be another than the line's own.
   void add(const CaseHead& line, VerdictKind kind);
@@ -89,14 +89,14 @@ class RunScope {
 
   // Whether a feature of each dialect is GO.
   bool claims_every_dialect() const;
-  std::size_t judged() const { return judged_; }
-  std::size_t no_go() const { return no_go_; }
+  std::size_t judged() const { return all_.judged(); }
+  std::size_t no_go() const { return all_.no_go; }
   // Not claimed; without those that the corpus expects no answer to.
-  std::size_t skipped() const { return skipped_; }
-  std::size_t advised() const { return advised_; }
-  std::size_t known() const { return known_; }
-  std::size_t undecided() const { return undecided_; }
-  std::size_t not_covered() const { return not_covered_; }
+  std::size_t skipped() const { return all_.skipped; }
+  std::size_t advised() const { return all_.advised; }
+  std::size_t known() const { return all_.known; }
+  std::size_t undecided() const { return all_.undecided; }
+  std::size_t not_covered() const { return all_.not_covered; }
   // Dialect -> cycle.
   const std::map<std::string, Cycles>& cycles() const { return cycles_; }
   // Dialect -> feature; features of every subject (`m`, `bytes`) are no part of it.
@@ -115,13 +115,7 @@ class RunScope {
   std::string counts() const;
   std::string skips() const;
 
-  std::size_t judged_ = 0;
-  std::size_t no_go_ = 0;
-  std::size_t skipped_ = 0;
-  std::size_t advised_ = 0;
-  std::size_t known_ = 0;
-  std::size_t undecided_ = 0;
-  std::size_t not_covered_ = 0;  // the corpus expects no answer
+  Counts all_;
   std::set<std::string> dialects_;
   std::map<std::string, Features> features_;
   std::map<std::string, Cycles> cycles_;
