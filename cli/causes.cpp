@@ -42,7 +42,8 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
   options.chord = campaign.grants.chord;
   options.feed_resolution = campaign.grants.feed_resolution;
   options.most_records = kMostRecords;
-  std::map<std::string, std::string> named;  // with their evidence
+  std::map<std::string, oracle::Cause> named;
+  std::set<std::string> names;
   for (const oracle::Finding* finding : summary.findings.list()) {
     const oracle::VerdictKind kind = finding->key.kind;
     if (!oracle::is_other_answer(kind) || kind == oracle::VerdictKind::fail_reading) continue;
@@ -52,17 +53,13 @@ oracle::evidence::Causes find_causes(const CampaignSummary& summary, const oracl
       const auto test = asked_in(corpus, campaign, finding->smallest.id);
       if (!test) continue;
       const std::unique_ptr<oracle::Subject> subject = make();
-      std::set<std::string> names;
-      for (const auto& [name, evidence] : named) names.insert(name);
       const std::string known = identify::known_cause(*subject, *test, names, options);
-      if (!known.empty()) {
-        causes.of[finding->key] = {known, named[known]};
-        continue;
-      }
-      const auto likely = likely_cause(identify::attribute(*subject, corpus, *test, options));
-      if (!likely) continue;
-      named[likely->name] = likely->evidence;
-      causes.of[finding->key] = {likely->name, likely->evidence};
+      const oracle::Cause cause =
+          known.empty() ? likely_cause(identify::attribute(*subject, corpus, *test, options))
+                        : named[known];
+      if (cause.empty()) continue;
+      names.insert(cause.name);
+      causes.of[finding->key] = named[cause.name] = cause;
     } catch (const std::exception&) {
       // The run has its answer; what it comes from is a courtesy.
       break;

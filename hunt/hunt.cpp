@@ -120,10 +120,6 @@ Specimen Hunt::mutant() {
   return specimen;
 }
 
-bool Hunt::counts(const Verdict& verdict, const generate::GeneratedProgram& program) const {
-  return counts_by(options_, verdict, program);
-}
-
 void Hunt::offer(const generate::GeneratedProgram& program) {
   const auto coverage = coverage_of(program, options_.most_cost);
   if (options_.guided && coverage) pool_.offer({program, {}}, *coverage);
@@ -201,7 +197,7 @@ std::optional<Finding> Hunt::examine(const Verdict& verdict,
     ++count_.gaps;
     return std::nullopt;
   }
-  if (!counts(verdict, program)) {
+  if (!counts_by(options_, verdict, program)) {
     --count_.no_go;
     ++count_.outside;
     return std::nullopt;
@@ -263,7 +259,7 @@ std::optional<Finding> Hunt::flicker(const generate::GeneratedProgram& program) 
 
 void Hunt::reduce(Finding& finding, const ReduceLimits& limits, const StillShows& also) {
   const StillShows inside = [&](const Exhibit& exhibit) {
-    return options_.is_in(exhibit) && counts(finding.verdict, exhibit.program) &&
+    return options_.is_in(exhibit) && counts_by(options_, finding.verdict, exhibit.program) &&
            (also == nullptr || also(exhibit));
   };
   reduce_finding(trial_, finding, limits, inside);

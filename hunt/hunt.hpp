@@ -102,7 +102,6 @@ class Hunt {
   Specimen next();
   Specimen fresh();
   Specimen mutant();
-  bool counts(const oracle::Verdict& verdict, const generate::GeneratedProgram& program) const;
   void count_features(const oracle::Verdict& verdict, const generate::GeneratedProgram& program,
                       bool is_no_go);
   std::optional<Finding> examine(const oracle::Verdict& verdict,

@@ -210,7 +210,7 @@ void append_cause(const Attribution& all, const Cause& cause, std::string& out) 
 
 }  // namespace
 
-std::optional<LikelyCause> likely_cause(const Attribution& all) {
+oracle::Cause likely_cause(const Attribution& all) {
   constexpr std::size_t kFew = 3;  // departures that tell few mistakes apart
   constexpr std::size_t kShownRivals = 3;
   std::vector<Cause> equal = all.complete;
@@ -220,11 +220,12 @@ std::optional<LikelyCause> likely_cause(const Attribution& all) {
       continue;
     if (equal.empty() || cause.departures == equal.front().departures) equal.push_back(cause);
   }
-  if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return std::nullopt;
+  if (equal.empty() || (equal.size() > kFew && all.departures < kFew)) return {};
   const Cause& first = equal.front();
-  LikelyCause likely{first.name, fmt::format("It explains {} of {} departures that were tried, and "
-                                             "that {} programs pass.",
-                                             first.departures, all.departures, first.passes)};
+  oracle::Cause likely{first.name,
+                       fmt::format("It explains {} of {} departures that were tried, and "
+                                   "that {} programs pass.",
+                                   first.departures, all.departures, first.passes)};
   if (equal.size() == 1) return likely;
   likely.evidence += " As much is explained by:";
   for (std::size_t i = 1; i < equal.size() && i <= kShownRivals; ++i) {

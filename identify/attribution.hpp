@@ -9,6 +9,7 @@
 
 #include "identify/explanation.hpp"
 #include "oracle/corpus/corpus.hpp"
+#include "oracle/records/finding.hpp"
 
 namespace gonogo::identify {
 
@@ -41,14 +42,9 @@ struct Attribution {
 Attribution attribute(oracle::Subject& subject, const oracle::Corpus& corpus,
                       const ProgramAsked& asked, const AttributionOptions& options);
 
-// What a subject behaves as if, with what that rests on.
-struct LikelyCause {
-  std::string name;      // the simplest
-  std::string evidence;  // sentences: how much it explains, and what explains as much
-};
-// Nothing: no mistake explains more than half of what departs and all that passes, or too many do
-// for what was seen.
-std::optional<LikelyCause> likely_cause(const Attribution& attribution);
+// The simplest of those that explain most. Empty: no mistake explains more than half of what
+// departs and all that passes, or too many do for what was seen.
+oracle::Cause likely_cause(const Attribution& attribution);
 
 std::string attribution_text(const Attribution& attribution);
 

@@ -14,7 +14,10 @@ std::string KeptOutcome::text() const {
     append_json(record, text);
     text += '\n';
   }
-  return text + alarms + (not_covered ? "not covered" : "");
+  for (const reference::Alarm& alarm : admitted) {
+    text += fmt::format("{} {} ", end.alarm.block, name(alarm.alarm));
+  }
+  return text + (not_covered ? "not covered" : "");
 }
 
 KeptOutcome run_subject(oracle::Subject& subject, std::string_view id, std::string_view program) {
@@ -35,13 +38,8 @@ std::optional<KeptOutcome> run_reference(const Profile& profile, std::string_vie
   using Ending = oracle::ReferenceRun::Ending;
   oracle::ReferenceRun run = oracle::run_reference(profile, program, most);
   if (run.ending == Ending::too_long || run.ending == Ending::undecided) return std::nullopt;
-  KeptOutcome outcome{std::move(run.records), std::move(run.end), {}, {}, false};
-  for (const reference::Alarm& alarm : run.alarms) {
-    outcome.alarms += fmt::format("{} {} ", outcome.end.alarm.block, name(alarm.alarm));
-  }
-  outcome.admitted = std::move(run.alarms);
-  outcome.not_covered = run.ending == Ending::not_covered;
-  return outcome;
+  return KeptOutcome{std::move(run.records), std::move(run.end), std::move(run.alarms),
+                     run.ending == Ending::not_covered};
 }
 
 oracle::Verdict judge_kept(const Profile& profile, std::string_view program,

@@ -19,8 +19,7 @@ using reference::Profile;
 struct KeptOutcome {
   std::vector<Record> records;
   oracle::RunEnd end;
-  std::string alarms;  // of the reference: every admissible class, for telling outcomes apart
-  std::vector<reference::Alarm> admitted;  // the same in full
+  std::vector<reference::Alarm> admitted;  // of the reference: the admissible alarms
   bool not_covered = false;  // the reference says nothing of the program, or of the rest of it
 
   // Whether the program was expanded or ended with an alarm.

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
+
+#include "grammar/line_source.hpp"
 
 namespace gonogo::oracle {
 namespace {
@@ -43,19 +46,6 @@ std::string further_words(const Json& step) {
   }
   if (step.contains("fm") && step["fm"] == "rev") text += " a revolution";
   return text;
-}
-
-std::vector<std::string_view> lines_in(std::string_view program) {
-  std::vector<std::string_view> lines;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < program.size(); ++i) {
-    if (program[i] != '\n' && program[i] != '\r') continue;
-    lines.push_back(program.substr(begin, i - begin));
-    if (program[i] == '\r' && i + 1 < program.size() && program[i + 1] == '\n') ++i;
-    begin = i + 1;
-  }
-  if (begin < program.size()) lines.push_back(program.substr(begin));
-  return lines;
 }
 
 std::string shown(std::string_view line) {
@@ -101,20 +91,22 @@ std::string want_and_got(std::string_view want, std::string_view got) {
 }
 
 std::string marked_blocks(std::string_view program, std::uint64_t line) {
-  constexpr std::size_t kBefore = 3;
-  constexpr std::size_t kBehind = 1;
-  const std::vector<std::string_view> lines = lines_in(program);
-  if (line == 0 || line > lines.size()) return {};
-  const std::size_t first = line > kBefore ? line - kBefore : 1;
-  const std::size_t last = std::min<std::size_t>(lines.size(), line + kBehind);
-  const std::size_t width = std::to_string(last).size();
+  constexpr std::uint64_t kBefore = 3;
+  constexpr std::uint64_t kBehind = 1;
+  std::map<std::uint64_t, std::string> blocks;
+  grammar::MemorySource bytes(program);
+  grammar::LineSource lines(bytes);
+  for (grammar::Line one; lines.next(one) && one.number <= line + kBehind;) {
+    if (one.number + kBefore >= line) blocks[one.number] = shown(one.text);
+  }
+  if (line == 0 || !blocks.contains(line)) return {};
+  const std::size_t width = std::to_string(blocks.rbegin()->first).size();
   std::string text;
-  for (std::size_t n = first; n <= last; ++n) {
-    const std::string own = shown(lines[n - 1]);
-    text += fmt::format("{:>{}} | {}\n", n, width, own);
-    if (n == line)
-      text +=
-          fmt::format("{:>{}} | {:^<{}}\n", "", width, "", std::max<std::size_t>(1, own.size()));
+  for (const auto& [number, block] : blocks) {
+    text += fmt::format("{:>{}} | {}\n", number, width, block);
+    if (number != line) continue;
+    const std::size_t carets = std::max<std::size_t>(1, block.size());
+    text += fmt::format("{:>{}} | {:^<{}}\n", "", width, "", carets);
   }
   return text;
 }

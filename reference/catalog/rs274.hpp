@@ -99,8 +99,9 @@ inline constexpr auto kClauses = std::to_array<Clause>({
      "The speed S is not below zero; the tool T is a whole number that is not below zero either.",
      "reference/rs274/m_functions.cpp"},
     {"NGC-COM-10", must, kOverview,
-     "Of the comments of a line the last one in brackets may say something: (abort,...) ends the "
-     "program with an error, before anything else of its line.",
+     "The last comment in brackets of a line may say something: (abort,...) ends the program with "
+     "an "
+     "error, before anything else of its line.",
      "reference/rs274/program_text.cpp"},
     {"NGC-MOD-02", open, kLines,
      "G0 and G1 without an axis word: an alarm to NIST's interpreter; to LinuxCNC no motion, and "

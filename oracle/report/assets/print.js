@@ -15,7 +15,7 @@ function printedFinding(finding) {
   const facts = el('dl', { class: 'pairs' });
   const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
   fact('Finding', `${counted(finding.cases, 'case', 'cases')}: ${Object.entries(finding.cycles).map(([cycle, n]) => `${cycle} ${count(n)}`).join(', ')}`);
-  if (finding.cause) fact('cause', finding.causeText);
+  if (finding.cause) fact('Cause', finding.causeText);
   if (clause) fact('Clause', `${clause.id}: ${clause.text} (${clause.source})`);
   if (data.b !== undefined) fact('Line', String(data.b));
   if (data.deviation) fact('Deviation', deviationText(data.deviation));
