@@ -112,6 +112,17 @@ double HuntEnd::seconds_left(std::size_t tried) const {
   return std::max(0.0, left);
 }
 
+void add_program_options(Command& command, HuntWords& words) {
+  command.option("--profile", words.profile, "the machine of every program; without: any");
+  command.flag("--everywhere", words.everywhere,
+               "departures outside of the domain (docs/domain.md) are findings, too");
+  command.repeated_option("--reading", words.readings, "one reading as key=value");
+  command.option("--settings", words.settings,
+                 "what generated programs are like: valid=1,boundary=2,blocks=4");
+  command.option("--time", words.time,
+                 "how long: 90s, 10m, 2h; without it and --programs a minute");
+}
+
 void add_known_failures(Command& command, std::string& known_failures, std::string& corpus) {
   command.option("--known-failures", known_failures,
                  "TOML file of cases that the subject is known to fail: what they show is no news");

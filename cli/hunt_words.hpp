@@ -75,6 +75,9 @@ bool judged_little(const hunt::HuntCount& count);
 // What the words say of the programs. Throws UsageError.
 hunt::HuntOptions hunt_options(const HuntWords& words);
 
+// --profile, --everywhere, --reading, --settings and --time: which programs are tried.
+void add_program_options(Command& command, HuntWords& words);
+
 // --known-failures and --corpus
 void add_known_failures(Command& command, std::string& known_failures, std::string& corpus);
 // Makes what the known failures show on the subject no news, and says how much that is. Throws

@@ -111,4 +111,10 @@ generate::GeneratorSettings settings_option(const std::string& text) {
   return *settings;
 }
 
+oracle::StatedMachine stated_machine(const ProfileOptions& options) {
+  oracle::StatedMachine stated{std::nullopt, options.readings};
+  if (!options.file.empty()) stated.profile = load_profile({options.dialect, options.file, {}});
+  return stated;
+}
+
 }  // namespace gonogo::cli

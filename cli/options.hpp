@@ -48,6 +48,9 @@ struct LimitOptions {
   oracle::Limits limits() const;
   oracle::Grants grants() const;
 };
+
+// What --profile and --reading say of the machine of every program.
+oracle::StatedMachine stated_machine(const ProfileOptions& options);
 // --tolerance, --chord, --feed-resolution
 void add_tolerance_options(Command& command, LimitOptions& options);
 // --strict

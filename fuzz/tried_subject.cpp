@@ -39,7 +39,8 @@ const generate::Generator* generator_for(const oracle::SubjectInfo& info, std::s
 
 }  // namespace
 
-std::unique_ptr<oracle::Subject> make_subject_here(const std::string& text) {
+std::unique_ptr<oracle::Subject> make_subject_here(const std::string& text,
+                                                   const oracle::StatedMachine& stated) {
   const oracle::SubjectSpec spec =
       oracle::parse_subject_spec(text).value_or(oracle::SubjectSpec{"builtin", text});
   if (spec.kind == "builtin") {
@@ -48,10 +49,12 @@ std::unique_ptr<oracle::Subject> make_subject_here(const std::string& text) {
                         plus == std::string::npos ? "" : spec.rest.substr(plus + 1));
   }
   if (spec.kind == "lib") {
-    return oracle::make_interface_subject(oracle::Library(spec.rest).subject());
+    return oracle::make_interface_subject(oracle::Library(spec.rest).subject(), stated);
   }
-  if (spec.kind == "pipe") return oracle::make_pipe_subject(spec.rest, {});
-  if (spec.kind == "oneshot") return oracle::make_oneshot_subject(spec.rest, {});
+  oracle::Limits limits;
+  limits.stated = stated;
+  if (spec.kind == "pipe") return oracle::make_pipe_subject(spec.rest, limits);
+  if (spec.kind == "oneshot") return oracle::make_oneshot_subject(spec.rest, limits);
   throw SubjectUnusable(
       fmt::format("\"{}\" names no subject. Write NAME, NAME+FAULT, lib:PATH.so, pipe:COMMAND or "
                   "oneshot:COMMAND.",

@@ -17,7 +17,8 @@ namespace gonogo::fuzz {
 // "NAME", "NAME+FAULT" or as on the command line: builtin:, lib:, pipe: and oneshot:. A library is
 // loaded into this process, where its branches and crashes are the engine's to see. Throws
 // oracle::SubjectUnusable with what to do.
-std::unique_ptr<oracle::Subject> make_subject_here(const std::string& spec);
+std::unique_ptr<oracle::Subject> make_subject_here(const std::string& spec,
+                                                   const oracle::StatedMachine& stated = {});
 
 // A built-in expander, or somebody's subject in its place, which gets programs of what it declares
 // and runs. What it runs is learned when it is made, from programs of fixed seeds: afterwards a

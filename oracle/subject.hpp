@@ -171,5 +171,6 @@ std::unique_ptr<Subject> make_pipe_subject(const std::string& command, const Lim
 struct gonogo_subject_v1;
 namespace gonogo::oracle {
 // A subject behind the C interface, in this process.
-std::unique_ptr<Subject> make_interface_subject(const gonogo_subject_v1& subject);
+std::unique_ptr<Subject> make_interface_subject(const gonogo_subject_v1& subject,
+                                                const StatedMachine& stated = {});
 }  // namespace gonogo::oracle

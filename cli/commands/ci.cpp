@@ -26,6 +26,7 @@ constexpr const char* kTimeOfABatch = "1h";
 HuntWords hunt_words(const CiWords& words) {
   HuntWords hunt;
   hunt.trial = words.trial;
+  hunt.trial.limits.stated = stated_machine({words.dialect, words.profile, words.readings});
   hunt.dialect = words.dialect;
   hunt.profile = words.profile;
   hunt.readings = words.readings;

@@ -25,6 +25,7 @@ fuzz::FuzzOptions fuzz_options(const HuntWords& words, hunt::HuntOptions program
   options.subject = words.trial.subject;
   options.programs = std::move(programs);
   options.trial = trial_options(words.trial);
+  options.stated = words.trial.limits.stated;
   options.most_programs = end.programs;
   options.most_seconds = static_cast<std::uint64_t>(end.time.count() / 1'000);
   const fs::path out = fs::absolute(words.trial.out);
@@ -135,19 +136,15 @@ void add_fuzz(Command& program) {
       "fuzz", "Let libFuzzer look for a program on which a library departs or breaks down");
   add_trial_options(command, words->trial);
   command.option("--dialect", words->dialect, "dialect of the programs (the subject's only one)");
-  command.option("--profile", words->profile, "the machine of every program; without: any");
-  command.flag("--everywhere", words->everywhere,
-               "departures outside of the domain (docs/domain.md) are findings, too");
-  command.repeated_option("--reading", words->readings, "one reading as key=value");
-  command.option("--settings", words->settings,
-                 "what generated programs are like: valid=1,boundary=2,blocks=4");
-  command.option("--time", words->time,
-                 "how long: 90s, 10m, 2h; without it and --programs a minute");
+  add_program_options(command, *words);
   constexpr long kMost = std::numeric_limits<long>::max();
   command.number("--seed", words->seed, 1, 0xffff'ffff, "of the engine (1)");
   command.number("--programs", words->programs, 1, kMost, "how many programs");
   add_known_failures(command, words->known_failures, words->corpus);
-  command.run([words] { return fuzz_subject(*words); });
+  command.run([words] {
+    words->trial.limits.stated = stated_machine({words->dialect, words->profile, words->readings});
+    return fuzz_subject(*words);
+  });
 }
 
 }  // namespace gonogo::cli

@@ -204,14 +204,7 @@ void add_hunt(Command& program) {
                  "operations in every dialect (reference)");
   command.repeated_option("--beside", words->beside,
                           "a further subject that has to make the same path of operations");
-  command.option("--profile", words->profile, "the machine of every program; without: any");
-  command.flag("--everywhere", words->everywhere,
-               "departures outside of the domain (docs/domain.md) are findings, too");
-  command.repeated_option("--reading", words->readings, "one reading as key=value");
-  command.option("--settings", words->settings,
-                 "what generated programs are like: valid=1,boundary=2,blocks=4");
-  command.option("--time", words->time,
-                 "how long: 90s, 10m, 2h; without it and --programs a minute");
+  add_program_options(command, *words);
   constexpr long kMost = std::numeric_limits<long>::max();
   command.number("--seed", words->seed, 0, kMost, "the same seed tries the same programs (1)");
   command.number("--programs", words->programs, 1, kMost, "how many programs");
@@ -224,10 +217,7 @@ void add_hunt(Command& program) {
                  "subjects of a campaign that run side by side (1)");
   command.number("--round", words->round, 1, 1'000'000, "programs of a round of a campaign (2000)");
   command.run([words] {
-    if (!words->profile.empty()) {
-      words->trial.limits.stated.profile = load_profile({words->dialect, words->profile, {}});
-    }
-    words->trial.limits.stated.readings = words->readings;
+    words->trial.limits.stated = stated_machine({words->dialect, words->profile, words->readings});
     return hunt(*words);
   });
 }

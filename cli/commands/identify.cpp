@@ -120,8 +120,7 @@ int find_cause(const IdentifyWords& words, oracle::Subject& subject) {
 }
 
 int identify_subject(IdentifyWords words) {
-  if (!words.profile.file.empty()) words.limits.stated.profile = load_profile(words.profile);
-  words.limits.stated.readings = words.profile.readings;
+  words.limits.stated = stated_machine(words.profile);
   const std::unique_ptr<oracle::Subject> subject =
       subject_maker(words.subject, sandboxed(words.limits.limits(), words.limits.sandbox,
                                              words.subject, {}))();

@@ -36,7 +36,8 @@ class FuzzSession {
                  page.stage = FuzzStage::running;
                  ::alarm(kLearningSeconds);
                }),
-        trial_([&options] { return make_subject_here(options.subject); }, options.trial) {
+        trial_([&options] { return make_subject_here(options.subject, options.stated); },
+               options.trial) {
     ::alarm(0);
     page_.stage = FuzzStage::running;
   }

@@ -18,6 +18,7 @@ struct FuzzOptions {
   std::string subject;         // as of make_subject_here()
   hunt::HuntOptions programs;  // their dialect, machine and settings, the seed, what is no news
   hunt::TrialOptions trial;
+  oracle::StatedMachine stated;
   std::uint64_t most_programs = 0;  // 0: no limit
   std::uint64_t most_seconds = 0;   // 0: no limit
   std::string inputs;               // folder of what showed something; it is read and added to

@@ -2,6 +2,7 @@
 //
 // A subject behind the C interface, in this process.
 #include <chrono>
+#include <utility>
 
 #include "oracle/subject.hpp"
 #include "oracle/subjects/configuration.hpp"
@@ -16,13 +17,15 @@ using Clock = std::chrono::steady_clock;
 
 class InterfaceSubject : public Subject {
  public:
-  explicit InterfaceSubject(const gonogo_subject_v1& subject)
-      : handle_(subject), info_(read_description(handle_.description())) {}
+  InterfaceSubject(const gonogo_subject_v1& subject, StatedMachine stated)
+      : handle_(subject),
+        info_(read_description(handle_.description())),
+        stated_(std::move(stated)) {}
 
   const SubjectInfo& info() const override { return info_; }
 
   void configure(const reference::Profile& profile) override {
-    Told what = told(info_, profile, {});
+    Told what = told(info_, profile, stated_);
     silent_ = std::move(what.silent);
     handle_.configure("{" + configuration_members(what.profile) + "}");
   }
@@ -48,13 +51,15 @@ class InterfaceSubject : public Subject {
  private:
   InterfaceHandle handle_;
   SubjectInfo info_;
+  const StatedMachine stated_;
   std::optional<RunEnd> silent_;  // of a machine that it cannot be told
 };
 
 }  // namespace
 
-std::unique_ptr<Subject> make_interface_subject(const gonogo_subject_v1& subject) {
-  return std::make_unique<InterfaceSubject>(subject);
+std::unique_ptr<Subject> make_interface_subject(const gonogo_subject_v1& subject,
+                                                const StatedMachine& stated) {
+  return std::make_unique<InterfaceSubject>(subject, stated);
 }
 
 }  // namespace gonogo::oracle

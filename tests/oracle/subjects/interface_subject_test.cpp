@@ -281,6 +281,19 @@ TEST_F(InterfaceSubject, GetsTheConfigurationOfTheProtocol) {
   EXPECT_EQ(fake_interface.program, "G0 X1\n");
 }
 
+TEST_F(InterfaceSubject, AReadingThatTheCertifierStatesNeedNotBeTold) {
+  reference::Profile profile = gsk_profile();
+  ASSERT_FALSE(set_reading(profile, "gsk.decimals", "nearest"));
+  fake_interface.run = [](auto&) { return GONOGO_OK; };
+  subject_ = make_interface_subject(table_);
+  subject_->configure(profile);
+  EXPECT_EQ(run(*subject_, "G0 X1\n", 1000).end.kind, Kind::refused);
+  subject_ = make_interface_subject(table_, {std::nullopt, {"gsk.decimals=nearest"}});
+  subject_->configure(profile);
+  EXPECT_EQ(run(*subject_, "G0 X1\n", 1000).end.kind, Kind::ok);
+  EXPECT_EQ(fake_interface.configuration.find("gsk.decimals"), std::string::npos);
+}
+
 TEST_F(InterfaceSubject, ARefusalToBeCreatedIsTold) {
   const std::string why = "no readings";
   fake_interface.create = [&](const gonogo_sink_v1& sink) {
