@@ -37,7 +37,7 @@ using namespace gonogo;
 
 constexpr std::size_t kMostRecords = 1'000'000;
 
-// All readings left open at once may be more ways than the judge follows.
+// With all readings open a program may take more ways than the judge follows.
 generate::GeneratorSettings some_open() {
   generate::GeneratorSettings settings;
   settings.open_one_in = 8;

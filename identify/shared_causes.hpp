@@ -24,7 +24,7 @@ struct SharedCauses {
   std::vector<SharedCause> causes;  // no face is of two
   std::size_t passes = 0;           // programs that the subject passes
   std::size_t tried = 0;            // mistakes
-  bool given_up = false;            // on a face, at most_records
+  bool given_up = false;            // a face reached most_records
 };
 
 // `faces` are programs on which the subject departs, each by itself; `others` programs of which

@@ -89,7 +89,7 @@ class Expansion {
     return true;
   }
 
-  // Looks where another reading has been asked for alone.
+  // Looks only when the run has asked for another reading.
   bool asks_open_now(const reference::ReadingsInUse& readings) {
     if (std::exchange(asked_, readings.touched_count()) == readings.touched_count()) return false;
     return oracle::asks_open(open_, readings);

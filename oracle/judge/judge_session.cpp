@@ -130,7 +130,7 @@ void JudgeSession::try_lengths(const Fork& fork) {
   }
 }
 
-// For what came equally far the one that took more records, else the one that came first.
+// Keeps what came farther; else what took more records; else what came first.
 void JudgeSession::consider(SampledVerdict said) {
   const bool is_later = records_ > best_records_;
   if (!best_ || outranks(said, *best_) || (is_later && !outranks(*best_, said))) {

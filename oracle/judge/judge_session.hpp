@@ -99,7 +99,7 @@ class JudgeSession {
 
 // Whether what is said under one assignment counts before what is said under another: the best
 // pass; else a gap, for under that assignment the subject may be right; else the departure that
-// comes last; of equals one that is not an alarm that is missing.
+// comes last. A missing alarm counts behind another departure that comes equally far.
 bool outranks(const SampledVerdict& one, const SampledVerdict& other);
 
 // Judges a recorded outcome.
