@@ -163,10 +163,13 @@ bool PocketLevelStep::is_known() const {
          std::ranges::equal(motions_, last_->motions, region::same_cut);
 }
 
-// So small that it is cleared where the subject stands.
+// So small that it is cleared where the subject stands: no disc covers one that is wider than it by
+// more than the tolerance, whatever else the region judge looks at.
 bool PocketLevelStep::is_judged_at_alarm(const Position& here) const {
-  return !motions_.empty() ||
-         region::judge_level(circle(here), {}).kind == region::LevelVerdict::Kind::go;
+  if (!motions_.empty()) return true;
+  const Number wider = level_.pocket_radius - level_.tool_radius;
+  if (wider > terms_.level_tolerance() * 2 + terms_.chord) return false;
+  return region::judge_level(circle(here), {}).kind == region::LevelVerdict::Kind::go;
 }
 
 std::optional<Verdict> PocketLevelStep::end(const Position& here) {

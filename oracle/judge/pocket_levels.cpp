@@ -198,12 +198,12 @@ std::optional<Number> PocketMillingJudge::due_place(const Number& depth) const {
 bool PocketMillingJudge::admits_depth(const Number& depth) const {
   const Number& tau = terms_.tolerance;
   if (depth < item_.floor - tau) return false;
+  // Where the tool can only go down, levels leave no trace: it may rise and sink again anywhere.
+  if (is_point()) return true;
   // No farther down than the tolerance is no level, unless infeeds are as small: none divides the
   // depth into less than half of R121, but for a rest at the floor.
   const bool is_small = item_.infeed <= tau * 2 && depth <= last_depth_ + tau;
   if (depth >= last_depth_ - tau) return is_floor(depth) || is_small;
-  // Where the tool can only go down, levels leave no trace.
-  if (is_point() && is_floor(depth)) return true;
   // SIE-LC75-11
   if (item_.one_level && first_ && is_floor(depth)) return true;
   if (due_place(depth)) return true;
@@ -214,8 +214,7 @@ bool PocketMillingJudge::admits_depth(const Number& depth) const {
 }
 
 bool PocketMillingJudge::is_point() const {
-  return reach_.core_p.sign() == 0 && reach_.core_q.sign() == 0 &&
-         reach_.radius <= terms_.tolerance;
+  return max(reach_.core_p, reach_.core_q) + reach_.radius <= terms_.tolerance;
 }
 
 bool PocketMillingJudge::above_centre(const Position& at) const {

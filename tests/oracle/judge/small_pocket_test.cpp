@@ -79,6 +79,36 @@ TEST(SmallPockets, RoomOfTheToleranceIsGo) {
   expect_go({});
 }
 
+// As wide as its tool, the pocket is a hole: nothing shows where a level is, so that the tool may
+// rise at feed and sink again from anywhere (SIE-LC75-13), and does not stop before the floor.
+TEST(SmallPockets, InRoomOfTheToolAloneLevelsLeaveNoTrace) {
+  for (const auto& [allowance, ways] : {std::pair("R124=0 R125=0", "R126=3 R127=1"),
+                                        std::pair("R124=0.5 R125=0", "R126=3 R127=2")}) {
+    SmallPocket pocket;
+    pocket.sizes = "R118=6 R119=6 R120=3";
+    pocket.allowance = allowance;
+    pocket.ways = ways;
+    const std::vector<Record> shown = path_of(pocket);
+    const auto first = std::ranges::find(shown, RecordKind::feed, &Record::kind);
+    const auto last = std::ranges::find_if(
+        first, shown.end(), [](const Record& record) { return record.kind != RecordKind::feed; });
+    const auto with_feeds_to = [&](std::initializer_list<int> heights) {
+      std::vector<Record> records(shown.begin(), first);
+      for (const int height : heights) {
+        records.push_back(*first);
+        records.back().to[Axis::z] = height;
+      }
+      records.insert(records.end(), last, shown.end());
+      return decision(judge(pocket, records).kind);
+    };
+    EXPECT_EQ(with_feeds_to({-3}), Decision::go) << ways;
+    EXPECT_EQ(with_feeds_to({-2, -1, -3}), Decision::go) << ways;
+    EXPECT_EQ(with_feeds_to({-1, -2, -2, 0, -3}), Decision::go) << ways;
+    EXPECT_EQ(with_feeds_to({-2, -1, -2}), Decision::no_go) << ways;
+    EXPECT_EQ(with_feeds_to({-4, -3}), Decision::no_go) << ways;
+  }
+}
+
 // J-PKT-09
 TEST(SmallPockets, DepthOfTheToleranceIsGo) {
   for (const std::string_view ways : {"R126=3 R127=1", "R126=2 R127=2"}) {

@@ -22,7 +22,6 @@ struct Specimen {
   std::string program;
   reference::Profile profile;
   Trace right;
-  bool is_plunge = false;
 };
 
 constexpr std::size_t kMostRecords = 40;
@@ -44,19 +43,6 @@ bool is_wide(const Record& record) {
   return across > 100 || across < -100;
 }
 
-// A pocket as wide as its tool: definition and judge differ about levels that are the centre alone,
-// and no text decides it.
-bool is_plunge(const oracle::Case& test, const oracle::Expectation& expected) {
-  const auto leads_aside = [](const Record& record) {
-    if (is_round(record)) return true;
-    const bool is_along_one = record.axes == reference::AxisSet{reference::Axis::x} ||
-                              record.axes == reference::AxisSet{reference::Axis::y} ||
-                              record.axes == reference::AxisSet{reference::Axis::z};
-    return record.kind == RecordKind::feed && !is_along_one;
-  };
-  return test.cycle == "lcyc75" && std::ranges::none_of(expected.records, leads_aside);
-}
-
 std::vector<Specimen> specimens() {
   std::vector<Specimen> all;
   std::size_t round = 0;
@@ -68,7 +54,6 @@ std::vector<Specimen> specimens() {
           if (std::ranges::any_of(expected.records, is_round) && round++ % kRoundCases != 0)
             continue;
           Specimen specimen{test.id, test.program, test.profile, {expected.records, {}}};
-          specimen.is_plunge = is_plunge(test, expected);
           for (const auto& [name, value] : expected.when) {
             set_reading(specimen.profile, name, value);
             specimen.id += " " + name + "=" + value;
@@ -118,7 +103,7 @@ TEST(DefinitionSweep, TheJudgeSaysTheSameOfChangedTraces) {
         terms_for(specimen.profile, !trials.once_in(4), !trials.once_in(8));
     Trace trace = specimen.right;
     if (!change.apply(trace.records, terms.tolerance, trials)) continue;
-    if (!specimen.is_plunge) compare(comparison, specimen, change.name, terms, trace);
+    compare(comparison, specimen, change.name, terms, trace);
     ++done;
   }
   comparison.print();
