@@ -2,6 +2,7 @@
 //
 // How often a test tries something at random, and from which seed: fixed, printed, and changed by
 // GONOGO_TRIALS and GONOGO_SEED. The default is small enough for every run; a night takes millions.
+// Under the sanitizers it is a fifth, as that of RapidCheck (tests/CMakeLists.txt).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 namespace gonogo {
 
 struct Trials {
-  explicit Trials(long usual) : count(number("GONOGO_TRIALS", usual)) {
+  explicit Trials(long usual) : count(number("GONOGO_TRIALS", is_sanitized() ? usual / 5 : usual)) {
     const long seed = number("GONOGO_SEED", 20261122);
     std::printf("%ld trials, GONOGO_SEED=%ld\n", count, seed);
     chance.seed(static_cast<std::uint64_t>(seed));
@@ -36,6 +37,15 @@ struct Trials {
   std::mt19937_64 chance;
 
  private:
+  static constexpr bool is_sanitized() {
+#if defined(__SANITIZE_ADDRESS__)
+    return true;
+#elif defined(__has_feature)
+    return __has_feature(address_sanitizer) != 0;
+#else
+    return false;
+#endif
+  }
   static long number(const char* name, long usual) {
     const char* const text = std::getenv(name);
     return text == nullptr ? usual : std::strtol(text, nullptr, 10);
