@@ -13,6 +13,11 @@ std::string text(const Motion& motion) {
   return text(motion.record);
 }
 
+// Whether it is one of the names between blanks.
+bool is_among(const std::string& name, const std::string& names) {
+  return (" " + names + " ").find(" " + name + " ") != std::string::npos;
+}
+
 class Match {
  public:
   Match(const Vector& vector, const Expectation& expectation, const Trace& trace,
@@ -177,7 +182,7 @@ class Match {
     if (trace_.end) return {Answer::departs, "The alarm follows the end of the trace."};
     if (trace_.alarm.kind.empty()) return {Answer::undecided, "an alarm without a class"};
     const bool is_right = std::ranges::any_of(expectation_.any_of, [&](const auto& alarm) {
-      return alarm.kind == trace_.alarm.kind &&
+      return is_among(alarm.kind, trace_.alarm.kind) &&
              (!terms_.has_blocks || alarm.block == trace_.alarm.block);
     });
     if (is_right) return {};

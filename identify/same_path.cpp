@@ -50,7 +50,7 @@ bool same_end(const RunEnd& model, const RunEnd& subject) {
   if (model.kind != subject.kind) return false;
   if (model.kind != RunEnd::Kind::alarm) return true;
   return model.alarm.block == subject.alarm.block &&
-         model.alarm.alarm_class == subject.alarm.alarm_class;
+         reference::share_a_name(model.alarm.alarm_class, subject.alarm.alarm_class);
 }
 
 }  // namespace

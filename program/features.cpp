@@ -2,7 +2,10 @@
 #include "program/features.hpp"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <vector>
 
 namespace gonogo::program {
 namespace {
@@ -53,17 +56,32 @@ bool is_line_of_o_word(const TextBlock& block) {
          (name->text.find('<') != std::string::npos || std::ranges::any_of(block.words, is_more));
 }
 
+// NGC-COM-10: in either case and with blanks.
+bool ends_program(std::string_view comment) {
+  std::string letters;
+  for (const char byte : comment.substr(0, comment.find(','))) {
+    if (byte != ' ' && byte != '\t') letters += static_cast<char>(byte | 0x20);
+  }
+  return letters == "(abort" && comment.find(',') != std::string_view::npos;
+}
+
 class Needs {
  public:
   explicit Needs(const reference::Descriptor& table) : table_(table) {}
   std::set<std::string> features() && { return std::move(features_); }
   void take(const TextBlock& block) {
+    std::vector<const Code*> takers = {block.modes.own, block.modes.motion};
     for (const std::string& name : block.codes) {
       const Code* const code = table_.find(name);
-      if (code != nullptr) add(code->feature);
+      if (code == nullptr) continue;
+      add(code->feature);
+      takers.push_back(code);
     }
     for (const TextWord& word : block.words) {
-      if (is_word(word)) take(word, block);
+      if (is_word(word)) take(word, takers);
+      if (is_comment(word) && (word.text.starts_with(';') || ends_program(word.text))) {
+        add_of_lines("linuxcnc");
+      }
       if (!is_comment(word) && word.text.find_first_of("#[") != std::string::npos) {
         add_of_lines("parameters");
       }
@@ -77,15 +95,15 @@ class Needs {
   void add(std::string_view feature) {
     if (!feature.empty()) features_.emplace(feature);
   }
-  // What stands in lines and is no code's: NGC-PAR, NGC-EXP, NGC-OWD.
+  // What stands in lines and is no code's: NGC-PAR, NGC-EXP, NGC-OWD, NGC-COM.
   void add_of_lines(std::string_view feature) {
     const auto known =
         std::ranges::find(table_.features, feature, &reference::DialectFeature::name);
     if (known != table_.features.end()) add(feature);
   }
-  void take(const TextWord& word, const TextBlock& block) {
+  void take(const TextWord& word, const std::vector<const Code*>& takers) {
     const std::string name = name_of(word);
-    if (!take_from({block.modes.own, block.modes.motion}, name) && !take_from_any(name)) {
+    if (!take_from(takers, name) && !take_from_any(name)) {
       for (const CodeWord& other : table_.everywhere) {
         if (stands_for(other, name)) add(other.feature);
       }
@@ -93,7 +111,7 @@ class Needs {
     if (word.text.find('=') != std::string::npos && !exact_value_of(word)) take_calculation();
   }
   // The first of the codes that takes the word; whether one does.
-  bool take_from(std::initializer_list<const Code*> codes, std::string_view name) {
+  bool take_from(const std::vector<const Code*>& codes, std::string_view name) {
     for (const Code* code : codes) {
       const CodeWord* const role = code == nullptr ? nullptr : code->find(name);
       if (role == nullptr) continue;
@@ -102,10 +120,14 @@ class Needs {
     }
     return false;
   }
-  // A word that nothing in force takes may be that of any code.
+  // A word that nothing in force takes may be that of any code but one of its own block.
   bool take_from_any(std::string_view name) {
     bool is_known = false;
-    for (const Code& code : table_.codes) is_known = take_from({&code}, name) || is_known;
+    for (const Code& code : table_.codes) {
+      if (code.treatment != reference::Treatment::without_effect) {
+        is_known = take_from({&code}, name) || is_known;
+      }
+    }
     return is_known;
   }
   void take_calculation() {
@@ -145,6 +167,28 @@ std::set<std::string> features_needed(const reference::Descriptor& table, const 
   Needs needs(table);
   needs.take(block);
   return std::move(needs).features();
+}
+
+std::vector<std::string> features_of_case(const ProgramText& program,
+                                          const std::vector<std::string>& stated) {
+  constexpr std::array<std::string_view, 3> kBesideAll = {"arc-distance", "rotary", "linuxcnc"};
+  const std::set<std::string> needed = features_needed(program);
+  const auto is_cycle = [&](const std::string& name) {
+    return std::ranges::any_of(program.table->codes, [&](const Code& code) {
+      return code.kind == reference::Kind::cycle && code.feature == name;
+    });
+  };
+  const bool has_cycle = std::ranges::any_of(
+      stated, [&](const std::string& name) { return is_cycle(name) && needed.contains(name); });
+  std::vector<std::string> features;
+  std::ranges::copy_if(stated, std::back_inserter(features),
+                       [&](const std::string& name) { return has_cycle || !is_cycle(name); });
+  for (const std::string_view name : kBesideAll) {
+    const bool is_new = std::ranges::find(features, name) == features.end();
+    if (is_new && needed.contains(std::string(name))) features.emplace_back(name);
+  }
+  if (features.empty()) features.emplace_back("basic");
+  return features;
 }
 
 }  // namespace gonogo::program

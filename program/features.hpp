@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "program/modes.hpp"
 
@@ -15,5 +16,10 @@ namespace gonogo::program {
 std::set<std::string> features_needed(const ProgramText& program);
 // The same of one of its blocks.
 std::set<std::string> features_needed(const reference::Descriptor& table, const TextBlock& block);
+
+// Those of a case of the corpus: the stated ones, but for cycles where the program has none of
+// them, and what any program may have beside.
+std::vector<std::string> features_of_case(const ProgramText& program,
+                                          const std::vector<std::string>& stated);
 
 }  // namespace gonogo::program

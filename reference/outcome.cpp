@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/outcome.hpp"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,9 @@ std::set<std::pair<AlarmClass, ClauseId>> admitted_by(const AlarmReport& report)
   for (const Alarm& alarm : report.alarms) {
     admitted.emplace(alarm.alarm, is_silent(alarm.clause) ? alarm.clause : kNoClause);
   }
+  for (const AdmittedClass& one : admitted_classes(report)) {
+    if (one.of->alarm != one.alarm) admitted.emplace(one.alarm, kNoClause);
+  }
   return admitted;
 }
 
@@ -40,6 +44,30 @@ bool is_the_same(const Open& a, const Open& b) {
 }
 
 }  // namespace
+
+std::vector<AdmittedClass> admitted_classes(const AlarmReport& report) {
+  std::vector<AdmittedClass> admitted;
+  AlarmClasses seen;
+  const auto take = [&](AlarmClass alarm, const Alarm& of) {
+    if (seen.has(alarm)) return;
+    seen.add(alarm);
+    admitted.push_back({alarm, &of});
+  };
+  for (const Alarm& alarm : report.alarms) take(alarm.alarm, alarm);
+  for (const Alarm& alarm : report.alarms) {
+    for (std::size_t i = 0; i < kAlarmClasses; ++i) {
+      const auto other = static_cast<AlarmClass>(i);
+      if (alarm.also.has(other)) take(other, alarm);
+    }
+  }
+  return admitted;
+}
+
+bool admits(const AlarmReport& report, std::string_view classes) {
+  return std::ranges::any_of(admitted_classes(report), [&](const AdmittedClass& one) {
+    return has_name(classes, name(one.alarm));
+  });
+}
 
 bool says_the_same(const Item& a, const Item& b) {
   if (a.index() != b.index()) return false;

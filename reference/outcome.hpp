@@ -19,16 +19,34 @@ enum class AlarmClass : std::uint8_t {
 #define GONOGO_ALARM(name, text, sentence) name,
 #include "reference/alarm_classes.def"
 };
+inline constexpr std::size_t kAlarmClasses = 0
+#define GONOGO_ALARM(name, text, sentence) +1
+#include "reference/alarm_classes.def"
+    ;
 std::string_view name(AlarmClass alarm);
 std::optional<AlarmClass> alarm_class(std::string_view text);
+
+class AlarmClasses {
+ public:
+  void add(AlarmClass alarm) { bits_ |= bit(alarm); }
+  bool has(AlarmClass alarm) const { return (bits_ & bit(alarm)) != 0; }
+  bool empty() const { return bits_ == 0; }
+
+ private:
+  static std::uint64_t bit(AlarmClass alarm) {
+    return std::uint64_t{1} << static_cast<unsigned>(alarm);
+  }
+  std::uint64_t bits_ = 0;
+};
 
 // One rule that a block breaks.
 struct Alarm {
   AlarmClass alarm = AlarmClass::syntax;
   ClauseId clause = kNoClause;
-  WordName word;        // the address at fault or missing; empty: none
-  grammar::Span where;  // of the word; past the line's end when it is missing
-  std::string message;  // a sentence with the values
+  WordName word;           // the address at fault or missing; empty: none
+  grammar::Span where;     // of the word; past the line's end when it is missing
+  std::string message;     // a sentence with the values
+  AlarmClasses also = {};  // what another reader of the rule may call it
 };
 
 // A block with at least one broken rule; the program ends before its motion. Any of them may be
@@ -38,6 +56,16 @@ struct AlarmReport {
   std::vector<Alarm> alarms;
   std::optional<grammar::SyntaxError> syntax;
 };
+
+// A class that a report admits, and the rule that it is of.
+struct AdmittedClass {
+  AlarmClass alarm = AlarmClass::syntax;
+  const Alarm* of = nullptr;
+};
+// Each once: those of the broken rules in their order, and then what else they may be called.
+std::vector<AdmittedClass> admitted_classes(const AlarmReport& report);
+// `classes`: one, or several between blanks, where the text of an alarm stands for several.
+bool admits(const AlarmReport& report, std::string_view classes);
 
 // The first alarm of a block that rests on a text; else the first that is derived;
 // else the first: the clause that a departure from them departs from (docs/judging.md, J-ALM-01).

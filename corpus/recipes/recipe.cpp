@@ -10,6 +10,7 @@
 
 #include "oracle/corpus/toml_file.hpp"
 #include "oracle/records/base64.hpp"
+#include "program/features.hpp"
 
 namespace gonogo::recipes {
 
@@ -64,6 +65,25 @@ std::string program_of(const Json& entry, std::string_view opening) {
                         " " + std::string(opening));
 }
 
+// Where its program needs others than its group states, the case is of a group beside it.
+void take_features(Case& test) {
+  std::vector<std::string> features =
+      program::features_of_case({test.profile, test.program}, test.features);
+  const auto lacks = [](const auto& list, const std::string& one) {
+    return std::ranges::find(list, one) == list.end();
+  };
+  std::string beside;
+  for (const std::string& one : features) {
+    if (lacks(test.features, one)) beside += "-with-" + one;
+  }
+  for (const std::string& one : test.features) {
+    if (lacks(features, one)) beside += "-without-" + one;
+  }
+  if (beside.empty()) return;
+  test.group += beside;
+  test.features = std::move(features);
+}
+
 RecipeCase case_of(const Json& entry, const Case& common, const std::string& opening) {
   RecipeCase recipe;
   recipe.test = common;
@@ -81,6 +101,7 @@ RecipeCase case_of(const Json& entry, const Case& common, const std::string& ope
   for (const auto& [name, values] : readings.items()) {
     recipe.readings.push_back({name, values.get<std::vector<std::string>>()});
   }
+  take_features(test);
   recipe.alarms = texts(entry, "alarm");
   recipe.outside = entry.value("outside", false);
   return recipe;

@@ -12,6 +12,7 @@
 #include "generate/cover/minimise.hpp"
 #include "generate/cover/sign_cases.hpp"
 #include "oracle/corpus/sha256.hpp"
+#include "program/features.hpp"
 
 namespace gonogo::cover {
 
@@ -185,6 +186,7 @@ std::optional<DrawnCase> case_of(const Making& making, const Parameters& paramet
   test.clauses = clause_list(model.clauses);
   test.features = words_of(model.features);
   test.features.insert(test.features.end(), drawing.features.begin(), drawing.features.end());
+  test.features = program::features_of_case({test.profile, test.program}, test.features);
   test.provenance = making.provenance();
   test.group = group_name(making.stem(), test);
   describe(parameters, row, test);

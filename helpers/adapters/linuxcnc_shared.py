@@ -10,7 +10,7 @@ from rs274_profile import flat
 
 FEATURES = ["basic", "arc", "arc-r", "helix", "planes", "arc-distance", "turns", "lines", "g81", "g73",
             "g83", "g84", "g74", "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes", "offsets",
-            "parameters", "o-words"]
+            "parameters", "o-words", "rotary", "linuxcnc"]
 THREADS = ["g33", "g33.1", "g76"]
 
 # Only what is certain. A message that is not here goes out without a class, for the alarm map.
@@ -45,6 +45,9 @@ _CLASSES = [(re.compile(pattern), cls) for pattern, cls in [
      "axis-not-in-plane"),
     (r"[Ss]pindle (\(\d+\) )?not turning in", "spindle-stopped"),
     (r"Spindle turning (counter)?clockwise in G", "direction-conflict"),
+    # Either one: the text is the same.
+    (r"[Ss]pindle (\(\d+\) )?not turning (counter)?clockwise in",
+     "spindle-stopped direction-conflict"),
     (r"F word used with a g33|canned cycles with cutter compensation|inverse time feed with canned|"
      r"threading cycle with cutter radius compensation|two g codes that both use axis values|"
      r"Cannot use g53 incremental|Must use g0 or g1 with g53", "conflicting-words"),

@@ -44,7 +44,7 @@ class NistRs274ngc(Subject):
     name = "nist-rs274ngc"
     version = "3"
     dialects = {"rs274": ["basic", "arc", "arc-r", "helix", "planes", "lines", "g81", "g83", "g84",
-                          "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes"]}
+                          "g85", "g86", "cycle-modal", "cycle-steps", "cycle-planes", "rotary"]}
     features = ["bytes"]
     numeric = {"kind": "fixed", "resolution": "0.0001", "feed_resolution": "0.0001"}
     followed = {

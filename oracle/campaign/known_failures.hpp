@@ -96,11 +96,12 @@ class KnownFailures {
 //   [alarms]
 //   "PS0061" = "value-sign"
 //   "Zero-radius arc*" = "arc-radius"    a glob over the subject's own text
+//   "Bad value" = ["value-sign", "value-out-of-range"]
 class AlarmMap {
  public:
   struct Entry {
     std::string native;
-    std::string alarm_class;
+    std::string alarm_class;  // several between blanks
   };
   explicit AlarmMap(std::vector<Entry> entries) : entries_(std::move(entries)) {}
   // The first entry that matches; null: none does.

@@ -36,18 +36,18 @@ void refuse_other_keys(const toml::table& table, const std::set<std::string_view
   }
 }
 
-// The globs of `cases`: a text, or a list of texts.
-std::vector<std::string> globs_of(const toml::table& table) {
-  const toml::array* list = table["cases"].as_array();
-  if (list == nullptr) return {text_of(table, "cases", true)};
-  std::vector<std::string> globs;
+// A text, or a list of texts.
+std::vector<std::string> texts_of(const toml::table& table, std::string_view key) {
+  const toml::array* list = table[key].as_array();
+  if (list == nullptr) return {text_of(table, key, true)};
+  std::vector<std::string> texts;
   for (const toml::node& node : *list) {
     auto text = node.value_exact<std::string>();
-    if (!text) fail(node, "The list `cases` holds texts in quotes only.");
-    globs.push_back(*std::move(text));
+    if (!text) fail(node, fmt::format("The list `{}` holds texts in quotes only.", key));
+    texts.push_back(*std::move(text));
   }
-  if (globs.empty()) fail(*list, "The list `cases` is empty.");
-  return globs;
+  if (texts.empty()) fail(*list, fmt::format("The list `{}` is empty.", key));
+  return texts;
 }
 
 // "k of n".
@@ -84,7 +84,7 @@ KnownCause::Failure failure_of(const toml::table& table) {
     fail(table, fmt::format("\"{}\" is no verdict of a failure.", verdict));
   }
   failure.verdict = *kind;
-  failure.cases = globs_of(table);
+  failure.cases = texts_of(table, "cases");
   for (const std::string& glob : failure.cases) {
     if (glob.find_first_not_of("*?") == std::string::npos) {
       fail(table, fmt::format("`cases = \"{}\"` covers everything. Name the cases.", glob));
@@ -222,6 +222,19 @@ std::string known_causes_text(const std::vector<KnownCause>& causes) {
   return text;
 }
 
+namespace {
+
+// One class or a list, between blanks.
+std::string classes_of(const toml::table& table, std::string_view native, const toml::node& node) {
+  const std::vector<std::string> classes = texts_of(table, native);
+  for (const std::string& one : classes) {
+    if (!reference::alarm_class(one)) fail(node, fmt::format("\"{}\" is no alarm class.", one));
+  }
+  return fmt::format("{}", fmt::join(classes, " "));
+}
+
+}  // namespace
+
 std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::string_view text) {
   return read_toml<std::vector<AlarmMap::Entry>>(text, [](const toml::table& document) {
     std::vector<AlarmMap::Entry> entries;
@@ -229,11 +242,7 @@ std::variant<std::vector<AlarmMap::Entry>, FileFault> alarm_map_from_toml(std::s
       const toml::table* table = value.as_table();
       if (key.str() != "alarms" || table == nullptr) fail(value, "The file holds [alarms] only.");
       for (const auto& [native, node] : *table) {
-        const std::string alarm_class = text_of(*table, native.str(), true);
-        if (!reference::alarm_class(alarm_class)) {
-          fail(node, fmt::format("\"{}\" is no alarm class.", alarm_class));
-        }
-        entries.push_back({std::string(native.str()), alarm_class});
+        entries.push_back({std::string(native.str()), classes_of(*table, native.str(), node)});
       }
     }
     return entries;

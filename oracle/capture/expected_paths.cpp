@@ -69,8 +69,8 @@ Json end_json(const reference::Profile& profile, const ProgramText& program) {
     const auto* report = std::get_if<reference::AlarmReport>(item);
     if (report == nullptr) continue;
     end["b"] = report->block;
-    for (const reference::Alarm& alarm : report->alarms) {
-      end["classes"].push_back(reference::name(alarm.alarm));
+    for (const reference::AdmittedClass& one : reference::admitted_classes(*report)) {
+      end["classes"].push_back(reference::name(one.alarm));
     }
     const reference::ClauseId clause = reference::firmest(*report).clause;
     end["silent"] = clause != reference::kNoClause &&

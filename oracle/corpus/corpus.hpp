@@ -42,6 +42,8 @@ struct Expectation {
   std::vector<reference::Record> records;                 // the shown path; `end` last, or none
   std::vector<OpenPart> open;                             // in the order of their records
   std::vector<ExpectedAlarm> alarms;                      // any of them; empty: no alarm
+  // As the reference says it: what else those may be called. In a file they are among `alarms`.
+  std::vector<ExpectedAlarm> other_classes;
   // What it stands on: of an alarm as the judge takes it (J-ALM-01), else the weakest of what its
   // records and the blocks that run on stand on. Nothing: the file does not say.
   std::optional<reference::Basis> basis;

@@ -38,11 +38,10 @@ Expectation expectation_of(const reference::Profile& profile, std::string_view p
       expectation.records.push_back(*record);
       stand_on(record->clause);
     } else if (auto* report = std::get_if<AlarmReport>(item)) {
-      for (const reference::Alarm& alarm : report->alarms) {
-        const ExpectedAlarm expected{alarm.alarm, report->block, alarm.word};
-        if (std::ranges::find(expectation.alarms, expected) == expectation.alarms.end()) {
-          expectation.alarms.push_back(expected);
-        }
+      for (const reference::AdmittedClass& one : reference::admitted_classes(*report)) {
+        const bool is_other = one.alarm != one.of->alarm;
+        (is_other ? expectation.other_classes : expectation.alarms)
+            .push_back({one.alarm, report->block, one.of->word});
       }
       weakest = basis_of(firmest(*report).clause);
     } else if (std::holds_alternative<NotCovered>(*item)) {

@@ -96,9 +96,9 @@ class Linter {
     if (test.id.find(".sign-") == std::string::npos) return;
     triples_[test.id.substr(0, place)].insert(sign.substr(sign.rfind(':') + 1));
     // Where readings are open, as the case was drawn: under the alternatives stated first.
-    std::set<reference::AlarmClass> classes;
-    for (const ExpectedAlarm& alarm : test.expect.front().alarms) classes.insert(alarm.alarm);
-    if (classes.size() > 1) {
+    std::set<std::string_view> words;
+    for (const ExpectedAlarm& alarm : test.expect.front().alarms) words.insert(alarm.word.text());
+    if (words.size() > 1) {
       say_(fmt::format("{}: a case at a limit has one fault, this one alarms in several ways.",
                        test.id));
     }

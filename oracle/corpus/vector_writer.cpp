@@ -125,7 +125,9 @@ std::string expectation_json(const Expectation& expectation) {
   }
   if (!expectation.alarms.empty()) {
     std::vector<std::string> alarms;
-    for (const ExpectedAlarm& alarm : expectation.alarms) alarms.push_back(alarm_json(alarm));
+    for (const auto* const part : {&expectation.alarms, &expectation.other_classes}) {
+      for (const ExpectedAlarm& alarm : *part) alarms.push_back(alarm_json(alarm));
+    }
     out += ", \"alarm\": {\"any_of\": " + block_list(alarms, 6) + "}";
   }
   if (expectation.not_covered) out += ", \"not_covered\": true";

@@ -12,10 +12,10 @@
 namespace gonogo::oracle {
 
 using reference::ClauseId;
-using reference::has_name;
 using reference::kNoClause;
 using reference::Record;
 using reference::RecordKind;
+using reference::share_a_name;
 
 namespace {
 
@@ -80,7 +80,7 @@ class AlarmSearch {
   // R7: the catalog says which alarms are the other answer.
   void accept(std::uint64_t block, ClauseId clause) {
     const bool is_there = place_.block == 0 || block == place_.block;
-    if (is_there && has_name(reference::clause(clause).refusals, class_)) accepted_ = clause;
+    if (is_there && share_a_name(reference::clause(clause).refusals, class_)) accepted_ = clause;
   }
 
   // Whether to go on.
@@ -162,10 +162,7 @@ bool alarms_without_block(const reference::Profile& profile, const ProgramText& 
     for (std::size_t items = 0; item != nullptr && items < kMostItems; ++items) {
       const auto* report = std::get_if<reference::AlarmReport>(item);
       if (report != nullptr) {
-        return report->block == alarm.block &&
-               std::ranges::any_of(report->alarms, [&](const reference::Alarm& one) {
-                 return reference::name(one.alarm) == alarm.alarm_class;
-               });
+        return report->block == alarm.block && admits(*report, alarm.alarm_class);
       }
       item = expander.next();
     }

@@ -81,8 +81,9 @@ Verdict alarm_verdict(VerdictKind kind, const AlarmReport& report, std::string m
   Verdict verdict;
   verdict.kind = kind;
   verdict.block = report.block;
-  verdict.clause = firmest(report).clause;  // J-ALM-01
-  verdict.word = report.alarms.front().word;
+  const reference::Alarm& told = firmest(report);  // J-ALM-01
+  verdict.clause = told.clause;
+  verdict.word = told.word;
   verdict.want = alarms_text(report);
   verdict.message = std::move(message);
   return verdict;
@@ -245,7 +246,7 @@ ProgramJudge::Ending ProgramJudge::ok_end(Hypothesis& from) {
     if (auto* report = std::get_if<AlarmReport>(&step)) {
       Verdict verdict =
           alarm_verdict(VerdictKind::fail_alarm_missing, *report,
-                        fmt::format("The alarm is missing: {}", report->alarms.front().message));
+                        fmt::format("The alarm is missing: {}", firmest(*report).message));
       if (from.after_alarm) {
         verdict.record = from.after_alarm->number;
         verdict.got = record_text(from.after_alarm->record);
@@ -286,18 +287,21 @@ Verdict ProgramJudge::spurious_alarm(const Alarming& alarming, std::string messa
 // An alarm of a class that the block does not admit. Another answer: to a rule by which the block
 // runs on but for its faults (R7), or to which alarm a silent one is (R7).
 Verdict ProgramJudge::other_class(const Alarming& alarming, const AlarmReport& report) const {
-  Verdict verdict = alarm_verdict(
-      VerdictKind::fail_alarm_class, report,
-      fmt::format("The alarm is of another class. {}", report.alarms.front().message));
+  const auto message = [](const reference::Alarm& alarm) {
+    return fmt::format("The alarm is of another class. {}", alarm.message);
+  };
+  Verdict verdict = alarm_verdict(VerdictKind::fail_alarm_class, report, message(firmest(report)));
   verdict.got = alarm_text(alarming.alarm);
   const auto named = std::ranges::find_if(report.alarms, [&](const reference::Alarm& alarm) {
     return reference::is_silent(alarm.clause) &&
-           reference::has_name(reference::clause(alarm.clause).other_names,
-                               alarming.alarm.alarm_class);
+           reference::share_a_name(reference::clause(alarm.clause).other_names,
+                                   alarming.alarm.alarm_class);
   });
   const AlarmGround ground = ground_of(alarming);
   if (named != report.alarms.end()) {
     verdict.clause = named->clause;
+    verdict.word = named->word;
+    verdict.message = message(*named);
   } else if (ground.answer == AlarmGround::Answer::other) {
     verdict.clause = ground.clause;
   } else {
@@ -341,10 +345,8 @@ std::optional<Verdict> ProgramJudge::compare_alarm(const Hypothesis& from, const
         fmt::format("The subject's alarm \"{}\" has no class; its alarm map must give one.",
                     alarm.native));
   }
-  const bool admissible = std::ranges::any_of(report.alarms, [&](const reference::Alarm& want) {
-    return reference::name(want.alarm) == alarm.alarm_class;
-  });
-  if (admissible || has_alarm_before_fault(profile_, program_, report, alarm.alarm_class)) {
+  if (admits(report, alarm.alarm_class) ||
+      has_alarm_before_fault(profile_, program_, report, alarm.alarm_class)) {
     return std::nullopt;
   }
   return other_class(alarming, report);

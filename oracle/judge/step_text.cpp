@@ -172,9 +172,8 @@ std::uint64_t block_of(const ReferenceStep& step) {
 
 std::string alarms_text(const reference::AlarmReport& report) {
   std::string classes;
-  for (const reference::Alarm& alarm : report.alarms) {
-    const std::string one = fmt::format("\"{}\"", reference::name(alarm.alarm));
-    if (classes.find(one) == std::string::npos) classes += (classes.empty() ? "" : ",") + one;
+  for (const reference::AdmittedClass& one : reference::admitted_classes(report)) {
+    classes += fmt::format("{}\"{}\"", classes.empty() ? "" : ",", reference::name(one.alarm));
   }
   return fmt::format("{{\"k\":\"alarm\",\"b\":{},\"any_of\":[{}]}}", report.block, classes);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/judge/unreadable_block.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -20,6 +22,17 @@ namespace {
 constexpr std::array kStandingAlarms = {
     AlarmClass::undefined_code,     AlarmClass::duplicate_word, AlarmClass::conflicting_words,
     AlarmClass::value_out_of_range, AlarmClass::value_sign,     AlarmClass::not_an_integer};
+
+// Those of some classes between blanks.
+std::string standing_among(std::string_view classes) {
+  std::string standing;
+  for (const AlarmClass one : kStandingAlarms) {
+    if (reference::has_name(classes, reference::name(one))) {
+      standing += fmt::format("{} ", reference::name(one));
+    }
+  }
+  return standing;
+}
 
 // The program as far as a block, of which only the first bytes are left.
 class CutProgram : public grammar::ByteSource {
@@ -73,16 +86,13 @@ std::optional<AlarmReport> alarms_of_cut(const reference::Profile& profile,
 
 bool has_alarm_before_fault(const reference::Profile& profile, const ProgramText& program,
                             const AlarmReport& report, std::string_view alarm_class) {
-  const auto wanted = reference::alarm_class(alarm_class);
-  if (!report.syntax || !wanted || !std::ranges::count(kStandingAlarms, *wanted)) return false;
+  const std::string standing = standing_among(alarm_class);
+  if (!report.syntax || standing.empty()) return false;
   std::size_t length = report.syntax->where.begin;
   for (std::size_t cuts = 0; cuts < kMostCuts; ++cuts, --length) {
     const auto before = alarms_of_cut(profile, program, report.block, length);
     if (!before) return false;
-    if (!before->syntax) {
-      return std::ranges::any_of(before->alarms,
-                                 [&](const auto& alarm) { return alarm.alarm == *wanted; });
-    }
+    if (!before->syntax) return admits(*before, standing);
     if (length == 0) return false;
   }
   return false;

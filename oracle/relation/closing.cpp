@@ -27,8 +27,8 @@ std::string text_of(const Event& event) {
   if (const auto* record = std::get_if<Record>(&*event.item)) {
     append_json(*record, text);
   } else if (const auto* report = std::get_if<AlarmReport>(&*event.item)) {
-    for (const reference::Alarm& alarm : report->alarms) {
-      text += fmt::format("{}{}", text.empty() ? "alarm " : " or ", name(alarm.alarm));
+    for (const reference::AdmittedClass& one : admitted_classes(*report)) {
+      text += fmt::format("{}{}", text.empty() ? "alarm " : " or ", name(one.alarm));
     }
   } else if (event.part == Part::free_step) {
     text = "a path that the manual leaves open";
@@ -171,9 +171,7 @@ void Correspondence::close_at_alarm(const Place& place, const AlarmReport& repor
   }
   const bool is_block = outcome_.alarm != nullptr &&
                         (!terms_.compare_blocks || outcome_.alarm->block == report.block);
-  const bool is_class = std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
-    return outcome_.alarm != nullptr && reference::name(alarm.alarm) == outcome_.alarm->alarm_class;
-  });
+  const bool is_class = outcome_.alarm != nullptr && admits(report, outcome_.alarm->alarm_class);
   const bool alarms = got.part == Part::close && got.item == nullptr && outcome_.alarm != nullptr;
   // R7: the other answer to an alarm that no text states is to run on from its block, without it.
   const bool is_before =

@@ -45,7 +45,7 @@ std::span<const OtherAnswer> other_answers() {
 
 bool is_other_answer(reference::ClauseId clause, std::string_view alarm_class) {
   return std::ranges::any_of(other_answers(), [&](const OtherAnswer& other) {
-    return other.clause == clause && reference::name(other.alarm) == alarm_class;
+    return other.clause == clause && reference::has_name(alarm_class, reference::name(other.alarm));
   });
 }
 

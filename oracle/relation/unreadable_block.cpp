@@ -57,30 +57,26 @@ std::optional<AlarmReport> alarm_of(const reference::Profile& profile, std::stri
   return found;
 }
 
-bool has(const AlarmReport& report, std::string_view alarm_class) {
-  return std::ranges::any_of(report.alarms, [&](const reference::Alarm& alarm) {
-    return reference::name(alarm.alarm) == alarm_class;
-  });
-}
-
 }  // namespace
 
 bool alarms_without(const reference::Profile& profile, std::string_view program,
                     std::uint64_t block, const oracle::SubjectAlarm& alarm) {
   const auto found = alarm_of(profile, without(program, block));
   const bool is_block = found && (alarm.block == 0 || found->block == alarm.block);
-  return is_block && has(*found, alarm.alarm_class);
+  return is_block && admits(*found, alarm.alarm_class);
 }
 
 bool alarms_before_fault(const reference::Profile& profile, std::string_view program,
                          const AlarmReport& report, std::string_view alarm_class) {
-  const auto wanted = reference::alarm_class(alarm_class);
-  if (!report.syntax || !wanted || std::ranges::count(kLasting, *wanted) == 0) return false;
+  if (!report.syntax) return false;
   // Back to where the line can be read.
   for (std::size_t length = report.syntax->where.begin + 1; length-- > 0;) {
     const auto found = alarm_of(profile, cut_at(program, report.block, length));
     if (!found || found->block != report.block) return false;
-    if (!found->syntax) return has(*found, alarm_class);
+    if (found->syntax) continue;
+    return std::ranges::any_of(kLasting, [&](AlarmClass one) {
+      return reference::has_name(alarm_class, name(one)) && admits(*found, name(one));
+    });
   }
   return false;
 }

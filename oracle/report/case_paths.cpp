@@ -20,8 +20,8 @@ std::string json_of(const reference::AlarmReport& report) {
   if (!alarm.word.empty()) line["word"] = alarm.word.text();
   line["message"] = alarm.message;
   if (alarm.clause != reference::kNoClause) line["clause"] = reference::clause_name(alarm.clause);
-  for (std::size_t i = 1; i < report.alarms.size(); ++i) {
-    line["also"].push_back(name(report.alarms[i].alarm));
+  for (const reference::AdmittedClass& other : reference::admitted_classes(report)) {
+    if (other.alarm != alarm.alarm) line["also"].push_back(name(other.alarm));
   }
   return dump(line);
 }

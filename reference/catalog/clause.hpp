@@ -67,5 +67,14 @@ constexpr bool has_name(std::string_view names, std::string_view name) {
   }
   return false;
 }
+constexpr bool share_a_name(std::string_view some, std::string_view others) {
+  while (!some.empty()) {
+    const std::size_t end = some.find(' ');
+    if (has_name(others, some.substr(0, end))) return true;
+    if (end == std::string_view::npos) return false;
+    some.remove_prefix(end + 1);
+  }
+  return false;
+}
 
 }  // namespace gonogo::reference

@@ -14,8 +14,8 @@ inline constexpr auto kEnds = std::to_array<CodeWord>({
     {"X", place, "end point"},
     {"Y", place, "end point"},
     {"Z", place, "end point"},
-    {"A", place, "end point, degrees"},
-    {"C", place, "end point, degrees"},
+    {"A", place, "end point, degrees", Life::block, "rotary"},
+    {"C", place, "end point, degrees", Life::block, "rotary"},
 });
 inline constexpr auto kArc = std::to_array<CodeWord>({
     {"I", centre, "centre along X, from the start or under G90.1 absolute"},
@@ -62,8 +62,8 @@ inline constexpr auto kDwell = std::to_array<CodeWord>({
     {"P", time, "dwell, s"},
 });
 inline constexpr auto kBlending = std::to_array<CodeWord>({
-    {"P", size, "tolerance of the path"},
-    {"Q", size, "tolerance of joined lines"},
+    {"P", size, "tolerance of the path", Life::block, "linuxcnc"},
+    {"Q", size, "tolerance of joined lines", Life::block, "linuxcnc"},
 });
 inline constexpr auto kSwitch = std::to_array<CodeWord>({
     {"P", number, "switch or output"},
@@ -86,8 +86,8 @@ inline constexpr auto kOrigin = std::to_array<CodeWord>({
     {"X", number, "coordinate, or way of an origin"},
     {"Y", number, "coordinate, or way of an origin"},
     {"Z", number, "coordinate, or way of an origin"},
-    {"A", number, "coordinate, or way of an origin, degrees"},
-    {"C", number, "coordinate, or way of an origin, degrees"},
+    {"A", number, "coordinate, or way of an origin, degrees", Life::block, "rotary"},
+    {"C", number, "coordinate, or way of an origin, degrees", Life::block, "rotary"},
 });
 inline constexpr auto kSystem = std::to_array<CodeWord>({
     {"L", number, "2: the origin; 20: the coordinates of the position"},
@@ -159,7 +159,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     outside("G5.2", Group::motion, "spline of control points"),
     outside("G5.3", Group::motion, "end of the spline"),
     outside("G7", Group::diameter, "diameter programming"),
-    no_effect("G8", Group::diameter, "radius programming").initial(),
+    no_effect("G8", Group::diameter, "radius programming").needing("linuxcnc").initial(),
     does(Kind::rename, Group::once, "NGC-OFS-03"_clause, "offsets", {kOrigin, kSystem})
         .named("G10", "setting of a coordinate system"),
     sets("G17", Group::plane, Setting::plane_xy, "plane XY"),
@@ -210,7 +210,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     kSystemOf.named("G59.2", "coordinate system 8"),
     kSystemOf.named("G59.3", "coordinate system 9"),
     no_effect("G61", Group::path_mode, "exact path"),
-    no_effect("G61.1", Group::path_mode, "exact stop"),
+    no_effect("G61.1", Group::path_mode, "exact stop").needing("linuxcnc"),
     no_effect("G64", Group::path_mode, "continuous path").with({kBlending}),
     outside("G70", Group::motion, "lathe finishing"),
     outside("G71", Group::motion, "lathe roughing along Z"),
@@ -251,7 +251,7 @@ inline constexpr auto kCodes = std::to_array<Code>({
     no_effect("G94", Group::feed_mode, "feed per minute").initial(),
     outside("G95", Group::feed_mode, "feed per revolution"),
     outside("G96", Group::speed, "constant surface speed"),
-    no_effect("G97", Group::speed, "constant spindle speed").initial(),
+    no_effect("G97", Group::speed, "constant spindle speed").needing("linuxcnc").initial(),
     sets("G98", Group::retract, Setting::none, "return to the initial level"),
     sets("G99", Group::retract, Setting::none, "return to the R level"),
     m_function("M0", Kind::stop, Group::program, "stop"),
@@ -268,21 +268,32 @@ inline constexpr auto kCodes = std::to_array<Code>({
     m_function("M30", Kind::program_end, Group::program, "end of the program"),
     m_function("M48", Kind::machine, Group::override_switches, "overrides on"),
     m_function("M49", Kind::machine, Group::override_switches, "overrides off"),
-    m_function("M50", Kind::machine, Group::override_switches, "feed override", {kSwitch}),
-    m_function("M51", Kind::machine, Group::override_switches, "spindle override", {kSwitch}),
-    m_function("M52", Kind::machine, Group::override_switches, "adaptive feed", {kSwitch}),
-    m_function("M53", Kind::machine, Group::override_switches, "feed stop", {kSwitch}),
+    m_function("M50", Kind::machine, Group::override_switches, "feed override", {kSwitch})
+        .needing("linuxcnc"),
+    m_function("M51", Kind::machine, Group::override_switches, "spindle override", {kSwitch})
+        .needing("linuxcnc"),
+    m_function("M52", Kind::machine, Group::override_switches, "adaptive feed", {kSwitch})
+        .needing("linuxcnc"),
+    m_function("M53", Kind::machine, Group::override_switches, "feed stop", {kSwitch})
+        .needing("linuxcnc"),
     m_function("M60", Kind::stop, Group::program, "stop for a pallet change"),
-    m_function("M61", Kind::machine, Group::tool, "number of the tool", {kToolNumber}),
-    m_function("M62", Kind::machine, Group::signals, "output on, with motion", {kSwitch}),
-    m_function("M63", Kind::machine, Group::signals, "output off, with motion", {kSwitch}),
-    m_function("M64", Kind::machine, Group::signals, "output on", {kSwitch}),
-    m_function("M65", Kind::machine, Group::signals, "output off", {kSwitch}),
-    m_function("M66", Kind::machine, Group::signals, "wait for an input", {kInput}),
-    m_function("M67", Kind::machine, Group::signals, "analogue output, with motion", {kAnalogue}),
-    m_function("M68", Kind::machine, Group::signals, "analogue output", {kAnalogue}),
-    m_function("M70", Kind::machine, Group::saved_modes, "modes saved"),
-    m_function("M71", Kind::machine, Group::saved_modes, "saved modes forgotten"),
+    m_function("M61", Kind::machine, Group::tool, "number of the tool", {kToolNumber})
+        .needing("linuxcnc"),
+    m_function("M62", Kind::machine, Group::signals, "output on, with motion", {kSwitch})
+        .needing("linuxcnc"),
+    m_function("M63", Kind::machine, Group::signals, "output off, with motion", {kSwitch})
+        .needing("linuxcnc"),
+    m_function("M64", Kind::machine, Group::signals, "output on", {kSwitch}).needing("linuxcnc"),
+    m_function("M65", Kind::machine, Group::signals, "output off", {kSwitch}).needing("linuxcnc"),
+    m_function("M66", Kind::machine, Group::signals, "wait for an input", {kInput})
+        .needing("linuxcnc"),
+    m_function("M67", Kind::machine, Group::signals, "analogue output, with motion", {kAnalogue})
+        .needing("linuxcnc"),
+    m_function("M68", Kind::machine, Group::signals, "analogue output", {kAnalogue})
+        .needing("linuxcnc"),
+    m_function("M70", Kind::machine, Group::saved_modes, "modes saved").needing("linuxcnc"),
+    m_function("M71", Kind::machine, Group::saved_modes, "saved modes forgotten")
+        .needing("linuxcnc"),
     outside("M72", Group::saved_modes, "modes restored"),
     outside("M73", Group::saved_modes, "modes saved, and restored after the subroutine"),
     outside("M98", Group::program, "call of a subprogram"),
@@ -321,6 +332,9 @@ inline constexpr auto kFeatures = std::to_array<DialectFeature>({
     {"offsets", "work offsets, G92, tool lengths, reference points and machine coordinates"},
     {"parameters", "parameters, their settings, expressions and functions", true},
     {"o-words", "subroutines, conditions and loops of the program's own", true},
+    {"rotary", "the rotary axes A and C"},
+    {"linuxcnc",
+     "what only LinuxCNC has: G8, G61.1, G97, G64 P Q, M50 to M53, M61 to M71, `;`, (abort,"},
     {"lines", "the form of lines, words that nothing uses, and the end of a program, as documented",
      true},
 });

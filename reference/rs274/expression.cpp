@@ -57,6 +57,7 @@ std::optional<std::int64_t> Calculator::number_of_parameter(const Number& value,
   fail(AlarmClass::value_out_of_range, clause, where,
        with_values("The number of a parameter is from 1 to {}, and not {}.",
                    {kLastParameter, nearest}));
+  if (nearest <= 0) alarm->also.add(AlarmClass::value_sign);
   return std::nullopt;
 }
 

@@ -13,6 +13,7 @@
 #include "reference/rs274/m_functions.hpp"
 #include "reference/rs274/machine.hpp"
 #include "reference/rs274/o_words.hpp"
+#include "reference/rs274/other_classes.hpp"
 #include "reference/rs274/program_text.hpp"
 #include "reference/rs274/unused_words.hpp"
 
@@ -36,6 +37,7 @@ class Interpreter : public BlockInterpreter {
   void stand_at(const Position& position) override;
 
  private:
+  void run_line(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   bool calculate(std::uint64_t line, const grammar::Block& block, BlockOutput& out);
   void run_words(std::uint64_t line, const grammar::Block& block, const WordValues* values,
                  BlockOutput& out);
@@ -229,12 +231,17 @@ void Interpreter::run_motion(BlockContext& block) const {
   }
 }
 
-void Interpreter::run_block(BlockContext& block) const {
+// Rules that ask for no other word but one like it.
+void check_each_word(const BlockWords& words, const ReadingsInUse& readings,
+                     std::vector<Alarm>& alarms) {
   const ClauseId clause = "NGC-COM-01"_clause;
-  check_repeated_addresses(block.words, clause, block.out.alarms, "GM");
-  check_m_groups(block.words.block(), block.readings, block.out.alarms);
-  check_feed_sign(block.words, clause, block.out.alarms);
-  check_spindle_and_tool(block.words, block.readings, block.out.alarms);
+  check_repeated_addresses(words, clause, alarms, "GM");
+  check_m_groups(words.block(), readings, alarms);
+  check_feed_sign(words, clause, alarms);
+  check_spindle_and_tool(words, readings, alarms);
+}
+
+void Interpreter::run_block(BlockContext& block) const {
   check_unused_words(block);
   check_once(block);
   take_offsets(block);
@@ -263,6 +270,13 @@ bool Interpreter::calculate(std::uint64_t line, const grammar::Block& block, Blo
 }
 
 void Interpreter::run(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
+  run_line(line, block, out);
+  if (out.alarms.empty()) return;
+  const bool is_calculated = !block.terms.empty() && !block.control;
+  admit_other_classes(is_calculated ? calculated_.block() : block, out.alarms);
+}
+
+void Interpreter::run_line(std::uint64_t line, const grammar::Block& block, BlockOutput& out) {
   text_.take(block, out);
   // NGC-OWD-10
   if (o_words_.is_beyond() || (block.tape_mark && o_words_.passes_over())) {
@@ -314,15 +328,14 @@ void Interpreter::run_words(std::uint64_t line, const grammar::Block& block,
     out.alarms.erase(out.alarms.begin(), out.alarms.end() - 1);
     return;
   }
-  if (has_undefined_code) {
-    // A block with an unknown code is not checked further.
-    out.alarms = std::move(reading_.alarms);
-    std::erase_if(out.alarms,
-                  [](const Alarm& alarm) { return alarm.alarm != AlarmClass::undefined_code; });
-    return;
-  }
   out.alarms.insert(out.alarms.end(), reading_.alarms.begin(), reading_.alarms.end());
   const BlockWords words(block, machine_.modes, values);
+  check_each_word(words, readings_, out.alarms);
+  if (has_undefined_code) {
+    // What else is wrong depends on what an unknown code would be.
+    sort_by_place(out.alarms);
+    return;
+  }
   take_feed(words);
   take_spindle(block);
   take_tool(words);

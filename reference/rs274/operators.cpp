@@ -270,8 +270,10 @@ bool Calculator::apply_one(const grammar::Term& term) {
       return true;
     case TermKind::sqrt:
       if (top.sign() < 0) {
-        return fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
-                    with_values("SQRT of {}, which is below zero.", {top}));
+        fail(AlarmClass::value_out_of_range, "NGC-EXP-06"_clause, term.where,
+             with_values("SQRT of {}, which is below zero.", {top}));
+        alarm->also.add(AlarmClass::value_sign);
+        return false;
       }
       top = exact::sqrt(top);
       value.is_rounded = value.is_rounded || !is_double(top);

@@ -124,6 +124,13 @@ TEST(CheckerVerdicts, AnAlarmOfAnotherClassIsNoticed) {
   expect_differs(kAlarmCase, "feed-missing", "arc-radius", "The alarm is arc-radius");
 }
 
+TEST(CheckerVerdicts, AnAlarmOfSeveralClassesIsRightWhereOneIs) {
+  Workshop shop;
+  shop.change_trace(kAlarmCase, "feed-missing", "arc-radius feed-missing");
+  expect_said(shop, 0, "3 verdicts derived again");
+  expect_differs(kAlarmCase, "feed-missing", "arc-radius lead-missing", "The alarm is arc-radius");
+}
+
 TEST(CheckerVerdicts, AnAlarmThatIsMissingIsNoticed) {
   expect_differs(kAlarmCase, R"({"k":"alarm","b":2,"class":"feed-missing"})", "",
                  "The alarm is missing");

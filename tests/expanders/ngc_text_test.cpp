@@ -121,9 +121,10 @@ TEST(NgcSubject, DescribesItself) {
   const gonogo_text text = find("ngc")->describe();
   const auto json = nlohmann::json::parse(text.data, text.data + text.size);
   const std::vector<std::string> features = {
-      "basic", "arc",         "arc-r",       "planes",       "helix", "arc-distance", "turns",
-      "lines", "g81",         "g73",         "g83",          "g84",   "g74",          "g85",
-      "g86",   "cycle-modal", "cycle-steps", "cycle-planes", "g33",   "g33.1",        "g76"};
+      "basic", "arc",   "arc-r", "planes",      "helix",       "arc-distance",
+      "turns", "lines", "g81",   "g73",         "g83",         "g84",
+      "g74",   "g85",   "g86",   "cycle-modal", "cycle-steps", "cycle-planes",
+      "g33",   "g33.1", "g76",   "rotary",      "linuxcnc"};
   EXPECT_EQ(json["dialects"]["rs274"], features);
 }
 

@@ -33,13 +33,53 @@ TEST(ProgramFeatures, ParametersAndOWordsAreNeededWhereverTheyStand) {
   EXPECT_EQ(features_of("rs274", "G0 X[1+2]\n"), (Features{"basic", "parameters"}));
   EXPECT_EQ(features_of("rs274", "N1 O100 sub\nO100 endsub\n"), (Features{"basic", "o-words"}));
   EXPECT_EQ(features_of("rs274", "o<part> call\n"), (Features{"basic", "o-words"}));
-  EXPECT_EQ(features_of("rs274", "N1 O0007 (part #1)\nG0 X1 ; [\n"), (Features{"basic"}));
+  EXPECT_EQ(features_of("rs274", "N1 O0007 (part #1)\nG0 X1 (; [)\n"), (Features{"basic"}));
 }
 
 // NGC-COM-04: what looks like G3 is G33.1.
 TEST(ProgramFeatures, BlanksInACodeChangeNothing) {
   EXPECT_EQ(features_of("rs274", "G3  3.1 Z-5 K1\n"), (Features{"basic", "g33.1"}));
   EXPECT_EQ(features_of("rs274", "G 8 1 X 1 0 Z - 1 R2\n"), (Features{"basic", "g81"}));
+}
+
+TEST(ProgramFeatures, ARotaryAxisIsOne) {
+  EXPECT_EQ(features_of("rs274", "G0 A5\n"), (Features{"basic", "rotary"}));
+  EXPECT_EQ(features_of("rs274", "G92 C5\n"), (Features{"basic", "offsets", "rotary"}));
+  EXPECT_TRUE(features_of("rs274", "G81 X1 Z-1 R1 A5\n").contains("rotary"));
+}
+
+TEST(ProgramFeatures, WhatOnlyLinuxcncHasIsOne) {
+  const Features both = {"basic", "linuxcnc"};
+  for (const char* program : {"G97\n", "G61.1\n", "G8\n", "G64 P0.1\n", "G64 Q0.1 P0.1 G0 X1\n",
+                              "M50 P1\n", "M66 P0 L0\n", "M67 E0 Q1\n", "M61 Q1\n", "M70\n",
+                              "G0 X1 ; here\n", "(a) (Abort, stop)\n"}) {
+    EXPECT_EQ(features_of("rs274", program), both) << program;
+  }
+  for (const char* program : {"G61\n", "G64\n", "M60\n", "M48\n", "(abort)\n", "(print, x)\n"}) {
+    EXPECT_EQ(features_of("rs274", program), Features{"basic"}) << program;
+  }
+  EXPECT_EQ(features_of("gsk988ta", "G0 X1 ; here\n"), Features{"basic"});
+}
+
+std::vector<std::string> of_case(const char* dialect, const char* program,
+                                 const std::vector<std::string>& stated) {
+  return features_of_case(
+      {std::get<reference::Profile>(reference::default_profile(dialect)), program}, stated);
+}
+
+// A group states what most of its cases need.
+TEST(ProgramFeatures, ACaseHasThoseOfItsGroupThatItNeeds) {
+  using List = std::vector<std::string>;
+  EXPECT_EQ(of_case("gsk988ta", "G00 X10\nG04 P1\n", {"basic", "g94"}), List{"basic"});
+  EXPECT_EQ(of_case("gsk988ta", "G00 C90\n", {"g94"}), List{"basic"});
+  EXPECT_EQ(of_case("gsk988ta", "G94 X1 Z1 F1\n", {"g94", "g90"}), (List{"g94", "g90"}));
+  // What no word shows stays, and what any program may have is added.
+  EXPECT_EQ(of_case("rs274", "G0 A1\n", {"basic", "arc", "lines", "m"}),
+            (List{"basic", "arc", "lines", "m", "rotary"}));
+  EXPECT_EQ(of_case("rs274", "G90.1 G97\n", {"basic"}),
+            (List{"basic", "arc-distance", "linuxcnc"}));
+  // The words of an arc that nothing in force takes ask for none.
+  EXPECT_EQ(of_case("rs274", "G0 X1 R5\n", {"basic"}), List{"basic"});
 }
 
 TEST(ProgramFeatures, PIsTurnsInArcsOnly) {

@@ -246,10 +246,29 @@ TEST(AlarmMap, MapsTheSubjectsOwnTexts) {
   EXPECT_EQ(map.natives(), (std::vector<std::string>{"PS0061", "Zero-radius*"}));
 }
 
+TEST(AlarmMap, ATextMayStandForSeveralClasses) {
+  auto read = alarm_map_from_toml("[alarms]\n\"E\" = [\"value-sign\", \"value-out-of-range\"]\n");
+  const AlarmMap map(std::get<std::vector<AlarmMap::Entry>>(std::move(read)));
+  RunEnd end;
+  end.kind = RunEnd::Kind::alarm;
+  end.alarm.native = "E";
+  ASSERT_NE(map.name_class(end), nullptr);
+  EXPECT_EQ(end.alarm.alarm_class, "value-sign value-out-of-range");
+}
+
 TEST(AlarmMap, AClassThatDoesNotExistIsRefused) {
-  auto read = alarm_map_from_toml("[alarms]\n\"PS0061\" = \"sign\"\n");
-  ASSERT_TRUE(std::holds_alternative<FileFault>(read));
-  EXPECT_NE(std::get<FileFault>(read).message.find("sign"), std::string::npos);
+  for (const char* classes : {"\"sign\"", "[\"value-sign\", \"sign\"]"}) {
+    auto read = alarm_map_from_toml(std::string("[alarms]\n\"PS0061\" = ") + classes + "\n");
+    ASSERT_TRUE(std::holds_alternative<FileFault>(read)) << classes;
+    EXPECT_NE(std::get<FileFault>(read).message.find("\"sign\""), std::string::npos) << classes;
+  }
+}
+
+TEST(AlarmMap, AListHasOneClassAtLeastAndTextsOnly) {
+  for (const char* classes : {"[]", "[1]", "1"}) {
+    auto read = alarm_map_from_toml(std::string("[alarms]\n\"PS0061\" = ") + classes + "\n");
+    EXPECT_TRUE(std::holds_alternative<FileFault>(read)) << classes;
+  }
 }
 
 }  // namespace

@@ -62,6 +62,31 @@ TEST(AlarmJudge, AFaultBeforeThePlaceThatCannotBeReadIsAsGood) {
   EXPECT_EQ(kind("G1 -1", "feed-missing"), VerdictKind::fail_alarm_class);
 }
 
+// J-ALM-04. The departure tells clause, word and sentence of one alarm.
+TEST(AlarmJudge, TakesEitherClassOfARuleOfRs274ThatHasTwo) {
+  constexpr std::string_view kNoHoles = "F100\nG81 X1 Z-1 R1 L0\nM2\n";
+  const auto verdict = [&](const char* classes) {
+    return judge_trace(kNoHoles, alarm(2, classes), {.dialect = "rs274"});
+  };
+  EXPECT_EQ(verdict("value-out-of-range").kind, VerdictKind::pass_exact);
+  EXPECT_EQ(verdict("value-sign").kind, VerdictKind::pass_exact);
+  const Verdict other = verdict("missing-word");
+  EXPECT_EQ(other.kind, VerdictKind::fail_alarm_class);
+  EXPECT_EQ(other.want, R"({"k":"alarm","b":2,"any_of":["value-out-of-range","value-sign"]})");
+  EXPECT_EQ(other.word.text(), "L");
+}
+
+TEST(AlarmJudge, AnAlarmOfSeveralClassesIsRightWhereOneIs) {
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "unused-word taper-limit")).kind,
+            VerdictKind::pass_exact);
+  EXPECT_EQ(judge_trace(kProgram, kRapidToStart + alarm(2, "unused-word value-sign")).kind,
+            VerdictKind::fail_alarm_class);
+  // R6: before a place that cannot be read.
+  constexpr std::string_view kUnreadable = "G0 Y2 Y2#0\nM2\n";
+  EXPECT_EQ(judge_trace(kUnreadable, alarm(1, "no-tool duplicate-word"), {.dialect = "rs274"}).kind,
+            VerdictKind::pass_exact);
+}
+
 // The block that alarms has an M function of its own, of which no text says whether it is passed
 // on.
 constexpr std::string_view kProgramWithM = "M3 S500\nG00 X130 Z5 M8\nG94 X120 Z-10 R20 F300 M9\n";

@@ -497,6 +497,7 @@ TEST(R6Alarm, ABlockThatCannotBeReadAdmitsWhatStandsBeforeThatPlace) {
   };
   EXPECT_EQ(decided(program, alarm("syntax")), kGo);
   EXPECT_EQ(decided(program, alarm("duplicate-word")), kGo);
+  EXPECT_EQ(decided(program, alarm("no-tool duplicate-word")), kGo);
   EXPECT_EQ(decided(program, alarm("missing-word")), "fail.alarm-class R6");
 }
 

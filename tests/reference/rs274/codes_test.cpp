@@ -37,8 +37,11 @@ TEST(NgcCodes, ZerosAtTheEndOfACodeAreNone) {
   EXPECT_EQ(ending_of("G10000000000000000000000.0"), "alarm b1 undefined-code");
 }
 
-TEST(NgcCodes, ABlockWithAnUndefinedCodeIsNotCheckedFurther) {
-  EXPECT_EQ(ending_of("G77 X1 X2 F-1 G2 G3 M10"), "alarm b1 undefined-code");
+// What hangs on the code is not: an arc lacks its centre, and nothing uses Q.
+TEST(NgcCodes, ABlockWithAnUndefinedCodeIsCheckedWordByWord) {
+  EXPECT_EQ(ending_of("G77 X1 X2 F-1 G2 G3 M10 Q1"),
+            "alarm b1 undefined-code duplicate-word value-sign duplicate-word undefined-code");
+  EXPECT_EQ(ending_of("G77 G2 X1 Q1"), "alarm b1 undefined-code");
 }
 
 TEST(NgcCodes, WhatIsNotCoveredGoesBeforeWhatIsWrong) {
