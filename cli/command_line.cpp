@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/exit_code.hpp"
+#include "cli/nearest_word.hpp"
 #include "cli/output.hpp"
 
 namespace gonogo::cli {
@@ -31,6 +32,17 @@ Command Command::add_hidden_command(const std::string& name, const std::string& 
   CLI::App* command = app_->add_subcommand(name, text);
   command->group("");
   return {*command, *exit_code_};
+}
+
+Command& Command::guide(const std::vector<CommandGuide>& guides) {
+  for (const auto& [name, group, examples] : guides) {
+    CLI::App* command = app_->get_subcommand(name);
+    command->group(group);
+    std::string text = "Examples:";
+    for (const std::string& example : examples) text += "\n  gonogo " + example;
+    command->footer(text);
+  }
+  return *this;
 }
 
 Command& Command::require_command() {
@@ -150,36 +162,6 @@ CommandLine::~CommandLine() = default;
 
 namespace {
 
-// How many letters have to be changed, left out or put in between two words.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
-      diagonal = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-// The known word that is nearest to one that is not known; empty: none is near.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t kNear = 3;
-  std::string best;
-  std::size_t least = std::min(kNear, word.size() / 2) + 1;
-  for (const std::string& one : known) {
-    const std::size_t here = distance(word, one);
-    if (here >= least) continue;
-    least = here;
-    best = one;
-  }
-  return best;
-}
-
 // Empty: the first word is a command, or none.
 std::string unknown_command(const CLI::App& app, const std::string& word) {
   if (word.empty() || word.front() == '-') return {};
@@ -194,8 +176,8 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
     if (!command->get_group().empty()) names.push_back(command->get_name());
   }
   const std::string near = nearest_word(word, names);
-  return "There is no command \"" + word + "\". " +
-         (near.empty() ? "" : "Did you mean " + near + "? ") + "There are " + known + ".\n";
+  return "There is no command \"" + word + "\". " + did_you_mean(near) + "There are " + known +
+         ".\n";
 }
 
 // "Did you mean --dialect?" for each option that the command does not have.

@@ -34,6 +34,13 @@ struct CommandText {
   std::vector<CommandText> commands;  // without hidden ones
 };
 
+// Where the help of the program lists a command, and what its own help shows of it.
+struct CommandGuide {
+  std::string name;
+  std::string group;
+  std::vector<std::string> examples;  // without the name of the program
+};
+
 // A command and its words. The variables given must outlive the parse; a command keeps them in what
 // it gives to `run`. Every text is the line of the help.
 class Command {
@@ -43,6 +50,8 @@ class Command {
   Command add_command(const std::string& name, const std::string& text);
   // One that the help does not name.
   Command add_hidden_command(const std::string& name, const std::string& text);
+  // Of commands that are there.
+  Command& guide(const std::vector<CommandGuide>& guides);
   // One of its own commands has to be given.
   Command& require_command();
 

@@ -82,9 +82,8 @@ void HuntBoard::tell(const hunt::Finding& finding, const std::string& folder,
   clear();
   Output output;
   output.text() =
-      fmt::format("{}. {}  {}\n{}", findings_, finding.signature.text(), id, finding_text(finding));
-  output.text() +=
-      fmt::format("  again: {}\n\n", reduce_command(folder + "/findings/" + id, words_.trial));
+      fmt::format("{}. {}  {}\n{}\n", findings_, finding.signature.text(), id,
+                  finding_text(finding, reduce_command(folder + "/findings/" + id, words_.trial)));
   output.flush();
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/arguments.hpp"
+#include "cli/command_guide.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/output.hpp"
@@ -55,6 +56,7 @@ int run_command(int argc, char** argv) {
   add_signs(program);
   add_completion(line);
   add_man(line);
+  program.guide(command_guides());
   return line.parse(argc, argv);
 }
 

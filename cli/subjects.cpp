@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/nearest_word.hpp"
 #include "cli/program_file.hpp"
 #include "expanders/registry.hpp"
 #include "oracle/capture/capture_subject.hpp"
@@ -22,20 +23,42 @@ oracle::SubjectMaker builtin_maker(const std::string& rest) {
     for (std::string_view builtin : expanders::names()) {
       known += fmt::format("{}{}", known.empty() ? "" : ", ", builtin);
     }
-    throw UsageError(
-        fmt::format("There is no built-in expander \"{}\". Write one of: {}.", name, known));
+    const std::vector<std::string> names(expanders::names().begin(), expanders::names().end());
+    throw UsageError(fmt::format("There is no built-in expander \"{}\". {}Write one of: {}.", name,
+                                 did_you_mean(nearest_word(name, names)), known));
   }
   const gonogo_subject_v1* subject = expanders::find(name, fault);
   if (subject == nullptr) {
+    std::vector<std::string> faults;
+    for (const auto& one : expanders::faults(name)) faults.emplace_back(one.name);
     throw UsageError(
-        fmt::format("The expander {} has no planted fault \"{}\". `gonogo faults "
+        fmt::format("The expander {} has no planted fault \"{}\". {}`gonogo faults "
                     "--list` names them.",
-                    name, fault));
+                    name, fault, did_you_mean(nearest_word(fault, faults))));
   }
   return [subject] { return oracle::make_interface_subject(*subject); };
 }
 
+// The shared libraries of the folder that the path is in.
+std::vector<std::string> libraries_beside(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> found;
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    if (entry.path().extension() != ".so") continue;
+    found.push_back((folder.empty() ? "." : folder) / entry.path().filename());
+  }
+  return found;
+}
+
 oracle::SubjectMaker library_maker(const std::string& path, const oracle::Limits& limits) {
+  const bool is_there = std::filesystem::exists(path);
+  const std::vector<std::string> others =
+      is_there ? std::vector<std::string>() : libraries_beside(path);
+  if (const std::string near = nearest_word(path, others); !near.empty()) {
+    throw UsageError(fmt::format("There is no library {}. Did you mean lib:{}?", path, near));
+  }
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   oracle::check_library(path, limits, program);
   return [=] { return oracle::make_library_subject(path, limits, program); };

@@ -7,13 +7,12 @@
 #include <filesystem>
 
 #include "cli/program_file.hpp"
-#include "cli/subject_files.hpp"
 #include "cli/sandbox_options.hpp"
+#include "cli/subject_files.hpp"
 #include "cli/subjects.hpp"
 #include "cli/verdict_text.hpp"
 #include "cli/version.hpp"
 #include "hunt/finding_files.hpp"
-#include "program/text.hpp"
 
 namespace gonogo::cli {
 
@@ -77,24 +76,18 @@ std::string keep_finding(const TrialWords& words, std::uint64_t seed, hunt::Tria
                              provenance);
 }
 
-std::string finding_text(const hunt::Finding& finding) {
-  std::string text = verdict_text(finding.verdict);
-  auto put_program = [&](const std::string& program) {
-    std::size_t number = 0;
-    for (const program::TextLine& line : program::lines_of(program)) {
-      std::string shown;
-      for (const program::TextWord& word : line.words) shown += word.gap + word.text;
-      text += fmt::format("  {:>4}  {}\n", ++number, shown);
-    }
-  };
+std::string finding_text(const hunt::Finding& finding, std::string next) {
+  std::string text = verdict_head(finding.verdict);
   for (const generate::GeneratedProgram& program : finding.exhibit.before) {
-    put_program(program.text);
-    text += "  before:\n";
+    text += oracle::marked_program(program.text, 0) + "  before:\n";
   }
-  put_program(finding.exhibit.program.text);
-  const std::string profile = reference::profile_json(finding.exhibit.program.profile);
-  if (profile != "{}") text += fmt::format("  profile {}\n", profile);
-  return text;
+  const generate::GeneratedProgram& program = finding.exhibit.program;
+  oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
+  facts.profile = reference::profile_json(program.profile);
+  facts.blocks = oracle::marked_program(program.text, finding.verdict.block);
+  facts.departure.clear();  // the head says it
+  facts.next = std::move(next);
+  return text + oracle::finding_text(facts, "  ");
 }
 
 }  // namespace gonogo::cli

@@ -31,6 +31,6 @@ std::string keep_finding(const TrialWords& words, std::uint64_t seed, hunt::Tria
                          const hunt::Finding& finding);
 
 // The finding for people: signature, verdict, the program line by line.
-std::string finding_text(const hunt::Finding& finding);
+std::string finding_text(const hunt::Finding& finding, std::string next);
 
 }  // namespace gonogo::cli

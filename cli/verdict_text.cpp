@@ -8,7 +8,6 @@
 #include <span>
 
 #include "cli/colour.hpp"
-#include "oracle/judge/step_text.hpp"
 #include "oracle/records/cycle_table.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/report/clauses.hpp"
@@ -35,46 +34,23 @@ std::string_view word(oracle::VerdictKind kind) {
   return "";
 }
 
-// The evidence of a verdict, each line after the indent.
-std::string evidence(const Verdict& verdict, std::string_view indent) {
-  std::string text;
-  auto put = [&](std::string_view what, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{}{:<11}{}\n", indent, what, value);
-  };
-  put("", verdict.message);
-  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
-    put("properties",
-        fmt::format("{} motions are held to properties alone", verdict.property_motions));
-  }
-  put("known", verdict.known);
-  put("rule", oracle::rule_text(name(oracle::rule_of(verdict))));
-  put("gap", std::string(name(verdict.gap)));
-  if (verdict.clause != reference::kNoClause) {
-    const reference::Clause& clause = reference::clause(verdict.clause);
-    put("clause", fmt::format("{}: {}", clause.id, clause.text));
-  }
-  if (verdict.block != 0) put("line", std::to_string(verdict.block));
-  if (verdict.record) put("record", std::to_string(*verdict.record));
-  put("want", verdict.want);
-  put("got", verdict.got);
-  if (!verdict.deviation_exact.empty()) {
-    const bool same = verdict.deviation_exact == verdict.deviation_mm;
-    put("deviation",
-        same ? verdict.deviation_mm + " mm"
-             : fmt::format("{} = {} mm", verdict.deviation_exact, verdict.deviation_mm));
-  }
-  put("witness", oracle::point_for_people(verdict.witness));
-  if (!verdict.reading.empty()) put("GO under", fmt::format("--reading {}", verdict.reading));
-  return text;
-}
-
 }  // namespace
 
-std::string verdict_text(const Verdict& verdict) {
+std::string verdict_head(const Verdict& verdict) {
   const std::string departure =
       verdict.departure ? fmt::format(", {} if a text stated it", name(*verdict.departure)) : "";
-  return fmt::format("{}: {}{}\n{}", word(verdict.kind), name(verdict.kind), departure,
-                     evidence(verdict, "  "));
+  return fmt::format("{}: {}{}\n", word(verdict.kind), name(verdict.kind), departure);
+}
+
+std::string verdict_text(const Verdict& verdict, oracle::FindingFacts facts) {
+  std::string properties;
+  if (verdict.property_motions > 0 && decision(verdict.kind) == Decision::go) {
+    properties = fmt::format("  properties {} motions are held to properties alone\n",
+                             verdict.property_motions);
+  }
+  if (decision(verdict.kind) == Decision::go) facts.next.clear();
+  facts.departure.clear();  // the head says it
+  return verdict_head(verdict) + properties + finding_text(facts, "  ");
 }
 
 std::string answer_text(const relation::Answer& answer) {
@@ -157,34 +133,12 @@ std::string finding_head(const oracle::Finding& finding) {
   return finding.line();
 }
 
-std::string indented(const std::string& text, std::string_view indent) {
-  std::string out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin) + 1;
-    out += indent;
-    out += text.substr(begin, end - begin);
-    begin = end;
-  }
-  return out;
-}
-
-// Program, machine and the two steps of the smallest case, before its evidence.
-std::string case_text(const oracle::CaseResult& smallest) {
-  std::string text =
-      indented(oracle::marked_blocks(smallest.program, smallest.verdict.block), "  ");
-  const std::string machine = oracle::other_machine(smallest.profile);
-  if (!machine.empty()) text += fmt::format("  {:<11}{}\n", "machine", machine);
-  const std::string steps = oracle::want_and_got(smallest.verdict.want, smallest.verdict.got);
-  if (!steps.empty()) text += fmt::format("  {}\n", steps);
-  return text;
-}
-
-std::string finding_text(const oracle::Finding& finding, const oracle::CaseResult* smallest,
+std::string told_finding(const oracle::Finding& finding, const oracle::FindingFacts* smallest,
                          bool colour) {
   std::string text = in_tone(finding_head(finding), Tone::strong, colour) + "\n";
-  if (smallest != nullptr) text += case_text(*smallest) + evidence(smallest->verdict, "  ");
+  if (smallest != nullptr) text += oracle::finding_text(*smallest, "  ");
   if (finding.cases == 1) return text + "\n";
-  text += fmt::format("  {:<11}{}\n", "cases of", cycles_text(finding));
+  text += fmt::format("  {:<10} {}\n", "cases of", cycles_text(finding));
   std::vector<std::string> others;
   for (const std::string& id : finding.first) {
     if (id != finding.smallest.id && others.size() < kShownIds) others.push_back(id);
@@ -208,7 +162,7 @@ std::string findings_text(const CampaignSummary& summary, bool colour) {
       continue;
     }
     const auto smallest = summary.smallest.find(finding->number);
-    text += finding_text(*finding, smallest == summary.smallest.end() ? nullptr : &smallest->second,
+    text += told_finding(*finding, smallest == summary.smallest.end() ? nullptr : &smallest->second,
                          colour);
   }
   if (shown > kShownFindings) text += "\n";

@@ -6,14 +6,17 @@
 
 #include "cli/exit_code.hpp"
 #include "oracle/campaign/results.hpp"
+#include "oracle/evidence/case_row.hpp"
 #include "oracle/records/finding.hpp"
 #include "oracle/records/verdict.hpp"
 #include "oracle/relation/definition.hpp"
 
 namespace gonogo::cli {
 
-// A verdict for people, some lines.
-std::string verdict_text(const oracle::Verdict& verdict);
+// "NO-GO: fail.geometry" as a line.
+std::string verdict_head(const oracle::Verdict& verdict);
+// The same with what is told of it below; `facts` are those of the verdict and of its program.
+std::string verdict_text(const oracle::Verdict& verdict, oracle::FindingFacts facts);
 // The same of what the definition says.
 std::string answer_text(const relation::Answer& answer);
 // What the program ends with where it judged one program.
@@ -24,11 +27,11 @@ struct CampaignSummary {
   oracle::RunAnswer answer;
   oracle::ResultsFooter footer;
   oracle::Findings findings;
-  std::map<std::size_t, oracle::CaseResult> smallest;  // case of a finding, by its number
-  std::size_t causes_asked = 0;                        // findings of which a cause was looked for
-  std::size_t run_again = 0;                           // cases that took more than two runs
-  std::size_t further_runs = 0;                        // that they took beside two
-  bool complete = true;                                // not stopped at the first NO-GO
+  std::map<std::size_t, oracle::evidence::CaseRow> smallest;  // case of a finding, by its number
+  std::size_t causes_asked = 0;  // findings of which a cause was looked for
+  std::size_t run_again = 0;     // cases that took more than two runs
+  std::size_t further_runs = 0;  // that they took beside two
+  bool complete = true;          // not stopped at the first NO-GO
 };
 // Findings that are shown with their evidence; of the others a line each.
 inline constexpr std::size_t kShownFindings = 10;

@@ -8,6 +8,7 @@
 
 #include "hunt/finding_files.hpp"
 #include "oracle/corpus/files.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/records/output_file.hpp"
 #include "oracle/report/case_paths.hpp"
 #include "oracle/report/clauses.hpp"
@@ -53,9 +54,9 @@ std::string totals(const HuntSummary& summary) {
   const HuntCount& count = summary.count;
   std::string cells = total("programs", std::to_string(count.programs));
   if (summary.seconds > 0) {
-    cells += total("programs a second of a shard",
-                   fmt::format("{:.0f}", static_cast<double>(summary.timed_programs) /
-                                             summary.seconds));
+    cells +=
+        total("programs a second of a shard",
+              fmt::format("{:.0f}", static_cast<double>(summary.timed_programs) / summary.seconds));
   }
   cells += total("judged with motion", std::to_string(count.moved));
   cells += total("judged", std::to_string(count.judged));
@@ -81,7 +82,8 @@ std::string features(const HuntSummary& summary) {
         "<td class=\"number\">{}</td></tr>\n",
         markup_text(feature), count.judged, count.no_go, count.skipped);
   }
-  std::string text = table("feature-table", heads({"feature", "judged", "not GO", "skipped"}), rows);
+  std::string text =
+      table("feature-table", heads({"feature", "judged", "not GO", "skipped"}), rows);
   for (const std::string& left_out : summary.left_out) {
     text += fmt::format("<p class=\"note\">The subject skips programs with: {}.</p>\n",
                         markup_text(left_out));
@@ -89,7 +91,8 @@ std::string features(const HuntSummary& summary) {
   return text;
 }
 
-std::string seen(std::size_t round, const std::optional<std::chrono::system_clock::time_point>& at) {
+std::string seen(std::size_t round,
+                 const std::optional<std::chrono::system_clock::time_point>& at) {
   return fmt::format("round {}{}", round, at ? "<br>" + date_text(*at) : std::string());
 }
 
@@ -98,7 +101,8 @@ std::string faces_table(const CampaignFinding& finding, std::size_t number) {
   for (const Face& face : finding.faces) {
     rows += fmt::format(
         "<tr><td>{}{}</td><td class=\"number\">{}</td><td class=\"dates\">{}</td>"
-        "<td class=\"dates\">{}</td><td><a class=\"mono\" href=\"{}/verdict.txt\">{}</a></td></tr>\n",
+        "<td class=\"dates\">{}</td><td><a class=\"mono\" "
+        "href=\"{}/verdict.txt\">{}</a></td></tr>\n",
         markup_text(face.signature.text()),
         face.stands ? "" : " <span class=\"badge go\">mended</span>", face.programs,
         seen(face.first, face.first_seen), seen(face.last, face.last_seen),
@@ -153,16 +157,16 @@ std::string example(const std::string& folder, const Face& face, const std::stri
     const Exhibit exhibit = read_exhibit(place.string(), dialect);
     std::string text = program_lines(exhibit.program.text);
     if (!exhibit.before.empty()) {
-      text += fmt::format("<p class=\"note\">after {} programs before it</p>\n",
-                          exhibit.before.size());
+      text +=
+          fmt::format("<p class=\"note\">after {} programs before it</p>\n", exhibit.before.size());
     }
-    const std::string machine = reference::profile_json(exhibit.program.profile);
-    if (machine != "{}") {
-      text += fmt::format("<p class=\"note\">machine: <code>{}</code></p>\n", markup_text(machine));
+    const std::string machine =
+        oracle::other_machine(reference::profile_json(exhibit.program.profile));
+    if (!machine.empty()) {
+      text += fmt::format("<p class=\"note\">machine: {}</p>\n", markup_text(machine));
     }
-    text += fmt::format(
-        "<details><summary>What the judge says</summary>{}</details>\n",
-        program_lines(oracle::file_text((place / "verdict.txt").string())));
+    text += fmt::format("<details><summary>What the judge says</summary>{}</details>\n",
+                        program_lines(oracle::file_text((place / "verdict.txt").string())));
     return text + figure_of(exhibit.program, trace_in(place / "trace.jsonl"));
   } catch (const std::exception& error) {
     return fmt::format("<p class=\"note\">{}</p>\n", markup_text(error.what()));

@@ -25,25 +25,11 @@ namespace fs = std::filesystem;
 constexpr std::string_view kCycle = "hunt";
 
 std::string verdict_text(const Finding& finding, const oracle::Case& test) {
-  const oracle::Verdict& verdict = finding.verdict;
-  std::string text =
-      fmt::format("{}: {}\n{}\n", test.id, finding.signature.text(), verdict.message);
-  auto put = [&](std::string_view what, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{:<11}{}\n", what, value);
-  };
-  text += oracle::marked_blocks(test.program, verdict.block);
-  put("machine", oracle::other_machine(reference::profile_json(test.profile)));
-  put("", oracle::want_and_got(verdict.want, verdict.got));
-  put("clause", finding.signature.clause);
-  if (verdict.block != 0) put("line", std::to_string(verdict.block));
-  if (verdict.record) put("record", std::to_string(*verdict.record));
-  put("want", verdict.want);
-  put("got", verdict.got);
-  put("deviation", verdict.deviation_exact);
-  put("witness", oracle::point_for_people(verdict.witness));
-  put("GO under", verdict.reading);
-  put("from", test.provenance);
-  return text;
+  oracle::FindingFacts facts = oracle::finding_facts(finding.verdict);
+  facts.profile = reference::profile_json(test.profile);
+  facts.blocks = oracle::marked_blocks(test.program, finding.verdict.block);
+  return fmt::format("{}: {}\n{}{:<10} {}\n", test.id, finding.signature.text(),
+                     oracle::finding_text(facts, ""), "from", test.provenance);
 }
 
 std::string trace_of(const JudgedRun& judged) {

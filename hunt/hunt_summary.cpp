@@ -88,12 +88,14 @@ std::string group_of(const Face& face, const Causes& causes) {
 void sort_findings(HuntSummary& summary) {
   for (CampaignFinding& finding : summary.findings) {
     std::ranges::sort(finding.faces, {}, [](const Face& face) {
-      return std::tuple(!face.stands, SIZE_MAX - face.programs, face.signature.text());
+      return std::tuple(!face.stands, oracle::gravity(face.signature.kind),
+                        SIZE_MAX - face.programs, face.signature.text());
     });
   }
   std::ranges::sort(summary.findings, {}, [](const CampaignFinding& finding) {
-    return std::tuple(!finding.stands(), SIZE_MAX - finding.programs(),
-                      finding.faces.front().signature.text());
+    const Signature& gravest = finding.faces.front().signature;
+    return std::tuple(!finding.stands(), oracle::gravity(gravest.kind),
+                      SIZE_MAX - finding.programs(), gravest.text());
   });
 }
 

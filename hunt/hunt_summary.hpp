@@ -32,7 +32,7 @@ struct CampaignFinding {
   // The one mistake that explains every face, a sentence without its full stop. Empty: none that
   // was tried does, and the faces are of one clause and one shape of departure.
   std::string cause;
-  std::vector<Face> faces;  // that which most programs showed first
+  std::vector<Face> faces;  // by gravity, then that which most programs showed
 
   bool stands() const;
   std::size_t programs() const;  // a program counts for each face
@@ -51,7 +51,7 @@ struct HuntSummary {
   std::size_t timed_programs = 0;                              // of those rounds
   std::optional<std::chrono::system_clock::time_point> begun;  // end of the first round
   std::optional<std::chrono::system_clock::time_point> ended;
-  std::vector<CampaignFinding> findings;  // those that stand first, then by programs
+  std::vector<CampaignFinding> findings;  // those that stand first, by gravity, then by programs
 
   std::size_t faces() const;
   std::size_t standing() const;  // findings

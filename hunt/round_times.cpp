@@ -68,14 +68,4 @@ std::vector<RoundTime> read_round_times(const std::string& folder) {
   return times;
 }
 
-std::string date_text(std::chrono::system_clock::time_point time) {
-  using std::chrono::floor;
-  const auto day = floor<std::chrono::days>(time);
-  const std::chrono::year_month_day date(day);
-  const std::chrono::hh_mm_ss clock(floor<std::chrono::minutes>(time - day));
-  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                     clock.hours().count(), clock.minutes().count());
-}
-
 }  // namespace gonogo::hunt

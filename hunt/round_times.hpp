@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "oracle/records/text.hpp"
+
 namespace gonogo::hunt {
 
 struct RoundTime {
@@ -25,7 +27,6 @@ void append_round_time(const std::string& folder, const RoundTime& time);
 // end says nothing. Empty without the file.
 std::vector<RoundTime> read_round_times(const std::string& folder);
 
-// "2026-03-14 22:41 UTC"
-std::string date_text(std::chrono::system_clock::time_point time);
+using oracle::date_text;
 
 }  // namespace gonogo::hunt

@@ -266,6 +266,9 @@ ProfileResult guarded(Read read, std::string_view unnamed) {
     const auto& at = error.source().begin;
     return ProfileError{"", fmt::format("The profile is no TOML: line {}, column {}: {}.", at.line,
                                         at.column, error.description())};
+  } catch (const Json::parse_error& error) {
+    return ProfileError{
+        "", fmt::format("The profile is no JSON: it cannot be read from byte {} on.", error.byte)};
   } catch (const Json::exception& error) {
     return ProfileError{"", fmt::format("The profile is no JSON: {}.", error.what())};
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -20,6 +21,7 @@
 #include "cli/first_subject.hpp"
 #include "cli/gauge.hpp"
 #include "cli/known_failures_file.hpp"
+#include "cli/nearest_word.hpp"
 #include "cli/options.hpp"
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -39,6 +41,7 @@
 #include "oracle/capture/capture_tally.hpp"
 #include "oracle/corpus/sha256.hpp"
 #include "oracle/report/clauses.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 #include "reference/dialect.hpp"
 #include "reference/reading.hpp"
@@ -239,10 +242,32 @@ CampaignSummary close_results(const oracle::CampaignOptions& campaign,
           summary.further_runs += facts.head.attempts - kConfirming;
         }
         if (finding != nullptr && summary.findings.is_smallest()) {
-          summary.smallest[finding->number] = oracle::result_of_line(line);
+          summary.smallest[finding->number] =
+              oracle::evidence::case_row(nlohmann::ordered_json::parse(line));
         }
       });
   return summary;
+}
+
+// What the corpus says of the smallest cases, and the command that runs each again.
+void describe_smallest(const oracle::Corpus& corpus, const oracle::ResultsHeader& header,
+                       CampaignSummary& summary) {
+  const std::string command =
+      oracle::report::command_for_case(nlohmann::ordered_json::parse(header_line(header)));
+  std::map<std::string, oracle::evidence::CaseRow*> wanted;
+  for (auto& [number, row] : summary.smallest) {
+    row.next = command + again_words(row);
+    wanted[row.id] = &row;
+  }
+  oracle::CaseReader reader(corpus, oracle::Detail::to_run);
+  while (!wanted.empty()) {
+    const auto test = reader.next();
+    if (!test) break;
+    const auto found = wanted.find(test->id);
+    if (found == wanted.end()) continue;
+    found->second->comment = test->comment;
+    wanted.erase(found);
+  }
 }
 
 // What recorded output says beside its verdicts.
@@ -317,11 +342,28 @@ void check_vectors(const CertifyOptions& options) {
   }
 }
 
+// A name of a cycle that is none selects nothing, and says so before anything runs.
+void check_cycles(const CertifyOptions& options, const oracle::Corpus& corpus) {
+  if (options.cycles.empty()) return;
+  std::set<std::string> known;
+  corpus.for_each([&](const oracle::Case& test) {
+    known.insert(test.cycle);
+    return true;
+  });
+  for (const std::string& cycle : options.cycles) {
+    if (known.contains(cycle)) continue;
+    throw UsageError(fmt::format("The corpus has no cycle {}. {}`gonogo corpus cycles` names them.",
+                                 cycle,
+                                 did_you_mean(nearest_word(cycle, {known.begin(), known.end()}))));
+  }
+}
+
 int certify_one(CertifyOptions options, const std::string& subject, const std::string& report) {
   // A pass is proven by its trace alone.
   if (!options.certificate.empty() && options.traces.empty()) options.traces = report + "/traces";
   oracle::CampaignOptions campaign = campaign_options(options);
   const oracle::Corpus corpus(corpus_folder(options.corpus));
+  check_cycles(options, corpus);
   campaign.limits = sandboxed(std::move(campaign.limits), options.limits.sandbox, subject,
                               {corpus.folder(), report, options.traces, options.certificate});
   oracle::SubjectMaker make = subject_maker(subject, campaign.limits);
@@ -341,12 +383,13 @@ int certify_one(CertifyOptions options, const std::string& subject, const std::s
   oracle::CaptureTally captured;
   std::optional<oracle::ResultsWriter> results;  // holds the folder to the end
   try {
-    open_results(options, results_path, results_header(options, subject, corpus, campaign, info),
-                 results);
+    const oracle::ResultsHeader header = results_header(options, subject, corpus, campaign, info);
+    open_results(options, results_path, header, results);
     need_selected(corpus, campaign, *results);
     const oracle::CampaignEnd end = run_cases(corpus, campaign, maker, subject, *results);
     summary = close_results(campaign, end, *results, info.recorded ? &captured : nullptr,
                             known ? &*known : nullptr);
+    describe_smallest(corpus, header, summary);
     name_causes(options, corpus, campaign, maker, subject, report, summary);
   } catch (const oracle::CorpusError& error) {
     throw UsageError(error.what());

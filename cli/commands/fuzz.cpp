@@ -76,8 +76,8 @@ int tell_finding(const HuntWords& words, hunt::Trial& trial, hunt::Finding& find
       keep_finding(words.trial, static_cast<std::uint64_t>(words.seed), trial, finding);
   const std::string folder = fmt::format("{}/findings/{}", words.trial.out, id);
   Output output;
-  output.text() = fmt::format("{}  {}\n{}  again: {}\n", finding.signature.text(), folder,
-                              finding_text(finding), reduce_command(folder, words.trial));
+  output.text() = fmt::format("{}  {}\n{}", finding.signature.text(), folder,
+                              finding_text(finding, reduce_command(folder, words.trial)));
   output.flush();
   const bool is_ours = finding.verdict.kind == oracle::VerdictKind::oracle_error;
   return is_ours ? kUndecided : kNoGo;

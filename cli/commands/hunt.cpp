@@ -84,8 +84,7 @@ void take(const HuntWords& words, const HuntBefore& before, hunt::Hunt& hunt,
   Output output;
   output.text() = fmt::format("{}. {}{}\n", tally.findings(), finding.signature.text(),
                               id.empty() ? "" : "  " + id);
-  output.text() += finding_text(finding);
-  output.text() += fmt::format("  again: {}\n\n", again(words, finding, id));
+  output.text() += finding_text(finding, again(words, finding, id)) + "\n";
   output.flush();
 }
 

@@ -18,6 +18,7 @@
 #include "hunt/trial.hpp"
 #include "oracle/judge/judge_session.hpp"
 #include "oracle/relation/definition.hpp"
+#include "oracle/report/command.hpp"
 
 namespace gonogo::cli {
 namespace {
@@ -130,11 +131,35 @@ int judge_by_definition(const JudgeOptions& options, const reference::Profile& p
   const relation::Answer answer = relation::decide(profile, text_of(program), terms,
                                                    {records, alarms ? &seen.end.alarm : nullptr});
   Output output;
-  output.text() = answer_text(answer);
+  output.text() = answer_text(answer) + not_compared_text(seen.features);
   output.flush();
   oracle::Verdict verdict;
   verdict.kind = answer.kind;
   return exit_code_of(verdict);
+}
+
+// The command that shows where the motions of the block come from.
+std::string explaining(const JudgeOptions& options, const std::string& dialect,
+                       std::uint64_t block) {
+  using oracle::report::shell_word;
+  if (options.program == "-") return {};
+  std::string command = fmt::format("{} explain {} --dialect {}", oracle::report::program_word(),
+                                    shell_word(options.program), dialect);
+  if (!options.profile.file.empty()) command += " --profile " + shell_word(options.profile.file);
+  for (const std::string& reading : options.profile.readings) {
+    command += " --reading " + shell_word(reading);
+  }
+  return block == 0 ? command : fmt::format("{} --block {}", command, block);
+}
+
+std::string told(const JudgeOptions& options, const reference::Profile& profile,
+                 const oracle::ProgramText& program, const oracle::Verdict& verdict) {
+  oracle::FindingFacts facts = oracle::finding_facts(verdict);
+  facts.profile = reference::profile_json(profile);
+  const std::uint64_t line = facts.block.value_or(0);
+  facts.blocks = oracle::marked_blocks(*program.open(), line);
+  facts.next = explaining(options, profile.dialect, line);
+  return verdict_text(verdict, std::move(facts));
 }
 
 // The subject runs the program now, and its own description says what is compared.
@@ -146,13 +171,14 @@ int judge_subject(const JudgeOptions& options, const reference::Profile& profile
   terms.most_records = std::numeric_limits<std::size_t>::max();
   hunt::Trial trial(trial_subject(words), std::move(terms));
   check_dialect(trial.info(), profile.dialect);
-  const hunt::JudgedRun run = trial.examine({{}, {profile, read_file(options.program)}});
+  const std::string program = read_file(options.program);
+  const hunt::JudgedRun run = trial.examine({{}, {profile, program}});
   using Kind = oracle::RunEnd::Kind;
   if (run.end.kind == Kind::skip || run.end.kind == Kind::refused) {
     throw UsageError(fmt::format("The subject does not run it: {}", run.end.message));
   }
   Output output;
-  output.text() = verdict_text(run.verdict);
+  output.text() = told(options, profile, program, run.verdict);
   output.flush();
   return exit_code_of(run.verdict);
 }
@@ -179,7 +205,9 @@ int judge(const JudgeOptions& options) {
   const oracle::SessionVerdict session = judge_trace(
       options, profile, oracle::ProgramText::of_file(program.descriptor()), trace, features);
   Output output;
-  output.text() = verdict_text(session.verdict) + not_compared_text(features);
+  output.text() =
+      told(options, profile, oracle::ProgramText::of_file(program.descriptor()), session.verdict) +
+      not_compared_text(features);
   if (options.time) output.text() += times_text(profile, program, trace);
   if (options.rounding) {
     const auto& compared = session.verdict.coordinates;

@@ -41,7 +41,8 @@ int reduce(const ReduceWords& words) {
   oracle::Verdict verdict;
   std::optional<hunt::Finding> finding = hunt::finding_of(trial, program, verdict);
   if (!finding) {
-    complain("{}There is nothing to reduce.\n", verdict_text(verdict));
+    complain("{}There is nothing to reduce.\n",
+             verdict_text(verdict, oracle::finding_facts(verdict)));
     return exit_code_of(verdict);
   }
   const hunt::GivenMachine given = given_machine(words.profile);
@@ -49,7 +50,10 @@ int reduce(const ReduceWords& words) {
                        [&](const hunt::Exhibit& exhibit) { return given.is_in(exhibit); });
   const std::string id = keep_finding(words.trial, 0, trial, *finding);
   const generate::GeneratedProgram& reduced = finding->exhibit.program;
-  complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n", verdict_text(finding->verdict),
+  oracle::FindingFacts facts = oracle::finding_facts(finding->verdict);
+  facts.blocks = oracle::marked_blocks(reduced.text, finding->verdict.block);
+  complain("{}profile    {}\n{} blocks of {}, after {} runs{}{}\n",
+           verdict_text(finding->verdict, std::move(facts)),
            reference::profile_json(reduced.profile), program::count_blocks(reduced.text),
            program::count_blocks(program.text), finding->reduce_runs,
            finding->is_reduced ? "" : "; it may become smaller still",

@@ -175,40 +175,4 @@ std::string reconciled_line(const std::string& line, VerdictKind kind,
   return dump(after);
 }
 
-CaseResult result_of_line(std::string_view line) {
-  const Json source = Json::parse(line);
-  CaseResult result;
-  result.id = text_in(source, "id");
-  result.dialect = text_in(source, "dialect");
-  result.cycle = text_in(source, "cycle");
-  Verdict& verdict = result.verdict;
-  verdict.kind = verdict_kind(text_in(source, "verdict")).value_or(VerdictKind::oracle_error);
-  verdict.property_motions = source.value("property_motions", std::size_t{0});
-  const std::string clause = text_in(source, "clause");
-  const auto clauses = reference::clauses();
-  for (std::size_t i = 0; i < clauses.size(); ++i) {
-    if (clauses[i].id == clause) verdict.clause = static_cast<reference::ClauseId>(i);
-  }
-  verdict.departure = verdict_kind(text_in(source, "departure"));
-  verdict.rule = relation_rule(text_in(source, "rule")).value_or(RelationRule::none);
-  verdict.gap = gap_reason(text_in(source, "gap")).value_or(GapReason::none);
-  verdict.reading = text_in(source, "reading");
-  verdict.block = source.value("b", std::uint64_t{0});
-  if (source.contains("record")) verdict.record = source["record"].get<std::size_t>();
-  verdict.want = text_in(source, "want");
-  verdict.got = text_in(source, "got");
-  if (source.contains("deviation")) {
-    verdict.deviation_exact = text_in(source["deviation"], "exact");
-    verdict.deviation_mm = text_in(source["deviation"], "mm");
-  }
-  if (source.contains("witness")) verdict.witness = dump(source["witness"]);
-  verdict.feature = text_in(source, "feature");
-  verdict.message = text_in(source, "message");
-  verdict.known = text_in(source, "known");
-  if (verdict.kind == VerdictKind::xfail && verdict.known.empty()) {
-    split_known_message(text_in(source, "departure"), verdict.known, verdict.message);
-  }
-  return result;
-}
-
 }  // namespace gonogo::oracle

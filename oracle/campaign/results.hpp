@@ -109,7 +109,5 @@ std::string reconciled_line(const std::string& line, VerdictKind kind,
                             const std::optional<ReadingConflict>& conflict, PassEvidence evidence);
 // The id that a case line begins with.
 std::string id_of_line(std::string_view line);
-// What a case line says of the verdict, for people: id, dialect, cycle, verdict.
-CaseResult result_of_line(std::string_view line);
 
 }  // namespace gonogo::oracle

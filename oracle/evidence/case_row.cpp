@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/evidence/case_row.hpp"
 
-#include <fmt/format.h>
-
+#include "oracle/records/point_text.hpp"
 #include "oracle/report/case_detail.hpp"
-#include "oracle/report/clauses.hpp"
 #include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -25,8 +23,10 @@ CaseRow case_row(const Json& line) {
   facts.basis = text_of(line, "basis");
   facts.reading = text_of(line, "reading");
   facts.block = report::count_of(line, "b");
+  facts.record = report::count_of(line, "record");
   facts.want = text_of(line, "want");
   facts.got = text_of(line, "got");
+  if (line.contains("witness")) facts.witness = point_for_people(line["witness"].dump());
   const Json deviation = line.value("deviation", Json::object());
   facts.deviation_exact = text_of(deviation, "exact");
   facts.deviation_mm = text_of(deviation, "mm");
@@ -39,6 +39,8 @@ CaseRow case_row(const Json& line) {
   const auto expected = line.find("expected");
   facts.expected = expected != line.end() && *expected == true;
   facts.program = report::program_bytes(line);
+  const auto line_departing = facts.block ? facts.block : line_wanted(facts.want);
+  facts.blocks = marked_blocks(facts.program.value_or(""), line_departing.value_or(0));
   if (const auto profile = line.find("profile"); profile != line.end()) {
     facts.profile = profile->dump();
   }
@@ -67,37 +69,6 @@ std::string again_words(const CaseRow& facts) {
   const std::string own = report::shell_word(facts.id);
   if (facts.against.empty()) return own;
   return own + " --case " + report::shell_word(facts.against);
-}
-
-std::string deviation_text(const CaseRow& facts) {
-  if (facts.deviation_exact.empty()) return {};
-  if (facts.deviation_exact == facts.deviation_mm) return facts.deviation_mm + " mm";
-  return fmt::format("{} mm (exactly {})", facts.deviation_mm, facts.deviation_exact);
-}
-
-std::string row_text(const CaseRow& facts) {
-  std::string text;
-  auto put = [&](std::string_view what, const std::string& value) {
-    if (!value.empty()) text += fmt::format("{:<10} {}\n", what, value);
-  };
-  if (!facts.message.empty()) text += facts.message + "\n";
-  put("known", facts.known);
-  put("would be", facts.departure);
-  put("rule", rule_text(facts.rule));
-  put("gap", facts.gap);
-  if (!facts.clause.empty()) {
-    const reference::Clause* clause = report::find_clause(facts.clause);
-    put("clause", clause == nullptr
-                      ? facts.clause
-                      : fmt::format("{}: {} ({})", facts.clause, clause->text, clause->source));
-  }
-  put("basis", facts.basis);
-  if (facts.block) put("line", std::to_string(*facts.block));
-  put("want", facts.want);
-  put("got", facts.got);
-  put("deviation", deviation_text(facts));
-  if (!facts.reading.empty()) put("GO under", "--reading " + facts.reading);
-  return text;
 }
 
 }  // namespace gonogo::oracle::evidence

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "oracle/records/case_head.hpp"
+#include "oracle/records/finding_text.hpp"
 #include "oracle/records/verdict.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -14,29 +15,15 @@ namespace gonogo::oracle::evidence {
 using Json = nlohmann::ordered_json;
 
 // A case line of a results file, for those who write it down elsewhere.
-struct CaseRow {
+struct CaseRow : FindingFacts {
   std::string id;
   std::string dialect;
   std::string cycle;
   VerdictKind kind = VerdictKind::oracle_error;
-  std::string clause;
-  std::string departure;  // of an advice or xfail: the verdict that it would be
-  std::string rule;       // of the relation, that is broken
-  std::string gap;        // of an oracle-gap: its reason
-  std::string known;      // of an xfail: the reason of its entry
-  std::string basis;      // of the expectation departed from
-  std::string reading;
-  std::optional<std::uint64_t> block;
-  std::string want;
-  std::string got;
-  std::string deviation_exact;
-  std::string deviation_mm;
-  std::string message;
   std::string against;  // of a fail.reading: the case that shows another alternative
   std::uint64_t microseconds = 0;
   bool expected = false;               // an oracle-gap that the corpus expects
   std::optional<std::string> program;  // bytes
-  std::string profile;                 // JSON, where the line has it
 
   Decision decision() const { return oracle::decision(kind); }
   std::string_view verdict() const { return name(kind); }
@@ -51,9 +38,5 @@ CaseRow case_row(const CaseHead& line);
 
 // The ids, shell words behind `--case`, that show the case again.
 std::string again_words(const CaseRow& facts);
-// Message, clause with its text, line, want, got, deviation, other reading: some lines for people.
-std::string row_text(const CaseRow& facts);
-// "0.5 mm (exactly 1/2)"; empty: none.
-std::string deviation_text(const CaseRow& facts);
 
 }  // namespace gonogo::oracle::evidence

@@ -16,6 +16,7 @@
 #include "oracle/evidence/programs.hpp"
 #include "oracle/evidence/sarif.hpp"
 #include "oracle/records/output_file.hpp"
+#include "oracle/report/command.hpp"
 #include "oracle/report/html.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -66,8 +67,9 @@ class Writers {
         sarif_(folder / "results.sarif", reader.header()),
         markdown_(reader.header()),
         programs_(folder / "programs"),
+        command_(report::command_for_case(reader.header())),
         page_(folder, reader.header()),
-        programs_of_passes_(std::move(programs)) {
+        corpus_(std::move(programs)) {
     for (const auto& [key, cause] : causes.of) summary_.set_cause(key, cause);
   }
 
@@ -105,18 +107,27 @@ class Writers {
   // A line names the profile that its case was judged under, which a run's profile or reading may
   // have made another than the corpus's.
   void add_pass(const std::string& id) {
-    const auto found = programs_of_passes_.find(id);
-    if (found == programs_of_passes_.end()) return;
+    const auto found = corpus_.find(id);
+    if (found == corpus_.end()) return;
     found->second.profile = reader_.json().value("profile", Json::object());
     has_room_for_passes_ = page_.add_pass(found->second);
   }
   void write_whole(const Json& line) {
-    const CaseRow row = case_row(line);
+    CaseRow row = case_row(line);
+    if (const auto found = corpus_.find(row.id); found != corpus_.end()) {
+      row.comment = found->second.comment;
+    }
+    row.next = command_ + again_words(row);
+    const bool is_smallest = summary_.findings().is_smallest();
+    markdown_.add(row, finding_, is_smallest);
+    if (finding_ != nullptr) row.cause = finding_->cause.text();
     junit_.add(row, finding_);
     sarif_.add(row, finding_);
-    markdown_.add(row, finding_, summary_.findings().is_smallest());
     programs_.add(row);
-    if (!is_told_by_head(row)) page_.add_detail(line, summary_.findings().is_smallest());
+    if (is_told_by_head(row)) return;
+    Json shown = line;
+    if (!row.comment.empty()) shown["comment"] = row.comment;
+    page_.add_detail(shown, is_smallest);
   }
 
   ResultsReader& reader_;
@@ -125,10 +136,11 @@ class Writers {
   SarifWriter sarif_;
   MarkdownSummary markdown_;
   ProgramFolder programs_;
+  std::string command_;  // up to the case
   report::HtmlPage page_;
   report::Summary summary_;
-  std::map<std::string, report::CorpusCase> programs_of_passes_;
-  const Finding* finding_ = nullptr;  // of the line read last
+  std::map<std::string, report::CorpusCase> corpus_;  // as far as there is room
+  const Finding* finding_ = nullptr;                  // of the line read last
   bool has_room_for_passes_ = true;
 };
 

@@ -8,7 +8,6 @@
 #include "oracle/evidence/text.hpp"
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
-#include "oracle/report/command.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
 
@@ -41,12 +40,10 @@ std::string suite_properties(const Json& header) {
 }
 
 // <failure type="fail.feed" message="...">facts</failure>
-std::string element(std::string_view tag, const CaseRow& facts, const Finding* finding,
-                    const std::string& command) {
+std::string element(std::string_view tag, const CaseRow& facts, const Finding* finding) {
   const std::string body =
-      row_text(facts) +
-      (finding == nullptr ? std::string() : "finding    " + finding->text() + "\n") +
-      "again      " + command + again_words(facts) + "\n";
+      finding_text(facts, "") +
+      (finding == nullptr ? std::string() : "finding    " + finding->text() + "\n");
   return fmt::format("<{} type=\"{}\" message=\"{}\">{}</{}>", tag, facts.verdict(),
                      xml_attribute(facts.message), markup_text(body), tag);
 }
@@ -95,9 +92,7 @@ std::string JunitWriter::Counts::attributes() const {
 }
 
 JunitWriter::JunitWriter(std::filesystem::path path, const Json& header)
-    : path_(std::move(path)),
-      command_(report::command_for_case(header)),
-      properties_(suite_properties(header)) {}
+    : path_(std::move(path)), properties_(suite_properties(header)) {}
 
 JunitWriter::~JunitWriter() {
   for (auto& [dialect, suite] : suites_) {
@@ -134,10 +129,10 @@ void JunitWriter::add(const CaseRow& facts, const Finding* finding) {
       own.out << "/>\n";
       return;
     case JunitMark::failure:
-      own.out << '>' << element("failure", facts, finding, command_);
+      own.out << '>' << element("failure", facts, finding);
       break;
     case JunitMark::error:
-      own.out << '>' << element("error", facts, finding, command_);
+      own.out << '>' << element("error", facts, finding);
       break;
     case JunitMark::skipped:
       own.out << '>' << skipped(facts);

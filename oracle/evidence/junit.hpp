@@ -56,7 +56,6 @@ class JunitWriter {
                   const std::string& properties) const;
 
   std::filesystem::path path_;
-  std::string command_;     // up to the case
   std::string properties_;  // of each suite
   std::map<std::string, Suite> suites_;
   Counts all_;

@@ -6,7 +6,6 @@
 #include "oracle/evidence/text.hpp"
 #include "oracle/records/finding_text.hpp"
 #include "oracle/report/clauses.hpp"
-#include "oracle/report/command.hpp"
 #include "oracle/report/json_value.hpp"
 
 namespace gonogo::oracle::evidence {
@@ -171,41 +170,24 @@ std::string named_cases(const Json& group) {
   return text;
 }
 
-MarkdownSummary::MarkdownSummary(const Json& header)
-    : header_(header), command_(report::command_for_case(header)) {}
+MarkdownSummary::MarkdownSummary(const Json& header) : header_(header) {}
 
 void MarkdownSummary::add(const CaseRow& facts, const Finding* finding, bool is_smallest) {
   if (finding != nullptr && is_smallest) smallest_[finding->number] = facts;
 }
 
-std::string MarkdownSummary::failure(const CaseRow& facts) const {
+std::string MarkdownSummary::failure(const CaseRow& facts) {
+  using Form = FindingPart::Form;
   std::string text;
-  if (!facts.message.empty()) text += markdown_text(facts.message) + "\n\n";
-  const std::string blocks = marked_blocks(facts.program.value_or(""), facts.block.value_or(0));
-  if (!blocks.empty()) text += markdown_fence(blocks.substr(0, blocks.size() - 1)) + "\n";
-  if (const std::string machine = other_machine(facts.profile); !machine.empty()) {
-    text += "- machine " + markdown_text(machine) + "\n";
+  for (const auto& [form, what, part] : finding_parts(facts)) {
+    const bool is_fenced = form == Form::lines || form == Form::command;
+    if (is_fenced) {
+      text += (text.empty() ? "" : "\n") + markdown_fence(part) + "\n";
+    } else {
+      text += fmt::format("- {}{}{}\n", what, what.empty() ? "" : " ", markdown_text(part));
+    }
   }
-  if (const std::string steps = want_and_got(facts.want, facts.got); !steps.empty()) {
-    text += "- " + markdown_text(steps) + "\n";
-  }
-  if (!facts.clause.empty()) {
-    const reference::Clause* clause = report::find_clause(facts.clause);
-    text += fmt::format("- clause {}{}\n", markdown_code(facts.clause),
-                        clause == nullptr ? std::string()
-                                          : ": " + markdown_text(clause->text) + " (" +
-                                                markdown_text(clause->source) + ")");
-  }
-  if (facts.block) text += fmt::format("- line {}\n", *facts.block);
-  if (!facts.want.empty()) text += "- want " + markdown_code(facts.want) + "\n";
-  if (!facts.got.empty()) text += "- got " + markdown_code(facts.got) + "\n";
-  if (const std::string off = deviation_text(facts); !off.empty()) {
-    text += "- deviation " + markdown_text(off) + "\n";
-  }
-  if (!facts.reading.empty()) {
-    text += "- GO under the reading " + markdown_code(facts.reading) + "\n";
-  }
-  return text + "\n" + markdown_fence(command_ + again_words(facts)) + "\n";
+  return text;
 }
 
 // Each finding once, the first with the evidence of their smallest case.

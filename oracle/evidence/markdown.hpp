@@ -24,10 +24,9 @@ class MarkdownSummary {
 
   std::string head(const RunState& state) const;
   std::string findings(const RunState& state) const;
-  std::string failure(const CaseRow& facts) const;
+  static std::string failure(const CaseRow& facts);
 
   Json header_;
-  std::string command_;
   std::map<std::size_t, CaseRow> smallest_;  // by the number of the finding
 };
 

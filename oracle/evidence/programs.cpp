@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/evidence/programs.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <system_error>
 
@@ -18,7 +20,8 @@ void remove_listed(const std::filesystem::path& folder) {
   std::ifstream list = open_regular(folder / kList);
   std::string name;
   while (std::getline(list, name)) {
-    if (!name.ends_with(".nc") || file_stem(name) != name) continue;
+    const bool is_ours = name.ends_with(".nc") || name.ends_with(".txt");
+    if (!is_ours || file_stem(name) != name) continue;
     std::error_code ignored;
     std::filesystem::remove(folder / name, ignored);
   }
@@ -34,9 +37,11 @@ ProgramFolder::ProgramFolder(std::filesystem::path folder) : folder_(std::move(f
 
 void ProgramFolder::add(const CaseRow& facts) {
   if (facts.decision() == Decision::go || !facts.program) return;
-  const std::string name = file_stem(facts.id) + ".nc";
-  list_ << name << '\n';
-  write_file(folder_ / name, *facts.program);
+  const std::string name = file_stem(facts.id);
+  list_ << name << ".nc\n" << name << ".txt\n";
+  write_file(folder_ / (name + ".nc"), *facts.program);
+  write_file(folder_ / (name + ".txt"),
+             fmt::format("{} {}\n{}", facts.id, facts.verdict(), finding_text(facts, "  ")));
 }
 
 void ProgramFolder::finish() {

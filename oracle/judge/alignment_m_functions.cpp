@@ -85,7 +85,8 @@ void Alignment::refute_m_function(Hypothesis from, const Record& record, std::si
   const auto waiting = steps_.waiting(steps_.at(from.step + from.joined).m_functions);
   if (waiting.empty()) {
     if (is_later) return refute_early(std::move(from), record, number);
-    return refute(std::move(from), m_function_too_many(record, number));
+    std::string due = step_text(step_of(from).what);
+    return refute(std::move(from), m_function_too_many(record, number, std::move(due)));
   }
   const DueMFunction& due = waiting.front();
   if (is_told(due, record)) {
@@ -105,7 +106,7 @@ void Alignment::refute_early(Hypothesis from, const Record& record, std::size_t 
     const ReferenceStep& due = step_of(from).what;
     OtherOrder late = late_dwell(due);
     Verdict verdict = late.shows ? m_function_for_dwell(due, record, number)
-                                 : m_function_too_early(record, number);
+                                 : m_function_too_early(record, number, step_text(due));
     return refute(
         Refutation{std::move(from), std::nullopt, {}, std::move(verdict), std::move(late)});
   }

@@ -87,13 +87,18 @@ Verdict m_function_within(const Record& due, const Record& got, std::size_t numb
                    "An M function stands within a cycle or a cut that has none there.");
 }
 
-Verdict m_function_too_early(const Record& got, std::size_t number) {
-  return m_verdict(VerdictKind::fail_order, nullptr, &got, number, std::string(kComesEarly));
+Verdict m_function_too_early(const Record& got, std::size_t number, std::string due) {
+  Verdict verdict =
+      m_verdict(VerdictKind::fail_order, nullptr, &got, number, std::string(kComesEarly));
+  verdict.want = std::move(due);
+  return verdict;
 }
 
-Verdict m_function_too_many(const Record& got, std::size_t number) {
-  return m_verdict(VerdictKind::fail_geometry, nullptr, &got, number,
-                   "An M function is passed on where none is due.");
+Verdict m_function_too_many(const Record& got, std::size_t number, std::string due) {
+  Verdict verdict = m_verdict(VerdictKind::fail_geometry, nullptr, &got, number,
+                              "An M function is passed on where none is due.");
+  verdict.want = std::move(due);
+  return verdict;
 }
 
 }  // namespace gonogo::oracle

@@ -39,7 +39,8 @@ Verdict other_m_function(const reference::Record& due, const reference::Record& 
 Verdict m_function_within(const reference::Record& due, const reference::Record& got,
                           std::size_t number);
 inline constexpr std::string_view kComesEarly = "An M function comes before it is due.";
-Verdict m_function_too_early(const reference::Record& got, std::size_t number);
-Verdict m_function_too_many(const reference::Record& got, std::size_t number);
+// With the text of what is due there.
+Verdict m_function_too_early(const reference::Record& got, std::size_t number, std::string due);
+Verdict m_function_too_many(const reference::Record& got, std::size_t number, std::string due);
 
 }  // namespace gonogo::oracle

@@ -172,13 +172,14 @@ void ProgramJudge::settle(Ending ending) {
   decide(m_functions_before_alarm(ending));
   if (ending.verdict) {
     departed_at_ = ending.item != 0 ? ending.item : reference_.at(ending.from.step).item;
+    name_line(*ending.verdict, ending.from.step);
   }
   decide(std::move(ending.verdict));
 }
 
 // R6. Those of earlier blocks must have come as motion must; of its own block no text says
 // whether any do that alarms. A control that checks at load need not pass any.
-std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) const {
+std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& ending) {
   using MFunctions = Ending::MFunctions;
   if (ending.judges == MFunctions::none) return std::nullopt;
   for (const SubjectMFunction& got : m_functions_of_alarm_) {
@@ -187,7 +188,9 @@ std::optional<Verdict> ProgramJudge::m_functions_before_alarm(const Ending& endi
         ending.judges == MFunctions::before_alarm
             ? is_of_block && names_m_function(reference_.failed_line(), got.record.m)
             : is_of_block || got.record.block > ending.block;
-    if (!is_free) return m_function_too_many(got.record, got.number);
+    if (!is_free)
+      return m_function_too_many(got.record, got.number,
+                                 step_text(reference_.at(ending.from.step).what));
   }
   if (ending.at_load) return std::nullopt;
   for (const DueMFunction& due : reference_.waiting(ending.m_functions)) {

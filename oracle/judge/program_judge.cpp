@@ -32,11 +32,20 @@ void ProgramJudge::decide_undecided(const exact::Undecided& undecided) {
   decide(undecided_verdict(undecided));
 }
 
+// For people: records without lines keep the step from having one.
+void ProgramJudge::name_line(Verdict& verdict, std::size_t number) {
+  if (verdict.block != 0 || decision(verdict.kind) != Decision::no_go || verdict.want.empty())
+    return;
+  const ReferenceSteps::Step& step = reference_.at(number);
+  if (step_text(step.what) == verdict.want) verdict.block = step.block;
+}
+
 void ProgramJudge::decide_departure() {
   if (alignment_.gap()) return decide(*alignment_.gap());
   std::size_t departed_at = 0;
   Verdict verdict = explain(alignment_.refutation(), reference_, terms_, departed_at);
   departed_at_ = departed_at;
+  name_line(verdict, alignment_.refutation().from.step);
   decide(std::move(verdict));
   if (verdict_->kind == VerdictKind::fail_geometry) {
     other_order_ = std::move(alignment_.refutation().other_order);
@@ -78,6 +87,9 @@ void ProgramJudge::decide_too_many(const Record& record) {
   verdict.block = record.block;
   verdict.record = records_ - 1;
   verdict.got = record_text(record);
+  if (!alignment_.hypotheses().empty()) {
+    verdict.want = step_text(reference_.at(alignment_.hypotheses().front().step).what);
+  }
   verdict.message = fmt::format(
       "The subject sent {} records: of those that make no progress more than ten times the records "
       "of the reference and 1,000.",

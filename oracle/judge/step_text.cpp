@@ -30,43 +30,6 @@ std::string point_text(const reference::Position& point, reference::AxisSet axes
 
 namespace {
 
-// A number of a point as `append_json` writes it; nothing of one that is too long to be read.
-std::optional<Number> number_of(const nlohmann::ordered_json& json) {
-  const auto part = [](const nlohmann::ordered_json& text) {
-    return Number::parse(text.get<std::string>());
-  };
-  if (json.is_string()) return part(json);
-  if (const auto root = json.find("root"); root != json.end()) {
-    const auto a = part(root->at(0));
-    const auto b = part(root->at(1));
-    const auto c = part(root->at(2));
-    return a && b && c ? std::optional(Number::root(*a, *b, *c)) : std::nullopt;
-  }
-  const nlohmann::ordered_json& bounds = json.at("enclosure");
-  const auto low = part(bounds.at(0));
-  const auto high = part(bounds.at(1));
-  return low && high ? std::optional(Number::between(*low, *high)) : std::nullopt;
-}
-
-}  // namespace
-
-std::string point_for_people(const std::string& point) {
-  if (point.empty()) return point;
-  std::string text;
-  bool says_more = false;
-  const auto axes = nlohmann::ordered_json::parse(point);
-  for (const auto& [axis, value] : axes.items()) {
-    const std::optional<Number> number = number_of(value);
-    if (!number) return point;
-    const std::string decimal = millimetres_text(*number);
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis, decimal);
-    says_more = says_more || !value.is_string() || value.get<std::string>() != decimal;
-  }
-  return says_more ? fmt::format("{} = {}", point, text) : point;
-}
-
-namespace {
-
 using NamedNumber = std::pair<std::string_view, const Number*>;
 
 // What pockets and threads have in common: block, plane, centre with the depth, numbers, sense.
@@ -191,16 +154,6 @@ std::string exact_text(const Number& value) {
   std::string text;
   value.append_json(text);
   if (text.size() > 2 && text.front() == '"') text = text.substr(1, text.size() - 2);
-  return text;
-}
-
-std::string millimetres_text(const Number& value) {
-  std::string text = value.decimal_text(9);
-  while (text.find('.') != std::string::npos && (text.back() == '0' || text.back() == '.')) {
-    const bool point = text.back() == '.';
-    text.pop_back();
-    if (point) break;
-  }
   return text;
 }
 

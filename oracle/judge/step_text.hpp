@@ -6,6 +6,7 @@
 #include <string>
 
 #include "oracle/judge/reference_steps.hpp"
+#include "oracle/records/point_text.hpp"
 #include "oracle/subject.hpp"
 #include "reference/outcome.hpp"
 
@@ -25,11 +26,7 @@ reference::ClauseId clause_of(const ReferenceStep& step);
 std::uint64_t block_of(const ReferenceStep& step);
 // {"x":"1","z":"2"}
 std::string point_text(const reference::Position& point, reference::AxisSet axes);
-// J-CMP-12: such a text as people read it: with decimals of nine places behind it, where it holds
-// anything else: {"x":"7/3"} = x 2.333333333. Nothing of nothing.
-std::string point_for_people(const std::string& point);
-// Exact, as in a record but without quotes round it; and rounded to nine decimals.
+// Exact, as in a record but without quotes round it.
 std::string exact_text(const reference::Number& value);
-std::string millimetres_text(const reference::Number& value);
 
 }  // namespace gonogo::oracle

@@ -4,19 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "grammar/line_source.hpp"
+#include "oracle/records/point_text.hpp"
+#include "reference/clause.hpp"
 
 namespace gonogo::oracle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers are texts, but for those of three kinds (docs/formats.md).
+// Numbers are texts, but for those of three kinds (docs/formats.md); what is no decimal is told to
+// nine places.
 std::string plain(const Json& value) {
+  const bool is_number =
+      value.is_object() ||
+      (value.is_string() && value.get<std::string>().find('/') != std::string::npos);
+  if (const auto number = is_number ? number_of(value) : std::nullopt) {
+    return millimetres_text(*number) + "...";
+  }
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -34,18 +44,39 @@ std::string words_of(const Json& values) {
   return text;
 }
 
+// " clockwise", " counterclockwise in 3 turns"
+std::string turns_of(const Json& rot) {
+  if (!rot.is_number_integer()) return " turning " + plain(rot);
+  const auto turns = rot.get<std::int64_t>();
+  const std::string sense = turns < 0 ? " clockwise" : " counterclockwise";
+  return turns == 1 || turns == -1 ? sense : fmt::format("{} in {} turns", sense, std::abs(turns));
+}
+
+// One value of a step, behind its name; nothing of what all steps have.
+std::string further_word(const std::string& key, const Json& value) {
+  const bool is_told = key == "k" || key == "b" || key == "to";
+  if (is_told || key == "clause" || key.starts_with("x-")) return {};
+  if (key == "via") return " via" + words_of(value);
+  if (key == "c") return " about" + words_of(value);
+  if (key == "rot") return turns_of(value);
+  if (key == "fm") return value == "rev" ? " a revolution" : "";
+  if (key == "plane") return " in " + plain(value);
+  if (key == "f" || key == "m") return (key == "f" ? " F" : " M") + plain(value);
+  return value.is_object() ? " " + key + words_of(value) : fmt::format(" {} {}", key, plain(value));
+}
+
 // The values of a step that tell it from others, behind its name.
 std::string further_words(const Json& step) {
   std::string text = words_of(step.value("to", Json::object()));
-  if (step.contains("via")) text += " via" + words_of(step["via"]);
-  if (step.contains("c")) text += " about" + words_of(step["c"]);
-  for (const auto& [key, word] :
-       {std::pair("rot", " turning "), std::pair("f", " F"), std::pair("lead", " lead "),
-        std::pair("start", " start "), std::pair("s", " s "), std::pair("m", " M")}) {
-    if (step.contains(key)) text += word + plain(step[key]);
-  }
-  if (step.contains("fm") && step["fm"] == "rev") text += " a revolution";
+  for (const auto& [key, value] : step.items()) text += further_word(key, value);
   return text;
+}
+
+// The line of a record, where want and got name two.
+std::string line_of(const Json& step, const Json& other) {
+  const bool differs = step.is_object() && other.is_object() && step.contains("b") &&
+                       other.contains("b") && step["b"] != other["b"] && !step.contains("class");
+  return differs ? fmt::format(" in line {}", plain(step["b"])) : std::string();
 }
 
 std::string shown(std::string_view line) {
@@ -80,28 +111,28 @@ std::string short_step(std::string_view json) {
     return step.contains("b") ? text + " in line " + plain(step["b"]) : text;
   }
   if (!step.contains("k")) return std::string(json);
-  return plain(step["k"]) + further_words(step);
+  const std::string words = further_words(step);
+  return step["k"] == "m" && words.size() > 1 ? words.substr(1) : plain(step["k"]) + words;
 }
 
 std::string want_and_got(std::string_view want, std::string_view got) {
   if (want.empty() && got.empty()) return {};
-  if (want.empty()) return "want nothing / got " + short_step(got);
-  return fmt::format("want {} / got {}", short_step(want),
-                     got.empty() ? "nothing" : short_step(got));
+  const Json due = Json::parse(want, nullptr, false);
+  const Json came = Json::parse(got, nullptr, false);
+  const auto shown_step = [](std::string_view text, const Json& step, const Json& other) {
+    return text.empty() ? "nothing" : short_step(text) + line_of(step, other);
+  };
+  return fmt::format("want {} / got {}", shown_step(want, due, came), shown_step(got, came, due));
 }
 
-std::string marked_blocks(std::string_view program, std::uint64_t line) {
-  constexpr std::uint64_t kBefore = 3;
-  constexpr std::uint64_t kBehind = 1;
-  std::map<std::uint64_t, std::string> blocks;
-  grammar::MemorySource bytes(program);
-  grammar::LineSource lines(bytes);
-  for (grammar::Line one; lines.next(one) && one.number <= line + kBehind;) {
-    if (one.number + kBefore >= line) blocks[one.number] = shown(one.text);
-  }
-  if (line == 0 || !blocks.contains(line)) return {};
-  const std::size_t width = std::to_string(blocks.rbegin()->first).size();
+namespace {
+
+using Blocks = std::map<std::uint64_t, std::string>;
+
+// With their numbers, and a caret below one of them.
+std::string numbered(const Blocks& blocks, std::uint64_t line) {
   std::string text;
+  const std::size_t width = blocks.empty() ? 0 : std::to_string(blocks.rbegin()->first).size();
   for (const auto& [number, block] : blocks) {
     text += fmt::format("{:>{}} | {}\n", number, width, block);
     if (number != line) continue;
@@ -111,11 +142,126 @@ std::string marked_blocks(std::string_view program, std::uint64_t line) {
   return text;
 }
 
+Blocks blocks_from_to(grammar::ByteSource& program, std::uint64_t from, std::uint64_t to) {
+  Blocks blocks;
+  grammar::LineSource lines(program);
+  for (grammar::Line one; lines.next(one) && one.number <= to;) {
+    if (one.number >= from) blocks[one.number] = shown(one.text);
+  }
+  return blocks;
+}
+
+}  // namespace
+
+std::string marked_blocks(std::string_view program, std::uint64_t line) {
+  grammar::MemorySource bytes(program);
+  return marked_blocks(bytes, line);
+}
+
+std::string marked_blocks(grammar::ByteSource& program, std::uint64_t line) {
+  constexpr std::uint64_t kBefore = 3;
+  constexpr std::uint64_t kBehind = 1;
+  if (line == 0) return {};
+  const Blocks blocks = blocks_from_to(program, line - std::min(kBefore, line), line + kBehind);
+  return blocks.contains(line) ? numbered(blocks, line) : std::string();
+}
+
+std::string marked_program(std::string_view program, std::uint64_t line) {
+  grammar::MemorySource bytes(program);
+  return numbered(blocks_from_to(bytes, 1, std::numeric_limits<std::uint64_t>::max()), line);
+}
+
 std::string other_machine(std::string_view profile) {
   std::vector<std::string> parts;
   const Json own = Json::parse(profile, nullptr, false);
   if (own.is_object()) collect(own, "", parts);
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::optional<std::uint64_t> line_wanted(std::string_view want) {
+  const Json step = Json::parse(want, nullptr, false);
+  const bool has_line = step.is_object() && step.contains("b") && step["b"].is_number_unsigned();
+  return has_line ? std::optional(step["b"].get<std::uint64_t>()) : std::nullopt;
+}
+
+FindingFacts finding_facts(const Verdict& verdict) {
+  FindingFacts facts;
+  facts.want = verdict.want;
+  facts.got = verdict.got;
+  facts.message = verdict.message;
+  facts.known = verdict.known;
+  if (verdict.departure) facts.departure = name(*verdict.departure);
+  facts.rule = name(rule_of(verdict));
+  facts.gap = name(verdict.gap);
+  facts.clause = reference::clause_name(verdict.clause);
+  if (verdict.block != 0) facts.block = verdict.block;
+  if (!facts.block) facts.block = line_wanted(verdict.want);
+  facts.record = verdict.record;
+  facts.deviation_exact = verdict.deviation_exact;
+  facts.deviation_mm = verdict.deviation_mm;
+  facts.witness = point_for_people(verdict.witness);
+  facts.reading = verdict.reading;
+  return facts;
+}
+
+namespace {
+
+// "GSK-G94-02: Traverse ... (document: section)"; an id that the catalog lacks alone.
+std::string clause_with_sentence(const std::string& id) {
+  const auto clauses = reference::clauses();
+  const auto found = std::ranges::find(clauses, std::string_view(id), &reference::Clause::id);
+  if (found == clauses.end()) return id;
+  return fmt::format("{}: {} ({})", id, found->text, found->source);
+}
+
+}  // namespace
+
+std::string deviation_text(const FindingFacts& facts) {
+  if (facts.deviation_exact.empty()) return {};
+  if (facts.deviation_exact == facts.deviation_mm) return facts.deviation_mm + " mm";
+  return fmt::format("{} mm (exactly {})", facts.deviation_mm, facts.deviation_exact);
+}
+
+std::vector<FindingPart> finding_parts(const FindingFacts& facts) {
+  using Form = FindingPart::Form;
+  const auto place = [](const auto& number) {
+    return number ? std::to_string(*number) : std::string();
+  };
+  std::vector<FindingPart> parts = {
+      {Form::fact, "about", facts.comment},
+      {Form::fact, "machine", other_machine(facts.profile)},
+      {Form::lines, "", facts.blocks},
+      {Form::sentence, "", want_and_got(facts.want, facts.got)},
+      {Form::sentence, "", facts.message},
+      {Form::fact, "known", facts.known},
+      {Form::fact, "would be", facts.departure},
+      {Form::fact, "rule", rule_text(facts.rule)},
+      {Form::fact, "gap", facts.gap},
+      {Form::fact, "clause", clause_with_sentence(facts.clause)},
+      {Form::fact, "basis", facts.basis == "text" ? "" : facts.basis},
+      {Form::fact, "line", facts.blocks.empty() ? place(facts.block) : std::string()},
+      {Form::fact, "record", place(facts.record)},
+      {Form::fact, "deviation", deviation_text(facts)},
+      {Form::fact, "witness", facts.witness},
+      {Form::fact, "GO under", facts.reading.empty() ? "" : "--reading " + facts.reading},
+      {Form::sentence, "", facts.cause},
+      {Form::command, "again", facts.next}};
+  std::erase_if(parts, [](const FindingPart& part) { return part.text.empty(); });
+  return parts;
+}
+
+std::string finding_text(const FindingFacts& facts, std::string_view indent) {
+  std::string text;
+  for (const auto& [form, what, part] : finding_parts(facts)) {
+    const std::string head = what.empty() ? std::string() : fmt::format("{:<10} ", what);
+    std::size_t begin = 0;
+    do {  // most parts are one line
+      const std::size_t end = std::min(part.find('\n', begin), part.size());
+      text += fmt::format("{}{}{}\n", indent, head, part.substr(begin, end - begin));
+      begin = end + 1;
+    } while (begin < part.size());
+  }
+  return text;
 }
 
 }  // namespace gonogo::oracle

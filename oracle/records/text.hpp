@@ -4,6 +4,7 @@
 // words of a shell command.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,9 @@ std::string visible(std::string_view bytes, Lines lines = Lines::shown);
 
 // At most `limit` bytes of a text for a message, visible, with "..." when it was cut.
 std::string excerpt(std::string_view bytes, std::size_t limit = 120);
+
+// "2026-03-14 22:41 UTC"
+std::string date_text(std::chrono::system_clock::time_point time);
 
 // One word of a POSIX shell command.
 std::string shell_quoted(std::string_view word);

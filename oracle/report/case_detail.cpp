@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/report/case_detail.hpp"
 
+#include "oracle/records/finding_text.hpp"
 #include "oracle/report/case_times.hpp"
 #include "oracle/report/escape.hpp"
 #include "oracle/report/json_value.hpp"
@@ -147,6 +148,14 @@ Json pass_detail(const CorpusCase& test) {
 Json case_detail(const Json& line, std::string_view subject_name, bool with_paths) {
   Json detail = line;
   detail.erase("trace");
+  const Json profile = line.value("profile", Json::object());
+  if (std::string machine = other_machine(profile.dump()); !machine.empty()) {
+    detail["machine"] = std::move(machine);
+  }
+  if (std::string steps = want_and_got(text_of(line, "want"), text_of(line, "got"));
+      !steps.empty()) {
+    detail["steps"] = std::move(steps);
+  }
   const auto program = program_bytes(line);
   if (!program) {
     detail.erase("program");

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "oracle/records/input_file.hpp"
 #include "oracle/records/output_file.hpp"
+#include "oracle/records/text.hpp"
 #include "oracle/report/assets.hpp"
 #include "oracle/report/case_detail.hpp"
 #include "oracle/report/deflate.hpp"
@@ -156,7 +158,9 @@ std::optional<ReportError> HtmlPage::finish(const Json& summary) {
   if (!out_.is_open()) return ReportError{fmt::format("{} cannot be written.", part_.string())};
   flush_rows();
   flush_passes();
-  out_ << "<script type=\"application/json\" id=\"summary\">" << script_json(dump(summary))
+  Json told = summary;
+  told["written"] = date_text(std::chrono::system_clock::now());
+  out_ << "<script type=\"application/json\" id=\"summary\">" << script_json(dump(told))
        << "</script>\n"
        << after_;
   out_.close();

@@ -107,6 +107,7 @@ void append_unfolded(std::string& out, const Sheet& sheet, const Unfolding& how,
   }
   View view{"MOTION BESIDE MOTION", "unfolded", {1, 0, 0}, {0, 0, 1}};
   view.spread_axis = 'X';
+  view.diameters = sheet.lathe && how.axis == 'X';
   view.shown_axis = how.axis;
   set_view(view, {kMargin + 6, kSheetHeight, width, kStrip - kMargin},
            extent_of_paths({&reference, &departing}));
@@ -143,7 +144,10 @@ Parts parts_of(const Sheet& sheet, const Extent& extent) {
   Parts parts;
   parts.layout = lay_out(extent, sheet.lathe, kDrawingArea);
   parts.names = names_in(*sheet.reference, sheet.block);
-  for (View& view : parts.layout.views) view.axis_names = parts.names.axes;
+  for (View& view : parts.layout.views) {
+    view.axis_names = parts.names.axes;
+    view.diameters = sheet.lathe;
+  }
   parts.level = level_shown(sheet.limits, sheet.block, sheet.witness);
   parts.unfolding = unfolding_of(*sheet.reference, sheet.block);
   if (sheet.witness) {

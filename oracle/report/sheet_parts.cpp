@@ -71,11 +71,22 @@ struct GridLine {
   bool zero;
 };
 
-std::vector<GridLine> grid_lines(const View& view, bool vertical) {
-  constexpr double kLeastGap = 58;  // pixels between two lines
+constexpr double kLetterOfLabel = 6.6;  // pixels, the widest
+constexpr double kBetweenLabels = 8;
+
+// The width of what labels say, at most.
+double room_of_label(std::string_view label) {
+  const auto letters = std::ranges::count_if(
+      label, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  return kLetterOfLabel * static_cast<double>(letters) + kBetweenLabels;
+}
+
+std::vector<GridLine> grid_lines_at_least(const View& view, bool vertical, double least_gap) {
   constexpr int kMost = 60;
-  const double step = svg::nice_step(kLeastGap / view.scale);
   const Direction& direction = vertical ? view.up : view.right;
+  // Of a lathe the scale of X is that of the program: diameters.
+  const double times = view.diameters && axis_of(direction) == 'X' ? 2 : 1;
+  const double step = svg::nice_step(times * least_gap / view.scale) / times;
   const double middle = vertical ? view.middle_up : view.middle_right;
   const double half = (vertical ? view.field.height : view.field.width) / 2 / view.scale;
   const double first = std::ceil((middle - half) / step);
@@ -86,8 +97,19 @@ std::vector<GridLine> grid_lines(const View& view, bool vertical) {
     const double offset = (value - middle) * view.scale;
     const double at = vertical ? view.field.y + view.field.height / 2 - offset
                                : view.field.x + view.field.width / 2 + offset;
-    lines.push_back({at, svg::step_label(sign_of(direction) * value, step), first + i == 0});
+    lines.push_back(
+        {at, svg::step_label(sign_of(direction) * value * times, step * times), first + i == 0});
   }
+  return lines;
+}
+
+// So far apart that no two labels meet.
+std::vector<GridLine> grid_lines(const View& view, bool vertical) {
+  double gap = 58;  // pixels between two lines
+  std::vector<GridLine> lines = grid_lines_at_least(view, vertical, gap);
+  double widest = 0;
+  for (const GridLine& line : lines) widest = std::max(widest, room_of_label(line.label));
+  if (!vertical && widest > gap) lines = grid_lines_at_least(view, vertical, widest);
   return lines;
 }
 
@@ -101,7 +123,7 @@ void append_grid(std::string& out, const View& view) {
   const bool upwards = axis_of(view.up) == view.spread_axis;
   for (const GridLine& line : across ? std::vector<GridLine>() : grid_lines(view, false)) {
     svg::append_line(line.zero ? zeros : lines, {line.at, field.y}, {line.at, bottom});
-    svg::append_text(labels, {line.at, bottom + 14}, "gs-label", line.label,
+    svg::append_text(labels, {line.at, bottom + 17}, "gs-label", line.label,
                      "text-anchor=\"middle\"");
   }
   for (const GridLine& line : upwards ? std::vector<GridLine>() : grid_lines(view, true)) {
@@ -244,7 +266,11 @@ std::string view_title(const View& view) {
     if (axis != axis_of(view.right) && axis != axis_of(view.up)) continue;
     names += fmt::format("{}{} = {}", names.empty() ? "  " : ", ", name, axis);
   }
-  return fmt::format("{}  {}\xE2\x80\x93{}{}", view.title, axis_of(view.right), axis_of(view.up),
+  const auto scale = [&](const Direction& direction) {
+    const char axis = axis_of(direction);
+    return view.diameters && axis == 'X' ? std::string("\xE2\x8C\x80X") : std::string(1, axis);
+  };
+  return fmt::format("{}  {}\xE2\x80\x93{}{}", view.title, scale(view.right), scale(view.up),
                      names);
 }
 
@@ -351,7 +377,7 @@ void append_title_block(std::string& out, const Sheet& sheet, const Layout& layo
   append_scale_bar(out, layout, kScale + 6, kTop + 24);
   append_projection_symbol(out, kScale + 230, kTop + 16);
   svg::append_text(out, {kScale, kTop + 62}, "gs-text",
-                   sheet.lathe ? "Millimetres; X as a radius. Base coordinate system."sv
+                   sheet.lathe ? "Millimetres; the scale of X is a diameter."sv
                                : "Millimetres. Base coordinate system."sv);
   svg::append_text(out, {kScale, kTop + 79}, "gs-text", layout.note);
   svg::append_text(out, {kScale, kTop + 95}, "gs-label", "Rapids: only their ends are specified.");

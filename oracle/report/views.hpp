@@ -56,8 +56,9 @@ struct View {
   double scale = 1;         // pixels a mm
   double middle_right = 0;  // mm, at the middle of the field
   double middle_up = 0;
-  char spread_axis = 0;  // motions stand side by side along it, so it has no scale; 0: none
-  char shown_axis = 0;   // of a view of one coordinate: which; 0: as its directions say
+  bool diameters = false;  // the scale of X
+  char spread_axis = 0;    // motions stand side by side along it, so it has no scale; 0: none
+  char shown_axis = 0;     // of a view of one coordinate: which; 0: as its directions say
   std::map<char, char> axis_names{};  // 'p' -> 'Z', as the clauses call them
 
   SheetPoint place(const Point3& point) const;

@@ -9,23 +9,20 @@
 // The gauge runs once; each case is told as a test. What the subject does not claim and what the
 // manual leaves open is skipped, what fails as it is known to is a todo.
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const GONOGO = fileURLToPath(new URL('../bin/gonogo', import.meta.url));
 const JUDGED_EXITS = [0, 1, 3];
 
-function failureText(result) {
-  const told = ['clause', 'b', 'want', 'got', 'witness']
-    .filter((key) => key in result)
-    .map((key) => `${key.padEnd(10)} ${typeof result[key] === 'string' ? result[key] : JSON.stringify(result[key])}`);
-  const program = typeof result.program === 'string' ? result.program.split(/\r?\n/) : [];
-  const lines = program.map((line, index) => `${String(index + 1).padStart(6)}  ${line}`);
-  return [`${result.verdict}: ${result.message ?? ''}`, ...told, ...lines].join('\n');
+// As `gonogo certify` tells it; a case without a program has no file.
+function failureText({ id, verdict, message = '' }, report) {
+  const told = `${report}/programs/${id}.txt`;
+  return existsSync(told) ? readFileSync(told, 'utf8').trimEnd() : `${verdict}: ${message}`;
 }
 
-function declare(result) {
+function declare(result, report) {
   const { id, verdict, message = '' } = result;
   if (['skip', 'oracle-gap', 'advice'].includes(verdict)) {
     test(id, { skip: `${verdict}: ${message}` }, () => {});
@@ -34,7 +31,7 @@ function declare(result) {
   const todo = verdict === 'xfail' ? (result.known ?? message) : false;
   test(id, { todo }, () => {
     if (!verdict.startsWith('pass')) {
-      const error = new Error(failureText(result));
+      const error = new Error(failureText(result, report));
       error.stack = error.message; // where this file throws says nothing
       throw error;
     }
@@ -59,7 +56,7 @@ export function conformance(subject, options = {}) {
   }
   const lines = readFileSync(`${report}/results.jsonl`, 'utf8').split('\n').filter(Boolean).map((line) => JSON.parse(line));
   const cases = lines.filter((line) => 'id' in line);
-  cases.forEach(declare);
+  cases.forEach((result) => declare(result, report));
   test('something is judged', () => {
     if (cases.every(({ verdict }) => verdict === 'skip')) throw new Error(output);
   });

@@ -421,3 +421,27 @@ test('what the gauge does not read is folded', () => withPage(results, async (pa
   await page.locator('#gaps details', { has: page.locator('.codes') }).first().locator('summary').click();
   assert.equal(await codes.isVisible(), true);
 }));
+
+// Chosen from the list, a case opens; Back closes it, Forward opens it again.
+test('Back leads from a case to the report', () => withPage(results, async (page) => {
+  assert.match(await text(page, '#headline .words'), /page of \d{4}-\d\d-\d\d \d\d:\d\d UTC/);
+  await page.locator('#rows .row').first().click();
+  const id = await text(page, '#detail h2');
+  await page.goBack();
+  await page.waitForFunction(() => document.querySelector('#detail').hidden);
+  await page.goForward();
+  await shows(page, '#detail h2', id);
+}));
+
+// The block at fault, the drawing and its stepper are seen at once, and stay while the facts are read.
+test('a case fits one screen, with its drawing beside the program', () => withPage(results, async (page) => {
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await page.locator('#sheet').waitFor();
+  // From the top of the case, read at one moment: the page may still be scrolling.
+  const places = await page.evaluate((parts) => {
+    document.querySelector('.case').scrollIntoView({ behavior: 'instant' });
+    const { top } = document.querySelector('.case').getBoundingClientRect();
+    return parts.map((part) => document.querySelector(part).getBoundingClientRect()).map((box) => [box.top - top, box.bottom - top]);
+  }, ['#program .at-fault', '#sheet', '.stepper']);
+  for (const [top, bottom] of places) assert.ok(top >= 0 && bottom <= 900, JSON.stringify(places));
+}, atCase('gsk.g94.000002')));

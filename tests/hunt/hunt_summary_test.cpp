@@ -72,8 +72,9 @@ TEST_F(HuntSummaries, FacesOfOneCauseAreOneFinding) {
   group_findings(summary, causes);
   EXPECT_EQ(findings_text(summary), "1 finding, 4 faces");
   EXPECT_EQ(summary.findings.front().cause, "so");
-  // In how many programs, that of most first.
-  EXPECT_EQ(summary.findings.front().faces.front().programs, 4U);
+  // A wrong path before a wrong alarm, and in how many programs, that of most first.
+  EXPECT_EQ(summary.findings.front().faces.front().programs, 3U);
+  EXPECT_EQ(summary.findings.front().faces.back().programs, 4U);
   EXPECT_EQ(summary.findings.front().programs(), 10U);
 }
 

@@ -21,8 +21,20 @@ function showCase(c) {
   if (data) showFailure(detail, c, data);
   else showPass(detail, c, passOf(c.index));
   detail.append(commandBox([c.id, data?.readings?.against].filter(Boolean)));
+  // Back leads from the first case to where it was chosen; stepping along the list leaves no trail.
   const hash = `#case=${encodeURIComponent(c.id)}`;
-  if (location.hash !== hash) history.replaceState(null, '', hash);
+  if (location.hash === hash) return;
+  if (location.hash.startsWith('#case=')) history.replaceState(null, '', hash);
+  else history.pushState(null, '', hash);
+}
+
+function closeCase() {
+  openCase = null;
+  stepper = null;
+  chosen = -1;
+  byId('detail').hidden = true;
+  byId('detail').replaceChildren();
+  showRows();
 }
 
 // The rules of the acceptance relation.
@@ -86,8 +98,11 @@ function motionTable(data, view) {
 }
 
 function showFailure(detail, c, data) {
-  const facts = el('dl', { class: 'pairs' });
+  const facts = el('dl', { class: 'pairs', id: 'told' });
   const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
+  if (data.comment) fact('About', data.comment);
+  if (data.machine) fact('Machine', data.machine);
+  if (data.steps) fact('Want and got', ...data.steps.split(' / ').flatMap((step, i) => [i > 0 ? el('br', {}) : '', step]));
   fact('Dialect, cycle', `${c.dialect}, ${c.cycle}`);
   if (c.clause) {
     const clause = catalog.get(c.clause);
@@ -104,19 +119,21 @@ function showFailure(detail, c, data) {
   if (data.deviation) fact('Deviation', deviationText(data.deviation));
   if (data.witness) fact('Witness', pointText(data.witness));
   if (data.attempts > 1) fact('Attempts', String(data.attempts));
-  if (data.profile && Object.keys(data.profile).length > 0) fact('Profile', el('span', { class: 'mono' }, JSON.stringify(data.profile)));
-  const left = el('div', {}, facts);
+  const cause = summary.findings.find((finding) => finding.number === c.finding)?.causeText;
+  if (cause) fact('Likely cause', cause);
+  const told = el('div', { class: 'told' }, programBox(data), facts);
   if (data.reading) {
-    left.append(el('p', { class: 'other' }, 'Under the reading ', el('strong', { class: 'mono' }, data.reading), ' the answer would be GO.'));
+    told.append(el('p', { class: 'other' }, 'Under the reading ', el('strong', { class: 'mono' }, data.reading), ' the answer would be GO.'));
   }
-  detail.append(el('div', { class: 'columns' }, left, programBox(data)));
+  const drawn = el('div', { class: 'drawn' });
+  detail.append(el('div', { class: data.svg ? 'case' : '' }, told, drawn));
   if (data.want !== undefined || data.got !== undefined) {
     const cards = el('div', { class: 'records', id: 'want-got' }, recordCard('Want: the reference', 'reference', data.want, data.got),
       recordCard('Got: the subject', 'subject', data.got, data.want));
     detail.append(el('h3', {}, 'Want and got'), cards);
   }
+  showDrawing(drawn, detail, data);
   if (data.times) detail.append(...timesTable(data.times));
-  showDrawing(detail, data);
   if (data.notes) detail.append(el('h3', {}, 'What the subject noted or wrote to stderr'), el('pre', { tabindex: 0 }, el('span', { class: 'line plain' }, data.notes)));
 }
 

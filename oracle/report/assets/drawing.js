@@ -22,7 +22,8 @@ function strandsOf(svg) {
   }));
 }
 
-function showDrawing(detail, data) {
+// The sheet with its stepper in one box, what it shows of each step and the view in space in the other.
+function showDrawing(drawn, detail, data) {
   if (!data.svg) {
     if (data.note && data.program !== undefined) detail.append(el('h3', {}, 'Drawing'), el('p', { class: 'note' }, data.note));
     return;
@@ -53,8 +54,8 @@ function showDrawing(detail, data) {
   svg.addEventListener('click', (event) => pick(s, event));
   const space = data.moves ? spaceBox(data) : null;
   s.space = space?.view;
-  detail.append(el('h3', {}, 'Drawing'), zoomBar(svg, layer), sheet, controls(s), el('div', { class: 'records', id: 'stepped' }),
-    ...(space?.nodes ?? []));
+  drawn.append(el('h3', { class: 'first' }, 'Drawing'), zoomBar(svg, layer), sheet, controls(s));
+  detail.append(el('div', { class: 'records', id: 'stepped' }), ...(space?.nodes ?? []));
   for (const note of [data.referenceNote, data.traceNote, data.note,
     data.referenceCut && 'The reference\u2019s path is longer than what is shown.',
     data.traceCut && 'The subject\u2019s path is longer than what is shown.']) {

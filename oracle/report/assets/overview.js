@@ -16,6 +16,7 @@ function showHeadline() {
   if (headline.undecided > 0) parts.push(`${count(headline.undecided)} undecided`);
   if (headline.notClaimed > 0) parts.push(`${count(headline.notClaimed)} not claimed`);
   if (headline.notCovered > 0) parts.push(`${count(headline.notCovered)} not covered by the gauge`);
+  if (summary.written) parts.push(`page of ${summary.written}`);
   const name = [subject.name, subject.version].filter(Boolean).join(' ') || subject.spec || '';
   const words = el('div', { class: 'words' },
     el('p', { class: 'subject' }, name), el('p', { class: 'head', id: 'head-line' }, headline.head),

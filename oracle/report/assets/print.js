@@ -15,12 +15,13 @@ function printedFinding(finding) {
   const facts = el('dl', { class: 'pairs' });
   const fact = (name, ...value) => facts.append(el('dt', {}, name), el('dd', {}, ...value));
   fact('Finding', `${counted(finding.cases, 'case', 'cases')}: ${Object.entries(finding.cycles).map(([cycle, n]) => `${cycle} ${count(n)}`).join(', ')}`);
+  if (data.comment) fact('About', data.comment);
+  if (data.machine) fact('Machine', data.machine);
   if (finding.cause) fact('Cause', finding.causeText);
   if (clause) fact('Clause', `${clause.id}: ${clause.text} (${clause.source})`);
   if (data.b !== undefined) fact('Line', String(data.b));
   if (data.deviation) fact('Deviation', deviationText(data.deviation));
-  if (data.want) fact('Want', el('span', { class: 'mono' }, data.want));
-  if (data.got) fact('Got', el('span', { class: 'mono' }, data.got));
+  if (data.steps) fact('Want and got', data.steps);
   for (const [what, , due, got, hint] of data.times?.rows ?? []) {
     if (due !== '' && due !== got) fact(kTimeNames[what] ?? what, `${due} due up to here, ${got} got.${hint}`);
   }

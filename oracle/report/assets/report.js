@@ -5,7 +5,10 @@
 
 function openFromHash() {
   const id = /^#case=(.*)$/.exec(location.hash)?.[1];
-  if (!id) return;
+  if (!id) {
+    if (openCase) closeCase();
+    return;
+  }
   let wanted;
   try { wanted = decodeURIComponent(id); } catch { return; }
   const c = cases.find((one) => one.id === wanted);

@@ -186,7 +186,7 @@ class CaseTests(Campaign, pytest.Collector):
         with open(report / "results.jsonl", encoding="utf-8", errors="replace") as results:
             for case in map(json.loads, results):
                 if "id" in case:
-                    yield CaseTest.from_parent(self, name=case["id"], case=case, dialect=self.dialect)
+                    yield CaseTest.from_parent(self, name=case["id"], case=case, report=report, dialect=self.dialect)
 
 
 class CaseFailed(Exception):
@@ -194,9 +194,9 @@ class CaseFailed(Exception):
 
 
 class CaseTest(pytest.Item):
-    def __init__(self, *, case, dialect, **rest):
+    def __init__(self, *, case, report, dialect, **rest):
         super().__init__(**rest)
-        self.case, self.dialect = case, dialect
+        self.case, self.report, self.dialect = case, report, dialect
 
     def runtest(self):
         verdict, message = self.case["verdict"], self.case.get("message", "")
@@ -212,11 +212,10 @@ class CaseTest(pytest.Item):
     def repr_failure(self, excinfo, style=None):
         if not isinstance(excinfo.value, CaseFailed):
             return super().repr_failure(excinfo, style)
-        told = [f"{key:<10} {self.case[key]}" for key in ("clause", "b", "want", "got", "witness") if key in self.case]
-        program = self.case.get("program", "")
-        if isinstance(program, str):
-            told += [f"{number:>6}  {line}" for number, line in enumerate(program.splitlines(), 1)]
-        return "\n".join([f"{self.case['verdict']}: {self.case.get('message', '')}", *told])
+        told = self.report / "programs" / f"{self.case['id']}.txt"
+        if told.is_file():
+            return told.read_text(encoding="utf-8", errors="replace").rstrip()
+        return f"{self.case['verdict']}: {self.case.get('message', '')}"
 
     def reportinfo(self):
         return self.path, None, self.name

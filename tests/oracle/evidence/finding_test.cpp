@@ -128,6 +128,47 @@ TEST(FindingText, steps_are_told_as_people_write_them) {
   EXPECT_EQ(want_and_got("", ""), "");
 }
 
+TEST(FindingText,
+     a_step_says_which_way_round_and_in_which_plane_and_a_line_only_where_two_are_named) {
+  EXPECT_EQ(
+      want_and_got(
+          R"({"k":"arc","b":2,"plane":"G18","c":{"x":"1","z":"7/3"},"rot":-1,"to":{"x":"1"},"f":"9"})",
+          R"({"k":"arc","b":2,"plane":"G18","c":{"x":"1","z":"2"},"rot":3,"to":{"x":"1"},"f":"9","fm":"rev"})"),
+      "want arc X1 in G18 about X1 Z2.333333333... clockwise F9 / "
+      "got arc X1 in G18 about X1 Z2 counterclockwise in 3 turns F9 a revolution");
+  EXPECT_EQ(want_and_got(R"({"k":"m","b":3,"m":2})", R"({"k":"m","b":2,"m":2})"),
+            "want M2 in line 3 / got M2 in line 2");
+}
+
+// All that a finding has, in one order for all who tell it.
+TEST(FindingText, has_what_the_case_is_about_its_machine_the_block_both_steps_and_what_to_do) {
+  FindingFacts facts;
+  facts.comment = "a taper";
+  facts.profile = R"({"units":"inch"})";
+  facts.blocks = marked_blocks("G0 X1\nG94 X2\n", 2);
+  facts.want = kRapid;
+  facts.got = kOtherRapid;
+  facts.message = "It ends early.";
+  facts.rule = "R4";
+  facts.clause = "GSK-NONE";
+  facts.block = 2;
+  facts.deviation_exact = "1/3";
+  facts.deviation_mm = "0.333333333";
+  facts.next = "gonogo certify --case a";
+  EXPECT_EQ(finding_text(facts, "  "),
+            "  about      a taper\n"
+            "  machine    units inch\n"
+            "  1 | G0 X1\n"
+            "  2 | G94 X2\n"
+            "    | ^^^^^^\n"
+            "  want rapid Z-7 / got rapid Z-3\n"
+            "  It ends early.\n"
+            "  rule       R4 (traverse)\n"
+            "  clause     GSK-NONE\n"
+            "  deviation  0.333333333 mm (exactly 1/3)\n"
+            "  again      gonogo certify --case a\n");
+}
+
 TEST(FindingText, the_block_that_departs_is_marked) {
   EXPECT_EQ(marked_blocks("G0 X1\r\nG94 X2\nM30\nM2\n", 2),
             "1 | G0 X1\n2 | G94 X2\n  | ^^^^^^\n3 | M30\n");

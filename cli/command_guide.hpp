@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Each command of the program with its place in the help and two examples.
+#pragma once
+
+#include <vector>
+
+#include "cli/command_line.hpp"
+
+namespace gonogo::cli {
+
+const std::vector<CommandGuide>& command_guides();
+
+}  // namespace gonogo::cli

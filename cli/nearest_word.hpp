@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What somebody meant who wrote a word that is not known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gonogo::cli {
+
+// The known word that is nearest to the one written, in whatever letters; empty: none is near.
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+// "Did you mean taper-sign? "; nothing of nothing.
+std::string did_you_mean(const std::string& word);
+
+}  // namespace gonogo::cli
