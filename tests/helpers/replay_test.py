@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """replay_test.py GONOGO CORPUS [NODE]: the small readers against the gauge, on what the built-in expanders do.
 
-Sound, and with a planted fault of each dialect on every fourth case: where a reader decides, it says what the gauge says, and both
-readers print the same; it decides nearly all cases whose path is closed, and finds each fault."""
+Sound, and with a planted fault of each dialect on every fourth case: where a reader decides, it says what the gauge
+says, and both readers print the same; it decides nearly all cases whose path is closed, and finds each fault."""
 import json
 import os
 import subprocess
