@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checker/record.hpp"
 
+#include <algorithm>
+
 namespace gonogo::checker {
 namespace {
 
@@ -105,6 +107,8 @@ Record read_record(const Json& value) {
 Alarm read_alarm(const Json& value) {
   Alarm alarm;
   if (const Json* kind = value.find("class")) alarm.kind = kind->text;
+  constexpr std::ptrdiff_t kMostClasses = 3;  // whoever names many names none
+  if (std::ranges::count(alarm.kind, ' ') >= kMostClasses) alarm.kind.clear();
   if (value.find("b") != nullptr) alarm.block = value.integer_of("b");
   return alarm;
 }

@@ -273,7 +273,7 @@ class Judge {
   }
 
   admits(admitted, alarm) {
-    return admitted.some((one) => one.class === alarm.class && (!this.blocks || one.b === alarm.b));
+    return admitted.some((one) => alarm.class.split(" ").includes(one.class) && (!this.blocks || one.b === alarm.b));
   }
 
   followPath({ motions: want, end }, got, told) {

@@ -189,7 +189,7 @@ class Judge:
                           % (alarm["class"], alarm.get("b"), admitted[0]["class"], admitted[0]["b"]))
 
     def admits(self, admitted, alarm):
-        return any(one["class"] == alarm["class"] and (not self.blocks or one["b"] == alarm.get("b"))
+        return any(one["class"] in alarm["class"].split() and (not self.blocks or one["b"] == alarm.get("b"))
                    for one in admitted)
 
     def follow_path(self, want, got, end, told):

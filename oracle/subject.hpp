@@ -56,7 +56,8 @@ struct StatedMachine {
 // The alarm as the subject reported it.
 struct SubjectAlarm {
   std::string native;
-  // Empty when only native was given; several between blanks, where its text stands for several.
+  // Empty when only native was given; up to three between blanks, where its text stands for
+  // several.
   std::string alarm_class;
   std::uint64_t block = 0;  // 0: not given
   reference::WordName word;

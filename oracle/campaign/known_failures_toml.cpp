@@ -8,6 +8,7 @@
 #include <set>
 
 #include "oracle/campaign/known_failures.hpp"
+#include "oracle/records/record_fault.hpp"
 #include "reference/outcome.hpp"
 #include "reference/toml_text.hpp"
 
@@ -229,6 +230,9 @@ std::string classes_of(const toml::table& table, std::string_view native, const 
   const std::vector<std::string> classes = texts_of(table, native);
   for (const std::string& one : classes) {
     if (!reference::alarm_class(one)) fail(node, fmt::format("\"{}\" is no alarm class.", one));
+  }
+  if (std::ssize(classes) > kMostClasses) {
+    fail(node, fmt::format("A text stands for {} classes at most.", kMostClasses));
   }
   return fmt::format("{}", fmt::join(classes, " "));
 }

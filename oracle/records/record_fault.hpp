@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -30,6 +32,14 @@ inline void require_axes(std::string_view key, reference::AxisSet named,
     if (!named.has(axis)) {
       fail_record("\"{}\" lacks the axis {}.", key, reference::letter(axis));
     }
+  }
+}
+
+// The classes that an alarm's text stands for, between blanks. Whoever names many names none.
+inline constexpr std::ptrdiff_t kMostClasses = 3;
+inline void require_few_classes(std::string_view classes) {
+  if (std::ranges::count(classes, ' ') >= kMostClasses) {
+    fail_record("An alarm stands for {} classes at most.", kMostClasses);
   }
 }
 

@@ -161,6 +161,7 @@ SubjectAlarm alarm_of(const Fields& fields) {
   SubjectAlarm alarm;
   alarm.block = block_of(fields);
   if (fields.has(Key::alarm_class)) alarm.alarm_class = visible(fields.text(Key::alarm_class));
+  require_few_classes(alarm.alarm_class);
   if (fields.has(Key::native)) alarm.native = visible(fields.text(Key::native));
   if (fields.has(Key::word)) {
     alarm.word = reference::WordName(fields.text(Key::word));

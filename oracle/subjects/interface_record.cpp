@@ -178,6 +178,7 @@ SubjectAlarm alarm_of(const gonogo_alarm_v1& source) {
   alarm.block = source.block;
   alarm.native = visible(view(source.native));
   alarm.alarm_class = visible(view(source.klass));
+  require_few_classes(alarm.alarm_class);
   alarm.word = source.word;
   if (alarm.native.empty() && alarm.alarm_class.empty()) {
     fail_record("An alarm needs a class or the subject's own text.");

@@ -256,6 +256,13 @@ TEST(AlarmMap, ATextMayStandForSeveralClasses) {
   EXPECT_EQ(end.alarm.alarm_class, "value-sign value-out-of-range");
 }
 
+TEST(AlarmMap, ATextStandsForThreeClassesAtMost) {
+  auto read = alarm_map_from_toml(
+      "[alarms]\n\"*\" = [\"value-sign\", \"syntax\", \"no-tool\", \"unused-word\"]\n");
+  ASSERT_TRUE(std::holds_alternative<FileFault>(read));
+  EXPECT_NE(std::get<FileFault>(read).message.find("3 classes"), std::string::npos);
+}
+
 TEST(AlarmMap, AClassThatDoesNotExistIsRefused) {
   for (const char* classes : {"\"sign\"", "[\"value-sign\", \"sign\"]"}) {
     auto read = alarm_map_from_toml(std::string("[alarms]\n\"PS0061\" = ") + classes + "\n");

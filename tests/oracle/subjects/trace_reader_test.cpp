@@ -161,6 +161,14 @@ TEST(TraceReader, EveryRequiredKeyIsRequired) {
   EXPECT_FAULT(R"({"k":"alarm","b":3})", "class");
 }
 
+// Whoever names every class would be right with any alarm.
+TEST(TraceReader, AnAlarmStandsForThreeClassesAtMost) {
+  TraceReader reader;
+  const auto line = reader.read(R"({"k":"alarm","class":"syntax value-sign no-tool"})");
+  EXPECT_EQ(std::get<SubjectAlarm>(line).alarm_class, "syntax value-sign no-tool");
+  EXPECT_FAULT(R"({"k":"alarm","class":"syntax value-sign no-tool unused-word"})", "3 classes");
+}
+
 TEST(TraceReader, AnArcNeedsBothAxesOfItsPlane) {
   EXPECT_FAULT(R"({"k":"arc","plane":"G17","c":{"x":"1"},"rot":1,"to":{"x":"1","y":"1"},"f":"1"})",
                "\"c\"");
