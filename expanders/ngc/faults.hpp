@@ -232,8 +232,8 @@ inline constexpr FaultDescription kFaultTable[] = {
      "lead along Z taken for that of the longer axis"},
     {"g76-ends-at-start", "G76 ends where it began", "NGC-G76-12", "return as in a turning cycle"},
     {"g76-equal-k-passed", "K may be J", "NGC-G76-03", "< written for <="},
-    {"g76-lead-class", "P left out of G76 is a missing word", "NGC-G76-01",
-     "one alarm for all words"},
+    {"g76-lead-class", "P left out of G76 is a missing feed", "NGC-G76-01",
+     "one alarm for feed and lead"},
     {"g76-inch-lead-unscaled", "P of G76 is not converted from inches", "NGC-G76-14",
      "P taken for a number"},
     // text and life of a program

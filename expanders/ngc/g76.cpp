@@ -100,8 +100,8 @@ void ThreadingBlock::take_end() {
 // NGC-G76-01
 void ThreadingBlock::take_lead() {
   if (!block_.has('P')) {
-    const bool one_class = machine_.adds("g76-lead-class"_fault);
-    complain(one_class ? AlarmKind::kMissingWord : AlarmKind::kLeadMissing, 'P');
+    const bool is_feed = machine_.adds("g76-lead-class"_fault);
+    complain(is_feed ? AlarmKind::kFeedMissing : AlarmKind::kLeadMissing, 'P');
   }
   thread_.lead = machine_.alters("g76-inch-lead-unscaled"_fault, length('P'), number('P'));
   if (block_.has('P') && thread_.lead <= 0 && !lenient_) complain(AlarmKind::kValueSign, 'P');

@@ -137,7 +137,7 @@ const Exhibit kNgcCycleExhibits[] = {
      "R20,0,-20 R20,0,2"},
     {"g76-equal-k-passed", kLine + "G76 P2 Z-20 I-1 J1 K1",
      "M3 R20,0,2 R18,0,2 T18,0,-20@2 R20,0,-20"},
-    {"g76-lead-class", kLine + "G76 Z-20 I-1 J0.5 K1", "M3 R20,0,2 alarm missing-word"},
+    {"g76-lead-class", kLine + "G76 Z-20 I-1 J0.5 K1", "M3 R20,0,2 alarm feed-missing"},
     // I-2.54, J12.7, K25.4 mm.
     {"g76-inch-lead-unscaled", kLine + "G20 G76 P2 Z-1 I-0.1 J0.5 K1",
      "M3 R20,0,2 R32.7,0,2 R4.76,0,2 T4.76,0,-25.4@2 R32.7,0,-25.4 R20,0,2 R-7.94,0,2 "
